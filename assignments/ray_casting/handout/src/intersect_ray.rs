@@ -1,0 +1,32 @@
+//! The question every shape answers. You need not change this file; you answer it
+//! in `sphere.rs`, `plane.rs`, `triangle.rs` and `triangle_soup.rs`.
+
+use pinhole::{Canned, Intersection, Ray, Shape};
+
+/// A surface that a ray can meet.
+pub trait IntersectRay {
+    /// The first point of this surface along `ray`, at `min_t` or beyond.
+    ///
+    /// `min_t` and the answer's `t` are the ray's parameter: multiples of
+    /// `ray.direction`, whatever its length. The answer's normal is unit and points
+    /// outward, never flipped towards the ray. `None` if there is no such point.
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection>;
+}
+
+impl IntersectRay for Shape {
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        match self {
+            Shape::Sphere(sphere) => sphere.intersect_ray(ray, min_t),
+            Shape::Plane(plane) => plane.intersect_ray(ray, min_t),
+            Shape::Triangle(triangle) => triangle.intersect_ray(ray, min_t),
+            Shape::Soup(soup) => soup.intersect_ray(ray, min_t),
+        }
+    }
+}
+
+/// Stands in for real objects when `first_hit` and the soup are tested alone.
+impl IntersectRay for Canned {
+    fn intersect_ray(&self, _: &Ray, min_t: f64) -> Option<Intersection> {
+        self.intersect(min_t)
+    }
+}

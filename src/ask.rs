@@ -1,0 +1,237 @@
+//! The asker's side: start a submission, send it a job, believe nothing it says.
+//!
+//! What comes back is bounded in time and size, must be well formed, must answer
+//! every question once, and is only ever data to be judged.
+
+mod transport;
+
+use std::io::{self, Read};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::mpsc::{self, Receiver};
+use std::time::Duration;
+
+use crate::camera::Resolution;
+use crate::film::Film;
+use crate::job::{Answer, CHUNK, Job, MOST_PANIC_TEXT, Message, Panic};
+use crate::ray::{Hit, Ray};
+use transport::Exchange;
+
+/// What came of one job.
+#[derive(Debug)]
+pub struct Reply {
+    /// In the job's order; `None` where nothing came.
+    pub answers: Vec<Option<Answer>>,
+    missing: usize,
+    /// How it ended.
+    pub ending: Ending,
+    /// What the student's code printed, standard output and error, cut at
+    /// [`MOST_PRINTED`] bytes each.
+    pub printed: String,
+}
+
+/// Why a submission sent nothing more.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Ending {
+    /// Every question is answered.
+    Complete,
+    /// The student's code panicked.
+    Panicked(Panic),
+    /// Time was up before every question was answered.
+    TimedOut(Duration),
+    /// The process ended early: how, in words.
+    Died(String),
+    /// It sent something that is no answer: what, in words.
+    Garbled(String),
+}
+
+/// More output than this is read and thrown away.
+pub const MOST_PRINTED: usize = 64 * 1024;
+
+/// No message of ours is longer: a chunk of hits takes about 45 bytes each.
+const MOST_MESSAGE: usize = CHUNK * 64 + 4 * MOST_PANIC_TEXT;
+
+/// Runs `command`, a built submission, on `job` for at most `wall` of time.
+///
+/// `progress` is told the number of answers so far. The process is gone when this
+/// returns.
+///
+/// # Errors
+/// Only if the program cannot be started; whatever it does later is in the reply.
+pub fn ask(
+    mut command: Command,
+    job: &Job,
+    wall: Duration,
+    progress: &mut dyn FnMut(usize),
+) -> io::Result<Reply> {
+    command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut exchange = Exchange::start(command, wall)?;
+    let out = drain(exchange.child.stdout.take());
+    let err = drain(exchange.child.stderr.take());
+
+    let mut reply = Reply {
+        answers: vec![None; job.len()],
+        missing: job.len(),
+        ending: Ending::Complete,
+        printed: String::new(),
+    };
+    let ended = exchange.converse(job, MOST_MESSAGE, &mut |message| {
+        let more = reply.take(job, message)?;
+        progress(job.len() - reply.missing);
+        Ok(more)
+    });
+    let status = end(&mut exchange.child);
+    reply.printed = printed(out) + &printed(err);
+    if reply.ending == Ending::Complete && reply.missing > 0 {
+        reply.ending = match ended {
+            Err(error) if is_timeout(&error) => Ending::TimedOut(wall),
+            Err(error) if is_broken(&error) => Ending::Died(in_words(status, &reply.printed)),
+            Err(error) => Ending::Garbled(error.to_string()),
+            Ok(()) => Ending::Died(in_words(status, &reply.printed)),
+        };
+    }
+    Ok(reply)
+}
+
+impl Reply {
+    /// The film of a job of hits, missing answers as misses; `None` if it has rays.
+    pub fn hits(&self) -> Option<Vec<Option<Hit>>> {
+        let hit = |answer: &Option<Answer>| match answer {
+            Some(Answer::Hit(hit)) => Some(*hit),
+            Some(Answer::Ray(_)) => None,
+            None => Some(None),
+        };
+        self.answers.iter().map(hit).collect()
+    }
+
+    /// The rays of a job of rays, if every one came.
+    pub fn rays(&self) -> Option<Vec<Ray>> {
+        let ray = |answer: &Option<Answer>| match answer {
+            Some(Answer::Ray(ray)) => Some(*ray),
+            _ => None,
+        };
+        self.answers.iter().map(ray).collect()
+    }
+
+    /// The answers as a film: of rays if they are rays, of hits otherwise.
+    pub fn film(&self, resolution: Resolution) -> Film {
+        match self.rays() {
+            Some(rays) if !rays.is_empty() => Film::of_rays(resolution, &rays),
+            _ => Film::of_hits(resolution, &self.hits().unwrap_or_default()),
+        }
+    }
+
+    /// The replies to the jobs of these lengths that were asked as one.
+    ///
+    /// # Panics
+    /// If the lengths do not add up to the number of answers.
+    pub fn split(mut self, lengths: impl Iterator<Item = usize>) -> Vec<Reply> {
+        let mut parts = Vec::new();
+        for length in lengths {
+            let rest = self.answers.split_off(length);
+            let answers = std::mem::replace(&mut self.answers, rest);
+            let missing = answers.iter().filter(|answer| answer.is_none()).count();
+            parts.push(Reply {
+                answers,
+                missing,
+                ending: self.ending.clone(),
+                printed: String::new(),
+            });
+        }
+        assert!(self.answers.is_empty(), "the parts leave answers over");
+        parts
+    }
+
+    /// Files one message; `false` when no more is needed.
+    fn take(&mut self, job: &Job, message: Message) -> Result<bool, String> {
+        match message {
+            Message::Panicked(mut panic) => {
+                panic
+                    .message
+                    .truncate(panic.message.floor_char_boundary(MOST_PANIC_TEXT));
+                panic.index = panic.index.min(self.answers.len().saturating_sub(1));
+                self.ending = Ending::Panicked(panic);
+                Ok(false)
+            }
+            Message::Answers { first, answers } => {
+                let end = first
+                    .checked_add(answers.len())
+                    .filter(|end| *end <= self.answers.len());
+                let Some(end) = end else {
+                    return Err("it answered a question that was not asked".into());
+                };
+                for (place, answer) in self.answers[first..end].iter_mut().zip(answers) {
+                    let is_ray = matches!(answer, Answer::Ray(_));
+                    if is_ray != matches!(job, Job::ViewingRay(_)) {
+                        return Err("it sent a ray for a hit, or a hit for a ray".into());
+                    }
+                    if place.replace(answer).is_some() {
+                        return Err("it answered a question twice".into());
+                    }
+                    self.missing -= 1;
+                }
+                Ok(self.missing > 0)
+            }
+        }
+    }
+}
+
+/// Ends a process that may have ended already.
+fn end(child: &mut Child) -> Option<ExitStatus> {
+    // One that closed its stream is about to exit by itself; its status tells why.
+    for _ in 0..20 {
+        if let Ok(Some(status)) = child.try_wait() {
+            return Some(status);
+        }
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    let _already_gone = child.kill();
+    child.wait().ok()
+}
+
+fn in_words(status: Option<ExitStatus>, printed: &str) -> String {
+    if printed.contains("has overflowed its stack") {
+        return "its stack overflowed: does a function call itself without end?".into();
+    }
+    let Some(status) = status else {
+        return "its process was lost".into();
+    };
+    match status.code() {
+        Some(code) => format!("it exited with code {code} before it had answered"),
+        None => format!("it was killed ({status}) before it had answered"),
+    }
+}
+
+fn is_timeout(error: &io::Error) -> bool {
+    matches!(
+        error.kind(),
+        io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut
+    )
+}
+
+fn is_broken(error: &io::Error) -> bool {
+    use io::ErrorKind::{BrokenPipe, ConnectionReset, UnexpectedEof};
+    matches!(error.kind(), BrokenPipe | ConnectionReset | UnexpectedEof)
+}
+
+/// Reads a pipe to its end on a thread of its own, keeping only the beginning.
+fn drain(pipe: Option<impl Read + Send + 'static>) -> Receiver<Vec<u8>> {
+    let (sender, receiver) = mpsc::channel();
+    if let Some(mut pipe) = pipe {
+        std::thread::spawn(move || {
+            let mut kept = Vec::new();
+            let beginning = (&mut pipe).take(MOST_PRINTED as u64).read_to_end(&mut kept);
+            let rest = beginning.and_then(|_| io::copy(&mut pipe, &mut io::sink()));
+            // A broken pipe ends the text; nobody waiting for it is no fault either.
+            let _ = (rest, sender.send(kept));
+        });
+    }
+    receiver
+}
+
+/// What was printed; nothing if a process left behind still holds the pipe.
+fn printed(pipe: Receiver<Vec<u8>>) -> String {
+    let bytes = pipe
+        .recv_timeout(Duration::from_millis(200))
+        .unwrap_or_default();
+    String::from_utf8_lossy(&bytes).into_owned()
+}

@@ -1,0 +1,162 @@
+//! How a job travels to a submission's process and messages travel back.
+//!
+//! On Unix both go through one socket that the process finds as its standard input:
+//! nothing is left on disk, and nobody else can reach it. Elsewhere the job goes
+//! through a pipe and the answers come back in a temporary file.
+
+use std::io;
+use std::process::{Child, Command};
+use std::time::{Duration, Instant};
+
+use crate::job::{self, Job, Message};
+use crate::serve::ANSWER;
+
+/// A running submission and the way to it.
+pub(super) struct Exchange {
+    pub(super) child: Child,
+    link: Link,
+    deadline: Instant,
+}
+
+/// Called with each message; `Ok(false)` ends the exchange.
+type OnMessage<'a> = &'a mut dyn FnMut(Message) -> Result<bool, String>;
+
+#[cfg(unix)]
+type Link = std::os::unix::net::UnixStream;
+
+#[cfg(not(unix))]
+type Link = std::path::PathBuf;
+
+impl Exchange {
+    #[cfg(unix)]
+    pub(super) fn start(mut command: Command, wall: Duration) -> io::Result<Exchange> {
+        let (link, theirs) = Link::pair()?;
+        command
+            .arg(ANSWER)
+            .stdin(std::os::fd::OwnedFd::from(theirs));
+        let child = command.spawn()?;
+        // `command` is dropped here and with it our copy of their end, so that we
+        // see the end of the stream when they close it.
+        Ok(Exchange {
+            child,
+            link,
+            deadline: Instant::now() + wall,
+        })
+    }
+
+    #[cfg(unix)]
+    pub(super) fn converse(
+        &mut self,
+        job: &Job,
+        most: usize,
+        on_message: OnMessage<'_>,
+    ) -> io::Result<()> {
+        let mut timed = Timed {
+            link: &self.link,
+            deadline: self.deadline,
+        };
+        job::send(job, &mut io::BufWriter::new(&mut timed))?;
+        receive_all(&mut io::BufReader::new(timed), most, on_message)
+    }
+
+    #[cfg(not(unix))]
+    pub(super) fn start(mut command: Command, wall: Duration) -> io::Result<Exchange> {
+        use std::sync::atomic::{AtomicUsize, Ordering};
+
+        static NEXT: AtomicUsize = AtomicUsize::new(0);
+        let name = format!(
+            "pinhole-{}-{}",
+            std::process::id(),
+            NEXT.fetch_add(1, Ordering::Relaxed)
+        );
+        let link = std::env::temp_dir().join(name);
+        command
+            .arg(ANSWER)
+            .arg(&link)
+            .stdin(std::process::Stdio::piped());
+        let child = command.spawn()?;
+        Ok(Exchange {
+            child,
+            link,
+            deadline: Instant::now() + wall,
+        })
+    }
+
+    #[cfg(not(unix))]
+    pub(super) fn converse(
+        &mut self,
+        job: &Job,
+        most: usize,
+        on_message: OnMessage<'_>,
+    ) -> io::Result<()> {
+        if let Some(mut pipe) = self.child.stdin.take() {
+            job::send(job, &mut pipe)?;
+        }
+        while self.child.try_wait()?.is_none() {
+            if Instant::now() > self.deadline {
+                return Err(io::ErrorKind::TimedOut.into());
+            }
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        let mut answers = io::BufReader::new(std::fs::File::open(&self.link)?);
+        receive_all(&mut answers, most, on_message)
+    }
+}
+
+#[cfg(not(unix))]
+impl Drop for Exchange {
+    fn drop(&mut self) {
+        let _never_made = std::fs::remove_file(&self.link);
+    }
+}
+
+fn receive_all(
+    input: &mut impl io::Read,
+    most: usize,
+    on_message: OnMessage<'_>,
+) -> io::Result<()> {
+    while let Some(message) = job::receive(input, most)? {
+        if !on_message(message).map_err(io::Error::other)? {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// A socket whose every read and write ends at the same deadline, so that a slow
+/// drip of bytes gains no time.
+#[cfg(unix)]
+struct Timed<'a> {
+    link: &'a Link,
+    deadline: Instant,
+}
+
+#[cfg(unix)]
+impl Timed<'_> {
+    fn left(&self) -> io::Result<Option<Duration>> {
+        match self.deadline.checked_duration_since(Instant::now()) {
+            Some(left) if !left.is_zero() => Ok(Some(left)),
+            _ => Err(io::ErrorKind::TimedOut.into()),
+        }
+    }
+}
+
+#[cfg(unix)]
+impl io::Read for Timed<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        self.link.set_read_timeout(self.left()?)?;
+        self.link.read(buffer)
+    }
+}
+
+#[cfg(unix)]
+impl io::Write for Timed<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.link.set_write_timeout(self.left()?)?;
+        self.link.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.link.flush()
+    }
+}

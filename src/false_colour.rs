@@ -1,0 +1,161 @@
+//! False-colour pictures of a film of hits: what people look at, never what judges.
+
+use std::ops::Range;
+
+use image::{Rgb, RgbImage};
+
+use crate::film::{Film, MISS};
+use crate::judge::Golden;
+
+/// What a pixel that hits nothing looks like.
+const BACKGROUND: Rgb<u8> = Rgb([24, 24, 28]);
+
+/// Eight colours that stay apart for colour-blind eyes (Okabe & Ito, "Color
+/// Universal Design", 2008), without their black and with a light grey instead.
+const OBJECTS: [[u8; 3]; 8] = [
+    [230, 159, 0],
+    [86, 180, 233],
+    [0, 158, 115],
+    [240, 228, 66],
+    [0, 114, 178],
+    [213, 94, 0],
+    [204, 121, 167],
+    [200, 200, 200],
+];
+
+/// Every object in a colour of its own; the colours come round again, darker.
+pub fn id(film: &Film) -> RgbImage {
+    picture(film, |hit| {
+        let object = hit.id as usize;
+        let shade = 1.0 / (1.0 + 0.35 * ((object / OBJECTS.len()) % 4) as f32);
+        Rgb(OBJECTS[object % OBJECTS.len()].map(|value| (f32::from(value) * shade) as u8))
+    })
+}
+
+/// Depth from near (bright) to far (dark) over `range`, in scene units; what lies
+/// outside the range takes the colour of its end.
+///
+/// `depth_per_t` is the camera's (see [`Camera::depth_per_t`](crate::Camera::depth_per_t)).
+pub fn depth(film: &Film, depth_per_t: f64, range: Range<f64>) -> RgbImage {
+    let length = (range.end - range.start).max(f64::MIN_POSITIVE);
+    picture(film, |hit| {
+        let far = (f64::from(hit.t) * depth_per_t - range.start) / length;
+        let colour = colorous::VIRIDIS.eval_continuous(1.0 - far.clamp(0.0, 1.0));
+        Rgb([colour.r, colour.g, colour.b])
+    })
+}
+
+/// The normal's x, y, z from −1..1 as red, green, blue.
+pub fn normal(film: &Film) -> RgbImage {
+    picture(film, |hit| {
+        Rgb(hit
+            .normal
+            .map(|value| ((value.clamp(-1.0, 1.0) + 1.0) * 127.5) as u8))
+    })
+}
+
+/// The depths a picture of this film should span, in scene units: from the nearest
+/// hit to the 95th percentile, since a plane's horizon has no end.
+///
+/// Take it from the golden where there is one, for film and golden alike: with a
+/// range of its own, a film whose depths are all twice too large would look right.
+pub fn depth_range(film: &Film, depth_per_t: f64) -> Range<f64> {
+    let samples = film
+        .channel("id")
+        .unwrap_or_default()
+        .iter()
+        .zip(film.channel("t").unwrap_or_default());
+    let mut depths: Vec<f64> = samples
+        .filter(|(id, t)| **id != MISS && t.is_finite())
+        .map(|(_, t)| f64::from(*t) * depth_per_t)
+        .collect();
+    depths.sort_by(f64::total_cmp);
+    match depths.as_slice() {
+        [] => 0.0..1.0,
+        all => all[0]..all[(all.len() - 1) * 95 / 100],
+    }
+}
+
+/// Where a film differs from its golden, one colour for each kind of difference.
+/// Pixels that agree show the golden's objects, faintly.
+pub fn difference(golden: &Golden, film: &Film) -> RgbImage {
+    let fails = |channel: &str, index: usize| {
+        let sample = |film: &Film| film.channel(channel).map_or(0.0, |samples| samples[index]);
+        // NaN differs too.
+        !((sample(film) - sample(golden.film())).abs() <= sample(golden.tolerance()))
+    };
+    let faint = id(golden.film());
+    let resolution = film.resolution();
+    RgbImage::from_fn(resolution.n_x as u32, resolution.n_y as u32, |x, y| {
+        let index = y as usize * resolution.n_x + x as usize;
+        if fails("id", index) {
+            Difference::Object.colour()
+        } else if fails("t", index) {
+            Difference::T.colour()
+        } else if ["N.X", "N.Y", "N.Z"]
+            .iter()
+            .any(|channel| fails(channel, index))
+        {
+            Difference::Normal.colour()
+        } else {
+            Rgb(faint.get_pixel(x, y).0.map(|value| value / 4))
+        }
+    })
+}
+
+/// The kinds of difference, worst first; a pixel shows the first that applies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Difference {
+    /// Another object, or none.
+    Object,
+    /// The right object at the wrong t.
+    T,
+    /// The right point with the wrong normal.
+    Normal,
+}
+
+impl Difference {
+    /// All of them with the words a legend needs.
+    pub const LEGEND: [(Difference, &str); 3] = [
+        (Difference::Object, "orange: another object, or none"),
+        (Difference::T, "blue: the right object at the wrong t"),
+        (
+            Difference::Normal,
+            "white: the right point with the wrong normal",
+        ),
+    ];
+
+    fn colour(self) -> Rgb<u8> {
+        Rgb(match self {
+            Difference::Object => [255, 120, 20],
+            Difference::T => [60, 150, 255],
+            Difference::Normal => [255, 255, 255],
+        })
+    }
+}
+
+/// A pixel that hit something.
+struct HitSample {
+    id: f32,
+    t: f32,
+    normal: [f32; 3],
+}
+
+fn picture(film: &Film, colour: impl Fn(HitSample) -> Rgb<u8>) -> RgbImage {
+    let resolution = film.resolution();
+    let channel = |name| film.channel(name).unwrap_or_default();
+    let [ids, ts, xs, ys, zs] = ["id", "t", "N.X", "N.Y", "N.Z"].map(channel);
+    RgbImage::from_fn(resolution.n_x as u32, resolution.n_y as u32, |x, y| {
+        let index = y as usize * resolution.n_x + x as usize;
+        let at = |samples: &[f32]| samples.get(index).copied().unwrap_or(MISS);
+        match at(ids) {
+            // Whatever is no object is background: another program's film may hold anything.
+            id if id >= 0.0 => colour(HitSample {
+                id,
+                t: at(ts),
+                normal: [at(xs), at(ys), at(zs)],
+            }),
+            _ => BACKGROUND,
+        }
+    })
+}

@@ -1,0 +1,130 @@
+//! Films: what a cast leaves behind, one sample per pixel and channel.
+
+use std::path::Path;
+
+use crate::camera::Resolution;
+use crate::error::Error;
+use crate::ray::{Hit, Ray};
+
+mod openexr;
+
+/// The channels of a film of hits: object id (−1 for none), t, unit normal.
+pub const HIT_CHANNELS: [&str; 5] = ["id", "t", "N.X", "N.Y", "N.Z"];
+
+/// The channels of a ray film: origin and direction.
+pub const RAY_CHANNELS: [&str; 6] = ["O.X", "O.Y", "O.Z", "D.X", "D.Y", "D.Z"];
+
+/// The id of a pixel whose ray hits nothing.
+pub const MISS: f32 = -1.0;
+
+/// A grid of pixels with named channels of 32-bit floats, which is what OpenEXR
+/// files hold. Samples stand in image order: rows from the **top**.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Film {
+    resolution: Resolution,
+    channels: Vec<Channel>,
+}
+
+/// One number per pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Channel {
+    /// As in the file, case included.
+    pub name: String,
+    /// In image order; see [`Resolution::pixel`].
+    pub samples: Vec<f32>,
+}
+
+impl Film {
+    /// A film of these channels.
+    ///
+    /// # Panics
+    /// If a channel has not exactly one sample per pixel.
+    pub fn new(resolution: Resolution, channels: Vec<Channel>) -> Film {
+        let complete = |channel: &Channel| channel.samples.len() == resolution.pixels();
+        assert!(
+            channels.iter().all(complete),
+            "a channel needs one sample per pixel"
+        );
+        Film {
+            resolution,
+            channels,
+        }
+    }
+
+    /// The film of these hits, in image order. A miss becomes id −1, t 0, normal 0.
+    pub fn of_hits(resolution: Resolution, hits: &[Option<Hit>]) -> Film {
+        let samples = hits.iter().map(|hit| match hit {
+            None => [MISS, 0.0, 0.0, 0.0, 0.0],
+            Some(Hit {
+                object,
+                intersection: at,
+            }) => {
+                let [x, y, z] = at.normal.as_vec3().to_array();
+                [*object as f32, at.t as f32, x, y, z]
+            }
+        });
+        Film::from_samples(resolution, HIT_CHANNELS, samples)
+    }
+
+    /// The film of these rays, in image order.
+    pub fn of_rays(resolution: Resolution, rays: &[Ray]) -> Film {
+        let samples = rays.iter().map(|ray| {
+            let ([a, b, c], [d, e, f]) = (
+                ray.origin.as_vec3().to_array(),
+                ray.direction.as_vec3().to_array(),
+            );
+            [a, b, c, d, e, f]
+        });
+        Film::from_samples(resolution, RAY_CHANNELS, samples)
+    }
+
+    fn from_samples<const N: usize>(
+        resolution: Resolution,
+        names: [&str; N],
+        samples: impl Iterator<Item = [f32; N]>,
+    ) -> Film {
+        let mut channels = names.map(|name| Channel {
+            name: name.into(),
+            samples: Vec::with_capacity(resolution.pixels()),
+        });
+        for pixel in samples {
+            for (channel, sample) in channels.iter_mut().zip(pixel) {
+                channel.samples.push(sample);
+            }
+        }
+        Film::new(resolution, channels.into())
+    }
+
+    /// How many pixels it has.
+    pub fn resolution(&self) -> Resolution {
+        self.resolution
+    }
+
+    /// Every channel, in no promised order.
+    pub fn channels(&self) -> &[Channel] {
+        &self.channels
+    }
+
+    /// The samples of the channel of this name, in image order.
+    pub fn channel(&self, name: &str) -> Option<&[f32]> {
+        let found = self.channels.iter().find(|channel| channel.name == name);
+        found.map(|channel| channel.samples.as_slice())
+    }
+
+    /// Reads an OpenEXR file.
+    ///
+    /// # Errors
+    /// If the file cannot be read, or is no single flat image of full-size channels
+    /// whose data window begins at (0, 0).
+    pub fn read(path: &Path) -> Result<Film, Error> {
+        openexr::read(path)
+    }
+
+    /// Writes an OpenEXR file: 32-bit floats, lossless. Folders must exist.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn write(&self, path: &Path) -> Result<(), Error> {
+        openexr::write(self, path)
+    }
+}

@@ -1,0 +1,141 @@
+//! Films as OpenEXR files, through the `exr` crate.
+//!
+//! The `image` crate reads OpenEXR too, but only red, green, blue and alpha.
+
+use std::fs;
+use std::io::Cursor;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+
+use exr::meta::MetaData;
+use exr::prelude::{
+    AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes, ReadChannels,
+    ReadLayers, WritableImage,
+};
+
+use super::{Channel, Film};
+use crate::camera::Resolution;
+use crate::error::Error;
+
+/// No more samples than this over all channels: they fill 1 GiB.
+const MOST_SAMPLES: usize = 1 << 28;
+
+/// Deflate cannot shrink data further than this, so a file that claims to hold more
+/// is lying, and would have us allocate what it never fills.
+const MOST_COMPRESSION: usize = 1100;
+
+pub(super) fn read(path: &Path) -> Result<Film, Error> {
+    let remedy = "write an OpenEXR file of 32-bit float channels; see README.md, \"Films\"";
+    let refuse = |problem: String| Error::new(path, problem, remedy);
+
+    let bytes =
+        fs::read(path).map_err(|error| refuse(format!("cannot read this film: {error}")))?;
+    // The bytes may be anybody's: a decoder that stumbles over them must not take us along.
+    let decoded = catch_unwind(AssertUnwindSafe(|| decode(&bytes)));
+    let image = match decoded {
+        Ok(image) => image.map_err(&refuse)?,
+        Err(_) => return Err(refuse("this OpenEXR file is damaged".into())),
+    };
+
+    let layer = image.layer_data;
+    let window = image.attributes.display_window;
+    let origin = (
+        layer.attributes.layer_position.x(),
+        layer.attributes.layer_position.y(),
+    );
+    if origin != (0, 0)
+        || window.position.x() != 0
+        || window.position.y() != 0
+        || window.size != layer.size
+    {
+        return Err(refuse(format!(
+            "the data window ({}×{} at {}, {}) is not the whole picture ({}×{})",
+            layer.size.x(),
+            layer.size.y(),
+            origin.0,
+            origin.1,
+            window.size.x(),
+            window.size.y(),
+        )));
+    }
+    let resolution = Resolution {
+        n_x: layer.size.x(),
+        n_y: layer.size.y(),
+    };
+    let mut channels = Vec::new();
+    for channel in layer.channel_data.list {
+        let name = channel.name.to_string();
+        if (channel.sampling.x(), channel.sampling.y()) != (1, 1) {
+            return Err(refuse(format!(
+                "channel `{name}` has fewer samples than pixels"
+            )));
+        }
+        let FlatSamples::F32(samples) = channel.sample_data else {
+            return Err(refuse(format!("channel `{name}` is not of 32-bit floats")));
+        };
+        channels.push(Channel { name, samples });
+    }
+    Ok(Film::new(resolution, channels))
+}
+
+fn decode(bytes: &[u8]) -> Result<OneLayer, String> {
+    let said = |error: exr::error::Error| format!("this is not a readable OpenEXR file: {error}");
+    let meta = MetaData::read_from_buffered(Cursor::new(bytes), false).map_err(said)?;
+    let [header] = meta.headers.as_slice() else {
+        return Err(format!(
+            "the file holds {} images; a film is one",
+            meta.headers.len()
+        ));
+    };
+    let size = header.layer_size;
+    let samples = size.area().saturating_mul(header.channels.list.len());
+    if samples > MOST_SAMPLES || samples.saturating_mul(4) / MOST_COMPRESSION > bytes.len() {
+        return Err(format!(
+            "the file claims {}×{} pixels of {} channels, which it cannot hold",
+            size.x(),
+            size.y(),
+            header.channels.list.len(),
+        ));
+    }
+    exr::image::read::read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels()
+        .first_valid_layer()
+        .all_attributes()
+        .non_parallel()
+        .from_buffered(Cursor::new(bytes))
+        .map_err(said)
+}
+
+type OneLayer = Image<Layer<AnyChannels<FlatSamples>>>;
+
+pub(super) fn write(film: &Film, path: &Path) -> Result<(), Error> {
+    let list = film.channels.iter().map(|channel| {
+        AnyChannel::new(
+            channel.name.as_str(),
+            FlatSamples::F32(channel.samples.clone()),
+        )
+    });
+    let layer = Layer::new(
+        (film.resolution.n_x, film.resolution.n_y),
+        LayerAttributes::default(),
+        Encoding::SMALL_LOSSLESS,
+        AnyChannels::sort(list.collect()),
+    );
+    let cannot = |problem: String| {
+        Error::new(
+            path,
+            format!("cannot write this film: {problem}"),
+            "name a folder you may write to",
+        )
+    };
+    // One thread: the order of compressed blocks, and so the file, is then always the same.
+    let mut bytes = Cursor::new(Vec::new());
+    Image::from_layer(layer)
+        .write()
+        .non_parallel()
+        .to_buffered(&mut bytes)
+        .map_err(|error| cannot(error.to_string()))?;
+    fs::write(path, bytes.into_inner()).map_err(|error| cannot(error.to_string()))
+}

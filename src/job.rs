@@ -1,0 +1,172 @@
+//! What may be asked of a submission, what it may answer, and how both travel.
+//!
+//! A submission runs as a process of its own. It reads one [`Job`] and writes a
+//! stream of [`Message`]s: each a four-byte little-endian length and that many
+//! bytes of postcard. Whoever reads them trusts nothing (see [`ask`](crate::ask)).
+
+use std::io::{self, Read, Write};
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+
+use crate::camera::{Camera, Pixel, Resolution};
+use crate::ray::{Hit, Ray};
+use crate::scene::Scene;
+use crate::shape::{Canned, Shape, TriangleSoup};
+
+/// One thing to do, giving a fixed number of answers.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub enum Job {
+    /// Cast a scene: a hit for every pixel, in image order.
+    Film(Scene),
+    /// A viewing ray for each question.
+    ViewingRay(Vec<CameraQuestion>),
+    /// One shape, met alone, for each question.
+    Intersect(Vec<ShapeQuestion>),
+    /// The first hit among canned objects for each question.
+    FirstHit(Vec<CannedQuestion>),
+    /// A soup of canned objects for each question.
+    TriangleSoup(Vec<CannedQuestion>),
+    /// The first hit of one ray among real shapes: a single answer.
+    Cast(Ray, f64, Vec<Shape>),
+}
+
+/// Which ray passes through the centre of `pixel`?
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct CameraQuestion {
+    /// Who looks.
+    pub camera: Camera,
+    /// Through which pixel.
+    pub pixel: Pixel,
+    /// Of how many.
+    pub resolution: Resolution,
+}
+
+/// Where does `ray` meet `shape`, from `min_t` on?
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct ShapeQuestion {
+    /// The shape, alone.
+    pub shape: Shape,
+    /// The ray; its direction may have any length.
+    pub ray: Ray,
+    /// In multiples of the ray's direction.
+    pub min_t: f64,
+}
+
+/// Which of these objects does `ray` meet first, from `min_t` on?
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct CannedQuestion {
+    /// Objects that know their intersections with `ray`; as a soup, so that both
+    /// `first_hit` and the soup can be asked.
+    pub objects: TriangleSoup<Canned>,
+    /// The ray.
+    pub ray: Ray,
+    /// In multiples of the ray's direction.
+    pub min_t: f64,
+}
+
+impl Job {
+    /// How many answers this job has.
+    pub fn len(&self) -> usize {
+        match self {
+            Job::Film(scene) => scene.resolution.pixels(),
+            Job::ViewingRay(questions) => questions.len(),
+            Job::Intersect(questions) => questions.len(),
+            Job::FirstHit(questions) | Job::TriangleSoup(questions) => questions.len(),
+            Job::Cast(..) => 1,
+        }
+    }
+
+    /// Whether there is nothing to answer.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// One answer to one question.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Answer {
+    /// What a ray hit, if anything. A shape asked alone counts as object 0.
+    Hit(Option<Hit>),
+    /// A viewing ray.
+    Ray(Ray),
+}
+
+/// A panic inside a student's code.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Panic {
+    /// Its text, at most [`MOST_PANIC_TEXT`] bytes.
+    pub message: String,
+    /// The source file it came from, as the compiler named it.
+    pub file: String,
+    /// Line in that file, from 1; 0 if unknown.
+    pub line: u32,
+    /// The place of the question in its job.
+    pub index: usize,
+}
+
+/// Longer panic texts are cut.
+pub const MOST_PANIC_TEXT: usize = 2000;
+
+impl Panic {
+    /// Whether it came from `todo!` or `unimplemented!`: nothing was attempted yet.
+    pub fn is_unanswered(&self) -> bool {
+        ["not yet implemented", "not implemented"]
+            .iter()
+            .any(|start| self.message.starts_with(start))
+    }
+}
+
+/// What a submission sends back.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Message {
+    /// Answers to consecutive questions, at most [`CHUNK`] of them.
+    Answers {
+        /// The place of the first of them in the job.
+        first: usize,
+        /// In the job's order.
+        answers: Vec<Answer>,
+    },
+    /// The student's code panicked; nothing more will come.
+    Panicked(Panic),
+}
+
+/// At most this many answers in a message; small enough that progress is smooth.
+pub const CHUNK: usize = 256;
+
+/// Writes one length-prefixed value.
+pub(crate) fn send<T: Serialize>(value: &T, out: &mut impl Write) -> io::Result<()> {
+    let bytes = postcard::to_stdvec(value).map_err(io::Error::other)?;
+    let length = u32::try_from(bytes.len()).map_err(io::Error::other)?;
+    out.write_all(&length.to_le_bytes())?;
+    out.write_all(&bytes)?;
+    out.flush()
+}
+
+/// Reads one length-prefixed value of at most `most` bytes; `None` at the end.
+///
+/// # Errors
+/// If the stream breaks off inside a value, a value is longer than `most`, or its
+/// bytes are not exactly one `T`.
+pub(crate) fn receive<T: DeserializeOwned>(
+    input: &mut impl Read,
+    most: usize,
+) -> io::Result<Option<T>> {
+    let mut length = [0; 4];
+    if input.read(&mut length[..1])? == 0 {
+        return Ok(None);
+    }
+    input.read_exact(&mut length[1..])?;
+    let length = u32::from_le_bytes(length) as usize;
+    if length > most {
+        return Err(io::Error::other(format!(
+            "a message of {length} bytes is too long"
+        )));
+    }
+    let mut bytes = vec![0; length];
+    input.read_exact(&mut bytes)?;
+    match postcard::take_from_bytes(&bytes) {
+        Ok((value, [])) => Ok(Some(value)),
+        _ => Err(io::Error::other("a message could not be read")),
+    }
+}

@@ -1,0 +1,142 @@
+//! Triangle soups from Wavefront OBJ files, through `tobj`.
+
+use std::fs;
+use std::io::{self, BufRead, Read};
+use std::path::Path;
+
+use glam::DVec3;
+use tobj::{LoadError, LoadOptions};
+
+use crate::error::Error;
+use crate::shape::{Triangle, TriangleSoup};
+
+/// Reads every face of an OBJ file as triangles, in file order.
+///
+/// Polygons become fans around their first corner. Normals, texture coordinates,
+/// groups and materials are ignored: a triangle's normal comes from its corners.
+///
+/// # Errors
+/// If the file cannot be read, is no OBJ, has no face, a face names a vertex that
+/// is not there, or a vertex is not finite.
+pub fn read(path: &Path) -> Result<TriangleSoup, Error> {
+    let text = fs::read_to_string(path).map_err(|error| {
+        Error::new(
+            path,
+            format!("cannot read this mesh: {error}"),
+            "check the `obj` path in the scene; it is relative to the scene's folder",
+        )
+    })?;
+    let options = LoadOptions {
+        triangulate: true,
+        ..LoadOptions::default()
+    };
+    let mut lines = CountLines {
+        inner: text.as_bytes(),
+        line: 0,
+    };
+    let loaded = tobj::load_obj_buf(&mut lines, &options, |_| Err(LoadError::GenericFailure));
+    let (models, _materials) = loaded.map_err(|error| {
+        explain(error, &text, path).unwrap_or_else(|| {
+            Error::new(
+                path,
+                format!("this is not a mesh: {error}"),
+                "export it again as OBJ",
+            )
+            .at(lines.line.max(1), 1)
+        })
+    })?;
+
+    let mut triangles = Vec::new();
+    for model in &models {
+        let corner =
+            |index: &u32| DVec3::from_slice(&model.mesh.positions[3 * *index as usize..][..3]);
+        for face in model.mesh.indices.chunks_exact(3) {
+            let corners = [corner(&face[0]), corner(&face[1]), corner(&face[2])];
+            if !corners.iter().all(|corner| corner.is_finite()) {
+                return Err(not_finite(&text, path));
+            }
+            triangles.push(Triangle { corners });
+        }
+    }
+    if triangles.is_empty() {
+        return Err(Error::new(
+            path,
+            "this mesh has no face",
+            "add `f` lines, or name another file",
+        ));
+    }
+    Ok(TriangleSoup { triangles })
+}
+
+/// tobj finds a bad index only after the last line, so look for it again.
+fn explain(error: LoadError, text: &str, path: &Path) -> Option<Error> {
+    if error != LoadError::FaceVertexOutOfBounds {
+        return None;
+    }
+    let mut vertices = 0;
+    for (number, line) in text.lines().enumerate() {
+        let mut words = line.split_whitespace();
+        match words.next() {
+            Some("v") => vertices += 1,
+            Some("f") => {
+                let index = |word: &str| word.split('/').next()?.parse::<i64>().ok();
+                let outside = |index: &i64| *index == 0 || index.abs() > vertices;
+                if let Some(bad) = words.filter_map(index).find(outside) {
+                    let problem =
+                        format!("this face names vertex {bad}, but {vertices} vertices precede it");
+                    return Some(
+                        Error::new(
+                            path,
+                            problem,
+                            "count from 1, and put `v` lines before the face",
+                        )
+                        .at(number + 1, 1),
+                    );
+                }
+            }
+            _ => {}
+        }
+    }
+    None
+}
+
+fn not_finite(text: &str, path: &Path) -> Error {
+    let is_bad = |line: &str| {
+        let mut words = line.split_whitespace();
+        words.next() == Some("v")
+            && words.any(|word| word.parse::<f64>().is_ok_and(|value| !value.is_finite()))
+    };
+    let error = Error::new(
+        path,
+        "a vertex is not finite",
+        "replace nan or inf by a number",
+    );
+    match text.lines().position(is_bad) {
+        Some(index) => error.at(index + 1, 1),
+        None => error,
+    }
+}
+
+/// Knows how far a parser has come, for its error message.
+struct CountLines<R> {
+    inner: R,
+    line: usize,
+}
+
+impl<R: BufRead> Read for CountLines<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        self.inner.read(buffer)
+    }
+}
+
+impl<R: BufRead> BufRead for CountLines<R> {
+    fn fill_buf(&mut self) -> io::Result<&[u8]> {
+        self.inner.fill_buf()
+    }
+
+    // `lines` consumes up to each newline, so one call with data is at most a line.
+    fn consume(&mut self, amount: usize) {
+        self.line += usize::from(amount > 0);
+        self.inner.consume(amount);
+    }
+}

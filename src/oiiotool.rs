@@ -1,0 +1,130 @@
+//! The second judge: the one rule as a command line of OpenImageIO's `oiiotool`.
+//!
+//! It shares no code with [`judge`](crate::judge), so that a mistake in either
+//! shows as a disagreement. `oiiotool --diff` alone would not do: it passes NaN,
+//! films whose margin is black, and films without some channel, so guards come
+//! first, as commands of the same tool.
+
+use std::env;
+use std::ffi::OsString;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use crate::film::Film;
+use crate::judge::tolerance_path;
+
+/// An installed `oiiotool`.
+#[derive(Clone, Debug)]
+pub struct Oiiotool {
+    binary: PathBuf,
+}
+
+/// What the second judge says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SecondVerdict {
+    /// Whether the film passes.
+    pub passes: bool,
+    /// What the tool said about it, if anything.
+    pub said: String,
+}
+
+/// Names another binary than the one that would be found.
+pub const BINARY_VARIABLE: &str = "PINHOLE_OIIOTOOL";
+
+impl Oiiotool {
+    /// The binary named by `PINHOLE_OIIOTOOL`, or that of the Python environment in
+    /// the folder `python`, or the first on the path.
+    pub fn find(python: &Path) -> Option<Oiiotool> {
+        let name = format!("oiiotool{}", env::consts::EXE_SUFFIX);
+        let named = env::var_os(BINARY_VARIABLE).map(PathBuf::from);
+        // The package's own binary starts 90 ms sooner than its Python wrapper.
+        let folders = [python.join("lib"), python.join("Lib")];
+        let libraries = folders
+            .iter()
+            .flat_map(|folder| fs::read_dir(folder).into_iter().flatten());
+        let packaged = libraries
+            .flatten()
+            .map(|entry| entry.path())
+            .flat_map(|library| {
+                let own = Path::new("OpenImageIO").join("bin").join(&name);
+                [library.join("site-packages").join(&own), library.join(own)]
+            });
+        let path = env::var_os("PATH").unwrap_or_default();
+        let on_path = env::split_paths(&path)
+            .map(|folder| folder.join(&name))
+            .collect::<Vec<_>>();
+        let binary = named
+            .into_iter()
+            .chain(packaged)
+            .chain(on_path)
+            .find(|file| file.is_file())?;
+        Some(Oiiotool { binary })
+    }
+
+    /// Judges the film at `film` against the golden at `golden` and its tolerance.
+    ///
+    /// # Errors
+    /// If the golden cannot be read, or the tool cannot be started.
+    pub fn judge(&self, golden: &Path, film: &Path) -> Result<SecondVerdict, String> {
+        let layout = Film::read(golden).map_err(|error| error.to_string())?;
+        let output = Command::new(&self.binary)
+            .args(arguments(golden, film, &layout))
+            .output()
+            .map_err(|error| format!("cannot start {}: {error}", self.binary.display()))?;
+        Ok(verdict(&output))
+    }
+}
+
+/// The rule: guards, then |film − golden| − tolerance, cut off below 0, must be 0.
+fn arguments(golden: &Path, film: &Path, layout: &Film) -> Vec<OsString> {
+    let size = layout.resolution();
+    let names: Vec<&str> = layout
+        .channels()
+        .iter()
+        .map(|channel| channel.name.as_str())
+        .collect();
+    let expected = [
+        ("nchannels", names.len()),
+        ("width", size.n_x),
+        ("height", size.n_y),
+        ("x", 0),
+        ("y", 0),
+        ("full_width", size.n_x),
+        ("full_height", size.n_y),
+        ("full_x", 0),
+        ("full_y", 0),
+    ];
+    let words = |text: &str| text.split(' ').map(OsString::from).collect::<Vec<_>>();
+
+    let mut line = words("--native --fail 0 --failpercent 0 --hardfail 0");
+    line.push(film.into());
+    // Reading a file that is not there is how a guard says no.
+    for (what, value) in expected {
+        line.extend(words(&format!(
+            "--if {{TOP.{what}!={value}}} --i WRONG_LAYOUT --endif"
+        )));
+    }
+    line.extend(words(
+        "--if {eq(TOP.format,\"float\")} --else --i NOT_FLOAT --endif",
+    ));
+    line.extend(words(&format!("--fixnan error --ch {}", names.join(","))));
+    line.extend([
+        golden.into(),
+        "--absdiff".into(),
+        tolerance_path(golden).into(),
+    ]);
+    line.extend(words("--sub --maxc 0 --dup --mulc 0 --diff"));
+    line
+}
+
+/// Exit code 0 is not enough: a channel of another name is filled with 0 and only
+/// warned of.
+fn verdict(output: &Output) -> SecondVerdict {
+    let said = String::from_utf8_lossy(&output.stderr);
+    let first = said.lines().next().unwrap_or_default().to_owned();
+    SecondVerdict {
+        passes: output.status.success() && first.is_empty(),
+        said: first,
+    }
+}

@@ -1,0 +1,46 @@
+//! A scene: one camera and the objects before it, read from a TOML file.
+
+mod document;
+
+use std::fs;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use crate::camera::{Camera, Resolution};
+use crate::error::Error;
+use crate::shape::Shape;
+use document::Document;
+
+/// Everything a cast needs.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Scene {
+    /// Who looks.
+    pub camera: Camera,
+    /// How many pixels the film has.
+    pub resolution: Resolution,
+    /// Intersections before this t do not count. In multiples of a ray's direction:
+    /// 1 is a perspective camera's image plane, 0 its eye.
+    pub min_t: f64,
+    /// In file order; an object's place in this list is its id.
+    pub objects: Vec<Shape>,
+}
+
+impl Scene {
+    /// Reads a scene file and the meshes it names.
+    ///
+    /// # Errors
+    /// With line and column, if the file is not TOML, a key is missing, unknown or
+    /// of the wrong kind, or a value makes no camera or no shape; and if a mesh
+    /// cannot be read (see [`mesh::read`](crate::mesh::read)).
+    pub fn read(path: &Path) -> Result<Scene, Error> {
+        let text = fs::read_to_string(path).map_err(|error| {
+            Error::new(
+                path,
+                format!("cannot read this scene: {error}"),
+                "name a TOML file that you may read",
+            )
+        })?;
+        Document::parse(&text, path)?.into_scene()
+    }
+}

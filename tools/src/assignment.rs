@@ -1,0 +1,156 @@
+//! An assignment: its tasks, scenes and points, read from `assignment.toml`.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+
+use crate::checkout::Checkout;
+use crate::error::{Error, Result};
+
+/// What students are asked, and where it lies.
+#[derive(Clone, Debug)]
+pub struct Assignment {
+    /// The folder's name, `ray_casting`.
+    pub name: String,
+    /// The folder.
+    pub folder: PathBuf,
+    /// As people say it.
+    pub title: String,
+    /// In the order students meet them.
+    pub tasks: Vec<Task>,
+    /// In the order they are cast.
+    pub scenes: Vec<ScenePoints>,
+}
+
+/// One answer file and what it is worth.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Task {
+    /// The file is `NAME.rs`.
+    pub name: String,
+    /// The chapter of the book that teaches it.
+    pub chapter: String,
+    /// Groups of questions and their points, in the order they are shown.
+    pub points: Vec<(String, u32)>,
+}
+
+/// A scene and what casting it right is worth.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ScenePoints {
+    /// The file is `scenes/NAME.toml`.
+    pub name: String,
+    /// Points for a film that passes.
+    pub points: u32,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    title: String,
+    task: Vec<Task>,
+    scene: Vec<ScenePoints>,
+}
+
+impl Assignment {
+    /// The assignment of this name.
+    pub fn read(checkout: &Checkout, name: &str) -> Result<Assignment> {
+        let folder = checkout.assignments().join(name);
+        let path = folder.join("assignment.toml");
+        let text = fs::read_to_string(&path).map_err(|error| {
+            Error::input(
+                format!("cannot read {}: {error}", path.display()),
+                format!(
+                    "name an assignment of this checkout: {}",
+                    names(checkout).join(", ")
+                ),
+            )
+        })?;
+        let file: File = toml::from_str(&text).map_err(|error| {
+            Error::input(
+                format!("{}: {error}", path.display()),
+                "correct the assignment file",
+            )
+        })?;
+        Ok(Assignment {
+            name: name.into(),
+            folder,
+            title: file.title,
+            tasks: file.task,
+            scenes: file.scene,
+        })
+    }
+
+    /// The assignment a folder belongs to: the one it lies in, or else the first.
+    pub fn around(checkout: &Checkout, folder: &Path) -> Result<Assignment> {
+        let names = names(checkout);
+        let holds = |name: &&String| {
+            let own = checkout.assignments().join(name).canonicalize();
+            own.is_ok_and(|own| {
+                folder
+                    .canonicalize()
+                    .is_ok_and(|folder| folder.starts_with(own))
+            })
+        };
+        match names.iter().find(holds).or(names.first()) {
+            Some(name) => Assignment::read(checkout, name),
+            None => Err(Error::environment(
+                "this checkout has no assignment",
+                "restore the folder `assignments`",
+            )),
+        }
+    }
+
+    /// The folder of stubs that students start from.
+    pub fn handout(&self) -> PathBuf {
+        self.folder.join("handout")
+    }
+
+    /// The folder of our own answers.
+    pub fn reference(&self) -> PathBuf {
+        self.folder.join("reference")
+    }
+
+    /// The files around the answers, which are the same in every submission.
+    pub fn fixed_files(&self) -> Vec<String> {
+        let entries = fs::read_dir(self.reference().join("src"))
+            .into_iter()
+            .flatten()
+            .flatten();
+        let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+        let is_fixed = |name: &String| self.tasks.iter().all(|task| task.file() != *name);
+        names.filter(is_fixed).collect()
+    }
+
+    /// The file of one of its scenes.
+    pub fn scene(&self, name: &str) -> PathBuf {
+        self.folder.join("scenes").join(name).with_extension("toml")
+    }
+
+    /// The task of this name.
+    pub fn task(&self, name: &str) -> Option<&Task> {
+        self.tasks.iter().find(|task| task.name == name)
+    }
+}
+
+impl Task {
+    /// Its answer file's name.
+    pub fn file(&self) -> String {
+        format!("{}.rs", self.name)
+    }
+}
+
+/// The assignments of a checkout, by name.
+fn names(checkout: &Checkout) -> Vec<String> {
+    let entries = fs::read_dir(checkout.assignments())
+        .into_iter()
+        .flatten()
+        .flatten();
+    let mut names: Vec<String> = entries
+        .filter(|entry| entry.path().join("assignment.toml").is_file())
+        .filter_map(|entry| entry.file_name().into_string().ok())
+        .collect();
+    names.sort();
+    names
+}

@@ -1,0 +1,197 @@
+//! What the command understands; the texts of `--help`.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+/// Ray casting assignments, judged against golden films by Mitsuba.
+///
+/// Fill the answers in assignments/ray_casting/handout/src, then run `pinhole check`.
+///
+/// Exit codes: 0 all well; 1 judged wrong; 2 a file or an argument is wrong; 3 the
+/// machine or this program is at fault.
+#[derive(Parser)]
+#[command(version, max_term_width = 100)]
+pub struct Cli {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Subcommand)]
+pub enum Command {
+    /// Build a submission, ask it everything, and judge what it answers
+    Check(Check),
+    /// Cast a scene: writes film.exr, id.png, depth.png and normal.png
+    Render(Render),
+    /// One pixel in words: its ray, every candidate intersection, what was expected
+    Explain(Explain),
+    /// Judge any renderer's film against a golden, by both judges
+    Diff(Diff),
+    /// Make goldens with Mitsuba, or verify the committed ones
+    #[command(subcommand)]
+    Golden(Golden),
+    /// Generate the handout, students' stubs, from the reference
+    Handout(Handout),
+}
+
+/// Build a submission, ask it everything, and judge what it answers.
+///
+/// Each task is asked alone, in groups of questions that Mitsuba has answered too;
+/// then every scene is cast by all answers together. For each group and scene that
+/// fails, the table says what was asked, what was expected and what came.
+///
+/// Only the six answer files are taken from the folder. A folder outside this
+/// checkout is compiled and run in a sandbox.
+#[derive(Args)]
+pub struct Check {
+    /// A folder with the answer files, itself or in `src` [default: the current folder
+    /// if it is a submission, else the handout]
+    pub dir: Option<PathBuf>,
+    /// Only this task; may be given more than once
+    #[arg(long, value_name = "TASK")]
+    pub task: Vec<String>,
+    /// Only this scene; may be given more than once
+    #[arg(long, value_name = "SCENE")]
+    pub scene: Vec<String>,
+    /// Judge by the goldens in this folder
+    #[arg(long, value_name = "DIR")]
+    pub golden: Option<PathBuf>,
+    /// Ask oiiotool, the second judge, about every film too
+    #[arg(long)]
+    pub oiiotool: bool,
+    #[command(flatten)]
+    pub run: Run,
+    /// Print one JSON document on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// How a submission's program is run.
+#[derive(Args)]
+pub struct Run {
+    /// Seconds after which an answer no longer counts
+    #[arg(long, value_name = "SECONDS", default_value_t = 30)]
+    pub timeout: u64,
+    /// Run a folder outside this checkout without a sandbox: your own code only
+    #[arg(long)]
+    pub trust: bool,
+}
+
+/// Cast a scene and write its film and three pictures.
+///
+/// film.exr holds id, t and normal per pixel; id.png, depth.png and normal.png show
+/// them in false colour. Where a golden of the scene is committed, depth.png spans
+/// the golden's depths, so that yours and the golden's can be compared.
+#[derive(Args)]
+pub struct Render {
+    /// A scene file, or the name of one of the assignment's scenes
+    pub scene: String,
+    /// Whose answers cast [default: the current folder if it is a submission, else the
+    /// reference]
+    #[arg(long, value_name = "DIR")]
+    pub submission: Option<PathBuf>,
+    /// Where to write
+    #[arg(long, value_name = "DIR", default_value = "render")]
+    pub out: PathBuf,
+    #[command(flatten)]
+    pub run: Run,
+    /// Print one JSON document on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// One pixel in words.
+///
+/// Shows the pixel's place on the image plane, its ray in camera space and in world
+/// space, every object's own answer, the first hit, and, where a golden is
+/// committed, what Mitsuba found. Try: pinhole explain slide_example 2 3
+#[derive(Args)]
+pub struct Explain {
+    /// A scene file, or the name of one of the assignment's scenes
+    pub scene: String,
+    /// Column, from the left, from 0
+    pub i: usize,
+    /// Row, from the bottom, from 0
+    pub j: usize,
+    /// Whose answers to explain [default: the current folder if it is a submission,
+    /// else the reference]
+    #[arg(long, value_name = "DIR")]
+    pub submission: Option<PathBuf>,
+    #[command(flatten)]
+    pub run: Run,
+    /// Print one JSON document on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Judge any renderer's film against a golden.
+///
+/// The rule: same size, same channels, all finite, and at every pixel
+/// |film − golden| ≤ tolerance in every channel, with the tolerance film that lies
+/// beside the golden as NAME.tol.exr. The Rust judge rules; oiiotool, if it is
+/// installed, is asked the same, and a disagreement is reported as our fault.
+#[derive(Args)]
+pub struct Diff {
+    /// The golden film: NAME.exr, with NAME.tol.exr beside it
+    pub golden: PathBuf,
+    /// The film to judge
+    pub film: PathBuf,
+    /// Write pictures of what was expected, what came, and where they differ
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Print one JSON document on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Subcommand)]
+pub enum Golden {
+    /// Make the Python environment with the pinned Mitsuba and oiiotool
+    Setup,
+    /// Render goldens with Mitsuba
+    Render(GoldenRender),
+    /// Check that goldens, scenes, scripts and manifest belong together
+    Verify(GoldenVerify),
+}
+
+/// Render goldens with Mitsuba: a film and a tolerance film for each scene, the same
+/// for its viewing rays, and a manifest of what they were made from.
+///
+/// Without scenes, all of the assignment's are made, and its probes, into `golden/`.
+/// A scene is refused if a pixel centre lies on an edge, or if a ray meets a plane
+/// too far out: shift its camera a little.
+#[derive(Args)]
+pub struct GoldenRender {
+    /// Scene files, or names of the assignment's scenes
+    pub scenes: Vec<String>,
+    /// Where to write [default: golden/ray_casting for the assignment's own scenes]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Make fresh probes and random scenes from this seed instead; needs --out
+    #[arg(long, value_name = "N", conflicts_with = "scenes", requires = "out")]
+    pub seed: Option<u64>,
+}
+
+/// Check that goldens, scenes, scripts and manifest belong together.
+#[derive(Args)]
+pub struct GoldenVerify {
+    /// The folder of goldens [default: golden/ray_casting]
+    pub dir: Option<PathBuf>,
+    /// Print one JSON document on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Generate the handout from the reference.
+///
+/// Signatures and documentation stay, answers become `todo!`. Everything else is
+/// copied as it is.
+#[derive(Args)]
+pub struct Handout {
+    /// The assignment
+    #[arg(default_value = "ray_casting")]
+    pub assignment: String,
+    /// Change nothing; fail if the committed handout is out of step
+    #[arg(long)]
+    pub check: bool,
+}

@@ -1,0 +1,95 @@
+//! One file for each thing the command does.
+
+mod check;
+mod diff;
+mod explain;
+mod golden;
+mod handout;
+mod render;
+
+use std::path::{Path, PathBuf};
+
+use pinhole::Scene;
+
+use crate::assignment::Assignment;
+use crate::checkout::Checkout;
+use crate::cli::{Cli, Command};
+use crate::error::{Error, Result};
+use crate::submission::Submission;
+
+/// How a command that did its work ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Outcome {
+    /// Exit code 0.
+    Well,
+    /// Exit code 1.
+    JudgedWrong,
+}
+
+/// Does what was asked.
+pub fn run(cli: Cli) -> Result<Outcome> {
+    let checkout = Checkout::find()?;
+    match cli.command {
+        Command::Check(arguments) => check::run(&checkout, &arguments),
+        Command::Render(arguments) => render::run(&checkout, &arguments),
+        Command::Explain(arguments) => explain::run(&checkout, &arguments),
+        Command::Diff(arguments) => diff::run(&checkout, &arguments),
+        Command::Golden(arguments) => golden::run(&checkout, &arguments),
+        Command::Handout(arguments) => handout::run(&checkout, &arguments),
+    }
+}
+
+/// The submission in the folder a user named, or else in the current one, or else in
+/// `fallback`.
+fn submission(
+    named: Option<&PathBuf>,
+    assignment: &Assignment,
+    fallback: PathBuf,
+) -> Result<Submission> {
+    if let Some(folder) = named {
+        return Submission::find(folder, assignment);
+    }
+    Submission::find(Path::new("."), assignment)
+        .or_else(|_| Submission::find(&fallback, assignment))
+}
+
+/// The scene a user means: a file, or one of the assignment's by name. With it comes
+/// its golden film's path, if one is committed.
+fn scene(
+    named: &str,
+    assignment: &Assignment,
+    checkout: &Checkout,
+) -> Result<(Scene, Option<PathBuf>)> {
+    let file = Path::new(named);
+    let own = assignment.scene(named);
+    let path = match (file.is_file(), own.is_file()) {
+        (true, _) => file.into(),
+        (false, true) => own,
+        (false, false) => {
+            let names: Vec<&str> = assignment
+                .scenes
+                .iter()
+                .map(|scene| scene.name.as_str())
+                .collect();
+            return Err(Error::input(
+                format!("there is no scene {named}"),
+                format!("name a TOML file, or one of: {}", names.join(", ")),
+            ));
+        }
+    };
+    let golden = path.file_stem().map(|stem| {
+        checkout
+            .golden(&assignment.name)
+            .join(stem)
+            .with_extension("exr")
+    });
+    let is_own = path
+        .canonicalize()
+        .ok()
+        .and_then(|path| Some(path.parent()?.to_owned()))
+        == assignment.folder.join("scenes").canonicalize().ok();
+    Ok((
+        Scene::read(&path)?,
+        golden.filter(|golden| is_own && golden.is_file()),
+    ))
+}

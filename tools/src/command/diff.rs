@@ -1,0 +1,153 @@
+//! `pinhole diff`: both judges on any renderer's film.
+
+use std::fs;
+use std::path::Path;
+
+use pinhole::film::HIT_CHANNELS;
+use pinhole::judge::{Golden, Refusal, Verdict, judge};
+use pinhole::oiiotool::{Oiiotool, SecondVerdict};
+use pinhole::{Film, false_colour};
+use serde_json::json;
+
+use super::Outcome;
+use crate::checkout::Checkout;
+use crate::cli::Diff;
+use crate::error::{Error, Result};
+use crate::{describe, json, mitsuba, pictures, table};
+
+pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Outcome> {
+    let golden = Golden::read(&arguments.golden)?;
+    // An unreadable film is refused like one of the wrong size: it is what was judged.
+    if !arguments.film.exists() {
+        let problem = format!("there is no film {}", arguments.film.display());
+        return Err(Error::input(problem, "name the film to judge"));
+    }
+    let film = Film::read(&arguments.film);
+    let verdict = film.as_ref().map(|film| judge(&golden, film));
+    let second = match Oiiotool::find(&mitsuba::environment(checkout)) {
+        Some(tool) => Some(
+            tool.judge(&arguments.golden, &arguments.film)
+                .map_err(|problem| {
+                    Error::environment(problem, "make the environment again: pinhole golden setup")
+                })?,
+        ),
+        None => None,
+    };
+    let passes = matches!(&verdict, Ok(Ok(verdict)) if verdict.passes());
+    if let Some(second) = &second
+        && second.passes != passes
+    {
+        return Err(disagreement(passes, second));
+    }
+
+    let mut written = Vec::new();
+    if let (Some(folder), Ok(film)) = (&arguments.out, &film) {
+        written = draw(folder, &golden, film)?;
+    }
+    if arguments.json {
+        let judged = match &verdict {
+            Ok(verdict) => json::verdict(verdict),
+            Err(error) => json!({ "kind": "refused", "why": error.problem }),
+        };
+        let second = second.map(|second| json!({ "passes": second.passes, "said": second.said }));
+        anstream::println!(
+            "{:#}",
+            json!({ "passes": passes, "verdict": judged, "oiiotool": second, "pictures": written })
+        );
+    } else {
+        match &verdict {
+            Ok(verdict) => print(verdict),
+            Err(error) => anstream::println!("refused: {}", describe::printable(&error.problem)),
+        }
+        match second {
+            Some(second) => anstream::println!("oiiotool agrees{}", said(&second)),
+            None => anstream::println!(
+                "oiiotool was not asked: it is not installed (pinhole golden setup installs it)"
+            ),
+        }
+        for line in written.iter().map(|file| format!("wrote {file}")) {
+            anstream::println!("{line}");
+        }
+        if !written.is_empty() && !passes {
+            for (_, words) in false_colour::Difference::LEGEND {
+                anstream::println!("  difference.png, {words}");
+            }
+        }
+    }
+    Ok(if passes {
+        Outcome::Well
+    } else {
+        Outcome::JudgedWrong
+    })
+}
+
+fn said(second: &SecondVerdict) -> String {
+    match second.said.as_str() {
+        "" => String::new(),
+        words => format!(" ({})", describe::printable(words)),
+    }
+}
+
+fn print(verdict: &std::result::Result<Verdict, Refusal>) {
+    match verdict {
+        Err(refusal) => anstream::println!("refused: {refusal}"),
+        Ok(verdict) => {
+            let word = if verdict.passes() { "passes" } else { "fails" };
+            let pixels = verdict.resolution.pixels();
+            anstream::println!(
+                "{word}: {} of {pixels} pixels are wrong, {} are exempt",
+                verdict.failing.len(),
+                verdict.exempt
+            );
+            for channel in &verdict.channels {
+                anstream::println!("  {}", table::channel_words(channel));
+            }
+        }
+    }
+}
+
+/// Pictures of golden, film and difference; none for a film that shows no hits.
+fn draw(folder: &Path, golden: &Golden, film: &Film) -> Result<Vec<String>> {
+    let drawable = |film: &Film| HIT_CHANNELS.iter().all(|name| film.channel(name).is_some());
+    if !drawable(golden.film()) || !drawable(film) {
+        return Ok(Vec::new());
+    }
+    let cannot = |error: std::io::Error| {
+        Error::input(
+            format!("cannot write to {}: {error}", folder.display()),
+            "name a folder you may write to",
+        )
+    };
+    fs::create_dir_all(folder).map_err(cannot)?;
+    // t, not depth: a film alone does not know its camera, and the two are proportional.
+    let range = false_colour::depth_range(golden.film(), 1.0);
+    let mut written = Vec::new();
+    for (prefix, film) in [("expected", golden.film()), ("got", film)] {
+        written.extend(pictures::write(
+            folder,
+            &format!("{prefix}-"),
+            film,
+            1.0,
+            range.clone(),
+        )?);
+    }
+    if film.resolution() == golden.film().resolution() {
+        let path = folder.join("difference.png");
+        pictures::save(&false_colour::difference(golden, film), &path)?;
+        written.push(path.display().to_string());
+    }
+    Ok(written)
+}
+
+fn disagreement(passes: bool, second: &SecondVerdict) -> Error {
+    let word = |passes: bool| if passes { "passes" } else { "fails" };
+    Error::environment(
+        format!(
+            "the two judges disagree: the film {} in Rust and {} in oiiotool{}",
+            word(passes),
+            word(second.passes),
+            said(second)
+        ),
+        "this is a fault of Pinhole's, not of the film: report it with both films",
+    )
+}

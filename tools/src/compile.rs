@@ -1,0 +1,329 @@
+//! From six answer files to a program.
+//!
+//! Only the answers travel. `main.rs`, `intersect_ray.rs` and the compiler's flags
+//! are ours, whatever else lies in the student's folder.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use serde::Deserialize;
+use sha2::{Digest, Sha256};
+
+use crate::assignment::Assignment;
+use crate::checkout::Checkout;
+use crate::error::{Error, Result};
+use crate::harness::Harness;
+use crate::sandbox::Sandbox;
+use crate::submission::{Answer, Submission, Unusable};
+
+/// A submission that runs.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// The executable.
+    pub executable: PathBuf,
+    /// Answers that were replaced by their stubs, and why.
+    pub replaced: BTreeMap<String, Replaced>,
+}
+
+/// Why a stub stands where an answer should.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Replaced {
+    /// There was no usable file.
+    Unusable(Unusable),
+    /// It does not compile: the compiler's own words about that file.
+    DoesNotCompile(String),
+}
+
+/// Compiles a submission, replacing by its stub each answer that is missing or does
+/// not compile, so that one bad file costs one task.
+///
+/// # Errors
+/// If even the stubs do not compile, or the compiler cannot be run.
+pub fn compile(
+    submission: &Submission,
+    assignment: &Assignment,
+    checkout: &Checkout,
+    sandbox: &Sandbox,
+) -> Result<Program> {
+    let harness = Harness::gather(checkout)?;
+    let stubs = Submission::find(&assignment.handout(), assignment)?;
+    let mut replaced = BTreeMap::new();
+    for answer in &submission.answers {
+        if let Err(unusable) = &answer.text {
+            replaced.insert(answer.task.clone(), Replaced::Unusable(unusable.clone()));
+        }
+    }
+    // Each round replaces at least one answer, so there are at most as many rounds.
+    for _ in 0..=submission.answers.len() {
+        let compile = |replaced: &BTreeMap<String, Replaced>| {
+            let sources = sources(submission, &stubs, assignment, replaced)?;
+            build(&sources, checkout, &harness, sandbox)
+        };
+        match compile(&replaced)? {
+            Built::Program(executable) => {
+                return Ok(Program {
+                    executable,
+                    replaced,
+                });
+            }
+            Built::Refused(diagnostics) => {
+                let mut blamed = blame(&diagnostics, submission, &replaced);
+                if blamed.is_empty() {
+                    blamed = blame_alone(submission, &replaced, compile)?;
+                }
+                if blamed.is_empty() {
+                    return Err(not_theirs(&diagnostics));
+                }
+                replaced.extend(blamed);
+            }
+        }
+    }
+    Err(Error::environment(
+        "the stubs do not compile",
+        "restore the assignment's `handout` folder",
+    ))
+}
+
+/// File names and texts of a whole program.
+type Sources = BTreeMap<String, String>;
+
+fn sources(
+    submission: &Submission,
+    stubs: &Submission,
+    assignment: &Assignment,
+    replaced: &BTreeMap<String, Replaced>,
+) -> Result<Sources> {
+    let mut sources = Sources::new();
+    for answer in stubs.answers.iter().chain(&submission.answers) {
+        if let Ok(text) = &answer.text
+            && (!sources.contains_key(&answer.task) || !replaced.contains_key(&answer.task))
+        {
+            sources.insert(answer.task.clone(), text.clone());
+        }
+    }
+    let mut sources: Sources = sources
+        .into_iter()
+        .map(|(task, text)| (format!("{task}.rs"), text))
+        .collect();
+    for fixed in assignment.fixed_files() {
+        let path = assignment.handout().join("src").join(&fixed);
+        let text = fs::read_to_string(&path).map_err(|error| {
+            Error::environment(
+                format!("cannot read {}: {error}", path.display()),
+                "restore the assignment's `handout` folder",
+            )
+        })?;
+        sources.insert(fixed, text);
+    }
+    Ok(sources)
+}
+
+enum Built {
+    Program(PathBuf),
+    Refused(Vec<Diagnostic>),
+}
+
+fn build(
+    sources: &Sources,
+    checkout: &Checkout,
+    harness: &Harness,
+    sandbox: &Sandbox,
+) -> Result<Built> {
+    let folder = checkout
+        .scratch()
+        .join("programs")
+        .join(fingerprint(sources, harness));
+    let executable = folder.join("out").join("submission");
+    if executable.is_file() {
+        return Ok(Built::Program(executable));
+    }
+    let failed = |error: std::io::Error| {
+        Error::environment(
+            format!("cannot write to {}: {error}", folder.display()),
+            "free some disk space and check that the folder can be written",
+        )
+    };
+    let out = folder.join("out");
+    fs::create_dir_all(&out)
+        .and_then(|()| fs::create_dir_all(folder.join("src")))
+        .map_err(failed)?;
+    for (name, text) in sources {
+        fs::write(folder.join("src").join(name), text).map_err(failed)?;
+    }
+    let mut rustc = sandbox.compiler(&folder, &out, &harness.folder)?;
+    arguments(&mut rustc, harness);
+    let output = rustc.output().map_err(|error| {
+        Error::environment(
+            format!("cannot start rustc: {error}"),
+            "install Rust from rustup.rs",
+        )
+    })?;
+    let unfinished = out.join("unfinished");
+    if output.status.success() && unfinished.is_file() {
+        fs::rename(unfinished, &executable).map_err(failed)?;
+        return Ok(Built::Program(executable));
+    }
+    let diagnostics: Vec<Diagnostic> = output
+        .stderr
+        .split(|byte| *byte == b'\n')
+        .filter_map(|line| serde_json::from_slice(line).ok())
+        .collect();
+    if diagnostics
+        .iter()
+        .any(|diagnostic| diagnostic.level == "error")
+    {
+        return Ok(Built::Refused(diagnostics));
+    }
+    Err(Error::environment(
+        format!(
+            "the compiler failed ({}):\n{}",
+            output.status,
+            String::from_utf8_lossy(&output.stderr)
+        ),
+        "check that `rustc` and a C linker work: cargo build --release",
+    ))
+}
+
+/// Relative paths only, so that the compiler names files as the student does.
+fn arguments(rustc: &mut Command, harness: &Harness) {
+    rustc.args([
+        "src/main.rs",
+        "--edition=2024",
+        "--crate-type=bin",
+        "--crate-name=submission",
+    ]);
+    rustc.args(["-Copt-level=2", "-Ccodegen-units=1", "-Cstrip=debuginfo"]);
+    // An `i - 1` that wraps around shows as a panic in its line, not as a wrong picture.
+    rustc.args(["-Coverflow-checks=on", "-Awarnings"]);
+    rustc.args([
+        "--error-format=json",
+        "--json=diagnostic-rendered-ansi",
+        "-oout/unfinished",
+    ]);
+    rustc
+        .arg("-L")
+        .arg(prefixed("dependency=", &harness.folder));
+    for (name, file) in &harness.externs {
+        rustc
+            .arg("--extern")
+            .arg(prefixed(&format!("{name}="), file));
+    }
+}
+
+fn prefixed(prefix: &str, path: &Path) -> std::ffi::OsString {
+    let mut text = std::ffi::OsString::from(prefix);
+    text.push(path);
+    text
+}
+
+fn fingerprint(sources: &Sources, harness: &Harness) -> String {
+    let mut hash = Sha256::new();
+    for (name, text) in sources {
+        hash.update((name.len() as u64).to_le_bytes());
+        hash.update(name);
+        hash.update((text.len() as u64).to_le_bytes());
+        hash.update(text);
+    }
+    for (name, file) in &harness.externs {
+        hash.update(name);
+        hash.update(file.as_os_str().as_encoded_bytes());
+        let modified = fs::metadata(file).and_then(|metadata| metadata.modified());
+        hash.update(format!("{modified:?}"));
+    }
+    hash.finalize()
+        .iter()
+        .take(12)
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
+}
+
+#[derive(Deserialize)]
+struct Diagnostic {
+    level: String,
+    rendered: String,
+    spans: Vec<Span>,
+}
+
+#[derive(Deserialize)]
+struct Span {
+    file_name: String,
+    is_primary: bool,
+}
+
+/// Errors by the answer they stand in.
+fn blame(
+    diagnostics: &[Diagnostic],
+    submission: &Submission,
+    already: &BTreeMap<String, Replaced>,
+) -> BTreeMap<String, Replaced> {
+    let mut blamed: BTreeMap<String, String> = BTreeMap::new();
+    for diagnostic in diagnostics
+        .iter()
+        .filter(|diagnostic| diagnostic.level == "error")
+    {
+        let mut spans: Vec<&Span> = diagnostic.spans.iter().collect();
+        spans.sort_by_key(|span| !span.is_primary);
+        let task = spans.iter().find_map(|span| {
+            let stem = Path::new(&span.file_name).file_stem()?.to_str()?;
+            submission.answer(stem).map(|answer| answer.task.clone())
+        });
+        if let Some(task) = task.filter(|task| !already.contains_key(task)) {
+            blamed
+                .entry(task)
+                .or_default()
+                .push_str(&diagnostic.rendered);
+        }
+    }
+    blamed
+        .into_iter()
+        .map(|(task, text)| (task, Replaced::DoesNotCompile(text)))
+        .collect()
+}
+
+/// The answers that fail even among stubs. This finds who is to blame for an error
+/// that shows in a file of ours: a deleted function or `impl`, say.
+fn blame_alone(
+    submission: &Submission,
+    already: &BTreeMap<String, Replaced>,
+    compile: impl Fn(&BTreeMap<String, Replaced>) -> Result<Built>,
+) -> Result<BTreeMap<String, Replaced>> {
+    let mut blamed = BTreeMap::new();
+    for suspect in submission
+        .answers
+        .iter()
+        .filter(|answer| !already.contains_key(&answer.task))
+    {
+        let others = submission
+            .answers
+            .iter()
+            .filter(|answer| answer.task != suspect.task);
+        let stub = |answer: &Answer| (answer.task.clone(), Replaced::Unusable(Unusable::Missing));
+        if let Built::Refused(diagnostics) = compile(&others.map(stub).collect())? {
+            let text = rendered(&diagnostics);
+            blamed.insert(suspect.task.clone(), Replaced::DoesNotCompile(text));
+        }
+    }
+    Ok(blamed)
+}
+
+/// The compiler's words, without its closing count of errors.
+fn rendered(diagnostics: &[Diagnostic]) -> String {
+    let placed = diagnostics
+        .iter()
+        .filter(|diagnostic| !diagnostic.spans.is_empty());
+    placed
+        .map(|diagnostic| diagnostic.rendered.as_str())
+        .collect()
+}
+
+fn not_theirs(diagnostics: &[Diagnostic]) -> Error {
+    Error::environment(
+        format!(
+            "the program around the answers does not compile:\n{}",
+            rendered(diagnostics)
+        ),
+        "restore `main.rs` and `intersect_ray.rs` of the handout, and see what the message names",
+    )
+}

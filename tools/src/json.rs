@@ -1,0 +1,112 @@
+//! Results as JSON documents for scripts. Field names are the words of the tables.
+
+use pinhole::judge::{Refusal, Verdict};
+use serde_json::{Value, json};
+
+use crate::compile::Replaced;
+use crate::examination::{Examination, Outcome};
+use crate::submission::Unusable;
+
+/// An examination, as `check --json` prints it.
+pub fn examination(examination: &Examination) -> Value {
+    let (points, possible) = examination.points();
+    let tasks = examination.tasks.iter().map(|task| {
+        let (points, possible) = task.points();
+        let groups = task.groups.iter().map(|group| {
+            json!({
+                "name": group.name,
+                "points": if group.outcome.passes() { group.worth } else { 0 },
+                "possible": group.worth,
+                "outcome": outcome(&group.outcome),
+                "worst": group.worst,
+            })
+        });
+        json!({
+            "name": task.name,
+            "chapter": task.chapter,
+            "points": points,
+            "possible": possible,
+            "file": file_state(task.replaced.as_ref()),
+            "groups": groups.collect::<Vec<_>>(),
+        })
+    });
+    let scenes = examination.scenes.iter().map(|scene| {
+        json!({
+            "name": scene.name,
+            "points": if scene.outcome.passes() { scene.worth } else { 0 },
+            "possible": scene.worth,
+            "outcome": outcome(&scene.outcome),
+            "seconds": scene.seconds,
+        })
+    });
+    json!({
+        "assignment": examination.title,
+        "submission": examination.submission,
+        "passes": examination.passes(),
+        "points": points,
+        "possible": possible,
+        "tasks": tasks.collect::<Vec<_>>(),
+        "scenes": scenes.collect::<Vec<_>>(),
+        "printed": examination.printed,
+    })
+}
+
+fn file_state(replaced: Option<&Replaced>) -> Value {
+    match replaced {
+        None => json!({ "state": "compiled" }),
+        Some(Replaced::Unusable(Unusable::Missing)) => json!({ "state": "missing" }),
+        Some(Replaced::Unusable(Unusable::Refused(why))) => {
+            json!({ "state": "refused", "why": why })
+        }
+        Some(Replaced::DoesNotCompile(text)) => {
+            json!({ "state": "does not compile", "compiler": anstream::adapter::strip_str(text).to_string() })
+        }
+    }
+}
+
+fn outcome(outcome: &Outcome) -> Value {
+    match outcome {
+        Outcome::Judged(verdict) => self::verdict(&Ok(verdict.clone())),
+        Outcome::Refused(refusal) => self::verdict(&Err(refusal.clone())),
+        Outcome::Unanswered => json!({ "kind": "unanswered" }),
+        Outcome::BlockedBy(task) => json!({ "kind": "blocked", "by": task }),
+        Outcome::Panicked(panic) => json!({
+            "kind": "panicked", "message": panic.message, "file": panic.file, "line": panic.line,
+        }),
+        Outcome::TimedOut { seconds } => json!({ "kind": "timed out", "seconds": seconds }),
+        Outcome::Died(how) => json!({ "kind": "died", "how": how }),
+        Outcome::Garbled(why) => json!({ "kind": "garbled", "why": why }),
+    }
+}
+
+/// A verdict or refusal, as `diff --json` prints it.
+pub fn verdict(verdict: &Result<Verdict, Refusal>) -> Value {
+    let verdict = match verdict {
+        Ok(verdict) => verdict,
+        Err(refusal) => return json!({ "kind": "refused", "why": refusal.to_string() }),
+    };
+    let channels = verdict.channels.iter().map(|channel| {
+        json!({
+            "name": channel.name,
+            "failing": channel.failing,
+            "worst": channel.worst.map(|worst| json!({
+                "pixel": [worst.pixel.i, worst.pixel.j],
+                "got": worst.got,
+                "expected": worst.expected,
+                "allowed": worst.allowed,
+            })),
+            "bounds": channel.bounds.map(|bounds| json!({
+                "min": [bounds.min.i, bounds.min.j],
+                "max": [bounds.max.i, bounds.max.j],
+            })),
+        })
+    });
+    json!({
+        "kind": "judged",
+        "passes": verdict.passes(),
+        "pixels": verdict.resolution.pixels(),
+        "failing": verdict.failing.len(),
+        "exempt": verdict.exempt,
+        "channels": channels.collect::<Vec<_>>(),
+    })
+}

@@ -1,0 +1,220 @@
+//! `manifest.toml`: what goldens were made from and by, so that nothing can fall out
+//! of step unnoticed.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use crate::checkout::Checkout;
+use crate::error::{Error, Result};
+use crate::mitsuba::{self, Renderer};
+
+/// The file's name in a folder of goldens.
+const FILE: &str = "manifest.toml";
+
+/// SHA-256 of files, in hexadecimal, by path.
+pub type Hashes = BTreeMap<String, String>;
+
+/// What a folder of goldens was made from.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Manifest {
+    /// Mitsuba's version.
+    pub mitsuba: String,
+    /// Its variant.
+    pub variant: String,
+    /// What the probes were drawn from.
+    pub probe_seed: Option<u64>,
+    /// The scripts, relative to `tools/mitsuba`.
+    pub scripts: Hashes,
+    /// Scenes and meshes, relative to this folder or else to the checkout.
+    pub sources: Hashes,
+    /// Every film, relative to this folder.
+    pub films: Hashes,
+}
+
+impl Manifest {
+    /// The manifest in `folder`, or an empty one.
+    pub fn read_or_new(folder: &Path) -> Result<Manifest> {
+        match folder.join(FILE).is_file() {
+            true => Manifest::read(folder),
+            false => Ok(Manifest::default()),
+        }
+    }
+
+    /// The manifest in `folder`.
+    pub fn read(folder: &Path) -> Result<Manifest> {
+        let path = folder.join(FILE);
+        let text = fs::read_to_string(&path).map_err(|error| {
+            let problem = format!("cannot read {}: {error}", path.display());
+            Error::input(
+                problem,
+                "name a folder of goldens, made by `pinhole golden render`",
+            )
+        })?;
+        toml::from_str(&text).map_err(|error| {
+            let problem = format!("{}: {}", path.display(), error.message());
+            Error::input(
+                problem,
+                "make the goldens again: cargo run --release -- golden render",
+            )
+        })
+    }
+
+    /// Enters who rendered, and by which scripts.
+    pub fn set_renderer(&mut self, renderer: &Renderer, checkout: &Checkout) -> Result<()> {
+        self.mitsuba = renderer.mitsuba.clone();
+        self.variant = renderer.variant.clone();
+        self.scripts = script_hashes(checkout)?;
+        Ok(())
+    }
+
+    /// Enters a scene file and the meshes it names.
+    pub fn add_scene(&mut self, scene: &Path, folder: &Path, checkout: &Checkout) -> Result<()> {
+        for path in [vec![scene.to_owned()], meshes_of(scene)].concat() {
+            self.sources
+                .insert(relative(&path, folder, checkout), hash(&path)?);
+        }
+        Ok(())
+    }
+
+    /// Enters a film of `folder`.
+    pub fn add_film(&mut self, film: &Path, folder: &Path) -> Result<()> {
+        self.films.insert(slashed(film), hash(&folder.join(film))?);
+        Ok(())
+    }
+
+    /// Writes the manifest into `folder`.
+    pub fn write(&self, folder: &Path) -> Result<()> {
+        let text = toml::to_string(self).map_err(|error| {
+            Error::environment(format!("cannot write a manifest: {error}"), "report this")
+        })?;
+        let head = "# Written by `pinhole golden render`; checked by `pinhole golden verify`.\n\n";
+        fs::write(folder.join(FILE), format!("{head}{text}")).map_err(|error| {
+            let problem = format!("cannot write {}: {error}", folder.join(FILE).display());
+            Error::input(problem, "name a folder you may write to")
+        })
+    }
+
+    /// Everything that is not as the manifest says.
+    pub fn out_of_step(&self, folder: &Path, checkout: &Checkout) -> Vec<String> {
+        let mut problems = Vec::new();
+        if script_hashes(checkout).is_ok_and(|scripts| scripts != self.scripts) {
+            problems
+                .push("the scripts in tools/mitsuba are not those that made the goldens".into());
+        }
+        for (path, recorded) in &self.sources {
+            let inside = folder.join(path);
+            let source = if inside.is_file() {
+                inside
+            } else {
+                checkout.root().join(path)
+            };
+            problems.extend(changed(&source, path, recorded));
+        }
+        for (path, recorded) in &self.films {
+            problems.extend(changed(&folder.join(path), path, recorded));
+        }
+        let known: BTreeSet<&String> = self.films.keys().collect();
+        for place in [folder.to_owned(), folder.join("probes")] {
+            let entries = fs::read_dir(&place).into_iter().flatten().flatten();
+            for path in entries
+                .map(|entry| entry.path())
+                .filter(|path| is_film(path))
+            {
+                let name = slashed(path.strip_prefix(folder).unwrap_or(&path));
+                if !known.contains(&name) {
+                    problems.push(format!("{name} is not in the manifest"));
+                }
+            }
+        }
+        problems
+    }
+}
+
+fn is_film(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension == "exr")
+}
+
+fn changed(file: &Path, name: &str, recorded: &str) -> Option<String> {
+    match hash(file) {
+        Err(_) => Some(format!("{name} is missing")),
+        Ok(now) if now != recorded => {
+            Some(format!("{name} has changed since the goldens were made"))
+        }
+        Ok(_) => None,
+    }
+}
+
+/// Scripts that make films; tests of them do not.
+fn script_hashes(checkout: &Checkout) -> Result<Hashes> {
+    let folder = mitsuba::scripts(checkout);
+    let entries = fs::read_dir(&folder).into_iter().flatten().flatten();
+    let mut hashes = Hashes::new();
+    for path in entries.map(|entry| entry.path()) {
+        let extension = path.extension().and_then(|extension| extension.to_str());
+        if matches!(extension, Some("py" | "txt")) {
+            hashes.insert(
+                slashed(path.strip_prefix(&folder).unwrap_or(&path)),
+                hash(&path)?,
+            );
+        }
+    }
+    Ok(hashes)
+}
+
+/// The OBJ files a scene names. The scene was read before, so its form is known.
+fn meshes_of(scene: &Path) -> Vec<PathBuf> {
+    #[derive(Deserialize)]
+    struct Named {
+        #[serde(default)]
+        object: Vec<Object>,
+    }
+    #[derive(Deserialize)]
+    struct Object {
+        obj: Option<PathBuf>,
+    }
+    let text = fs::read_to_string(scene).unwrap_or_default();
+    let named: Option<Named> = toml::from_str(&text).ok();
+    let folder = scene.parent().unwrap_or(Path::new(""));
+    let objects = named.into_iter().flat_map(|named| named.object);
+    objects
+        .filter_map(|object| object.obj)
+        .map(|obj| folder.join(obj))
+        .collect()
+}
+
+/// Text files are hashed with `\n` line ends, as git may check them out with others.
+fn hash(path: &Path) -> Result<String> {
+    let mut bytes = fs::read(path).map_err(|error| {
+        Error::input(
+            format!("cannot read {}: {error}", path.display()),
+            "restore the file",
+        )
+    })?;
+    if !is_film(path) {
+        bytes.retain(|byte| *byte != b'\r');
+    }
+    Ok(Sha256::digest(&bytes)
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect())
+}
+
+fn relative(path: &Path, folder: &Path, checkout: &Checkout) -> String {
+    let absolute = path.canonicalize().unwrap_or(path.into());
+    let within = |root: &Path| {
+        let root = root.canonicalize().ok()?;
+        absolute.strip_prefix(root).ok().map(slashed)
+    };
+    within(folder)
+        .or_else(|| within(checkout.root()))
+        .unwrap_or_else(|| slashed(&absolute))
+}
+
+fn slashed(path: &Path) -> String {
+    path.to_string_lossy().replace('\\', "/")
+}

@@ -1,0 +1,159 @@
+//! Running the Python that renders goldens, in an environment of the project's own.
+
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use serde::Deserialize;
+
+use crate::checkout::Checkout;
+use crate::error::{Error, Result};
+use crate::progress::Progress;
+
+/// Where the Python environment lies.
+pub fn environment(checkout: &Checkout) -> PathBuf {
+    scripts(checkout).join(".venv")
+}
+
+/// Where the scripts lie.
+pub fn scripts(checkout: &Checkout) -> PathBuf {
+    checkout.root().join("tools").join("mitsuba")
+}
+
+/// Makes the environment, or mends it.
+pub fn setup(checkout: &Checkout) -> Result<()> {
+    let environment = environment(checkout);
+    let python = ["python3", "python"].into_iter().find(|name| {
+        Command::new(name)
+            .arg("--version")
+            .output()
+            .is_ok_and(|output| output.status.success())
+    });
+    let Some(python) = python else {
+        return Err(Error::environment(
+            "there is no Python here",
+            "install Python 3.11 or newer",
+        ));
+    };
+    if !interpreter(&environment).is_file() {
+        let mut venv = Command::new(python);
+        complete(
+            venv.arg("-m").arg("venv").arg(&environment),
+            "make a Python environment",
+        )?;
+    }
+    let mut pip = Command::new(interpreter(&environment));
+    pip.args([
+        "-m",
+        "pip",
+        "install",
+        "--quiet",
+        "--disable-pip-version-check",
+        "-r",
+    ]);
+    complete(
+        pip.arg(scripts(checkout).join("requirements.txt")),
+        "install Mitsuba and oiiotool",
+    )
+}
+
+fn complete(command: &mut Command, purpose: &str) -> Result<()> {
+    let status = command.stdout(Stdio::null()).status();
+    if status.as_ref().is_ok_and(|status| status.success()) {
+        return Ok(());
+    }
+    Err(Error::environment(
+        format!("cannot {purpose}: {command:?} failed"),
+        "see its message above; it needs Python 3.11 with venv, and a package index",
+    ))
+}
+
+fn interpreter(environment: &Path) -> PathBuf {
+    match cfg!(windows) {
+        true => environment.join("Scripts").join("python.exe"),
+        false => environment.join("bin").join("python"),
+    }
+}
+
+/// One finished item of the scripts.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Item {
+    /// A scene's name, or a probe's: `TASK.GROUP`.
+    pub name: String,
+    /// The files made, relative to the output folder.
+    pub files: Vec<PathBuf>,
+}
+
+/// Who rendered.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Renderer {
+    /// Mitsuba's version.
+    pub mitsuba: String,
+    /// Its variant.
+    pub variant: String,
+    total: usize,
+}
+
+/// Runs `golden.py` and gives what it made.
+///
+/// # Errors
+/// If the environment is missing, or the scripts refuse an item: in their words.
+pub fn render(
+    checkout: &Checkout,
+    arguments: &[&std::ffi::OsStr],
+    progress: &Progress,
+) -> Result<(Renderer, Vec<Item>)> {
+    let python = interpreter(&environment(checkout));
+    if !python.is_file() {
+        return Err(Error::environment(
+            "Mitsuba is not installed here",
+            "make its environment: cargo run --release -- golden setup",
+        ));
+    }
+    let failed = |error: std::io::Error| {
+        Error::environment(
+            format!("cannot run Mitsuba: {error}"),
+            "make its environment again: cargo run --release -- golden setup",
+        )
+    };
+    let mut child = Command::new(python)
+        .arg(scripts(checkout).join("golden.py"))
+        .args(arguments)
+        .env("PYTHONDONTWRITEBYTECODE", "1")
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .map_err(failed)?;
+    let complaints = child
+        .stderr
+        .take()
+        .map(|pipe| std::thread::spawn(move || std::io::read_to_string(pipe).unwrap_or_default()));
+    let mut lines = BufReader::new(child.stdout.take().expect("it was piped")).lines();
+    let renderer = lines.next().transpose().map_err(failed)?;
+    let renderer: Option<Renderer> = renderer.and_then(|line| serde_json::from_str(&line).ok());
+    let mut items = Vec::new();
+    for line in lines {
+        if let Ok(item) = serde_json::from_str::<Item>(&line.map_err(failed)?) {
+            items.push(item);
+            let total = renderer
+                .as_ref()
+                .map_or(1, |renderer| renderer.total.max(1));
+            progress.show("Mitsuba", items.len() as f64 / total as f64);
+        }
+    }
+    let status = child.wait().map_err(failed)?;
+    let said = complaints
+        .and_then(|thread| thread.join().ok())
+        .unwrap_or_default();
+    match (status.code(), renderer) {
+        (Some(0), Some(renderer)) => Ok((renderer, items)),
+        (Some(2), _) => Err(Error::input(
+            format!("Mitsuba refused:\n{}", said.trim_end()),
+            "change the scene as it says; goldens that were made stay",
+        )),
+        _ => Err(Error::environment(
+            format!("the golden scripts failed ({status}):\n{}", said.trim_end()),
+            "make the environment again: cargo run --release -- golden setup",
+        )),
+    }
+}

@@ -1,0 +1,253 @@
+//! An examination as a table for people.
+
+use std::fmt::Write;
+
+use anstyle::{AnsiColor, Style};
+use pinhole::judge::{ChannelVerdict, Verdict};
+
+use crate::compile::Replaced;
+use crate::describe::{digits_to_tell, number, printable};
+use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskResult};
+use crate::submission::Unusable;
+
+const PASS: Style = AnsiColor::Green.on_default();
+const FAIL: Style = AnsiColor::Red.on_default();
+const QUIET: Style = AnsiColor::BrightBlack.on_default();
+const STRONG: Style = Style::new().bold();
+
+/// Lines of a student's own output that are shown.
+const MOST_PRINTED_LINES: usize = 20;
+
+/// The whole table: tasks, scenes, what went wrong, and the sum of points.
+pub fn examination(examination: &Examination) -> String {
+    let mut text = String::new();
+    let submission = printable(&examination.submission);
+    line(
+        &mut text,
+        format!(
+            "{STRONG}{}{STRONG:#}  {QUIET}{submission}{QUIET:#}",
+            examination.title
+        ),
+    );
+    if !examination.tasks.is_empty() {
+        line(
+            &mut text,
+            format!("\n{QUIET}task                points{QUIET:#}"),
+        );
+    }
+    for task in &examination.tasks {
+        task_rows(&mut text, task);
+    }
+    if !examination.scenes.is_empty() {
+        line(
+            &mut text,
+            format!("\n{QUIET}scene               points{QUIET:#}"),
+        );
+    }
+    for scene in &examination.scenes {
+        scene_rows(&mut text, scene);
+    }
+    let (earned, possible) = examination.points();
+    line(
+        &mut text,
+        format!("\n{STRONG}total               {earned:>3} / {possible}{STRONG:#}"),
+    );
+    let lines: Vec<&str> = examination.printed.lines().collect();
+    if !lines.is_empty() {
+        line(&mut text, "\nyour code printed:".into());
+        for printed in lines.iter().take(MOST_PRINTED_LINES) {
+            line(
+                &mut text,
+                format!("  {QUIET}{}{QUIET:#}", printable(printed)),
+            );
+        }
+        if lines.len() > MOST_PRINTED_LINES {
+            line(
+                &mut text,
+                format!("  … and {} lines more", lines.len() - MOST_PRINTED_LINES),
+            );
+        }
+    }
+    text
+}
+
+fn line(text: &mut String, line: String) {
+    text.push_str(&line);
+    text.push('\n');
+}
+
+fn row(text: &mut String, name: &str, (earned, possible): (u32, u32), said: String) {
+    let full = earned == possible;
+    let (style, mark) = if full { (PASS, "✓") } else { (FAIL, "✗") };
+    line(
+        text,
+        format!("{style}{mark}{style:#} {name:<18}{earned:>3} / {possible:<4} {said}"),
+    );
+}
+
+fn task_rows(text: &mut String, task: &TaskResult) {
+    let failing: Vec<&GroupResult> = task
+        .groups
+        .iter()
+        .filter(|group| !group.outcome.passes())
+        .collect();
+    let said = match &task.replaced {
+        Some(Replaced::Unusable(Unusable::Missing)) => "there is no such file".into(),
+        Some(Replaced::Unusable(Unusable::Refused(why))) => format!("refused: {why}"),
+        Some(Replaced::DoesNotCompile(_)) => "does not compile".into(),
+        None if task.is_unanswered() => "unanswered".into(),
+        None if failing.is_empty() => {
+            let names: Vec<&str> = task
+                .groups
+                .iter()
+                .map(|group| group.name.as_str())
+                .collect();
+            names.join(", ")
+        }
+        None => format!(
+            "{} of {} groups pass",
+            task.groups.len() - failing.len(),
+            task.groups.len()
+        ),
+    };
+    row(text, &task.name, task.points(), said);
+    if let Some(Replaced::DoesNotCompile(diagnostics)) = &task.replaced {
+        indent(text, diagnostics.trim_end());
+    }
+    if task.replaced.is_none() && !task.is_unanswered() {
+        let mut told: Vec<String> = Vec::new();
+        for group in &failing {
+            let said = outcome(&group.outcome);
+            // A panic in every group is one panic.
+            let said = if told.contains(&said) {
+                "the same".into()
+            } else {
+                said
+            };
+            line(text, format!("    {FAIL}{:<18}{FAIL:#}{said}", group.name));
+            told.push(said);
+            if let Some(worst) = &group.worst {
+                indent(text, worst);
+            }
+        }
+    }
+    if !failing.is_empty() {
+        line(
+            text,
+            format!("    {QUIET}read: the book, \"{}\"{QUIET:#}", task.chapter),
+        );
+    }
+}
+
+fn scene_rows(text: &mut String, scene: &SceneResult) {
+    let passes = scene.outcome.passes();
+    let earned = if passes { scene.worth } else { 0 };
+    let said = match &scene.outcome {
+        Outcome::Judged(verdict) if passes => {
+            let exempt = match verdict.exempt {
+                0 => String::new(),
+                some => format!(", {some} exempt"),
+            };
+            format!(
+                "{} pixels{exempt}, {:.2} s",
+                verdict.resolution, scene.seconds
+            )
+        }
+        other => outcome(other),
+    };
+    row(text, &scene.name, (earned, scene.worth), said);
+    if let Outcome::Judged(verdict) = &scene.outcome
+        && let Some((channel, mismatch)) = worst_pixel(verdict)
+    {
+        let rows = verdict
+            .channels
+            .iter()
+            .filter(|channel| channel.failing > 0)
+            .map(channel_words);
+        indent(text, &rows.collect::<Vec<_>>().join("\n"));
+        let (i, j) = (mismatch.i, mismatch.j);
+        let name = &scene.name;
+        line(
+            text,
+            format!(
+                "    {QUIET}look at {}: pinhole explain {name} {i} {j}{QUIET:#}",
+                channel.name
+            ),
+        );
+    }
+}
+
+/// The pixel to look at first, and the channel it is wrong in.
+pub fn worst_pixel(verdict: &Verdict) -> Option<(&ChannelVerdict, pinhole::Pixel)> {
+    verdict
+        .channels
+        .iter()
+        .find_map(|channel| Some((channel, channel.worst?.pixel)))
+}
+
+/// "t    12 pixels, (3, 4) to (9, 9); worst at (5, 5): got 1.5, expected 1.25 ± 1e−6".
+pub fn channel_words(channel: &ChannelVerdict) -> String {
+    let (Some(worst), Some(bounds)) = (channel.worst, channel.bounds) else {
+        return format!("{:<4} agrees everywhere", channel.name);
+    };
+    let digits = digits_to_tell(&worst);
+    let shown = |value: f32| match (channel.name.as_str(), value) {
+        ("id", -1.0) => "no hit".into(),
+        ("id", id) => format!("object {id}"),
+        (_, value) => number(f64::from(value), digits),
+    };
+    let mut text = format!("{:<4} {} pixel", channel.name, channel.failing);
+    if channel.failing > 1 {
+        let _infallible = write!(text, "s, {} to {}", bounds.min, bounds.max);
+    }
+    let _infallible = write!(
+        text,
+        "; worst at {}: got {}, expected {}",
+        worst.pixel,
+        shown(worst.got),
+        shown(worst.expected)
+    );
+    if channel.name != "id" {
+        let _infallible = write!(text, " ± {}", number(f64::from(worst.allowed), 2));
+    }
+    text
+}
+
+/// An outcome in one line.
+pub fn outcome(outcome: &Outcome) -> String {
+    match outcome {
+        Outcome::Judged(verdict) if verdict.passes() => "passes".into(),
+        Outcome::Judged(verdict) => {
+            format!(
+                "{} of {} pixels are wrong",
+                verdict.failing.len(),
+                verdict.resolution.pixels()
+            )
+        }
+        Outcome::Refused(refusal) => format!("refused: {refusal}"),
+        Outcome::Unanswered => "unanswered".into(),
+        Outcome::BlockedBy(task) => format!("blocked by `{task}`, which is unanswered"),
+        Outcome::Panicked(panic) => format!(
+            "your code panicked at src/{}:{}: {}",
+            printable(file_name(&panic.file)),
+            panic.line,
+            printable(&panic.message)
+        ),
+        Outcome::TimedOut { seconds } => format!("gave no answer within {seconds} s"),
+        Outcome::Died(how) => format!("your program did not finish: {}", printable(how)),
+        Outcome::Garbled(why) => format!(
+            "your program's answers could not be read: {}",
+            printable(why)
+        ),
+    }
+}
+
+fn file_name(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
+}
+
+fn indent(text: &mut String, block: &str) {
+    for row in block.lines() {
+        line(text, format!("      {row}"));
+    }
+}
