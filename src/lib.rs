@@ -10,7 +10,8 @@
 //!
 //! 1. [`ray`], [`camera`], [`shape`]: the words of the lecture;
 //! 2. [`scene`], [`mesh`]: where they are read from;
-//! 3. [`film`], [`judge`], [`oiiotool`], [`false_colour`]: what a cast leaves
+//! 3. [`film`], [`judge`], [`oiiotool`], [`report`],
+//!    [`false_colour`]: what a cast leaves
 //!    behind, who judges it, and how people look at it;
 //! 4. [`answers`], [`job`], [`probe`], [`serve`](mod@serve), [`ask`](mod@ask): the seam between
 //!    harness and submission.
@@ -32,6 +33,7 @@ pub mod mesh;
 pub mod oiiotool;
 pub mod probe;
 pub mod ray;
+pub mod report;
 pub mod scene;
 pub mod serve;
 pub mod shape;

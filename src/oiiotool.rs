@@ -108,12 +108,14 @@ fn arguments(golden: &Path, film: &Path, layout: &Film) -> Vec<OsString> {
     line.extend(words(
         "--if {eq(TOP.format,\"float\")} --else --i NOT_FLOAT --endif",
     ));
-    line.extend(words(&format!("--fixnan error --ch {}", names.join(","))));
-    line.extend([
-        golden.into(),
-        "--absdiff".into(),
-        tolerance_path(golden).into(),
-    ]);
+    // Every film in one order of channels: the tool sorts them by rules of its own.
+    let in_order = words(&format!("--ch {}", names.join(",")));
+    line.extend(words("--fixnan error"));
+    line.extend_from_slice(&in_order);
+    line.push(golden.into());
+    line.extend_from_slice(&in_order);
+    line.extend(["--absdiff".into(), tolerance_path(golden).into()]);
+    line.extend(in_order);
     line.extend(words("--sub --maxc 0 --dup --mulc 0 --diff"));
     line
 }

@@ -3,7 +3,8 @@
 use glam::DVec3;
 use pinhole::ask::Reply;
 use pinhole::job::{Answer, Job};
-use pinhole::judge::{Golden, Mismatch, Verdict};
+use pinhole::judge::{Golden, Verdict};
+use pinhole::report::{digits_to_tell, number};
 use pinhole::{Film, Hit, Intersection, Projection, Ray, Shape};
 
 /// The worst question of a verdict: what was asked, expected, and given.
@@ -216,41 +217,6 @@ pub fn kind(shape: &Shape) -> &'static str {
 pub fn vector(vector: DVec3, digits: usize) -> String {
     let [x, y, z] = vector.to_array().map(|value| number(value, digits));
     format!("({x}, {y}, {z})")
-}
-
-/// A number with at most so many significant digits, no trailing zeros, and a real
-/// minus sign.
-pub fn number(value: f64, digits: usize) -> String {
-    let text = match value.abs() {
-        0.0 => "0".into(),
-        size if (1e-4..1e7).contains(&size) => {
-            let decimals = (digits as i32 - 1 - size.log10().floor() as i32).max(0) as usize;
-            let text = format!("{value:.decimals$}");
-            match text.contains('.') {
-                true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-                false => text,
-            }
-        }
-        size if size.is_finite() => {
-            let text = format!("{value:.*e}", digits.saturating_sub(1));
-            let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-            let mantissa = match mantissa.contains('.') {
-                true => mantissa.trim_end_matches('0').trim_end_matches('.'),
-                false => mantissa,
-            };
-            format!("{mantissa}e{exponent}")
-        }
-        _ => value.to_string(),
-    };
-    text.replace('-', "−")
-}
-
-/// Six digits, or as many as it takes to see that two numbers differ.
-pub fn digits_to_tell(mismatch: &Mismatch) -> usize {
-    let (got, expected) = (f64::from(mismatch.got), f64::from(mismatch.expected));
-    (6..9)
-        .find(|digits| number(got, *digits) != number(expected, *digits))
-        .unwrap_or(9)
 }
 
 /// Text of somebody else's, safe to show in a terminal.

@@ -1,12 +1,10 @@
 //! An examination as a table for people.
 
-use std::fmt::Write;
-
 use anstyle::{AnsiColor, Style};
 use pinhole::judge::{ChannelVerdict, Verdict};
 
 use crate::compile::Replaced;
-use crate::describe::{digits_to_tell, number, printable};
+use crate::describe::printable;
 use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskResult};
 use crate::submission::Unusable;
 
@@ -163,7 +161,7 @@ fn scene_rows(text: &mut String, scene: &SceneResult) {
             .channels
             .iter()
             .filter(|channel| channel.failing > 0)
-            .map(channel_words);
+            .map(ToString::to_string);
         indent(text, &rows.collect::<Vec<_>>().join("\n"));
         let (i, j) = (mismatch.i, mismatch.j);
         let name = &scene.name;
@@ -183,34 +181,6 @@ pub fn worst_pixel(verdict: &Verdict) -> Option<(&ChannelVerdict, pinhole::Pixel
         .channels
         .iter()
         .find_map(|channel| Some((channel, channel.worst?.pixel)))
-}
-
-/// "t    12 pixels, (3, 4) to (9, 9); worst at (5, 5): got 1.5, expected 1.25 ± 1e−6".
-pub fn channel_words(channel: &ChannelVerdict) -> String {
-    let (Some(worst), Some(bounds)) = (channel.worst, channel.bounds) else {
-        return format!("{:<4} agrees everywhere", channel.name);
-    };
-    let digits = digits_to_tell(&worst);
-    let shown = |value: f32| match (channel.name.as_str(), value) {
-        ("id", -1.0) => "no hit".into(),
-        ("id", id) => format!("object {id}"),
-        (_, value) => number(f64::from(value), digits),
-    };
-    let mut text = format!("{:<4} {} pixel", channel.name, channel.failing);
-    if channel.failing > 1 {
-        let _infallible = write!(text, "s, {} to {}", bounds.min, bounds.max);
-    }
-    let _infallible = write!(
-        text,
-        "; worst at {}: got {}, expected {}",
-        worst.pixel,
-        shown(worst.got),
-        shown(worst.expected)
-    );
-    if channel.name != "id" {
-        let _infallible = write!(text, " ± {}", number(f64::from(worst.allowed), 2));
-    }
-    text
 }
 
 /// An outcome in one line.

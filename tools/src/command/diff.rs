@@ -13,7 +13,7 @@ use super::Outcome;
 use crate::checkout::Checkout;
 use crate::cli::Diff;
 use crate::error::{Error, Result};
-use crate::{describe, json, mitsuba, pictures, table};
+use crate::{describe, json, mitsuba, pictures};
 
 pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Outcome> {
     let golden = Golden::read(&arguments.golden)?;
@@ -91,18 +91,7 @@ fn said(second: &SecondVerdict) -> String {
 fn print(verdict: &std::result::Result<Verdict, Refusal>) {
     match verdict {
         Err(refusal) => anstream::println!("refused: {refusal}"),
-        Ok(verdict) => {
-            let word = if verdict.passes() { "passes" } else { "fails" };
-            let pixels = verdict.resolution.pixels();
-            anstream::println!(
-                "{word}: {} of {pixels} pixels are wrong, {} are exempt",
-                verdict.failing.len(),
-                verdict.exempt
-            );
-            for channel in &verdict.channels {
-                anstream::println!("  {}", table::channel_words(channel));
-            }
-        }
+        Ok(verdict) => anstream::println!("{verdict}\n  {} pixels are exempt", verdict.exempt),
     }
 }
 

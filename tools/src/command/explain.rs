@@ -6,6 +6,7 @@ use std::time::Duration;
 use pinhole::ask::Reply;
 use pinhole::film::HIT_CHANNELS;
 use pinhole::job::{Answer, CameraQuestion, Job, ShapeQuestion};
+use pinhole::report::number;
 use pinhole::{Camera, Film, Hit, Pixel, Projection, Ray, Resolution, Scene};
 use serde_json::{Value, json};
 
@@ -14,7 +15,7 @@ use crate::assignment::Assignment;
 use crate::checkout::Checkout;
 use crate::cli::Explain;
 use crate::compile::{Program, Replaced, compile};
-use crate::describe::{self, hit_in_film, intersection, number, ray, ray_in_film};
+use crate::describe::{self, hit_in_film, intersection, ray, ray_in_film};
 use crate::error::{Error, Result};
 use crate::examine;
 use crate::progress::Progress;

@@ -4,6 +4,7 @@ use std::fs;
 use std::time::{Duration, Instant};
 
 use pinhole::job::Job;
+use pinhole::report::number;
 use pinhole::{Film, false_colour};
 use serde_json::json;
 
@@ -12,7 +13,7 @@ use crate::assignment::Assignment;
 use crate::checkout::Checkout;
 use crate::cli::Render;
 use crate::compile::{Replaced, compile};
-use crate::describe::{number, printable};
+use crate::describe::printable;
 use crate::error::{Error, Result};
 use crate::examine;
 use crate::progress::Progress;

@@ -1,0 +1,25 @@
+use glam::DMat3;
+use pinhole::{Intersection, Ray, Triangle};
+
+use crate::intersect_ray::IntersectRay;
+
+impl IntersectRay for Triangle {
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        let [a, b, c] = self.corners;
+        let t1 = b - a;
+        let t2 = c - a;
+        let matrix = DMat3::from_cols(t1, t2, -ray.direction);
+        if matrix.determinant() == 0.0 {
+            return None;
+        }
+        let solution = matrix.inverse() * (ray.origin - a);
+        let (alpha, beta, t) = (solution.x, solution.y, solution.z);
+        if alpha >= 0.0 && beta >= 0.0 && alpha + beta <= 1.0 {
+            return Some(Intersection {
+                t,
+                normal: t1.cross(t2).normalize(),
+            });
+        }
+        None
+    }
+}

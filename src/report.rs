@@ -1,0 +1,87 @@
+//! Verdicts in words.
+
+use std::fmt;
+
+use crate::judge::{ChannelVerdict, Mismatch, Verdict};
+
+impl fmt::Display for Verdict {
+    /// One line for the film and one for each channel, without the last line break.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.failing.len(), self.resolution.pixels()) {
+            (0, all) => write!(f, "passes: all {all} pixels agree")?,
+            (wrong, all) => write!(f, "fails: {wrong} of {all} pixels are wrong")?,
+        }
+        for channel in &self.channels {
+            write!(f, "\n  {channel}")?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for ChannelVerdict {
+    /// `t    12 pixels, (3, 4) to (9, 9); worst at (5, 5): got 1.5, expected 1.25 ± 1e−6`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (Some(worst), Some(bounds)) = (self.worst, self.bounds) else {
+            return write!(f, "{:<4} agrees everywhere", self.name);
+        };
+        let digits = digits_to_tell(&worst);
+        let shown = |value: f32| match (self.name.as_str(), value) {
+            ("id", -1.0) => "no hit".into(),
+            ("id", id) => format!("object {id}"),
+            (_, value) => number(f64::from(value), digits),
+        };
+        match self.failing {
+            1 => write!(f, "{:<4} 1 pixel", self.name)?,
+            some => write!(
+                f,
+                "{:<4} {some} pixels, {} to {}",
+                self.name, bounds.min, bounds.max
+            )?,
+        }
+        let (got, expected) = (shown(worst.got), shown(worst.expected));
+        write!(
+            f,
+            "; worst at {}: got {got}, expected {expected}",
+            worst.pixel
+        )?;
+        match self.name.as_str() {
+            "id" => Ok(()),
+            _ => write!(f, " ± {}", number(f64::from(worst.allowed), 2)),
+        }
+    }
+}
+
+/// A number with at most so many significant digits, no trailing zeros, and a real
+/// minus sign.
+pub fn number(value: f64, digits: usize) -> String {
+    let text = match value.abs() {
+        0.0 => "0".into(),
+        size if (1e-4..1e7).contains(&size) => {
+            let decimals = (digits as i32 - 1 - size.log10().floor() as i32).max(0) as usize;
+            let text = format!("{value:.decimals$}");
+            match text.contains('.') {
+                true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+                false => text,
+            }
+        }
+        size if size.is_finite() => {
+            let text = format!("{value:.*e}", digits.saturating_sub(1));
+            let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+            let mantissa = match mantissa.contains('.') {
+                true => mantissa.trim_end_matches('0').trim_end_matches('.'),
+                false => mantissa,
+            };
+            format!("{mantissa}e{exponent}")
+        }
+        _ => value.to_string(),
+    };
+    text.replace('-', "−")
+}
+
+/// Six digits, or as many as it takes to see that two numbers differ.
+pub fn digits_to_tell(mismatch: &Mismatch) -> usize {
+    let (got, expected) = (f64::from(mismatch.got), f64::from(mismatch.expected));
+    (6..9)
+        .find(|digits| number(got, *digits) != number(expected, *digits))
+        .unwrap_or(9)
+}

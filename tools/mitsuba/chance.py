@@ -1,0 +1,37 @@
+"""Random numbers and vectors for probes and random scenes."""
+
+import numpy as np
+
+from camera import normalize
+
+
+def as_f32(values):
+    """`values` rounded to what a film can hold, as float64 again."""
+    return np.float64(np.float32(values))
+
+
+def unit_vector(rng):
+    """A direction, uniform on the sphere."""
+    return normalize(rng.normal(size=3))
+
+
+def perpendicular(rng, axis):
+    """A unit vector at a right angle to the unit vector `axis`."""
+    vector = rng.normal(size=3)
+    return normalize(vector - (vector @ axis) * axis)
+
+
+def log_uniform(rng, low, high):
+    """A number whose logarithm is uniform: every magnitude is as likely."""
+    return float(np.exp(rng.uniform(np.log(low), np.log(high))))
+
+
+def sign(rng):
+    """-1 or 1."""
+    return float(rng.choice((-1.0, 1.0)))
+
+
+def tilted_from(rng, axis, low, high):
+    """A unit vector whose cosine with the unit vector `axis` is in [low, high]."""
+    cosine = rng.uniform(low, high)
+    return cosine * axis + np.sqrt(1 - cosine**2) * perpendicular(rng, axis)

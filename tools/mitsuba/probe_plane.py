@@ -1,0 +1,107 @@
+"""Questions about one plane.
+
+A ray is aimed at a target on the plane from a distance; a negative distance puts
+the plane behind it, which is a miss.
+"""
+
+import numpy as np
+
+from chance import log_uniform, perpendicular, sign, tilted_from, unit_vector
+from probe_shape import ask
+from scene import Plane
+
+CHANNELS = ("point.X", "point.Y", "point.Z", "normal.X", "normal.Y", "normal.Z")
+
+
+def place(rng, *, side=None, ahead=None, point=None, stored=None, length=None, min_t=None):
+    """A question; what is not given is drawn.
+
+    `side` is 1 for an origin on the side the normal points to, `ahead` whether the
+    plane lies ahead, `stored` the length of its normal, `min_t` a share of the
+    plane's t.
+    """
+    side = sign(rng) if side is None else side
+    ahead = rng.uniform() < 0.6 if ahead is None else ahead
+    point = rng.uniform(-3, 3, 3) if point is None else point
+    stored = rng.uniform(0.5, 2) if stored is None else stored
+    length = rng.uniform(0.3, 3) if length is None else length
+    share = rng.uniform(0, 0.5) if min_t is None else min_t
+    normal = unit_vector(rng)
+    target = point + rng.uniform(0, 5) * perpendicular(rng, normal)
+    away = side * tilted_from(rng, normal, 0.1, 1)
+    distance = rng.uniform(1, 8)
+    direction = -away * length if ahead else away * length
+    least = share * distance / length
+    return ask(Plane(point, stored * normal), target + distance * away, direction, least)
+
+
+def front(rng):
+    """The normal points to the ray's side."""
+    return place(rng, side=1)
+
+
+def back(rng):
+    """Seen from behind: the normal stays as it is."""
+    return place(rng, side=-1)
+
+
+def behind(rng):
+    """Mostly planes behind the origin, on either side of them."""
+    return place(rng, ahead=rng.uniform() < 0.3)
+
+
+def min_t(rng):
+    """min_t below and above the plane's t."""
+    share = rng.uniform(0.1, 0.9) if rng.uniform() < 0.6 else rng.uniform(1.1, 3)
+    return place(rng, ahead=rng.uniform() < 0.95, min_t=share)
+
+
+def direction_length(rng):
+    """|d| from 1e-3 to 1e3: t counts in units of it."""
+    return place(rng, length=log_uniform(rng, 1e-3, 1e3))
+
+
+def stored_normal(rng):
+    """Normals of length 1e-2 to 1e2: the answer's normal is unit all the same."""
+    return place(rng, stored=log_uniform(rng, 1e-2, 1e2))
+
+
+def offset(rng):
+    """Ray and plane 10 to 100 from the origin of space along every axis."""
+    return place(rng, point=rng.uniform(10, 100, 3) * rng.choice((-1, 1), 3))
+
+
+def parallel(rng):
+    """Rays that reach the plane under 1e-3 to 5e-2 rad, leave it under as little, or
+    are exactly parallel to it (one in five) and miss.
+
+    Exactly parallel in every right caster's arithmetic, also after the normal is
+    normalised and with fused multiply-adds: the normal has one component, or two
+    of one size against a direction's two components of 1. The height, at
+    least 2, keeps the rays that are tilted for the tolerance off the disk that
+    stands for the plane: they meet the plane 2e6 away.
+    """
+    stored, length = rng.uniform(0.5, 2), rng.uniform(0.3, 3)
+    point = rng.uniform(-3, 3, 3)
+    if rng.uniform() < 0.2:
+        x, y, z = np.eye(3)[rng.permutation(3)]
+        a, b = rng.uniform(0.3, 3, 2)
+        axis, along = (x, a * y + b * z) if rng.uniform() < 0.5 else (x + y, x - y + b * z)
+        height = sign(rng) * rng.uniform(2, 5)
+        origin = point + height * axis / np.linalg.norm(axis)
+        return ask(Plane(point, sign(rng) * stored * axis), origin, along, 0.0)
+    normal = unit_vector(rng)
+    along = perpendicular(rng, normal)
+    side, angle = sign(rng), log_uniform(rng, 1e-3, 5e-2)
+    towards = -side if rng.uniform() < 0.75 else side
+    direction = length * (np.cos(angle) * along + towards * np.sin(angle) * normal)
+    origin = point + rng.uniform(0, 5) * along + side * rng.uniform(0.5, 3) * normal
+    return ask(Plane(point, stored * normal), origin, direction, rng.uniform(0, 0.5))
+
+
+GROUPS = {
+    draw.__name__: draw
+    for draw in (
+        front, back, behind, min_t, direction_length, stored_normal, offset, parallel,
+    )
+}

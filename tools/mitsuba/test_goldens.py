@@ -1,0 +1,124 @@
+"""A right float64 caster passes every golden, and a slightly wrong one does not."""
+
+import numpy as np
+import pytest
+
+import float64_caster as caster
+import judge
+import probe_answers
+from probes import PROBES, render as render_probe
+from random_scenes import render_random
+from scene import load
+from scene_films import render as render_scene
+
+SEEDS = (1, 2, 3)
+
+ROOM = """
+[camera]
+projection = "{projection}"
+eye = [0.3, 1.1, 4.0]
+view = [-0.1, -0.25, -1.0]
+up = [0.1, 1.0, 0.05]
+{focal_length}
+width = {width}
+height = {width}
+resolution = [90, 80]
+
+[[object]]
+type = "sphere"
+center = [0.0, 0.6, 0.0]
+radius = 0.8
+[[object]]
+type = "sphere"
+center = [0.4, 0.9, 2.55]
+radius = 0.25
+[[object]]
+type = "plane"
+point = [0.0, -0.2, 0.0]
+normal = [0.0, 2.0, 0.1]
+[[object]]
+type = "soup"
+obj = "roof.obj"
+"""
+
+ROOF = """
+v 1 0 0
+v 2 0 0.5
+v 2 1 0.2
+v 1 1 0
+v 1.5 0.5 1.1
+f 1/1/1 2/2/2 5
+f 2 3 5
+f 3 4 5
+f 4 1 -1
+f 4 3 2 1
+"""
+
+
+@pytest.fixture(params=("perspective", "orthographic"))
+def room(request, tmp_path):
+    """A scene of all shapes, one of them across the image plane."""
+    perspective = request.param == "perspective"
+    (tmp_path / "roof.obj").write_text(ROOF)
+    path = tmp_path / "room.toml"
+    path.write_text(ROOM.format(
+        projection=request.param,
+        focal_length="focal_length = 1.5" if perspective else "",
+        width=1.6 if perspective else 4.8,
+    ))
+    return path
+
+
+def films_of_right_caster(path, shift=0.0):
+    """Its golden's and its ray film's answers, the camera `shift` px to the right."""
+    scene = load(path)
+    rays = caster.scene_rays(scene.camera, shift)
+    return caster.cast(scene.objects, *rays, scene.camera.min_t), np.hstack(rays)
+
+
+def test_a_right_caster_passes_a_scene_of_all_shapes(room, tmp_path):
+    render_scene(room, tmp_path)
+    film, rays = films_of_right_caster(room)
+    assert set(film[:, 0]) == {-1, 0, 1, 2, 3}
+    assert judge.failing(film, tmp_path, "room") == 0
+    assert judge.failing(rays, tmp_path, "room.rays") == 0
+
+
+def test_a_camera_shifted_by_a_fiftieth_of_a_pixel_fails(room, tmp_path):
+    render_scene(room, tmp_path)
+    film, rays = films_of_right_caster(room, shift=0.02)
+    assert judge.failing(film, tmp_path, "room") > 1000
+    assert judge.failing(rays, tmp_path, "room.rays") == len(rays)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_right_caster_passes_random_scenes(seed, tmp_path):
+    for index in range(3):
+        report = render_random(seed, index, tmp_path)
+        film, rays = films_of_right_caster(tmp_path / "scenes" / f"{report['name']}.toml")
+        assert len(set(film[:, 0])) > 4
+        assert judge.failing(film, tmp_path, report["name"]) == 0
+        assert judge.failing(rays, tmp_path, f"{report['name']}.rays") == 0
+
+
+@pytest.mark.parametrize("task, group", PROBES)
+def test_a_right_caster_passes_every_probe(task, group, tmp_path):
+    for seed in SEEDS:
+        render_probe(task, group, seed, 64, tmp_path)
+        questions, _ = judge.read(tmp_path / f"{task}.{group}.ask.exr")
+        answers = probe_answers.answers(task, questions)
+        assert judge.failing(answers, tmp_path, f"{task}.{group}") == 0, f"seed {seed}"
+
+
+@pytest.mark.parametrize("task, group", PROBES)
+def test_no_answer_of_a_probe_is_exempt(task, group, tmp_path):
+    render_probe(task, group, 1, 32, tmp_path)
+    golden, _ = judge.read(tmp_path / f"{task}.{group}.exr")
+    tolerance, _ = judge.read(tmp_path / f"{task}.{group}.tol.exr")
+    if task == "viewing_ray":
+        assert all((tolerance[c] < 0.1).all() for c in tolerance)
+    else:
+        hit = golden["id"] >= 0
+        assert (tolerance["id"] == 0.25).all()
+        assert (tolerance["t"][hit] < 0.02 * golden["t"][hit]).all()
+        assert all((tolerance[c][hit] < 0.02).all() for c in ("N.X", "N.Y", "N.Z"))
