@@ -81,8 +81,8 @@ pub fn depth_range(film: &Film, depth_per_t: f64) -> Range<f64> {
 pub fn difference(golden: &Golden, film: &Film) -> RgbImage {
     let fails = |channel: &str, index: usize| {
         let sample = |film: &Film| film.channel(channel).map_or(0.0, |samples| samples[index]);
-        // NaN differs too.
-        !((sample(film) - sample(golden.film())).abs() <= sample(golden.tolerance()))
+        let distance = (sample(film) - sample(golden.film())).abs();
+        distance.is_nan() || distance > sample(golden.tolerance())
     };
     let faint = id(golden.film());
     let resolution = film.resolution();

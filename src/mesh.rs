@@ -26,8 +26,14 @@ pub fn read(path: &Path) -> Result<TriangleSoup, Error> {
             "check the `obj` path in the scene; it is relative to the scene's folder",
         )
     })?;
+    let text = corners_and_faces(&text);
+    if let Some(error) = absent_vertex(&text, path) {
+        return Err(error);
+    }
     let options = LoadOptions {
         triangulate: true,
+        ignore_points: true,
+        ignore_lines: true,
         ..LoadOptions::default()
     };
     let mut lines = CountLines {
@@ -36,14 +42,12 @@ pub fn read(path: &Path) -> Result<TriangleSoup, Error> {
     };
     let loaded = tobj::load_obj_buf(&mut lines, &options, |_| Err(LoadError::GenericFailure));
     let (models, _materials) = loaded.map_err(|error| {
-        explain(error, &text, path).unwrap_or_else(|| {
-            Error::new(
-                path,
-                format!("this is not a mesh: {error}"),
-                "export it again as OBJ",
-            )
-            .at(lines.line.max(1), 1)
-        })
+        Error::new(
+            path,
+            format!("this is not a mesh: {error}"),
+            "export it again as OBJ",
+        )
+        .at(lines.line.max(1), 1)
     })?;
 
     let mut triangles = Vec::new();
@@ -68,19 +72,48 @@ pub fn read(path: &Path) -> Result<TriangleSoup, Error> {
     Ok(TriangleSoup { triangles })
 }
 
-/// tobj finds a bad index only after the last line, so look for it again.
-fn explain(error: LoadError, text: &str, path: &Path) -> Option<Error> {
-    if error != LoadError::FaceVertexOutOfBounds {
-        return None;
+/// The same lines with nothing in them but what makes triangles: x, y, z of `v` and
+/// the vertices of `f`. tobj would also make triangles of polylines, divide by a
+/// vertex's w, and refuse comments behind values and texture coordinates it cannot
+/// find; the goldens' reader (tools/mitsuba/mesh.py) does none of that.
+fn corners_and_faces(text: &str) -> String {
+    let mut kept = String::with_capacity(text.len());
+    for line in text.lines() {
+        let mut words = line
+            .split('#')
+            .next()
+            .unwrap_or_default()
+            .split_whitespace();
+        match words.next() {
+            Some("v") => {
+                kept.push('v');
+                words.take(3).for_each(|word| kept.extend([" ", word]));
+            }
+            Some("f") => {
+                let mut vertices = words.map(|word| word.split('/').next().unwrap_or_default());
+                if let Some(first) = vertices.next() {
+                    kept.extend(["f ", first]);
+                    vertices.for_each(|vertex| kept.extend([" ", vertex]));
+                }
+            }
+            _ => {}
+        }
+        kept.push('\n');
     }
+    kept
+}
+
+/// The first face that names a vertex not yet there. tobj notices only after the
+/// last line, and not at all if the vertex comes later.
+fn absent_vertex(text: &str, path: &Path) -> Option<Error> {
     let mut vertices = 0;
     for (number, line) in text.lines().enumerate() {
         let mut words = line.split_whitespace();
         match words.next() {
             Some("v") => vertices += 1,
             Some("f") => {
-                let index = |word: &str| word.split('/').next()?.parse::<i64>().ok();
-                let outside = |index: &i64| *index == 0 || index.abs() > vertices;
+                let index = |word: &str| word.parse::<i64>().ok();
+                let outside = |index: &i64| *index == 0 || index.unsigned_abs() > vertices;
                 if let Some(bad) = words.filter_map(index).find(outside) {
                     let problem =
                         format!("this face names vertex {bad}, but {vertices} vertices precede it");

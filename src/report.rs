@@ -5,13 +5,14 @@ use std::fmt;
 use crate::judge::{ChannelVerdict, Mismatch, Verdict};
 
 impl fmt::Display for Verdict {
-    /// One line for the film and one for each channel, without the last line break.
+    /// One line for the film and one for each channel that fails, without the last
+    /// line break.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.failing.len(), self.resolution.pixels()) {
             (0, all) => write!(f, "passes: all {all} pixels agree")?,
             (wrong, all) => write!(f, "fails: {wrong} of {all} pixels are wrong")?,
         }
-        for channel in &self.channels {
+        for channel in self.channels.iter().filter(|channel| channel.failing > 0) {
             write!(f, "\n  {channel}")?;
         }
         Ok(())

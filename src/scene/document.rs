@@ -97,6 +97,10 @@ impl Kind {
 /// No more pixels than this: a film of them fills 3 GiB.
 const MOST_PIXELS: usize = 100_000_000;
 
+/// Below this sine of the angle at its first corner a triangle is flat: decimals such
+/// as 0.3 are rounded, which lifts corners off a line by about 1e-16 of their size.
+const ON_ONE_LINE: f64 = 1e-14;
+
 /// Things a renderer has and ray casting does not.
 const NOT_MODELLED: [&str; 12] = [
     "light",
@@ -226,7 +230,16 @@ impl<'a> Document<'a> {
             Kind::Soup => {
                 let obj = table.obj.as_ref().ok_or_else(|| missing("obj"))?;
                 let folder = self.path.parent().unwrap_or(Path::new(""));
-                Shape::Soup(mesh::read(&folder.join(obj.get_ref()))?)
+                let soup = mesh::read(&folder.join(obj.get_ref()));
+                // A mesh that cannot be read at all is this line's fault.
+                Shape::Soup(soup.map_err(|error| match error.position {
+                    Some(_) => error,
+                    None => self.error(
+                        obj.span(),
+                        format!("{}: {}", error.path.display(), error.problem),
+                        error.remedy,
+                    ),
+                })?)
             }
         })
     }
@@ -261,7 +274,8 @@ impl<'a> Document<'a> {
         if !(a.is_finite() && b.is_finite() && c.is_finite()) {
             return Err(self.not_finite("corners", corners.span()));
         }
-        if (b - a).cross(c - a) == DVec3::ZERO {
+        let (t_1, t_2) = ((b - a).normalize_or_zero(), (c - a).normalize_or_zero());
+        if t_1.cross(t_2).length() < ON_ONE_LINE {
             return Err(self.error(
                 corners.span(),
                 "these corners lie on one line, so the triangle has no area and no normal",

@@ -14,6 +14,7 @@ import numpy as np
 from camera import normalize
 from cast import cast
 from chance import as_f32
+from face_rounding import normal_rounding
 from scene import Plane, Sphere, Triangles
 from shapes import to_mitsuba
 from tolerance import F32_RELATIVE, RING, hit_tolerance
@@ -95,10 +96,13 @@ def answer(question):
     directions = direction + np.vstack([np.zeros(3), tilts, np.zeros((2, 3))])
     min_t = question.min_t * np.array([1.0] * 9 + [1 - TILT, 1 + TILT])
     origins = np.broadcast_to(origin, directions.shape)
-    hits = cast(to_mitsuba([moved(question.shape, -at)]), origins, directions, min_t)
+    shape = moved(question.shape, -at)
+    hits = cast(to_mitsuba([shape]), origins, directions, min_t)
     centre, *displaced = hits.split()
     start = np.linalg.norm(origin + question.min_t * direction)
-    tolerance, exempt = hit_tolerance(centre, displaced, F32_RELATIVE * start / length)
+    tolerance, exempt = hit_tolerance(
+        centre, displaced, normal_rounding([shape], centre), F32_RELATIVE * start / length
+    )
     golden = centre.channels()
     if exempt[0]:
         return None

@@ -102,8 +102,8 @@ def offset(rng):
 
 
 def grazing(rng):
-    """Within 1e-3 to 1e-2 radii of the silhouette, 60 % on its inner side."""
-    gap = log_uniform(rng, 1e-3, 1e-2)
+    """Within 1e-4 to 1e-2 radii of the silhouette, 60 % on its inner side."""
+    gap = log_uniform(rng, 1e-4, 1e-2)
     return place(rng, impact=1 - gap if rng.uniform() < 0.6 else 1 + gap)
 
 

@@ -88,8 +88,8 @@ def outside(rng):
 
 
 def edges(rng):
-    """Within 1e-3 to 1e-2 (barycentric) of an edge, 60 % on its inner side."""
-    gap = log_uniform(rng, 1e-3, 1e-2) * (1 if rng.uniform() < 0.6 else -1)
+    """Within 1e-4 to 1e-2 (barycentric) of an edge, 60 % on its inner side."""
+    gap = log_uniform(rng, 1e-4, 1e-2) * (1 if rng.uniform() < 0.6 else -1)
     share = rng.uniform(0.1, 0.9)
     return place(rng, at=rng.permutation([gap, share * (1 - gap), (1 - share) * (1 - gap)]))
 

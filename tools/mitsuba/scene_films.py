@@ -4,6 +4,7 @@ import numpy as np
 
 import film
 from cast import cast
+from face_rounding import normal_rounding
 from refusal import refuse_ties
 from scene import load
 from sensor import sensor_rays
@@ -23,7 +24,8 @@ def golden(scene):
         cast(world, *camera.rays(i + across, j + upwards), camera.min_t)
         for across, upwards in DISPLACEMENT * RING
     ]
-    tolerance, exempt = hit_tolerance(centre, displaced)
+    flat = normal_rounding(scene.objects, centre)
+    tolerance, exempt = hit_tolerance(centre, displaced, flat)
     refuse_ties(scene, centre, displaced, exempt)
     return centre.channels(), tolerance, exempt
 

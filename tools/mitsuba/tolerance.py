@@ -37,12 +37,14 @@ def exempt_allowed(pixels):
     return max(1, int(EXEMPT_SHARE * pixels))
 
 
-def hit_tolerance(centre, displaced, t_absolute=T_ABSOLUTE):
+def hit_tolerance(centre, displaced, normal_rounding=0.0, t_absolute=T_ABSOLUTE):
     """Tolerances (N, 5) of the channels id, t, N.X, N.Y, N.Z, and who is exempt.
 
     `centre` are the golden `Hits`, `displaced` those of the displaced rays.
     Where the id changes among them, the pixel lies on an edge and is exempt. At
     a golden miss t and the normal mean nothing, so only the id is held.
+    `normal_rounding`, one number or one per ray, is added for flat faces: see
+    `face_rounding.py`.
     """
     golden = centre.channels()
     others = np.array([hits.channels() for hits in displaced])
@@ -52,7 +54,8 @@ def hit_tolerance(centre, displaced, t_absolute=T_ABSOLUTE):
     tolerance[:, 1] = (
         deviation[:, 1] + F32_RELATIVE * (np.abs(golden[:, 1]) + deviation[:, 1]) + t_absolute
     )
-    tolerance[:, 2:] = deviation[:, 2:] + F32_RELATIVE
+    flat = np.broadcast_to(normal_rounding, len(golden))[:, None]
+    tolerance[:, 2:] = deviation[:, 2:] + F32_RELATIVE + flat
     tolerance = round_up(tolerance)
     tolerance[centre.id < 0, 1:] = EXEMPT
     exempt = deviation[:, 0] > 0

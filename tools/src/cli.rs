@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
+use pinhole::Resolution;
 
 /// Ray casting assignments, judged against golden films by Mitsuba.
 ///
@@ -90,6 +91,9 @@ pub struct Render {
     /// reference]
     #[arg(long, value_name = "DIR")]
     pub submission: Option<PathBuf>,
+    /// Cast this many pixels instead of the scene's own; the image plane stays
+    #[arg(long, value_name = "NXxNY", value_parser = resolution)]
+    pub resolution: Option<Resolution>,
     /// Where to write
     #[arg(long, value_name = "DIR", default_value = "render")]
     pub out: PathBuf,
@@ -194,4 +198,18 @@ pub struct Handout {
     /// Change nothing; fail if the committed handout is out of step
     #[arg(long)]
     pub check: bool,
+}
+
+fn resolution(text: &str) -> Result<Resolution, String> {
+    let wrong = || format!("`{text}` is no size like 640x360");
+    let (n_x, n_y) = text.split_once('x').ok_or_else(wrong)?;
+    let count = |text: &str| {
+        text.parse::<usize>()
+            .ok()
+            .filter(|n| (1..=20_000).contains(n))
+    };
+    match (count(n_x), count(n_y)) {
+        (Some(n_x), Some(n_y)) => Ok(Resolution { n_x, n_y }),
+        _ => Err(wrong()),
+    }
 }

@@ -13,16 +13,17 @@ use crate::compile::Program;
 use crate::describe;
 use crate::error::{Error, Result};
 use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskResult};
+use crate::goldens::{GoldenScene, Goldens};
 use crate::sandbox::Sandbox;
 use crate::second_judge::SecondJudge;
 use crate::submission::Submission;
 
 /// A built submission and what it is measured against.
 pub struct Examiner<'a> {
-    /// Whose tasks and scenes.
+    /// Whose tasks.
     pub assignment: &'a Assignment,
-    /// The folder of golden films.
-    pub golden: PathBuf,
+    /// The golden films, and the scenes they show.
+    pub goldens: &'a Goldens,
     /// What runs.
     pub program: &'a Program,
     /// Where it runs.
@@ -94,13 +95,13 @@ impl Examiner<'_> {
             tasks.push(self.task(task, &mut printed)?);
         }
         let mut scenes = Vec::new();
-        for scene in &self.assignment.scenes {
+        for scene in &self.goldens.scenes {
             let wanted = match selection {
                 Selection { tasks, scenes } if scenes.is_empty() => tasks.is_empty(),
                 Selection { scenes, .. } => scenes.contains(&scene.name),
             };
             if wanted {
-                scenes.push(self.scene(&scene.name, scene.points, &mut printed)?);
+                scenes.push(self.scene(scene, &mut printed)?);
             }
         }
         Ok(Examination {
@@ -197,14 +198,15 @@ impl Examiner<'_> {
     fn parts(&self, task: &Task, group: &str) -> Result<Vec<Part>> {
         if task.name == "viewing_ray" && group == SCENES_GROUP {
             return self
-                .assignment
+                .goldens
                 .scenes
                 .iter()
-                .map(|scene| self.scene_rays(&scene.name))
+                .map(|scene| self.scene_rays(scene))
                 .collect();
         }
         let stem = self
-            .golden
+            .goldens
+            .folder
             .join("probes")
             .join(format!("{}.{group}", task.name));
         let (job, resolution) = probe::read(&with_suffix(&stem, ".ask.exr"), &task.name)?;
@@ -217,21 +219,23 @@ impl Examiner<'_> {
         }])
     }
 
-    fn scene_rays(&self, name: &str) -> Result<Part> {
-        let scene = Scene::read(&self.assignment.scene(name))?;
-        let golden = Standard::read(self.golden.join(name).with_extension("rays.exr"))?;
+    fn scene_rays(&self, scene: &GoldenScene) -> Result<Part> {
+        let name = &scene.name;
+        let scene = Scene::read(&scene.file)?;
+        let golden = Standard::read(self.goldens.folder.join(name).with_extension("rays.exr"))?;
         let resolution = scene.resolution;
         Ok(Part {
-            name: name.into(),
+            name: name.clone(),
             job: viewing_rays(&scene),
             resolution,
             golden,
         })
     }
 
-    fn scene(&self, name: &str, worth: u32, printed: &mut String) -> Result<SceneResult> {
-        let scene = Scene::read(&self.assignment.scene(name))?;
-        let golden = Standard::read(self.golden.join(name).with_extension("exr"))?;
+    fn scene(&self, scene: &GoldenScene, printed: &mut String) -> Result<SceneResult> {
+        let GoldenScene { name, file, worth } = scene;
+        let scene = Scene::read(file)?;
+        let golden = Standard::read(self.goldens.folder.join(name).with_extension("exr"))?;
         let resolution = scene.resolution;
         let start = Instant::now();
         let reply = self.ask(name, &Job::Film(scene))?;
@@ -239,8 +243,8 @@ impl Examiner<'_> {
         printed.push_str(&reply.printed);
         let outcome = self.judge(&reply, resolution, &golden, None)?;
         Ok(SceneResult {
-            name: name.into(),
-            worth,
+            name: name.clone(),
+            worth: *worth,
             outcome,
             seconds,
         })

@@ -14,6 +14,7 @@ mod describe;
 mod error;
 mod examination;
 mod examine;
+mod goldens;
 mod harness;
 mod json;
 mod manifest;

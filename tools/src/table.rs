@@ -168,7 +168,7 @@ fn scene_rows(text: &mut String, scene: &SceneResult) {
         line(
             text,
             format!(
-                "    {QUIET}look at {}: pinhole explain {name} {i} {j}{QUIET:#}",
+                "    {QUIET}look at {}: cargo run --release -- explain {name} {i} {j}{QUIET:#}",
                 channel.name
             ),
         );
@@ -196,7 +196,7 @@ pub fn outcome(outcome: &Outcome) -> String {
         }
         Outcome::Refused(refusal) => format!("refused: {refusal}"),
         Outcome::Unanswered => "unanswered".into(),
-        Outcome::BlockedBy(task) => format!("blocked by `{task}`, which is unanswered"),
+        Outcome::BlockedBy(task) => format!("blocked by `{task}`"),
         Outcome::Panicked(panic) => format!(
             "your code panicked at src/{}:{}: {}",
             printable(file_name(&panic.file)),

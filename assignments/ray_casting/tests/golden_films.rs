@@ -66,6 +66,9 @@ fn bunny_is_cast_right() {
 /// Longer than any answer should take.
 const WALL: Duration = Duration::from_secs(120);
 
+/// What is said of an answer that is still `todo!`.
+const UNANSWERED: &str = "is unanswered";
+
 /// What came of one film: whether it is as good as Mitsuba's, and in words.
 struct Verdict {
     passes: bool,
@@ -110,6 +113,10 @@ fn assert_task(task: &str) {
             .unwrap_or_else(|error| panic!("{error}"));
         let golden = probes.join(format!("{task}.{group}.exr"));
         let verdict = verdict(&job, resolution, &golden);
+        if verdict.words == UNANSWERED {
+            all = verdict;
+            break;
+        }
         all.passes &= verdict.passes;
         all.words.push_str(&format!("{group} {}\n", verdict.words));
     }
@@ -147,12 +154,7 @@ fn verdict(job: &Job, resolution: Resolution, golden_path: &Path) -> Verdict {
 /// Why there is no film, in words.
 fn failure(reply: &Reply) -> String {
     match &reply.ending {
-        Ending::Panicked(panic) if panic.is_unanswered() => {
-            format!(
-                "is unanswered: {}:{} is still todo!",
-                panic.file, panic.line
-            )
-        }
+        Ending::Panicked(panic) if panic.is_unanswered() => UNANSWERED.into(),
         Ending::Panicked(panic) => {
             format!(
                 "panicked at {}:{}: {}",

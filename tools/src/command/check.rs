@@ -9,6 +9,7 @@ use crate::cli::Check;
 use crate::compile::compile;
 use crate::error::{Error, Result};
 use crate::examine::{Examiner, Selection};
+use crate::goldens::Goldens;
 use crate::progress::Progress;
 use crate::sandbox::Sandbox;
 use crate::second_judge::SecondJudge;
@@ -17,7 +18,11 @@ use crate::{json, table};
 pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
     let here = std::env::current_dir().unwrap_or_default();
     let assignment = Assignment::around(checkout, arguments.dir.as_ref().unwrap_or(&here))?;
-    let selection = selection(arguments, &assignment)?;
+    let goldens = match &arguments.golden {
+        Some(folder) => Goldens::read(folder, &assignment)?,
+        None => Goldens::read(&checkout.golden(&assignment.name), &assignment)?,
+    };
+    let selection = selection(arguments, &assignment, &goldens)?;
     let submission = super::submission(arguments.dir.as_ref(), &assignment, assignment.handout())?;
     let sandbox = Sandbox::around(&submission.folder, checkout, arguments.run.trust)?;
 
@@ -30,10 +35,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
     let program = compile(&submission, &assignment, checkout, &sandbox)?;
     let examiner = Examiner {
         assignment: &assignment,
-        golden: arguments
-            .golden
-            .clone()
-            .unwrap_or_else(|| checkout.golden(&assignment.name)),
+        goldens: &goldens,
         program: &program,
         sandbox: &sandbox,
         wall: Duration::from_secs(arguments.run.timeout),
@@ -55,7 +57,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
     })
 }
 
-fn selection(arguments: &Check, assignment: &Assignment) -> Result<Selection> {
+fn selection(arguments: &Check, assignment: &Assignment, goldens: &Goldens) -> Result<Selection> {
     let known = |what: &str, named: &[String], names: Vec<&str>| match named
         .iter()
         .find(|name| !names.contains(&name.as_str()))
@@ -72,7 +74,7 @@ fn selection(arguments: &Check, assignment: &Assignment) -> Result<Selection> {
         .map(|task| task.name.as_str())
         .collect();
     known("task", &arguments.task, tasks)?;
-    let scenes = assignment
+    let scenes = goldens
         .scenes
         .iter()
         .map(|scene| scene.name.as_str())

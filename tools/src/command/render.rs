@@ -23,7 +23,8 @@ use crate::{pictures, table};
 pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Outcome> {
     let here = std::env::current_dir().unwrap_or_default();
     let assignment = Assignment::around(checkout, arguments.submission.as_ref().unwrap_or(&here))?;
-    let (scene, golden) = super::scene(&arguments.scene, &assignment, checkout)?;
+    let (mut scene, golden) = super::scene(&arguments.scene, &assignment, checkout)?;
+    scene.resolution = arguments.resolution.unwrap_or(scene.resolution);
     let submission = super::submission(
         arguments.submission.as_ref(),
         &assignment,

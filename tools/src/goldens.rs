@@ -1,0 +1,88 @@
+//! A folder of goldens and the scenes it can judge.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::assignment::Assignment;
+use crate::error::{Error, Result};
+
+/// Golden films, probes, and the scenes they were made from.
+#[derive(Clone, Debug)]
+pub struct Goldens {
+    /// Where the films lie.
+    pub folder: PathBuf,
+    /// In the order they are cast.
+    pub scenes: Vec<GoldenScene>,
+}
+
+/// A scene with a golden film.
+#[derive(Clone, Debug)]
+pub struct GoldenScene {
+    /// The film is `NAME.exr`.
+    pub name: String,
+    /// The scene file.
+    pub file: PathBuf,
+    /// Points for a film that passes.
+    pub worth: u32,
+}
+
+impl Goldens {
+    /// The goldens in `folder`.
+    ///
+    /// A folder with scenes of its own, such as `golden render --seed` makes, is
+    /// judged on those; they share the points of the assignment's scenes. Any other
+    /// is judged on the assignment's scenes.
+    pub fn read(folder: &Path, assignment: &Assignment) -> Result<Goldens> {
+        if !folder.is_dir() {
+            return Err(Error::input(
+                format!("there is no folder of goldens {}", folder.display()),
+                "make one: cargo run --release -- golden render --seed 1 --out DIR",
+            ));
+        }
+        let entries = fs::read_dir(folder.join("scenes"))
+            .into_iter()
+            .flatten()
+            .flatten();
+        let is_scene = |path: &PathBuf| path.extension().is_some_and(|end| end == "toml");
+        let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(is_scene).collect();
+        files.sort();
+        let scenes = match files.len() {
+            0 => assignment
+                .scenes
+                .iter()
+                .map(|scene| GoldenScene {
+                    name: scene.name.clone(),
+                    file: assignment.scene(&scene.name),
+                    worth: scene.points,
+                })
+                .collect(),
+            count => {
+                let all: u32 = assignment.scenes.iter().map(|scene| scene.points).sum();
+                let shares = shares(all, count as u32);
+                files
+                    .into_iter()
+                    .zip(shares)
+                    .map(|(file, worth)| own(file, worth))
+                    .collect()
+            }
+        };
+        Ok(Goldens {
+            folder: folder.into(),
+            scenes,
+        })
+    }
+}
+
+fn own(file: PathBuf, worth: u32) -> GoldenScene {
+    let name = file
+        .file_stem()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned();
+    GoldenScene { name, file, worth }
+}
+
+/// `all` points in `count` shares as even as whole numbers allow.
+fn shares(all: u32, count: u32) -> impl Iterator<Item = u32> {
+    (0..count).map(move |k| all / count + u32::from(k < all % count))
+}

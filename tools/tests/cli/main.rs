@@ -1,0 +1,9 @@
+//! The real command on the real course: real Mitsuba, oiiotool, compiler, sandbox.
+
+mod check;
+mod course;
+mod diff;
+mod explain;
+mod golden;
+mod house;
+mod submissions;
