@@ -235,3 +235,6 @@ fn printed(pipe: Receiver<Vec<u8>>) -> String {
         .unwrap_or_default();
     String::from_utf8_lossy(&bytes).into_owned()
 }
+
+#[cfg(test)]
+mod tests;

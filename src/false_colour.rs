@@ -159,3 +159,6 @@ fn picture(film: &Film, colour: impl Fn(HitSample) -> Rgb<u8>) -> RgbImage {
         }
     })
 }
+
+#[cfg(test)]
+mod tests;

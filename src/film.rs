@@ -128,3 +128,6 @@ impl Film {
         openexr::write(self, path)
     }
 }
+
+#[cfg(test)]
+mod tests;

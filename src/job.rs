@@ -170,3 +170,6 @@ pub(crate) fn receive<T: DeserializeOwned>(
         _ => Err(io::Error::other("a message could not be read")),
     }
 }
+
+#[cfg(test)]
+mod tests;

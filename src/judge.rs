@@ -331,3 +331,6 @@ fn in_usual_order(film: &Film) -> Vec<&str> {
     names.sort_by_key(|name| (rank(name), name.to_string()));
     names
 }
+
+#[cfg(test)]
+mod tests;

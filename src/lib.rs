@@ -37,6 +37,8 @@ pub mod report;
 pub mod scene;
 pub mod serve;
 pub mod shape;
+#[cfg(test)]
+mod testing;
 
 pub use answers::Answers;
 pub use camera::{Camera, Pixel, Projection, Resolution};

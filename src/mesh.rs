@@ -173,3 +173,6 @@ impl<R: BufRead> BufRead for CountLines<R> {
         self.inner.consume(amount);
     }
 }
+
+#[cfg(test)]
+mod tests;

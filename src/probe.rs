@@ -172,3 +172,6 @@ impl Columns<'_> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

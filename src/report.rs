@@ -86,3 +86,6 @@ pub fn digits_to_tell(mismatch: &Mismatch) -> usize {
         .find(|digits| number(got, *digits) != number(expected, *digits))
         .unwrap_or(9)
 }
+
+#[cfg(test)]
+mod tests;

@@ -44,3 +44,6 @@ impl Scene {
         Document::parse(&text, path)?.into_scene()
     }
 }
+
+#[cfg(test)]
+mod tests;

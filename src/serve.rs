@@ -187,3 +187,6 @@ fn unknown_panic() -> Panic {
         index: 0,
     }
 }
+
+#[cfg(test)]
+mod tests;

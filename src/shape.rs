@@ -73,3 +73,6 @@ impl Canned {
             .copied()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -99,7 +99,9 @@ def main():
     scenes.add_argument("scenes", nargs="+", type=Path, metavar="SCENE.toml")
     scenes.set_defaults(items=lambda a: [(render_scene, (s, a.out)) for s in a.scenes])
     probes = commands.add_parser("probes", help="make probe films, one task at a time")
-    probes.add_argument("--count", type=whole_rows, default=512, help="questions in each, a multiple of 32")
+    probes.add_argument(
+        "--count", type=whole_rows, default=512, help="questions in each, a multiple of 32"
+    )
     probes.set_defaults(items=probe_items)
     random = commands.add_parser("random-scenes", help="draw scenes and render them")
     random.add_argument("--count", type=int, default=3, help="how many scenes")

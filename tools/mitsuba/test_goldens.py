@@ -91,6 +91,23 @@ def test_a_camera_shifted_by_a_fiftieth_of_a_pixel_fails(room, tmp_path):
     assert judge.failing(rays, tmp_path, "room.rays") == len(rays)
 
 
+def test_small_faces_far_from_the_origin_of_space_are_judged_fairly(tmp_path):
+    rng = np.random.default_rng(1)
+    heights = 3.3 + 0.01 * rng.random((12, 12))
+    vertices = [f"v {2.1 + 0.017 * i:.6f} {4.7 + 0.017 * j:.6f} {heights[i, j]:.6f}"
+                for i in range(12) for j in range(12)]
+    quads = [f"f {k} {k + 12} {k + 13} {k + 1}" for k in range(1, 131) if k % 12]
+    (tmp_path / "roof.obj").write_text("\n".join(vertices + quads))
+    path = tmp_path / "room.toml"
+    text = ROOM.format(projection="orthographic", focal_length="", width=0.2)
+    text = text.replace("[0.3, 1.1, 4.0]", "[2.19, 4.79, 5.0]")
+    path.write_text(text.replace("[-0.1, -0.25, -1.0]", "[0.0, 0.0, -1.0]"))
+    render_scene(path, tmp_path)
+    film, _ = films_of_right_caster(path)
+    assert (film[:, 0] == 3).mean() > 0.5
+    assert judge.failing(film, tmp_path, "room") == 0
+
+
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_right_caster_passes_random_scenes(seed, tmp_path):
     for index in range(3):

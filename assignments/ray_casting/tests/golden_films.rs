@@ -192,11 +192,15 @@ fn assert_perfect(name: &str, verdict: Verdict, see_it: &str) {
     settings.set_comparator(Box::new(GoldenDecides {
         passes: verdict.passes,
     }));
-    let see_it = format!("to see more: cargo run --release -- {see_it}");
-    println!("{see_it}");
+    let summary = format!(
+        "{name} {}\nto see more: cargo run --release -- {see_it}",
+        verdict.words
+    );
+    // Printed as well: a wrong verdict that was accepted shows no difference in insta.
+    println!("{summary}");
     settings.bind(|| assert_snapshot!(name, verdict.words));
     // insta can be told to let everything pass; this cannot.
-    assert!(verdict.passes, "{name} {}\n{see_it}", verdict.words);
+    assert!(verdict.passes, "{summary}");
 }
 
 /// Matches if the golden says so, whatever text was accepted as a snapshot.

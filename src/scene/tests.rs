@@ -1,0 +1,559 @@
+use std::fs;
+
+use super::*;
+use crate::camera::Projection;
+use crate::shape::{Plane, Sphere, Triangle};
+use crate::testing;
+use glam::{DVec3, dvec3};
+
+const GOOD: &str = r#"# One of each shape that needs no file.
+[camera]
+projection = "perspective"
+eye = [0.0, 1.0, 5.0]
+view = [0.0, 0.0, -2.0]
+up = [0.0, 3.0, 1.0]
+focal_length = 1.5
+width = 2.0
+height = 1.25
+resolution = [8, 5]
+
+[[object]]
+type = "sphere"
+center = [0.0, 1.0, -1.0]
+radius = 0.75
+
+[[object]]
+type = "plane"
+point = [0.0, -1.0, 0.0]
+normal = [0.0, 4.0, 0.0]
+
+[[object]]
+type = "triangle"
+corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
+"#;
+
+/// Stands before what an error must point at.
+const HERE: char = '▶';
+
+fn read(text: &str) -> Result<Scene, Error> {
+    let (_folder, path) = testing::file("a scene.toml", text);
+    Scene::read(&path)
+}
+
+/// The good scene with one passage replaced.
+#[track_caller]
+fn with(passage: &str, replacement: &str) -> String {
+    assert_eq!(
+        GOOD.matches(passage).count(),
+        1,
+        "`{passage}` is not once in the good scene"
+    );
+    GOOD.replace(passage, replacement)
+}
+
+/// Replaces one passage of the good scene, and expects an error that points at the
+/// mark in the replacement and has these words in problem and remedy.
+#[track_caller]
+fn refused(passage: &str, replacement: &str, problem: &str, remedy: &str) {
+    refused_text(&with(passage, replacement), problem, remedy);
+}
+
+#[track_caller]
+fn refused_text(marked: &str, problem: &str, remedy: &str) {
+    let (before, _) = marked.split_once(HERE).expect("a mark");
+    let line = before.matches('\n').count() + 1;
+    let column = before.chars().rev().take_while(|c| *c != '\n').count() + 1;
+    let (_folder, path) = testing::file("a scene.toml", marked.replace(HERE, ""));
+
+    let error = Scene::read(&path).expect_err("this scene should be refused");
+    let shown = error.to_string();
+    assert!(
+        shown.starts_with(&format!("{}:{line}:{column}: ", path.display())),
+        "expected {line}:{column}, got: {shown}"
+    );
+    assert!(error.problem.contains(problem), "the problem is: {shown}");
+    assert!(error.remedy.contains(remedy), "the remedy is: {shown}");
+    assert!(shown.contains("\n  remedy: "), "{shown}");
+}
+
+#[test]
+fn a_good_file_is_the_scene_it_describes() {
+    let scene = read(GOOD).unwrap();
+    assert_eq!(scene.resolution, Resolution { n_x: 8, n_y: 5 });
+    assert_eq!(scene.camera.eye, dvec3(0.0, 1.0, 5.0));
+    assert_eq!((scene.camera.width, scene.camera.height), (2.0, 1.25));
+    let projection = Projection::Perspective { focal_length: 1.5 };
+    assert_eq!(scene.camera.projection, projection);
+    assert_eq!(scene.camera.u, DVec3::X);
+    assert_eq!(scene.camera.v, DVec3::Y);
+    assert_eq!(scene.camera.w, DVec3::Z);
+    assert_eq!(
+        scene.objects,
+        [
+            Shape::Sphere(Sphere {
+                center: dvec3(0.0, 1.0, -1.0),
+                radius: 0.75
+            }),
+            Shape::Plane(Plane {
+                point: dvec3(0.0, -1.0, 0.0),
+                normal: dvec3(0.0, 4.0, 0.0)
+            }),
+            Shape::Triangle(Triangle {
+                corners: [DVec3::ZERO, DVec3::X, DVec3::Y]
+            }),
+        ]
+    );
+}
+
+#[test]
+fn a_scene_may_be_empty_space() {
+    let camera = GOOD.split("[[object]]").next().unwrap();
+    assert_eq!(read(camera).unwrap().objects, []);
+}
+
+#[test]
+fn whole_numbers_need_no_decimal_point() {
+    assert_eq!(
+        read(&with("radius = 0.75", "radius = 2")).unwrap(),
+        read(&with("radius = 0.75", "radius = 2.0")).unwrap()
+    );
+}
+
+#[test]
+fn windows_line_ends_change_nothing() {
+    assert_eq!(
+        read(&GOOD.replace('\n', "\r\n")).unwrap(),
+        read(GOOD).unwrap()
+    );
+}
+
+#[test]
+fn a_perspective_camera_sees_from_its_image_plane_on() {
+    assert_eq!(read(GOOD).unwrap().min_t, 1.0);
+}
+
+#[test]
+fn an_orthographic_camera_sees_from_its_eye_on() {
+    let text = with("focal_length = 1.5\n", "").replace("perspective", "orthographic");
+    let scene = read(&text).unwrap();
+    assert_eq!(scene.camera.projection, Projection::Orthographic);
+    assert_eq!(scene.min_t, 0.0);
+}
+
+#[test]
+fn min_t_may_be_chosen() {
+    let text = with("width = 2.0", "width = 2.0\nmin_t = 0.25");
+    assert_eq!(read(&text).unwrap().min_t, 0.25);
+}
+
+#[test]
+fn an_unknown_key_is_pointed_at() {
+    refused(
+        "radius = 0.75",
+        "radius = 0.75\n▶radios = 1.0",
+        "unknown field `radios`",
+        "correct its spelling",
+    );
+    refused(
+        "width = 2.0",
+        "▶widht = 2.0\nwidth = 2.0",
+        "unknown field `widht`",
+        "correct its spelling",
+    );
+    refused(
+        "# One of each shape that needs no file.",
+        "▶title = \"shapes\"",
+        "unknown field `title`",
+        "remove the key",
+    );
+}
+
+#[test]
+fn who_adds_a_light_learns_why_there_is_none() {
+    let why = "scenes have no lights, materials or lenses";
+    refused(
+        "[[object]]\ntype = \"plane\"",
+        "[[▶light]]\nposition = [0.0, 9.0, 0.0]\n\n[[object]]\ntype = \"plane\"",
+        why,
+        "remove `light`",
+    );
+    refused(
+        "radius = 0.75",
+        "radius = 0.75\n▶material = \"glass\"",
+        why,
+        "remove `material`",
+    );
+    refused(
+        "width = 2.0",
+        "width = 2.0\n▶lens = 0.1",
+        why,
+        "remove `lens`",
+    );
+}
+
+#[test]
+fn an_unknown_shape_is_told_the_four() {
+    refused(
+        "type = \"sphere\"",
+        "type = ▶\"cube\"",
+        "unknown variant `cube`, expected one of `sphere`, `plane`, `triangle`, `soup`",
+        "README.md",
+    );
+}
+
+#[test]
+fn an_unknown_projection_is_told_the_two() {
+    refused(
+        "\"perspective\"",
+        "▶\"fisheye\"",
+        "unknown variant `fisheye`, expected `perspective` or `orthographic`",
+        "README.md",
+    );
+}
+
+#[test]
+fn a_missing_key_is_missed_where_its_table_begins() {
+    let object = "[[object]]\ntype = \"sphere\"\ncenter = [0.0, 1.0, -1.0]\nradius = 0.75";
+    refused(
+        object,
+        "▶[[object]]\ntype = \"sphere\"\ncenter = [0.0, 1.0, -1.0]",
+        "this sphere has no `radius`",
+        "a sphere needs: center, radius",
+    );
+    refused(
+        object,
+        "▶[[object]]\ncenter = [0.0, 1.0, -1.0]\nradius = 0.75",
+        "missing field `type`",
+        "README.md",
+    );
+    refused(
+        "[camera]\nprojection = \"perspective\"\neye = [0.0, 1.0, 5.0]",
+        "▶[camera]\nprojection = \"perspective\"",
+        "missing field `eye`",
+        "README.md",
+    );
+}
+
+#[test]
+fn every_shape_names_each_key_it_misses() {
+    for (shape, keys) in [
+        ("sphere", ["center", "radius"].as_slice()),
+        ("plane", &["point", "normal"]),
+        ("triangle", &["corners"]),
+        ("soup", &["obj"]),
+    ] {
+        let value = |key: &str| match key {
+            "radius" => "1.0",
+            "corners" => "[[0, 0, 0], [1, 0, 0], [0, 1, 0]]",
+            _ => "[0, 0, 1]",
+        };
+        for missing in keys {
+            let given: String = keys
+                .iter()
+                .filter(|key| key != &missing)
+                .map(|key| format!("{key} = {}\n", value(key)))
+                .collect();
+            refused_text(
+                &format!("{GOOD}\n▶[[object]]\ntype = \"{shape}\"\n{given}"),
+                &format!("this {shape} has no `{missing}`"),
+                &keys.join(", "),
+            );
+        }
+    }
+}
+
+#[test]
+fn a_scene_without_a_camera_is_told_so() {
+    let objects = &GOOD[GOOD.find("[[object]]").unwrap()..];
+    refused_text(&format!("▶{objects}"), "missing field `camera`", "README");
+}
+
+#[test]
+fn a_key_of_another_shape_is_refused() {
+    refused(
+        "radius = 0.75",
+        "radius = 0.75\nnormal = ▶[0.0, 1.0, 0.0]",
+        "a sphere has no `normal`",
+        "a sphere takes: center, radius; remove `normal` or change the type",
+    );
+}
+
+#[test]
+fn a_value_of_the_wrong_kind_is_pointed_at() {
+    refused(
+        "radius = 0.75",
+        "radius = ▶\"big\"",
+        "invalid type: string \"big\", expected f64",
+        "README.md",
+    );
+    refused(
+        "center = [0.0, 1.0, -1.0]",
+        "center = ▶[0.0, 1.0]",
+        "invalid length 2",
+        "README.md",
+    );
+}
+
+#[test]
+fn nan_and_inf_are_no_numbers() {
+    let remedy = "replace nan or inf by a number";
+    refused(
+        "radius = 0.75",
+        "radius = ▶nan",
+        "`radius` is not a finite",
+        remedy,
+    );
+    refused(
+        "width = 2.0",
+        "width = ▶inf",
+        "`width` is not a finite",
+        remedy,
+    );
+    refused(
+        "eye = [0.0, 1.0, 5.0]",
+        "eye = ▶[0.0, nan, 5.0]",
+        "`eye` is not a finite",
+        remedy,
+    );
+    refused(
+        "[[0.0, 0.0, 0.0], [1.0,",
+        "▶[[0.0, 0.0, 0.0], [-inf,",
+        "`corners` is not a finite",
+        remedy,
+    );
+    refused(
+        "width = 2.0",
+        "width = 2.0\nmin_t = ▶nan",
+        "`min_t` is not a finite",
+        remedy,
+    );
+}
+
+#[test]
+fn a_vector_of_length_zero_has_no_direction() {
+    for (key, value) in [
+        ("view", "[0.0, 0.0, -2.0]"),
+        ("up", "[0.0, 3.0, 1.0]"),
+        ("normal", "[0.0, 4.0, 0.0]"),
+    ] {
+        refused(
+            &format!("{key} = {value}"),
+            &format!("{key} = ▶[0.0, 0.0, 0.0]"),
+            &format!("`{key}` has no direction: its length is 0"),
+            "it need not be unit",
+        );
+    }
+}
+
+#[test]
+fn up_along_the_line_of_sight_is_refused() {
+    for up in ["[0.0, 0.0, -7.0]", "[0.0, 0.0, 0.5]"] {
+        refused(
+            "up = [0.0, 3.0, 1.0]",
+            &format!("up = ▶{up}"),
+            "`up` is parallel to `view`",
+            "turn `up`",
+        );
+    }
+}
+
+#[test]
+fn a_length_is_more_than_nothing() {
+    for (key, value) in [
+        ("width", "2.0"),
+        ("height", "1.25"),
+        ("radius", "0.75"),
+        ("focal_length", "1.5"),
+    ] {
+        for bad in ["0", "-0", "-2"] {
+            refused(
+                &format!("{key} = {value}"),
+                &format!("{key} = ▶{bad}.0"),
+                &format!("`{key}` is {bad}"),
+                "greater than 0",
+            );
+        }
+    }
+}
+
+#[test]
+fn a_film_has_a_pixel_at_least_and_fits_in_memory() {
+    let resolution = "resolution = [8, 5]";
+    for bad in [
+        "[0, 5]",
+        "[8, 0]",
+        "[100000, 100000]",
+        "[9223372036854775807, 9]",
+    ] {
+        refused(
+            resolution,
+            &format!("resolution = ▶{bad}"),
+            "cannot be cast",
+            "at least one column and one row",
+        );
+    }
+}
+
+#[test]
+fn pixels_are_counted_in_whole_numbers() {
+    refused(
+        "resolution = [8, 5]",
+        "resolution = [8, ▶-5]",
+        "integer `-5`, expected usize",
+        "README.md",
+    );
+    refused(
+        "resolution = [8, 5]",
+        "resolution = [8, ▶2.5]",
+        "invalid type",
+        "README.md",
+    );
+}
+
+#[test]
+fn an_orthographic_camera_has_no_focal_length() {
+    refused_text(
+        &with("= 1.5", "= ▶1.5").replace("perspective", "orthographic"),
+        "an orthographic camera has no focal length",
+        "remove `focal_length`",
+    );
+}
+
+#[test]
+fn a_perspective_camera_needs_its_focal_length() {
+    refused_text(
+        &with("focal_length = 1.5\n", "").replace("[camera]", "▶[camera]"),
+        "needs a `focal_length`",
+        "focal_length = 1.0",
+    );
+}
+
+#[test]
+fn corners_on_one_line_are_no_triangle() {
+    for corners in [
+        "[[0, 0, 0], [1, 1, 1], [3, 3, 3]]",
+        "[[1, 2, 3], [1, 2, 3], [4, 4, 5]]",
+        "[[1, 2, 3], [4, 4, 5], [4, 4, 5]]",
+        // Rounded to binary these are on no line.
+        "[[0.1, 0.2, 0.3], [0.2, 0.4, 0.6], [0.3, 0.6, 0.9]]",
+    ] {
+        refused(
+            "[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]",
+            &format!("▶{corners}"),
+            "no area and no normal",
+            "move one corner",
+        );
+    }
+}
+
+#[test]
+fn a_thin_triangle_is_a_triangle() {
+    let thin = "[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1e-12, 0.0]]";
+    let corners = "[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]";
+    assert_eq!(read(&with(corners, thin)).unwrap().objects.len(), 3);
+}
+
+#[test]
+fn a_mesh_is_looked_for_beside_its_scene() {
+    let (folder, path) = testing::file(
+        "a scene.toml",
+        format!("{GOOD}\n[[object]]\ntype = \"soup\"\nobj = \"meshes/one.obj\"\n"),
+    );
+    fs::create_dir(folder.path().join("meshes")).unwrap();
+    let mesh = folder.path().join("meshes/one.obj");
+    fs::write(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+
+    let objects = Scene::read(&path).unwrap().objects;
+    let Some(Shape::Soup(soup)) = objects.last() else {
+        panic!("the last object is {:?}", objects.last());
+    };
+    assert_eq!(soup.triangles.len(), 1);
+}
+
+#[test]
+fn a_mesh_that_is_not_there_is_missed_where_it_is_named() {
+    refused_text(
+        &format!("{GOOD}\n[[object]]\ntype = \"soup\"\nobj = ▶\"no such.obj\"\n"),
+        "no such.obj: cannot read this mesh",
+        "relative to the scene's folder",
+    );
+}
+
+#[test]
+fn a_broken_mesh_is_pointed_at_itself() {
+    let (folder, path) = testing::file(
+        "a scene.toml",
+        format!("{GOOD}\n[[object]]\ntype = \"soup\"\nobj = \"broken.obj\"\n"),
+    );
+    let mesh = folder.path().join("broken.obj");
+    fs::write(&mesh, "v 0 0 0\nf 1 2 3\n").unwrap();
+    let error = Scene::read(&path).unwrap_err();
+    assert_eq!((error.path, error.position), (mesh, Some((2, 1))));
+}
+
+#[test]
+fn what_is_no_toml_is_pointed_at() {
+    refused(
+        "width = 2.0",
+        "width = ▶two",
+        "string values must be quoted",
+        "README.md",
+    );
+    refused(
+        "eye = [0.0, 1.0, 5.0]",
+        "eye = [0.0, 1.0▶ 5.0]",
+        "",
+        "README.md",
+    );
+    refused(
+        "width = 2.0",
+        "width = 2.0\n▶width = 3.0",
+        "duplicate key",
+        "README.md",
+    );
+}
+
+#[test]
+fn columns_count_characters_and_not_bytes() {
+    refused(
+        "[[object]]\ntype = \"sphere\"\ncenter = [0.0, 1.0, -1.0]\nradius = 0.75",
+        "[[object]]\ntype = \"soup\"\nobj = \"größte.obj\" ▶oops",
+        "",
+        "README.md",
+    );
+}
+
+#[test]
+fn a_scene_that_is_not_there_is_told_so() {
+    let folder = tempfile::tempdir().unwrap();
+    for path in [folder.path().join("absent.toml"), folder.path().into()] {
+        let error = Scene::read(&path).unwrap_err();
+        assert_eq!(error.path, path);
+        assert!(
+            error.problem.starts_with("cannot read this scene"),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn no_text_makes_the_reader_panic() {
+    let mut random = testing::Random(1);
+    let signs: Vec<char> = "[]{}=\"'.,#\n -0123e nan inf é\u{2028}\0".chars().collect();
+    let (_folder, path) = testing::file("a scene.toml", "");
+    for _ in 0..2000 {
+        let mut text: Vec<char> = GOOD.chars().collect();
+        for _ in 0..1 + random.below(4) {
+            let place = random.below(text.len());
+            match random.below(3) {
+                0 => text[place] = *random.one_of(&signs),
+                1 => text.insert(place, *random.one_of(&signs)),
+                _ => drop(text.remove(place)),
+            }
+        }
+        fs::write(&path, String::from_iter(text)).unwrap();
+        if let Err(error) = Scene::read(&path) {
+            assert!(error.position.is_some(), "{error}");
+        }
+    }
+}

@@ -1,0 +1,18 @@
+use super::*;
+
+#[test]
+fn a_canned_object_is_met_at_its_first_intersection_from_min_t_on() {
+    let at = |t| Intersection {
+        t,
+        normal: DVec3::X,
+    };
+    let object = Canned {
+        intersections: vec![at(-1.0), at(2.0), at(3.0)],
+    };
+    let met = |min_t| object.intersect(min_t).map(|found| found.t);
+    assert_eq!(met(-5.0), Some(-1.0));
+    assert_eq!(met(0.0), Some(2.0));
+    assert_eq!(met(2.0), Some(2.0), "an intersection at min_t counts");
+    assert_eq!(met(2.5), Some(3.0));
+    assert_eq!(met(3.5), None);
+}
