@@ -22,10 +22,11 @@ def sensor(camera):
     scale = 1.0 if perspective else camera.width / 2
     to_world = np.eye(4)
     to_world[:3] = np.column_stack([-scale * u, scale * v, -w, camera.eye])
+    near_clip = _near_clip(camera)
     description = {
         "type": "perspective" if perspective else "orthographic",
-        "near_clip": camera.focal_length if perspective else 1.0,
-        "far_clip": 1e4 * (camera.focal_length if perspective else 1.0),
+        "near_clip": near_clip,
+        "far_clip": 1e4 * near_clip,
         "to_world": mi.ScalarTransform4f(to_world),
         "film": {"type": "hdrfilm", "width": n_x, "height": n_y},
     }
@@ -54,5 +55,11 @@ def sensor_rays(camera, i, j):
     depth = 1.0 if camera.focal_length is None else camera.focal_length
     directions *= depth / (directions @ forward)[:, None]
     if camera.focal_length is None:
-        return origins - forward, directions  # back from its near clip plane
+        return origins - _near_clip(camera) * forward, directions
     return np.broadcast_to(camera.eye, directions.shape), directions
+
+
+def _near_clip(camera):
+    """Where the sensor's rays start, as a distance from the eye. Of the size of the
+    image, or its float32 rounding would show in the picture of something tiny."""
+    return camera.width if camera.focal_length is None else camera.focal_length

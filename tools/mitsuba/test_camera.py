@@ -7,6 +7,7 @@ import pytest
 
 from camera import Camera
 from sensor import sensor_rays
+from tolerance import ray_tolerance
 
 AGREEMENT = 2e-4  # px
 
@@ -28,6 +29,9 @@ LONG = replace(ROTATED, focal_length=12.0, width=6.0, height=6.0)
 CAMERAS = {"upright": UPRIGHT, "rotated": ROTATED, "short": SHORT, "long": LONG} | {
     "orthographic": replace(UPRIGHT, focal_length=None),
     "rotated orthographic": replace(ROTATED, focal_length=None, width=5.0, height=5.0),
+    "tiny orthographic": replace(
+        ROTATED, eye=np.array([1e-5, 2e-5, 3e-4]), focal_length=None, width=1e-5, height=1e-5
+    ),
 }
 
 
@@ -69,6 +73,15 @@ def test_directions_keep_the_focal_length(name):
     for _, directions in (camera.rays(i, j), sensor_rays(camera, i, j)):
         depth = directions @ -camera.frame[2]
         np.testing.assert_allclose(depth, camera.focal_length or 1.0, rtol=1e-6)
+
+
+@pytest.mark.parametrize("name", CAMERAS)
+def test_the_sensors_rays_are_within_the_tolerance_of_ours(name):
+    camera = CAMERAS[name]
+    i, j = camera.pixels()
+    sensor, ours = sensor_rays(camera, i, j), camera.rays(i, j)
+    difference = np.abs(np.hstack(sensor) - np.hstack(ours))
+    assert (difference < ray_tolerance(camera, *sensor) / 2).all()
 
 
 def test_row_0_is_the_bottom_row():
