@@ -62,8 +62,13 @@ def direction_length(rng):
 
 
 def stored_normal(rng):
-    """Normals of length 1e-2 to 1e2: the answer's normal is unit all the same."""
-    return place(rng, stored=log_uniform(rng, 1e-2, 1e2))
+    """Normals of length 1e-4 to 1e2: the answer's normal is unit all the same.
+
+    Half the directions are short too, so that n . d is small without the ray being
+    anywhere near parallel to the plane.
+    """
+    length = log_uniform(rng, 1e-3, 1) if rng.uniform() < 0.5 else None
+    return place(rng, stored=log_uniform(rng, 1e-4, 1e2), length=length)
 
 
 def offset(rng):

@@ -85,14 +85,28 @@ def direction_length(rng):
 
 def scale(rng):
     """Tiny and huge spheres near the origin of space; half the directions are as
-    long as the sphere is wide, half have the length of ordinary scenes."""
-    radius = log_uniform(rng, 1e-6, 1e-2) if rng.uniform() < 0.6 else log_uniform(rng, 1e2, 1e4)
+    long as the sphere is wide, half have the length of ordinary scenes.
+
+    For half the tiny ones min_t lies between the roots or behind both: small
+    discriminants are no reason to look at min_t less.
+    """
+    tiny = rng.uniform() < 0.6
+    radius = log_uniform(rng, 1e-6, 1e-2) if tiny else log_uniform(rng, 1e2, 1e4)
     unit = rng.choice((1.0, radius))
+    between, above = rng.uniform(0.1, 0.9), rng.uniform(1.1, 2)
+    late = rng.uniform() < 0.5 and tiny
+    above_both = rng.uniform() < 0.4
+
+    def least(near, far):
+        return above * far if above_both else near + between * (far - near)
+
     return place(
         rng,
+        impact=0.95 * np.sqrt(rng.uniform()) if late else None,
         radius=radius,
         center=radius * rng.uniform(-3, 3, 3),
         length=unit * rng.uniform(0.3, 3),
+        min_t=least if late else None,
     )
 
 

@@ -27,28 +27,28 @@ pub fn examination(examination: &Examination) -> String {
             examination.title
         ),
     );
+    let tasks = examination.tasks.iter().map(|task| &task.name);
+    let names = tasks.chain(examination.scenes.iter().map(|scene| &scene.name));
+    let width = names.map(String::len).max().unwrap_or(0).max(5) + 2;
     if !examination.tasks.is_empty() {
-        line(
-            &mut text,
-            format!("\n{QUIET}task                points{QUIET:#}"),
-        );
+        line(&mut text, heading("task", width));
     }
     for task in &examination.tasks {
-        task_rows(&mut text, task);
+        task_rows(&mut text, task, width);
     }
     if !examination.scenes.is_empty() {
-        line(
-            &mut text,
-            format!("\n{QUIET}scene               points{QUIET:#}"),
-        );
+        line(&mut text, heading("scene", width));
     }
     for scene in &examination.scenes {
-        scene_rows(&mut text, scene);
+        scene_rows(&mut text, scene, width);
     }
     let (earned, possible) = examination.points();
     line(
         &mut text,
-        format!("\n{STRONG}total               {earned:>3} / {possible}{STRONG:#}"),
+        format!(
+            "\n{STRONG}  {:<width$}{earned:>3} / {possible}{STRONG:#}",
+            "total"
+        ),
     );
     let lines: Vec<&str> = examination.printed.lines().collect();
     if !lines.is_empty() {
@@ -74,16 +74,22 @@ fn line(text: &mut String, line: String) {
     text.push('\n');
 }
 
-fn row(text: &mut String, name: &str, (earned, possible): (u32, u32), said: String) {
+fn heading(what: &str, width: usize) -> String {
+    format!("\n{QUIET}  {what:<width$}points{QUIET:#}")
+}
+
+/// One line of the table; `width` is that of the names' column.
+fn row(text: &mut String, name: &str, width: usize, points: (u32, u32), said: String) {
+    let (earned, possible) = points;
     let full = earned == possible;
     let (style, mark) = if full { (PASS, "✓") } else { (FAIL, "✗") };
     line(
         text,
-        format!("{style}{mark}{style:#} {name:<18}{earned:>3} / {possible:<4} {said}"),
+        format!("{style}{mark}{style:#} {name:<width$}{earned:>3} / {possible:<4} {said}"),
     );
 }
 
-fn task_rows(text: &mut String, task: &TaskResult) {
+fn task_rows(text: &mut String, task: &TaskResult, width: usize) {
     let failing: Vec<&GroupResult> = task
         .groups
         .iter()
@@ -108,7 +114,7 @@ fn task_rows(text: &mut String, task: &TaskResult) {
             task.groups.len()
         ),
     };
-    row(text, &task.name, task.points(), said);
+    row(text, &task.name, width, task.points(), said);
     if let Some(Replaced::DoesNotCompile(diagnostics)) = &task.replaced {
         indent(text, diagnostics.trim_end());
     }
@@ -137,7 +143,7 @@ fn task_rows(text: &mut String, task: &TaskResult) {
     }
 }
 
-fn scene_rows(text: &mut String, scene: &SceneResult) {
+fn scene_rows(text: &mut String, scene: &SceneResult, width: usize) {
     let passes = scene.outcome.passes();
     let earned = if passes { scene.worth } else { 0 };
     let said = match &scene.outcome {
@@ -153,7 +159,7 @@ fn scene_rows(text: &mut String, scene: &SceneResult) {
         }
         other => outcome(other),
     };
-    row(text, &scene.name, (earned, scene.worth), said);
+    row(text, &scene.name, width, (earned, scene.worth), said);
     if let Outcome::Judged(verdict) = &scene.outcome
         && let Some((channel, mismatch)) = worst_pixel(verdict)
     {

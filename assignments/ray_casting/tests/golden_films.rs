@@ -54,8 +54,53 @@ fn sphere_and_plane_is_cast_right() {
 }
 
 #[test]
+fn two_spheres_and_plane_is_cast_right() {
+    assert_scene("two_spheres_and_plane");
+}
+
+#[test]
 fn slide_example_is_cast_right() {
     assert_scene("slide_example");
+}
+
+#[test]
+fn lone_triangle_is_cast_right() {
+    assert_scene("lone_triangle");
+}
+
+#[test]
+fn inside_a_box_is_cast_right() {
+    assert_scene("inside_a_box");
+}
+
+#[test]
+fn inside_a_sphere_is_cast_right() {
+    assert_scene("inside_a_sphere");
+}
+
+#[test]
+fn tilted_camera_is_cast_right() {
+    assert_scene("tilted_camera");
+}
+
+#[test]
+fn in_front_of_the_image_plane_is_cast_right() {
+    assert_scene("in_front_of_the_image_plane");
+}
+
+#[test]
+fn soup_order_is_cast_right() {
+    assert_scene("soup_order");
+}
+
+#[test]
+fn sphere_packing_is_cast_right() {
+    assert_scene("sphere_packing");
+}
+
+#[test]
+fn teapot_orthographic_is_cast_right() {
+    assert_scene("teapot_orthographic");
 }
 
 #[test]

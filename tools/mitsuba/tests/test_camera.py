@@ -30,7 +30,7 @@ CAMERAS = {"upright": UPRIGHT, "rotated": ROTATED, "short": SHORT, "long": LONG}
     "orthographic": replace(UPRIGHT, focal_length=None),
     "rotated orthographic": replace(ROTATED, focal_length=None, width=5.0, height=5.0),
     "tiny orthographic": replace(
-        ROTATED, eye=np.array([1e-5, 2e-5, 3e-4]), focal_length=None, width=1e-5, height=1e-5
+        ROTATED, eye=np.array([1e-5, 2e-5, 3e-5]), focal_length=None, width=1e-5, height=1e-5
     ),
 }
 

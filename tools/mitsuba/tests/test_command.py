@@ -13,7 +13,7 @@ import pytest
 import film
 import judge
 
-GOLDEN = Path(__file__).with_name("golden.py")
+GOLDEN = Path(__file__).parents[1] / "golden.py"
 OIIOTOOL = Path(OpenImageIO.__file__).parent / "bin" / "oiiotool"
 
 SCENE = """
