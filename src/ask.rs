@@ -112,11 +112,14 @@ impl Reply {
         self.answers.iter().map(ray).collect()
     }
 
-    /// The answers as a film: of rays if they are rays, of hits otherwise.
+    /// The answers as a film: of rays if every one is a ray, of hits otherwise.
     pub fn film(&self, resolution: Resolution) -> Film {
         match self.rays() {
             Some(rays) if !rays.is_empty() => Film::of_rays(resolution, &rays),
-            _ => Film::of_hits(resolution, &self.hits().unwrap_or_default()),
+            _ => {
+                let misses = || vec![None; self.answers.len()];
+                Film::of_hits(resolution, &self.hits().unwrap_or_else(misses))
+            }
         }
     }
 
@@ -159,15 +162,19 @@ impl Reply {
                 let Some(end) = end else {
                     return Err("it answered a question that was not asked".into());
                 };
-                for (place, answer) in self.answers[first..end].iter_mut().zip(answers) {
-                    let is_ray = matches!(answer, Answer::Ray(_));
-                    if is_ray != matches!(job, Job::ViewingRay(_)) {
-                        return Err("it sent a ray for a hit, or a hit for a ray".into());
-                    }
-                    if place.replace(answer).is_some() {
-                        return Err("it answered a question twice".into());
-                    }
-                    self.missing -= 1;
+                let places = &mut self.answers[first..end];
+                // Before any is filed: a wrong message must not complete the reply.
+                if places.iter().any(Option::is_some) {
+                    return Err("it answered a question twice".into());
+                }
+                let is_ray = |answer: &Answer| matches!(answer, Answer::Ray(_));
+                let wants_rays = matches!(job, Job::ViewingRay(_));
+                if answers.iter().any(|answer| is_ray(answer) != wants_rays) {
+                    return Err("it sent a ray for a hit, or a hit for a ray".into());
+                }
+                self.missing -= answers.len();
+                for (place, answer) in places.iter_mut().zip(answers) {
+                    *place = Some(answer);
                 }
                 Ok(self.missing > 0)
             }

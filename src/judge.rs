@@ -142,6 +142,9 @@ pub struct ChannelVerdict {
     pub name: String,
     /// How many pixels miss the golden by more than the tolerance.
     pub failing: usize,
+    /// How many of them show the right object, so that the difference is this
+    /// channel's own. All of them, for the id itself.
+    pub own: usize,
     /// The one that misses it by the most tolerances; pixels that show the right
     /// object come first, because there the difference is this channel's own.
     pub worst: Option<Mismatch>,
@@ -201,6 +204,7 @@ pub fn judge(golden: &Golden, film: &Film) -> Result<Verdict, Refusal> {
         let mut verdict = ChannelVerdict {
             name: channel.into(),
             failing: 0,
+            own: 0,
             worst: None,
             bounds: None,
         };
@@ -209,6 +213,7 @@ pub fn judge(golden: &Golden, film: &Film) -> Result<Verdict, Refusal> {
             let pixel = resolution.pixel(index);
             fails[index] = true;
             verdict.failing += 1;
+            verdict.own += usize::from(right_object[index] || channel == "id");
             verdict.bounds = Some(Bounds::around(verdict.bounds, pixel));
             let badness = (right_object[index], samples.tolerances(index));
             if verdict.worst.is_none() || badness > worst {

@@ -26,7 +26,11 @@ pub fn read(path: &Path) -> Result<TriangleSoup, Error> {
             "check the `obj` path in the scene; it is relative to the scene's folder",
         )
     })?;
-    let text = corners_and_faces(&text);
+    parse(&text, path)
+}
+
+fn parse(text: &str, path: &Path) -> Result<TriangleSoup, Error> {
+    let text = corners_and_faces(text);
     if let Some(error) = absent_vertex(&text, path) {
         return Err(error);
     }

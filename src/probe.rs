@@ -132,7 +132,12 @@ impl Columns<'_> {
             let intersections = (0..hits).map(intersection).collect::<Result<_, String>>()?;
             Ok(Canned { intersections })
         };
-        let count = self.count("count", at)?.min(MOST_OBJECTS);
+        let count = self.count("count", at)?;
+        if count > MOST_OBJECTS {
+            return Err(format!(
+                "channel `count` holds {count}, more than {MOST_OBJECTS} objects"
+            ));
+        }
         let triangles = (0..count).map(object).collect::<Result<_, String>>()?;
         Ok(CannedQuestion {
             objects: TriangleSoup { triangles },
@@ -165,6 +170,9 @@ impl Columns<'_> {
             i: count("i")?,
             j: count("j")?,
         };
+        if pixel.i >= resolution.n_x || pixel.j >= resolution.n_y {
+            return Err(format!("{pixel} is no pixel of {resolution}"));
+        }
         Ok(CameraQuestion {
             camera,
             pixel,

@@ -25,6 +25,13 @@ impl fmt::Display for ChannelVerdict {
         let (Some(worst), Some(bounds)) = (self.worst, self.bounds) else {
             return write!(f, "{:<4} agrees everywhere", self.name);
         };
+        if self.own == 0 {
+            return write!(
+                f,
+                "{:<4} {} pixels, only where the object is wrong",
+                self.name, self.failing
+            );
+        }
         let digits = digits_to_tell(&worst);
         let shown = |value: f32| match (self.name.as_str(), value) {
             ("id", -1.0) => "no hit".into(),

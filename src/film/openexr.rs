@@ -73,6 +73,10 @@ pub(super) fn read(path: &Path) -> Result<Film, Error> {
         let FlatSamples::F32(samples) = channel.sample_data else {
             return Err(refuse(format!("channel `{name}` is not of 32-bit floats")));
         };
+        // The decoder lets two of one name through; a film would show only the first.
+        if channels.iter().any(|other: &Channel| other.name == name) {
+            return Err(refuse(format!("it has the channel `{name}` twice")));
+        }
         channels.push(Channel { name, samples });
     }
     Ok(Film::new(resolution, channels))

@@ -6,21 +6,20 @@ use glam::dvec3;
 
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-fn parse(text: &str) -> Result<TriangleSoup, Error> {
-    let (_folder, path) = testing::file("mesh.obj", text);
-    read(&path)
+fn from(text: &str) -> Result<TriangleSoup, Error> {
+    parse(text, Path::new("mesh.obj"))
 }
 
 #[track_caller]
 fn corners(text: &str) -> Vec<[DVec3; 3]> {
-    let soup = parse(text).unwrap();
+    let soup = from(text).unwrap();
     let corners = soup.triangles.iter().map(|triangle| triangle.corners);
     corners.collect()
 }
 
 #[track_caller]
 fn refused(text: &str, line: usize, problem: &str) {
-    let error = parse(text).expect_err("this mesh should be refused");
+    let error = from(text).expect_err("this mesh should be refused");
     assert_eq!(error.position, Some((line, 1)), "{error}");
     assert!(error.problem.contains(problem), "{error}");
     assert!(!error.remedy.is_empty());
@@ -129,7 +128,7 @@ fn a_mesh_that_is_not_there_is_told_so() {
 #[test]
 fn a_mesh_without_a_face_is_no_mesh() {
     for text in ["", "\n\n", "# nothing\n", SQUARE, "l 1 2\n", "{}"] {
-        let error = parse(text).unwrap_err();
+        let error = from(text).unwrap_err();
         assert_eq!(error.problem, "this mesh has no face", "{text:?}");
     }
 }
@@ -141,10 +140,7 @@ fn a_face_without_its_vertex_is_pointed_at() {
         ("f 0 1 2", "vertex 0"),
         ("f 1 2 -5", "vertex -5"),
         ("f 1/1 2/1 77/1", "vertex 77"),
-        (
-            "f 1 2 -9223372036854775808",
-            "vertex -9223372036854775808",
-        ),
+        ("f 1 2 -9223372036854775808", "vertex -9223372036854775808"),
     ] {
         refused(&format!("{SQUARE}f 1 2 3\n\n{face}\nf 1 2 4\n"), 7, bad);
     }
@@ -152,11 +148,7 @@ fn a_face_without_its_vertex_is_pointed_at() {
 
 #[test]
 fn a_vertex_must_come_before_its_face() {
-    refused(
-        &format!("f 1 2 3\n{SQUARE}"),
-        1,
-        "0 vertices precede it",
-    );
+    refused(&format!("f 1 2 3\n{SQUARE}"), 1, "0 vertices precede it");
 }
 
 #[test]
@@ -179,23 +171,50 @@ fn a_line_that_is_no_obj_is_pointed_at() {
 #[test]
 fn no_text_makes_the_reader_panic() {
     const WORDS: &[&str] = &[
-        "v", "f", "l", "p", "o", "g", "vn", "vt", "usemtl", "mtllib", "#", "1", "2", "3", "-1", "0",
-        "1/1/1", "1//2", "2/-9", "/", "//", "nan", "inf", "1e999", "-9223372036854775808",
-        "9223372036854775807", "99999999999999999999", "é", "\u{feff}", "\\", "\r", "\u{a0}",
+        "v",
+        "f",
+        "l",
+        "p",
+        "o",
+        "g",
+        "vn",
+        "vt",
+        "usemtl",
+        "mtllib",
+        "#",
+        "1",
+        "2",
+        "3",
+        "-1",
+        "0",
+        "1/1/1",
+        "1//2",
+        "2/-9",
+        "/",
+        "//",
+        "nan",
+        "inf",
+        "1e999",
+        "-9223372036854775808",
+        "9223372036854775807",
+        "99999999999999999999",
+        "é",
+        "\u{feff}",
+        "\\",
+        "\r",
+        "\u{a0}",
     ];
     let mut random = Random(2);
-    let (_folder, path) = testing::file("mesh.obj", "");
     for _ in 0..3000 {
         let mut text = SQUARE.to_owned();
         for _ in 0..random.below(12) {
             text += ["f 1", "v 1", "vt 1", ""][random.below(4)];
             for _ in 0..random.below(5) {
-                text.extend([" ", random.one_of(WORDS)]);
+                text.extend([" ", *random.one_of(WORDS)]);
             }
             text.push('\n');
         }
-        fs::write(&path, &text).unwrap();
-        if let Ok(soup) = read(&path) {
+        if let Ok(soup) = from(&text) {
             let finite = |triangle: &Triangle| triangle.corners.iter().all(|c| c.is_finite());
             assert!(soup.triangles.iter().all(finite), "{text}");
         }
@@ -206,7 +225,7 @@ fn no_text_makes_the_reader_panic() {
 fn no_bytes_make_the_reader_panic() {
     let mut random = Random(3);
     let (_folder, path) = testing::file("mesh.obj", "");
-    for length in 0..300 {
+    for length in 0..100 {
         fs::write(&path, random.bytes(length)).unwrap();
         assert!(read(&path).is_err());
     }

@@ -493,15 +493,10 @@ fn a_broken_mesh_is_pointed_at_itself() {
 
 #[test]
 fn what_is_no_toml_is_pointed_at() {
-    refused(
-        "width = 2.0",
-        "width = ▶two",
-        "string values must be quoted",
-        "README.md",
-    );
+    refused("width = 2.0", "width = ▶two", "invalid", "README.md");
     refused(
         "eye = [0.0, 1.0, 5.0]",
-        "eye = [0.0, 1.0▶ 5.0]",
+        "eye = [0.0, ▶1.0 5.0]",
         "",
         "README.md",
     );
@@ -540,7 +535,7 @@ fn a_scene_that_is_not_there_is_told_so() {
 fn no_text_makes_the_reader_panic() {
     let mut random = testing::Random(1);
     let signs: Vec<char> = "[]{}=\"'.,#\n -0123e nan inf é\u{2028}\0".chars().collect();
-    let (_folder, path) = testing::file("a scene.toml", "");
+    let path = Path::new("a scene.toml");
     for _ in 0..2000 {
         let mut text: Vec<char> = GOOD.chars().collect();
         for _ in 0..1 + random.below(4) {
@@ -551,8 +546,9 @@ fn no_text_makes_the_reader_panic() {
                 _ => drop(text.remove(place)),
             }
         }
-        fs::write(&path, String::from_iter(text)).unwrap();
-        if let Err(error) = Scene::read(&path) {
+        let text = String::from_iter(text);
+        let read = Document::parse(&text, path).and_then(Document::into_scene);
+        if let Err(error) = read {
             assert!(error.position.is_some(), "{error}");
         }
     }

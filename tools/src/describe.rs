@@ -17,7 +17,11 @@ pub fn worst(
     golden: &Golden,
     part: &str,
 ) -> Option<String> {
-    let mismatch = verdict.channels.iter().find_map(|channel| channel.worst)?;
+    let channel = verdict
+        .channels
+        .iter()
+        .find(|channel| channel.failing > 0)?;
+    let mismatch = channel.worst?;
     let index = verdict.resolution.index(mismatch.pixel);
     let digits = digits_to_tell(&mismatch);
     let asked = question(job, index, part, digits);
@@ -35,10 +39,13 @@ pub fn worst(
         matches!(job, Job::FirstHit(_)),
         digits,
     );
-    let allowed = number(f64::from(mismatch.allowed), 2);
-    Some(format!(
-        "{asked}\nexpected  {expected}\ngot       {got}\nallowed   ± {allowed}"
-    ))
+    let mut words = format!("{asked}\nexpected  {expected}\ngot       {got}");
+    // An object is right or wrong; for all else it helps to see how near is near enough.
+    if channel.name != "id" {
+        let allowed = number(f64::from(mismatch.allowed), 2);
+        words.push_str(&format!("\nallowed   {} ± {allowed}", channel.name));
+    }
+    Some(words)
 }
 
 fn question(job: &Job, index: usize, part: &str, digits: usize) -> String {
@@ -53,7 +60,7 @@ fn question(job: &Job, index: usize, part: &str, digits: usize) -> String {
                 Projection::Orthographic => "orthographic".into(),
             };
             format!(
-                "pixel {} of {}, {part}: {projection}, {} × {}, eye {}\n          u {}  v {}  w {}",
+                "pixel     {} of {}, {part}\ncamera    {projection}, {} × {}, eye {}\n          u {}  v {}  w {}",
                 asked.pixel,
                 asked.resolution,
                 number(camera.width, digits),
@@ -66,10 +73,11 @@ fn question(job: &Job, index: usize, part: &str, digits: usize) -> String {
         }
         Job::Intersect(questions) => {
             let asked = &questions[index];
+            let shape = shape(&asked.shape, digits);
+            let (kind, rest) = shape.split_once(' ').unwrap_or((&shape, ""));
             format!(
-                "{}\n          {}",
-                from(&asked.ray, asked.min_t, digits),
-                shape(&asked.shape, digits)
+                "{}\n{kind:<9} {rest}",
+                from(&asked.ray, asked.min_t, digits)
             )
         }
         Job::FirstHit(questions) | Job::TriangleSoup(questions) => {
@@ -93,7 +101,7 @@ fn question(job: &Job, index: usize, part: &str, digits: usize) -> String {
                 });
             let objects = answers.collect::<Vec<_>>().join("; ");
             format!(
-                "min_t {}; objects met at t = {{ {objects} }}",
+                "min_t     {}\nobjects   met at t = {{ {objects} }}",
                 number(asked.min_t, digits)
             )
         }
@@ -172,7 +180,7 @@ pub fn ray(ray: &Ray, digits: usize) -> String {
 
 fn from(asked: &Ray, min_t: f64, digits: usize) -> String {
     format!(
-        "ray {}, min_t = {}",
+        "ray       {}, min_t = {}",
         ray(asked, digits),
         number(min_t, digits)
     )

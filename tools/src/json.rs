@@ -89,6 +89,7 @@ pub fn verdict(verdict: &Result<Verdict, Refusal>) -> Value {
         json!({
             "name": channel.name,
             "failing": channel.failing,
+            "own": channel.own,
             "worst": channel.worst.map(|worst| json!({
                 "pixel": [worst.pixel.i, worst.pixel.j],
                 "got": worst.got,

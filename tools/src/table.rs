@@ -121,9 +121,9 @@ fn task_rows(text: &mut String, task: &TaskResult, width: usize) {
     if task.replaced.is_none() && !task.is_unanswered() {
         let mut told: Vec<String> = Vec::new();
         for group in &failing {
-            let said = outcome(&group.outcome);
+            let said = outcome_of(&group.outcome, "questions");
             // A panic in every group is one panic.
-            let said = if told.contains(&said) {
+            let said = if group.worst.is_none() && told.contains(&said) {
                 "the same".into()
             } else {
                 said
@@ -191,11 +191,16 @@ pub fn worst_pixel(verdict: &Verdict) -> Option<(&ChannelVerdict, pinhole::Pixel
 
 /// An outcome in one line.
 pub fn outcome(outcome: &Outcome) -> String {
+    outcome_of(outcome, "pixels")
+}
+
+/// The same, of a film of these.
+fn outcome_of(outcome: &Outcome, what: &str) -> String {
     match outcome {
         Outcome::Judged(verdict) if verdict.passes() => "passes".into(),
         Outcome::Judged(verdict) => {
             format!(
-                "{} of {} pixels are wrong",
+                "{} of {} {what} are wrong",
                 verdict.failing.len(),
                 verdict.resolution.pixels()
             )

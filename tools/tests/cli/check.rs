@@ -53,9 +53,7 @@ fn reference_earns_every_point_from_both_judges() {
 
 #[test]
 fn handout_is_six_times_unanswered_without_a_wall_of_panics() {
-    let ran = pinhole(&["check"])
-        .expect_code(1)
-        .expect_out(" 0 / 100");
+    let ran = pinhole(&["check"]).expect_code(1).expect_out(" 0 / 100");
     assert_eq!(ran.out.matches("unanswered").count(), 6, "{}", ran.out);
     assert!(
         !ran.out.contains("panicked") && !ran.err.contains("panicked"),

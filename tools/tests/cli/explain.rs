@@ -78,3 +78,26 @@ fn a_scene_with_a_light_is_told_why_there_are_none() {
         .expect_err("no lights")
         .expect_err("remedy: remove `light`");
 }
+
+#[test]
+fn the_readmes_pictures_are_what_render_draws() {
+    let out = fresh(&trusted(), "readme-pictures");
+    let folder = out.to_str().expect("a plain name");
+    pinhole(&[
+        "render",
+        "bunny",
+        "--resolution",
+        "480x270",
+        "--out",
+        folder,
+    ])
+    .expect_code(0);
+    for name in ["id.png", "depth.png", "normal.png"] {
+        let read = |path: std::path::PathBuf| std::fs::read(path).expect("the picture is there");
+        let committed = read(crate::course::root().join("book/figures").join(name));
+        assert!(
+            read(out.join(name)) == committed,
+            "book/figures/{name} is out of step"
+        );
+    }
+}

@@ -132,3 +132,27 @@ fn right_answers_by_other_routes_get_full_points() {
         variants.len()
     );
 }
+
+#[test]
+fn the_readme_shows_what_check_prints() {
+    let readme = fs::read_to_string(root().join("README.md")).expect("it is there");
+    let shown = readme
+        .split("-- check --task sphere\n")
+        .nth(1)
+        .expect("the listing is there");
+    let shown = shown.split("```").next().expect("the listing ends");
+    let mistake = root().join("assignments/ray_casting/mistakes/sphere_near_root_only/sphere.rs");
+    let text = fs::read_to_string(mistake).expect("it is there");
+    let folder = submission(&trusted(), "readme", &[("sphere.rs", &text)]);
+    let ran = pinhole(&["check", folder.to_str().expect("plain"), "--task", "sphere"]);
+    for line in shown
+        .lines()
+        .filter(|line| !line.trim().is_empty() && line.trim() != "…")
+    {
+        assert!(
+            ran.out.contains(line),
+            "the README shows {line:?}, but check prints:\n{}",
+            ran.out
+        );
+    }
+}

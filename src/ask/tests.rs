@@ -1,0 +1,439 @@
+use std::path::Path;
+use std::time::Instant;
+
+use super::*;
+use crate::camera::{Camera, Pixel, Projection};
+use crate::job::CameraQuestion;
+use crate::ray::Intersection;
+use crate::testing::Random;
+use glam::DVec3;
+
+const RAY: Ray = Ray {
+    origin: DVec3::ZERO,
+    direction: DVec3::Z,
+};
+
+/// A job of so many hits.
+fn hits(count: usize) -> Job {
+    Job::FirstHit(vec![
+        crate::job::CannedQuestion {
+            objects: crate::shape::TriangleSoup {
+                triangles: Vec::new(),
+            },
+            ray: RAY,
+            min_t: 0.0,
+        };
+        count
+    ])
+}
+
+/// A job of so many rays.
+fn rays(count: usize) -> Job {
+    let projection = Projection::Orthographic;
+    let camera = Camera::new(DVec3::ZERO, DVec3::X, DVec3::Y, (1.0, 1.0), projection);
+    let question = CameraQuestion {
+        camera: camera.unwrap(),
+        pixel: Pixel { i: 0, j: 0 },
+        resolution: Resolution { n_x: 1, n_y: 1 },
+    };
+    Job::ViewingRay(vec![question; count])
+}
+
+fn hit(object: usize) -> Answer {
+    let intersection = Intersection {
+        t: 1.0,
+        normal: DVec3::X,
+    };
+    Answer::Hit(Some(Hit {
+        object,
+        intersection,
+    }))
+}
+
+fn reply_to(job: &Job) -> Reply {
+    Reply {
+        answers: vec![None; job.len()],
+        missing: job.len(),
+        ending: Ending::Complete,
+        printed: String::new(),
+    }
+}
+
+fn answers(first: usize, answers: &[Answer]) -> Message {
+    let answers = answers.to_vec();
+    Message::Answers { first, answers }
+}
+
+/// Expects all of these messages to be taken but the last.
+#[track_caller]
+fn refused(job: &Job, messages: &[Message], why: &str) -> Reply {
+    let mut reply = reply_to(job);
+    let (last, before) = messages.split_last().unwrap();
+    for message in before {
+        reply.take(job, message.clone()).unwrap();
+    }
+    let said = reply.take(job, last.clone()).unwrap_err();
+    assert!(said.contains(why), "{said}");
+    assert!(reply.missing > 0, "a refused message completed the reply");
+    reply
+}
+
+mod message {
+    use super::*;
+
+    #[test]
+    fn answers_may_come_in_any_order() {
+        let job = hits(5);
+        let mut reply = reply_to(&job);
+        let take = |reply: &mut Reply, first, given: &[_]| reply.take(&job, answers(first, given));
+        assert_eq!(take(&mut reply, 3, &[hit(3), hit(4)]), Ok(true));
+        assert_eq!(take(&mut reply, 0, &[hit(0)]), Ok(true));
+        assert_eq!(take(&mut reply, 5, &[]), Ok(true));
+        assert_eq!(take(&mut reply, 1, &[hit(1), hit(2)]), Ok(false));
+        let objects = reply
+            .hits()
+            .unwrap()
+            .into_iter()
+            .map(|hit| hit.unwrap().object);
+        assert!(objects.eq(0..5));
+    }
+
+    #[test]
+    fn a_question_that_was_not_asked_has_no_answer() {
+        let job = hits(5);
+        for first in [5, 6, 1 << 40, usize::MAX] {
+            refused(&job, &[answers(first, &[hit(0)])], "not asked");
+        }
+        refused(&job, &[answers(4, &[hit(0), hit(0)])], "not asked");
+        refused(&job, &[answers(usize::MAX, &[])], "not asked");
+    }
+
+    #[test]
+    fn a_question_is_answered_once() {
+        let job = hits(3);
+        let again = [answers(0, &[hit(0)]), answers(0, &[hit(1)])];
+        let reply = refused(&job, &again, "twice");
+        assert_eq!(reply.answers[0], Some(hit(0)), "the first answer stands");
+    }
+
+    #[test]
+    fn a_message_that_overlaps_another_completes_nothing() {
+        let job = hits(2);
+        let overlapping = [answers(1, &[hit(1)]), answers(0, &[hit(0), hit(9)])];
+        refused(&job, &overlapping, "twice");
+    }
+
+    #[test]
+    fn a_ray_is_no_hit_and_a_hit_no_ray() {
+        refused(
+            &hits(2),
+            &[answers(0, &[Answer::Ray(RAY)])],
+            "a ray for a hit",
+        );
+        refused(&rays(2), &[answers(0, &[hit(0)])], "a hit for a ray");
+        refused(
+            &hits(2),
+            &[answers(0, &[hit(0), Answer::Ray(RAY)])],
+            "a ray for a hit",
+        );
+    }
+
+    #[test]
+    fn a_panic_ends_the_reply_and_stays_within_the_job() {
+        let job = hits(3);
+        let mut reply = reply_to(&job);
+        let panic = Panic {
+            message: "é".repeat(MOST_PANIC_TEXT),
+            file: "a.rs".into(),
+            line: 1,
+            index: usize::MAX,
+        };
+        assert_eq!(reply.take(&job, Message::Panicked(panic)), Ok(false));
+        let Ending::Panicked(panic) = reply.ending else {
+            panic!("it ended otherwise");
+        };
+        assert_eq!(panic.index, 2);
+        assert!(panic.message.len() <= MOST_PANIC_TEXT);
+    }
+
+    #[test]
+    fn a_panic_in_a_job_without_questions_is_still_told() {
+        let job = hits(0);
+        let panic = Panic {
+            message: String::new(),
+            file: String::new(),
+            line: 0,
+            index: 5,
+        };
+        assert_eq!(
+            reply_to(&job).take(&job, Message::Panicked(panic)),
+            Ok(false)
+        );
+    }
+
+    #[test]
+    fn a_chunk_of_any_answers_fits_into_a_message() {
+        let far = Hit {
+            object: usize::MAX,
+            intersection: Intersection {
+                t: f64::MAX,
+                normal: DVec3::MAX,
+            },
+        };
+        for answer in [Answer::Hit(Some(far)), Answer::Ray(RAY)] {
+            let mut bytes = Vec::new();
+            let message = answers(usize::MAX, &[answer; CHUNK]);
+            crate::job::send(&message, &mut bytes).unwrap();
+            assert!(bytes.len() - 4 <= MOST_MESSAGE);
+        }
+    }
+
+    #[test]
+    fn no_sequence_of_messages_makes_the_asker_panic() {
+        let mut random = Random(1);
+        for _ in 0..3000 {
+            let job = [hits(4), rays(4)][random.below(2)].clone();
+            let mut reply = reply_to(&job);
+            for _ in 0..random.below(6) {
+                let first = *random.one_of(&[0, 1, 2, 3, 4, 5, usize::MAX]);
+                let given = (0..random.below(4))
+                    .map(|_| *random.one_of(&[hit(0), Answer::Hit(None), Answer::Ray(RAY)]))
+                    .collect::<Vec<_>>();
+                if reply.take(&job, answers(first, &given)).is_err() {
+                    break;
+                }
+                let missing = reply.answers.iter().filter(|answer| answer.is_none());
+                assert_eq!(missing.count(), reply.missing);
+            }
+            reply.film(Resolution { n_x: 2, n_y: 2 });
+        }
+    }
+}
+
+mod reply {
+    use super::*;
+
+    fn complete(answers: &[Answer]) -> Reply {
+        let mut reply = reply_to(&hits(0));
+        reply.answers = answers.iter().copied().map(Some).collect();
+        reply
+    }
+
+    fn row(n_x: usize) -> Resolution {
+        Resolution { n_x, n_y: 1 }
+    }
+
+    #[test]
+    fn what_was_not_answered_is_a_miss() {
+        let mut reply = complete(&[hit(3), Answer::Hit(None), hit(5)]);
+        reply.answers[2] = None;
+        assert_eq!(reply.film(row(3)).channel("id").unwrap(), [3.0, -1.0, -1.0]);
+    }
+
+    #[test]
+    fn rays_make_a_film_of_rays() {
+        let film = complete(&[Answer::Ray(RAY); 2]).film(row(2));
+        assert_eq!(film.channel("D.Z").unwrap(), [1.0, 1.0]);
+        assert_eq!(film.channel("id"), None);
+    }
+
+    #[test]
+    fn rays_count_only_if_every_one_came() {
+        let mut reply = complete(&[Answer::Ray(RAY); 2]);
+        assert_eq!(reply.rays(), Some(vec![RAY; 2]));
+        reply.answers[0] = None;
+        assert_eq!((reply.rays(), reply.hits()), (None, None));
+    }
+
+    #[test]
+    fn a_split_reply_has_every_answer_where_it_was_asked() {
+        let all: Vec<Answer> = (0..6).map(hit).collect();
+        let mut reply = complete(&all);
+        reply.ending = Ending::Died("of boredom".into());
+        reply.answers[4] = None;
+        let parts = reply.split([1, 0, 3, 2].into_iter());
+
+        let asked: Vec<_> = parts.iter().flat_map(|part| &part.answers).collect();
+        for (index, answer) in asked.into_iter().enumerate() {
+            assert_eq!(*answer, (index != 4).then_some(all[index]));
+        }
+        let lengths: Vec<usize> = parts.iter().map(|part| part.answers.len()).collect();
+        assert_eq!(lengths, [1, 0, 3, 2]);
+        let missing: Vec<usize> = parts.iter().map(|part| part.missing).collect();
+        assert_eq!(missing, [0, 0, 0, 1]);
+        assert!(
+            parts
+                .iter()
+                .all(|part| part.ending == Ending::Died("of boredom".into()))
+        );
+    }
+
+    #[test]
+    #[should_panic = "leave answers over"]
+    fn a_reply_is_split_without_rest() {
+        complete(&[hit(0), hit(1)]).split([1].into_iter());
+    }
+}
+
+#[cfg(unix)]
+mod process {
+    use super::*;
+
+    /// Far less than a test may take, far more than any of these needs.
+    const SOON: Duration = Duration::from_secs(20);
+
+    const SECOND: Duration = Duration::from_secs(1);
+
+    fn shell(script: &str) -> Command {
+        let mut command = Command::new("/bin/sh");
+        command.args(["-c", script]);
+        command
+    }
+
+    #[track_caller]
+    fn asked(script: &str, job: &Job, wall: Duration) -> Reply {
+        let start = Instant::now();
+        let reply = ask(shell(script), job, wall, &mut |_| {}).unwrap();
+        let took = start.elapsed();
+        assert!(took < wall + SOON, "it took {took:?}");
+        assert_eq!(reply.answers.len(), job.len());
+        reply
+    }
+
+    #[track_caller]
+    fn ends(script: &str, ending: Ending) {
+        assert_eq!(asked(script, &hits(1), SOON).ending, ending);
+    }
+
+    /// A script that takes its job before it does anything else, so that we are not
+    /// still writing when it ends.
+    fn after_the_job(script: &str) -> String {
+        format!("head -c 4 >/dev/null; {script}")
+    }
+
+    #[test]
+    fn who_exits_at_once_has_died() {
+        for code in [0, 3] {
+            let how = format!("it exited with code {code} before it had answered");
+            ends(&format!("exit {code}"), Ending::Died(how));
+        }
+    }
+
+    #[test]
+    fn who_is_killed_has_died_by_a_signal() {
+        let Ending::Died(how) = asked("kill -9 $$", &hits(1), SOON).ending else {
+            panic!("it ended otherwise");
+        };
+        assert!(how.contains("it was killed (signal: 9"), "{how}");
+    }
+
+    #[test]
+    fn who_sleeps_is_ended_when_time_is_up() {
+        let reply = asked("echo $$; exec sleep 600", &hits(1), SECOND);
+        assert_eq!(reply.ending, Ending::TimedOut(SECOND));
+        let process = reply.printed.trim();
+        assert!(process.parse::<u32>().is_ok(), "{process:?}");
+        let alive = shell(&format!("kill -0 {process} 2>/dev/null")).status();
+        assert!(!alive.unwrap().success(), "the process lives on");
+    }
+
+    #[test]
+    fn who_never_reads_a_large_job_is_ended_when_time_is_up() {
+        let job = hits(200_000);
+        let reply = asked("exec sleep 600", &job, SECOND);
+        assert_eq!(reply.ending, Ending::TimedOut(SECOND));
+    }
+
+    #[test]
+    fn who_drips_bytes_gains_no_time() {
+        // A message of 4095 bytes, one every tenth of a second.
+        let drip = after_the_job(
+            "printf '\\377\\017\\000\\000' >&0; while :; do printf x >&0; sleep 0.1; done",
+        );
+        let reply = asked(&drip, &hits(1), SECOND);
+        assert_eq!(reply.ending, Ending::TimedOut(SECOND));
+    }
+
+    #[test]
+    fn who_floods_the_output_is_read_and_forgotten() {
+        let reply = asked("exec yes", &hits(1), SECOND);
+        assert_eq!(reply.ending, Ending::TimedOut(SECOND));
+        assert!(reply.printed.len() <= MOST_PRINTED);
+
+        let reply = asked("yes | head -c 1000000; exit 1", &hits(1), SOON);
+        assert_eq!(reply.printed.len(), MOST_PRINTED);
+        assert!(matches!(reply.ending, Ending::Died(_)));
+    }
+
+    #[test]
+    fn output_and_errors_are_both_kept() {
+        let reply = asked("echo one; echo two >&2", &hits(1), SOON);
+        assert_eq!(reply.printed, "one\ntwo\n");
+    }
+
+    #[test]
+    fn output_need_not_be_text() {
+        let reply = asked("printf 'a\\377b'", &hits(1), SOON);
+        assert_eq!(reply.printed, "a\u{fffd}b");
+    }
+
+    #[test]
+    fn who_leaves_a_process_behind_is_not_waited_for() {
+        let start = Instant::now();
+        let reply = asked("sleep 30 & exit 0", &hits(1), SOON);
+        assert!(matches!(reply.ending, Ending::Died(_)));
+        assert!(start.elapsed() < Duration::from_secs(15));
+    }
+
+    #[test]
+    fn who_answers_with_garbage_is_garbled() {
+        ends(
+            &after_the_job("printf garbage >&0"),
+            Ending::Garbled("a message of 1651663207 bytes is too long".into()),
+        );
+        ends(
+            &after_the_job("printf '\\003\\000\\000\\000abc' >&0"),
+            Ending::Garbled("a message could not be read".into()),
+        );
+        // Answers, from the 10th on, none.
+        ends(
+            &after_the_job("printf '\\003\\000\\000\\000\\000\\012\\000' >&0"),
+            Ending::Garbled("it answered a question that was not asked".into()),
+        );
+    }
+
+    #[test]
+    fn who_breaks_off_inside_a_message_has_died() {
+        let reply = asked(
+            &after_the_job("printf '\\012\\000\\000\\000ab' >&0"),
+            &hits(1),
+            SOON,
+        );
+        assert!(
+            matches!(reply.ending, Ending::Died(_)),
+            "{:?}",
+            reply.ending
+        );
+    }
+
+    #[test]
+    fn one_answer_is_enough_for_one_question() {
+        // Answers, from the first on, one of them: a hit of nothing.
+        let miss = after_the_job("printf '\\005\\000\\000\\000\\000\\000\\001\\000\\000' >&0");
+        let reply = asked(&miss, &hits(1), SOON);
+        assert_eq!(reply.ending, Ending::Complete);
+        assert_eq!(reply.answers, [Some(Answer::Hit(None))]);
+    }
+
+    #[test]
+    fn who_is_asked_nothing_need_not_answer() {
+        assert_eq!(asked("exit 3", &hits(0), SOON).ending, Ending::Complete);
+    }
+
+    #[test]
+    fn who_cannot_be_started_is_told_so() {
+        let folder = tempfile::tempdir().unwrap();
+        let absent: &Path = &folder.path().join("absent");
+        assert!(ask(Command::new(absent), &hits(1), SOON, &mut |_| {}).is_err());
+    }
+}
