@@ -6,6 +6,9 @@ use crate::shape::{Plane, Sphere, Triangle};
 use crate::testing;
 use glam::{DVec3, dvec3};
 
+mod cameras;
+mod objects;
+
 const GOOD: &str = r#"# One of each shape that needs no file.
 [camera]
 projection = "perspective"
@@ -128,25 +131,6 @@ fn windows_line_ends_change_nothing() {
 }
 
 #[test]
-fn a_perspective_camera_sees_from_its_image_plane_on() {
-    assert_eq!(read(GOOD).unwrap().min_t, 1.0);
-}
-
-#[test]
-fn an_orthographic_camera_sees_from_its_eye_on() {
-    let text = with("focal_length = 1.5\n", "").replace("perspective", "orthographic");
-    let scene = read(&text).unwrap();
-    assert_eq!(scene.camera.projection, Projection::Orthographic);
-    assert_eq!(scene.min_t, 0.0);
-}
-
-#[test]
-fn min_t_may_be_chosen() {
-    let text = with("width = 2.0", "width = 2.0\nmin_t = 0.25");
-    assert_eq!(read(&text).unwrap().min_t, 0.25);
-}
-
-#[test]
 fn an_unknown_key_is_pointed_at() {
     refused(
         "radius = 0.75",
@@ -192,26 +176,6 @@ fn who_adds_a_light_learns_why_there_is_none() {
 }
 
 #[test]
-fn an_unknown_shape_is_told_the_four() {
-    refused(
-        "type = \"sphere\"",
-        "type = ▶\"cube\"",
-        "unknown variant `cube`, expected one of `sphere`, `plane`, `triangle`, `soup`",
-        "README.md",
-    );
-}
-
-#[test]
-fn an_unknown_projection_is_told_the_two() {
-    refused(
-        "\"perspective\"",
-        "▶\"fisheye\"",
-        "unknown variant `fisheye`, expected `perspective` or `orthographic`",
-        "README.md",
-    );
-}
-
-#[test]
 fn a_missing_key_is_missed_where_its_table_begins() {
     let object = "[[object]]\ntype = \"sphere\"\ncenter = [0.0, 1.0, -1.0]\nradius = 0.75";
     refused(
@@ -235,47 +199,9 @@ fn a_missing_key_is_missed_where_its_table_begins() {
 }
 
 #[test]
-fn every_shape_names_each_key_it_misses() {
-    for (shape, keys) in [
-        ("sphere", ["center", "radius"].as_slice()),
-        ("plane", &["point", "normal"]),
-        ("triangle", &["corners"]),
-        ("soup", &["obj"]),
-    ] {
-        let value = |key: &str| match key {
-            "radius" => "1.0",
-            "corners" => "[[0, 0, 0], [1, 0, 0], [0, 1, 0]]",
-            _ => "[0, 0, 1]",
-        };
-        for missing in keys {
-            let given: String = keys
-                .iter()
-                .filter(|key| key != &missing)
-                .map(|key| format!("{key} = {}\n", value(key)))
-                .collect();
-            refused_text(
-                &format!("{GOOD}\n▶[[object]]\ntype = \"{shape}\"\n{given}"),
-                &format!("this {shape} has no `{missing}`"),
-                &keys.join(", "),
-            );
-        }
-    }
-}
-
-#[test]
 fn a_scene_without_a_camera_is_told_so() {
     let objects = &GOOD[GOOD.find("[[object]]").unwrap()..];
     refused_text(&format!("▶{objects}"), "missing field `camera`", "README");
-}
-
-#[test]
-fn a_key_of_another_shape_is_refused() {
-    refused(
-        "radius = 0.75",
-        "radius = 0.75\nnormal = ▶[0.0, 1.0, 0.0]",
-        "a sphere has no `normal`",
-        "a sphere takes: center, radius; remove `normal` or change the type",
-    );
 }
 
 #[test]
@@ -346,18 +272,6 @@ fn a_vector_of_length_zero_has_no_direction() {
 }
 
 #[test]
-fn up_along_the_line_of_sight_is_refused() {
-    for up in ["[0.0, 0.0, -7.0]", "[0.0, 0.0, 0.5]"] {
-        refused(
-            "up = [0.0, 3.0, 1.0]",
-            &format!("up = ▶{up}"),
-            "`up` is parallel to `view`",
-            "turn `up`",
-        );
-    }
-}
-
-#[test]
 fn a_length_is_more_than_nothing() {
     for (key, value) in [
         ("width", "2.0"),
@@ -374,121 +288,6 @@ fn a_length_is_more_than_nothing() {
             );
         }
     }
-}
-
-#[test]
-fn a_film_has_a_pixel_at_least_and_fits_in_memory() {
-    let resolution = "resolution = [8, 5]";
-    for bad in [
-        "[0, 5]",
-        "[8, 0]",
-        "[100000, 100000]",
-        "[9223372036854775807, 9]",
-    ] {
-        refused(
-            resolution,
-            &format!("resolution = ▶{bad}"),
-            "cannot be cast",
-            "at least one column and one row",
-        );
-    }
-}
-
-#[test]
-fn pixels_are_counted_in_whole_numbers() {
-    refused(
-        "resolution = [8, 5]",
-        "resolution = [8, ▶-5]",
-        "integer `-5`, expected usize",
-        "README.md",
-    );
-    refused(
-        "resolution = [8, 5]",
-        "resolution = [8, ▶2.5]",
-        "invalid type",
-        "README.md",
-    );
-}
-
-#[test]
-fn an_orthographic_camera_has_no_focal_length() {
-    refused_text(
-        &with("= 1.5", "= ▶1.5").replace("perspective", "orthographic"),
-        "an orthographic camera has no focal length",
-        "remove `focal_length`",
-    );
-}
-
-#[test]
-fn a_perspective_camera_needs_its_focal_length() {
-    refused_text(
-        &with("focal_length = 1.5\n", "").replace("[camera]", "▶[camera]"),
-        "needs a `focal_length`",
-        "focal_length = 1.0",
-    );
-}
-
-#[test]
-fn corners_on_one_line_are_no_triangle() {
-    for corners in [
-        "[[0, 0, 0], [1, 1, 1], [3, 3, 3]]",
-        "[[1, 2, 3], [1, 2, 3], [4, 4, 5]]",
-        "[[1, 2, 3], [4, 4, 5], [4, 4, 5]]",
-        // Rounded to binary these are on no line.
-        "[[0.1, 0.2, 0.3], [0.2, 0.4, 0.6], [0.3, 0.6, 0.9]]",
-    ] {
-        refused(
-            "[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]",
-            &format!("▶{corners}"),
-            "no area and no normal",
-            "move one corner",
-        );
-    }
-}
-
-#[test]
-fn a_thin_triangle_is_a_triangle() {
-    let thin = "[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1e-12, 0.0]]";
-    let corners = "[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]";
-    assert_eq!(read(&with(corners, thin)).unwrap().objects.len(), 3);
-}
-
-#[test]
-fn a_mesh_is_looked_for_beside_its_scene() {
-    let (folder, path) = testing::file(
-        "a scene.toml",
-        format!("{GOOD}\n[[object]]\ntype = \"soup\"\nobj = \"meshes/one.obj\"\n"),
-    );
-    fs::create_dir(folder.path().join("meshes")).unwrap();
-    let mesh = folder.path().join("meshes/one.obj");
-    fs::write(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
-
-    let objects = Scene::read(&path).unwrap().objects;
-    let Some(Shape::Soup(soup)) = objects.last() else {
-        panic!("the last object is {:?}", objects.last());
-    };
-    assert_eq!(soup.triangles.len(), 1);
-}
-
-#[test]
-fn a_mesh_that_is_not_there_is_missed_where_it_is_named() {
-    refused_text(
-        &format!("{GOOD}\n[[object]]\ntype = \"soup\"\nobj = ▶\"no such.obj\"\n"),
-        "no such.obj: cannot read this mesh",
-        "relative to the scene's folder",
-    );
-}
-
-#[test]
-fn a_broken_mesh_is_pointed_at_itself() {
-    let (folder, path) = testing::file(
-        "a scene.toml",
-        format!("{GOOD}\n[[object]]\ntype = \"soup\"\nobj = \"broken.obj\"\n"),
-    );
-    let mesh = folder.path().join("broken.obj");
-    fs::write(&mesh, "v 0 0 0\nf 1 2 3\n").unwrap();
-    let error = Scene::read(&path).unwrap_err();
-    assert_eq!((error.path, error.position), (mesh, Some((2, 1))));
 }
 
 #[test]

@@ -8,15 +8,18 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use serde::Deserialize;
 use sha2::{Digest, Sha256};
 
 use crate::assignment::Assignment;
+use crate::blame::{self, Diagnostic};
 use crate::checkout::Checkout;
 use crate::error::{Error, Result};
 use crate::harness::Harness;
 use crate::sandbox::Sandbox;
 use crate::submission::{Answer, Submission, Unusable};
+
+/// Answers whose stubs stand in for them, by task, and why.
+pub type Replacements = BTreeMap<String, Replaced>;
 
 /// A submission that runs.
 #[derive(Clone, Debug)]
@@ -24,7 +27,7 @@ pub struct Program {
     /// The executable.
     pub executable: PathBuf,
     /// Answers that were replaced by their stubs, and why.
-    pub replaced: BTreeMap<String, Replaced>,
+    pub replaced: Replacements,
 }
 
 /// Why a stub stands where an answer should.
@@ -57,7 +60,7 @@ pub fn compile(
     }
     // Each round replaces at least one answer, so there are at most as many rounds.
     for _ in 0..=submission.answers.len() {
-        let compile = |replaced: &BTreeMap<String, Replaced>| {
+        let compile = |replaced: &Replacements| {
             let sources = sources(submission, &stubs, assignment, replaced)?;
             build(&sources, checkout, &harness, sandbox)
         };
@@ -69,12 +72,12 @@ pub fn compile(
                 });
             }
             Built::Refused(diagnostics) => {
-                let mut blamed = blame(&diagnostics, submission, &replaced);
+                let mut blamed = blame::by_place(&diagnostics, submission, &replaced);
                 if blamed.is_empty() {
                     blamed = blame_alone(submission, &replaced, compile)?;
                 }
                 if blamed.is_empty() {
-                    return Err(not_theirs(&diagnostics));
+                    return Err(blame::not_theirs(&diagnostics));
                 }
                 replaced.extend(blamed);
             }
@@ -93,7 +96,7 @@ fn sources(
     submission: &Submission,
     stubs: &Submission,
     assignment: &Assignment,
-    replaced: &BTreeMap<String, Replaced>,
+    replaced: &Replacements,
 ) -> Result<Sources> {
     let mut sources = Sources::new();
     for answer in stubs.answers.iter().chain(&submission.answers) {
@@ -165,15 +168,8 @@ fn build(
         fs::rename(unfinished, &executable).map_err(failed)?;
         return Ok(Built::Program(executable));
     }
-    let diagnostics: Vec<Diagnostic> = output
-        .stderr
-        .split(|byte| *byte == b'\n')
-        .filter_map(|line| serde_json::from_slice(line).ok())
-        .collect();
-    if diagnostics
-        .iter()
-        .any(|diagnostic| diagnostic.level == "error")
-    {
+    let diagnostics = blame::diagnostics(&output.stderr);
+    if blame::has_error(&diagnostics) {
         return Ok(Built::Refused(diagnostics));
     }
     Err(Error::environment(
@@ -239,56 +235,13 @@ fn fingerprint(sources: &Sources, harness: &Harness) -> String {
         .collect()
 }
 
-#[derive(Deserialize)]
-struct Diagnostic {
-    level: String,
-    rendered: String,
-    spans: Vec<Span>,
-}
-
-#[derive(Deserialize)]
-struct Span {
-    file_name: String,
-    is_primary: bool,
-}
-
-/// Errors by the answer they stand in.
-fn blame(
-    diagnostics: &[Diagnostic],
-    submission: &Submission,
-    already: &BTreeMap<String, Replaced>,
-) -> BTreeMap<String, Replaced> {
-    let mut blamed: BTreeMap<String, String> = BTreeMap::new();
-    for diagnostic in diagnostics
-        .iter()
-        .filter(|diagnostic| diagnostic.level == "error")
-    {
-        let mut spans: Vec<&Span> = diagnostic.spans.iter().collect();
-        spans.sort_by_key(|span| !span.is_primary);
-        let task = spans.iter().find_map(|span| {
-            let stem = Path::new(&span.file_name).file_stem()?.to_str()?;
-            submission.answer(stem).map(|answer| answer.task.clone())
-        });
-        if let Some(task) = task.filter(|task| !already.contains_key(task)) {
-            blamed
-                .entry(task)
-                .or_default()
-                .push_str(&diagnostic.rendered);
-        }
-    }
-    blamed
-        .into_iter()
-        .map(|(task, text)| (task, Replaced::DoesNotCompile(text)))
-        .collect()
-}
-
 /// The answers that fail even among stubs. This finds who is to blame for an error
 /// that shows in a file of ours: a deleted function or `impl`, say.
 fn blame_alone(
     submission: &Submission,
-    already: &BTreeMap<String, Replaced>,
-    compile: impl Fn(&BTreeMap<String, Replaced>) -> Result<Built>,
-) -> Result<BTreeMap<String, Replaced>> {
+    already: &Replacements,
+    compile: impl Fn(&Replacements) -> Result<Built>,
+) -> Result<Replacements> {
     let mut blamed = BTreeMap::new();
     for suspect in submission
         .answers
@@ -301,29 +254,9 @@ fn blame_alone(
             .filter(|answer| answer.task != suspect.task);
         let stub = |answer: &Answer| (answer.task.clone(), Replaced::Unusable(Unusable::Missing));
         if let Built::Refused(diagnostics) = compile(&others.map(stub).collect())? {
-            let text = rendered(&diagnostics);
+            let text = blame::rendered(&diagnostics);
             blamed.insert(suspect.task.clone(), Replaced::DoesNotCompile(text));
         }
     }
     Ok(blamed)
-}
-
-/// The compiler's words, without its closing count of errors.
-fn rendered(diagnostics: &[Diagnostic]) -> String {
-    let placed = diagnostics
-        .iter()
-        .filter(|diagnostic| !diagnostic.spans.is_empty());
-    placed
-        .map(|diagnostic| diagnostic.rendered.as_str())
-        .collect()
-}
-
-fn not_theirs(diagnostics: &[Diagnostic]) -> Error {
-    Error::environment(
-        format!(
-            "the program around the answers does not compile:\n{}",
-            rendered(diagnostics)
-        ),
-        "restore `main.rs` and `intersect_ray.rs` of the handout, and see what the message names",
-    )
 }

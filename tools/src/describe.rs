@@ -3,20 +3,19 @@
 use glam::DVec3;
 use pinhole::ask::Reply;
 use pinhole::job::{Answer, Job};
-use pinhole::judge::{Golden, Verdict};
+use pinhole::judge::Verdict;
 use pinhole::report::{digits_to_tell, number};
 use pinhole::{Film, Hit, Intersection, Projection, Ray, Shape};
+
+use crate::questions::QuestionFilm;
 
 /// The worst question of a verdict: what was asked, expected, and given.
 ///
 /// `None` if the verdict passes.
-pub fn worst(
-    verdict: &Verdict,
-    job: &Job,
-    reply: &Reply,
-    golden: &Golden,
-    part: &str,
-) -> Option<String> {
+pub fn worst(verdict: &Verdict, asked: &QuestionFilm, reply: &Reply) -> Option<String> {
+    let QuestionFilm {
+        name, job, golden, ..
+    } = asked;
     let channel = verdict
         .channels
         .iter()
@@ -24,7 +23,7 @@ pub fn worst(
     let mismatch = channel.worst?;
     let index = verdict.resolution.index(mismatch.pixel);
     let digits = digits_to_tell(&mismatch);
-    let asked = question(job, index, part, digits);
+    let question = question(job, index, name, digits);
     let got = match reply.answers.get(index).copied().flatten() {
         Some(Answer::Hit(hit)) => {
             let shown = hit.map(|hit| (hit.object, hit.intersection));
@@ -39,7 +38,7 @@ pub fn worst(
         matches!(job, Job::FirstHit(_)),
         digits,
     );
-    let mut words = format!("{asked}\nexpected  {expected}\ngot       {got}");
+    let mut words = format!("{question}\nexpected  {expected}\ngot       {got}");
     // An object is right or wrong; for all else it helps to see how near is near enough.
     if channel.name != "id" {
         let allowed = number(f64::from(mismatch.allowed), 2);

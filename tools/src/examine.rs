@@ -1,12 +1,11 @@
 //! Runs a submission through every group of questions and every scene.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 use pinhole::ask::{Ending, Reply, ask};
-use pinhole::job::{CameraQuestion, Job, Panic};
-use pinhole::judge::{Golden, judge};
-use pinhole::{Resolution, Scene, probe};
+use pinhole::job::{Job, Panic};
+use pinhole::judge::judge;
 
 use crate::assignment::{Assignment, Task};
 use crate::compile::Program;
@@ -14,6 +13,7 @@ use crate::describe;
 use crate::error::{Error, Result};
 use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskResult};
 use crate::goldens::{GoldenScene, Goldens};
+use crate::questions::{self, Group, QuestionFilm};
 use crate::sandbox::Sandbox;
 use crate::second_judge::SecondJudge;
 use crate::submission::Submission;
@@ -43,39 +43,6 @@ pub struct Selection {
     pub tasks: Vec<String>,
     /// Only these scenes.
     pub scenes: Vec<String>,
-}
-
-/// The group of the viewing rays of the assignment's own scenes.
-const SCENES_GROUP: &str = "scenes";
-
-/// A group of questions with its golden film.
-struct Group {
-    name: String,
-    worth: u32,
-    parts: Vec<Part>,
-}
-
-/// One question film.
-struct Part {
-    name: String,
-    job: Job,
-    resolution: Resolution,
-    golden: Standard,
-}
-
-/// A golden and where it lies.
-struct Standard {
-    golden: Golden,
-    path: PathBuf,
-}
-
-impl Standard {
-    fn read(path: PathBuf) -> Result<Standard> {
-        Ok(Standard {
-            golden: Golden::read(&path)?,
-            path,
-        })
-    }
 }
 
 impl Examiner<'_> {
@@ -114,75 +81,40 @@ impl Examiner<'_> {
     }
 
     fn task(&self, task: &Task, printed: &mut String) -> Result<TaskResult> {
-        let mut groups = Vec::new();
-        for (name, worth) in &task.points {
-            let parts = self.parts(task, name)?;
-            groups.push(Group {
-                name: name.clone(),
-                worth: *worth,
-                parts,
-            });
-        }
-        // All groups in one process, unless some answer fails in a way that could
-        // hide the others; then each alone, so that it costs its own group only.
-        let together = join(
-            groups
-                .iter()
-                .flat_map(|group| &group.parts)
-                .map(|part| &part.job),
-        );
-        let mut replies: Option<Vec<Reply>> = None;
-        if let Some(job) = together {
-            let reply = self.ask(&task.name, &job)?;
-            let lengths = groups
-                .iter()
-                .flat_map(|group| &group.parts)
-                .map(|part| part.job.len());
-            if matches!(reply.ending, Ending::Complete | Ending::TimedOut(_)) {
-                printed.push_str(&reply.printed);
-                replies = Some(reply.split(lengths));
-            }
-        }
-        let mut replies = replies.map(Vec::into_iter);
+        let groups = self.goldens.groups(task)?;
+        let together = self.ask_together(task, &groups, printed)?;
+        let mut together = together.map(Vec::into_iter);
         let mut results = Vec::new();
-        for group in groups {
-            let mut outcome = None;
-            let mut worst = None;
-            for part in &group.parts {
-                let reply = match &mut replies {
-                    Some(replies) => replies.next().expect("a reply was split off for each part"),
-                    None => self.ask(&task.name, &part.job)?,
+        for Group { name, worth, films } in groups {
+            let mut result = None;
+            for film in &films {
+                let reply = match &mut together {
+                    Some(replies) => replies.next().expect("a reply was split off for each film"),
+                    None => self.ask(&task.name, &film.job)?,
                 };
-                if replies.is_none() {
-                    printed.push_str(&reply.printed);
-                }
-                let judged = self.judge(&reply, part.resolution, &part.golden, Some(&task.name))?;
-                if outcome.as_ref().is_none_or(Outcome::passes) {
-                    worst = match &judged {
-                        Outcome::Judged(verdict) => describe::worst(
-                            verdict,
-                            &part.job,
-                            &reply,
-                            &part.golden.golden,
-                            &part.name,
-                        ),
-                        _ => None,
-                    };
-                    outcome = Some(judged);
+                printed.push_str(&reply.printed);
+                let outcome = self.judge(&reply, film, Some(&task.name))?;
+                let worst = match &outcome {
+                    Outcome::Judged(verdict) => describe::worst(verdict, film, &reply),
+                    _ => None,
+                };
+                // The first film that fails speaks for its group.
+                if result
+                    .as_ref()
+                    .is_none_or(|(earlier, _): &(Outcome, _)| earlier.passes())
+                {
+                    result = Some((outcome, worst));
                 }
             }
-            let outcome = outcome.ok_or_else(|| {
+            let (outcome, worst) = result.ok_or_else(|| {
                 Error::environment(
-                    format!(
-                        "group `{}` of task `{}` has no questions",
-                        group.name, task.name
-                    ),
+                    format!("group `{name}` of task `{}` has no questions", task.name),
                     "make the goldens again: cargo run --release -- golden render",
                 )
             })?;
             results.push(GroupResult {
-                name: group.name,
-                worth: group.worth,
+                name,
+                worth,
                 outcome,
                 worst,
             });
@@ -195,56 +127,37 @@ impl Examiner<'_> {
         })
     }
 
-    fn parts(&self, task: &Task, group: &str) -> Result<Vec<Part>> {
-        if task.name == "viewing_ray" && group == SCENES_GROUP {
-            return self
-                .goldens
-                .scenes
-                .iter()
-                .map(|scene| self.scene_rays(scene))
-                .collect();
+    /// All groups of a task in one process; `None` if some answer fails in a way that
+    /// could hide the others. Then each is to be asked alone, so that it costs its own
+    /// group only.
+    fn ask_together(
+        &self,
+        task: &Task,
+        groups: &[Group],
+        printed: &mut String,
+    ) -> Result<Option<Vec<Reply>>> {
+        let Some(job) = questions::join(groups) else {
+            return Ok(None);
+        };
+        let mut reply = self.ask(&task.name, &job)?;
+        if !matches!(reply.ending, Ending::Complete | Ending::TimedOut(_)) {
+            return Ok(None);
         }
-        let stem = self
-            .goldens
-            .folder
-            .join("probes")
-            .join(format!("{}.{group}", task.name));
-        let (job, resolution) = probe::read(&with_suffix(&stem, ".ask.exr"), &task.name)?;
-        let golden = Standard::read(with_suffix(&stem, ".exr"))?;
-        Ok(vec![Part {
-            name: group.into(),
-            job,
-            resolution,
-            golden,
-        }])
-    }
-
-    fn scene_rays(&self, scene: &GoldenScene) -> Result<Part> {
-        let name = &scene.name;
-        let scene = Scene::read(&scene.file)?;
-        let golden = Standard::read(self.goldens.folder.join(name).with_extension("rays.exr"))?;
-        let resolution = scene.resolution;
-        Ok(Part {
-            name: name.clone(),
-            job: viewing_rays(&scene),
-            resolution,
-            golden,
-        })
+        printed.push_str(&std::mem::take(&mut reply.printed));
+        let films = groups.iter().flat_map(|group| &group.films);
+        Ok(Some(reply.split(films.map(|film| film.job.len()))))
     }
 
     fn scene(&self, scene: &GoldenScene, printed: &mut String) -> Result<SceneResult> {
-        let GoldenScene { name, file, worth } = scene;
-        let scene = Scene::read(file)?;
-        let golden = Standard::read(self.goldens.folder.join(name).with_extension("exr"))?;
-        let resolution = scene.resolution;
+        let film = self.goldens.scene_film(scene)?;
         let start = Instant::now();
-        let reply = self.ask(name, &Job::Film(scene))?;
+        let reply = self.ask(&scene.name, &film.job)?;
         let seconds = start.elapsed().as_secs_f64();
         printed.push_str(&reply.printed);
-        let outcome = self.judge(&reply, resolution, &golden, None)?;
+        let outcome = self.judge(&reply, &film, None)?;
         Ok(SceneResult {
-            name: name.clone(),
-            worth: *worth,
+            name: scene.name.clone(),
+            worth: scene.worth,
             outcome,
             seconds,
         })
@@ -257,24 +170,18 @@ impl Examiner<'_> {
     }
 
     /// An outcome from a reply; `task` if one answer was asked alone.
-    fn judge(
-        &self,
-        reply: &Reply,
-        size: Resolution,
-        standard: &Standard,
-        task: Option<&str>,
-    ) -> Result<Outcome> {
+    fn judge(&self, reply: &Reply, asked: &QuestionFilm, task: Option<&str>) -> Result<Outcome> {
         let complete = reply.answers.iter().all(Option::is_some);
         if let Some(failure) = failure(&reply.ending, self.assignment, task).filter(|_| !complete) {
             return Ok(failure);
         }
-        let film = reply.film(size);
-        let outcome = match judge(&standard.golden, &film) {
+        let film = reply.film(asked.resolution);
+        let outcome = match judge(&asked.golden, &film) {
             Ok(verdict) => Outcome::Judged(verdict),
             Err(refusal) => Outcome::Refused(refusal),
         };
         if let Some(second) = self.second_judge {
-            second.confirm(&film, &standard.path, outcome.passes())?;
+            second.confirm(&film, &asked.golden_path, outcome.passes())?;
         }
         Ok(outcome)
     }
@@ -320,39 +227,4 @@ pub fn run(
             "run this command again; if it persists, remove target/pinhole",
         )
     })
-}
-
-/// The job of a scene's viewing rays, pixel by pixel in image order.
-pub fn viewing_rays(scene: &Scene) -> Job {
-    let Scene {
-        camera, resolution, ..
-    } = *scene;
-    let question = |index| CameraQuestion {
-        camera,
-        pixel: resolution.pixel(index),
-        resolution,
-    };
-    Job::ViewingRay((0..resolution.pixels()).map(question).collect())
-}
-
-/// Several jobs of one kind as one.
-fn join<'a>(jobs: impl Iterator<Item = &'a Job>) -> Option<Job> {
-    let mut joined: Option<Job> = None;
-    for job in jobs {
-        match (&mut joined, job) {
-            (None, job) => joined = Some(job.clone()),
-            (Some(Job::ViewingRay(all)), Job::ViewingRay(more)) => all.extend(more),
-            (Some(Job::Intersect(all)), Job::Intersect(more)) => all.extend_from_slice(more),
-            (Some(Job::FirstHit(all)), Job::FirstHit(more)) => all.extend_from_slice(more),
-            (Some(Job::TriangleSoup(all)), Job::TriangleSoup(more)) => all.extend_from_slice(more),
-            _ => return None,
-        }
-    }
-    joined
-}
-
-fn with_suffix(stem: &Path, suffix: &str) -> PathBuf {
-    let mut name = stem.as_os_str().to_owned();
-    name.push(suffix);
-    name.into()
 }

@@ -6,6 +6,7 @@
 //! that is shown.
 
 mod assignment;
+mod blame;
 mod checkout;
 mod cli;
 mod command;
@@ -21,6 +22,7 @@ mod manifest;
 mod mitsuba;
 mod pictures;
 mod progress;
+mod questions;
 mod sandbox;
 mod second_judge;
 mod stubs;

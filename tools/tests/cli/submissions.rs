@@ -16,8 +16,8 @@ fn overlays(kind: &str) -> Vec<PathBuf> {
     folders
 }
 
-/// Lays an overlay over the reference and checks all tasks, and scenes if wanted.
-fn check(overlay: &Path, with_scenes: bool) -> Value {
+/// Lays an overlay over the reference and has both judges look at everything.
+fn check(overlay: &Path) -> Value {
     let slug = overlay
         .file_name()
         .and_then(|name| name.to_str())
@@ -42,19 +42,8 @@ fn check(overlay: &Path, with_scenes: bool) -> Value {
         .map(|(name, text)| (name.as_str(), text.as_str()))
         .collect();
     let folder = submission(&trusted(), slug, &overlay);
-    let tasks = [
-        "viewing_ray",
-        "sphere",
-        "plane",
-        "triangle",
-        "triangle_soup",
-        "first_hit",
-    ];
-    let mut line = vec!["check", folder.to_str().expect("plain"), "--json"];
-    if !with_scenes {
-        line.extend(tasks.iter().flat_map(|task| ["--task", task]));
-    }
-    let examination = pinhole(&line).json();
+    let folder_name = folder.to_str().expect("a plain name");
+    let examination = pinhole(&["check", folder_name, "--json", "--oiiotool"]).json();
     fs::remove_dir_all(folder).expect("it was made");
     examination
 }
@@ -92,7 +81,7 @@ fn every_known_mistake_fails_in_its_own_task_and_in_no_other() {
     for mistake in &mistakes {
         let mut expected = declared(mistake);
         expected.sort();
-        let examination = check(mistake, false);
+        let examination = check(mistake);
         let mut got = failing(&examination);
         got.sort();
         let states = examination["tasks"].as_array().expect("a list").iter();
@@ -118,7 +107,7 @@ fn every_known_mistake_fails_in_its_own_task_and_in_no_other() {
 fn right_answers_by_other_routes_get_full_points() {
     let variants = overlays("variants");
     for variant in &variants {
-        let examination = check(variant, true);
+        let examination = check(variant);
         assert_eq!(
             examination["passes"],
             true,

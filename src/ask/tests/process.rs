@@ -1,0 +1,161 @@
+//! Real processes that behave as badly as a shell can.
+
+use super::*;
+
+/// Far less than a test may take, far more than any of these needs.
+const SOON: Duration = Duration::from_secs(20);
+
+const SECOND: Duration = Duration::from_secs(1);
+
+fn shell(script: &str) -> Command {
+    let mut command = Command::new("/bin/sh");
+    command.args(["-c", script]);
+    command
+}
+
+#[track_caller]
+fn asked(script: &str, job: &Job, wall: Duration) -> Reply {
+    let start = Instant::now();
+    let reply = ask(shell(script), job, wall, &mut |_| {}).unwrap();
+    let took = start.elapsed();
+    assert!(took < wall + SOON, "it took {took:?}");
+    assert_eq!(reply.answers.len(), job.len());
+    reply
+}
+
+#[track_caller]
+fn ends(script: &str, ending: Ending) {
+    assert_eq!(asked(script, &hits(1), SOON).ending, ending);
+}
+
+/// A script that takes its job before it does anything else, so that we are not
+/// still writing when it ends.
+fn after_the_job(script: &str) -> String {
+    format!("head -c 4 >/dev/null; {script}")
+}
+
+#[test]
+fn who_exits_at_once_has_died() {
+    for code in [0, 3] {
+        let how = format!("it exited with code {code} before it had answered");
+        ends(&format!("exit {code}"), Ending::Died(how));
+    }
+}
+
+#[test]
+fn who_is_killed_has_died_by_a_signal() {
+    let Ending::Died(how) = asked("kill -9 $$", &hits(1), SOON).ending else {
+        panic!("it ended otherwise");
+    };
+    assert!(how.contains("it was killed (signal: 9"), "{how}");
+}
+
+#[test]
+fn who_sleeps_is_ended_when_time_is_up() {
+    let reply = asked("echo $$; exec sleep 600", &hits(1), SECOND);
+    assert_eq!(reply.ending, Ending::TimedOut(SECOND));
+    let process = reply.printed.trim();
+    assert!(process.parse::<u32>().is_ok(), "{process:?}");
+    let alive = shell(&format!("kill -0 {process} 2>/dev/null")).status();
+    assert!(!alive.unwrap().success(), "the process lives on");
+}
+
+#[test]
+fn who_never_reads_a_large_job_is_ended_when_time_is_up() {
+    let job = hits(200_000);
+    let reply = asked("exec sleep 600", &job, SECOND);
+    assert_eq!(reply.ending, Ending::TimedOut(SECOND));
+}
+
+#[test]
+fn who_drips_bytes_gains_no_time() {
+    // A message of 4095 bytes, one every tenth of a second.
+    let drip = after_the_job(
+        "printf '\\377\\017\\000\\000' >&0; while :; do printf x >&0; sleep 0.1; done",
+    );
+    let reply = asked(&drip, &hits(1), SECOND);
+    assert_eq!(reply.ending, Ending::TimedOut(SECOND));
+}
+
+#[test]
+fn who_floods_the_output_is_read_and_forgotten() {
+    let reply = asked("exec yes", &hits(1), SECOND);
+    assert_eq!(reply.ending, Ending::TimedOut(SECOND));
+    assert!(reply.printed.len() <= MOST_PRINTED);
+
+    let reply = asked("yes | head -c 1000000; exit 1", &hits(1), SOON);
+    assert_eq!(reply.printed.len(), MOST_PRINTED);
+    assert!(matches!(reply.ending, Ending::Died(_)));
+}
+
+#[test]
+fn output_and_errors_are_both_kept() {
+    let reply = asked("echo one; echo two >&2", &hits(1), SOON);
+    assert_eq!(reply.printed, "one\ntwo\n");
+}
+
+#[test]
+fn output_need_not_be_text() {
+    let reply = asked("printf 'a\\377b'", &hits(1), SOON);
+    assert_eq!(reply.printed, "a\u{fffd}b");
+}
+
+#[test]
+fn who_leaves_a_process_behind_is_not_waited_for() {
+    let start = Instant::now();
+    let reply = asked("sleep 30 & exit 0", &hits(1), SOON);
+    assert!(matches!(reply.ending, Ending::Died(_)));
+    assert!(start.elapsed() < Duration::from_secs(15));
+}
+
+#[test]
+fn who_answers_with_garbage_is_garbled() {
+    ends(
+        &after_the_job("printf garbage >&0"),
+        Ending::Garbled("a message of 1651663207 bytes is too long".into()),
+    );
+    ends(
+        &after_the_job("printf '\\003\\000\\000\\000abc' >&0"),
+        Ending::Garbled("a message could not be read".into()),
+    );
+    // Answers, from the 10th on, none.
+    ends(
+        &after_the_job("printf '\\003\\000\\000\\000\\000\\012\\000' >&0"),
+        Ending::Garbled("it answered a question that was not asked".into()),
+    );
+}
+
+#[test]
+fn who_breaks_off_inside_a_message_has_died() {
+    let reply = asked(
+        &after_the_job("printf '\\012\\000\\000\\000ab' >&0"),
+        &hits(1),
+        SOON,
+    );
+    assert!(
+        matches!(reply.ending, Ending::Died(_)),
+        "{:?}",
+        reply.ending
+    );
+}
+
+#[test]
+fn one_answer_is_enough_for_one_question() {
+    // Answers, from the first on, one of them: a hit of nothing.
+    let miss = after_the_job("printf '\\005\\000\\000\\000\\000\\000\\001\\000\\000' >&0");
+    let reply = asked(&miss, &hits(1), SOON);
+    assert_eq!(reply.ending, Ending::Complete);
+    assert_eq!(reply.answers, [Some(Answer::Hit(None))]);
+}
+
+#[test]
+fn who_is_asked_nothing_need_not_answer() {
+    assert_eq!(asked("exit 3", &hits(0), SOON).ending, Ending::Complete);
+}
+
+#[test]
+fn who_cannot_be_started_is_told_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let absent: &Path = &folder.path().join("absent");
+    assert!(ask(Command::new(absent), &hits(1), SOON, &mut |_| {}).is_err());
+}

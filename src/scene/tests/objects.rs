@@ -1,0 +1,114 @@
+//! Objects as a scene file describes them.
+
+use super::*;
+
+#[test]
+fn an_unknown_shape_is_told_the_four() {
+    refused(
+        "type = \"sphere\"",
+        "type = ▶\"cube\"",
+        "unknown variant `cube`, expected one of `sphere`, `plane`, `triangle`, `soup`",
+        "README.md",
+    );
+}
+
+#[test]
+fn every_shape_names_each_key_it_misses() {
+    for (shape, keys) in [
+        ("sphere", ["center", "radius"].as_slice()),
+        ("plane", &["point", "normal"]),
+        ("triangle", &["corners"]),
+        ("soup", &["obj"]),
+    ] {
+        let value = |key: &str| match key {
+            "radius" => "1.0",
+            "corners" => "[[0, 0, 0], [1, 0, 0], [0, 1, 0]]",
+            _ => "[0, 0, 1]",
+        };
+        for missing in keys {
+            let given: String = keys
+                .iter()
+                .filter(|key| key != &missing)
+                .map(|key| format!("{key} = {}\n", value(key)))
+                .collect();
+            refused_text(
+                &format!("{GOOD}\n▶[[object]]\ntype = \"{shape}\"\n{given}"),
+                &format!("this {shape} has no `{missing}`"),
+                &keys.join(", "),
+            );
+        }
+    }
+}
+
+#[test]
+fn a_key_of_another_shape_is_refused() {
+    refused(
+        "radius = 0.75",
+        "radius = 0.75\nnormal = ▶[0.0, 1.0, 0.0]",
+        "a sphere has no `normal`",
+        "a sphere takes: center, radius; remove `normal` or change the type",
+    );
+}
+
+#[test]
+fn corners_on_one_line_are_no_triangle() {
+    for corners in [
+        "[[0, 0, 0], [1, 1, 1], [3, 3, 3]]",
+        "[[1, 2, 3], [1, 2, 3], [4, 4, 5]]",
+        "[[1, 2, 3], [4, 4, 5], [4, 4, 5]]",
+        // Rounded to binary these are on no line.
+        "[[0.1, 0.2, 0.3], [0.2, 0.4, 0.6], [0.3, 0.6, 0.9]]",
+    ] {
+        refused(
+            "[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]",
+            &format!("▶{corners}"),
+            "no area and no normal",
+            "move one corner",
+        );
+    }
+}
+
+#[test]
+fn a_thin_triangle_is_a_triangle() {
+    let thin = "[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1e-12, 0.0]]";
+    let corners = "[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]";
+    assert_eq!(read(&with(corners, thin)).unwrap().objects.len(), 3);
+}
+
+#[test]
+fn a_mesh_is_looked_for_beside_its_scene() {
+    let (folder, path) = testing::file(
+        "a scene.toml",
+        format!("{GOOD}\n[[object]]\ntype = \"soup\"\nobj = \"meshes/one.obj\"\n"),
+    );
+    fs::create_dir(folder.path().join("meshes")).unwrap();
+    let mesh = folder.path().join("meshes/one.obj");
+    fs::write(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+
+    let objects = Scene::read(&path).unwrap().objects;
+    let Some(Shape::Soup(soup)) = objects.last() else {
+        panic!("the last object is {:?}", objects.last());
+    };
+    assert_eq!(soup.triangles.len(), 1);
+}
+
+#[test]
+fn a_mesh_that_is_not_there_is_missed_where_it_is_named() {
+    refused_text(
+        &format!("{GOOD}\n[[object]]\ntype = \"soup\"\nobj = ▶\"no such.obj\"\n"),
+        "no such.obj: cannot read this mesh",
+        "relative to the scene's folder",
+    );
+}
+
+#[test]
+fn a_broken_mesh_is_pointed_at_itself() {
+    let (folder, path) = testing::file(
+        "a scene.toml",
+        format!("{GOOD}\n[[object]]\ntype = \"soup\"\nobj = \"broken.obj\"\n"),
+    );
+    let mesh = folder.path().join("broken.obj");
+    fs::write(&mesh, "v 0 0 0\nf 1 2 3\n").unwrap();
+    let error = Scene::read(&path).unwrap_err();
+    assert_eq!((error.path, error.position), (mesh, Some((2, 1))));
+}

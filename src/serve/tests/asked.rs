@@ -1,0 +1,231 @@
+//! What that process answers.
+
+use std::time::Duration;
+
+use super::*;
+use crate::ask::{Ending, Reply, ask};
+use crate::camera::Projection;
+use crate::job::{CameraQuestion, CannedQuestion, ShapeQuestion};
+use crate::scene::Scene;
+
+const LONG_ENOUGH: Duration = Duration::from_secs(60);
+
+fn camera() -> Camera {
+    let projection = Projection::Orthographic;
+    Camera::new(DVec3::ZERO, DVec3::X, DVec3::Y, (1.0, 1.0), projection).unwrap()
+}
+
+/// A film of several chunks, not all of them full.
+fn film() -> Job {
+    Job::Film(Scene {
+        camera: camera(),
+        resolution: Resolution { n_x: 50, n_y: 21 },
+        min_t: 0.25,
+        objects: vec![sphere()],
+    })
+}
+
+fn sphere() -> Shape {
+    Shape::Sphere(Sphere {
+        center: DVec3::ZERO,
+        radius: 1.0,
+    })
+}
+
+fn rays(count: usize) -> Job {
+    let question = |i| CameraQuestion {
+        camera: camera(),
+        pixel: Pixel { i, j: 3 },
+        resolution: Resolution { n_x: count, n_y: 4 },
+    };
+    Job::ViewingRay((0..count).map(question).collect())
+}
+
+#[track_caller]
+fn asked(kind: &str, job: &Job) -> Reply {
+    ask(submission(kind), job, LONG_ENOUGH, &mut |_| {}).unwrap()
+}
+
+#[track_caller]
+fn answered(job: &Job) -> Vec<Answer> {
+    let reply = asked("able", job);
+    assert_eq!(reply.ending, Ending::Complete, "{}", reply.printed);
+    reply.answers.into_iter().map(Option::unwrap).collect()
+}
+
+fn hit(object: usize, t: f64, normal: DVec3) -> Answer {
+    let intersection = Intersection { t, normal };
+    Answer::Hit(Some(Hit {
+        object,
+        intersection,
+    }))
+}
+
+#[test]
+fn every_pixel_of_a_film_is_cast_and_none_is_mixed_up() {
+    let resolution = Resolution { n_x: 50, n_y: 21 };
+    for (index, answer) in answered(&film()).into_iter().enumerate() {
+        let Pixel { i, j } = resolution.pixel(index);
+        let expected = match i {
+            0 => Answer::Hit(None),
+            _ => hit(1, 0.25, dvec3(i as f64, j as f64, 0.0)),
+        };
+        assert_eq!(answer, expected, "({i}, {j})");
+    }
+}
+
+#[test]
+fn progress_grows_to_the_number_of_answers() {
+    let mut seen = vec![0];
+    let job = film();
+    ask(submission("able"), &job, LONG_ENOUGH, &mut |done| {
+        seen.push(done);
+    })
+    .unwrap();
+    assert!(seen.is_sorted_by(|before, after| before < after));
+    assert_eq!(seen.last(), Some(&job.len()));
+}
+
+#[test]
+fn viewing_rays_come_in_the_order_asked() {
+    for (i, answer) in answered(&rays(700)).into_iter().enumerate() {
+        let Answer::Ray(ray) = answer else {
+            panic!("a ray was asked for");
+        };
+        assert_eq!(ray.origin, dvec3(i as f64, 3.0, 0.0));
+    }
+}
+
+#[test]
+fn every_shape_is_asked_of_its_own_answer() {
+    let plane = Shape::Plane(Plane {
+        point: DVec3::ZERO,
+        normal: DVec3::X,
+    });
+    let corners = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    let triangle = Triangle { corners };
+    let soup = TriangleSoup {
+        triangles: vec![triangle],
+    };
+    let shapes = [
+        sphere(),
+        plane,
+        Shape::Triangle(triangle),
+        Shape::Soup(soup),
+    ];
+    let questions = shapes.map(|shape| ShapeQuestion {
+        shape,
+        ray: pixel_as_origin(
+            &camera(),
+            Pixel { i: 0, j: 0 },
+            Resolution { n_x: 1, n_y: 1 },
+        ),
+        min_t: 4.0,
+    });
+    let met = [1.0, 2.0, 3.0, 4.0].map(|t| hit(0, t, DVec3::Y));
+    assert_eq!(answered(&Job::Intersect(questions.into())), met);
+}
+
+#[test]
+fn canned_objects_are_asked_of_first_hit_or_of_the_soup() {
+    let object = |t| Canned {
+        intersections: vec![Intersection {
+            t,
+            normal: DVec3::Z,
+        }],
+    };
+    let question = CannedQuestion {
+        objects: TriangleSoup {
+            triangles: vec![object(5.0), object(2.0)],
+        },
+        ray: Ray {
+            origin: DVec3::X,
+            direction: DVec3::X,
+        },
+        min_t: 0.5,
+    };
+    assert_eq!(
+        answered(&Job::FirstHit(vec![question.clone()])),
+        [hit(2, 0.5, DVec3::X)]
+    );
+    assert_eq!(
+        answered(&Job::TriangleSoup(vec![question])),
+        [hit(0, 5.0, DVec3::Z)]
+    );
+}
+
+#[test]
+fn one_ray_is_cast_among_real_shapes() {
+    let ray = Ray {
+        origin: DVec3::X,
+        direction: DVec3::X,
+    };
+    let job = Job::Cast(ray, 0.5, vec![sphere(), sphere(), sphere()]);
+    assert_eq!(answered(&job), [hit(3, 0.5, DVec3::X)]);
+}
+
+#[track_caller]
+fn panicked(kind: &str, job: &Job) -> Panic {
+    match asked(kind, job).ending {
+        Ending::Panicked(panic) => panic,
+        other => panic!("it ended otherwise: {other:?}"),
+    }
+}
+
+#[test]
+fn a_todo_is_unanswered_and_names_its_file() {
+    let panic = panicked("unanswered", &film());
+    assert!(panic.is_unanswered(), "{panic:?}");
+    assert!(panic.file.ends_with("serve/tests.rs"), "{panic:?}");
+    assert!(panic.line > 0);
+}
+
+#[test]
+fn a_panic_names_the_question_it_stumbled_over() {
+    let panic = panicked("stumbling", &rays(9));
+    assert_eq!(panic.index, 7);
+    assert!(panic.message.contains("the len is 3"), "{panic:?}");
+    assert!(!panic.is_unanswered());
+}
+
+#[test]
+fn a_stumbling_stone_off_the_path_harms_nobody() {
+    assert_eq!(asked("stumbling", &rays(7)).ending, Ending::Complete);
+}
+
+#[test]
+fn a_long_panic_is_cut_between_characters() {
+    let panic = panicked("long-winded", &rays(1));
+    assert_eq!(panic.message, "é".repeat(MOST_PANIC_TEXT / 2));
+}
+
+#[test]
+fn a_stack_overflow_is_called_one() {
+    let Ending::Died(how) = asked("bottomless", &rays(1)).ending else {
+        panic!("a process without a stack lives on");
+    };
+    assert!(how.contains("its stack overflowed"), "{how}");
+}
+
+#[test]
+fn a_submission_that_exits_in_an_answer_has_died() {
+    let ending = asked("leaving", &rays(1)).ending;
+    let how = "it exited with code 7 before it had answered";
+    assert_eq!(ending, Ending::Died(how.into()));
+}
+
+#[test]
+fn an_endless_loop_costs_its_time_and_no_more() {
+    let second = Duration::from_secs(1);
+    let reply = ask(submission("endless"), &rays(1), second, &mut |_| {}).unwrap();
+    assert_eq!(reply.ending, Ending::TimedOut(second));
+    assert_eq!(reply.answers, [None]);
+}
+
+#[test]
+fn what_a_student_prints_is_kept_apart_from_the_answers() {
+    let reply = asked("talkative", &rays(3));
+    assert_eq!(reply.ending, Ending::Complete);
+    assert_eq!(reply.printed.matches("an honest line\n").count(), 3);
+    assert_eq!(reply.printed.matches("an honest complaint\n").count(), 3);
+}

@@ -1,0 +1,89 @@
+//! Whose answer keeps a program from compiling.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde::Deserialize;
+
+use crate::compile::{Replaced, Replacements};
+use crate::error::Error;
+use crate::submission::Submission;
+
+/// The compiler's messages from its JSON output, one on each line.
+pub fn diagnostics(stderr: &[u8]) -> Vec<Diagnostic> {
+    let lines = stderr.split(|byte| *byte == b'\n');
+    lines
+        .filter_map(|line| serde_json::from_slice(line).ok())
+        .collect()
+}
+
+/// Whether any of them is an error.
+pub fn has_error(diagnostics: &[Diagnostic]) -> bool {
+    diagnostics
+        .iter()
+        .any(|diagnostic| diagnostic.level == "error")
+}
+
+/// One message of the compiler's.
+#[derive(Deserialize)]
+pub struct Diagnostic {
+    level: String,
+    rendered: String,
+    spans: Vec<Span>,
+}
+
+#[derive(Deserialize)]
+struct Span {
+    file_name: String,
+    is_primary: bool,
+}
+
+/// Errors by the answer they stand in.
+pub fn by_place(
+    diagnostics: &[Diagnostic],
+    submission: &Submission,
+    already: &Replacements,
+) -> Replacements {
+    let mut blamed: BTreeMap<String, String> = BTreeMap::new();
+    for diagnostic in diagnostics
+        .iter()
+        .filter(|diagnostic| diagnostic.level == "error")
+    {
+        let mut spans: Vec<&Span> = diagnostic.spans.iter().collect();
+        spans.sort_by_key(|span| !span.is_primary);
+        let task = spans.iter().find_map(|span| {
+            let stem = Path::new(&span.file_name).file_stem()?.to_str()?;
+            submission.answer(stem).map(|answer| answer.task.clone())
+        });
+        if let Some(task) = task.filter(|task| !already.contains_key(task)) {
+            blamed
+                .entry(task)
+                .or_default()
+                .push_str(&diagnostic.rendered);
+        }
+    }
+    blamed
+        .into_iter()
+        .map(|(task, text)| (task, Replaced::DoesNotCompile(text)))
+        .collect()
+}
+
+/// The compiler's words, without its closing count of errors.
+pub fn rendered(diagnostics: &[Diagnostic]) -> String {
+    let placed = diagnostics
+        .iter()
+        .filter(|diagnostic| !diagnostic.spans.is_empty());
+    placed
+        .map(|diagnostic| diagnostic.rendered.as_str())
+        .collect()
+}
+
+pub fn not_theirs(diagnostics: &[Diagnostic]) -> Error {
+    Error::environment(
+        format!(
+            "the program around the answers does not compile:\n{}",
+            rendered(diagnostics)
+        ),
+        "restore `main.rs` and `intersect_ray.rs` of the handout, and see what the message names",
+    )
+}

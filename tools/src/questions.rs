@@ -1,0 +1,138 @@
+//! What is asked of a submission, read from the goldens: groups of question films for
+//! each task, and a film for each scene.
+
+use std::path::{Path, PathBuf};
+
+use pinhole::job::{CameraQuestion, Job};
+use pinhole::judge::Golden;
+use pinhole::{Resolution, Scene, probe};
+
+use crate::assignment::Task;
+use crate::error::Result;
+use crate::goldens::{GoldenScene, Goldens};
+
+/// Questions that earn their points together or not at all.
+pub struct Group {
+    /// As `assignment.toml` has it.
+    pub name: String,
+    /// Points.
+    pub worth: u32,
+    /// Usually one; the viewing rays of scenes have one for each.
+    pub films: Vec<QuestionFilm>,
+}
+
+/// Questions laid out as a film, and the golden film of their answers.
+pub struct QuestionFilm {
+    /// The group's name, or the scene's.
+    pub name: String,
+    /// The questions, in image order.
+    pub job: Job,
+    /// How they are laid out.
+    pub resolution: Resolution,
+    /// Mitsuba's answers.
+    pub golden: Golden,
+    /// Where those lie.
+    pub golden_path: PathBuf,
+}
+
+/// The group of the viewing rays of all scenes.
+const SCENES_GROUP: &str = "scenes";
+
+impl Goldens {
+    /// All groups of a task, in the assignment's order.
+    pub fn groups(&self, task: &Task) -> Result<Vec<Group>> {
+        let group = |(name, worth): &(String, u32)| {
+            let films = match (task.name.as_str(), name.as_str()) {
+                ("viewing_ray", SCENES_GROUP) => self
+                    .scenes
+                    .iter()
+                    .map(|scene| self.ray_film(scene))
+                    .collect::<Result<_>>()?,
+                _ => vec![self.probe(task, name)?],
+            };
+            Ok(Group {
+                name: name.clone(),
+                worth: *worth,
+                films,
+            })
+        };
+        task.points.iter().map(group).collect()
+    }
+
+    /// The film of a scene.
+    pub fn scene_film(&self, scene: &GoldenScene) -> Result<QuestionFilm> {
+        let golden_path = self.folder.join(&scene.name).with_extension("exr");
+        let name = scene.name.clone();
+        let scene = Scene::read(&scene.file)?;
+        let resolution = scene.resolution;
+        let golden = Golden::read(&golden_path)?;
+        Ok(QuestionFilm {
+            name,
+            job: Job::Film(scene),
+            resolution,
+            golden,
+            golden_path,
+        })
+    }
+
+    fn ray_film(&self, scene: &GoldenScene) -> Result<QuestionFilm> {
+        let golden_path = self.folder.join(&scene.name).with_extension("rays.exr");
+        let name = scene.name.clone();
+        let Scene {
+            camera, resolution, ..
+        } = Scene::read(&scene.file)?;
+        let question = |index| CameraQuestion {
+            camera,
+            pixel: resolution.pixel(index),
+            resolution,
+        };
+        let job = Job::ViewingRay((0..resolution.pixels()).map(question).collect());
+        let golden = Golden::read(&golden_path)?;
+        Ok(QuestionFilm {
+            name,
+            job,
+            resolution,
+            golden,
+            golden_path,
+        })
+    }
+
+    fn probe(&self, task: &Task, group: &str) -> Result<QuestionFilm> {
+        let stem = self
+            .folder
+            .join("probes")
+            .join(format!("{}.{group}", task.name));
+        let golden_path = with_suffix(&stem, ".exr");
+        let (job, resolution) = probe::read(&with_suffix(&stem, ".ask.exr"), &task.name)?;
+        let golden = Golden::read(&golden_path)?;
+        Ok(QuestionFilm {
+            name: group.into(),
+            job,
+            resolution,
+            golden,
+            golden_path,
+        })
+    }
+}
+
+/// The jobs of all films as one; `None` if they are of different kinds, or none.
+pub fn join(groups: &[Group]) -> Option<Job> {
+    let mut joined: Option<Job> = None;
+    for film in groups.iter().flat_map(|group| &group.films) {
+        match (&mut joined, &film.job) {
+            (None, job) => joined = Some(job.clone()),
+            (Some(Job::ViewingRay(all)), Job::ViewingRay(more)) => all.extend(more),
+            (Some(Job::Intersect(all)), Job::Intersect(more)) => all.extend_from_slice(more),
+            (Some(Job::FirstHit(all)), Job::FirstHit(more)) => all.extend_from_slice(more),
+            (Some(Job::TriangleSoup(all)), Job::TriangleSoup(more)) => all.extend_from_slice(more),
+            _ => return None,
+        }
+    }
+    joined
+}
+
+fn with_suffix(stem: &Path, suffix: &str) -> PathBuf {
+    let mut name = stem.as_os_str().to_owned();
+    name.push(suffix);
+    name.into()
+}
