@@ -237,8 +237,9 @@ fn drain(pipe: Option<impl Read + Send + 'static>) -> Receiver<Vec<u8>> {
 
 /// What was printed; nothing if a process left behind still holds the pipe.
 fn printed(pipe: Receiver<Vec<u8>>) -> String {
+    // A loaded machine needs a while, and a stack overflow is known by its text alone.
     let bytes = pipe
-        .recv_timeout(Duration::from_millis(200))
+        .recv_timeout(Duration::from_secs(2))
         .unwrap_or_default();
     String::from_utf8_lossy(&bytes).into_owned()
 }

@@ -15,6 +15,7 @@ mod describe;
 mod error;
 mod examination;
 mod examine;
+mod explanation;
 mod goldens;
 mod harness;
 mod json;

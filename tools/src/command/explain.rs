@@ -1,26 +1,21 @@
 //! `pinhole explain`: one pixel in words.
 
-use std::path::PathBuf;
 use std::time::Duration;
 
-use pinhole::ask::Reply;
-use pinhole::film::HIT_CHANNELS;
-use pinhole::job::{Answer, CameraQuestion, Job, ShapeQuestion};
 use pinhole::report::number;
-use pinhole::{Camera, Film, Hit, Pixel, Projection, Ray, Resolution, Scene};
+use pinhole::{Camera, Hit, Pixel, Projection, Resolution, Scene};
 use serde_json::{Value, json};
 
 use super::Outcome;
 use crate::assignment::Assignment;
 use crate::checkout::Checkout;
 use crate::cli::Explain;
-use crate::compile::{Program, Replaced, compile};
-use crate::describe::{self, hit_in_film, intersection, ray, ray_in_film};
+use crate::compile::compile;
+use crate::describe::{self, intersection, ray};
 use crate::error::{Error, Result};
-use crate::examine;
+use crate::explanation::{Explanation, Mitsuba, Said, Witness};
 use crate::progress::Progress;
 use crate::sandbox::Sandbox;
-use crate::table;
 
 /// Enough digits to follow a computation by hand.
 const DIGITS: usize = 6;
@@ -74,121 +69,6 @@ pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Outcome> {
         print(&explanation, &scene, pixel, arguments);
     }
     Ok(Outcome::Well)
-}
-
-/// What Mitsuba found at a pixel, where a golden is committed.
-struct Mitsuba {
-    ray: Ray,
-    hit: Option<Hit>,
-}
-
-impl Mitsuba {
-    fn read(golden: Option<PathBuf>, index: usize) -> Result<Option<Mitsuba>> {
-        let Some(path) = golden else { return Ok(None) };
-        let hits = Film::read(&path)?;
-        let rays = Film::read(&path.with_extension("rays.exr"))?;
-        debug_assert!(HIT_CHANNELS.iter().all(|name| hits.channel(name).is_some()));
-        Ok(Some(Mitsuba {
-            ray: ray_in_film(&rays, index),
-            hit: hit_in_film(&hits, index),
-        }))
-    }
-}
-
-/// What an answer said, or why it said nothing.
-type Said<T> = std::result::Result<T, String>;
-
-struct Explanation {
-    ray: Said<Ray>,
-    /// The ray the rest was asked about: the submission's, or else Mitsuba's.
-    asked: Option<Ray>,
-    candidates: Vec<Said<Option<Hit>>>,
-    first_hit: Said<Option<Hit>>,
-    mitsuba: Option<Mitsuba>,
-}
-
-struct Witness<'a> {
-    program: &'a Program,
-    sandbox: &'a Sandbox,
-    assignment: &'a Assignment,
-    wall: Duration,
-}
-
-impl Witness<'_> {
-    fn explain(
-        &self,
-        scene: &Scene,
-        pixel: Pixel,
-        mitsuba: Option<Mitsuba>,
-    ) -> Result<Explanation> {
-        let Scene {
-            camera,
-            resolution,
-            min_t,
-            ref objects,
-        } = *scene;
-        let question = CameraQuestion {
-            camera,
-            pixel,
-            resolution,
-        };
-        let ray = self.ask(
-            "viewing_ray",
-            &Job::ViewingRay(vec![question]),
-            |answer| match answer {
-                Answer::Ray(ray) => Some(ray),
-                Answer::Hit(_) => None,
-            },
-        )?;
-        let asked = ray
-            .as_ref()
-            .ok()
-            .copied()
-            .or(mitsuba.as_ref().map(|mitsuba| mitsuba.ray));
-        let mut candidates = Vec::new();
-        let mut first_hit = Err("there is no ray to ask about".into());
-        if let Some(ray) = asked {
-            let hit = |answer| match answer {
-                Answer::Hit(hit) => Some(hit),
-                Answer::Ray(_) => None,
-            };
-            for shape in objects {
-                let question = ShapeQuestion {
-                    shape: shape.clone(),
-                    ray,
-                    min_t,
-                };
-                let task = describe::kind(shape);
-                candidates.push(self.ask(task, &Job::Intersect(vec![question]), hit)?);
-            }
-            first_hit = self.ask("first_hit", &Job::Cast(ray, min_t, objects.clone()), hit)?;
-        }
-        Ok(Explanation {
-            ray,
-            asked,
-            candidates,
-            first_hit,
-            mitsuba,
-        })
-    }
-
-    /// One question to one answer, which may fail without hiding the others.
-    fn ask<T>(&self, task: &str, job: &Job, pick: impl Fn(Answer) -> Option<T>) -> Result<Said<T>> {
-        if let Some(replaced) = self.program.replaced.get(task) {
-            return Ok(Err(match replaced {
-                Replaced::Unusable(_) => format!("there is no usable {task}.rs"),
-                Replaced::DoesNotCompile(_) => format!("{task}.rs does not compile"),
-            }));
-        }
-        let reply: Reply = examine::run(self.program, self.sandbox, self.wall, job, &mut |_| {})?;
-        let answer = reply.answers.first().copied().flatten().and_then(pick);
-        Ok(answer.ok_or_else(|| {
-            let failure = examine::failure(&reply.ending, self.assignment, Some(task));
-            failure.map_or("it gave no answer".into(), |failure| {
-                table::outcome(&failure)
-            })
-        }))
-    }
 }
 
 /// u(i) and v(j): a pixel centre's place on the image plane, scene units, from its
