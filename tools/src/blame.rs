@@ -70,20 +70,24 @@ pub fn by_place(
 
 /// The compiler's words, without its closing count of errors.
 pub fn rendered(diagnostics: &[Diagnostic]) -> String {
-    let placed = diagnostics
+    let errors = diagnostics
         .iter()
-        .filter(|diagnostic| !diagnostic.spans.is_empty());
-    placed
-        .map(|diagnostic| diagnostic.rendered.as_str())
+        .filter(|diagnostic| diagnostic.level == "error");
+    let (placed, other): (Vec<_>, Vec<_>) = errors.partition(|error| !error.spans.is_empty());
+    let told = if placed.is_empty() { other } else { placed };
+    told.into_iter()
+        .map(|error| error.rendered.as_str())
         .collect()
 }
 
+/// An error that no answer caused.
 pub fn not_theirs(diagnostics: &[Diagnostic]) -> Error {
     Error::environment(
         format!(
             "the program around the answers does not compile:\n{}",
             rendered(diagnostics)
         ),
-        "restore `main.rs` and `intersect_ray.rs` of the handout, and see what the message names",
+        "run this again; if it persists, restore the assignment's `handout` folder and remove \
+         target/pinhole",
     )
 }

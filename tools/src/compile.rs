@@ -16,7 +16,7 @@ use crate::checkout::Checkout;
 use crate::error::{Error, Result};
 use crate::harness::Harness;
 use crate::sandbox::Sandbox;
-use crate::submission::{Answer, Submission, Unusable};
+use crate::submission::{Submission, Unusable};
 
 /// Answers whose stubs stand in for them, by task, and why.
 pub type Replacements = BTreeMap<String, Replaced>;
@@ -237,25 +237,27 @@ fn fingerprint(sources: &Sources, harness: &Harness) -> String {
 
 /// The answers that fail even among stubs. This finds who is to blame for an error
 /// that shows in a file of ours: a deleted function or `impl`, say.
+///
+/// Nobody is, if the stubs alone fail too: then the fault is the machine's or ours.
 fn blame_alone(
     submission: &Submission,
     already: &Replacements,
     compile: impl Fn(&Replacements) -> Result<Built>,
 ) -> Result<Replacements> {
-    let mut blamed = BTreeMap::new();
-    for suspect in submission
-        .answers
-        .iter()
-        .filter(|answer| !already.contains_key(&answer.task))
-    {
-        let others = submission
-            .answers
-            .iter()
-            .filter(|answer| answer.task != suspect.task);
-        let stub = |answer: &Answer| (answer.task.clone(), Replaced::Unusable(Unusable::Missing));
-        if let Built::Refused(diagnostics) = compile(&others.map(stub).collect())? {
+    let tasks = submission.answers.iter().map(|answer| answer.task.clone());
+    let stubs: Replacements = tasks
+        .map(|task| (task, Replaced::Unusable(Unusable::Missing)))
+        .collect();
+    if let Built::Refused(_) = compile(&stubs)? {
+        return Ok(Replacements::new());
+    }
+    let mut blamed = Replacements::new();
+    for suspect in stubs.keys().filter(|task| !already.contains_key(*task)) {
+        let mut others = stubs.clone();
+        others.remove(suspect);
+        if let Built::Refused(diagnostics) = compile(&others)? {
             let text = blame::rendered(&diagnostics);
-            blamed.insert(suspect.task.clone(), Replaced::DoesNotCompile(text));
+            blamed.insert(suspect.clone(), Replaced::DoesNotCompile(text));
         }
     }
     Ok(blamed)

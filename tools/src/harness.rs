@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use serde::Deserialize;
+use sha2::{Digest, Sha256};
 
 use crate::checkout::Checkout;
 use crate::error::{Error, Result};
@@ -33,7 +34,7 @@ struct Artifact {
     filenames: Vec<PathBuf>,
 }
 
-#[derive(Deserialize)]
+#[derive(Default, Deserialize)]
 struct Target {
     name: String,
     kind: Vec<String>,
@@ -66,24 +67,27 @@ impl Harness {
                 "run `cargo build --release` in the checkout and mend what it says",
             ));
         }
-        let folder = checkout.scratch().join("harness");
-        let mut externs = Vec::new();
-        for artifact in artifacts(&output.stdout) {
-            let Some(target) = &artifact.target else {
-                continue;
-            };
-            for library in artifact.filenames.iter().filter(|file| is_library(file)) {
-                let name = library.file_name().unwrap_or_default();
-                let copy = folder.join(name);
-                link(library, &copy)?;
-                let is_rlib = copy
-                    .extension()
-                    .is_some_and(|extension| extension == "rlib");
-                if is_rlib && EXTERNS.contains(&target.name.as_str()) {
-                    externs.push((target.name.clone(), copy));
-                }
-            }
+        let libraries: Vec<(String, PathBuf)> = artifacts(&output.stdout).collect();
+        // A folder for each state of the libraries: while one command compiles against
+        // them, another may find that cargo has built new ones.
+        let folder = checkout
+            .scratch()
+            .join("harness")
+            .join(fingerprint(&libraries));
+        if !folder.is_dir() {
+            fill(&folder, &libraries)?;
         }
+        let externs = libraries.iter().filter(|(name, file)| {
+            EXTERNS.contains(&name.as_str()) && file.extension().is_some_and(|end| end == "rlib")
+        });
+        let externs: Vec<(String, PathBuf)> = externs
+            .map(|(name, file)| {
+                (
+                    name.clone(),
+                    folder.join(file.file_name().unwrap_or_default()),
+                )
+            })
+            .collect();
         if externs.len() != EXTERNS.len() {
             return Err(Error::environment(
                 "cargo did not say where the harness library is",
@@ -94,17 +98,21 @@ impl Harness {
     }
 }
 
-fn artifacts(stdout: &[u8]) -> impl Iterator<Item = Artifact> + '_ {
-    stdout
-        .split(|byte| *byte == b'\n')
-        .filter_map(|line| serde_json::from_slice::<Artifact>(line).ok())
+/// The libraries that cargo names in its messages: crate and file.
+fn artifacts(stdout: &[u8]) -> impl Iterator<Item = (String, PathBuf)> + '_ {
+    let messages = stdout.split(|byte| *byte == b'\n');
+    let artifacts = messages.filter_map(|line| serde_json::from_slice::<Artifact>(line).ok());
+    artifacts
         .filter(|artifact| artifact.reason == "compiler-artifact")
-        .filter(|artifact| {
+        .flat_map(|artifact| {
+            let target = artifact.target.unwrap_or_default();
             let library = |kind: &String| kind.ends_with("lib") || kind == "proc-macro";
-            artifact
-                .target
-                .as_ref()
-                .is_some_and(|target| target.kind.iter().any(library))
+            let wanted = target.kind.iter().any(library);
+            let files = artifact
+                .filenames
+                .into_iter()
+                .filter(move |file| wanted && is_library(file));
+            files.map(move |file| (target.name.clone(), file))
         })
 }
 
@@ -114,28 +122,41 @@ fn is_library(file: &Path) -> bool {
     matches!(extension, Some("rlib" | "so" | "dylib" | "dll"))
 }
 
-fn link(from: &Path, to: &Path) -> Result<()> {
+/// Cargo's file names carry a hash, but not every change of content changes it.
+fn fingerprint(libraries: &[(String, PathBuf)]) -> String {
+    let mut hash = Sha256::new();
+    for (_, file) in libraries {
+        let metadata = fs::metadata(file);
+        let state = metadata.map(|metadata| (metadata.len(), metadata.modified().ok()));
+        hash.update(format!("{}\n{state:?}\n", file.display()));
+    }
+    hash.finalize()
+        .iter()
+        .take(8)
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
+}
+
+/// Links the libraries into a folder that appears only when it is complete.
+fn fill(folder: &Path, libraries: &[(String, PathBuf)]) -> Result<()> {
     let failed = |error: std::io::Error| {
         Error::environment(
-            format!(
-                "cannot copy {} to {}: {error}",
-                from.display(),
-                to.display()
-            ),
+            format!("cannot gather the harness in {}: {error}", folder.display()),
             "free some disk space and check that the folder can be written",
         )
     };
-    // File names carry cargo's hash, but not every change of content changes it.
-    let same = |a: &Path, b: &Path| -> std::io::Result<bool> {
-        let (a, b) = (fs::metadata(a)?, fs::metadata(b)?);
-        Ok(a.len() == b.len() && a.modified()? <= b.modified()?)
-    };
-    if same(from, to).unwrap_or(false) {
-        return Ok(());
+    let fresh = folder.with_extension(format!("new{}", std::process::id()));
+    fs::create_dir_all(&fresh).map_err(failed)?;
+    for (_, library) in libraries {
+        let copy = fresh.join(library.file_name().unwrap_or_default());
+        // A link costs nothing and keeps the old content when cargo writes a new file.
+        fs::hard_link(library, &copy)
+            .or_else(|_| fs::copy(library, &copy).map(|_| ()))
+            .map_err(failed)?;
     }
-    fs::create_dir_all(to.parent().unwrap_or(to)).map_err(failed)?;
-    // Under another name first: a second command may be reading the old one.
-    let fresh = to.with_extension(format!("new{}", std::process::id()));
-    fs::copy(from, &fresh).map_err(failed)?;
-    fs::rename(&fresh, to).map_err(failed)
+    match fs::rename(&fresh, folder) {
+        // Another command was quicker with the same.
+        Err(_) if folder.is_dir() => fs::remove_dir_all(&fresh).map_err(failed),
+        renamed => renamed.map_err(failed),
+    }
 }
