@@ -1,6 +1,8 @@
 //! The one error of the harness: what went wrong, where, and what to do.
 
 use std::fmt;
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// A file the harness cannot use. It names the file, the place and the remedy.
@@ -47,3 +49,12 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
+
+/// The text of a regular file: a pipe or a device could be read for ever.
+pub(crate) fn read_text(path: &Path) -> io::Result<String> {
+    if fs::metadata(path)?.is_file() {
+        fs::read_to_string(path)
+    } else {
+        Err(io::Error::other("it is no file"))
+    }
+}

@@ -153,7 +153,14 @@ pub(crate) fn receive<T: DeserializeOwned>(
     most: usize,
 ) -> io::Result<Option<T>> {
     let mut length = [0; 4];
-    if input.read(&mut length[..1])? == 0 {
+    let begun = loop {
+        match input.read(&mut length[..1]) {
+            // As when a person stops the asker's process and lets it go on.
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+            begun => break begun?,
+        }
+    };
+    if begun == 0 {
         return Ok(None);
     }
     input.read_exact(&mut length[1..])?;

@@ -29,13 +29,25 @@ impl Golden {
     /// A golden and its tolerance film.
     ///
     /// # Errors
-    /// If they differ in size or channels, as words.
+    /// If they differ in size or channels, hold a sample that is not finite, or exempt
+    /// more pixels than [`most_exempt`](Golden::most_exempt).
     pub fn new(film: Film, tolerance: Film) -> Result<Golden, Refusal> {
         compare_layout(&film, &tolerance)?;
         for film in [&film, &tolerance] {
             refuse_non_finite(film)?;
         }
-        Ok(Golden { film, tolerance })
+        let golden = Golden { film, tolerance };
+        let pixels = golden.film.resolution().pixels();
+        let exempt = (0..pixels).filter(|index| golden.is_exempt(*index)).count();
+        match exempt > Golden::most_exempt(pixels) {
+            true => Err(Refusal::TooLenient { exempt, pixels }),
+            false => Ok(golden),
+        }
+    }
+
+    /// How many of so many pixels may be exempt: one or 0.05 %, whichever is more.
+    pub fn most_exempt(pixels: usize) -> usize {
+        (pixels / 2000).max(1)
     }
 
     /// Reads `NAME.exr` and its tolerance film `NAME.tol.exr`.
@@ -92,6 +104,13 @@ pub enum Refusal {
     MissingChannel(String),
     /// A channel of the film is not in the golden.
     ExtraChannel(String),
+    /// A tolerance film exempts more pixels than any golden may.
+    TooLenient {
+        /// How many it exempts.
+        exempt: usize,
+        /// Of how many.
+        pixels: usize,
+    },
     /// A sample is NaN or infinite.
     NotFinite {
         /// In which channel.
@@ -113,6 +132,12 @@ impl fmt::Display for Refusal {
                     f,
                     "the film has a channel `{}` that the golden has not",
                     name.escape_debug()
+                )
+            }
+            Refusal::TooLenient { exempt, pixels } => {
+                write!(
+                    f,
+                    "{exempt} of {pixels} pixels are exempt, more than 0.05 %"
                 )
             }
             Refusal::NotFinite { channel, pixel } => {

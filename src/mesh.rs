@@ -1,13 +1,12 @@
 //! Triangle soups from Wavefront OBJ files, through `tobj`.
 
-use std::fs;
 use std::io::{self, BufRead, Read};
 use std::path::Path;
 
 use glam::DVec3;
 use tobj::{LoadError, LoadOptions};
 
-use crate::error::Error;
+use crate::error::{Error, read_text};
 use crate::shape::{Triangle, TriangleSoup};
 
 /// Reads every face of an OBJ file as triangles, in file order.
@@ -19,7 +18,7 @@ use crate::shape::{Triangle, TriangleSoup};
 /// If the file cannot be read, is no OBJ, has no face, a face names a vertex that
 /// is not there, or a vertex is not finite.
 pub fn read(path: &Path) -> Result<TriangleSoup, Error> {
-    let text = fs::read_to_string(path).map_err(|error| {
+    let text = read_text(path).map_err(|error| {
         Error::new(
             path,
             format!("cannot read this mesh: {error}"),

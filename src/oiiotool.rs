@@ -8,8 +8,10 @@
 use std::env;
 use std::ffi::OsString;
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::film::Film;
 use crate::judge::tolerance_path;
@@ -68,16 +70,52 @@ impl Oiiotool {
     /// If the golden cannot be read, or the tool cannot be started.
     pub fn judge(&self, golden: &Path, film: &Path) -> Result<SecondVerdict, String> {
         let layout = Film::read(golden).map_err(|error| error.to_string())?;
+        // Under names of ours: in a path, the tool would take `#` and `{…}` for its own.
+        let table =
+            Table::lay(golden, film).map_err(|error| format!("cannot copy films: {error}"))?;
         let output = Command::new(&self.binary)
-            .args(arguments(golden, film, &layout))
+            .args(arguments(&layout))
+            .current_dir(&table.folder)
             .output()
             .map_err(|error| format!("cannot start {}: {error}", self.binary.display()))?;
         Ok(verdict(&output))
     }
 }
 
+/// A folder with the three films before the judge; gone when dropped.
+struct Table {
+    folder: PathBuf,
+}
+
+const FILM: &str = "film.exr";
+const GOLDEN: &str = "golden.exr";
+const TOLERANCE: &str = "tolerance.exr";
+
+impl Table {
+    fn lay(golden: &Path, film: &Path) -> io::Result<Table> {
+        static NEXT: AtomicUsize = AtomicUsize::new(0);
+        let turn = NEXT.fetch_add(1, Ordering::Relaxed);
+        let name = format!("pinhole-films-{}-{turn}", std::process::id());
+        let table = Table {
+            folder: env::temp_dir().join(name),
+        };
+        // Not `create_dir_all`: a folder that is there already is somebody else's.
+        fs::create_dir(&table.folder)?;
+        fs::copy(film, table.folder.join(FILM))?;
+        fs::copy(golden, table.folder.join(GOLDEN))?;
+        fs::copy(tolerance_path(golden), table.folder.join(TOLERANCE))?;
+        Ok(table)
+    }
+}
+
+impl Drop for Table {
+    fn drop(&mut self) {
+        let _never_made = fs::remove_dir_all(&self.folder);
+    }
+}
+
 /// The rule: guards, then |film − golden| − tolerance, cut off below 0, must be 0.
-fn arguments(golden: &Path, film: &Path, layout: &Film) -> Vec<OsString> {
+fn arguments(layout: &Film) -> Vec<OsString> {
     let size = layout.resolution();
     let names: Vec<&str> = layout
         .channels()
@@ -98,7 +136,7 @@ fn arguments(golden: &Path, film: &Path, layout: &Film) -> Vec<OsString> {
     let words = |text: &str| text.split(' ').map(OsString::from).collect::<Vec<_>>();
 
     let mut line = words("--native --fail 0 --failpercent 0 --hardfail 0");
-    line.push(film.into());
+    line.push(FILM.into());
     // Reading a file that is not there is how a guard says no.
     for (what, value) in expected {
         line.extend(words(&format!(
@@ -112,9 +150,9 @@ fn arguments(golden: &Path, film: &Path, layout: &Film) -> Vec<OsString> {
     let in_order = words(&format!("--ch {}", names.join(",")));
     line.extend(words("--fixnan error"));
     line.extend_from_slice(&in_order);
-    line.push(golden.into());
+    line.push(GOLDEN.into());
     line.extend_from_slice(&in_order);
-    line.extend(["--absdiff".into(), tolerance_path(golden).into()]);
+    line.extend(["--absdiff".into(), TOLERANCE.into()]);
     line.extend(in_order);
     line.extend(words("--sub --maxc 0 --dup --mulc 0 --diff"));
     line

@@ -2,15 +2,17 @@
 
 mod document;
 
-use std::fs;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
 use crate::camera::{Camera, Resolution};
-use crate::error::Error;
+use crate::error::{Error, read_text};
 use crate::shape::Shape;
 use document::Document;
+
+/// No film has more pixels: five channels of them fill 1 GB.
+pub const MOST_PIXELS: usize = 50_000_000;
 
 /// Everything a cast needs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -34,7 +36,7 @@ impl Scene {
     /// of the wrong kind, or a value makes no camera or no shape; and if a mesh
     /// cannot be read (see [`mesh::read`](crate::mesh::read)).
     pub fn read(path: &Path) -> Result<Scene, Error> {
-        let text = fs::read_to_string(path).map_err(|error| {
+        let text = read_text(path).map_err(|error| {
             Error::new(
                 path,
                 format!("cannot read this scene: {error}"),

@@ -26,7 +26,8 @@ pub fn serve(answers: &Answers) -> ExitCode {
     if arguments.next().is_none_or(|word| word != ANSWER) {
         eprintln!(
             "This program answers questions of the `pinhole` command. To see what your answers\n\
-             make of a scene, run:\n\n    cargo run --release -- check"
+             make of a scene, run in the checkout's top folder:\n\n    \
+             cargo run --release -- check"
         );
         return ExitCode::from(2);
     }

@@ -28,6 +28,10 @@ pub(super) fn read(path: &Path) -> Result<Film, Error> {
     let remedy = "write an OpenEXR file of 32-bit float channels; see README.md, \"Films\"";
     let refuse = |problem: String| Error::new(path, problem, remedy);
 
+    // A pipe or a device could be read for ever.
+    if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
+        return Err(refuse("cannot read this film: it is no file".into()));
+    }
     let bytes =
         fs::read(path).map_err(|error| refuse(format!("cannot read this film: {error}")))?;
     // The bytes may be anybody's: a decoder that stumbles over them must not take us along.
@@ -57,6 +61,14 @@ pub(super) fn read(path: &Path) -> Result<Film, Error> {
             window.size.x(),
             window.size.y(),
         )));
+    }
+    // Other programs refuse a header with such numbers, or stretch the picture.
+    let aspect = image.attributes.pixel_aspect;
+    let screen = layer.attributes.screen_window_width;
+    if aspect != 1.0 || !(screen.is_finite() && screen > 0.0) {
+        return Err(refuse(
+            "its pixels are not square, or its screen window has no width".into(),
+        ));
     }
     let resolution = Resolution {
         n_x: layer.size.x(),

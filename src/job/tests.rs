@@ -55,6 +55,26 @@ fn messages_come_one_by_one_until_the_end() {
 }
 
 #[test]
+fn an_interrupted_message_goes_on() {
+    /// Says at every other call that it was interrupted.
+    struct Interrupted<'a>(&'a [u8], bool);
+
+    impl Read for Interrupted<'_> {
+        fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+            self.1 = !self.1;
+            match self.1 {
+                true => Err(io::ErrorKind::Interrupted.into()),
+                false => self.0.read(buffer),
+            }
+        }
+    }
+
+    let bytes = sent(&message());
+    let received: Option<Message> = receive(&mut Interrupted(&bytes, false), MOST).unwrap();
+    assert_eq!(received, Some(message()));
+}
+
+#[test]
 fn a_message_as_long_as_allowed_is_received_and_a_longer_one_is_not() {
     let bytes = sent(&message());
     let length = bytes.len() - 4;

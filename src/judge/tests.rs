@@ -139,7 +139,7 @@ fn an_extra_channel_is_refused() {
 #[test]
 fn a_number_that_is_none_is_refused_even_where_anything_is_allowed() {
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-        let golden = one_channel(&[0.0, 0.0], &[EXEMPT, EXEMPT]);
+        let golden = one_channel(&[0.0, 0.0], &[0.0, EXEMPT]);
         assert_eq!(
             judge(&golden, &row(&[("t", &[0.0, bad])])),
             Err(Refusal::NotFinite {
@@ -342,4 +342,18 @@ fn a_golden_lies_beside_its_tolerance() {
     let error = Golden::read(&path).unwrap_err();
     assert_eq!(error.path, beside);
     assert!(error.problem.contains("does not fit its golden"), "{error}");
+}
+
+#[test]
+fn a_golden_that_exempts_more_than_one_pixel_of_a_few_is_refused() {
+    let golden = |allowed: &[f32]| Golden::new(row(&[("t", &[0.0; 3])]), row(&[("t", allowed)]));
+    assert!(golden(&[0.0, EXEMPT, 0.0]).is_ok());
+    let refused = golden(&[0.0, EXEMPT, EXEMPT]).unwrap_err();
+    assert_eq!(
+        refused,
+        Refusal::TooLenient {
+            exempt: 2,
+            pixels: 3
+        }
+    );
 }

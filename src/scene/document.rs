@@ -10,7 +10,7 @@ use glam::DVec3;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::Scene;
+use super::{MOST_PIXELS, Scene};
 use crate::camera::{Camera, Projection, Resolution};
 use crate::error::Error;
 use crate::mesh;
@@ -93,9 +93,6 @@ impl Kind {
         }
     }
 }
-
-/// No more pixels than this: a film of them fills 3 GiB.
-const MOST_PIXELS: usize = 100_000_000;
 
 /// Below this sine of the angle at its first corner a triangle is flat: decimals such
 /// as 0.3 are rounded, which lifts corners off a line by about 1e-16 of their size.

@@ -119,8 +119,12 @@ impl Assignment {
             .flatten()
             .flatten();
         let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
-        let is_fixed = |name: &String| self.tasks.iter().all(|task| task.file() != *name);
-        names.filter(is_fixed).collect()
+        let is_answer = |name: &String| self.tasks.iter().any(|task| task.file() == *name);
+        let mut fixed: Vec<String> = names
+            .filter(|name| name.ends_with(".rs") && !is_answer(name))
+            .collect();
+        fixed.sort();
+        fixed
     }
 
     /// The file of one of its scenes.

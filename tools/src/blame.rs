@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::process::ExitStatus;
 
 use serde::Deserialize;
 
@@ -36,6 +37,24 @@ pub struct Diagnostic {
 struct Span {
     file_name: String,
     is_primary: bool,
+}
+
+impl Diagnostic {
+    /// Stands for what a compiler would have said that was killed or crashed.
+    pub fn of_dead_compiler(status: ExitStatus, stderr: &[u8]) -> Diagnostic {
+        let said = String::from_utf8_lossy(stderr);
+        let lines: Vec<&str> = said
+            .lines()
+            .filter(|line| !line.starts_with('{'))
+            .take(5)
+            .collect();
+        let rendered = format!("the compiler gave up ({status})\n{}\n", lines.join("\n"));
+        Diagnostic {
+            level: "error".into(),
+            rendered,
+            spans: Vec::new(),
+        }
+    }
 }
 
 /// Errors by the answer they stand in.

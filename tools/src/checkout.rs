@@ -12,17 +12,16 @@ pub struct Checkout {
 }
 
 impl Checkout {
-    /// The checkout around the current folder, or else the one this program was
-    /// built from.
+    /// The checkout this program was built from, or else the one around the current
+    /// folder: another checkout, a student's say, must not bring its own goldens.
     pub fn find() -> Result<Checkout> {
         let here = env::current_dir().unwrap_or_default();
         let built_from = Path::new(env!("CARGO_MANIFEST_DIR"));
         let is_root = |folder: &&Path| {
             folder.join("assignments").is_dir() && folder.join("Cargo.lock").is_file()
         };
-        here.ancestors()
-            .find(is_root)
-            .or_else(|| built_from.parent().filter(is_root))
+        let own = built_from.parent().filter(is_root);
+        own.or_else(|| here.ancestors().find(is_root))
             .map(|root| Checkout { root: root.into() })
             .ok_or_else(|| {
                 Error::environment(

@@ -4,10 +4,11 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 use pinhole::Resolution;
+use pinhole::scene::MOST_PIXELS;
 
 /// Ray casting assignments, judged against golden films by Mitsuba.
 ///
-/// Fill the answers in assignments/ray_casting/handout/src, then run `pinhole check`.
+/// Fill the answers in assignments/ray_casting/handout/src, then run `cargo run --release -- check`.
 ///
 /// Exit codes: 0 all well; 1 judged wrong; 2 a file or an argument is wrong; 3 the
 /// machine or this program is at fault.
@@ -33,6 +34,20 @@ pub enum Command {
     Golden(Golden),
     /// Generate the handout, students' stubs, from the reference
     Handout(Handout),
+}
+
+impl Command {
+    /// Whether standard output is to be one JSON document, errors included.
+    pub fn wants_json(&self) -> bool {
+        match self {
+            Command::Check(arguments) => arguments.json,
+            Command::Render(arguments) => arguments.json,
+            Command::Explain(arguments) => arguments.json,
+            Command::Diff(arguments) => arguments.json,
+            Command::Golden(Golden::Verify(arguments)) => arguments.json,
+            Command::Golden(_) | Command::Handout(_) => false,
+        }
+    }
 }
 
 /// Build a submission, ask it everything, and judge what it answers.
@@ -71,7 +86,8 @@ pub struct Check {
 #[derive(Args)]
 pub struct Run {
     /// Seconds after which an answer no longer counts
-    #[arg(long, value_name = "SECONDS", default_value_t = 30)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 30,
+          value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
     /// Run a folder outside this checkout without a sandbox: your own code only
     #[arg(long)]
@@ -108,7 +124,7 @@ pub struct Render {
 ///
 /// Shows the pixel's place on the image plane, its ray in camera space and in world
 /// space, every object's own answer, the first hit, and, where a golden is
-/// committed, what Mitsuba found. Try: pinhole explain slide_example 2 3
+/// committed, what Mitsuba found. Try: cargo run --release -- explain slide_example 2 3
 #[derive(Args)]
 pub struct Explain {
     /// A scene file, or the name of one of the assignment's scenes
@@ -209,7 +225,8 @@ fn resolution(text: &str) -> Result<Resolution, String> {
             .filter(|n| (1..=20_000).contains(n))
     };
     match (count(n_x), count(n_y)) {
-        (Some(n_x), Some(n_y)) => Ok(Resolution { n_x, n_y }),
+        (Some(n_x), Some(n_y)) if n_x * n_y <= MOST_PIXELS => Ok(Resolution { n_x, n_y }),
+        (Some(_), Some(_)) => Err(format!("more than {MOST_PIXELS} pixels cannot be cast")),
         _ => Err(wrong()),
     }
 }

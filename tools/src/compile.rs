@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use sha2::{Digest, Sha256};
 
@@ -16,6 +17,7 @@ use crate::checkout::Checkout;
 use crate::error::{Error, Result};
 use crate::harness::Harness;
 use crate::sandbox::Sandbox;
+use crate::stubs::{self, Package};
 use crate::submission::{Submission, Unusable};
 
 /// Answers whose stubs stand in for them, by task, and why.
@@ -51,7 +53,8 @@ pub fn compile(
     sandbox: &Sandbox,
 ) -> Result<Program> {
     let harness = Harness::gather(checkout)?;
-    let stubs = Submission::find(&assignment.handout(), assignment)?;
+    // Not the handout's folder: students fill that.
+    let pristine = stubs::generate(assignment)?;
     let mut replaced = BTreeMap::new();
     for answer in &submission.answers {
         if let Err(unusable) = &answer.text {
@@ -61,7 +64,7 @@ pub fn compile(
     // Each round replaces at least one answer, so there are at most as many rounds.
     for _ in 0..=submission.answers.len() {
         let compile = |replaced: &Replacements| {
-            let sources = sources(submission, &stubs, assignment, replaced)?;
+            let sources = sources(submission, &pristine, replaced);
             build(&sources, checkout, &harness, sandbox)
         };
         match compile(&replaced)? {
@@ -85,42 +88,30 @@ pub fn compile(
     }
     Err(Error::environment(
         "the stubs do not compile",
-        "restore the assignment's `handout` folder",
+        "restore the assignment's `reference` folder, which they are made from",
     ))
 }
 
 /// File names and texts of a whole program.
 type Sources = BTreeMap<String, String>;
 
-fn sources(
-    submission: &Submission,
-    stubs: &Submission,
-    assignment: &Assignment,
-    replaced: &Replacements,
-) -> Result<Sources> {
-    let mut sources = Sources::new();
-    for answer in stubs.answers.iter().chain(&submission.answers) {
-        if let Ok(text) = &answer.text
-            && (!sources.contains_key(&answer.task) || !replaced.contains_key(&answer.task))
-        {
-            sources.insert(answer.task.clone(), text.clone());
+/// The fixed files, and each answer or its stub.
+fn sources(submission: &Submission, pristine: &Package, replaced: &Replacements) -> Sources {
+    let ours = pristine.iter().filter_map(|(path, text)| {
+        let name = path.strip_prefix("src").ok()?.to_str()?;
+        Some((name.to_owned(), text.clone()))
+    });
+    let mut sources: Sources = ours.collect();
+    for answer in submission
+        .answers
+        .iter()
+        .filter(|answer| !replaced.contains_key(&answer.task))
+    {
+        if let Ok(text) = &answer.text {
+            sources.insert(format!("{}.rs", answer.task), text.clone());
         }
     }
-    let mut sources: Sources = sources
-        .into_iter()
-        .map(|(task, text)| (format!("{task}.rs"), text))
-        .collect();
-    for fixed in assignment.fixed_files() {
-        let path = assignment.handout().join("src").join(&fixed);
-        let text = fs::read_to_string(&path).map_err(|error| {
-            Error::environment(
-                format!("cannot read {}: {error}", path.display()),
-                "restore the assignment's `handout` folder",
-            )
-        })?;
-        sources.insert(fixed, text);
-    }
-    Ok(sources)
+    sources
 }
 
 enum Built {
@@ -134,28 +125,31 @@ fn build(
     harness: &Harness,
     sandbox: &Sandbox,
 ) -> Result<Built> {
-    let folder = checkout
-        .scratch()
-        .join("programs")
-        .join(fingerprint(sources, harness));
+    let programs = checkout.scratch().join("programs");
+    let folder = programs.join(fingerprint(sources, harness, sandbox));
     let executable = folder.join("out").join("submission");
     if executable.is_file() {
         return Ok(Built::Program(executable));
     }
     let failed = |error: std::io::Error| {
         Error::environment(
-            format!("cannot write to {}: {error}", folder.display()),
+            format!("cannot write to {}: {error}", programs.display()),
             "free some disk space and check that the folder can be written",
         )
     };
-    let out = folder.join("out");
+    // A folder of its own until it is complete: another command may be compiling the
+    // same answers.
+    static NEXT: AtomicUsize = AtomicUsize::new(0);
+    let turn = NEXT.fetch_add(1, Ordering::Relaxed);
+    let fresh = folder.with_extension(format!("{}-{turn}", std::process::id()));
+    let (src, out) = (fresh.join("src"), fresh.join("out"));
     fs::create_dir_all(&out)
-        .and_then(|()| fs::create_dir_all(folder.join("src")))
+        .and_then(|()| fs::create_dir_all(&src))
         .map_err(failed)?;
     for (name, text) in sources {
-        fs::write(folder.join("src").join(name), text).map_err(failed)?;
+        fs::write(src.join(name), text).map_err(failed)?;
     }
-    let mut rustc = sandbox.compiler(&folder, &out, &harness.folder)?;
+    let mut rustc = sandbox.compiler(&fresh, &out, &harness.folder)?;
     arguments(&mut rustc, harness);
     let output = rustc.output().map_err(|error| {
         Error::environment(
@@ -163,23 +157,21 @@ fn build(
             "install Rust from rustup.rs",
         )
     })?;
-    let unfinished = out.join("unfinished");
-    if output.status.success() && unfinished.is_file() {
-        fs::rename(unfinished, &executable).map_err(failed)?;
-        return Ok(Built::Program(executable));
+    if output.status.success() && out.join("submission").is_file() {
+        return match fs::rename(&fresh, &folder) {
+            Err(_) if executable.is_file() => {
+                fs::remove_dir_all(&fresh).map_err(failed)?;
+                Ok(Built::Program(executable))
+            }
+            renamed => renamed.map(|()| Built::Program(executable)).map_err(failed),
+        };
     }
-    let diagnostics = blame::diagnostics(&output.stderr);
-    if blame::has_error(&diagnostics) {
-        return Ok(Built::Refused(diagnostics));
+    fs::remove_dir_all(&fresh).map_err(failed)?;
+    let mut diagnostics = blame::diagnostics(&output.stderr);
+    if !blame::has_error(&diagnostics) {
+        diagnostics.push(Diagnostic::of_dead_compiler(output.status, &output.stderr));
     }
-    Err(Error::environment(
-        format!(
-            "the compiler failed ({}):\n{}",
-            output.status,
-            String::from_utf8_lossy(&output.stderr)
-        ),
-        "check that `rustc` and a C linker work: cargo build --release",
-    ))
+    Ok(Built::Refused(diagnostics))
 }
 
 /// Relative paths only, so that the compiler names files as the student does.
@@ -192,11 +184,11 @@ fn arguments(rustc: &mut Command, harness: &Harness) {
     ]);
     rustc.args(["-Copt-level=2", "-Ccodegen-units=1", "-Cstrip=debuginfo"]);
     // An `i - 1` that wraps around shows as a panic in its line, not as a wrong picture.
-    rustc.args(["-Coverflow-checks=on", "-Awarnings"]);
+    rustc.args(["-Coverflow-checks=on", "-Awarnings", "-Funsafe_code"]);
     rustc.args([
         "--error-format=json",
         "--json=diagnostic-rendered-ansi",
-        "-oout/unfinished",
+        "-oout/submission",
     ]);
     rustc
         .arg("-L")
@@ -214,8 +206,11 @@ fn prefixed(prefix: &str, path: &Path) -> std::ffi::OsString {
     text
 }
 
-fn fingerprint(sources: &Sources, harness: &Harness) -> String {
+/// What is compiled, against what, and where: what a trusted compiler could read must
+/// not reach a walled one by way of a finished program.
+fn fingerprint(sources: &Sources, harness: &Harness, sandbox: &Sandbox) -> String {
     let mut hash = Sha256::new();
+    hash.update(format!("{sandbox:?}"));
     for (name, text) in sources {
         hash.update((name.len() as u64).to_le_bytes());
         hash.update(name);

@@ -64,8 +64,11 @@ impl std::error::Error for Error {}
 
 impl From<pinhole::Error> for Error {
     fn from(error: pinhole::Error) -> Error {
-        let whole = error.to_string();
-        let problem = whole.split("\n  remedy: ").next().unwrap_or(&whole);
+        let place = error
+            .position
+            .map(|(line, column)| format!(":{line}:{column}"));
+        let place = place.unwrap_or_default();
+        let problem = format!("{}{place}: {}", error.path.display(), error.problem);
         Error::input(problem, error.remedy)
     }
 }

@@ -53,6 +53,8 @@ pub struct GroupResult {
 pub struct SceneResult {
     /// The scene.
     pub name: String,
+    /// What `explain` and `render` take for it: its name, or its file.
+    pub argument: String,
     /// What it is worth.
     pub worth: u32,
     /// What came.

@@ -45,6 +45,9 @@ pub struct Selection {
     pub scenes: Vec<String>,
 }
 
+/// A group asked alone has at least this long: starting a process is no student's fault.
+const LEAST_WALL: Duration = Duration::from_secs(2);
+
 impl Examiner<'_> {
     /// Asks everything that is selected.
     ///
@@ -84,13 +87,20 @@ impl Examiner<'_> {
         let groups = self.goldens.groups(task)?;
         let together = self.ask_together(task, &groups, printed)?;
         let mut together = together.map(Vec::into_iter);
+        // An endless loop shall cost no more than twice the limit, whichever group it is in.
+        let films = groups
+            .iter()
+            .map(|group| group.films.len())
+            .sum::<usize>()
+            .max(1);
+        let share = (self.wall / films as u32).max(LEAST_WALL);
         let mut results = Vec::new();
         for Group { name, worth, films } in groups {
             let mut result = None;
             for film in &films {
                 let reply = match &mut together {
                     Some(replies) => replies.next().expect("a reply was split off for each film"),
-                    None => self.ask(&task.name, &film.job)?,
+                    None => self.ask(&task.name, &film.job, share)?,
                 };
                 printed.push_str(&reply.printed);
                 let outcome = self.judge(&reply, film, Some(&task.name))?;
@@ -139,8 +149,8 @@ impl Examiner<'_> {
         let Some(job) = questions::join(groups) else {
             return Ok(None);
         };
-        let mut reply = self.ask(&task.name, &job)?;
-        if !matches!(reply.ending, Ending::Complete | Ending::TimedOut(_)) {
+        let mut reply = self.ask(&task.name, &job, self.wall)?;
+        if reply.ending != Ending::Complete {
             return Ok(None);
         }
         printed.push_str(&std::mem::take(&mut reply.printed));
@@ -151,20 +161,21 @@ impl Examiner<'_> {
     fn scene(&self, scene: &GoldenScene, printed: &mut String) -> Result<SceneResult> {
         let film = self.goldens.scene_film(scene)?;
         let start = Instant::now();
-        let reply = self.ask(&scene.name, &film.job)?;
+        let reply = self.ask(&scene.name, &film.job, self.wall)?;
         let seconds = start.elapsed().as_secs_f64();
         printed.push_str(&reply.printed);
         let outcome = self.judge(&reply, &film, None)?;
         Ok(SceneResult {
             name: scene.name.clone(),
+            argument: scene.argument.clone(),
             worth: scene.worth,
             outcome,
             seconds,
         })
     }
 
-    fn ask(&self, what: &str, job: &Job) -> Result<Reply> {
-        run(self.program, self.sandbox, self.wall, job, &mut |done| {
+    fn ask(&self, what: &str, job: &Job, wall: Duration) -> Result<Reply> {
+        run(self.program, self.sandbox, wall, job, &mut |done| {
             (self.progress)(what, done as f64 / job.len().max(1) as f64);
         })
     }
@@ -218,8 +229,9 @@ pub fn run(
     job: &Job,
     progress: &mut dyn FnMut(usize),
 ) -> Result<Reply> {
-    // Two cores' worth of processor time and some to start with.
-    let seconds = 4 * wall.as_secs() + 2;
+    // Every core for the whole time, so that the wall clock is what ends a long answer.
+    let cores = std::thread::available_parallelism().map_or(1, usize::from) as u64;
+    let seconds = cores * wall.as_secs() + 2;
     let command = sandbox.runner(&program.executable, seconds);
     ask(command, job, wall, progress).map_err(|error| {
         Error::environment(

@@ -103,6 +103,8 @@ impl Witness<'_> {
                 Answer::Hit(hit) => Some(hit),
                 Answer::Ray(_) => None,
             };
+            // A loop in one answer would cost its time again for every object.
+            let mut endless = None;
             for shape in objects {
                 let question = ShapeQuestion {
                     shape: shape.clone(),
@@ -110,7 +112,16 @@ impl Witness<'_> {
                     min_t,
                 };
                 let task = describe::kind(shape);
-                candidates.push(self.ask(task, &Job::Intersect(vec![question]), hit)?);
+                let said = match &endless {
+                    Some((known, why)) if *known == task => Err(String::clone(why)),
+                    _ => self.ask(task, &Job::Intersect(vec![question]), hit)?,
+                };
+                if let Err(why) = &said
+                    && why.starts_with(table::NO_ANSWER)
+                {
+                    endless = Some((task, why.clone()));
+                }
+                candidates.push(said);
             }
             first_hit = self.ask("first_hit", &Job::Cast(ray, min_t, objects.clone()), hit)?;
         }

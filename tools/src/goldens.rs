@@ -20,6 +20,8 @@ pub struct Goldens {
 pub struct GoldenScene {
     /// The film is `NAME.exr`.
     pub name: String,
+    /// What a command takes for the scene: its name if it is the assignment's.
+    pub argument: String,
     /// The scene file.
     pub file: PathBuf,
     /// Points for a film that passes.
@@ -52,6 +54,7 @@ impl Goldens {
                 .iter()
                 .map(|scene| GoldenScene {
                     name: scene.name.clone(),
+                    argument: scene.name.clone(),
                     file: assignment.scene(&scene.name),
                     worth: scene.points,
                 })
@@ -79,7 +82,12 @@ fn own(file: PathBuf, worth: u32) -> GoldenScene {
         .unwrap_or_default()
         .to_string_lossy()
         .into_owned();
-    GoldenScene { name, file, worth }
+    GoldenScene {
+        name,
+        argument: file.display().to_string(),
+        file,
+        worth,
+    }
 }
 
 /// `all` points in `count` shares as even as whole numbers allow.

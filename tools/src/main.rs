@@ -30,17 +30,43 @@ mod stubs;
 mod submission;
 mod table;
 
+use std::panic::{self, PanicHookInfo};
 use std::process::ExitCode;
 
 use clap::Parser;
+use error::Error;
 
 fn main() -> ExitCode {
-    match command::run(cli::Cli::parse()) {
-        Ok(command::Outcome::Well) => ExitCode::SUCCESS,
-        Ok(command::Outcome::JudgedWrong) => ExitCode::from(1),
-        Err(error) => {
+    panic::set_hook(Box::new(confess));
+    let cli = cli::Cli::parse();
+    let json = cli.command.wants_json();
+    let ran = panic::catch_unwind(|| command::run(cli));
+    match ran {
+        Ok(Ok(command::Outcome::Well)) => ExitCode::SUCCESS,
+        Ok(Ok(command::Outcome::JudgedWrong)) => ExitCode::from(1),
+        Ok(Err(error)) => {
+            if json {
+                let Error {
+                    problem, remedy, ..
+                } = &error;
+                anstream::println!(
+                    "{:#}",
+                    serde_json::json!({ "error": problem, "remedy": remedy })
+                );
+            }
             anstream::eprintln!("pinhole: {error}");
             error.exit_code()
         }
+        Err(_) => ExitCode::from(3),
+    }
+}
+
+/// What a person reads if this program fails in a way nobody thought of.
+fn confess(info: &PanicHookInfo<'_>) {
+    let what = info.payload_as_str().unwrap_or("(no message)");
+    // Whoever reads our output may stop reading, as `head` does.
+    if !what.starts_with("failed printing to") {
+        let place = info.location().map(ToString::to_string).unwrap_or_default();
+        eprintln!("pinhole: a fault of its own at {place}: {what}\n  remedy: report it");
     }
 }

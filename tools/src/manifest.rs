@@ -52,7 +52,7 @@ impl Manifest {
             let problem = format!("cannot read {}: {error}", path.display());
             Error::input(
                 problem,
-                "name a folder of goldens, made by `pinhole golden render`",
+                "name a folder of goldens, made by `cargo run --release -- golden render`",
             )
         })?;
         toml::from_str(&text).map_err(|error| {
@@ -62,6 +62,21 @@ impl Manifest {
                 "make the goldens again: cargo run --release -- golden render",
             )
         })
+    }
+
+    /// Refuses to add to goldens that other scripts made: the manifest vouches for all
+    /// of a folder's films with one set of scripts.
+    pub fn refuse_other_scripts(&self, folder: &Path, checkout: &Checkout) -> Result<()> {
+        if self.films.is_empty() || self.scripts == script_hashes(checkout)? {
+            return Ok(());
+        }
+        Err(Error::input(
+            format!(
+                "the goldens in {} were made by other scripts",
+                folder.display()
+            ),
+            "render all of them again, or name another folder with --out",
+        ))
     }
 
     /// Enters who rendered, and by which scripts.

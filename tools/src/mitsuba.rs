@@ -94,15 +94,25 @@ pub struct Renderer {
     total: usize,
 }
 
+/// What a run of the scripts came to.
+pub struct Rendered {
+    /// Who rendered.
+    pub renderer: Renderer,
+    /// Everything that was made.
+    pub items: Vec<Item>,
+    /// Why something was not, in the scripts' words.
+    pub refusal: Option<Error>,
+}
+
 /// Runs `golden.py` and gives what it made.
 ///
 /// # Errors
-/// If the environment is missing, or the scripts refuse an item: in their words.
+/// If the environment is missing, or the scripts fail.
 pub fn render(
     checkout: &Checkout,
     arguments: &[&std::ffi::OsStr],
     progress: &Progress,
-) -> Result<(Renderer, Vec<Item>)> {
+) -> Result<Rendered> {
     let python = interpreter(&environment(checkout));
     if !python.is_file() {
         return Err(Error::environment(
@@ -145,12 +155,18 @@ pub fn render(
     let said = complaints
         .and_then(|thread| thread.join().ok())
         .unwrap_or_default();
-    match (status.code(), renderer) {
-        (Some(0), Some(renderer)) => Ok((renderer, items)),
-        (Some(2), _) => Err(Error::input(
+    let refusal = (status.code() == Some(2)).then(|| {
+        Error::input(
             format!("Mitsuba refused:\n{}", said.trim_end()),
             "change the scene as it says; goldens that were made stay",
-        )),
+        )
+    });
+    match renderer {
+        Some(renderer) if status.success() || refusal.is_some() => Ok(Rendered {
+            renderer,
+            items,
+            refusal,
+        }),
         _ => Err(Error::environment(
             format!("the golden scripts failed ({status}):\n{}", said.trim_end()),
             "make the environment again: cargo run --release -- golden setup",

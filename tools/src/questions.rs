@@ -8,7 +8,7 @@ use pinhole::judge::Golden;
 use pinhole::{Resolution, Scene, probe};
 
 use crate::assignment::Task;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::goldens::{GoldenScene, Goldens};
 
 /// Questions that earn their points together or not at all.
@@ -63,9 +63,9 @@ impl Goldens {
     pub fn scene_film(&self, scene: &GoldenScene) -> Result<QuestionFilm> {
         let golden_path = self.folder.join(&scene.name).with_extension("exr");
         let name = scene.name.clone();
-        let scene = Scene::read(&scene.file)?;
+        let scene = Scene::read(&scene.file).map_err(ours)?;
         let resolution = scene.resolution;
-        let golden = Golden::read(&golden_path)?;
+        let golden = Golden::read(&golden_path).map_err(ours)?;
         Ok(QuestionFilm {
             name,
             job: Job::Film(scene),
@@ -80,14 +80,14 @@ impl Goldens {
         let name = scene.name.clone();
         let Scene {
             camera, resolution, ..
-        } = Scene::read(&scene.file)?;
+        } = Scene::read(&scene.file).map_err(ours)?;
         let question = |index| CameraQuestion {
             camera,
             pixel: resolution.pixel(index),
             resolution,
         };
         let job = Job::ViewingRay((0..resolution.pixels()).map(question).collect());
-        let golden = Golden::read(&golden_path)?;
+        let golden = Golden::read(&golden_path).map_err(ours)?;
         Ok(QuestionFilm {
             name,
             job,
@@ -103,8 +103,9 @@ impl Goldens {
             .join("probes")
             .join(format!("{}.{group}", task.name));
         let golden_path = with_suffix(&stem, ".exr");
-        let (job, resolution) = probe::read(&with_suffix(&stem, ".ask.exr"), &task.name)?;
-        let golden = Golden::read(&golden_path)?;
+        let (job, resolution) =
+            probe::read(&with_suffix(&stem, ".ask.exr"), &task.name).map_err(ours)?;
+        let golden = Golden::read(&golden_path).map_err(ours)?;
         Ok(QuestionFilm {
             name: group.into(),
             job,
@@ -135,4 +136,12 @@ fn with_suffix(stem: &Path, suffix: &str) -> PathBuf {
     let mut name = stem.as_os_str().to_owned();
     name.push(suffix);
     name.into()
+}
+
+/// A golden that cannot be used is no fault of whoever is judged by it.
+fn ours(error: pinhole::Error) -> Error {
+    Error::environment(
+        format!("{}: {}", error.path.display(), error.problem),
+        "restore the goldens, or make them again: cargo run --release -- golden render",
+    )
 }

@@ -32,6 +32,9 @@ const FILE_SIZE: u64 = 64 << 20;
 /// Seconds of processor time for the compiler.
 const COMPILE_SECONDS: u64 = 60;
 
+/// Seconds after which a compiler that waits for something is stopped.
+const COMPILE_WALL_SECONDS: u64 = 90;
+
 impl Sandbox {
     /// None for a folder of the checkout or with `trust`; bubblewrap otherwise.
     pub fn around(folder: &Path, checkout: &Checkout, trust: bool) -> Result<Sandbox> {
@@ -52,6 +55,9 @@ impl Sandbox {
                  your own",
             ));
         }
+        // What the user's shell has open would be open inside as well.
+        #[cfg(target_os = "linux")]
+        close_fds::set_fds_cloexec(3, &[]);
         Ok(Sandbox::Bubblewrap {
             sysroot: sysroot()?,
         })
@@ -67,7 +73,7 @@ impl Sandbox {
                 Ok(rustc)
             }
             Sandbox::Bubblewrap { sysroot } => {
-                let mut walled = limited(COMPILE_SECONDS);
+                let mut walled = limited(COMPILE_SECONDS, COMPILE_WALL_SECONDS);
                 walled.args(walls()).args(["--setenv", "PATH", "/usr/bin"]);
                 bind(&mut walled, "--ro-bind", sysroot);
                 bind(&mut walled, "--ro-bind", harness);
@@ -88,7 +94,8 @@ impl Sandbox {
         match self {
             Sandbox::Trusted => Command::new(executable),
             Sandbox::Bubblewrap { .. } => {
-                let mut walled = limited(seconds);
+                // The asker looks at the clock; this is for a child that outlives it.
+                let mut walled = limited(seconds, seconds);
                 walled.args(walls());
                 bind(&mut walled, "--ro-bind", executable);
                 walled.args(["--remount-ro", "/", "--"]).arg(executable);
@@ -98,10 +105,16 @@ impl Sandbox {
     }
 }
 
-/// `prlimit` with bounds that every process inside inherits, then bubblewrap.
-fn limited(seconds: u64) -> Command {
-    let mut command = Command::new("prlimit");
+/// `timeout` and `prlimit` with bounds that every process inside inherits, then bubblewrap.
+fn limited(seconds: u64, wall: u64) -> Command {
+    let mut command = Command::new("timeout");
     command.env_clear().env("PATH", "/usr/bin:/bin");
+    command.args([
+        "--signal=KILL",
+        "--foreground",
+        &wall.to_string(),
+        "prlimit",
+    ]);
     command.args([
         format!("--cpu={seconds}"),
         format!("--as={MEMORY}"),

@@ -45,7 +45,10 @@ impl SecondJudge {
     pub fn confirm(&self, film: &Film, golden: &Path, passes: bool) -> Result<()> {
         film.write(&self.film)?;
         let second = self.tool.judge(golden, &self.film).map_err(|problem| {
-            Error::environment(problem, "install oiiotool again: pinhole golden setup")
+            Error::environment(
+                problem,
+                "install oiiotool again: cargo run --release -- golden setup",
+            )
         })?;
         if second.passes == passes {
             return Ok(());

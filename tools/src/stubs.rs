@@ -120,7 +120,8 @@ pub fn out_of_step(package: &Package, folder: &Path) -> Vec<PathBuf> {
         .flatten()
         .flatten();
     let extra = entries.map(|entry| Path::new("src").join(entry.file_name()));
-    paths.extend(extra.filter(|path| !package.contains_key(path)));
+    let is_source = |path: &PathBuf| path.extension().is_some_and(|end| end == "rs");
+    paths.extend(extra.filter(|path| is_source(path) && !package.contains_key(path)));
     paths
 }
 

@@ -79,17 +79,22 @@ impl Submission {
 }
 
 fn places(folder: &Path) -> Vec<PathBuf> {
-    let mut places = vec![folder.into(), folder.join("src")];
-    let inside = fs::read_dir(folder)
-        .into_iter()
-        .flatten()
-        .flatten()
-        .map(|entry| entry.path());
+    // A link could lead into somebody else's answers.
+    let is_own = |place: &PathBuf| !place.is_symlink();
+    let mut places = vec![folder.into()];
+    places.extend(Some(folder.join("src")).filter(is_own));
+    let inside = fs::read_dir(folder).into_iter().flatten().flatten();
+    // What archives and version control leave beside the answers' folder.
+    let is_ordinary = |name: &str| !name.starts_with('.') && !name.starts_with("__");
     let folders: Vec<PathBuf> = inside
+        .filter(|entry| entry.file_name().to_str().is_some_and(is_ordinary))
+        .map(|entry| entry.path())
         .filter(|path| path.is_dir() && !path.is_symlink())
+        .filter(|path| *path != folder.join("src"))
         .collect();
     if let [only] = folders.as_slice() {
-        places.extend([only.clone(), only.join("src")]);
+        places.push(only.clone());
+        places.extend(Some(only.join("src")).filter(is_own));
     }
     places
 }

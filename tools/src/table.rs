@@ -4,7 +4,7 @@ use anstyle::{AnsiColor, Style};
 use pinhole::judge::{ChannelVerdict, Verdict};
 
 use crate::compile::Replaced;
-use crate::describe::printable;
+use crate::describe::{printable, printable_coloured};
 use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskResult};
 use crate::submission::Unusable;
 
@@ -12,6 +12,9 @@ const PASS: Style = AnsiColor::Green.on_default();
 const FAIL: Style = AnsiColor::Red.on_default();
 const QUIET: Style = AnsiColor::BrightBlack.on_default();
 const STRONG: Style = Style::new().bold();
+
+/// How the words for a time-out begin.
+pub const NO_ANSWER: &str = "gave no answer within";
 
 /// Lines of a student's own output that are shown.
 const MOST_PRINTED_LINES: usize = 20;
@@ -40,7 +43,7 @@ pub fn examination(examination: &Examination) -> String {
         line(&mut text, heading("scene", width));
     }
     for scene in &examination.scenes {
-        scene_rows(&mut text, scene, width);
+        scene_rows(&mut text, scene, width, &examination.submission);
     }
     let (earned, possible) = examination.points();
     line(
@@ -116,7 +119,7 @@ fn task_rows(text: &mut String, task: &TaskResult, width: usize) {
     };
     row(text, &task.name, width, task.points(), said);
     if let Some(Replaced::DoesNotCompile(diagnostics)) = &task.replaced {
-        indent(text, diagnostics.trim_end());
+        indent(text, &printable_coloured(diagnostics.trim_end()));
     }
     if task.replaced.is_none() && !task.is_unanswered() {
         let mut told: Vec<String> = Vec::new();
@@ -143,7 +146,7 @@ fn task_rows(text: &mut String, task: &TaskResult, width: usize) {
     }
 }
 
-fn scene_rows(text: &mut String, scene: &SceneResult, width: usize) {
+fn scene_rows(text: &mut String, scene: &SceneResult, width: usize, submission: &str) {
     let passes = scene.outcome.passes();
     let earned = if passes { scene.worth } else { 0 };
     let said = match &scene.outcome {
@@ -170,14 +173,22 @@ fn scene_rows(text: &mut String, scene: &SceneResult, width: usize) {
             .map(ToString::to_string);
         indent(text, &rows.collect::<Vec<_>>().join("\n"));
         let (i, j) = (mismatch.i, mismatch.j);
-        let name = &scene.name;
+        let (name, folder) = (in_shell(&scene.argument), in_shell(submission));
+        let command =
+            format!("cargo run --release -- explain {name} {i} {j} --submission {folder}");
         line(
             text,
-            format!(
-                "    {QUIET}look at {}: cargo run --release -- explain {name} {i} {j}{QUIET:#}",
-                channel.name
-            ),
+            format!("    {QUIET}look at {}: {command}{QUIET:#}", channel.name),
         );
+    }
+}
+
+/// One word of a command line.
+fn in_shell(word: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "/._-+:\\".contains(c);
+    match word.chars().all(plain) {
+        true => word.into(),
+        false => format!("'{}'", printable(word).replace('\'', "'\\''")),
     }
 }
 
@@ -209,22 +220,18 @@ fn outcome_of(outcome: &Outcome, what: &str) -> String {
         Outcome::Unanswered => "unanswered".into(),
         Outcome::BlockedBy(task) => format!("blocked by `{task}`"),
         Outcome::Panicked(panic) => format!(
-            "your code panicked at src/{}:{}: {}",
-            printable(file_name(&panic.file)),
+            "your code panicked at {}:{}: {}",
+            printable(&panic.file),
             panic.line,
             printable(&panic.message)
         ),
-        Outcome::TimedOut { seconds } => format!("gave no answer within {seconds} s"),
+        Outcome::TimedOut { seconds } => format!("{NO_ANSWER} {seconds:.0} s"),
         Outcome::Died(how) => format!("your program did not finish: {}", printable(how)),
         Outcome::Garbled(why) => format!(
             "your program's answers could not be read: {}",
             printable(why)
         ),
     }
-}
-
-fn file_name(path: &str) -> &str {
-    path.rsplit(['/', '\\']).next().unwrap_or(path)
 }
 
 fn indent(text: &mut String, block: &str) {

@@ -13,7 +13,7 @@ use std::time::Duration;
 
 use insta::{Comparator, Settings, Snapshot, assert_snapshot};
 use pinhole::ask::{Ending, Reply, ask};
-use pinhole::job::Job;
+use pinhole::job::{CameraQuestion, Job};
 use pinhole::judge::{Golden, judge};
 use pinhole::oiiotool::Oiiotool;
 use pinhole::{Resolution, Scene, probe};
@@ -21,6 +21,11 @@ use pinhole::{Resolution, Scene, probe};
 #[test]
 fn viewing_ray_agrees_with_mitsuba() {
     assert_task("viewing_ray");
+}
+
+#[test]
+fn viewing_ray_agrees_with_mitsuba_in_every_scene() {
+    assert_viewing_rays_of_scenes();
 }
 
 #[test]
@@ -130,6 +135,37 @@ fn assert_scene(name: &str) {
     assert_perfect(name, verdict, &format!("check --scene {name}"));
 }
 
+/// Asks for the viewing rays of every scene.
+#[track_caller]
+fn assert_viewing_rays_of_scenes() {
+    let scenes = fs::read_dir(course().join("scenes")).expect("the scenes can be read");
+    let files = scenes.flatten().map(|entry| entry.path());
+    let mut files: Vec<PathBuf> = files
+        .filter(|path| path.extension().is_some_and(|end| end == "toml"))
+        .collect();
+    files.sort();
+    let films = files.into_iter().map(|file| {
+        let scene = Scene::read(&file).unwrap_or_else(|error| panic!("{error}"));
+        let Scene {
+            camera, resolution, ..
+        } = scene;
+        let question = |index| CameraQuestion {
+            camera,
+            pixel: resolution.pixel(index),
+            resolution,
+        };
+        let job = Job::ViewingRay((0..resolution.pixels()).map(question).collect());
+        let name = file
+            .file_stem()
+            .expect("scenes have names")
+            .to_string_lossy()
+            .into_owned();
+        let golden = golden().join(&name).with_extension("rays.exr");
+        (name, job, resolution, golden)
+    });
+    assert_all("viewing_ray_in_scenes", "check --task viewing_ray", films);
+}
+
 /// Asks one answer every question film of its task.
 #[track_caller]
 fn assert_task(task: &str) {
@@ -149,23 +185,36 @@ fn assert_task(task: &str) {
         probes.display()
     );
 
+    let films = groups.into_iter().map(|group| {
+        let (job, resolution) = probe::read(&probes.join(format!("{task}.{group}.ask.exr")), task)
+            .unwrap_or_else(|error| panic!("{error}"));
+        let golden = probes.join(format!("{task}.{group}.exr"));
+        (group, job, resolution, golden)
+    });
+    assert_all(task, &format!("check --task {task}"), films);
+}
+
+/// Asks for several films of one answer: name, questions, size and golden of each.
+#[track_caller]
+fn assert_all(
+    name: &str,
+    see_it: &str,
+    films: impl Iterator<Item = (String, Job, Resolution, PathBuf)>,
+) {
     let mut all = Verdict {
         passes: true,
         words: String::new(),
     };
-    for group in groups {
-        let (job, resolution) = probe::read(&probes.join(format!("{task}.{group}.ask.exr")), task)
-            .unwrap_or_else(|error| panic!("{error}"));
-        let golden = probes.join(format!("{task}.{group}.exr"));
+    for (film, job, resolution, golden) in films {
         let verdict = verdict(&job, resolution, &golden);
         if verdict.words == UNANSWERED {
             all = verdict;
             break;
         }
         all.passes &= verdict.passes;
-        all.words.push_str(&format!("{group} {}\n", verdict.words));
+        all.words.push_str(&format!("{film} {}\n", verdict.words));
     }
-    assert_perfect(task, all, &format!("check --task {task}"));
+    assert_perfect(name, all, see_it);
 }
 
 fn verdict(job: &Job, resolution: Resolution, golden_path: &Path) -> Verdict {

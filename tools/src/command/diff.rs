@@ -18,8 +18,8 @@ use crate::{describe, json, mitsuba, pictures};
 pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Outcome> {
     let golden = Golden::read(&arguments.golden)?;
     // An unreadable film is refused like one of the wrong size: it is what was judged.
-    if !arguments.film.exists() {
-        let problem = format!("there is no film {}", arguments.film.display());
+    if !arguments.film.is_file() {
+        let problem = format!("there is no film file {}", arguments.film.display());
         return Err(Error::input(problem, "name the film to judge"));
     }
     let film = Film::read(&arguments.film);
@@ -28,7 +28,10 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Outcome> {
         Some(tool) => Some(
             tool.judge(&arguments.golden, &arguments.film)
                 .map_err(|problem| {
-                    Error::environment(problem, "make the environment again: pinhole golden setup")
+                    Error::environment(
+                        problem,
+                        "make the environment again: cargo run --release -- golden setup",
+                    )
                 })?,
         ),
         None => None,
@@ -62,7 +65,7 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Outcome> {
         match second {
             Some(second) => anstream::println!("oiiotool agrees{}", said(&second)),
             None => anstream::println!(
-                "oiiotool was not asked: it is not installed (pinhole golden setup installs it)"
+                "oiiotool was not asked: it is not installed (cargo run --release -- golden setup installs it)"
             ),
         }
         for line in written.iter().map(|file| format!("wrote {file}")) {

@@ -63,10 +63,14 @@ pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Outcome> {
         Mitsuba::read(golden, scene.resolution.index(pixel))?,
     )?;
     progress.clear();
+    let whose = submission.folder.display().to_string();
     if arguments.json {
-        anstream::println!("{:#}", as_json(&explanation, &scene, pixel, arguments));
+        anstream::println!(
+            "{:#}",
+            as_json(&explanation, &scene, pixel, arguments, &whose)
+        );
     } else {
-        print(&explanation, &scene, pixel, arguments);
+        print(&explanation, &scene, pixel, arguments, &whose);
     }
     Ok(Outcome::Well)
 }
@@ -81,15 +85,17 @@ fn on_image_plane(camera: &Camera, pixel: Pixel, resolution: Resolution) -> (f64
     )
 }
 
-fn print(explanation: &Explanation, scene: &Scene, pixel: Pixel, arguments: &Explain) {
+fn print(explanation: &Explanation, scene: &Scene, pixel: Pixel, arguments: &Explain, whose: &str) {
     let camera = &scene.camera;
     let (u, v) = on_image_plane(camera, pixel, scene.resolution);
     let show = |value| number(value, DIGITS);
     let Pixel { i, j } = pixel;
     anstream::println!(
-        "pixel {pixel} of {}, scene {}\n",
+        "pixel {pixel} of {}, scene {}, answers of {}
+",
         scene.resolution,
-        arguments.scene
+        arguments.scene,
+        describe::printable(whose)
     );
     anstream::println!(
         "on the image plane     u({i}) = {}, v({j}) = {}",
@@ -165,7 +171,13 @@ fn said_hit(said: &Said<Option<Hit>>, with_object: bool) -> String {
     }
 }
 
-fn as_json(explanation: &Explanation, scene: &Scene, pixel: Pixel, arguments: &Explain) -> Value {
+fn as_json(
+    explanation: &Explanation,
+    scene: &Scene,
+    pixel: Pixel,
+    arguments: &Explain,
+    whose: &str,
+) -> Value {
     fn value<T: serde::Serialize>(said: &Said<T>) -> Value {
         match said {
             Ok(said) => json!(said),
@@ -183,6 +195,7 @@ fn as_json(explanation: &Explanation, scene: &Scene, pixel: Pixel, arguments: &E
     };
     json!({
         "scene": arguments.scene,
+        "submission": whose,
         "pixel": [pixel.i, pixel.j],
         "min_t": scene.min_t,
         "u": u,

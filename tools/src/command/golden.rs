@@ -14,7 +14,7 @@ use crate::checkout::Checkout;
 use crate::cli::{Golden, GoldenRender, GoldenVerify};
 use crate::error::{Error, Result};
 use crate::manifest::Manifest;
-use crate::mitsuba::{self, Item, Renderer};
+use crate::mitsuba::{self, Rendered};
 use crate::progress::Progress;
 
 /// The seed of the committed probes.
@@ -38,7 +38,7 @@ fn render(checkout: &Checkout, arguments: &GoldenRender) -> Result<Outcome> {
     let own = checkout.golden(&assignment.name);
     let folder = arguments.out.clone().unwrap_or_else(|| own.clone());
     let scenes = scenes(arguments, &assignment)?;
-    let is_own = |scene: &PathBuf| scene.starts_with(&assignment.folder);
+    let is_own = |scene: &PathBuf| inside(scene, &assignment.folder);
     if arguments.out.is_none() && !scenes.iter().all(is_own) {
         return Err(Error::input(
             "goldens of scenes that are not the assignment's need a folder of their own",
@@ -55,14 +55,29 @@ fn render(checkout: &Checkout, arguments: &GoldenRender) -> Result<Outcome> {
 
     let progress = Progress::new();
     progress.say("Mitsuba");
-    let mut manifest = Manifest::read_or_new(&folder)?;
+    // All of the assignment's at once leave nothing of the old ones.
+    let whole = arguments.scenes.is_empty() && arguments.seed.is_none();
+    let mut manifest = if whole {
+        Manifest::default()
+    } else {
+        Manifest::read_or_new(&folder)?
+    };
+    manifest.refuse_other_scripts(&folder, checkout)?;
     if !scenes.is_empty() {
         let mut line: Vec<OsString> = vec!["scenes".into()];
         line.extend(scenes.iter().map(OsString::from));
-        let (renderer, items) = python(checkout, line, &folder, &progress)?;
-        enter(&mut manifest, &renderer, &items, &folder, checkout)?;
-        for scene in &scenes {
+        let rendered = python(checkout, line, &folder, &progress)?;
+        enter(&mut manifest, &rendered, &folder, checkout)?;
+        let made = |scene: &&PathBuf| {
+            let stem = scene.file_stem().unwrap_or_default();
+            rendered.items.iter().any(|item| *item.name == *stem)
+        };
+        for scene in scenes.iter().filter(made) {
             manifest.add_scene(scene, &folder, checkout)?;
+        }
+        if let Some(refusal) = rendered.refusal {
+            manifest.write(&folder)?;
+            return Err(refusal);
         }
     }
     if let Some(seed) = arguments.seed {
@@ -71,9 +86,9 @@ fn render(checkout: &Checkout, arguments: &GoldenRender) -> Result<Outcome> {
             "--seed".into(),
             seed.to_string().into(),
         ];
-        let (renderer, items) = python(checkout, line, &folder, &progress)?;
-        enter(&mut manifest, &renderer, &items, &folder, checkout)?;
-        for item in &items {
+        let rendered = python(checkout, line, &folder, &progress)?;
+        enter(&mut manifest, &rendered, &folder, checkout)?;
+        for item in &rendered.items {
             let scene = folder
                 .join("scenes")
                 .join(&item.name)
@@ -84,8 +99,8 @@ fn render(checkout: &Checkout, arguments: &GoldenRender) -> Result<Outcome> {
     if arguments.scenes.is_empty() {
         let seed = arguments.seed.unwrap_or(COMMITTED_SEED);
         let line = vec!["probes".into(), "--seed".into(), seed.to_string().into()];
-        let (renderer, items) = python(checkout, line, &folder, &progress)?;
-        enter(&mut manifest, &renderer, &items, &folder, checkout)?;
+        let rendered = python(checkout, line, &folder, &progress)?;
+        enter(&mut manifest, &rendered, &folder, checkout)?;
         manifest.probe_seed = Some(seed);
     }
     manifest.write(&folder)?;
@@ -126,7 +141,7 @@ fn python(
     mut line: Vec<OsString>,
     folder: &Path,
     progress: &Progress,
-) -> Result<(Renderer, Vec<Item>)> {
+) -> Result<Rendered> {
     line.extend(["--out".into(), folder.into()]);
     let line: Vec<&OsStr> = line.iter().map(OsString::as_os_str).collect();
     mitsuba::render(checkout, &line, progress)
@@ -134,13 +149,12 @@ fn python(
 
 fn enter(
     manifest: &mut Manifest,
-    renderer: &Renderer,
-    items: &[Item],
+    rendered: &Rendered,
     folder: &Path,
     checkout: &Checkout,
 ) -> Result<()> {
-    manifest.set_renderer(renderer, checkout)?;
-    let films = items.iter().flat_map(|item| &item.files);
+    manifest.set_renderer(&rendered.renderer, checkout)?;
+    let films = rendered.items.iter().flat_map(|item| &item.files);
     let films = films.filter(|file| file.extension().is_some_and(|extension| extension == "exr"));
     films
         .into_iter()
@@ -154,7 +168,7 @@ fn verify(checkout: &Checkout, arguments: &GoldenVerify) -> Result<Outcome> {
     let manifest = Manifest::read(folder)?;
     let mut problems = manifest.out_of_step(folder, checkout);
     problems.extend(unusable(&manifest, folder));
-    if *folder == own {
+    if inside(folder, &own) {
         problems.extend(absent(&manifest, &assignment));
     }
     let films = manifest.films.len();
@@ -182,21 +196,17 @@ fn verify(checkout: &Checkout, arguments: &GoldenVerify) -> Result<Outcome> {
 /// Goldens that cannot judge: unreadable, not fitting their tolerance, or too lenient.
 fn unusable(manifest: &Manifest, folder: &Path) -> Vec<String> {
     let is_golden = |name: &&String| !name.ends_with(".tol.exr") && !name.ends_with(".ask.exr");
-    let mut problems = Vec::new();
-    for name in manifest.films.keys().filter(is_golden) {
-        match GoldenFilm::read(&folder.join(name)) {
-            Err(error) => problems.push(error.to_string()),
-            Ok(golden) => {
-                let pixels = golden.film().resolution().pixels();
-                let exempt = (0..pixels).filter(|index| golden.is_exempt(*index)).count();
-                // One pixel or 0.05 %, whichever is more.
-                if exempt > (pixels / 2000).max(1) {
-                    problems.push(format!("{name} exempts {exempt} of {pixels} pixels"));
-                }
-            }
-        }
-    }
-    problems
+    let goldens = manifest.films.keys().filter(is_golden);
+    goldens
+        .filter_map(|name| GoldenFilm::read(&folder.join(name)).err())
+        .map(|error| error.to_string())
+        .collect()
+}
+
+/// Whether two ways of writing a path lead into the same folder.
+fn inside(path: &Path, folder: &Path) -> bool {
+    let real = |path: &Path| path.canonicalize().unwrap_or(path.into());
+    real(path).starts_with(real(folder))
 }
 
 /// Goldens the assignment needs and the manifest lacks.

@@ -13,7 +13,7 @@ use crate::assignment::Assignment;
 use crate::checkout::Checkout;
 use crate::cli::Render;
 use crate::compile::{Replaced, compile};
-use crate::describe::printable;
+use crate::describe::{printable, printable_coloured};
 use crate::error::{Error, Result};
 use crate::examine;
 use crate::progress::Progress;
@@ -38,7 +38,7 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Outcome> {
     for (task, why) in &program.replaced {
         if let Replaced::DoesNotCompile(diagnostics) = why {
             progress.clear();
-            anstream::eprintln!("{}", diagnostics.trim_end());
+            anstream::eprintln!("{}", printable_coloured(diagnostics.trim_end()));
             return Err(Error::input(
                 format!("{task}.rs does not compile"),
                 "mend it and try again",
@@ -89,6 +89,7 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Outcome> {
             "{:#}",
             json!({
                 "scene": arguments.scene,
+                "submission": submission.folder.display().to_string(),
                 "resolution": [resolution.n_x, resolution.n_y],
                 "hits": hits,
                 "depth_range": [range.start, range.end],
@@ -98,10 +99,13 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Outcome> {
             })
         );
     } else {
-        anstream::println!("{resolution} pixels in {seconds:.2} s, {hits} of them hit something");
+        anstream::println!(
+            "{resolution} pixels in {seconds:.2} s, {hits} of them hit something, by {}",
+            printable(&submission.folder.display().to_string())
+        );
         if hits == 0 && problem.is_none() {
             anstream::println!(
-                "every ray missed; see one of them: pinhole explain {} {} {}",
+                "every ray missed; see one of them: cargo run --release -- explain {} {} {}",
                 arguments.scene,
                 resolution.n_x / 2,
                 resolution.n_y / 2
@@ -113,7 +117,10 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Outcome> {
             anstream::println!("wrote {file}");
         }
         if !reply.printed.is_empty() {
-            anstream::eprint!("your code printed:\n{}", printable(&reply.printed));
+            anstream::eprintln!("your code printed:");
+            for line in reply.printed.lines() {
+                anstream::eprintln!("  {}", printable(line));
+            }
         }
         if let Some(problem) = &problem {
             anstream::println!("the film is not complete: {problem}");

@@ -204,10 +204,12 @@ fn code_outside_the_checkout_sees_no_golden_while_compiling_or_running() {
         "sphere",
         &format!("if std::fs::metadata({golden:?}).is_ok() {{ return None; }}"),
     );
+    // Somebody listens on this machine; inside the walls nobody can be reached.
+    let listener = std::net::TcpListener::bind("127.0.0.1:0").expect("a port is free");
+    let address = listener.local_addr().expect("it is bound");
     let run_network = with_body(
         "triangle",
-        "assert!(std::net::TcpListener::bind(\"127.0.0.1:0\").is_err() || \
-         std::fs::read_dir(\"/sys/class/net\").is_err());",
+        &format!("if std::net::TcpStream::connect(\"{address}\").is_ok() {{ return None; }}"),
     );
     let files = [
         ("plane.rs", compile.as_str()),
@@ -234,19 +236,21 @@ fn code_outside_the_checkout_sees_no_golden_while_compiling_or_running() {
     // The same code inside the checkout is trusted, and does see the golden.
     let inside = submission(&trusted(), "no-walls", &files);
     let examination = check(&inside, &[]).expect_code(1).json();
-    assert!(
-        lost(&examination, "sphere") > 0,
-        "the check above cannot fail"
-    );
+    for task in ["sphere", "triangle"] {
+        assert!(
+            lost(&examination, task) > 0,
+            "the check of {task} above cannot fail"
+        );
+    }
     std::fs::remove_dir_all(outside).expect("it was made");
 }
 
+#[cfg(unix)]
 #[test]
 fn a_link_in_place_of_an_answer_is_refused() {
     let folder = submission(&trusted(), "link", &[]);
     let reference = root().join("assignments/ray_casting/reference/src/sphere.rs");
     std::fs::remove_file(folder.join("sphere.rs")).expect("the copy has it");
-    #[cfg(unix)]
     std::os::unix::fs::symlink(reference, folder.join("sphere.rs")).expect("links can be made");
     let examination = check(&folder, &[]).expect_code(1).json();
     assert_eq!(task(&examination, "sphere")["file"]["state"], "refused");
@@ -293,4 +297,68 @@ fn with_body(task: &str, statements: &str) -> String {
         .join(format!("{task}.rs"));
     let text = std::fs::read_to_string(path).expect("the reference has it");
     text.replace("// ANCHOR: answer\n", &format!("{statements}\n"))
+}
+
+#[test]
+fn a_broken_file_in_the_handout_itself_costs_its_own_task() {
+    // The stubs come from the reference, not from the folder that students fill.
+    let handout = root().join("assignments/ray_casting/handout/src");
+    let folder = fresh(&trusted(), "handout");
+    for entry in std::fs::read_dir(handout)
+        .expect("the handout is there")
+        .flatten()
+    {
+        std::fs::copy(entry.path(), folder.join(entry.file_name())).expect("it can be copied");
+    }
+    std::fs::write(folder.join("sphere.rs"), "fn broken( {").expect("it can be written");
+    std::fs::write(folder.join("main.rs"), "not ours").expect("it can be written");
+    let examination = check(&folder, &[]).expect_code(1).json();
+    assert_eq!(
+        task(&examination, "sphere")["file"]["state"],
+        "does not compile"
+    );
+    assert_eq!(
+        task(&examination, "plane")["groups"][0]["outcome"]["kind"],
+        "unanswered"
+    );
+}
+
+#[test]
+fn many_checks_of_the_same_answers_at_once_do_not_disturb_each_other() {
+    let text = with_body("plane", &format!("let _ = {};", std::process::id()));
+    let folder = submission(&trusted(), "at-once", &[("plane.rs", &text)]);
+    let run = || check(&folder, &["--task", "plane"]).expect_code(0);
+    std::thread::scope(|scope| {
+        let runs: Vec<_> = (0..6).map(|_| scope.spawn(run)).collect();
+        for run in runs {
+            run.join().expect("every check ends well");
+        }
+    });
+}
+
+#[test]
+fn a_file_that_the_compiler_does_not_survive_costs_its_own_task() {
+    let text = format!("const N: i32 = {}1;", "-".repeat(120_000));
+    let folder = submission(&trusted(), "dead-compiler", &[("plane.rs", &text)]);
+    let examination = check(&folder, &[]).expect_code(1).json();
+    assert_eq!(
+        task(&examination, "plane")["file"]["state"],
+        "does not compile"
+    );
+    assert_eq!(lost(&examination, "sphere"), 0);
+}
+
+#[test]
+fn a_loop_in_one_group_costs_that_group() {
+    let slow = "if ray.direction.dot(self.normal) == 0.0 { loop { std::hint::black_box(0); } }";
+    let folder = submission(
+        &trusted(),
+        "loop-in-group",
+        &[("plane.rs", &with_body("plane", slow))],
+    );
+    let examination = check(&folder, &["--task", "plane", "--timeout", "3"])
+        .expect_code(1)
+        .json();
+    // Only the group `parallel`, worth a point, asks rays that never meet the plane.
+    assert_eq!(lost(&examination, "plane"), 1, "{examination:#}");
 }

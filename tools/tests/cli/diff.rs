@@ -155,7 +155,7 @@ fn what_is_no_film_at_all_is_refused() {
         .expect_out("oiiotool agrees");
     diff(&folder.join("absent.exr"))
         .expect_code(2)
-        .expect_err("there is no film");
+        .expect_err("there is no film file");
 }
 
 #[test]

@@ -106,7 +106,18 @@ obj = "edge.obj"
     fs::write(&scene, text).expect("it can be written");
     fs::write(folder.join("edge.obj"), mesh).expect("it can be written");
     let out = folder.join("out");
-    let ran = pinhole(&["golden", "render", plain(&scene), "--out", plain(&out)]).expect_code(2);
+    // A good scene beside it is made all the same, and its goldens are whole.
+    let good = root().join("assignments/ray_casting/scenes/slide_example.toml");
+    let line = [
+        "golden",
+        "render",
+        plain(&good),
+        plain(&scene),
+        "--out",
+        plain(&out),
+    ];
+    let ran = pinhole(&line).expect_code(2);
+    verify(&out).expect_code(0).expect_out("4 films");
     ran.expect_err("edge.toml")
         .expect_err("pixel (2, ")
         .expect_err("shift the camera a little");
