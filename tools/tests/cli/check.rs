@@ -256,6 +256,53 @@ fn a_link_in_place_of_an_answer_is_refused() {
     assert_eq!(task(&examination, "sphere")["file"]["state"], "refused");
 }
 
+#[cfg(unix)]
+#[test]
+fn a_link_in_place_of_the_source_folder_leads_nowhere() {
+    let folder = fresh(&trusted(), "linked-src");
+    let reference = root().join("assignments/ray_casting/reference/src");
+    std::os::unix::fs::symlink(reference, folder.join("src")).expect("links can be made");
+    let folder = folder.to_str().expect("a plain name");
+    pinhole(&["check", folder])
+        .expect_code(2)
+        .expect_err("holds no answer file");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_the_shell_has_open_is_closed_inside_the_sandbox() {
+    let scratch = fresh(&trusted(), "open-files");
+    let grades = scratch.join("grades.csv");
+    std::fs::write(&grades, "ada,100\n").expect("it can be written");
+    let body = with_body(
+        "sphere",
+        "if let Ok(mut file) = std::fs::OpenOptions::new().append(true).open(\"/proc/self/fd/8\") {
+            std::io::Write::write_all(&mut file, b\"mallory,100\").ok();
+        }",
+    );
+    let outside = submission(&std::env::temp_dir(), "open-files", &[("sphere.rs", &body)]);
+    let line = format!(
+        "exec 8>>{grades:?}; exec {:?} check {outside:?} --task sphere",
+        env!("CARGO_BIN_EXE_pinhole")
+    );
+    let mut bash = std::process::Command::new("bash");
+    bash.args(["-c", &line])
+        .current_dir(root())
+        .stdout(std::process::Stdio::null());
+    assert!(
+        bash.status().expect("bash runs").success(),
+        "the answer is right"
+    );
+    let grades = std::fs::read_to_string(&grades).expect("it is there");
+    assert!(
+        grades
+            == "ada,100
+",
+        "an answer wrote to a file that the shell had open"
+    );
+    std::fs::remove_dir_all(outside).expect("it was made");
+}
+
 #[test]
 fn wrong_arguments_are_errors_that_teach() {
     pinhole(&["check", "--task", "cube"])
