@@ -8,12 +8,15 @@
 //! [`oiiotool`](crate::oiiotool) states the same rule as a command line of
 //! OpenImageIO's. Both compute in 32-bit floats, and must agree on every film.
 
-use std::fmt;
+mod verdict;
+
 use std::path::{Path, PathBuf};
 
-use crate::camera::{Pixel, Resolution};
+use crate::camera::Pixel;
 use crate::error::Error;
 use crate::film::Film;
+
+pub use verdict::{Bounds, ChannelVerdict, Mismatch, Refusal, Verdict};
 
 /// The tolerance that lets every finite sample pass.
 pub const EXEMPT: f32 = f32::MAX;
@@ -88,122 +91,6 @@ impl Golden {
 /// Where the tolerance film of a golden lies.
 pub fn tolerance_path(golden: &Path) -> PathBuf {
     golden.with_extension("tol.exr")
-}
-
-/// A film that cannot be compared at all.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Refusal {
-    /// Not as many pixels, or in another arrangement.
-    WrongSize {
-        /// The film's.
-        got: Resolution,
-        /// The golden's.
-        expected: Resolution,
-    },
-    /// A channel of the golden is not in the film.
-    MissingChannel(String),
-    /// A channel of the film is not in the golden.
-    ExtraChannel(String),
-    /// A tolerance film exempts more pixels than any golden may.
-    TooLenient {
-        /// How many it exempts.
-        exempt: usize,
-        /// Of how many.
-        pixels: usize,
-    },
-    /// A sample is NaN or infinite.
-    NotFinite {
-        /// In which channel.
-        channel: String,
-        /// At the first such pixel in image order.
-        pixel: Pixel,
-    },
-}
-
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Refusal::WrongSize { got, expected } => {
-                write!(f, "the film has {got} pixels, the golden {expected}")
-            }
-            Refusal::MissingChannel(name) => write!(f, "the film has no channel `{name}`"),
-            Refusal::ExtraChannel(name) => {
-                write!(
-                    f,
-                    "the film has a channel `{}` that the golden has not",
-                    name.escape_debug()
-                )
-            }
-            Refusal::TooLenient { exempt, pixels } => {
-                write!(
-                    f,
-                    "{exempt} of {pixels} pixels are exempt, more than 0.05 %"
-                )
-            }
-            Refusal::NotFinite { channel, pixel } => {
-                write!(f, "channel `{channel}` is NaN or infinite at pixel {pixel}")
-            }
-        }
-    }
-}
-
-/// What the judge says of a film that could be compared.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Verdict {
-    /// Size of film and golden.
-    pub resolution: Resolution,
-    /// One for each channel, in the golden's usual order: id, t, normal.
-    pub channels: Vec<ChannelVerdict>,
-    /// Pixels at which some channel fails, as indices in image order, ascending.
-    pub failing: Vec<usize>,
-    /// How many pixels are exempt by tolerance.
-    pub exempt: usize,
-}
-
-/// The verdict on one channel.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ChannelVerdict {
-    /// The channel.
-    pub name: String,
-    /// How many pixels miss the golden by more than the tolerance.
-    pub failing: usize,
-    /// How many of them show the right object, so that the difference is this
-    /// channel's own. All of them, for the id itself.
-    pub own: usize,
-    /// The one that misses it by the most tolerances; pixels that show the right
-    /// object come first, because there the difference is this channel's own.
-    pub worst: Option<Mismatch>,
-    /// The smallest rectangle of pixels around all that fail.
-    pub bounds: Option<Bounds>,
-}
-
-/// One sample that is too far from its golden.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mismatch {
-    /// Where.
-    pub pixel: Pixel,
-    /// The film's sample.
-    pub got: f32,
-    /// The golden's.
-    pub expected: f32,
-    /// How far apart they might have been.
-    pub allowed: f32,
-}
-
-/// A rectangle of pixels, both corners included.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
-    /// Bottom left.
-    pub min: Pixel,
-    /// Top right.
-    pub max: Pixel,
-}
-
-impl Verdict {
-    /// Whether the film is as good as Mitsuba's.
-    pub fn passes(&self) -> bool {
-        self.failing.is_empty()
-    }
 }
 
 /// Judges a film by the one rule.
@@ -290,25 +177,6 @@ impl Comparison<'_> {
             got: self.got[index],
             expected: self.expected[index],
             allowed: self.allowed[index],
-        }
-    }
-}
-
-impl Bounds {
-    fn around(bounds: Option<Bounds>, pixel: Pixel) -> Bounds {
-        let Bounds { min, max } = bounds.unwrap_or(Bounds {
-            min: pixel,
-            max: pixel,
-        });
-        Bounds {
-            min: Pixel {
-                i: min.i.min(pixel.i),
-                j: min.j.min(pixel.j),
-            },
-            max: Pixel {
-                i: max.i.max(pixel.i),
-                j: max.j.max(pixel.j),
-            },
         }
     }
 }

@@ -1,6 +1,7 @@
 //! A scene: one camera and the objects before it, read from a TOML file.
 
 mod document;
+mod tables;
 
 use std::path::Path;
 

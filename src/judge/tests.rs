@@ -1,4 +1,5 @@
 use super::*;
+use crate::camera::Resolution;
 use crate::testing::{self, Random, grid, row};
 
 /// A golden of hits: ids, ts, and the normals' z (x and y are 0).

@@ -1,15 +1,12 @@
-//! The TOML form of a scene, and every way it can be wrong.
-//!
-//! Objects are read into one flat record rather than a tagged enum, because serde
-//! forgets line numbers inside tagged enums.
+//! From the tables of a scene file to a scene, and every way they can be wrong.
 
 use std::ops::Range;
 use std::path::Path;
 
 use glam::DVec3;
-use serde::Deserialize;
 use toml::Spanned;
 
+use super::tables::{File, Kind, ObjectTable, ProjectionName};
 use super::{MOST_PIXELS, Scene};
 use crate::camera::{Camera, Projection, Resolution};
 use crate::error::Error;
@@ -21,77 +18,6 @@ pub(super) struct Document<'a> {
     file: File,
     text: &'a str,
     path: &'a Path,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct File {
-    camera: Spanned<CameraTable>,
-    #[serde(default)]
-    object: Vec<Spanned<ObjectTable>>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct CameraTable {
-    projection: ProjectionName,
-    eye: Spanned<DVec3>,
-    view: Spanned<DVec3>,
-    up: Spanned<DVec3>,
-    focal_length: Option<Spanned<f64>>,
-    width: Spanned<f64>,
-    height: Spanned<f64>,
-    resolution: Spanned<[usize; 2]>,
-    min_t: Option<Spanned<f64>>,
-}
-
-#[derive(Clone, Copy, PartialEq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum ProjectionName {
-    Perspective,
-    Orthographic,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ObjectTable {
-    #[serde(rename = "type")]
-    kind: Kind,
-    center: Option<Spanned<DVec3>>,
-    radius: Option<Spanned<f64>>,
-    point: Option<Spanned<DVec3>>,
-    normal: Option<Spanned<DVec3>>,
-    corners: Option<Spanned<[DVec3; 3]>>,
-    obj: Option<Spanned<String>>,
-}
-
-#[derive(Clone, Copy, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Kind {
-    Sphere,
-    Plane,
-    Triangle,
-    Soup,
-}
-
-impl Kind {
-    fn name(self) -> &'static str {
-        match self {
-            Kind::Sphere => "sphere",
-            Kind::Plane => "plane",
-            Kind::Triangle => "triangle",
-            Kind::Soup => "soup",
-        }
-    }
-
-    fn keys(self) -> &'static [&'static str] {
-        match self {
-            Kind::Sphere => &["center", "radius"],
-            Kind::Plane => &["point", "normal"],
-            Kind::Triangle => &["corners"],
-            Kind::Soup => &["obj"],
-        }
-    }
 }
 
 /// Below this sine of the angle at its first corner a triangle is flat: decimals such

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::course::{Ran, fresh, pinhole, root, trusted};
+use crate::course::{Ran, TASKS, fresh, pinhole, root, trusted};
 
 fn plain(path: &Path) -> &str {
     path.to_str().expect("test folders have plain names")
@@ -128,15 +128,7 @@ fn fresh_probes_and_scenes_are_a_whole_set_of_goldens() {
     let folder = fresh(&trusted(), "fresh");
     pinhole(&["golden", "render", "--seed", "7", "--out", plain(&folder)]).expect_code(0);
     verify(&folder).expect_code(0);
-    let tasks = [
-        "viewing_ray",
-        "sphere",
-        "plane",
-        "triangle",
-        "triangle_soup",
-        "first_hit",
-    ];
-    let tasks = tasks
+    let tasks = TASKS
         .iter()
         .flat_map(|task| ["--task", task])
         .collect::<Vec<_>>();

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use crate::course::{fresh, pinhole, root, trusted};
+use crate::course::{TASKS, fresh, pinhole, root, trusted};
 
 /// The in-house packages that a package depends on, directly.
 fn in_house_dependencies(manifest: &str) -> BTreeSet<String> {
@@ -67,14 +67,7 @@ fn the_top_level_is_as_designed() {
 fn the_handout_is_in_step_with_the_reference_and_holds_no_answer() {
     pinhole(&["handout", "--check"]).expect_code(0);
     let course = root().join("assignments/ray_casting");
-    for task in [
-        "viewing_ray",
-        "sphere",
-        "plane",
-        "triangle",
-        "triangle_soup",
-        "first_hit",
-    ] {
+    for task in TASKS {
         let read = |package: &str| {
             let path = course.join(package).join("src").join(format!("{task}.rs"));
             fs::read_to_string(path).expect("both packages have every answer")

@@ -6,4 +6,5 @@ mod diff;
 mod explain;
 mod golden;
 mod house;
+mod sandbox;
 mod submissions;
