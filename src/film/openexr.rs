@@ -62,14 +62,6 @@ pub(super) fn read(path: &Path) -> Result<Film, Error> {
             window.size.y(),
         )));
     }
-    // Other programs refuse a header with such numbers, or stretch the picture.
-    let aspect = image.attributes.pixel_aspect;
-    let screen = layer.attributes.screen_window_width;
-    if aspect != 1.0 || !(screen.is_finite() && screen > 0.0) {
-        return Err(refuse(
-            "its pixels are not square, or its screen window has no width".into(),
-        ));
-    }
     let resolution = Resolution {
         n_x: layer.size.x(),
         n_y: layer.size.y(),
@@ -85,10 +77,6 @@ pub(super) fn read(path: &Path) -> Result<Film, Error> {
         let FlatSamples::F32(samples) = channel.sample_data else {
             return Err(refuse(format!("channel `{name}` is not of 32-bit floats")));
         };
-        // The decoder lets two of one name through; a film would show only the first.
-        if channels.iter().any(|other: &Channel| other.name == name) {
-            return Err(refuse(format!("it has the channel `{name}` twice")));
-        }
         channels.push(Channel { name, samples });
     }
     Ok(Film::new(resolution, channels))
@@ -120,6 +108,8 @@ fn decode(bytes: &[u8]) -> Result<OneLayer, String> {
         .first_valid_layer()
         .all_attributes()
         .non_parallel()
+        // A damaged table of blocks is refused, as other programs do, not read around.
+        .pedantic()
         .from_buffered(Cursor::new(bytes))
         .map_err(said)
 }

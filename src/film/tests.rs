@@ -288,5 +288,5 @@ fn a_film_has_no_two_channels_of_one_name() {
     let mut bytes = bytes(&film);
     let place = bytes.windows(3).position(|w| w == b"tb\0").unwrap();
     bytes[place + 1] = b'a';
-    refused(bytes, "`ta` twice");
+    refused(bytes, "channel names are not unique");
 }

@@ -159,6 +159,22 @@ fn what_is_no_film_at_all_is_refused() {
 }
 
 #[test]
+fn a_header_that_cannot_be_is_refused_by_both() {
+    let mut bytes = std::fs::read(root().join(GOLDEN)).expect("goldens are committed");
+    let name = b"pixelAspectRatio\0float\0";
+    let found = bytes.windows(name.len()).position(|window| window == name);
+    // Behind the name stands the value's length in four bytes, then the value.
+    let value = found.expect("every film has an aspect") + name.len() + 4;
+    bytes[value..value + 4].copy_from_slice(&f32::NEG_INFINITY.to_le_bytes());
+    let film = fresh(&trusted(), "diff-aspect").join("film.exr");
+    std::fs::write(&film, bytes).expect("it can be written");
+    diff(&film)
+        .expect_code(1)
+        .expect_out("refused")
+        .expect_out("oiiotool agrees");
+}
+
+#[test]
 fn pictures_and_json_say_where_the_films_differ() {
     let film = film("one_id");
     let out = film.with_file_name("pictures");
