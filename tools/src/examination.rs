@@ -2,10 +2,14 @@
 //!
 //! Tables, reports and JSON are views of this.
 
+use std::path::PathBuf;
+
+use pinhole::Film;
 use pinhole::job::Panic;
-use pinhole::judge::{Refusal, Verdict};
+use pinhole::judge::{Golden, Refusal, Verdict};
 
 use crate::compile::Replaced;
+use crate::diagnosis::Diagnosis;
 
 /// Everything the judge can say of one submission.
 #[derive(Debug)]
@@ -33,6 +37,8 @@ pub struct TaskResult {
     pub replaced: Option<Replaced>,
     /// Its groups of questions.
     pub groups: Vec<GroupResult>,
+    /// Which beliefs explain its wrong answers.
+    pub diagnosis: Diagnosis,
 }
 
 /// One group of questions, all-or-nothing.
@@ -61,6 +67,14 @@ pub struct SceneResult {
     pub outcome: Outcome,
     /// How long the cast took, start of the process included.
     pub seconds: f64,
+    /// The scene file.
+    pub file: PathBuf,
+    /// What Mitsuba saw.
+    pub golden: Golden,
+    /// What came, if every pixel did.
+    pub film: Option<Film>,
+    /// Which beliefs explain its wrong pixels.
+    pub diagnosis: Diagnosis,
 }
 
 /// How a film fared.

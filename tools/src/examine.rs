@@ -10,6 +10,7 @@ use pinhole::judge::judge;
 use crate::assignment::{Assignment, Task};
 use crate::compile::Program;
 use crate::describe;
+use crate::diagnosis::Diagnosis;
 use crate::error::{Error, Result};
 use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskResult};
 use crate::goldens::{GoldenScene, Goldens};
@@ -134,6 +135,7 @@ impl Examiner<'_> {
             chapter: task.chapter.clone(),
             replaced: self.program.replaced.get(&task.name).cloned(),
             groups: results,
+            diagnosis: Diagnosis::default(),
         })
     }
 
@@ -165,12 +167,17 @@ impl Examiner<'_> {
         let seconds = start.elapsed().as_secs_f64();
         printed.push_str(&reply.printed);
         let outcome = self.judge(&reply, &film, None)?;
+        let complete = reply.answers.iter().all(Option::is_some);
         Ok(SceneResult {
             name: scene.name.clone(),
             argument: scene.argument.clone(),
             worth: scene.worth,
             outcome,
             seconds,
+            file: scene.file.clone(),
+            film: complete.then(|| reply.film(film.resolution)),
+            golden: film.golden,
+            diagnosis: Diagnosis::default(),
         })
     }
 

@@ -1,0 +1,100 @@
+//! Known mistakes: wrong answers with the belief behind them.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::assignment::Assignment;
+use crate::error::{Error, Result};
+
+/// A belief that leads to wrong answers, and what helps somebody who holds it.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Mistake {
+    /// In a student's own words.
+    pub belief: String,
+    /// Tasks that lose points by it; all others keep theirs.
+    pub fails: Vec<String>,
+    /// How many of the 115 public solutions that were looked at made it, where that
+    /// was counted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub submissions: Option<u32>,
+    /// The chapter of the book that helps.
+    pub chapter: String,
+    /// The single mistakes it is made of, if it is more than one.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub beliefs: Vec<String>,
+    /// Help in three depths.
+    pub hint: Hint,
+}
+
+/// Help that never gives the answer away, each part deeper than the one before.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Hint {
+    /// Where to look.
+    pub look: String,
+    /// What to think about.
+    pub think: String,
+    /// The section of the chapter to read.
+    pub read: String,
+}
+
+/// A folder of `mistakes`.
+#[derive(Clone, Debug)]
+pub struct MistakeFolder {
+    /// The folder's name.
+    pub slug: String,
+    /// Where it is: the wrong answer files and `mistake.toml`.
+    pub folder: PathBuf,
+    /// What is believed.
+    pub mistake: Mistake,
+}
+
+impl Mistake {
+    /// Whether it is one belief alone.
+    pub fn is_single(&self) -> bool {
+        self.beliefs.is_empty()
+    }
+}
+
+/// The mistakes of an assignment by name; none if it came without them.
+pub fn read_all(assignment: &Assignment) -> Result<Vec<MistakeFolder>> {
+    folders(&assignment.folder.join("mistakes"))
+        .into_iter()
+        .map(|(slug, folder)| {
+            let path = folder.join("mistake.toml");
+            let wrong = |problem: String| {
+                let problem = format!("{}: {problem}", path.display());
+                Error::input(problem, "correct the file; the mistakes beside it show how")
+            };
+            let text = fs::read_to_string(&path).map_err(|error| wrong(error.to_string()))?;
+            let mistake: Mistake =
+                toml::from_str(&text).map_err(|error| wrong(error.to_string()))?;
+            let unknown = mistake
+                .fails
+                .iter()
+                .find(|task| assignment.task(task).is_none());
+            match unknown {
+                Some(task) => Err(wrong(format!("there is no task `{task}`"))),
+                None => Ok(MistakeFolder {
+                    slug,
+                    folder,
+                    mistake,
+                }),
+            }
+        })
+        .collect()
+}
+
+/// The folders in `folder`, by name.
+pub fn folders(folder: &Path) -> Vec<(String, PathBuf)> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut folders: Vec<(String, PathBuf)> = entries
+        .filter(|entry| entry.path().is_dir())
+        .filter_map(|entry| Some((entry.file_name().into_string().ok()?, entry.path())))
+        .collect();
+    folders.sort();
+    folders
+}

@@ -1,0 +1,40 @@
+//! Answers laid over the reference's: how mistakes, variants and mutants become whole
+//! submissions.
+
+use std::fs;
+use std::path::Path;
+
+use crate::assignment::Assignment;
+use crate::error::{Error, Result};
+use crate::submission::{Answer, Submission};
+
+/// The reference's submission.
+pub fn reference(assignment: &Assignment) -> Result<Submission> {
+    Submission::find(&assignment.reference(), assignment)
+}
+
+impl Submission {
+    /// The same with the answer files of `folder` in place of its own.
+    pub fn overlaid(mut self, folder: &Path) -> Result<Submission> {
+        for answer in &mut self.answers {
+            let path = folder.join(&answer.task).with_extension("rs");
+            if path.is_file() {
+                let text = fs::read_to_string(&path).map_err(|error| {
+                    let problem = format!("cannot read {}: {error}", path.display());
+                    Error::input(problem, "restore the file")
+                })?;
+                answer.text = Ok(text);
+            }
+        }
+        self.folder = folder.into();
+        Ok(self)
+    }
+
+    /// The same with another answer to one task.
+    pub fn with_answer(mut self, task: &str, text: String) -> Submission {
+        for Answer { text: old, .. } in self.answers.iter_mut().filter(|a| a.task == task) {
+            *old = Ok(text.clone());
+        }
+        self
+    }
+}
