@@ -170,6 +170,8 @@ pub enum Golden {
     Setup,
     /// Render goldens with Mitsuba
     Render(GoldenRender),
+    /// Cast the known mistakes on goldens that are there, for diagnoses
+    Mistakes(GoldenMistakes),
     /// Check that goldens, scenes, scripts and manifest belong together
     Verify(GoldenVerify),
 }
@@ -190,6 +192,17 @@ pub struct GoldenRender {
     /// Make fresh probes and random scenes from this seed instead; needs --out
     #[arg(long, value_name = "N", conflicts_with = "scenes", requires = "out")]
     pub seed: Option<u64>,
+}
+
+/// Cast the known mistakes on goldens that are there, and keep beside them what each
+/// does to every film: by that, `check` and `diff` know a mistake when they see it.
+///
+/// `golden render` does the same; this is for when only a mistake has changed. Needs no
+/// Mitsuba.
+#[derive(Args)]
+pub struct GoldenMistakes {
+    /// The folder of goldens [default: golden/ray_casting]
+    pub dir: Option<PathBuf>,
 }
 
 /// Check that goldens, scenes, scripts and manifest belong together.

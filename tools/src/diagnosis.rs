@@ -1,5 +1,10 @@
 //! Which belief explains a wrong film.
 
+pub mod evidence;
+pub mod fingerprint;
+pub mod known;
+mod reason;
+
 use crate::mistake::Mistake;
 
 /// What is known of why something is wrong.
@@ -35,8 +40,15 @@ pub struct Explanation {
 }
 
 impl Diagnosis {
+    fn of(beliefs: Vec<Explanation>, reading: Reading) -> Diagnosis {
+        Diagnosis { beliefs, reading }
+    }
+
     /// Whether nothing is named.
     pub fn is_empty(&self) -> bool {
         self.beliefs.is_empty()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -118,6 +118,11 @@ impl TaskResult {
         )
     }
 
+    /// Whether every group passes.
+    pub fn passes(&self) -> bool {
+        self.groups.iter().all(|group| group.outcome.passes())
+    }
+
     /// Whether nothing has been attempted yet.
     pub fn is_unanswered(&self) -> bool {
         let unanswered = |group: &GroupResult| group.outcome == Outcome::Unanswered;

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use pinhole::Film;
 use pinhole::ask::{Ending, Reply, ask};
 use pinhole::job::{Job, Panic};
 use pinhole::judge::judge;
@@ -75,13 +76,15 @@ impl Examiner<'_> {
                 scenes.push(self.scene(scene, &mut printed)?);
             }
         }
-        Ok(Examination {
+        let mut examination = Examination {
             submission: submission.folder.display().to_string(),
             title: self.assignment.title.clone(),
             tasks,
             scenes,
             printed,
-        })
+        };
+        self.goldens.diagnose_scenes(&mut examination)?;
+        Ok(examination)
     }
 
     fn task(&self, task: &Task, printed: &mut String) -> Result<TaskResult> {
@@ -96,19 +99,21 @@ impl Examiner<'_> {
             .max(1);
         let share = (self.wall / films as u32).max(LEAST_WALL);
         let mut results = Vec::new();
+        let mut casts = Vec::new();
         for Group { name, worth, films } in groups {
             let mut result = None;
-            for film in &films {
+            for film in films {
                 let reply = match &mut together {
                     Some(replies) => replies.next().expect("a reply was split off for each film"),
                     None => self.ask(&task.name, &film.job, share)?,
                 };
                 printed.push_str(&reply.printed);
-                let outcome = self.judge(&reply, film, Some(&task.name))?;
+                let (outcome, cast) = self.judge(&reply, &film, Some(&task.name))?;
                 let worst = match &outcome {
-                    Outcome::Judged(verdict) => describe::worst(verdict, film, &reply),
+                    Outcome::Judged(verdict) => describe::worst(verdict, &film, &reply),
                     _ => None,
                 };
+                casts.push((film, cast));
                 // The first film that fails speaks for its group.
                 if result
                     .as_ref()
@@ -130,12 +135,17 @@ impl Examiner<'_> {
                 worst,
             });
         }
+        let passes = results.iter().all(|group| group.outcome.passes());
+        let diagnosis = match passes {
+            true => Diagnosis::default(),
+            false => self.goldens.diagnose_task(&task.name, &casts)?,
+        };
         Ok(TaskResult {
             name: task.name.clone(),
             chapter: task.chapter.clone(),
             replaced: self.program.replaced.get(&task.name).cloned(),
             groups: results,
-            diagnosis: Diagnosis::default(),
+            diagnosis,
         })
     }
 
@@ -166,8 +176,7 @@ impl Examiner<'_> {
         let reply = self.ask(&scene.name, &film.job, self.wall)?;
         let seconds = start.elapsed().as_secs_f64();
         printed.push_str(&reply.printed);
-        let outcome = self.judge(&reply, &film, None)?;
-        let complete = reply.answers.iter().all(Option::is_some);
+        let (outcome, cast) = self.judge(&reply, &film, None)?;
         Ok(SceneResult {
             name: scene.name.clone(),
             argument: scene.argument.clone(),
@@ -175,7 +184,7 @@ impl Examiner<'_> {
             outcome,
             seconds,
             file: scene.file.clone(),
-            film: complete.then(|| reply.film(film.resolution)),
+            film: cast,
             golden: film.golden,
             diagnosis: Diagnosis::default(),
         })
@@ -187,11 +196,17 @@ impl Examiner<'_> {
         })
     }
 
-    /// An outcome from a reply; `task` if one answer was asked alone.
-    fn judge(&self, reply: &Reply, asked: &QuestionFilm, task: Option<&str>) -> Result<Outcome> {
+    /// An outcome from a reply, with the film if it is whole; `task` if one answer was
+    /// asked alone.
+    fn judge(
+        &self,
+        reply: &Reply,
+        asked: &QuestionFilm,
+        task: Option<&str>,
+    ) -> Result<(Outcome, Option<Film>)> {
         let complete = reply.answers.iter().all(Option::is_some);
         if let Some(failure) = failure(&reply.ending, self.assignment, task).filter(|_| !complete) {
-            return Ok(failure);
+            return Ok((failure, None));
         }
         let film = reply.film(asked.resolution);
         let outcome = match judge(&asked.golden, &film) {
@@ -201,7 +216,7 @@ impl Examiner<'_> {
         if let Some(second) = self.second_judge {
             second.confirm(&film, &asked.golden_path, outcome.passes())?;
         }
-        Ok(outcome)
+        Ok((outcome, Some(film)))
     }
 }
 

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::assignment::Assignment;
+use crate::diagnosis::known::{self, Known};
 use crate::error::{Error, Result};
 
 /// Golden films, probes, and the scenes they were made from.
@@ -13,6 +14,8 @@ pub struct Goldens {
     pub folder: PathBuf,
     /// In the order they are cast.
     pub scenes: Vec<GoldenScene>,
+    /// What is known of mistakes.
+    pub known: Known,
 }
 
 /// A scene with a golden film.
@@ -72,7 +75,33 @@ impl Goldens {
         Ok(Goldens {
             folder: folder.into(),
             scenes,
+            known: Known::read(folder)?,
         })
+    }
+
+    /// The goldens of these scene files in `folder`, whatever else is there.
+    pub fn of_scenes(folder: &Path, files: &[PathBuf]) -> Result<Goldens> {
+        Ok(Goldens {
+            folder: folder.into(),
+            scenes: files.iter().cloned().map(|file| own(file, 0)).collect(),
+            known: Known::read(folder)?,
+        })
+    }
+
+    /// The goldens around one golden film, which may be a probe's.
+    pub fn around(golden: &Path) -> Result<Goldens> {
+        let beside = golden.parent().unwrap_or(Path::new(""));
+        let above = beside.parent().unwrap_or(Path::new(""));
+        let knows = |folder: &&Path| folder.join(known::FILE).is_file();
+        let folder = [beside, above].into_iter().find(knows).unwrap_or(beside);
+        Goldens::of_scenes(folder, &[])
+    }
+
+    /// What a film is called: its path in the folder, without `.exr`.
+    pub fn film_name(&self, golden: &Path) -> String {
+        let inside = golden.strip_prefix(&self.folder).unwrap_or(golden);
+        let name = inside.with_extension("");
+        name.to_string_lossy().replace('\\', "/")
     }
 }
 

@@ -4,6 +4,7 @@ use pinhole::judge::{Refusal, Verdict};
 use serde_json::{Value, json};
 
 use crate::compile::Replaced;
+use crate::diagnosis::{Diagnosis, Explanation, Reading};
 use crate::examination::{Examination, Outcome};
 use crate::submission::Unusable;
 
@@ -28,6 +29,7 @@ pub fn examination(examination: &Examination) -> Value {
             "possible": possible,
             "file": file_state(task.replaced.as_ref()),
             "groups": groups.collect::<Vec<_>>(),
+            "diagnosis": diagnosis(&task.diagnosis),
         })
     });
     let scenes = examination.scenes.iter().map(|scene| {
@@ -37,6 +39,7 @@ pub fn examination(examination: &Examination) -> Value {
             "possible": scene.worth,
             "outcome": outcome(&scene.outcome),
             "seconds": scene.seconds,
+            "diagnosis": diagnosis(&scene.diagnosis),
         })
     });
     json!({
@@ -48,6 +51,34 @@ pub fn examination(examination: &Examination) -> Value {
         "tasks": tasks.collect::<Vec<_>>(),
         "scenes": scenes.collect::<Vec<_>>(),
         "printed": examination.printed,
+    })
+}
+
+/// A diagnosis; `null` if nothing known explains what came.
+pub fn diagnosis(diagnosis: &Diagnosis) -> Value {
+    if diagnosis.is_empty() {
+        return Value::Null;
+    }
+    let beliefs = diagnosis.beliefs.iter().map(|explanation| {
+        let Explanation {
+            slug,
+            mistake,
+            explained,
+        } = explanation;
+        json!({
+            "mistake": slug,
+            "belief": mistake.belief,
+            "explained": explained,
+            "chapter": mistake.chapter,
+            "hint": mistake.hint,
+        })
+    });
+    json!({
+        "reading": match diagnosis.reading {
+            Reading::Together => "together",
+            Reading::OneOf => "one of",
+        },
+        "beliefs": beliefs.collect::<Vec<_>>(),
     })
 }
 

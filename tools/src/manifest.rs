@@ -8,8 +8,11 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+use crate::assignment::Assignment;
 use crate::checkout::Checkout;
+use crate::diagnosis::known;
 use crate::error::{Error, Result};
+use crate::mistake;
 use crate::mitsuba::{self, Renderer};
 
 /// The file's name in a folder of goldens.
@@ -32,7 +35,10 @@ pub struct Manifest {
     pub scripts: Hashes,
     /// Scenes and meshes, relative to this folder or else to the checkout.
     pub sources: Hashes,
-    /// Every film, relative to this folder.
+    /// The known mistakes' sources, relative to the checkout.
+    #[serde(default)]
+    pub mistakes: Hashes,
+    /// Every film, and what is known of mistakes, relative to this folder.
     pub films: Hashes,
 }
 
@@ -96,6 +102,29 @@ impl Manifest {
         Ok(())
     }
 
+    /// Enters the mistakes whose fingerprints lie in `folder`, in place of any others,
+    /// and what was written of them.
+    pub fn set_mistakes(
+        &mut self,
+        written: &[PathBuf],
+        folder: &Path,
+        assignment: &Assignment,
+        checkout: &Checkout,
+    ) -> Result<()> {
+        self.mistakes = mistake_hashes(assignment, checkout)?;
+        let words = Some(Path::new(known::FILE)).filter(|file| folder.join(file).is_file());
+        let written = written.iter().map(PathBuf::as_path).chain(words);
+        written
+            .into_iter()
+            .try_for_each(|file| self.add_film(file, folder))
+    }
+
+    /// The scene files the films were made from.
+    pub fn scenes(&self, folder: &Path, checkout: &Checkout) -> Vec<PathBuf> {
+        let scenes = self.sources.keys().filter(|path| path.ends_with(".toml"));
+        scenes.map(|path| source(path, folder, checkout)).collect()
+    }
+
     /// Enters a film of `folder`.
     pub fn add_film(&mut self, film: &Path, folder: &Path) -> Result<()> {
         self.films.insert(slashed(film), hash(&folder.join(film))?);
@@ -115,19 +144,28 @@ impl Manifest {
     }
 
     /// Everything that is not as the manifest says.
-    pub fn out_of_step(&self, folder: &Path, checkout: &Checkout) -> Vec<String> {
+    pub fn out_of_step(
+        &self,
+        folder: &Path,
+        assignment: &Assignment,
+        checkout: &Checkout,
+    ) -> Vec<String> {
         let mut problems = Vec::new();
+        // Students have the fingerprints without the mistakes.
+        let mistakes = mistake_hashes(assignment, checkout).unwrap_or_default();
+        if !mistakes.is_empty() && mistakes != self.mistakes {
+            problems.push(
+                "the mistakes are not those that were fingerprinted: cargo run --release -- \
+                 golden mistakes"
+                    .into(),
+            );
+        }
         if script_hashes(checkout).is_ok_and(|scripts| scripts != self.scripts) {
             problems
                 .push("the scripts in tools/mitsuba are not those that made the goldens".into());
         }
         for (path, recorded) in &self.sources {
-            let inside = folder.join(path);
-            let source = if inside.is_file() {
-                inside
-            } else {
-                checkout.root().join(path)
-            };
+            let source = source(path, folder, checkout);
             problems.extend(changed(&source, path, recorded));
         }
         for (path, recorded) in &self.films {
@@ -148,6 +186,33 @@ impl Manifest {
         }
         problems
     }
+}
+
+/// Where a source lies that is recorded relative to the folder or the checkout.
+fn source(recorded: &str, folder: &Path, checkout: &Checkout) -> PathBuf {
+    let inside = folder.join(recorded);
+    match inside.is_file() {
+        true => inside,
+        false => checkout.root().join(recorded),
+    }
+}
+
+/// The answer files and words of every mistake that is fingerprinted.
+fn mistake_hashes(assignment: &Assignment, checkout: &Checkout) -> Result<Hashes> {
+    let mut hashes = Hashes::new();
+    for mistake in mistake::read_all(assignment)? {
+        let entries = fs::read_dir(&mistake.folder)
+            .into_iter()
+            .flatten()
+            .flatten();
+        let files = entries
+            .map(|entry| entry.path())
+            .filter(|path| path.is_file());
+        for file in files.filter(|_| mistake.mistake.is_single()) {
+            hashes.insert(relative(&file, checkout.root(), checkout), hash(&file)?);
+        }
+    }
+    Ok(hashes)
 }
 
 fn is_film(path: &Path) -> bool {

@@ -42,13 +42,13 @@ impl Goldens {
     /// All groups of a task, in the assignment's order.
     pub fn groups(&self, task: &Task) -> Result<Vec<Group>> {
         let group = |(name, worth): &(String, u32)| {
-            let films = match (task.name.as_str(), name.as_str()) {
-                ("viewing_ray", SCENES_GROUP) => self
+            let films = match is_of_scenes(&task.name, name) {
+                true => self
                     .scenes
                     .iter()
                     .map(|scene| self.ray_film(scene))
                     .collect::<Result<_>>()?,
-                _ => vec![self.probe(task, name)?],
+                false => vec![self.probe(task, name)?],
             };
             Ok(Group {
                 name: name.clone(),
@@ -57,6 +57,14 @@ impl Goldens {
             })
         };
         task.points.iter().map(group).collect()
+    }
+
+    /// The groups of a task that ask about the scenes alone.
+    pub fn scene_groups(&self, task: &Task) -> Result<Vec<Group>> {
+        let mut task = task.clone();
+        task.points
+            .retain(|(group, _)| is_of_scenes(&task.name, group));
+        self.groups(&task)
     }
 
     /// The film of a scene.
@@ -114,6 +122,11 @@ impl Goldens {
             golden_path,
         })
     }
+}
+
+/// Whether a group is that of the scenes' viewing rays.
+fn is_of_scenes(task: &str, group: &str) -> bool {
+    (task, group) == ("viewing_ray", SCENES_GROUP)
 }
 
 /// The jobs of all films as one; `None` if they are of different kinds, or none.

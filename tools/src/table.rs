@@ -5,6 +5,7 @@ use pinhole::judge::{ChannelVerdict, Verdict};
 
 use crate::compile::Replaced;
 use crate::describe::{printable, printable_coloured};
+use crate::diagnosis::{Diagnosis, Explanation, Reading};
 use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskResult};
 use crate::submission::Unusable;
 
@@ -138,11 +139,49 @@ fn task_rows(text: &mut String, task: &TaskResult, width: usize) {
             }
         }
     }
+    if !task.diagnosis.is_empty() {
+        for row in diagnosis(&task.diagnosis).lines() {
+            line(text, format!("    {STRONG}{row}{STRONG:#}"));
+        }
+        for Explanation { mistake, .. } in &task.diagnosis.beliefs {
+            line(text, format!("    look: {}", mistake.hint.look));
+        }
+    }
     if !failing.is_empty() {
         line(
             text,
             format!("    {QUIET}read: the book, \"{}\"{QUIET:#}", task.chapter),
         );
+    }
+}
+
+/// A diagnosis in lines, without the hints.
+pub fn diagnosis(diagnosis: &Diagnosis) -> String {
+    let mut lines = Vec::new();
+    if diagnosis.reading == Reading::OneOf {
+        lines.push("One of these beliefs explains it, and this cannot tell them apart:".into());
+    }
+    for Explanation {
+        mistake, explained, ..
+    } in &diagnosis.beliefs
+    {
+        let belief = &mistake.belief;
+        lines.push(match diagnosis.reading {
+            Reading::OneOf => format!("- “{belief}”"),
+            Reading::Together => format!(
+                "You may believe: “{belief}” That explains {} of what is wrong here.",
+                percent(*explained)
+            ),
+        });
+    }
+    lines.join("\n")
+}
+
+/// A share in words; “all” and “none” only if nothing is left to round.
+pub fn percent(share: f64) -> String {
+    match share {
+        share if share >= 1.0 => "all".into(),
+        share => format!("{:.0} %", (share * 100.0).clamp(1.0, 99.0)),
     }
 }
 

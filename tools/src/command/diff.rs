@@ -12,8 +12,10 @@ use serde_json::json;
 use super::Outcome;
 use crate::checkout::Checkout;
 use crate::cli::Diff;
+use crate::diagnosis::Diagnosis;
 use crate::error::{Error, Result};
-use crate::{describe, json, mitsuba, pictures};
+use crate::goldens::Goldens;
+use crate::{describe, json, mitsuba, pictures, table};
 
 pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Outcome> {
     let golden = Golden::read(&arguments.golden)?;
@@ -43,6 +45,14 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Outcome> {
         return Err(disagreement(passes, second));
     }
 
+    let diagnosis = match &film {
+        Ok(film) if !passes => {
+            let goldens = Goldens::around(&arguments.golden)?;
+            let name = goldens.film_name(&arguments.golden);
+            goldens.diagnose_film(&name, &golden, film)?
+        }
+        _ => Diagnosis::default(),
+    };
     let mut written = Vec::new();
     if let (Some(folder), Ok(film)) = (&arguments.out, &film) {
         written = draw(folder, &golden, film)?;
@@ -55,12 +65,21 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Outcome> {
         let second = second.map(|second| json!({ "passes": second.passes, "said": second.said }));
         anstream::println!(
             "{:#}",
-            json!({ "passes": passes, "verdict": judged, "oiiotool": second, "pictures": written })
+            json!({
+                "passes": passes,
+                "verdict": judged,
+                "diagnosis": json::diagnosis(&diagnosis),
+                "oiiotool": second,
+                "pictures": written,
+            })
         );
     } else {
         match &verdict {
             Ok(verdict) => print(verdict),
             Err(error) => anstream::println!("refused: {}", describe::printable(&error.problem)),
+        }
+        if !diagnosis.is_empty() {
+            anstream::println!("{}", table::diagnosis(&diagnosis));
         }
         match second {
             Some(second) => anstream::println!("oiiotool agrees{}", said(&second)),

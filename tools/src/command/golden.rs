@@ -11,9 +11,12 @@ use serde_json::json;
 use super::Outcome;
 use crate::assignment::Assignment;
 use crate::checkout::Checkout;
-use crate::cli::{Golden, GoldenRender, GoldenVerify};
+use crate::cli::{Golden, GoldenMistakes, GoldenRender, GoldenVerify};
+use crate::diagnosis::known::Known;
 use crate::error::{Error, Result};
+use crate::goldens::Goldens;
 use crate::manifest::Manifest;
+use crate::mistake_films;
 use crate::mitsuba::{self, Rendered};
 use crate::progress::Progress;
 
@@ -29,8 +32,41 @@ pub fn run(checkout: &Checkout, arguments: &Golden) -> Result<Outcome> {
             Ok(Outcome::Well)
         }
         Golden::Render(arguments) => render(checkout, arguments),
+        Golden::Mistakes(arguments) => mistakes(checkout, arguments),
         Golden::Verify(arguments) => verify(checkout, arguments),
     }
+}
+
+/// Fingerprints the mistakes anew on goldens that stay as they are.
+fn mistakes(checkout: &Checkout, arguments: &GoldenMistakes) -> Result<Outcome> {
+    let assignment = Assignment::around(checkout, &std::env::current_dir().unwrap_or_default())?;
+    let own = checkout.golden(&assignment.name);
+    let folder = arguments.dir.as_ref().unwrap_or(&own);
+    let mut manifest = Manifest::read(folder)?;
+    let scenes = manifest.scenes(folder, checkout);
+    fingerprint(&mut manifest, folder, &scenes, &assignment, checkout)?;
+    manifest.write(folder)?;
+    Ok(Outcome::Well)
+}
+
+/// Keeps the known mistakes' fingerprints on these scenes, and on the probes if the
+/// folder has any.
+fn fingerprint(
+    manifest: &mut Manifest,
+    folder: &Path,
+    scenes: &[PathBuf],
+    assignment: &Assignment,
+    checkout: &Checkout,
+) -> Result<()> {
+    let goldens = Goldens::of_scenes(folder, scenes)?;
+    let progress = Progress::new();
+    let probes = manifest.probe_seed.is_some();
+    let written = mistake_films::make(assignment, &goldens, probes, checkout, &progress)?;
+    progress.clear();
+    manifest.set_mistakes(&written, folder, assignment, checkout)?;
+    let mistakes = Known::read(folder)?.mistake.len();
+    anstream::println!("{mistakes} mistakes show in {} films", written.len());
+    Ok(())
 }
 
 fn render(checkout: &Checkout, arguments: &GoldenRender) -> Result<Outcome> {
@@ -105,6 +141,12 @@ fn render(checkout: &Checkout, arguments: &GoldenRender) -> Result<Outcome> {
     }
     manifest.write(&folder)?;
     progress.clear();
+    let scenes = match arguments.scenes.is_empty() {
+        true => manifest.scenes(&folder, checkout),
+        false => scenes,
+    };
+    fingerprint(&mut manifest, &folder, &scenes, &assignment, checkout)?;
+    manifest.write(&folder)?;
     anstream::println!("{} films in {}", manifest.films.len(), folder.display());
     Ok(Outcome::Well)
 }
@@ -166,7 +208,7 @@ fn verify(checkout: &Checkout, arguments: &GoldenVerify) -> Result<Outcome> {
     let own = checkout.golden(&assignment.name);
     let folder = arguments.dir.as_ref().unwrap_or(&own);
     let manifest = Manifest::read(folder)?;
-    let mut problems = manifest.out_of_step(folder, checkout);
+    let mut problems = manifest.out_of_step(folder, &assignment, checkout);
     problems.extend(unusable(&manifest, folder));
     if inside(folder, &own) {
         problems.extend(absent(&manifest, &assignment));
@@ -195,7 +237,8 @@ fn verify(checkout: &Checkout, arguments: &GoldenVerify) -> Result<Outcome> {
 
 /// Goldens that cannot judge: unreadable, not fitting their tolerance, or too lenient.
 fn unusable(manifest: &Manifest, folder: &Path) -> Vec<String> {
-    let is_golden = |name: &&String| !name.ends_with(".tol.exr") && !name.ends_with(".ask.exr");
+    let others = [".tol.exr", ".ask.exr", ".mistakes.exr", ".toml"];
+    let is_golden = |name: &&String| !others.iter().any(|end| name.ends_with(end));
     let goldens = manifest.films.keys().filter(is_golden);
     goldens
         .filter_map(|name| GoldenFilm::read(&folder.join(name)).err())

@@ -1,0 +1,91 @@
+//! How far each known mistake agrees with one film.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use pinhole::Film;
+use pinhole::judge::Golden;
+
+use super::fingerprint::{Compared, Fingerprint};
+use super::known::Known;
+use crate::error::Result;
+
+/// A film's wrong pixels, and what known mistakes say of them.
+#[derive(Clone, Debug)]
+pub struct Evidence {
+    /// How many pixels are wrong.
+    pub failing: usize,
+    /// Of how many.
+    pub pixels: usize,
+    /// For each mistake that would show in this film.
+    pub agreements: BTreeMap<String, Agreement>,
+}
+
+/// A mistake held against a film, in pixels; a sample speaks for all of them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Agreement {
+    /// How many the mistake would get wrong.
+    pub predicted: f64,
+    /// How many of these are wrong in the film, in whatever way.
+    pub touched: f64,
+    /// How many are wrong in the mistake's own way.
+    pub shared: f64,
+    /// How many of those that tell it from similar mistakes are otherwise.
+    pub denied: f64,
+}
+
+impl Evidence {
+    /// What the known mistakes say of a film; `None` if it cannot be compared.
+    pub fn of(
+        name: &str,
+        golden: &Golden,
+        film: &Film,
+        known: &Known,
+        folder: &Path,
+    ) -> Result<Option<Evidence>> {
+        let Some(compared) = Compared::new(golden, film) else {
+            return Ok(None);
+        };
+        let prints = known.fingerprints(name, golden, folder)?;
+        let agreements = prints
+            .into_iter()
+            .map(|(slug, print)| (slug.to_owned(), agreement(&compared, &print)));
+        Ok(Some(Evidence {
+            failing: compared.failing(),
+            pixels: compared.pixels(),
+            agreements: agreements.collect(),
+        }))
+    }
+
+    /// What this mistake says; nothing, if it would not show.
+    pub fn agreement(&self, slug: &str) -> Agreement {
+        self.agreements.get(slug).copied().unwrap_or_default()
+    }
+}
+
+impl Agreement {
+    /// Wrong pixels of the film or of the mistake that the other has not, or has
+    /// otherwise.
+    pub fn apart(&self, failing: usize) -> f64 {
+        let apart = self.predicted + failing as f64 - 2.0 * self.shared;
+        apart.max(self.denied)
+    }
+}
+
+fn agreement(film: &Compared, print: &Fingerprint) -> Agreement {
+    let predicted = print.failing as f64;
+    let share = |count: usize| match print.sample.len() {
+        0 => 0.0,
+        all => predicted * count as f64 / all as f64,
+    };
+    let sample = print.sample.iter();
+    let touched = sample.clone().filter(|at| film.is_wrong(at.pixel)).count();
+    let shared = sample.filter(|at| film.shows(at)).count();
+    let denied = print.telling.iter().filter(|at| !film.shows(at)).count();
+    Agreement {
+        predicted,
+        touched: share(touched),
+        shared: share(shared).min(film.failing() as f64),
+        denied: denied as f64,
+    }
+}

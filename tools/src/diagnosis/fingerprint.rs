@@ -1,0 +1,215 @@
+//! What a known mistake does to a film: a sample of the pixels it gets wrong, with the
+//! values it leaves there.
+//!
+//! Whole films of every mistake would outweigh the goldens many times; a sample says
+//! as much, because a belief is a rule and shows wherever it applies.
+
+use pinhole::Film;
+use pinhole::film::MISS;
+use pinhole::judge::Golden;
+
+/// What one mistake does to one film.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fingerprint {
+    /// How many pixels it gets wrong.
+    pub failing: usize,
+    /// An even sample of them: all, if they are few.
+    pub sample: Vec<Witness>,
+    /// Some that other, similar mistakes leave otherwise.
+    pub telling: Vec<Witness>,
+}
+
+/// One wrong pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Witness {
+    /// Its index in image order.
+    pub pixel: usize,
+    /// What the mistake leaves there, in the golden's channel order.
+    pub values: Vec<f32>,
+}
+
+/// Sampled pixels per mistake and film: a share of them is known to within about 5 %.
+pub const MOST_SAMPLED: usize = 96;
+
+/// Telling pixels per mistake and film, and per pair of similar mistakes.
+pub const MOST_TELLING: usize = 48;
+const TELLING_PER_PAIR: usize = 6;
+
+/// How far, relative to its size, a value may be from a mistake's and still be the same
+/// value computed by another route: 32-bit arithmetic stays well below.
+const SAME: f32 = 1e-5;
+
+/// Where a golden's tolerance is wider than [`SAME`], it counts instead, up to this.
+const MOST_SAME: f32 = 1e-3;
+
+/// Channels that are compared by themselves or as vectors: their places.
+enum Quantity {
+    Id(usize),
+    Other(Vec<usize>),
+}
+
+/// A film and the golden it is held against.
+pub struct Compared<'a> {
+    film: Vec<&'a [f32]>,
+    tolerance: Vec<&'a [f32]>,
+    quantities: Vec<Quantity>,
+    wrong: Vec<bool>,
+    failing: usize,
+}
+
+impl<'a> Compared<'a> {
+    /// `None` if they differ in size or channels.
+    pub fn new(golden: &'a Golden, film: &'a Film) -> Option<Compared<'a>> {
+        if golden.film().resolution() != film.resolution() {
+            return None;
+        }
+        let names = channel_names(golden);
+        let of = |film: &'a Film| -> Option<Vec<&'a [f32]>> {
+            names.iter().map(|name| film.channel(name)).collect()
+        };
+        let (expected, tolerance) = (of(golden.film())?, of(golden.tolerance())?);
+        let film = of(film)?;
+        // Written so that NaN is wrong.
+        let right = |pixel: usize| {
+            (0..names.len()).all(|channel| {
+                let distance = (film[channel][pixel] - expected[channel][pixel]).abs();
+                distance <= tolerance[channel][pixel]
+            })
+        };
+        let wrong: Vec<bool> = (0..golden.film().resolution().pixels())
+            .map(|pixel| !right(pixel))
+            .collect();
+        Some(Compared {
+            film,
+            tolerance,
+            quantities: quantities(&names),
+            failing: wrong.iter().filter(|wrong| **wrong).count(),
+            wrong,
+        })
+    }
+
+    /// How many pixels are wrong.
+    pub fn failing(&self) -> usize {
+        self.failing
+    }
+
+    /// How many pixels there are.
+    pub fn pixels(&self) -> usize {
+        self.wrong.len()
+    }
+
+    /// Whether the pixel is wrong at all.
+    pub fn is_wrong(&self, pixel: usize) -> bool {
+        self.wrong.get(pixel) == Some(&true)
+    }
+
+    /// Whether the pixel is wrong in the way of this witness.
+    pub fn shows(&self, witness: &Witness) -> bool {
+        let Witness { pixel, values } = witness;
+        self.is_wrong(*pixel)
+            && values.len() == self.film.len()
+            && self.quantities.iter().all(|quantity| match quantity {
+                Quantity::Id(place) => self.film[*place][*pixel] == values[*place],
+                // A miss has no t and no normal.
+                Quantity::Other(_) if self.is_miss(values) => true,
+                Quantity::Other(places) => self.is_same(places, *pixel, values),
+            })
+    }
+
+    fn is_miss(&self, values: &[f32]) -> bool {
+        let mut ids = self
+            .quantities
+            .iter()
+            .filter_map(|quantity| match quantity {
+                Quantity::Id(place) => Some(values[*place]),
+                Quantity::Other(_) => None,
+            });
+        ids.next() == Some(MISS)
+    }
+
+    fn is_same(&self, places: &[usize], pixel: usize, values: &[f32]) -> bool {
+        let size = places
+            .iter()
+            .map(|place| values[*place].abs())
+            .fold(0.0, f32::max);
+        places.iter().all(|place| {
+            let (got, known) = (self.film[*place][pixel], values[*place]);
+            let tolerance = self.tolerance[*place][pixel].min(MOST_SAME * size);
+            let both_lost = !got.is_finite() && !known.is_finite();
+            both_lost || (got - known).abs() <= tolerance.max(SAME * size)
+        })
+    }
+
+    fn witness(&self, pixel: usize) -> Witness {
+        Witness {
+            pixel,
+            values: self.film.iter().map(|samples| samples[pixel]).collect(),
+        }
+    }
+}
+
+/// The fingerprints of mistakes' films of one golden, in their order; `None` for a film
+/// that passes.
+pub fn fingerprints(films: &[Compared<'_>]) -> Vec<Option<Fingerprint>> {
+    let orders: Vec<Vec<usize>> = films.iter().map(shuffled).collect();
+    let fingerprint = |own: usize| {
+        let film = &films[own];
+        let sample = orders[own].iter().take(MOST_SAMPLED);
+        let mut telling: Vec<usize> = Vec::new();
+        for other in (0..films.len()).filter(|other| *other != own) {
+            let differs = |pixel: &&usize| !films[other].shows(&film.witness(**pixel));
+            // One that differs nearly everywhere is told apart by the sample.
+            let probed = sample.clone();
+            let apart = probed.clone().filter(differs).count();
+            if films[other].failing > 0 && apart * 4 <= probed.len() {
+                let few = orders[own].iter().filter(differs).take(TELLING_PER_PAIR);
+                telling.extend(few);
+            }
+        }
+        telling.sort_unstable();
+        telling.dedup();
+        telling.truncate(MOST_TELLING);
+        Fingerprint {
+            failing: film.failing,
+            sample: sample.map(|pixel| film.witness(*pixel)).collect(),
+            telling: telling.iter().map(|pixel| film.witness(*pixel)).collect(),
+        }
+    };
+    (0..films.len())
+        .map(|own| (films[own].failing > 0).then(|| fingerprint(own)))
+        .collect()
+}
+
+/// The wrong pixels in an order without pattern, the same each time (Knuth's
+/// multiplicative hash, The Art of Computer Programming, vol. 3, §6.4).
+fn shuffled(film: &Compared<'_>) -> Vec<usize> {
+    let mut pixels: Vec<usize> = (0..film.pixels()).filter(|p| film.is_wrong(*p)).collect();
+    pixels.sort_by_key(|pixel| (*pixel as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15));
+    pixels
+}
+
+/// The golden's channels in the order of a witness's values.
+pub fn channel_names(golden: &Golden) -> Vec<String> {
+    let channels = golden.film().channels().iter();
+    let mut names: Vec<String> = channels.map(|channel| channel.name.clone()).collect();
+    names.sort();
+    names
+}
+
+fn quantities(names: &[String]) -> Vec<Quantity> {
+    let mut quantities: Vec<(&str, Vec<usize>)> = Vec::new();
+    for (place, name) in names.iter().enumerate() {
+        let vector = name.split('.').next().unwrap_or(name);
+        match quantities.last_mut() {
+            Some((last, places)) if *last == vector => places.push(place),
+            _ => quantities.push((vector, vec![place])),
+        }
+    }
+    quantities
+        .into_iter()
+        .map(|(name, places)| match (name, places.as_slice()) {
+            ("id", [place]) => Quantity::Id(*place),
+            _ => Quantity::Other(places),
+        })
+        .collect()
+}

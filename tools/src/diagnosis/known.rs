@@ -1,0 +1,184 @@
+//! The known mistakes as they lie beside the goldens: their words in `mistakes.toml`,
+//! their fingerprints in `FILM.mistakes.exr`.
+//!
+//! A checkout without the mistakes' sources, as students have it, diagnoses as well.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use pinhole::film::Channel;
+use pinhole::judge::Golden;
+use pinhole::{Film, Resolution};
+use serde::{Deserialize, Serialize};
+
+use super::fingerprint::{
+    Compared, Fingerprint, MOST_SAMPLED, MOST_TELLING, Witness, channel_names, fingerprints,
+};
+use crate::error::{Error, Result};
+use crate::mistake::Mistake;
+
+/// The file of their words.
+pub const FILE: &str = "mistakes.toml";
+
+/// The channel that says which pixel of the film a column is about.
+const PIXEL: &str = "pixel";
+
+/// In [`PIXEL`], a column that is not used.
+const UNUSED: f32 = -1.0;
+
+/// What a folder of goldens knows of mistakes.
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Known {
+    /// By name.
+    #[serde(default)]
+    pub mistake: BTreeMap<String, Mistake>,
+    /// For each film the mistakes that show in it, and in how many pixels. Their order
+    /// is that of the rows of the fingerprints' file, from the top.
+    #[serde(default)]
+    pub films: BTreeMap<String, BTreeMap<String, usize>>,
+}
+
+impl Known {
+    /// What the folder knows; nothing if it has no such file.
+    pub fn read(folder: &Path) -> Result<Known> {
+        let path = folder.join(FILE);
+        let Ok(text) = fs::read_to_string(&path) else {
+            return Ok(Known::default());
+        };
+        toml::from_str(&text).map_err(|error| {
+            Error::environment(
+                format!("{}: {}", path.display(), error.message()),
+                "make it again: cargo run --release -- golden mistakes",
+            )
+        })
+    }
+
+    /// Writes the words into `folder`.
+    pub fn write(&self, folder: &Path) -> Result<()> {
+        let text = toml::to_string(self).map_err(|error| {
+            Error::environment(format!("cannot write {FILE}: {error}"), "report this")
+        })?;
+        let head = "# Written by `pinhole golden`: what is known of mistakes, and in how many pixels \
+                    of each film each shows.\n\n";
+        fs::write(folder.join(FILE), format!("{head}{text}")).map_err(|error| {
+            let problem = format!("cannot write {}: {error}", folder.join(FILE).display());
+            Error::input(problem, "name a folder you may write to")
+        })
+    }
+
+    /// Fingerprints these films of `golden` and writes them; the file's path inside
+    /// `folder`, if any mistake shows.
+    pub fn add(
+        &mut self,
+        film: &str,
+        golden: &Golden,
+        films: &[(String, Film)],
+        folder: &Path,
+    ) -> Result<Option<PathBuf>> {
+        let comparable = films
+            .iter()
+            .filter_map(|(slug, film)| Some((slug, Compared::new(golden, film)?)));
+        let (slugs, compared): (Vec<&String>, Vec<Compared>) = comparable.unzip();
+        let shown: BTreeMap<&String, Fingerprint> = slugs
+            .into_iter()
+            .zip(fingerprints(&compared))
+            .filter_map(|(slug, fingerprint)| Some((slug, fingerprint?)))
+            .collect();
+        let counts = shown
+            .iter()
+            .map(|(slug, print)| ((*slug).clone(), print.failing));
+        self.films.insert(film.into(), counts.collect());
+        if shown.is_empty() {
+            return Ok(None);
+        }
+        let file = file(film);
+        let prints: Vec<&Fingerprint> = shown.values().collect();
+        laid_out(&prints, &channel_names(golden)).write(&folder.join(&file))?;
+        Ok(Some(file))
+    }
+
+    /// The fingerprints that mistakes leave in a film.
+    pub fn fingerprints(
+        &self,
+        film: &str,
+        golden: &Golden,
+        folder: &Path,
+    ) -> Result<Vec<(&str, Fingerprint)>> {
+        let Some(counts) = self.films.get(film).filter(|counts| !counts.is_empty()) else {
+            return Ok(Vec::new());
+        };
+        let path = folder.join(file(film));
+        let broken = || {
+            Error::environment(
+                format!("{} does not fit {FILE}", path.display()),
+                "make both again: cargo run --release -- golden mistakes",
+            )
+        };
+        let laid_out = Film::read(&path)?;
+        let pixels = laid_out.channel(PIXEL).ok_or_else(broken)?;
+        let names = channel_names(golden);
+        let channels: Option<Vec<&[f32]>> =
+            names.iter().map(|name| laid_out.channel(name)).collect();
+        let channels = channels.ok_or_else(broken)?;
+        let Resolution { n_x, n_y } = laid_out.resolution();
+        if n_y != counts.len() || n_x != MOST_SAMPLED + MOST_TELLING {
+            return Err(broken());
+        }
+        let witnesses = |from: usize, count: usize| -> Vec<Witness> {
+            (from..from + count)
+                .filter(|index| pixels[*index] >= 0.0)
+                .map(|index| Witness {
+                    pixel: pixels[index] as usize,
+                    values: channels.iter().map(|samples| samples[index]).collect(),
+                })
+                .collect()
+        };
+        let rows = counts.iter().enumerate();
+        Ok(rows
+            .map(|(row, (slug, failing))| {
+                let first = row * n_x;
+                let fingerprint = Fingerprint {
+                    failing: *failing,
+                    sample: witnesses(first, MOST_SAMPLED),
+                    telling: witnesses(first + MOST_SAMPLED, MOST_TELLING),
+                };
+                (slug.as_str(), fingerprint)
+            })
+            .collect())
+    }
+}
+
+/// Where the fingerprints of a film lie.
+fn file(film: &str) -> PathBuf {
+    format!("{film}.mistakes.exr").into()
+}
+
+/// A row for each fingerprint: first its sample, then what is telling.
+fn laid_out(prints: &[&Fingerprint], names: &[String]) -> Film {
+    let columns = MOST_SAMPLED + MOST_TELLING;
+    let resolution = Resolution {
+        n_x: columns,
+        n_y: prints.len(),
+    };
+    let channel = |name: &str, value: &dyn Fn(&Witness) -> f32, unused: f32| {
+        let mut samples = vec![unused; resolution.pixels()];
+        for (row, print) in prints.iter().enumerate() {
+            let places = (0..).zip(&print.sample);
+            let places = places.chain((MOST_SAMPLED..).zip(&print.telling));
+            for (column, witness) in places {
+                samples[row * columns + column] = value(witness);
+            }
+        }
+        Channel {
+            name: name.into(),
+            samples,
+        }
+    };
+    let mut channels = vec![channel(PIXEL, &|witness| witness.pixel as f32, UNUSED)];
+    for (place, name) in names.iter().enumerate() {
+        channels.push(channel(name, &|witness| witness.values[place], 0.0));
+    }
+    Film::new(resolution, channels)
+}

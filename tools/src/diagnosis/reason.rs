@@ -1,0 +1,166 @@
+//! From evidence to a name, or to none.
+//!
+//! A belief is named only if it predicts nearly everything that is wrong, and little
+//! else: the agreement is the Jaccard index of the two sets of wrong pixels, pixels that
+//! are wrong in different ways counting as different.
+
+use super::evidence::Evidence;
+use super::known::Known;
+use super::{Diagnosis, Explanation, Reading};
+
+/// Less agreement than this earns no name. Beliefs written anew agree to 0.95 and more
+/// (`pinhole validate` measures it); a coincidence rarely passes one half.
+const ENOUGH: f64 = 0.9;
+
+/// Two beliefs in one task spoil each other's pixels where they meet.
+const ENOUGH_TOGETHER: f64 = 0.8;
+
+/// More candidates than this say nothing.
+const MOST_ALIKE: usize = 3;
+
+impl Known {
+    /// The belief that explains these films: all of one task, or one of a scene.
+    ///
+    /// `is_candidate` tells which mistakes come into question.
+    pub fn explain(&self, films: &[Evidence], is_candidate: &dyn Fn(&str) -> bool) -> Diagnosis {
+        if films.iter().all(|film| film.failing == 0) {
+            return Diagnosis::default();
+        }
+        let candidates: Vec<&str> = self
+            .mistake
+            .keys()
+            .map(String::as_str)
+            .filter(|slug| is_candidate(slug))
+            .collect();
+        let mut alone: Vec<(&str, Sum)> = candidates
+            .iter()
+            .map(|slug| (*slug, Sum::of(films, &[slug])))
+            .filter(|(_, sum)| sum.agreement() >= ENOUGH)
+            .collect();
+        alone.sort_by(|(_, a), (_, b)| a.apart.total_cmp(&b.apart));
+        if let Some((_, best)) = alone.first().copied() {
+            alone.retain(|(_, sum)| sum.is_like(&best));
+            let beliefs: Vec<Explanation> = alone
+                .iter()
+                .filter_map(|(slug, sum)| self.explanation(slug, sum.explained()))
+                .collect();
+            return match beliefs.len() {
+                1 => Diagnosis::of(beliefs, Reading::Together),
+                2..=MOST_ALIKE => Diagnosis::of(beliefs, Reading::OneOf),
+                _ => Diagnosis::default(),
+            };
+        }
+        match pair(films, &candidates) {
+            Some([one, other]) => {
+                let explained = |slug: &str| Sum::of(films, &[slug]).explained();
+                let beliefs = [one, other]
+                    .into_iter()
+                    .filter_map(|slug| self.explanation(slug, explained(slug)));
+                Diagnosis::of(beliefs.collect(), Reading::Together)
+            }
+            None => Diagnosis::default(),
+        }
+    }
+
+    /// A belief and what it explains of these films, whatever else is wrong in them.
+    pub fn explanation_of(&self, slug: &str, films: &[Evidence]) -> Option<Explanation> {
+        self.explanation(slug, Sum::of(films, &[slug]).explained())
+    }
+
+    fn explanation(&self, slug: &str, explained: f64) -> Option<Explanation> {
+        let mistake = self.mistake.get(slug)?.clone();
+        Some(Explanation {
+            slug: slug.into(),
+            mistake,
+            explained,
+        })
+    }
+}
+
+/// The two beliefs that explain the films together, if only these two do: each must
+/// explain some film that the other does not.
+fn pair<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<[&'a str; 2]> {
+    let explains = |slug: &str, film: &Evidence| {
+        Sum::of(std::slice::from_ref(film), &[slug]).agreement() >= ENOUGH
+    };
+    let wrong: Vec<&Evidence> = films.iter().filter(|film| film.failing > 0).collect();
+    let partial: Vec<&'a str> = candidates
+        .iter()
+        .copied()
+        .filter(|slug| wrong.iter().any(|film| explains(slug, film)))
+        .collect();
+    let mut pairs = Vec::new();
+    for (place, one) in partial.iter().enumerate() {
+        for other in &partial[place + 1..] {
+            let only = |this: &str, that: &str| {
+                wrong
+                    .iter()
+                    .any(|film| explains(this, film) && !explains(that, film))
+            };
+            let sum = Sum::of(films, &[one, other]);
+            if sum.agreement() >= ENOUGH_TOGETHER && only(one, other) && only(other, one) {
+                pairs.push(([*one, *other], sum));
+            }
+        }
+    }
+    pairs.sort_by(|(_, a), (_, b)| a.apart.total_cmp(&b.apart));
+    match pairs.as_slice() {
+        [(best, _)] => Some(*best),
+        [(best, sum), (_, next), ..] if !next.is_like(sum) => Some(*best),
+        _ => None,
+    }
+}
+
+/// Sums over films, each counted as a share of its pixels, so that a large film does not
+/// outweigh many small ones.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sum {
+    /// What is wrong in the films.
+    failing: f64,
+    /// What of that the beliefs predict as it came.
+    shared: f64,
+    /// What they predict and is right.
+    absent: f64,
+    /// What either has and the other has not, or has otherwise.
+    apart: f64,
+    /// What a single pixel of each film adds up to.
+    grain: f64,
+}
+
+impl Sum {
+    fn of(films: &[Evidence], beliefs: &[&str]) -> Sum {
+        let mut sum = Sum::default();
+        for film in films {
+            let share = 1.0 / film.pixels.max(1) as f64;
+            let failing = film.failing as f64;
+            let agreements = beliefs.iter().map(|slug| film.agreement(slug));
+            let mut shared = 0.0;
+            let mut apart = 0.0;
+            for agreement in agreements {
+                shared += agreement.shared;
+                apart += agreement.apart(film.failing);
+                sum.absent += share * (agreement.predicted - agreement.touched);
+            }
+            sum.failing += share * failing;
+            sum.shared += share * shared.min(failing);
+            sum.apart += share * apart;
+            sum.grain = sum.grain.max(share);
+        }
+        sum
+    }
+
+    /// 1 if the beliefs predict exactly what came, 0 if nothing of it.
+    fn agreement(&self) -> f64 {
+        // Predicted and wrong otherwise is part of `failing` already.
+        self.shared / (self.failing + self.absent).max(f64::MIN_POSITIVE)
+    }
+
+    fn explained(&self) -> f64 {
+        self.shared / self.failing.max(f64::MIN_POSITIVE)
+    }
+
+    /// Whether this is hardly farther from the films than the best.
+    fn is_like(&self, best: &Sum) -> bool {
+        self.apart <= 2.0 * best.apart + 1.5 * best.grain
+    }
+}

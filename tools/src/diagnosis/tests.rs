@@ -1,0 +1,202 @@
+use std::collections::BTreeMap;
+
+use pinhole::film::{Channel, HIT_CHANNELS};
+use pinhole::judge::Golden;
+use pinhole::{Film, Resolution};
+
+use super::evidence::Evidence;
+use super::known::Known;
+use super::{Diagnosis, Reading};
+use crate::mistake::{Hint, Mistake};
+
+const RESOLUTION: Resolution = Resolution { n_x: 50, n_y: 20 };
+
+/// A film whose every pixel shows object 0 at this t, facing +z.
+fn film(t: impl Fn(usize) -> f32) -> Film {
+    let pixels = RESOLUTION.pixels();
+    let channel = |name: &str, value: &dyn Fn(usize) -> f32| Channel {
+        name: name.into(),
+        samples: (0..pixels).map(value).collect(),
+    };
+    let [id, depth, x, y, z] = HIT_CHANNELS;
+    Film::new(
+        RESOLUTION,
+        vec![
+            channel(id, &|_| 0.0),
+            channel(depth, &t),
+            channel(x, &|_| 0.0),
+            channel(y, &|_| 0.0),
+            channel(z, &|_| 1.0),
+        ],
+    )
+}
+
+fn right(pixel: usize) -> f32 {
+    2.0 + pixel as f32 / 100.0
+}
+
+fn golden() -> Golden {
+    let tolerance = film(|_| 1e-5);
+    let channels = tolerance.channels().iter().map(|channel| Channel {
+        name: channel.name.clone(),
+        samples: vec![1e-5; RESOLUTION.pixels()],
+    });
+    let tolerance = Film::new(RESOLUTION, channels.collect());
+    Golden::new(film(right), tolerance).expect("they belong together")
+}
+
+fn mistake() -> Mistake {
+    Mistake {
+        belief: "t is what I say".into(),
+        fails: vec!["sphere".into()],
+        submissions: None,
+        chapter: "Sphere".into(),
+        beliefs: Vec::new(),
+        hint: Hint {
+            look: "look".into(),
+            think: "think".into(),
+            read: "read".into(),
+        },
+    }
+}
+
+/// Diagnoses films, given the films of known mistakes: the same number of each.
+#[track_caller]
+fn diagnosis(known_films: &[(&str, &[&Film])], films: &[&Film]) -> Diagnosis {
+    let folder = tempfile::tempdir().expect("a folder can be made");
+    let golden = golden();
+    let slugs = known_films.iter().map(|(slug, _)| slug.to_string());
+    let mut known = Known {
+        mistake: slugs.map(|slug| (slug, mistake())).collect(),
+        films: BTreeMap::new(),
+    };
+    for place in 0..films.len() {
+        let casts = known_films
+            .iter()
+            .map(|(slug, films)| (slug.to_string(), films[place].clone()));
+        let casts: Vec<(String, Film)> = casts.collect();
+        known
+            .add(&place.to_string(), &golden, &casts, folder.path())
+            .expect("the folder can be written");
+    }
+    known
+        .write(folder.path())
+        .expect("the folder can be written");
+    let known = Known::read(folder.path()).expect("it was written");
+    let evidence = films.iter().enumerate().map(|(place, film)| {
+        Evidence::of(&place.to_string(), &golden, film, &known, folder.path())
+            .expect("the files are there")
+            .expect("the films fit")
+    });
+    known.explain(&evidence.collect::<Vec<_>>(), &|_| true)
+}
+
+fn names(diagnosis: &Diagnosis) -> Vec<&str> {
+    let beliefs = diagnosis.beliefs.iter();
+    beliefs.map(|belief| belief.slug.as_str()).collect()
+}
+
+/// Wrong from pixel 500 on: `by` too far.
+fn late(by: f32) -> Film {
+    film(move |pixel| right(pixel) + if pixel >= 500 { by } else { 0.0 })
+}
+
+#[test]
+fn the_same_belief_with_other_rounding_is_recognised() {
+    let known = late(0.5);
+    let anew = film(|pixel| right(pixel) + if pixel >= 500 { 0.500_003 } else { 2e-6 });
+    let diagnosis = diagnosis(&[("late", &[&known])], &[&anew]);
+    assert_eq!(names(&diagnosis), ["late"]);
+    assert_eq!(diagnosis.reading, Reading::Together);
+    assert_eq!(diagnosis.beliefs[0].explained, 1.0);
+}
+
+#[test]
+fn a_film_wrong_in_the_same_place_but_otherwise_gets_no_name() {
+    assert!(diagnosis(&[("late", &[&late(0.5)])], &[&late(0.6)]).is_empty());
+}
+
+#[test]
+fn a_film_of_which_half_is_explained_gets_no_name() {
+    let wrong = film(|pixel| right(pixel) + if pixel >= 500 { 0.5 } else { 0.1 });
+    assert!(diagnosis(&[("late", &[&late(0.5)])], &[&wrong]).is_empty());
+}
+
+#[test]
+fn a_film_that_shows_half_of_a_mistake_gets_no_name() {
+    let wrong = film(|pixel| right(pixel) + if pixel >= 750 { 0.5 } else { 0.0 });
+    assert!(diagnosis(&[("late", &[&late(0.5)])], &[&wrong]).is_empty());
+}
+
+#[test]
+fn a_right_film_gets_no_name() {
+    assert!(diagnosis(&[("late", &[&late(0.5)])], &[&film(right)]).is_empty());
+}
+
+#[test]
+fn not_a_number_is_recognised_too() {
+    let lost = |pixel: usize| if pixel >= 500 { f32::NAN } else { right(pixel) };
+    let diagnosis = diagnosis(&[("lost", &[&film(lost)])], &[&film(lost)]);
+    assert_eq!(names(&diagnosis), ["lost"]);
+}
+
+#[test]
+fn beliefs_that_differ_in_few_pixels_are_told_apart() {
+    // Three pixels of a thousand, which an even sample of a hundred misses.
+    let but_three = film(|pixel| {
+        let by = match pixel {
+            611 | 742 | 873 => 0.25,
+            pixel if pixel >= 500 => 0.5,
+            _ => 0.0,
+        };
+        right(pixel) + by
+    });
+    let all = late(0.5);
+    let known: [(&str, &[&Film]); 2] = [("all", &[&all]), ("but_three", &[&but_three])];
+    assert_eq!(names(&diagnosis(&known, &[&all])), ["all"]);
+    assert_eq!(names(&diagnosis(&known, &[&but_three])), ["but_three"]);
+}
+
+#[test]
+fn beliefs_that_look_alike_are_all_named_and_said_to_be_alike() {
+    let wrong = late(0.5);
+    let known: [(&str, &[&Film]); 2] = [("one", &[&wrong]), ("other", &[&wrong])];
+    let diagnosis = diagnosis(&known, &[&wrong]);
+    assert_eq!(names(&diagnosis), ["one", "other"]);
+    assert_eq!(diagnosis.reading, Reading::OneOf);
+}
+
+#[test]
+fn where_many_beliefs_look_alike_none_is_named() {
+    let wrong = late(0.5);
+    let films: [&Film; 1] = [&wrong];
+    let known = ["a", "b", "c", "d"].map(|slug| (slug, films.as_slice()));
+    assert!(diagnosis(&known, &[&wrong]).is_empty());
+}
+
+#[test]
+fn another_film_tells_apart_what_one_cannot() {
+    let (wrong, fine) = (late(0.5), film(right));
+    let known: [(&str, &[&Film]); 2] = [("one", &[&wrong, &wrong]), ("other", &[&wrong, &fine])];
+    assert_eq!(names(&diagnosis(&known, &[&wrong, &fine])), ["other"]);
+    assert_eq!(names(&diagnosis(&known, &[&wrong, &wrong])), ["one"]);
+}
+
+#[test]
+fn two_beliefs_at_once_are_both_named_where_each_shows_alone() {
+    let (fine, far, near) = (film(right), late(0.5), late(-0.5));
+    let known: [(&str, &[&Film]); 2] = [("far", &[&far, &fine]), ("near", &[&fine, &near])];
+    let diagnosis = diagnosis(&known, &[&far, &near]);
+    assert_eq!(names(&diagnosis), ["far", "near"]);
+    assert_eq!(diagnosis.reading, Reading::Together);
+    for belief in &diagnosis.beliefs {
+        assert!((belief.explained - 0.5).abs() < 1e-6, "{belief:?}");
+    }
+}
+
+#[test]
+fn a_belief_beside_something_unknown_is_not_named() {
+    let (fine, far, unknown) = (film(right), late(0.5), film(|pixel| 3.0 * right(pixel)));
+    let known: [(&str, &[&Film]); 1] = [("far", &[&far, &fine])];
+    assert!(diagnosis(&known, &[&far, &unknown]).is_empty());
+}
