@@ -177,7 +177,8 @@ pub enum Golden {
 }
 
 /// Render goldens with Mitsuba: a film and a tolerance film for each scene, the same
-/// for its viewing rays, and a manifest of what they were made from.
+/// for its viewing rays, and a manifest of what they were made from. Then the known
+/// mistakes cast the same, and what each does to every film is kept for diagnoses.
 ///
 /// Without scenes, all of the assignment's are made, and its probes, into `golden/`.
 /// A scene is refused if a pixel centre lies on an edge, or if a ray meets a plane
@@ -192,6 +193,9 @@ pub struct GoldenRender {
     /// Make fresh probes and random scenes from this seed instead; needs --out
     #[arg(long, value_name = "N", conflicts_with = "scenes", requires = "out")]
     pub seed: Option<u64>,
+    /// Leave out the known mistakes' films: sooner done, but nothing will be diagnosed
+    #[arg(long)]
+    pub no_mistakes: bool,
 }
 
 /// Cast the known mistakes on goldens that are there, and keep beside them what each

@@ -75,6 +75,8 @@ pub fn make(
         let name = goldens.film_name(&film.golden_path);
         written.extend(known.add(&name, &film.golden, &films, &goldens.folder)?);
     }
+    let is_there = |name: &String| goldens.folder.join(format!("{name}.exr")).is_file();
+    known.films.retain(|name, _| is_there(name));
     known.write(&goldens.folder)?;
     progress.clear();
     Ok(written)

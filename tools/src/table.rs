@@ -44,7 +44,8 @@ pub fn examination(examination: &Examination) -> String {
         line(&mut text, heading("scene", width));
     }
     for scene in &examination.scenes {
-        scene_rows(&mut text, scene, width, &examination.submission);
+        let known = examination.tasks.iter().any(|task| !task.passes());
+        scene_rows(&mut text, scene, width, &examination.submission, known);
     }
     let (earned, possible) = examination.points();
     line(
@@ -122,6 +123,12 @@ fn task_rows(text: &mut String, task: &TaskResult, width: usize) {
     if let Some(Replaced::DoesNotCompile(diagnostics)) = &task.replaced {
         indent(text, &printable_coloured(diagnostics.trim_end()));
     }
+    for row in diagnosis(&task.diagnosis).lines() {
+        line(text, format!("    {STRONG}{row}{STRONG:#}"));
+    }
+    for Explanation { mistake, .. } in &task.diagnosis.beliefs {
+        line(text, format!("    look: {}", mistake.hint.look));
+    }
     if task.replaced.is_none() && !task.is_unanswered() {
         let mut told: Vec<String> = Vec::new();
         for group in &failing {
@@ -133,18 +140,13 @@ fn task_rows(text: &mut String, task: &TaskResult, width: usize) {
                 said
             };
             line(text, format!("    {FAIL}{:<18}{FAIL:#}{said}", group.name));
-            told.push(said);
-            if let Some(worst) = &group.worst {
+            // Where the belief is known, one question shows enough of it.
+            if let Some(worst) = &group.worst
+                && (task.diagnosis.is_empty() || told.is_empty())
+            {
                 indent(text, worst);
             }
-        }
-    }
-    if !task.diagnosis.is_empty() {
-        for row in diagnosis(&task.diagnosis).lines() {
-            line(text, format!("    {STRONG}{row}{STRONG:#}"));
-        }
-        for Explanation { mistake, .. } in &task.diagnosis.beliefs {
-            line(text, format!("    look: {}", mistake.hint.look));
+            told.push(said);
         }
     }
     if !failing.is_empty() {
@@ -185,7 +187,32 @@ pub fn percent(share: f64) -> String {
     }
 }
 
-fn scene_rows(text: &mut String, scene: &SceneResult, width: usize, submission: &str) {
+/// Beliefs that a task's row spelled out already are only counted.
+fn scene_diagnosis(text: &mut String, of_scene: &Diagnosis, known_by_tasks: bool) {
+    if !known_by_tasks {
+        indent(text, &diagnosis(of_scene));
+        return;
+    }
+    for Explanation {
+        mistake, explained, ..
+    } in &of_scene.beliefs
+    {
+        let tasks = mistake.fails.join(", ");
+        let share = percent(*explained);
+        indent(
+            text,
+            &format!("what you believe in {tasks} explains {share} of it"),
+        );
+    }
+}
+
+fn scene_rows(
+    text: &mut String,
+    scene: &SceneResult,
+    width: usize,
+    submission: &str,
+    known_by_tasks: bool,
+) {
     let passes = scene.outcome.passes();
     let earned = if passes { scene.worth } else { 0 };
     let said = match &scene.outcome {
@@ -211,6 +238,7 @@ fn scene_rows(text: &mut String, scene: &SceneResult, width: usize, submission: 
             .filter(|channel| channel.failing > 0)
             .map(ToString::to_string);
         indent(text, &rows.collect::<Vec<_>>().join("\n"));
+        scene_diagnosis(text, &scene.diagnosis, known_by_tasks);
         let (i, j) = (mismatch.i, mismatch.j);
         let (name, folder) = (in_shell(&scene.argument), in_shell(submission));
         let command =
