@@ -6,27 +6,40 @@ use pinhole::judge::Golden;
 use crate::diagnosis::evidence::Evidence;
 use crate::diagnosis::{Diagnosis, Explanation, Reading};
 use crate::error::Result;
-use crate::examination::Examination;
+use crate::examination::{Examination, Outcome, TaskResult};
 use crate::goldens::Goldens;
 use crate::questions::QuestionFilm;
 
 /// A belief that explains less of a scene than this is not mentioned there.
 const LEAST_SHARE: f64 = 0.02;
 
+/// What came of one film that was asked for.
+pub struct Cast {
+    /// What was asked.
+    pub asked: QuestionFilm,
+    /// The film, if it is whole.
+    pub film: Option<Film>,
+    /// How it was judged.
+    pub end: Outcome,
+}
+
 impl Goldens {
     /// Which belief spoils these films, which are all those of one task.
-    pub fn diagnose_task(
-        &self,
-        task: &str,
-        films: &[(QuestionFilm, Option<Film>)],
-    ) -> Result<Diagnosis> {
+    pub fn diagnose_task(&self, task: &str, casts: &[Cast]) -> Result<Diagnosis> {
+        // Everybody's panics look alike.
+        if casts.iter().all(|cast| cast.film.is_none()) {
+            return Ok(Diagnosis::default());
+        }
         let mut evidence = Vec::new();
-        for (asked, film) in films {
+        for Cast { asked, film, end } in casts {
             let name = self.film_name(&asked.golden_path);
-            match film {
-                Some(film) => evidence.extend(self.evidence(&name, &asked.golden, film)?),
-                // Films alone tell beliefs apart; without one there is no telling.
-                None => return Ok(Diagnosis::default()),
+            match (film, end) {
+                (Some(film), _) => evidence.extend(self.evidence(&name, &asked.golden, film)?),
+                (None, Outcome::Panicked(_)) => {
+                    evidence.push(Evidence::of_panic(&name, asked.job.len(), &self.known));
+                }
+                // Nothing else tells beliefs apart: no answer in time, say.
+                (None, _) => return Ok(Diagnosis::default()),
             }
         }
         let fails_here = |slug: &str| {
@@ -43,37 +56,43 @@ impl Goldens {
     }
 
     /// Diagnoses the scenes. The beliefs that spoil single tasks say what is wrong with
-    /// the pictures; a picture speaks for itself only if no task was found wrong.
+    /// the pictures. Only if no task was found wrong do pictures speak for themselves:
+    /// all together first, because what looks alike in one may differ in another.
     pub fn diagnose_scenes(&self, examination: &mut Examination) -> Result<()> {
-        let any_task_fails = examination.tasks.iter().any(|task| !task.passes());
-        let mut held: Vec<&Explanation> = Vec::new();
-        for belief in examination
-            .tasks
-            .iter()
-            .flat_map(|task| &task.diagnosis.beliefs)
-        {
-            if held.iter().all(|other| other.slug != belief.slug) {
-                held.push(belief);
-            }
+        let scenes = &mut examination.scenes;
+        if scenes.iter().all(|scene| scene.outcome.passes()) {
+            return Ok(());
         }
-        for scene in &mut examination.scenes {
-            let Some(film) = scene.film.as_ref().filter(|_| !scene.outcome.passes()) else {
+        let mut evidence = Vec::new();
+        for scene in scenes.iter() {
+            evidence.push(match &scene.film {
+                Some(film) => self.evidence(&scene.name, &scene.golden, film)?,
+                None => None,
+            });
+        }
+        let tasks = &examination.tasks;
+        let together = match tasks.iter().all(TaskResult::passes) {
+            true => {
+                let all: Vec<Evidence> = evidence.iter().flatten().cloned().collect();
+                self.known.explain(&all, &|_| true)
+            }
+            false => held(tasks),
+        };
+        for (scene, evidence) in scenes.iter_mut().zip(&evidence) {
+            let Some(evidence) = evidence.as_ref().filter(|evidence| evidence.failing > 0) else {
                 continue;
             };
-            scene.diagnosis = if any_task_fails {
-                let evidence = self.evidence(&scene.name, &scene.golden, film)?;
-                let shown = held.iter().filter_map(|belief| {
-                    let explanation = self
-                        .known
-                        .explanation_of(&belief.slug, evidence.as_slice())?;
-                    (explanation.explained >= LEAST_SHARE).then_some(explanation)
-                });
-                Diagnosis {
+            let evidence = std::slice::from_ref(evidence);
+            let shown = together.beliefs.iter().filter_map(|belief| {
+                let explanation = self.known.explanation_of(&belief.slug, evidence)?;
+                (explanation.explained >= LEAST_SHARE).then_some(explanation)
+            });
+            scene.diagnosis = match together.is_empty() && tasks.iter().all(TaskResult::passes) {
+                true => self.known.explain(evidence, &|_| true),
+                false => Diagnosis {
                     beliefs: shown.collect(),
-                    reading: Reading::Together,
-                }
-            } else {
-                self.diagnose_film(&scene.name, &scene.golden, film)?
+                    reading: together.reading,
+                },
             };
         }
         Ok(())
@@ -81,5 +100,19 @@ impl Goldens {
 
     fn evidence(&self, name: &str, golden: &Golden, film: &Film) -> Result<Option<Evidence>> {
         Evidence::of(name, golden, film, &self.known, &self.folder)
+    }
+}
+
+/// The beliefs that tasks were found to be spoiled by, each once.
+fn held(tasks: &[TaskResult]) -> Diagnosis {
+    let mut beliefs: Vec<Explanation> = Vec::new();
+    for belief in tasks.iter().flat_map(|task| &task.diagnosis.beliefs) {
+        if beliefs.iter().all(|other| other.slug != belief.slug) {
+            beliefs.push(belief.clone());
+        }
+    }
+    Diagnosis {
+        beliefs,
+        reading: Reading::Together,
     }
 }

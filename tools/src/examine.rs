@@ -11,6 +11,7 @@ use pinhole::judge::judge;
 use crate::assignment::{Assignment, Task};
 use crate::compile::Program;
 use crate::describe;
+use crate::diagnose::Cast;
 use crate::diagnosis::Diagnosis;
 use crate::error::{Error, Result};
 use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskResult};
@@ -113,7 +114,11 @@ impl Examiner<'_> {
                     Outcome::Judged(verdict) => describe::worst(verdict, &film, &reply),
                     _ => None,
                 };
-                casts.push((film, cast));
+                casts.push(Cast {
+                    asked: film,
+                    film: cast,
+                    end: outcome.clone(),
+                });
                 // The first film that fails speaks for its group.
                 if result
                     .as_ref()

@@ -57,26 +57,25 @@ pub fn make(
             Some(task) => folder.mistake.fails.contains(task),
             None => true,
         };
-        let mut films = Vec::new();
+        let mut casts = Vec::new();
         for (folder, program) in mistakes.iter().zip(&programs) {
-            if shows(folder)
-                && let Some(cast) = cast(program, film)?
-            {
-                films.push((folder.slug.clone(), cast));
+            if shows(folder) {
+                casts.push((folder.slug.clone(), cast(program, film)?));
             }
         }
-        Ok(films)
+        Ok(casts)
     };
     let told = Told::new("casting the mistakes", asked.len(), progress);
     let films = asked.par_iter().map(|film| told.after(cast_all(film)));
-    let films: Vec<Vec<(String, Film)>> = films.collect::<Result<_>>()?;
+    let casts: Vec<Vec<(String, Option<Film>)>> = films.collect::<Result<_>>()?;
     let mut written = Vec::new();
-    for ((_, film), films) in asked.iter().zip(films) {
+    for ((_, film), casts) in asked.iter().zip(casts) {
         let name = goldens.film_name(&film.golden_path);
-        written.extend(known.add(&name, &film.golden, &films, &goldens.folder)?);
+        written.extend(known.add(&name, &film.golden, casts, &goldens.folder)?);
     }
     let is_there = |name: &String| goldens.folder.join(format!("{name}.exr")).is_file();
     known.films.retain(|name, _| is_there(name));
+    known.panics.retain(|name, _| is_there(name));
     known.write(&goldens.folder)?;
     progress.clear();
     Ok(written)
@@ -99,7 +98,7 @@ fn asked(assignment: &Assignment, goldens: &Goldens, probes: bool) -> Result<Ask
     Ok(asked)
 }
 
-/// The film of a mistake; `None` if it gave none.
+/// The film of a mistake; `None` if it panics.
 fn cast(program: &Program, film: &QuestionFilm) -> Result<Option<Film>> {
     let reply = examine::run(program, &Sandbox::Trusted, WALL, &film.job, &mut |_| {})?;
     let complete = reply.answers.iter().all(Option::is_some);

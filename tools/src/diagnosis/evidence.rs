@@ -46,15 +46,39 @@ impl Evidence {
         let Some(compared) = Compared::new(golden, film) else {
             return Ok(None);
         };
-        let prints = known.fingerprints(name, golden, folder)?;
-        let agreements = prints
-            .into_iter()
-            .map(|(slug, print)| (slug.to_owned(), agreement(&compared, &print)));
+        let (failing, pixels) = (compared.failing(), compared.pixels());
+        let prints = known.fingerprints(name, golden, folder)?.into_iter();
+        let mut agreements: BTreeMap<String, Agreement> = prints
+            .map(|(slug, print)| (slug.to_owned(), agreement(&compared, &print)))
+            .collect();
+        // Whoever panics answers nothing; here something was answered.
+        let panicking = Agreement {
+            predicted: pixels as f64,
+            touched: failing as f64,
+            ..Agreement::default()
+        };
+        agreements.extend(known.panicking(name).map(|slug| (slug.clone(), panicking)));
         Ok(Some(Evidence {
-            failing: compared.failing(),
-            pixels: compared.pixels(),
-            agreements: agreements.collect(),
+            failing,
+            pixels,
+            agreements,
         }))
+    }
+
+    /// What the known mistakes say of a panic where so many pixels were asked for.
+    pub fn of_panic(name: &str, pixels: usize, known: &Known) -> Evidence {
+        let all = Agreement {
+            predicted: pixels as f64,
+            touched: pixels as f64,
+            shared: pixels as f64,
+            denied: 0.0,
+        };
+        let agreements = known.panicking(name).map(|slug| (slug.clone(), all));
+        Evidence {
+            failing: pixels,
+            pixels,
+            agreements: agreements.collect(),
+        }
     }
 
     /// What this mistake says; nothing, if it would not show.

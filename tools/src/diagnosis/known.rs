@@ -3,7 +3,7 @@
 //!
 //! A checkout without the mistakes' sources, as students have it, diagnoses as well.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -38,6 +38,9 @@ pub struct Known {
     /// is that of the rows of the fingerprints' file, from the top.
     #[serde(default)]
     pub films: BTreeMap<String, BTreeMap<String, usize>>,
+    /// For each film the mistakes that panic over it.
+    #[serde(default)]
+    pub panics: BTreeMap<String, BTreeSet<String>>,
 }
 
 impl Known {
@@ -68,18 +71,24 @@ impl Known {
         })
     }
 
-    /// Fingerprints these films of `golden` and writes them; the file's path inside
-    /// `folder`, if any mistake shows.
+    /// Fingerprints these mistakes' films of `golden` and writes them; a mistake without
+    /// a film panicked. Gives the file's path inside `folder`, if any mistake shows.
     pub fn add(
         &mut self,
         film: &str,
         golden: &Golden,
-        films: &[(String, Film)],
+        casts: Vec<(String, Option<Film>)>,
         folder: &Path,
     ) -> Result<Option<PathBuf>> {
-        let comparable = films
+        let panicking = casts.iter().filter(|(_, film)| film.is_none());
+        let panicking: BTreeSet<String> = panicking.map(|(slug, _)| slug.clone()).collect();
+        self.panics.remove(film);
+        if !panicking.is_empty() {
+            self.panics.insert(film.into(), panicking);
+        }
+        let comparable = casts
             .iter()
-            .filter_map(|(slug, film)| Some((slug, Compared::new(golden, film)?)));
+            .filter_map(|(slug, film)| Some((slug, Compared::new(golden, film.as_ref()?)?)));
         let (slugs, compared): (Vec<&String>, Vec<Compared>) = comparable.unzip();
         let shown: BTreeMap<&String, Fingerprint> = slugs
             .into_iter()
@@ -97,6 +106,11 @@ impl Known {
         let prints: Vec<&Fingerprint> = shown.values().collect();
         laid_out(&prints, &channel_names(golden)).write(&folder.join(&file))?;
         Ok(Some(file))
+    }
+
+    /// The mistakes that panic over a film.
+    pub fn panicking(&self, film: &str) -> impl Iterator<Item = &String> {
+        self.panics.get(film).into_iter().flatten()
     }
 
     /// The fingerprints that mistakes leave in a film.

@@ -1,5 +1,3 @@
-use std::collections::BTreeMap;
-
 use pinhole::film::{Channel, HIT_CHANNELS};
 use pinhole::judge::Golden;
 use pinhole::{Film, Resolution};
@@ -68,15 +66,14 @@ fn diagnosis(known_films: &[(&str, &[&Film])], films: &[&Film]) -> Diagnosis {
     let slugs = known_films.iter().map(|(slug, _)| slug.to_string());
     let mut known = Known {
         mistake: slugs.map(|slug| (slug, mistake())).collect(),
-        films: BTreeMap::new(),
+        ..Known::default()
     };
     for place in 0..films.len() {
         let casts = known_films
             .iter()
-            .map(|(slug, films)| (slug.to_string(), films[place].clone()));
-        let casts: Vec<(String, Film)> = casts.collect();
+            .map(|(slug, films)| (slug.to_string(), Some(films[place].clone())));
         known
-            .add(&place.to_string(), &golden, &casts, folder.path())
+            .add(&place.to_string(), &golden, casts.collect(), folder.path())
             .expect("the folder can be written");
     }
     known
@@ -199,4 +196,32 @@ fn a_belief_beside_something_unknown_is_not_named() {
     let (fine, far, unknown) = (film(right), late(0.5), film(|pixel| 3.0 * right(pixel)));
     let known: [(&str, &[&Film]); 1] = [("far", &[&far, &fine])];
     assert!(diagnosis(&known, &[&far, &unknown]).is_empty());
+}
+
+#[test]
+fn a_mistake_that_panics_is_recognised_by_where_it_panics() {
+    let folder = tempfile::tempdir().expect("a folder can be made");
+    let golden = golden();
+    let mut known = Known::default();
+    known.mistake.insert("panics".into(), mistake());
+    let far = late(0.5);
+    for (name, film) in [("some", Some(far.clone())), ("none", None)] {
+        let casts = vec![("panics".to_owned(), film)];
+        known
+            .add(name, &golden, casts, folder.path())
+            .expect("the folder can be written");
+    }
+    let of = |name: &str, film: &Film| {
+        Evidence::of(name, &golden, film, &known, folder.path())
+            .expect("the files are there")
+            .expect("the films fit")
+    };
+    let panic = |name: &str| Evidence::of_panic(name, RESOLUTION.pixels(), &known);
+    let explain = |evidence: [Evidence; 2]| known.explain(&evidence, &|_| true);
+    assert_eq!(
+        names(&explain([of("some", &far), panic("none")])),
+        ["panics"]
+    );
+    assert!(explain([of("some", &far), of("none", &film(right))]).is_empty());
+    assert!(explain([panic("some"), panic("none")]).is_empty());
 }

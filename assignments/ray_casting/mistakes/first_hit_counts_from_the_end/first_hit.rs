@@ -1,0 +1,18 @@
+use pinhole::{Hit, Ray};
+
+use crate::intersect_ray::IntersectRay;
+
+pub fn first_hit<S: IntersectRay>(ray: &Ray, min_t: f64, objects: &[S]) -> Option<Hit> {
+    let mut nearest: Option<Hit> = None;
+    for (object, shape) in objects.iter().rev().enumerate() {
+        if let Some(intersection) = shape.intersect_ray(ray, min_t)
+            && nearest.is_none_or(|hit| intersection.t < hit.intersection.t)
+        {
+            nearest = Some(Hit {
+                object,
+                intersection,
+            });
+        }
+    }
+    nearest
+}

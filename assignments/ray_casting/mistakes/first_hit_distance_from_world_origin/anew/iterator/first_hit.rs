@@ -1,0 +1,18 @@
+use pinhole::{Hit, Ray};
+
+use crate::intersect_ray::IntersectRay;
+
+pub fn first_hit<S: IntersectRay>(ray: &Ray, min_t: f64, objects: &[S]) -> Option<Hit> {
+    let length = |hit: &Hit| ray.at(hit.intersection.t).length_squared();
+    objects
+        .iter()
+        .enumerate()
+        .filter_map(|(object, shape)| {
+            let intersection = shape.intersect_ray(ray, min_t)?;
+            Some(Hit {
+                object,
+                intersection,
+            })
+        })
+        .min_by(|a, b| length(a).total_cmp(&length(b)))
+}

@@ -1,0 +1,22 @@
+use pinhole::{Hit, Ray};
+
+use crate::intersect_ray::IntersectRay;
+
+pub fn first_hit<S: IntersectRay>(ray: &Ray, min_t: f64, objects: &[S]) -> Option<Hit> {
+    let mut hits = Vec::new();
+    for (object, shape) in objects.iter().enumerate() {
+        if let Some(intersection) = shape.intersect_ray(ray, min_t) {
+            let point = ray.origin + intersection.t * ray.direction;
+            let depth = point.dot(point).sqrt();
+            hits.push((
+                depth,
+                Hit {
+                    object,
+                    intersection,
+                },
+            ));
+        }
+    }
+    hits.sort_by(|a, b| a.0.total_cmp(&b.0));
+    hits.first().map(|(_, hit)| *hit)
+}

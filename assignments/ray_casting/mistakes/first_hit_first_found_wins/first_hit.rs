@@ -1,0 +1,15 @@
+use pinhole::{Hit, Ray};
+
+use crate::intersect_ray::IntersectRay;
+
+pub fn first_hit<S: IntersectRay>(ray: &Ray, min_t: f64, objects: &[S]) -> Option<Hit> {
+    for (object, shape) in objects.iter().enumerate() {
+        if let Some(intersection) = shape.intersect_ray(ray, min_t) {
+            return Some(Hit {
+                object,
+                intersection,
+            });
+        }
+    }
+    None
+}

@@ -1,0 +1,15 @@
+use pinhole::{Hit, Ray};
+
+use crate::intersect_ray::IntersectRay;
+
+pub fn first_hit<S: IntersectRay>(ray: &Ray, min_t: f64, objects: &[S]) -> Option<Hit> {
+    let (shape, others) = objects.split_last()?;
+    let here = Hit {
+        object: others.len(),
+        intersection: shape.intersect_ray(ray, min_t).unwrap(),
+    };
+    match first_hit(ray, min_t, others) {
+        Some(hit) if hit.intersection.t <= here.intersection.t => Some(hit),
+        _ => Some(here),
+    }
+}

@@ -1,0 +1,21 @@
+use pinhole::{Intersection, Plane, Ray};
+
+use crate::intersect_ray::IntersectRay;
+
+impl IntersectRay for Plane {
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        let along_normal = ray.direction.dot(self.normal);
+        if along_normal == 0.0 {
+            return None;
+        }
+        let t = (self.point - ray.origin).dot(self.normal) / along_normal;
+        if t < min_t {
+            return None;
+        }
+        let mut normal = self.normal.normalize();
+        if along_normal > 0.0 {
+            normal = -normal;
+        }
+        Some(Intersection { t, normal })
+    }
+}

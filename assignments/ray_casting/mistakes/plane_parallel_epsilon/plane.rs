@@ -1,0 +1,20 @@
+use pinhole::{Intersection, Plane, Ray};
+
+use crate::intersect_ray::IntersectRay;
+
+impl IntersectRay for Plane {
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        let denominator = self.normal.dot(ray.direction);
+        if denominator.abs() < 1e-4 {
+            return None;
+        }
+        let t = self.normal.dot(self.point - ray.origin) / denominator;
+        if t < min_t {
+            return None;
+        }
+        Some(Intersection {
+            t,
+            normal: self.normal.normalize(),
+        })
+    }
+}

@@ -1,0 +1,34 @@
+use pinhole::{Intersection, Plane, Ray};
+
+use crate::intersect_ray::IntersectRay;
+
+impl IntersectRay for Plane {
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        let n = self.normal.to_array();
+        let e = ray.origin.to_array();
+        let d = ray.direction.to_array();
+        let p = self.point.to_array();
+        let mut above = 0.0;
+        let mut below = 0.0;
+        for axis in 0..3 {
+            above += n[axis] * (p[axis] - e[axis]);
+            below += n[axis] * d[axis];
+        }
+
+        let starts = Intersection {
+            t: min_t,
+            normal: self.normal.normalize(),
+        };
+        let meets = Intersection {
+            t: above / below,
+            ..starts
+        };
+        if below == 0.0 {
+            Some(starts)
+        } else if meets.t >= min_t {
+            Some(meets)
+        } else {
+            None
+        }
+    }
+}

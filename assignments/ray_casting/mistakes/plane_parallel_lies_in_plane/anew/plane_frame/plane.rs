@@ -1,0 +1,20 @@
+use glam::DMat3;
+use pinhole::{Intersection, Plane, Ray};
+
+use crate::intersect_ray::IntersectRay;
+
+impl IntersectRay for Plane {
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        let z = self.normal.normalize();
+        let (x, y) = z.any_orthonormal_pair();
+        let to_plane = DMat3::from_cols(x, y, z).transpose();
+        let e = to_plane * (ray.origin - self.point);
+        let d = to_plane * ray.direction;
+
+        let t = match d.z {
+            0.0 => min_t,
+            fall => -e.z / fall,
+        };
+        (t >= min_t).then_some(Intersection { t, normal: z })
+    }
+}

@@ -1,0 +1,19 @@
+use pinhole::{Intersection, Plane, Ray};
+
+use crate::intersect_ray::IntersectRay;
+
+impl IntersectRay for Plane {
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        let n = self.normal;
+        let k = n.dot(self.point);
+        let rate = n.dot(ray.direction);
+        if rate == 0.0 {
+            return None;
+        }
+        let t = (k - n.dot(ray.origin)) / rate * ray.direction.length();
+        (t >= min_t).then(|| Intersection {
+            t,
+            normal: self.normal.normalize(),
+        })
+    }
+}

@@ -1,0 +1,35 @@
+use pinhole::{Intersection, Ray, Sphere};
+
+use crate::intersect_ray::IntersectRay;
+
+impl IntersectRay for Sphere {
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        let d = ray.direction.to_array();
+        let f = (self.center - ray.origin).to_array();
+        let mut a = 0.0;
+        let mut b = 0.0;
+        let mut c = -self.radius * self.radius;
+        for axis in 0..3 {
+            a += d[axis] * d[axis];
+            b += 2.0 * d[axis] * f[axis];
+            c += f[axis] * f[axis];
+        }
+
+        let discriminant = b * b - 4.0 * a * c;
+        if discriminant < 0.0 {
+            return None;
+        }
+        let mut t = (-b - discriminant.sqrt()) / (2.0 * a);
+        if t < min_t {
+            t += discriminant.sqrt() / a;
+        }
+        if t < min_t {
+            return None;
+        }
+        let outward = ray.origin + t * ray.direction - self.center;
+        Some(Intersection {
+            t,
+            normal: outward / outward.length(),
+        })
+    }
+}

@@ -1,0 +1,29 @@
+use pinhole::{Intersection, Ray, Sphere};
+
+use crate::intersect_ray::IntersectRay;
+
+impl IntersectRay for Sphere {
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        let speed = ray.direction.length();
+        let forward = ray.direction / speed;
+        let along = (self.center - ray.origin).dot(forward);
+        let closest = ray.origin + along * forward;
+        let miss_squared = closest.distance_squared(self.center);
+        let radius_squared = self.radius * self.radius;
+        if miss_squared > radius_squared {
+            return None;
+        }
+        let half_chord = (radius_squared - miss_squared).sqrt();
+
+        let distance = if along > half_chord {
+            along - half_chord
+        } else {
+            along + half_chord
+        };
+        let t = distance / speed;
+        (t >= min_t).then(|| Intersection {
+            t,
+            normal: (ray.at(t) - self.center) / self.radius,
+        })
+    }
+}

@@ -1,0 +1,29 @@
+use pinhole::{Intersection, Ray, Sphere};
+
+use crate::intersect_ray::IntersectRay;
+
+impl IntersectRay for Sphere {
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        let to_center = self.center - ray.origin;
+        let speed_squared = ray.direction.length_squared();
+        let offset_squared = to_center.cross(ray.direction).length_squared() / speed_squared;
+        let depth_squared = self.radius - offset_squared;
+        if depth_squared < 0.0 {
+            return None;
+        }
+        let middle = to_center.dot(ray.direction) / speed_squared;
+        let half = (depth_squared / speed_squared).sqrt();
+
+        let near = middle - half;
+        let far = middle + half;
+        if far < min_t {
+            return None;
+        }
+        let t = if near < min_t { far } else { near };
+        let outward = t * ray.direction - to_center;
+        Some(Intersection {
+            t,
+            normal: outward.normalize(),
+        })
+    }
+}

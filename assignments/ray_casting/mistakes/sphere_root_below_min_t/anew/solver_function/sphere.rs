@@ -1,0 +1,30 @@
+use pinhole::{Intersection, Ray, Sphere};
+
+use crate::intersect_ray::IntersectRay;
+
+impl IntersectRay for Sphere {
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        let Ray { origin, direction } = *ray;
+        let eye = origin - self.center;
+        let a = direction.length_squared();
+        let b = 2.0 * eye.dot(direction);
+        let c = eye.length_squared() - self.radius.powi(2);
+
+        roots(a, b, c)
+            .filter(|(near, far)| *near >= min_t || *far >= min_t)
+            .map(|(t, _)| Intersection {
+                t,
+                normal: (ray.at(t) - self.center).normalize(),
+            })
+    }
+}
+
+/// The real solutions of a t² + b t + c = 0, the smaller first.
+fn roots(a: f64, b: f64, c: f64) -> Option<(f64, f64)> {
+    let discriminant = b * b - 4.0 * a * c;
+    if discriminant < 0.0 {
+        return None;
+    }
+    let root = discriminant.sqrt();
+    Some(((-b - root) / (2.0 * a), (-b + root) / (2.0 * a)))
+}

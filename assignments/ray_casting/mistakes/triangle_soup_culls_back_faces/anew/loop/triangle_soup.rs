@@ -1,0 +1,22 @@
+use pinhole::{Intersection, Ray, TriangleSoup};
+
+use crate::intersect_ray::IntersectRay;
+
+impl<T: IntersectRay> IntersectRay for TriangleSoup<T> {
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        let mut nearest: Option<Intersection> = None;
+        for triangle in &self.triangles {
+            let Some(hit) = triangle.intersect_ray(ray, min_t) else {
+                continue;
+            };
+            let faces_away = ray.direction.dot(hit.normal) > 0.0;
+            if faces_away {
+                continue;
+            }
+            if nearest.is_none_or(|best| hit.t < best.t) {
+                nearest = Some(hit);
+            }
+        }
+        nearest
+    }
+}

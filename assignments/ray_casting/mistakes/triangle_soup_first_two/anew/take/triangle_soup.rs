@@ -1,0 +1,13 @@
+use pinhole::{Intersection, Ray, TriangleSoup};
+
+use crate::intersect_ray::IntersectRay;
+
+impl<T: IntersectRay> IntersectRay for TriangleSoup<T> {
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        self.triangles
+            .iter()
+            .filter_map(|triangle| triangle.intersect_ray(ray, min_t))
+            .take(2)
+            .reduce(|enter, leave| if leave.t < enter.t { leave } else { enter })
+    }
+}

@@ -1,0 +1,15 @@
+use pinhole::{Intersection, Ray, TriangleSoup};
+
+use crate::intersect_ray::IntersectRay;
+
+impl<T: IntersectRay> IntersectRay for TriangleSoup<T> {
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        self.triangles
+            .iter()
+            .flat_map(|triangle| triangle.intersect_ray(ray, min_t))
+            .reduce(|nearest, hit| Intersection {
+                t: nearest.t.min(hit.t),
+                normal: hit.normal,
+            })
+    }
+}

@@ -1,0 +1,16 @@
+use pinhole::{Intersection, Ray, TriangleSoup};
+
+use crate::intersect_ray::IntersectRay;
+
+impl<T: IntersectRay> IntersectRay for TriangleSoup<T> {
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        let mut hit = None;
+        for k in 1..self.triangles.len() {
+            let met = self.triangles[k].intersect_ray(ray, min_t);
+            if met.is_some() {
+                hit = met;
+            }
+        }
+        hit
+    }
+}

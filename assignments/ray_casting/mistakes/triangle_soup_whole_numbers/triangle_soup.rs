@@ -1,0 +1,12 @@
+use pinhole::{Intersection, Ray, TriangleSoup};
+
+use crate::intersect_ray::IntersectRay;
+
+impl<T: IntersectRay> IntersectRay for TriangleSoup<T> {
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        self.triangles
+            .iter()
+            .filter_map(|triangle| triangle.intersect_ray(ray, min_t))
+            .min_by_key(|hit| hit.t as i64)
+    }
+}

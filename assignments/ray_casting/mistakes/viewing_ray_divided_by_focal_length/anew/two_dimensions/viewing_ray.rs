@@ -1,0 +1,23 @@
+use glam::DVec2;
+use pinhole::{Camera, Pixel, Projection, Ray, Resolution};
+
+pub fn viewing_ray(camera: &Camera, pixel: Pixel, resolution: Resolution) -> Ray {
+    let size = DVec2::new(camera.width, camera.height);
+    let pixels = DVec2::new(resolution.n_x as f64, resolution.n_y as f64);
+    let place = DVec2::new(pixel.i as f64, pixel.j as f64) + 0.5;
+    let p = (place - pixels / 2.0) * size / pixels;
+    let offset = p.x * camera.u + p.y * camera.v;
+    match camera.projection {
+        Projection::Perspective { focal_length } => {
+            let scale = focal_length.recip();
+            Ray {
+                origin: camera.eye,
+                direction: offset * scale - camera.w,
+            }
+        }
+        Projection::Orthographic => Ray {
+            origin: camera.eye + offset,
+            direction: -camera.w,
+        },
+    }
+}

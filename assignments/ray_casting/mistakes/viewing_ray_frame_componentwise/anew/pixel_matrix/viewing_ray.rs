@@ -1,0 +1,20 @@
+use glam::{DMat3, DVec3};
+use pinhole::{Camera, Pixel, Projection, Ray, Resolution};
+
+pub fn viewing_ray(camera: &Camera, pixel: Pixel, resolution: Resolution) -> Ray {
+    let (n_x, n_y) = (resolution.n_x as f64, resolution.n_y as f64);
+    let right = camera.width * DVec3::new(camera.u.x, 0.0, 0.0);
+    let up = camera.height * DVec3::new(0.0, camera.v.y, 0.0);
+    let plane_from_pixel = DMat3::from_cols(right / n_x, up / n_y, -(right + up) / 2.0);
+    let offset = plane_from_pixel * DVec3::new(pixel.i as f64 + 0.5, pixel.j as f64 + 0.5, 1.0);
+    match camera.projection {
+        Projection::Perspective { focal_length: d } => Ray {
+            origin: camera.eye,
+            direction: offset - d * DVec3::new(0.0, 0.0, camera.w.z),
+        },
+        Projection::Orthographic => Ray {
+            origin: camera.eye + offset,
+            direction: -camera.w,
+        },
+    }
+}

@@ -1,0 +1,16 @@
+use glam::{DMat3, DVec3};
+use pinhole::{Camera, Pixel, Projection, Ray, Resolution};
+
+pub fn viewing_ray(camera: &Camera, pixel: Pixel, resolution: Resolution) -> Ray {
+    let to_world = DMat3::from_cols(camera.u, camera.v, camera.w);
+    let x = ((pixel.i as f64 + 0.5) / resolution.n_x as f64 - 0.5) * camera.width;
+    let y = ((pixel.j as f64 + 0.5) / resolution.n_y as f64 - 0.5) * camera.height;
+    let (start, forward) = match camera.projection {
+        Projection::Perspective { focal_length } => (DVec3::ZERO, DVec3::new(x, y, -focal_length)),
+        Projection::Orthographic => (DVec3::new(x, y, -1.0), DVec3::NEG_Z),
+    };
+    Ray {
+        origin: camera.eye + to_world * start,
+        direction: to_world * forward,
+    }
+}

@@ -1,0 +1,17 @@
+use pinhole::{Camera, Pixel, Projection, Ray, Resolution};
+
+pub fn viewing_ray(camera: &Camera, pixel: Pixel, resolution: Resolution) -> Ray {
+    let pixel_size = camera.width / resolution.n_x as f64;
+    let x = pixel_size * (pixel.i as f64 + 0.5 - resolution.n_x as f64 / 2.0);
+    let y = pixel_size * (pixel.j as f64 + 0.5 - resolution.n_y as f64 / 2.0);
+    match camera.projection {
+        Projection::Perspective { focal_length } => Ray {
+            origin: camera.eye,
+            direction: x * camera.u + y * camera.v - focal_length * camera.w,
+        },
+        Projection::Orthographic => Ray {
+            origin: camera.eye + x * camera.u + y * camera.v,
+            direction: -camera.w,
+        },
+    }
+}

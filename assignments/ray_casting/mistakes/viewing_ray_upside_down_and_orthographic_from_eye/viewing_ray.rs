@@ -1,0 +1,16 @@
+use pinhole::{Camera, Pixel, Projection, Ray, Resolution};
+
+pub fn viewing_ray(camera: &Camera, pixel: Pixel, resolution: Resolution) -> Ray {
+    let x = camera.width * ((pixel.i as f64 + 0.5) / resolution.n_x as f64 - 0.5);
+    let y = camera.height * (0.5 - (pixel.j as f64 + 0.5) / resolution.n_y as f64);
+    let direction = match camera.projection {
+        Projection::Perspective { focal_length } => {
+            x * camera.u + y * camera.v - focal_length * camera.w
+        }
+        Projection::Orthographic => -camera.w,
+    };
+    Ray {
+        origin: camera.eye,
+        direction,
+    }
+}

@@ -1,0 +1,30 @@
+use pinhole::{Intersection, Ray, Sphere};
+
+use crate::intersect_ray::IntersectRay;
+
+impl IntersectRay for Sphere {
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        let f = ray.origin - self.center;
+        let (dd, df, ff) = (
+            ray.direction.dot(ray.direction),
+            ray.direction.dot(f),
+            f.dot(f),
+        );
+        let root = Some(df * df - dd * (ff - self.radius.powi(2)))
+            .filter(|discriminant| *discriminant >= 0.0)?
+            .sqrt();
+
+        let inside = (-df - root) / dd..=(-df + root) / dd;
+        let t = if min_t <= *inside.start() {
+            *inside.start()
+        } else if inside.contains(&min_t) {
+            *inside.end()
+        } else {
+            return None;
+        };
+        Some(Intersection {
+            t,
+            normal: (f + t * ray.direction) / self.radius,
+        })
+    }
+}
