@@ -19,6 +19,7 @@ mod window;
 use std::path::Path;
 
 use pinhole::{Film, Scene};
+use rayon::prelude::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use serde::Serialize;
 
 use crate::describe::printable;
@@ -55,15 +56,24 @@ pub struct Report {
     pub command: String,
 }
 
+/// Commands that repeat an examination.
+#[derive(Clone, Debug)]
+pub struct Again {
+    /// As it was asked for.
+    pub whole: String,
+    /// Before a task or a scene of its own is named.
+    pub part: String,
+}
+
 impl Report {
-    /// The report of an examination; `again` is the command that repeats it.
+    /// The report of an examination that `again` repeats.
     ///
     /// # Errors
     /// If a scene file cannot be read any more.
     pub fn of_examination(
         examination: &Examination,
         goldens: &Goldens,
-        again: &str,
+        again: &Again,
     ) -> Result<Report> {
         let tasks = examination.tasks.iter().enumerate();
         let failing = examination
@@ -71,7 +81,7 @@ impl Report {
             .iter()
             .filter(|scene| !scene.outcome.passes());
         let share = window::share(failing.map(|scene| scene.golden.film().resolution().pixels()));
-        let scenes = examination.scenes.iter().enumerate().map(|(k, scene)| {
+        let scenes = examination.scenes.par_iter().enumerate().map(|(k, scene)| {
             let evidence = Shown {
                 scene,
                 submission: &examination.submission,
@@ -88,12 +98,12 @@ impl Report {
             said: summary(examination),
             points: Some(examination.points()),
             tasks: tasks
-                .map(|(k, task)| TaskSection::of(k, task, again))
+                .map(|(k, task)| TaskSection::of(k, task, &again.part))
                 .collect(),
             scenes: scenes.collect::<Result<_>>()?,
             more_printed: lines.len().saturating_sub(MOST_PRINTED_LINES),
             printed: lines.into_iter().take(MOST_PRINTED_LINES).collect(),
-            command: again.into(),
+            command: again.whole.clone(),
         })
     }
 
@@ -133,10 +143,9 @@ fn summary(examination: &Examination) -> String {
     if examination.passes() {
         return "Everything that was asked passes.".into();
     }
-    let passing = |all: Vec<bool>, what: &str| {
+    let passing = |what: &str, all: Vec<bool>| {
         let good = all.iter().filter(|passes| **passes).count();
-        let s = if all.len() == 1 { "" } else { "s" };
-        (!all.is_empty()).then(|| format!("{good} of {} {what}{s}", all.len()))
+        (!all.is_empty()).then(|| format!("{good} of {} {what}", all.len()))
     };
     let tasks = examination.tasks.iter().map(|task| task.points());
     let tasks = tasks.map(|(earned, possible)| earned == possible).collect();
@@ -144,7 +153,7 @@ fn summary(examination: &Examination) -> String {
         .scenes
         .iter()
         .map(|scene| scene.outcome.passes());
-    let parts = [passing(tasks, "task"), passing(scenes.collect(), "scene")];
+    let parts = [passing("tasks", tasks), passing("scenes", scenes.collect())];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     format!("{} pass.", parts.join(" and "))
 }
@@ -154,7 +163,7 @@ struct Shown<'a> {
     scene: &'a SceneResult,
     submission: &'a str,
     goldens: &'a Goldens,
-    again: &'a str,
+    again: &'a Again,
 }
 
 impl Shown<'_> {
@@ -183,7 +192,7 @@ impl Shown<'_> {
             scene: scene.as_ref(),
             rays,
             beliefs: belief::Beliefs::of(&result.diagnosis),
-            command: format!("{} --scene {}", self.again, in_shell(&result.name)),
+            command: format!("{} --scene {}", self.again.part, in_shell(&result.name)),
             explain: Some([
                 format!("{PINHOLE} explain {}", in_shell(&result.argument)),
                 format!(" --submission {}", in_shell(self.submission)),

@@ -12,7 +12,7 @@ use crate::error::{Error, Result};
 use crate::examine::{Examiner, Selection};
 use crate::goldens::Goldens;
 use crate::progress::Progress;
-use crate::report::Report;
+use crate::report::{Again, Report};
 use crate::sandbox::Sandbox;
 use crate::second_judge::SecondJudge;
 use crate::shell::{PINHOLE, in_shell};
@@ -81,28 +81,35 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
     })
 }
 
-/// The command that does the same again, for all that was asked.
-fn again(arguments: &Check) -> String {
-    let mut words = format!("{PINHOLE} check");
-    let mut add = |word: &str| {
+/// The command that does the same again.
+fn again(arguments: &Check) -> Again {
+    let mut part = format!("{PINHOLE} check");
+    let add = |words: &mut String, word: &str| {
         words.push(' ');
         words.push_str(&in_shell(word));
     };
     if let Some(dir) = &arguments.dir {
-        add(&dir.display().to_string());
+        add(&mut part, &dir.display().to_string());
     }
     if let Some(golden) = &arguments.golden {
-        add("--golden");
-        add(&golden.display().to_string());
+        add(&mut part, "--golden");
+        add(&mut part, &golden.display().to_string());
     }
     if arguments.run.timeout != Run::TIMEOUT {
-        add("--timeout");
-        add(&arguments.run.timeout.to_string());
+        add(&mut part, "--timeout");
+        add(&mut part, &arguments.run.timeout.to_string());
     }
     if arguments.run.trust {
-        add("--trust");
+        add(&mut part, "--trust");
     }
-    words
+    let mut whole = part.clone();
+    for (option, names) in [("--task", &arguments.task), ("--scene", &arguments.scene)] {
+        for name in names {
+            add(&mut whole, option);
+            add(&mut whole, name);
+        }
+    }
+    Again { whole, part }
 }
 
 fn selection(arguments: &Check, assignment: &Assignment, goldens: &Goldens) -> Result<Selection> {

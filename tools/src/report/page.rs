@@ -4,7 +4,7 @@ use std::path::Path;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use minijinja::{Environment, UndefinedBehavior, value::Serde, context};
+use minijinja::{Environment, UndefinedBehavior, context, value::Serde};
 use pinhole::false_colour::{self, Difference};
 use pinhole::film::HIT_CHANNELS;
 use serde_json::{Value, json};

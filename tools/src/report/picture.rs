@@ -10,8 +10,7 @@ use image::{ExtendedColorType, ImageEncoder, RgbImage};
 /// A picture as the address an `img` takes.
 pub fn address(picture: &RgbImage) -> String {
     let mut png = Cursor::new(Vec::new());
-    let encoder =
-        PngEncoder::new_with_quality(&mut png, CompressionType::Best, FilterType::Adaptive);
+    let encoder = PngEncoder::new_with_quality(&mut png, CompressionType::Fast, FilterType::Up);
     let (width, height) = picture.dimensions();
     encoder
         .write_image(picture, width, height, ExtendedColorType::Rgb8)
