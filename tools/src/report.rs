@@ -28,6 +28,8 @@ use crate::examination::{Examination, Outcome, SceneResult};
 use crate::goldens::Goldens;
 use crate::shell::{PINHOLE, in_shell};
 use crate::table;
+pub use belief::Beliefs;
+use belief::Told;
 pub use rays::RayGrid;
 pub use scene::{Evidence, SceneSection};
 use task::TaskSection;
@@ -76,6 +78,10 @@ impl Report {
         again: &Again,
     ) -> Result<Report> {
         let tasks = examination.tasks.iter().enumerate();
+        let told: Vec<Told> = tasks
+            .clone()
+            .flat_map(|(k, task)| Told::by_task(k, &task.name, &task.diagnosis))
+            .collect();
         let failing = examination
             .scenes
             .iter()
@@ -87,6 +93,7 @@ impl Report {
                 submission: &examination.submission,
                 goldens,
                 again,
+                told: &told,
             };
             evidence.section(k, share)
         });
@@ -164,6 +171,7 @@ struct Shown<'a> {
     submission: &'a str,
     goldens: &'a Goldens,
     again: &'a Again,
+    told: &'a [Told],
 }
 
 impl Shown<'_> {
@@ -191,7 +199,7 @@ impl Shown<'_> {
             film: result.film.as_ref(),
             scene: scene.as_ref(),
             rays,
-            beliefs: belief::Beliefs::of(&result.diagnosis),
+            beliefs: Beliefs::of(&result.diagnosis, self.told),
             command: format!("{} --scene {}", self.again.part, in_shell(&result.name)),
             explain: Some([
                 format!("{PINHOLE} explain {}", in_shell(&result.argument)),

@@ -16,7 +16,7 @@ use crate::cli::Diff;
 use crate::diagnosis::Diagnosis;
 use crate::error::{Error, Result};
 use crate::goldens::Goldens;
-use crate::report::{self, Evidence, Report};
+use crate::report::{self, Beliefs, Evidence, Report};
 use crate::shell::{PINHOLE, in_shell};
 use crate::{describe, json, mitsuba, pictures, table};
 
@@ -62,7 +62,7 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Outcome> {
     }
     let mut report = None;
     if let Some(path) = report_path(arguments) {
-        film_report(checkout, arguments, &golden, &film, &verdict)?.write(&path)?;
+        film_report(checkout, arguments, &golden, &film, &verdict, &diagnosis)?.write(&path)?;
         report = Some(path.display().to_string());
     }
     if arguments.json {
@@ -144,6 +144,7 @@ fn film_report(
     golden: &Golden,
     film: &std::result::Result<Film, pinhole::Error>,
     verdict: &std::result::Result<std::result::Result<Verdict, Refusal>, &pinhole::Error>,
+    diagnosis: &Diagnosis,
 ) -> Result<Report> {
     let [golden_path, film_path] =
         [&arguments.golden, &arguments.film].map(|path| path.display().to_string());
@@ -173,7 +174,7 @@ fn film_report(
             film: film.as_ref().ok(),
             scene: scene.as_ref(),
             rays: report::rays_beside(&arguments.golden),
-            beliefs: None,
+            beliefs: Beliefs::of(diagnosis, &[]),
             command,
             explain: None,
         },

@@ -67,7 +67,7 @@ impl TaskSection {
             attempted: task.replaced.is_none() && !task.is_unanswered(),
             groups: task.groups.iter().map(GroupRow::of).collect(),
             compiler,
-            beliefs: Beliefs::of(&task.diagnosis),
+            beliefs: Beliefs::of(&task.diagnosis, &[]),
             chapter: Passage::chapter(&task.chapter),
             command: format!("{again} --task {}", task.name),
         }
