@@ -4,11 +4,11 @@ use std::ops::Range;
 
 use image::{Rgb, RgbImage};
 
-use crate::film::{Film, MISS};
+use crate::film::{Film, HIT_CHANNELS, MISS};
 use crate::judge::Golden;
 
 /// What a pixel that hits nothing looks like.
-const BACKGROUND: Rgb<u8> = Rgb([24, 24, 28]);
+pub const BACKGROUND: Rgb<u8> = Rgb([24, 24, 28]);
 
 /// Eight colours that stay apart for colour-blind eyes (Okabe & Ito, "Color
 /// Universal Design", 2008), without their black and with a light grey instead.
@@ -25,11 +25,16 @@ const OBJECTS: [[u8; 3]; 8] = [
 
 /// Every object in a colour of its own; the colours come round again, darker.
 pub fn id(film: &Film) -> RgbImage {
-    picture(film, |hit| {
-        let object = hit.id as usize;
-        let shade = 1.0 / (1.0 + 0.35 * ((object / OBJECTS.len()) % 4) as f32);
-        Rgb(OBJECTS[object % OBJECTS.len()].map(|value| (f32::from(value) * shade) as u8))
-    })
+    picture(film, |hit| object(hit.id as usize))
+}
+
+/// After so many objects the colours begin again.
+pub const OBJECT_COLOURS: usize = 4 * OBJECTS.len();
+
+/// The colour of an object in [`id`] pictures.
+pub fn object(id: usize) -> Rgb<u8> {
+    let shade = 1.0 / (1.0 + 0.35 * ((id / OBJECTS.len()) % 4) as f32);
+    Rgb(OBJECTS[id % OBJECTS.len()].map(|value| (f32::from(value) * shade) as u8))
 }
 
 /// Depth from near (bright) to far (dark) over `range`, in scene units; what lies
@@ -39,10 +44,15 @@ pub fn id(film: &Film) -> RgbImage {
 pub fn depth(film: &Film, depth_per_t: f64, range: Range<f64>) -> RgbImage {
     let length = (range.end - range.start).max(f64::MIN_POSITIVE);
     picture(film, |hit| {
-        let far = (f64::from(hit.t) * depth_per_t - range.start) / length;
-        let colour = colorous::VIRIDIS.eval_continuous(1.0 - far.clamp(0.0, 1.0));
-        Rgb([colour.r, colour.g, colour.b])
+        far((f64::from(hit.t) * depth_per_t - range.start) / length)
     })
+}
+
+/// The colour in [`depth`] pictures of what lies so far into their range, from 0,
+/// near, to 1.
+pub fn far(share: f64) -> Rgb<u8> {
+    let colour = colorous::VIRIDIS.eval_continuous(1.0 - share.clamp(0.0, 1.0));
+    Rgb([colour.r, colour.g, colour.b])
 }
 
 /// The normal's x, y, z from −1..1 as red, green, blue.
@@ -79,23 +89,16 @@ pub fn depth_range(film: &Film, depth_per_t: f64) -> Range<f64> {
 /// Where a film differs from its golden, one colour for each kind of difference.
 /// Pixels that agree show the golden's objects, faintly.
 pub fn difference(golden: &Golden, film: &Film) -> RgbImage {
-    let fails = |channel: &str, index: usize| {
-        let sample = |film: &Film| film.channel(channel).map_or(0.0, |samples| samples[index]);
-        let distance = (sample(film) - sample(golden.film())).abs();
-        distance.is_nan() || distance > sample(golden.tolerance())
-    };
+    let [ids, ts, xs, ys, zs] = HIT_CHANNELS.map(|channel| golden.missed(film, channel));
     let faint = id(golden.film());
     let resolution = film.resolution();
     RgbImage::from_fn(resolution.n_x as u32, resolution.n_y as u32, |x, y| {
         let index = y as usize * resolution.n_x + x as usize;
-        if fails("id", index) {
+        if ids[index] {
             Difference::Object.colour()
-        } else if fails("t", index) {
+        } else if ts[index] {
             Difference::T.colour()
-        } else if ["N.X", "N.Y", "N.Z"]
-            .iter()
-            .any(|channel| fails(channel, index))
-        {
+        } else if xs[index] || ys[index] || zs[index] {
             Difference::Normal.colour()
         } else {
             Rgb(faint.get_pixel(x, y).0.map(|value| value / 4))
@@ -125,7 +128,9 @@ impl Difference {
         ),
     ];
 
-    fn colour(self) -> Rgb<u8> {
+    /// What it looks like; the three stay apart, and from the faint rest, for
+    /// colour-blind eyes too.
+    pub fn colour(self) -> Rgb<u8> {
         Rgb(match self {
             Difference::Object => [255, 120, 20],
             Difference::T => [60, 150, 255],

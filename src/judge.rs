@@ -86,6 +86,22 @@ impl Golden {
             .iter()
             .all(|channel| channel.samples[index] == EXEMPT)
     }
+
+    /// Where a film of the golden's size misses it by more than the tolerance, pixel
+    /// by pixel in image order. What is no number misses it, and so does a channel
+    /// that is not there.
+    ///
+    /// For pictures and explanations, which show refused films as well; the ruling is
+    /// [`judge`]'s.
+    pub fn missed(&self, film: &Film, channel: &str) -> Vec<bool> {
+        let pixels = 0..self.film.resolution().pixels();
+        match comparison(self, film, channel) {
+            Some(samples) => pixels
+                .map(|index| samples.fails(index) || !samples.got[index].is_finite())
+                .collect(),
+            None => pixels.map(|_| true).collect(),
+        }
+    }
 }
 
 /// Where the tolerance film of a golden lies.

@@ -58,6 +58,9 @@ impl Command {
 ///
 /// Only the six answer files are taken from the folder. A folder outside this
 /// checkout is compiled and run in a sandbox.
+///
+/// A report of it all is written too, one HTML file to open in a browser: expected and
+/// given pictures of every scene that fails, each pixel to click on, and hints.
 #[derive(Args)]
 pub struct Check {
     /// A folder with the answer files, itself or in `src` [default: the current folder
@@ -77,6 +80,13 @@ pub struct Check {
     pub oiiotool: bool,
     #[command(flatten)]
     pub run: Run,
+    /// Where to write the report, one HTML file [default: target/pinhole/report.html of
+    /// the checkout]
+    #[arg(long, value_name = "FILE")]
+    pub report: Option<PathBuf>,
+    /// Write no report
+    #[arg(long, conflicts_with = "report")]
+    pub no_report: bool,
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,
@@ -86,12 +96,17 @@ pub struct Check {
 #[derive(Args)]
 pub struct Run {
     /// Seconds after which an answer no longer counts
-    #[arg(long, value_name = "SECONDS", default_value_t = 30,
+    #[arg(long, value_name = "SECONDS", default_value_t = Run::TIMEOUT,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
     /// Run a folder outside this checkout without a sandbox: your own code only
     #[arg(long)]
     pub trust: bool,
+}
+
+impl Run {
+    /// Seconds, unless the user says otherwise.
+    pub const TIMEOUT: u64 = 30;
 }
 
 /// Cast a scene and write its film and three pictures.
@@ -156,9 +171,17 @@ pub struct Diff {
     pub golden: PathBuf,
     /// The film to judge
     pub film: PathBuf,
-    /// Write pictures of what was expected, what came, and where they differ
+    /// Write pictures of what was expected, what came, and where they differ, and
+    /// report.html, which shows both films pixel by pixel
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Where to write the report [default: report.html in the folder of --out]
+    #[arg(long, value_name = "FILE")]
+    pub report: Option<PathBuf>,
+    /// The scene that was cast, so that the report can name its objects: a scene file,
+    /// or the name of one of the assignment's scenes [default: the one whose golden this is]
+    #[arg(long, value_name = "SCENE")]
+    pub scene: Option<String>,
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,

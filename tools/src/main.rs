@@ -2,8 +2,8 @@
 //!
 //! Reading order: [`cli`] for what can be asked; one file in `command` for each
 //! thing it does; [`submission`], [`compile`], [`sandbox`], [`examine`] for the way
-//! from a student's folder to an [`examination`]; [`table`] and [`json`] for how
-//! that is shown.
+//! from a student's folder to an [`examination`]; [`table`], [`json`] and
+//! [`report`] for how that is shown.
 
 mod assignment;
 mod blame;
@@ -29,8 +29,10 @@ mod overlay;
 mod pictures;
 mod progress;
 mod questions;
+mod report;
 mod sandbox;
 mod second_judge;
+mod shell;
 mod stubs;
 mod submission;
 mod table;

@@ -7,6 +7,7 @@ use crate::compile::Replaced;
 use crate::describe::{printable, printable_coloured};
 use crate::diagnosis::{Diagnosis, Explanation, Reading};
 use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskResult};
+use crate::shell::in_shell;
 use crate::submission::Unusable;
 
 const PASS: Style = AnsiColor::Green.on_default();
@@ -100,26 +101,7 @@ fn task_rows(text: &mut String, task: &TaskResult, width: usize) {
         .iter()
         .filter(|group| !group.outcome.passes())
         .collect();
-    let said = match &task.replaced {
-        Some(Replaced::Unusable(Unusable::Missing)) => "there is no such file".into(),
-        Some(Replaced::Unusable(Unusable::Refused(why))) => format!("refused: {why}"),
-        Some(Replaced::DoesNotCompile(_)) => "does not compile".into(),
-        None if task.is_unanswered() => "unanswered".into(),
-        None if failing.is_empty() => {
-            let names: Vec<&str> = task
-                .groups
-                .iter()
-                .map(|group| group.name.as_str())
-                .collect();
-            names.join(", ")
-        }
-        None => format!(
-            "{} of {} groups pass",
-            task.groups.len() - failing.len(),
-            task.groups.len()
-        ),
-    };
-    row(text, &task.name, width, task.points(), said);
+    row(text, &task.name, width, task.points(), task_in_words(task));
     if let Some(Replaced::DoesNotCompile(diagnostics)) = &task.replaced {
         indent(text, &printable_coloured(diagnostics.trim_end()));
     }
@@ -154,6 +136,27 @@ fn task_rows(text: &mut String, task: &TaskResult, width: usize) {
             text,
             format!("    {QUIET}read: the book, \"{}\"{QUIET:#}", task.chapter),
         );
+    }
+}
+
+/// A task in one line.
+pub fn task_in_words(task: &TaskResult) -> String {
+    let passes = |group: &&GroupResult| group.outcome.passes();
+    let passing = task.groups.iter().filter(passes).count();
+    match &task.replaced {
+        Some(Replaced::Unusable(Unusable::Missing)) => "there is no such file".into(),
+        Some(Replaced::Unusable(Unusable::Refused(why))) => format!("refused: {why}"),
+        Some(Replaced::DoesNotCompile(_)) => "does not compile".into(),
+        None if task.is_unanswered() => "unanswered".into(),
+        None if passing == task.groups.len() => {
+            let names: Vec<&str> = task
+                .groups
+                .iter()
+                .map(|group| group.name.as_str())
+                .collect();
+            names.join(", ")
+        }
+        None => format!("{passing} of {} groups pass", task.groups.len()),
     }
 }
 
@@ -215,20 +218,13 @@ fn scene_rows(
 ) {
     let passes = scene.outcome.passes();
     let earned = if passes { scene.worth } else { 0 };
-    let said = match &scene.outcome {
-        Outcome::Judged(verdict) if passes => {
-            let exempt = match verdict.exempt {
-                0 => String::new(),
-                some => format!(", {some} exempt"),
-            };
-            format!(
-                "{} pixels{exempt}, {:.2} s",
-                verdict.resolution, scene.seconds
-            )
-        }
-        other => outcome(other),
-    };
-    row(text, &scene.name, width, (earned, scene.worth), said);
+    row(
+        text,
+        &scene.name,
+        width,
+        (earned, scene.worth),
+        scene_in_words(scene),
+    );
     if let Outcome::Judged(verdict) = &scene.outcome
         && let Some((channel, mismatch)) = worst_pixel(verdict)
     {
@@ -250,12 +246,20 @@ fn scene_rows(
     }
 }
 
-/// One word of a command line.
-fn in_shell(word: &str) -> String {
-    let plain = |c: char| c.is_alphanumeric() || "/._-+:\\".contains(c);
-    match word.chars().all(plain) {
-        true => word.into(),
-        false => format!("'{}'", printable(word).replace('\'', "'\\''")),
+/// A scene in one line.
+pub fn scene_in_words(scene: &SceneResult) -> String {
+    match &scene.outcome {
+        Outcome::Judged(verdict) if verdict.passes() => {
+            let exempt = match verdict.exempt {
+                0 => String::new(),
+                some => format!(", {some} exempt"),
+            };
+            format!(
+                "{} pixels{exempt}, {:.2} s",
+                verdict.resolution, scene.seconds
+            )
+        }
+        other => outcome(other),
     }
 }
 
@@ -273,16 +277,9 @@ pub fn outcome(outcome: &Outcome) -> String {
 }
 
 /// The same, of a film of these.
-fn outcome_of(outcome: &Outcome, what: &str) -> String {
+pub fn outcome_of(outcome: &Outcome, what: &str) -> String {
     match outcome {
-        Outcome::Judged(verdict) if verdict.passes() => "passes".into(),
-        Outcome::Judged(verdict) => {
-            format!(
-                "{} of {} {what} are wrong",
-                verdict.failing.len(),
-                verdict.resolution.pixels()
-            )
-        }
+        Outcome::Judged(verdict) => verdict_in_words(verdict, what),
         Outcome::Refused(refusal) => format!("refused: {refusal}"),
         Outcome::Unanswered => "unanswered".into(),
         Outcome::BlockedBy(task) => format!("blocked by `{task}`"),
@@ -297,6 +294,17 @@ fn outcome_of(outcome: &Outcome, what: &str) -> String {
         Outcome::Garbled(why) => format!(
             "your program's answers could not be read: {}",
             printable(why)
+        ),
+    }
+}
+
+/// A verdict in one line, on a film of these.
+pub fn verdict_in_words(verdict: &Verdict, what: &str) -> String {
+    match verdict.failing.len() {
+        0 => "passes".into(),
+        wrong => format!(
+            "{wrong} of {} {what} are wrong",
+            verdict.resolution.pixels()
         ),
     }
 }

@@ -5,14 +5,17 @@ use std::time::Duration;
 use super::Outcome;
 use crate::assignment::Assignment;
 use crate::checkout::Checkout;
-use crate::cli::Check;
+use crate::cli::{Check, Run};
 use crate::compile::compile;
+use crate::describe::printable;
 use crate::error::{Error, Result};
 use crate::examine::{Examiner, Selection};
 use crate::goldens::Goldens;
 use crate::progress::Progress;
+use crate::report::{Again, Report};
 use crate::sandbox::Sandbox;
 use crate::second_judge::SecondJudge;
+use crate::shell::{PINHOLE, in_shell};
 use crate::{json, table};
 
 pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
@@ -45,16 +48,68 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
     let examination = examiner.examine(&submission, &selection)?;
     progress.clear();
 
+    let path = match &arguments.report {
+        Some(path) => Some(path.clone()),
+        None if arguments.no_report => None,
+        None => Some(checkout.scratch().join("report.html")),
+    };
+    // The verdict is worth more than its report: it is shown before anything is said of
+    // a report that could not be written.
+    let written = path.map(|path| {
+        let report = Report::of_examination(&examination, &goldens, &again(arguments))?;
+        report.write(&path).map(|()| path)
+    });
+    let path = match &written {
+        Some(Ok(path)) => Some(path.display().to_string()),
+        _ => None,
+    };
     if arguments.json {
-        anstream::println!("{:#}", json::examination(&examination));
+        let mut document = json::examination(&examination);
+        document["report"] = path.into();
+        anstream::println!("{document:#}");
     } else {
         anstream::print!("{}", table::examination(&examination));
+        if let Some(path) = path {
+            anstream::println!("\nreport: {}", printable(&path));
+        }
     }
+    written.transpose()?;
     Ok(if examination.passes() {
         Outcome::Well
     } else {
         Outcome::JudgedWrong
     })
+}
+
+/// The command that does the same again.
+fn again(arguments: &Check) -> Again {
+    let mut part = format!("{PINHOLE} check");
+    let add = |words: &mut String, word: &str| {
+        words.push(' ');
+        words.push_str(&in_shell(word));
+    };
+    if let Some(dir) = &arguments.dir {
+        add(&mut part, &dir.display().to_string());
+    }
+    if let Some(golden) = &arguments.golden {
+        add(&mut part, "--golden");
+        add(&mut part, &golden.display().to_string());
+    }
+    if arguments.run.timeout != Run::TIMEOUT {
+        add(&mut part, "--timeout");
+        add(&mut part, &arguments.run.timeout.to_string());
+    }
+    if arguments.run.trust {
+        add(&mut part, "--trust");
+    }
+    let mut whole = part.clone();
+    for (option, names) in [("--task", &arguments.task), ("--scene", &arguments.scene)] {
+        for name in names {
+            add(&mut whole, option);
+            add(&mut whole, name);
+        }
+    }
+    Again { whole, part }
 }
 
 fn selection(arguments: &Check, assignment: &Assignment, goldens: &Goldens) -> Result<Selection> {

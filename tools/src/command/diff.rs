@@ -1,20 +1,23 @@
 //! `pinhole diff`: both judges on any renderer's film.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use pinhole::film::HIT_CHANNELS;
 use pinhole::judge::{Golden, Refusal, Verdict, judge};
 use pinhole::oiiotool::{Oiiotool, SecondVerdict};
-use pinhole::{Film, false_colour};
+use pinhole::{Film, Scene, false_colour};
 use serde_json::json;
 
 use super::Outcome;
+use crate::assignment::{Assignment, ScenePoints};
 use crate::checkout::Checkout;
 use crate::cli::Diff;
 use crate::diagnosis::Diagnosis;
 use crate::error::{Error, Result};
 use crate::goldens::Goldens;
+use crate::report::{self, Beliefs, Evidence, Report};
+use crate::shell::{PINHOLE, in_shell};
 use crate::{describe, json, mitsuba, pictures, table};
 
 pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Outcome> {
@@ -57,6 +60,11 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Outcome> {
     if let (Some(folder), Ok(film)) = (&arguments.out, &film) {
         written = draw(folder, &golden, film)?;
     }
+    let mut report = None;
+    if let Some(path) = report_path(arguments) {
+        film_report(checkout, arguments, &golden, &film, &verdict, &diagnosis)?.write(&path)?;
+        report = Some(path.display().to_string());
+    }
     if arguments.json {
         let judged = match &verdict {
             Ok(verdict) => json::verdict(verdict),
@@ -71,6 +79,7 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Outcome> {
                 "diagnosis": json::diagnosis(&diagnosis),
                 "oiiotool": second,
                 "pictures": written,
+                "report": report,
             })
         );
     } else {
@@ -89,6 +98,9 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Outcome> {
         }
         for line in written.iter().map(|file| format!("wrote {file}")) {
             anstream::println!("{line}");
+        }
+        if let Some(report) = &report {
+            anstream::println!("report: {}", describe::printable(report));
         }
         if !written.is_empty() && !passes {
             for (_, words) in false_colour::Difference::LEGEND {
@@ -114,6 +126,82 @@ fn print(verdict: &std::result::Result<Verdict, Refusal>) {
     match verdict {
         Err(refusal) => anstream::println!("refused: {refusal}"),
         Ok(verdict) => anstream::println!("{verdict}\n  {} pixels are exempt", verdict.exempt),
+    }
+}
+
+fn report_path(arguments: &Diff) -> Option<PathBuf> {
+    let in_folder = |folder: &PathBuf| folder.join("report.html");
+    arguments
+        .report
+        .clone()
+        .or(arguments.out.as_ref().map(in_folder))
+}
+
+/// What a judged film comes to on a page.
+fn film_report(
+    checkout: &Checkout,
+    arguments: &Diff,
+    golden: &Golden,
+    film: &std::result::Result<Film, pinhole::Error>,
+    verdict: &std::result::Result<std::result::Result<Verdict, Refusal>, &pinhole::Error>,
+    diagnosis: &Diagnosis,
+) -> Result<Report> {
+    let [golden_path, film_path] =
+        [&arguments.golden, &arguments.film].map(|path| path.display().to_string());
+    let scene = scene(checkout, arguments)?;
+    let (said, verdict) = match verdict {
+        Ok(Ok(verdict)) => (table::verdict_in_words(verdict, "pixels"), Some(verdict)),
+        Ok(Err(refusal)) => (format!("refused: {refusal}"), None),
+        Err(error) => (
+            format!("refused: {}", describe::printable(&error.problem)),
+            None,
+        ),
+    };
+    let name = arguments.golden.file_stem().unwrap_or_default();
+    let command = format!(
+        "{PINHOLE} diff {} {}",
+        in_shell(&golden_path),
+        in_shell(&film_path)
+    );
+    Ok(Report::of_film(
+        Evidence {
+            name: describe::printable(&name.to_string_lossy()),
+            passes: verdict.is_some_and(Verdict::passes),
+            said,
+            points: None,
+            verdict,
+            golden,
+            film: film.as_ref().ok(),
+            scene: scene.as_ref(),
+            rays: report::rays_beside(&arguments.golden),
+            beliefs: Beliefs::of(diagnosis, &[]),
+            command,
+            explain: None,
+        },
+        &golden_path,
+        &film_path,
+    ))
+}
+
+/// The scene that both films show, as far as that is known.
+fn scene(checkout: &Checkout, arguments: &Diff) -> Result<Option<Scene>> {
+    let assignment = Assignment::around(checkout, &arguments.golden)?;
+    if let Some(named) = &arguments.scene {
+        return Ok(Some(super::scene(named, &assignment, checkout)?.0));
+    }
+    let is_own = |scene: &&ScenePoints| {
+        let golden = checkout
+            .golden(&assignment.name)
+            .join(&scene.name)
+            .with_extension("exr");
+        match (golden.canonicalize(), arguments.golden.canonicalize()) {
+            (Ok(own), Ok(given)) => own == given,
+            _ => false,
+        }
+    };
+    match assignment.scenes.iter().find(is_own) {
+        Some(scene) => Ok(Some(Scene::read(&assignment.scene(&scene.name))?)),
+        None => Ok(None),
     }
 }
 

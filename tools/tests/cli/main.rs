@@ -1,10 +1,12 @@
 //! The real command on the real course: real Mitsuba, oiiotool, compiler, sandbox.
 
+mod browser;
 mod check;
 mod course;
 mod diff;
 mod explain;
 mod golden;
 mod house;
+mod report;
 mod sandbox;
 mod submissions;

@@ -1,0 +1,88 @@
+//! The part of a film that a report holds pixel by pixel.
+
+use pinhole::{Pixel, Resolution};
+use serde::Serialize;
+
+/// Pixels of a whole report that are embedded with all their numbers: they fill less
+/// than 2 MB. The twelve scenes of the ray casting assignment have 133,000.
+const MOST_PIXELS: usize = 140_000;
+
+/// The share of each of these films that can be embedded.
+pub fn share(pixels: impl IntoIterator<Item = usize>) -> f64 {
+    let all: usize = pixels.into_iter().sum();
+    (MOST_PIXELS as f64 / all as f64).min(1.0)
+}
+
+/// A rectangle of a film.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Window {
+    /// Its first column.
+    pub left: usize,
+    /// Its first row, from the **top**.
+    pub top: usize,
+    /// How many columns it has.
+    pub n_x: usize,
+    /// How many rows.
+    pub n_y: usize,
+}
+
+impl Window {
+    /// This share of a film's pixels around `centre`, in the film's proportions.
+    pub fn around(centre: Pixel, film: Resolution, share: f64) -> Window {
+        let part = |n: usize| ((n as f64 * share.sqrt()) as usize).max(1);
+        let [n_x, n_y] = [part(film.n_x), part(film.n_y)];
+        let from =
+            |centre: usize, part: usize, n: usize| centre.saturating_sub(part / 2).min(n - part);
+        Window {
+            left: from(centre.i, n_x, film.n_x),
+            top: from(film.n_y - 1 - centre.j, n_y, film.n_y),
+            n_x,
+            n_y,
+        }
+    }
+
+    /// Whether nothing is left out.
+    pub fn is_whole(&self, film: Resolution) -> bool {
+        (self.n_x, self.n_y) == (film.n_x, film.n_y)
+    }
+
+    /// The places of its pixels in a film's image order.
+    pub fn indices(self, film: Resolution) -> impl Iterator<Item = usize> + Clone {
+        let rows = self.top..self.top + self.n_y;
+        rows.flat_map(move |y| (self.left..self.left + self.n_x).map(move |x| y * film.n_x + x))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FILM: Resolution = Resolution { n_x: 400, n_y: 100 };
+
+    #[test]
+    fn films_share_what_can_be_embedded() {
+        assert_eq!(share([10_000, 20_000]), 1.0);
+        assert_eq!(share([MOST_PIXELS, MOST_PIXELS]), 0.5);
+        assert_eq!(share([]), 1.0);
+    }
+
+    #[test]
+    fn a_small_film_is_shown_whole() {
+        let window = Window::around(Pixel { i: 399, j: 0 }, FILM, 1.0);
+        assert!(window.is_whole(FILM));
+        assert!(window.indices(FILM).eq(0..40_000));
+    }
+
+    #[test]
+    fn a_large_film_is_cut_around_its_worst_pixel_and_never_beyond_its_edge() {
+        let cut = |i, j| Window::around(Pixel { i, j }, FILM, 0.25);
+        let middle = cut(200, 50);
+        assert_eq!(
+            (middle.left, middle.top, middle.n_x, middle.n_y),
+            (100, 24, 200, 50)
+        );
+        assert_eq!((cut(0, 0).left, cut(0, 0).top), (0, 50));
+        assert_eq!((cut(399, 99).left, cut(399, 99).top), (200, 0));
+        assert_eq!(middle.indices(FILM).next(), Some(24 * 400 + 100));
+    }
+}
