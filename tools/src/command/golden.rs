@@ -141,14 +141,15 @@ fn render(checkout: &Checkout, arguments: &GoldenRender) -> Result<Outcome> {
     }
     manifest.write(&folder)?;
     progress.clear();
-    if arguments.no_mistakes {
-        return Ok(Outcome::Well);
-    }
-    let scenes = match arguments.scenes.is_empty() {
-        true => manifest.scenes(&folder, checkout),
-        false => scenes,
-    };
     anstream::println!("{} films in {}", manifest.films.len(), folder.display());
+    if !arguments.no_mistakes {
+        let scenes = match arguments.scenes.is_empty() {
+            true => manifest.scenes(&folder, checkout),
+            false => scenes,
+        };
+        fingerprint(&mut manifest, &folder, &scenes, &assignment, checkout)?;
+        manifest.write(&folder)?;
+    }
     Ok(Outcome::Well)
 }
 
