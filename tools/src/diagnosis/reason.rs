@@ -1,8 +1,8 @@
 //! From evidence to a name, or to none.
 //!
 //! A belief is named only if it predicts nearly everything that is wrong, and little
-//! else: the agreement is the Jaccard index of the two sets of wrong pixels, pixels that
-//! are wrong in different ways counting as different.
+//! else, in every film: the agreement is the Jaccard index of the two sets of wrong
+//! pixels, pixels that are wrong in different ways counting as different.
 
 use super::evidence::Evidence;
 use super::known::Known;
@@ -14,6 +14,9 @@ const ENOUGH: f64 = 0.9;
 
 /// Two beliefs in one task spoil each other's pixels where they meet.
 const ENOUGH_TOGETHER: f64 = 0.8;
+
+/// Where fewer of a film's pixels are apart than this, rounding may have moved them.
+const FEW: f64 = 0.01;
 
 /// More candidates than this say nothing.
 const MOST_ALIKE: usize = 3;
@@ -35,7 +38,7 @@ impl Known {
         let mut alone: Vec<(&str, Sum)> = candidates
             .iter()
             .map(|slug| (*slug, Sum::of(films, &[slug])))
-            .filter(|(_, sum)| sum.agreement() >= ENOUGH)
+            .filter(|(slug, _)| films.iter().all(|film| explains(slug, film)))
             .collect();
         alone.sort_by(|(_, a), (_, b)| a.apart.total_cmp(&b.apart));
         if let Some((_, best)) = alone.first().copied() {
@@ -77,28 +80,43 @@ impl Known {
     }
 }
 
-/// The two beliefs that explain the films together, if only these two do: each must
-/// explain some film that the other does not.
+/// Whether a belief predicts a film as it is, right or wrong.
+fn explains(slug: &str, film: &Evidence) -> bool {
+    let sum = Sum::of(std::slice::from_ref(film), &[slug]);
+    sum.agreement() >= ENOUGH || sum.apart <= FEW
+}
+
+/// The two beliefs that explain the films together, if only these two do. Each must show
+/// somewhere without the other, and there the film must be its own alone.
 fn pair<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<[&'a str; 2]> {
-    let explains = |slug: &str, film: &Evidence| {
-        Sum::of(std::slice::from_ref(film), &[slug]).agreement() >= ENOUGH
-    };
-    let wrong: Vec<&Evidence> = films.iter().filter(|film| film.failing > 0).collect();
+    let shows = |slug: &str, film: &Evidence| film.agreement(slug).predicted > 0.0;
     let partial: Vec<&'a str> = candidates
         .iter()
         .copied()
-        .filter(|slug| wrong.iter().any(|film| explains(slug, film)))
+        .filter(|slug| {
+            let mut own = films.iter().filter(|film| shows(slug, film));
+            own.any(|film| explains(slug, film))
+        })
         .collect();
     let mut pairs = Vec::new();
     for (place, one) in partial.iter().enumerate() {
         for other in &partial[place + 1..] {
-            let only = |this: &str, that: &str| {
-                wrong
+            let alone = |this: &str, that: &str| {
+                let mut own = films
                     .iter()
-                    .any(|film| explains(this, film) && !explains(that, film))
+                    .filter(|film| shows(this, film) && !shows(that, film))
+                    .peekable();
+                own.peek().is_some() && own.all(|film| explains(this, film))
             };
+            let mut neither = films
+                .iter()
+                .filter(|film| !shows(one, film) && !shows(other, film));
             let sum = Sum::of(films, &[one, other]);
-            if sum.agreement() >= ENOUGH_TOGETHER && only(one, other) && only(other, one) {
+            if alone(one, other)
+                && alone(other, one)
+                && neither.all(|film| explains(one, film))
+                && sum.agreement() >= ENOUGH_TOGETHER
+            {
                 pairs.push(([*one, *other], sum));
             }
         }

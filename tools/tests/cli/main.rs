@@ -3,6 +3,7 @@
 mod browser;
 mod check;
 mod course;
+mod diagnosis;
 mod diff;
 mod explain;
 mod golden;
