@@ -3,7 +3,7 @@
 //! Reading order: [`cli`] for what can be asked; one file in `command` for each
 //! thing it does; [`submission`], [`compile`], [`sandbox`], [`examine`] for the way
 //! from a student's folder to an [`examination`]; [`table`] and [`json`] for how
-//! that is shown.
+//! that is shown; [`validate`] for how all of it is itself measured.
 
 mod assignment;
 mod blame;
@@ -34,6 +34,7 @@ mod second_judge;
 mod stubs;
 mod submission;
 mod table;
+mod validate;
 
 use std::panic::{self, PanicHookInfo};
 use std::process::ExitCode;
