@@ -249,6 +249,9 @@ pub struct Validate {
     /// The assignment: its name, or its folder
     #[arg(default_value = "ray_casting")]
     pub assignment: String,
+    /// The mutants too
+    #[arg(long)]
+    pub mutants: bool,
     /// Only this part; may be given more than once
     #[arg(long, value_name = "PART")]
     pub only: Vec<Part>,

@@ -7,8 +7,13 @@
 //! what; [`sensitivity`] says how small an error may be and still be seen; [`table`]
 //! shows it all.
 
+mod adversary;
 pub mod bench;
 mod catches;
+mod difference;
+mod equivalents;
+mod mutants;
+mod mutate;
 mod submissions;
 mod table;
 
@@ -18,6 +23,7 @@ use serde::Serialize;
 use crate::error::Result;
 use bench::Bench;
 use catches::Catches;
+use mutants::Mutants;
 use submissions::{Known, Pristine};
 
 pub use table::validation as table;
@@ -38,6 +44,8 @@ pub enum Part {
     Mistakes,
     /// Right answers by other routes: each must pass
     Variants,
+    /// The reference with one small fault each, written by a program: all must be caught
+    Mutants,
 }
 
 /// What came of it.
@@ -58,6 +66,9 @@ pub struct Validation {
     /// The variants, if they were judged.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub variants: Option<Known>,
+    /// The mutants, if they were judged.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mutants: Option<Mutants>,
     /// How much each group of questions and each scene catches.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub catches: Option<Catches>,
@@ -84,6 +95,10 @@ pub fn validate(bench: &Bench, plan: &Plan) -> Result<Validation> {
         true => Some(submissions::variants(bench, &plan.named)?),
         false => None,
     };
+    let mutants = match wants(Part::Mutants) {
+        true => Some(mutants::judge(bench, &plan.named)?),
+        false => None,
+    };
     let catches = mistakes
         .as_ref()
         .map(|mistakes| Catches::count(bench, &mistakes.judged));
@@ -92,6 +107,7 @@ pub fn validate(bench: &Bench, plan: &Plan) -> Result<Validation> {
     for known in [&mistakes, &rewrites, &variants].into_iter().flatten() {
         faults.extend(known.judged.iter().flat_map(|judged| judged.faults()));
     }
+    faults.extend(mutants.iter().flat_map(|mutants| mutants.faults.clone()));
     Ok(Validation {
         assignment: bench.assignment.title.clone(),
         faults,
@@ -99,6 +115,7 @@ pub fn validate(bench: &Bench, plan: &Plan) -> Result<Validation> {
         mistakes,
         rewrites,
         variants,
+        mutants,
         catches,
         seconds: start.elapsed().as_secs_f64(),
     })

@@ -53,11 +53,11 @@ pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Outcome> {
 }
 
 fn plan(arguments: &Validate) -> Plan {
-    let usual = [Part::Mistakes, Part::Variants];
-    let parts = match arguments.only.is_empty() {
-        true => usual.into(),
+    let mut parts = match arguments.only.is_empty() {
+        true => vec![Part::Mistakes, Part::Variants],
         false => arguments.only.clone(),
     };
+    parts.extend(arguments.mutants.then_some(Part::Mutants));
     Plan {
         parts,
         named: arguments.named.clone().unwrap_or_default(),
