@@ -14,7 +14,9 @@ mod difference;
 mod equivalents;
 mod mutants;
 mod mutate;
+mod sensitivity;
 mod submissions;
+mod suites;
 mod table;
 
 use clap::ValueEnum;
@@ -24,6 +26,7 @@ use crate::error::Result;
 use bench::Bench;
 use catches::Catches;
 use mutants::Mutants;
+use sensitivity::Sensitivity;
 use submissions::{Known, Pristine};
 
 pub use table::validation as table;
@@ -46,6 +49,8 @@ pub enum Part {
     Variants,
     /// The reference with one small fault each, written by a program: all must be caught
     Mutants,
+    /// The smallest error of each kind that each scene detects
+    Sensitivity,
 }
 
 /// What came of it.
@@ -72,6 +77,9 @@ pub struct Validation {
     /// How much each group of questions and each scene catches.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub catches: Option<Catches>,
+    /// The smallest errors that the scenes detect, if they were measured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sensitivity: Option<Vec<Sensitivity>>,
     /// How long it took.
     pub seconds: f64,
 }
@@ -99,9 +107,14 @@ pub fn validate(bench: &Bench, plan: &Plan) -> Result<Validation> {
         true => Some(mutants::judge(bench, &plan.named)?),
         false => None,
     };
-    let catches = mistakes
-        .as_ref()
-        .map(|mistakes| Catches::count(bench, &mistakes.judged));
+    let sensitivity = match wants(Part::Sensitivity) {
+        true => Some(sensitivity::measure(bench, &plan.named)?),
+        false => None,
+    };
+    let catches = (mistakes.is_some() || mutants.is_some()).then(|| {
+        let judged = mistakes.as_ref().map_or(&[][..], |known| &known.judged);
+        Catches::count(bench, judged, mutants.as_ref())
+    });
 
     let mut faults = pristine.faults.clone();
     for known in [&mistakes, &rewrites, &variants].into_iter().flatten() {
@@ -117,6 +130,7 @@ pub fn validate(bench: &Bench, plan: &Plan) -> Result<Validation> {
         variants,
         mutants,
         catches,
+        sensitivity,
         seconds: start.elapsed().as_secs_f64(),
     })
 }

@@ -54,7 +54,7 @@ pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Outcome> {
 
 fn plan(arguments: &Validate) -> Plan {
     let mut parts = match arguments.only.is_empty() {
-        true => vec![Part::Mistakes, Part::Variants],
+        true => vec![Part::Mistakes, Part::Variants, Part::Sensitivity],
         false => arguments.only.clone(),
     };
     parts.extend(arguments.mutants.then_some(Part::Mutants));

@@ -17,6 +17,7 @@ use crate::second_judge::SecondJudge;
 use crate::submission::Submission;
 
 /// What every submission is judged with.
+#[derive(Clone, Copy)]
 pub struct Bench<'a> {
     /// Whose tasks.
     pub assignment: &'a Assignment,

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::bench::Bench;
+use super::mutants::Mutants;
 use super::submissions::Judged;
 
 /// One row for each film, probes and scenes apart.
@@ -10,41 +11,57 @@ use super::submissions::Judged;
 pub struct Catches {
     /// How many single mistakes were judged.
     pub mistakes: usize,
+    /// How many mutants were caught by their own task's questions; `None` if none were
+    /// judged.
+    pub mutants: Option<usize>,
     /// Groups of questions, in the assignment's order.
     pub probes: Vec<Catch>,
     /// Scenes, in the assignment's order.
     pub scenes: Vec<Catch>,
 }
 
-/// What one group of questions or one scene catches. Only single mistakes count: one
-/// that holds two beliefs fails wherever either does.
-#[derive(Debug, Serialize)]
+/// What one group of questions or one scene catches. Of mistakes only single ones count:
+/// one that holds two beliefs fails wherever either does.
+#[derive(Debug, Default, Serialize)]
 pub struct Catch {
     /// `task.group`, or the scene.
     pub name: String,
     /// How many mistakes fail here.
-    pub catches: usize,
-    /// Mistakes that fail nowhere else among the groups, or among the scenes.
+    pub mistakes: usize,
+    /// Mistakes that fail in no other group, or in no other scene.
     pub only_of_its_kind: Vec<String>,
     /// Mistakes that fail nowhere else at all.
     pub only: Vec<String>,
+    /// How many mutants fail in this group.
+    pub mutants: usize,
+    /// How many of them fail in no other group.
+    pub mutants_only: usize,
 }
 
 impl Catches {
-    /// Counts over single mistakes.
-    pub fn count(bench: &Bench, judged: &[Judged]) -> Catches {
+    /// Counts over single mistakes and mutants.
+    pub fn count(bench: &Bench, judged: &[Judged], mutants: Option<&Mutants>) -> Catches {
         let single: Vec<&Judged> = judged.iter().filter(|judged| judged.single).collect();
+        let by_group = mutants.map(Mutants::by_group).unwrap_or_default();
         let groups = bench.assignment.tasks.iter().flat_map(|task| {
             let named = |(group, _): &(String, u32)| format!("{}.{group}", task.name);
             task.points.iter().map(named)
         });
-        let scenes = bench.goldens.scenes.iter().map(|scene| scene.name.clone());
-        let groups = groups.map(|name| Catch::count(name, &single, |judged| &judged.groups));
-        let scenes = scenes.map(|name| Catch::count(name, &single, |judged| &judged.scenes));
+        let group = |name: String| {
+            let (mutants, mutants_only) = by_group.get(name.as_str()).copied().unwrap_or((0, 0));
+            Catch {
+                mutants,
+                mutants_only,
+                ..Catch::count(name, &single, |judged| &judged.groups)
+            }
+        };
+        let scenes = bench.goldens.scenes.iter();
+        let scene = |name| Catch::count(name, &single, |judged| &judged.scenes);
         Catches {
             mistakes: single.len(),
-            probes: groups.collect(),
-            scenes: scenes.collect(),
+            mutants: mutants.map(|mutants| mutants.count(|judged| judged.groups().is_some())),
+            probes: groups.map(group).collect(),
+            scenes: scenes.map(|golden| scene(golden.name.clone())).collect(),
         }
     }
 }
@@ -60,10 +77,11 @@ impl Catch {
             kept.map(|judged| judged.name.clone()).collect()
         };
         Catch {
-            catches: here.len(),
+            mistakes: here.len(),
             only_of_its_kind: names(&|judged| kind(judged).len() == 1),
             only: names(&|judged| judged.groups.len() + judged.scenes.len() == 1),
             name,
+            ..Catch::default()
         }
     }
 }

@@ -60,6 +60,12 @@ const WALL: Duration = Duration::from_secs(10);
 
 /// Judges the mutants of every answer whose names contain `named`.
 pub fn judge(bench: &Bench, named: &str) -> Result<Mutants> {
+    // Nobody believes a mutant, so no belief need be sought for it.
+    let goldens = bench.goldens.without_known();
+    let bench = &Bench {
+        goldens: &goldens,
+        ..*bench
+    };
     let reference = overlay::reference(bench.assignment)?;
     let all = generate(&reference)?;
     let listed = equivalents::read(bench.assignment)?;
@@ -160,6 +166,24 @@ impl Judged {
         !matches!(self.fate, Fate::NotViable)
     }
 
+    /// The groups of its own task's questions that catch it, if any do.
+    pub fn groups(&self) -> Option<&[String]> {
+        match &self.fate {
+            Fate::Probes(groups) => Some(groups),
+            _ => None,
+        }
+    }
+
+    /// Whether it is listed as no mistake, and is none.
+    pub fn is_equivalent(&self) -> bool {
+        matches!(self.fate, Fate::Escaped { why: Some(_), .. })
+    }
+
+    /// Whether it is a fault that nothing catches.
+    pub fn is_missed(&self) -> bool {
+        matches!(self.fate, Fate::Escaped { why: None, .. })
+    }
+
     fn fault(&self, listed: &[Listed]) -> Option<String> {
         let name = self.mutant.name();
         let diff = self.mutant.diff();
@@ -192,17 +216,20 @@ impl Judged {
 }
 
 impl Mutants {
+    /// How many are such.
+    pub fn count(&self, such: impl Fn(&Judged) -> bool) -> usize {
+        self.judged.iter().filter(|judged| such(judged)).count()
+    }
+
     /// How many mutants fail in each group of questions, and how many of them in no
     /// other group.
     pub fn by_group(&self) -> BTreeMap<&str, (usize, usize)> {
         let mut counts = BTreeMap::new();
-        for judged in &self.judged {
-            if let Fate::Probes(groups) = &judged.fate {
-                for group in groups {
-                    let (all, only) = counts.entry(group.as_str()).or_insert((0, 0));
-                    *all += 1;
-                    *only += usize::from(groups.len() == 1);
-                }
+        for groups in self.judged.iter().filter_map(Judged::groups) {
+            for group in groups {
+                let (all, only) = counts.entry(group.as_str()).or_insert((0, 0));
+                *all += 1;
+                *only += usize::from(groups.len() == 1);
             }
         }
         counts

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use super::bench::Bench;
+use crate::assignment::Task;
 use crate::error::{Error, Result};
 use crate::examination::{Examination, Outcome};
 use crate::examine::Selection;
@@ -39,6 +40,8 @@ pub struct Judged {
     pub name: String,
     /// Whether it holds one belief alone, and no rewrite of it.
     pub single: bool,
+    /// What it was judged by.
+    pub by: By,
     /// Tasks that must lose points, sorted; none if it must pass.
     pub declared: Vec<String>,
     /// Tasks that lose points, sorted.
@@ -106,6 +109,18 @@ struct Overlay {
     folder: PathBuf,
     single: bool,
     declared: Vec<String>,
+    by: By,
+}
+
+/// What something is judged by.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum By {
+    /// Every group of questions of every task, and every scene.
+    Everything,
+    /// The questions of the tasks whose answers differ from the reference's. A task is
+    /// asked alone, so no other task's could show the difference.
+    OwnTasks,
 }
 
 /// Judges the mistakes, and the same beliefs written anew, whose names contain `named`.
@@ -121,6 +136,7 @@ pub fn mistakes(bench: &Bench, named: &str) -> Result<(Known, Known)> {
                 folder,
                 single: false,
                 declared: declared.clone(),
+                by: By::OwnTasks,
             });
         }
         mistakes.push(Overlay {
@@ -128,6 +144,7 @@ pub fn mistakes(bench: &Bench, named: &str) -> Result<(Known, Known)> {
             single: found.mistake.is_single(),
             folder: found.folder,
             declared,
+            by: By::Everything,
         });
     }
     let mistakes = judge_all(bench, "mistakes", mistakes, named)?;
@@ -143,6 +160,7 @@ pub fn variants(bench: &Bench, named: &str) -> Result<Known> {
         folder,
         single: false,
         declared: Vec::new(),
+        by: By::Everything,
     };
     let overlays = found.into_iter().map(overlay).collect();
     judge_all(bench, "variants", overlays, named)
@@ -152,20 +170,24 @@ fn judge_all(bench: &Bench, what: &str, all: Vec<Overlay>, named: &str) -> Resul
     let wanted = |overlay: &Overlay| overlay.name.contains(named);
     let wanted: Vec<Overlay> = all.into_iter().filter(wanted).collect();
     let judged = bench.all(what, &wanted, |overlay| {
-        let replaces = |task: &str| overlay.folder.join(task).with_extension("rs").is_file();
-        if !bench
-            .assignment
-            .tasks
-            .iter()
-            .any(|task| replaces(&task.name))
-        {
+        let replaces = |task: &&Task| overlay.folder.join(task.file()).is_file();
+        let own = bench.assignment.tasks.iter().filter(replaces);
+        let own: Vec<String> = own.map(|task| task.name.clone()).collect();
+        if own.is_empty() {
             return Err(Error::input(
                 format!("{} holds no answer file", overlay.folder.display()),
                 "put the file that differs from the reference there, or remove the folder",
             ));
         }
         let submission = overlay::reference(bench.assignment)?.overlaid(&overlay.folder)?;
-        let examination = bench.examine(&submission, &Selection::default())?;
+        let selection = match overlay.by {
+            By::Everything => Selection::default(),
+            By::OwnTasks => Selection {
+                tasks: own,
+                scenes: Vec::new(),
+            },
+        };
+        let examination = bench.examine(&submission, &selection)?;
         Ok(Judged::of(&examination, overlay))
     })?;
     Ok(Known { judged })
@@ -193,6 +215,7 @@ impl Judged {
         Judged {
             name: overlay.name.clone(),
             single: overlay.single,
+            by: overlay.by,
             declared: overlay.declared.clone(),
             tasks,
             groups,

@@ -1,9 +1,12 @@
 //! A validation as tables for people.
 
+mod catches;
+mod mutants;
+mod sensitivity;
+
 use anstyle::{AnsiColor, Style};
 
 use super::Validation;
-use super::catches::{Catch, Catches};
 use super::submissions::Known;
 
 const PASS: Style = AnsiColor::Green.on_default();
@@ -11,129 +14,82 @@ const FAIL: Style = AnsiColor::Red.on_default();
 const QUIET: Style = AnsiColor::BrightBlack.on_default();
 const STRONG: Style = Style::new().bold();
 
-/// Faults first, then each part that was judged.
+/// What misses a target first, then each part that was judged.
 pub fn validation(validation: &Validation) -> String {
     let mut text = format!(
         "{STRONG}{}{STRONG:#}  {QUIET}the grading graded{QUIET:#}\n\n",
         validation.assignment
     );
     for fault in &validation.faults {
-        text += &format!("{FAIL}✗ {fault}{FAIL:#}\n");
+        text += &format!("{FAIL}✗{FAIL:#} {fault}\n");
     }
     if !validation.faults.is_empty() {
         text += "\n";
     }
     text += &submissions(validation);
+    if let Some(mutants) = &validation.mutants {
+        text += &mutants::table(mutants);
+    }
     if let Some(catches) = &validation.catches {
-        text += &self::catches(catches);
+        text += &catches::table(catches);
+    }
+    if let Some(scenes) = &validation.sensitivity {
+        text += &sensitivity::table(scenes);
     }
     let verdict = match validation.faults.len() {
         0 => format!("{PASS}every target is met{PASS:#}"),
         1 => format!("{FAIL}1 target is missed{FAIL:#}, see the top"),
         some => format!("{FAIL}{some} targets are missed{FAIL:#}, see the top"),
     };
-    text += &format!("\n{verdict}  {QUIET}{:.0} s{QUIET:#}\n", validation.seconds);
-    text
+    let seconds = validation.seconds;
+    text + &format!("\n{verdict}  {QUIET}{seconds:.0} s{QUIET:#}\n")
 }
 
 fn submissions(validation: &Validation) -> String {
     let pristine = &validation.pristine;
     let (points, possible) = pristine.reference;
-    let mut text = row(
-        pristine.stub == 0,
-        "stub",
-        format!("{} points, unanswered everywhere", pristine.stub),
-    );
-    text += &row(
-        points == possible,
-        "reference",
-        format!("{points} of {possible} points"),
-    );
-    let failing = |known: &Known| {
-        let caught = known
-            .judged
-            .iter()
-            .filter(|judged| judged.is_caught())
-            .count();
-        let declared = known.judged.iter().filter(|judged| judged.is_as_declared());
-        let all = known.judged.len();
-        (
-            declared.clone().count() == all,
-            format!(
-                "{caught} of {all} caught, {} in exactly their own tasks",
-                declared.count()
-            ),
-        )
+    let stub = match pristine.stub {
+        0 => "unanswered everywhere".into(),
+        points => format!("{points} points"),
     };
+    let mut text = row(pristine.stub == 0, "stub", stub);
+    let reference = format!("{points} of {possible} points");
+    text += &row(points == possible, "reference", reference);
     if let Some(mistakes) = &validation.mistakes {
-        let (well, mut said) = failing(mistakes);
-        let compound = mistakes
-            .judged
-            .iter()
-            .filter(|judged| !judged.single)
-            .count();
-        said += &format!("; {compound} of them hold two beliefs");
-        text += &row(well, "mistakes", said);
+        let compound = mistakes.judged.iter().filter(|judged| !judged.single);
+        let both = format!(
+            "; {} of them hold two beliefs; by every question and scene",
+            compound.count()
+        );
+        text += &failing("mistakes", mistakes, &both);
     }
     if let Some(rewrites) = &validation.rewrites {
-        let (well, said) = failing(rewrites);
-        text += &row(well, "  written anew", said);
+        let by = "; by their own tasks' questions";
+        text += &failing("  written anew", rewrites, by);
     }
     if let Some(variants) = &validation.variants {
-        let failing = variants
-            .judged
-            .iter()
-            .filter(|judged| judged.is_caught())
-            .count();
-        let all = variants.judged.len();
-        text += &row(
-            failing == 0,
-            "variants",
-            format!("{} of {all} pass, {failing} false fails", all - failing),
+        let wrong = variants.judged.iter().filter(|judged| judged.is_caught());
+        let (wrong, all) = (wrong.count(), variants.judged.len());
+        let said = format!(
+            "{} of {all} pass, {wrong} false fails; by every question and scene",
+            all - wrong
         );
+        text += &row(wrong == 0, "variants", said);
     }
     text
+}
+
+/// A row of submissions that must fail.
+fn failing(name: &str, known: &Known, more: &str) -> String {
+    let judged = || known.judged.iter();
+    let all = known.judged.len();
+    let caught = judged().filter(|judged| judged.is_caught()).count();
+    let declared = judged().filter(|judged| judged.is_as_declared()).count();
+    let said = format!("{caught} of {all} caught, {declared} in exactly their own tasks{more}");
+    row(declared == all, name, said)
 }
 
 fn row(well: bool, name: &str, said: String) -> String {
     let (style, mark) = if well { (PASS, "✓") } else { (FAIL, "✗") };
     format!("{style}{mark}{style:#} {name:<16}{said}\n")
-}
-
-fn catches(catches: &Catches) -> String {
-    let names = catches.probes.iter().chain(&catches.scenes);
-    let width = names.map(|catch| catch.name.len()).max().unwrap_or(0) + 2;
-    let mut text = format!(
-        "\nOf {} single mistakes: how many fail here; how many of them fail nowhere else among\n\
-         the probes (or the scenes); how many nowhere else at all.\n",
-        catches.mistakes
-    );
-    for (kind, rows) in [("probes", &catches.probes), ("scenes", &catches.scenes)] {
-        text += &format!("\n{QUIET}  {kind:<width$}fail  only here  only here of all{QUIET:#}\n");
-        for catch in rows {
-            text += &catch_row(catch, width);
-        }
-    }
-    text
-}
-
-fn catch_row(catch: &Catch, width: usize) -> String {
-    let dash = |count: usize| match count {
-        0 => "–".into(),
-        count => count.to_string(),
-    };
-    let mut names: Vec<&str> = catch
-        .only
-        .iter()
-        .map(|name| name.trim_start_matches("mistakes/"))
-        .collect();
-    names.truncate(3);
-    format!(
-        "  {:<width$}{:>4}  {:>9}  {:>16}  {QUIET}{}{QUIET:#}\n",
-        catch.name,
-        dash(catch.catches),
-        dash(catch.only_of_its_kind.len()),
-        dash(catch.only.len()),
-        names.join(", "),
-    )
 }

@@ -67,7 +67,7 @@ pub fn may_be_forgotten(method: &str) -> bool {
 pub fn detours(method: &str) -> &'static [&'static str] {
     match method {
         "iter" | "into_iter" => &[".rev()", ".skip(1)", ".take(1)"],
-        "enumerate" => &[".skip(1)"],
+        "enumerate" => &[".rev()", ".skip(1)"],
         _ => &[],
     }
 }

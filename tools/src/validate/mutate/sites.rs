@@ -106,13 +106,21 @@ impl Sites<'_> {
         }
     }
 
-    /// The source of an operand, in parentheses unless it is one word or call.
+    /// The source of what is to be part of a closer-binding expression.
     fn operand(&self, expression: &Expr) -> String {
         match expression {
-            Expr::Binary(_) | Expr::Unary(_) | Expr::Range(_) | Expr::Cast(_) => {
+            Expr::Binary(_) | Expr::Range(_) | Expr::Cast(_) => {
                 format!("({})", self.source(expression))
             }
             _ => self.source(expression).to_owned(),
+        }
+    }
+
+    /// The source of what is to be asked for a method.
+    fn receiver(&self, expression: &Expr) -> String {
+        match expression {
+            Expr::Unary(_) => format!("({})", self.source(expression)),
+            _ => self.operand(expression),
         }
     }
 
@@ -122,8 +130,9 @@ impl Sites<'_> {
         let negative = self.closed(expression, format!("-{operand}"));
         self.put(expression, negative, Operator::Unary);
         if absolute {
-            self.put(expression, format!("{operand}.abs()"), Operator::Absolute);
-            let negative = self.closed(expression, format!("-{operand}.abs()"));
+            let receiver = self.receiver(expression);
+            self.put(expression, format!("{receiver}.abs()"), Operator::Absolute);
+            let negative = self.closed(expression, format!("-{receiver}.abs()"));
             self.put(expression, negative, Operator::Absolute);
         }
     }
@@ -194,7 +203,11 @@ impl<'ast> Visit<'ast> for Sites<'_> {
         let ExprBinary {
             left, op, right, ..
         } = expression;
-        let (a, b) = (self.operand(left), self.operand(right));
+        // Comparisons and logic bind less than any operand here.
+        let (a, b) = match is_arithmetic(op) {
+            true => (self.operand(left), self.operand(right)),
+            false => (self.source(left).into(), self.source(right).into()),
+        };
         let operator = match op {
             op if is_arithmetic(op) => Operator::Arithmetic,
             op if is_logical(op) => Operator::Logical,
@@ -205,15 +218,16 @@ impl<'ast> Visit<'ast> for Sites<'_> {
             self.put(expression, changed, operator);
         }
         match operator {
-            Operator::Arithmetic => {}
+            Operator::Arithmetic => {
+                self.hold(left);
+                self.hold(right);
+            }
             Operator::Logical => {
                 self.put(expression, self.source(left).to_owned(), operator);
                 self.put(expression, self.source(right).to_owned(), operator);
             }
             _ => self.condition(expression),
         }
-        self.hold(left);
-        self.hold(right);
         visit::visit_expr_binary(self, expression);
     }
 
@@ -283,7 +297,7 @@ impl<'ast> Visit<'ast> for Sites<'_> {
                 ""
             };
             let receiver = self.source(&expression.receiver).to_owned();
-            let swapped = format!("{}.{method}({reference}{receiver})", self.operand(bare));
+            let swapped = format!("{}.{method}({reference}{receiver})", self.receiver(bare));
             self.put(expression, swapped, Operator::Swap);
         }
         self.hold(&expression.receiver);
