@@ -54,9 +54,26 @@ struct File {
 }
 
 impl Assignment {
+    /// The assignment of this name, or else in the folder of this name.
+    pub fn named(checkout: &Checkout, name: &str) -> Result<Assignment> {
+        let folder = Path::new(name);
+        match folder
+            .join("assignment.toml")
+            .is_file()
+            .then(|| folder.file_name())
+            .flatten()
+        {
+            Some(own) => Assignment::in_folder(checkout, folder, &own.to_string_lossy()),
+            None => Assignment::read(checkout, name),
+        }
+    }
+
     /// The assignment of this name.
     pub fn read(checkout: &Checkout, name: &str) -> Result<Assignment> {
-        let folder = checkout.assignments().join(name);
+        Assignment::in_folder(checkout, &checkout.assignments().join(name), name)
+    }
+
+    fn in_folder(checkout: &Checkout, folder: &Path, name: &str) -> Result<Assignment> {
         let path = folder.join("assignment.toml");
         let text = fs::read_to_string(&path).map_err(|error| {
             Error::input(
@@ -75,7 +92,7 @@ impl Assignment {
         })?;
         Ok(Assignment {
             name: name.into(),
-            folder,
+            folder: folder.into(),
             title: file.title,
             tasks: file.task,
             scenes: file.scene,

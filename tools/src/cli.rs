@@ -6,6 +6,8 @@ use clap::{Args, Parser, Subcommand};
 use pinhole::Resolution;
 use pinhole::scene::MOST_PIXELS;
 
+use crate::validate::Part;
+
 /// Ray casting assignments, judged against golden films by Mitsuba.
 ///
 /// Fill the answers in assignments/ray_casting/handout/src, then run `cargo run --release -- check`.
@@ -34,6 +36,8 @@ pub enum Command {
     Golden(Golden),
     /// Generate the handout, students' stubs, from the reference
     Handout(Handout),
+    /// Grade the grading: does it catch every known mistake, and fail nobody who is right?
+    Validate(Validate),
 }
 
 impl Command {
@@ -45,6 +49,7 @@ impl Command {
             Command::Explain(arguments) => arguments.json,
             Command::Diff(arguments) => arguments.json,
             Command::Golden(Golden::Verify(arguments)) => arguments.json,
+            Command::Validate(arguments) => arguments.json,
             Command::Golden(_) | Command::Handout(_) => false,
         }
     }
@@ -254,6 +259,37 @@ pub struct Handout {
     /// Change nothing; fail if the committed handout is out of step
     #[arg(long)]
     pub check: bool,
+}
+
+/// Grade the grading.
+///
+/// Everything whose verdict is known beforehand goes down the same path as a student's
+/// answers, and the verdicts are compared with what is known: the stub is unanswered,
+/// the reference and every variant pass, every known mistake fails in exactly the tasks
+/// it declares, also when its belief is written anew.
+#[derive(Args)]
+pub struct Validate {
+    /// The assignment: its name, or its folder
+    #[arg(default_value = "ray_casting")]
+    pub assignment: String,
+    /// The mutants too
+    #[arg(long)]
+    pub mutants: bool,
+    /// Only this part; may be given more than once
+    #[arg(long, value_name = "PART")]
+    pub only: Vec<Part>,
+    /// Only submissions whose name contains this: try `mistakes/sphere`
+    #[arg(long, value_name = "TEXT")]
+    pub named: Option<String>,
+    /// Ask oiiotool, the second judge, about every film too
+    #[arg(long)]
+    pub oiiotool: bool,
+    /// Judge so many at a time [default: one for each core]
+    #[arg(long, value_name = "N")]
+    pub jobs: Option<usize>,
+    /// Print one JSON document on standard output
+    #[arg(long)]
+    pub json: bool,
 }
 
 fn resolution(text: &str) -> Result<Resolution, String> {

@@ -6,6 +6,7 @@ mod explain;
 mod golden;
 mod handout;
 mod render;
+mod validate;
 
 use std::path::{Path, PathBuf};
 
@@ -36,6 +37,7 @@ pub fn run(cli: Cli) -> Result<Outcome> {
         Command::Diff(arguments) => diff::run(&checkout, &arguments),
         Command::Golden(arguments) => golden::run(&checkout, &arguments),
         Command::Handout(arguments) => handout::run(&checkout, &arguments),
+        Command::Validate(arguments) => validate::run(&checkout, &arguments),
     }
 }
 

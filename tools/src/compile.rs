@@ -41,55 +41,82 @@ pub enum Replaced {
     DoesNotCompile(String),
 }
 
-/// Compiles a submission, replacing by its stub each answer that is missing or does
-/// not compile, so that one bad file costs one task.
-///
-/// # Errors
-/// If even the stubs do not compile, or the compiler cannot be run.
+/// Compiles submissions of one assignment, one after the other or side by side.
+pub struct Compiler<'a> {
+    checkout: &'a Checkout,
+    sandbox: &'a Sandbox,
+    harness: Harness,
+    /// Not the handout's folder: students fill that.
+    pristine: Package,
+}
+
+/// Compiles one submission; see [`Compiler::compile`].
 pub fn compile(
     submission: &Submission,
     assignment: &Assignment,
     checkout: &Checkout,
     sandbox: &Sandbox,
 ) -> Result<Program> {
-    let harness = Harness::gather(checkout)?;
-    // Not the handout's folder: students fill that.
-    let pristine = stubs::generate(assignment)?;
-    let mut replaced = BTreeMap::new();
-    for answer in &submission.answers {
-        if let Err(unusable) = &answer.text {
-            replaced.insert(answer.task.clone(), Replaced::Unusable(unusable.clone()));
-        }
+    Compiler::new(assignment, checkout, sandbox)?.compile(submission)
+}
+
+impl<'a> Compiler<'a> {
+    /// Gathers what every submission is compiled with.
+    pub fn new(
+        assignment: &Assignment,
+        checkout: &'a Checkout,
+        sandbox: &'a Sandbox,
+    ) -> Result<Compiler<'a>> {
+        Ok(Compiler {
+            checkout,
+            sandbox,
+            harness: Harness::gather(checkout)?,
+            pristine: stubs::generate(assignment)?,
+        })
     }
-    // Each round replaces at least one answer, so there are at most as many rounds.
-    for _ in 0..=submission.answers.len() {
+
+    /// Compiles a submission, replacing by its stub each answer that is missing or does
+    /// not compile, so that one bad file costs one task.
+    ///
+    /// # Errors
+    /// If even the stubs do not compile, or the compiler cannot be run.
+    pub fn compile(&self, submission: &Submission) -> Result<Program> {
+        let mut replaced = BTreeMap::new();
+        for answer in &submission.answers {
+            if let Err(unusable) = &answer.text {
+                replaced.insert(answer.task.clone(), Replaced::Unusable(unusable.clone()));
+            }
+        }
         let compile = |replaced: &Replacements| {
-            let sources = sources(submission, &pristine, replaced);
-            build(&sources, checkout, &harness, sandbox)
+            let sources = sources(submission, &self.pristine, replaced);
+            build(&sources, self.checkout, &self.harness, self.sandbox)
         };
-        match compile(&replaced)? {
-            Built::Program(executable) => {
-                return Ok(Program {
-                    executable,
-                    replaced,
-                });
-            }
-            Built::Refused(diagnostics) => {
-                let mut blamed = blame::by_place(&diagnostics, submission, &replaced);
-                if blamed.is_empty() {
-                    blamed = blame_alone(submission, &replaced, compile)?;
+        // Each round replaces at least one answer, so there are at most as many rounds.
+        for _ in 0..=submission.answers.len() {
+            match compile(&replaced)? {
+                Built::Program(executable) => {
+                    return Ok(Program {
+                        executable,
+                        replaced,
+                    });
                 }
-                if blamed.is_empty() {
-                    return Err(blame::not_theirs(&diagnostics));
+                Built::Refused(diagnostics) => {
+                    let mut blamed = blame::by_place(&diagnostics, submission, &replaced);
+                    if blamed.is_empty() {
+                        blamed = blame_alone(submission, &replaced, compile)?;
+                    }
+                    if blamed.is_empty() {
+                        return Err(blame::not_theirs(&diagnostics));
+                    }
+                    replaced.extend(blamed);
                 }
-                replaced.extend(blamed);
             }
         }
+        Err(Error::environment(
+            "the stubs do not compile",
+            "restore the assignment's `reference` folder, which they are made from",
+        ))
     }
-    Err(Error::environment(
-        "the stubs do not compile",
-        "restore the assignment's `reference` folder, which they are made from",
-    ))
 }
 
 /// File names and texts of a whole program.

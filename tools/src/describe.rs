@@ -47,7 +47,8 @@ pub fn worst(verdict: &Verdict, asked: &QuestionFilm, reply: &Reply) -> Option<S
     Some(words)
 }
 
-fn question(job: &Job, index: usize, part: &str, digits: usize) -> String {
+/// A question in words.
+pub fn question(job: &Job, index: usize, part: &str, digits: usize) -> String {
     match job {
         Job::ViewingRay(questions) => {
             let asked = &questions[index];

@@ -97,6 +97,14 @@ impl Goldens {
         Goldens::of_scenes(folder, &[])
     }
 
+    /// The same, but nothing is known of mistakes: then nothing is diagnosed.
+    pub fn without_known(&self) -> Goldens {
+        Goldens {
+            known: Known::default(),
+            ..self.clone()
+        }
+    }
+
     /// What a film is called: its path in the folder, without `.exr`.
     pub fn film_name(&self, golden: &Path) -> String {
         let inside = golden.strip_prefix(&self.folder).unwrap_or(golden);

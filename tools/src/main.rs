@@ -2,8 +2,8 @@
 //!
 //! Reading order: [`cli`] for what can be asked; one file in `command` for each
 //! thing it does; [`submission`], [`compile`], [`sandbox`], [`examine`] for the way
-//! from a student's folder to an [`examination`]; [`table`], [`json`] and
-//! [`report`] for how that is shown.
+//! from a student's folder to an [`examination`]; [`table`], [`json`] and [`report`]
+//! for how that is shown; [`validate`] for how all of it is itself measured.
 
 mod assignment;
 mod blame;
@@ -36,6 +36,7 @@ mod shell;
 mod stubs;
 mod submission;
 mod table;
+mod validate;
 
 use std::panic::{self, PanicHookInfo};
 use std::process::ExitCode;

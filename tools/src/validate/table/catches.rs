@@ -1,0 +1,79 @@
+//! What each group of questions and each scene catches.
+
+use super::QUIET;
+use crate::validate::catches::{Catch, Catches};
+
+/// Slugs that are named in a row.
+const MOST_NAMED: usize = 3;
+
+/// A row for each group and each scene.
+pub fn table(catches: &Catches) -> String {
+    let mut text = format!(
+        "\nOf {} single mistakes, how many fail here; how many of them in no other group (or in\n\
+         no other scene); how many nowhere else at all, and which.",
+        catches.mistakes
+    );
+    if let Some(mutants) = catches.mutants {
+        text += &format!(
+            " Of {mutants} mutants that their own\n\
+             task's questions catch, how many fail in this group, and how many only there."
+        );
+    }
+    text += "\n";
+    let names = catches.probes.iter().chain(&catches.scenes);
+    let width = names.map(|catch| catch.name.len()).max().unwrap_or(0) + 2;
+    let mutants = |columns: String| catches.mutants.map(|_| columns).unwrap_or_default();
+    for (kind, rows) in [("probes", &catches.probes), ("scenes", &catches.scenes)] {
+        let is_probe = kind == "probes";
+        let heads = match is_probe {
+            true => mutants(format!("  {:>7}  {:>4}", "mutants", "only")),
+            false => String::new(),
+        };
+        text += &format!(
+            "\n{QUIET}  {kind:<width$}{:>8}  {:>4}  {:>6}{heads}{QUIET:#}\n",
+            "mistakes", "only", "at all"
+        );
+        for catch in rows {
+            let Catch {
+                name,
+                mistakes,
+                only_of_its_kind,
+                ..
+            } = catch;
+            let counts = match is_probe {
+                true => mutants(format!(
+                    "  {:>7}  {:>4}",
+                    dash(catch.mutants),
+                    dash(catch.mutants_only)
+                )),
+                false => String::new(),
+            };
+            text += &format!(
+                "  {name:<width$}{:>8}  {:>4}  {:>6}{counts}  {QUIET}{}{QUIET:#}\n",
+                dash(*mistakes),
+                dash(only_of_its_kind.len()),
+                dash(catch.only.len()),
+                named(&catch.only),
+            );
+        }
+    }
+    text
+}
+
+fn dash(count: usize) -> String {
+    match count {
+        0 => "–".into(),
+        count => count.to_string(),
+    }
+}
+
+fn named(names: &[String]) -> String {
+    let slugs = names
+        .iter()
+        .map(|name| name.trim_start_matches("mistakes/"));
+    let mut shown: Vec<&str> = slugs.take(MOST_NAMED).collect();
+    if names.len() > MOST_NAMED {
+        shown.push("…");
+    }
+    shown.join(", ")
+}

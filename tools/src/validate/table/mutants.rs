@@ -1,0 +1,58 @@
+//! What came of the mutants.
+
+use super::{QUIET, row};
+use crate::validate::mutants::{Fate, Judged, Mutants};
+
+/// Sums, then each mutant that is no mistake, and what shows it.
+pub fn table(mutants: &Mutants) -> String {
+    let viable = mutants.count(Judged::is_viable);
+    let missed = mutants.count(Judged::is_missed);
+    let said = format!(
+        "{missed} of {viable} viable ones missed ({} do not compile); {} caught by their own\n{:18}\
+         task's questions, {} by a scene only, {} no mistakes, listed and shown",
+        mutants.judged.len() - viable,
+        mutants.count(|judged| judged.groups().is_some()),
+        "",
+        mutants.count(|judged| matches!(judged.fate, Fate::Scene(_))),
+        mutants.count(Judged::is_equivalent),
+    );
+    let mut text = row(missed == 0 && mutants.faults.is_empty(), "mutants", said);
+    for judged in &mutants.judged {
+        if let Fate::Scene(scene) = &judged.fate {
+            let diff = judged.mutant.diff();
+            text += &format!(
+                "\n  only {scene} catches {}\n{diff}\n",
+                judged.mutant.name()
+            );
+        }
+    }
+    let equivalent = mutants
+        .judged
+        .iter()
+        .filter(|judged| judged.is_equivalent());
+    let rows = equivalent.map(equivalent_row).collect::<String>();
+    if !rows.is_empty() {
+        text += &format!("\n{QUIET}  mutants that are no mistakes{QUIET:#}\n{rows}");
+    }
+    text
+}
+
+fn equivalent_row(judged: &Judged) -> String {
+    let Fate::Escaped { difference, .. } = &judged.fate else {
+        return String::new();
+    };
+    let (name, becomes) = (judged.mutant.name(), &judged.mutant.becomes);
+    let becomes = becomes.replace('\n', " ");
+    let shown = match (difference.same_program, difference.on_ties) {
+        (true, _) => "the same machine code".into(),
+        (false, 0) => {
+            let asked = difference.asked + difference.ties;
+            format!("the same answer to all of {asked} questions")
+        }
+        (false, some) => format!(
+            "another answer to {some} of {} exact ties, to none of {} other questions",
+            difference.ties, difference.asked
+        ),
+    };
+    format!("  {name:<22}{becomes}\n{:24}{QUIET}{shown}{QUIET:#}\n", "")
+}
