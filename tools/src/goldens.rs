@@ -97,6 +97,13 @@ impl Goldens {
         Goldens::of_scenes(folder, &[])
     }
 
+    /// The same, but as if nobody had ever met this mistake.
+    pub fn unaware_of(&self, slug: &str) -> Goldens {
+        let mut goldens = self.clone();
+        goldens.known.mistake.remove(slug);
+        goldens
+    }
+
     /// The same, but nothing is known of mistakes: then nothing is diagnosed.
     pub fn without_known(&self) -> Goldens {
         Goldens {

@@ -14,6 +14,7 @@ mod difference;
 mod equivalents;
 mod mutants;
 mod mutate;
+mod naming;
 mod sensitivity;
 mod submissions;
 mod suites;
@@ -26,6 +27,7 @@ use crate::error::Result;
 use bench::Bench;
 use catches::Catches;
 use mutants::Mutants;
+use naming::Diagnoses;
 use sensitivity::Sensitivity;
 use submissions::{Known, Pristine};
 
@@ -74,6 +76,9 @@ pub struct Validation {
     /// The mutants, if they were judged.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mutants: Option<Mutants>,
+    /// How often diagnoses give the right name, if mistakes were judged.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub diagnoses: Option<Diagnoses>,
     /// How much each group of questions and each scene catches.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub catches: Option<Catches>,
@@ -116,7 +121,13 @@ pub fn validate(bench: &Bench, plan: &Plan) -> Result<Validation> {
         Catches::count(bench, judged, mutants.as_ref())
     });
 
+    let diagnoses = match (&mistakes, &rewrites) {
+        (Some(mistakes), Some(rewrites)) => Some(Diagnoses::of(mistakes, rewrites)),
+        _ => None,
+    };
+
     let mut faults = pristine.faults.clone();
+    faults.extend(diagnoses.iter().flat_map(Diagnoses::faults));
     for known in [&mistakes, &rewrites, &variants].into_iter().flatten() {
         faults.extend(known.judged.iter().flat_map(|judged| judged.faults()));
     }
@@ -129,6 +140,7 @@ pub fn validate(bench: &Bench, plan: &Plan) -> Result<Validation> {
         rewrites,
         variants,
         mutants,
+        diagnoses,
         catches,
         sensitivity,
         seconds: start.elapsed().as_secs_f64(),

@@ -1,11 +1,13 @@
 //! Submissions that people wrote and whose verdict is known: the stub, the reference,
 //! mistakes, the same beliefs written anew, and variants.
 
+use std::fs;
 use std::path::PathBuf;
 
 use serde::Serialize;
 
 use super::bench::Bench;
+use super::naming::Naming;
 use crate::assignment::Task;
 use crate::error::{Error, Result};
 use crate::examination::{Examination, Outcome};
@@ -52,6 +54,8 @@ pub struct Judged {
     pub scenes: Vec<String>,
     /// Answers that do not compile: then nothing is shown by their failing.
     pub not_compiled: Vec<String>,
+    /// What its diagnoses name.
+    pub naming: Naming,
 }
 
 /// Judges the stub and the reference by everything.
@@ -103,13 +107,28 @@ fn outcomes(examination: &Examination) -> impl Iterator<Item = (String, &Outcome
     groups.chain(scenes.map(|scene| (scene.name.clone(), &scene.outcome)))
 }
 
-/// A folder to lay over the reference, and what must come of it.
+/// A folder to lay over other answers, and what must come of it.
 struct Overlay {
     name: String,
     folder: PathBuf,
     single: bool,
     declared: Vec<String>,
     by: By,
+    beliefs: Vec<String>,
+    base: Base,
+}
+
+/// Whose answers lie under an overlay.
+#[derive(Clone, Copy)]
+enum Base {
+    /// The reference's.
+    Reference,
+    /// The reference's, and its belief is diagnosed as if nobody had met it before: its
+    /// own films are those that are stored.
+    ReferenceUnaware,
+    /// Variants', each task's by another route; the number turns them over. So the
+    /// program has nothing in common with the films' but the belief.
+    Variants(usize),
 }
 
 /// What something is judged by.
@@ -130,13 +149,25 @@ pub fn mistakes(bench: &Bench, named: &str) -> Result<(Known, Known)> {
     for found in mistake::read_all(bench.assignment)? {
         let mut declared = found.mistake.fails.clone();
         declared.sort();
-        for (route, folder) in mistake::folders(&found.folder.join("anew")) {
+        let beliefs = match found.mistake.is_single() {
+            true => vec![found.slug.clone()],
+            false => found.mistake.beliefs.clone(),
+        };
+        let routes = mistake::folders(&found.folder.join("anew"));
+        for (turn, (route, folder)) in routes.into_iter().enumerate() {
             rewrites.push(Overlay {
                 name: format!("mistakes/{}/anew/{route}", found.slug),
                 folder,
                 single: false,
                 declared: declared.clone(),
-                by: By::OwnTasks,
+                // Scenes take the longest by far, and one of the three shows them.
+                by: if turn == 0 {
+                    By::Everything
+                } else {
+                    By::OwnTasks
+                },
+                beliefs: beliefs.clone(),
+                base: Base::Variants(rewrites.len()),
             });
         }
         mistakes.push(Overlay {
@@ -145,6 +176,11 @@ pub fn mistakes(bench: &Bench, named: &str) -> Result<(Known, Known)> {
             folder: found.folder,
             declared,
             by: By::Everything,
+            beliefs,
+            base: match found.mistake.is_single() {
+                true => Base::ReferenceUnaware,
+                false => Base::Reference,
+            },
         });
     }
     let mistakes = judge_all(bench, "mistakes", mistakes, named)?;
@@ -161,6 +197,8 @@ pub fn variants(bench: &Bench, named: &str) -> Result<Known> {
         single: false,
         declared: Vec::new(),
         by: By::Everything,
+        beliefs: Vec::new(),
+        base: Base::Reference,
     };
     let overlays = found.into_iter().map(overlay).collect();
     judge_all(bench, "variants", overlays, named)
@@ -179,7 +217,21 @@ fn judge_all(bench: &Bench, what: &str, all: Vec<Overlay>, named: &str) -> Resul
                 "put the file that differs from the reference there, or remove the folder",
             ));
         }
-        let submission = overlay::reference(bench.assignment)?.overlaid(&overlay.folder)?;
+        let mut base = overlay::reference(bench.assignment)?;
+        let mut goldens = None;
+        match overlay.base {
+            Base::Reference => {}
+            Base::ReferenceUnaware => {
+                let own = overlay.beliefs.first().map_or("", String::as_str);
+                goldens = Some(bench.goldens.unaware_of(own));
+            }
+            Base::Variants(turn) => base = variants_mixed(bench, base, turn)?,
+        }
+        let bench = Bench {
+            goldens: goldens.as_ref().unwrap_or(bench.goldens),
+            ..*bench
+        };
+        let submission = base.overlaid(&overlay.folder)?;
         let selection = match overlay.by {
             By::Everything => Selection::default(),
             By::OwnTasks => Selection {
@@ -188,13 +240,33 @@ fn judge_all(bench: &Bench, what: &str, all: Vec<Overlay>, named: &str) -> Resul
             },
         };
         let examination = bench.examine(&submission, &selection)?;
-        Ok(Judged::of(&examination, overlay))
+        let naming = Naming::of(&bench, &overlay.name, &examination, &overlay.beliefs)?;
+        Ok(Judged::of(&examination, overlay, naming))
     })?;
     Ok(Known { judged })
 }
 
+/// Every task's answer by some variant's route, if there is one.
+fn variants_mixed(bench: &Bench, base: Submission, turn: usize) -> Result<Submission> {
+    let variants = mistake::folders(&bench.assignment.folder.join("variants"));
+    let mut mixed = base;
+    for task in &bench.assignment.tasks {
+        let mut files = variants.iter().map(|(_, folder)| folder.join(task.file()));
+        let files: Vec<PathBuf> = files.by_ref().filter(|file| file.is_file()).collect();
+        let Some(file) = files.get(turn % files.len().max(1)) else {
+            continue;
+        };
+        let text = fs::read_to_string(file).map_err(|error| {
+            let problem = format!("cannot read {}: {error}", file.display());
+            Error::input(problem, "restore the file")
+        })?;
+        mixed = mixed.with_answer(&task.name, text);
+    }
+    Ok(mixed)
+}
+
 impl Judged {
-    fn of(examination: &Examination, overlay: &Overlay) -> Judged {
+    fn of(examination: &Examination, overlay: &Overlay, naming: Naming) -> Judged {
         let mut tasks = Vec::new();
         let mut groups = Vec::new();
         for task in &examination.tasks {
@@ -221,6 +293,7 @@ impl Judged {
             groups,
             scenes: scenes.map(|scene| scene.name.clone()).collect(),
             not_compiled: replaced.map(|task| task.name.clone()).collect(),
+            naming,
         }
     }
 

@@ -1,6 +1,7 @@
 //! A validation as tables for people.
 
 mod catches;
+mod diagnoses;
 mod mutants;
 mod sensitivity;
 
@@ -27,6 +28,9 @@ pub fn validation(validation: &Validation) -> String {
         text += "\n";
     }
     text += &submissions(validation);
+    if let Some(diagnoses) = &validation.diagnoses {
+        text += &diagnoses::table(diagnoses);
+    }
     if let Some(mutants) = &validation.mutants {
         text += &mutants::table(mutants);
     }
