@@ -190,6 +190,7 @@ impl Shown<'_> {
             name: result.name.clone(),
             passes,
             said: table::scene_in_words(result),
+            attempted: !matches!(result.outcome, Outcome::Unanswered | Outcome::BlockedBy(_)),
             points: Some((if passes { result.worth } else { 0 }, result.worth)),
             verdict: match &result.outcome {
                 Outcome::Judged(verdict) => Some(verdict),
