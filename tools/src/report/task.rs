@@ -142,10 +142,10 @@ mod tests {
     }
 
     #[test]
-    fn the_compilers_colours_and_control_characters_stay_out() {
+    fn the_compilers_colours_and_what_hides_its_neighbours_stay_out() {
         assert_eq!(
-            plain("\u{1b}[31merror\u{1b}[0m: a\u{7}b\n"),
-            "error: a\\u{7}b"
+            plain("\u{1b}[31merror\u{1b}[0m: a\u{202e}b\n"),
+            "error: a\\u{202e}b"
         );
     }
 }
