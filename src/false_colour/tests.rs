@@ -230,3 +230,54 @@ fn golden(film: Film) -> Golden {
     let tolerance = Film::new(film.resolution(), nothing.collect());
     Golden::new(film, tolerance).unwrap()
 }
+
+#[test]
+fn kinds_of_difference_stay_apart_for_colour_blind_eyes() {
+    // What is left of a colour without the long, middle or short cones (Machado, Oliveira
+    // & Fernandes, "A Physiologically-based Model for Simulation of Color Vision
+    // Deficiency", 2009, table 1, severity 1), on linear samples.
+    const BLIND: [[[f64; 3]; 3]; 4] = [
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        [
+            [0.152286, 1.052583, -0.204868],
+            [0.114503, 0.786281, 0.099216],
+            [-0.003882, -0.048116, 1.051998],
+        ],
+        [
+            [0.367322, 0.860646, -0.227968],
+            [0.280085, 0.672501, 0.047413],
+            [-0.011820, 0.042940, 0.968881],
+        ],
+        [
+            [1.255528, -0.076749, -0.178779],
+            [-0.078411, 0.930809, 0.147602],
+            [0.004733, 0.691367, 0.303900],
+        ],
+    ];
+    let mut colours: Vec<Rgb<u8>> = Difference::LEGEND.map(|(kind, _)| kind.colour()).into();
+    // The brightest of the faint rest is the furthest from black.
+    let faint = |id| Rgb(object(id).0.map(|value| value / 4));
+    colours.extend((0..OBJECTS.len()).map(faint));
+    for seen in BLIND {
+        let see = |colour: &Rgb<u8>| -> [f64; 3] {
+            let linear = colour.0.map(|value| (f64::from(value) / 255.0).powf(2.2));
+            seen.map(|row| {
+                let sum: f64 = row.iter().zip(linear).map(|(a, b)| a * b).sum();
+                sum.clamp(0.0, 1.0).powf(1.0 / 2.2)
+            })
+        };
+        for kind in 0..3 {
+            for other in (0..colours.len()).filter(|other| *other != kind) {
+                let (one, two) = (see(&colours[kind]), see(&colours[other]));
+                let squares = one.iter().zip(two).map(|(a, b)| (a - b).powi(2));
+                let distance = squares.sum::<f64>().sqrt();
+                assert!(
+                    distance > 0.4,
+                    "{:?} and {:?} are {distance} apart to {seen:?}",
+                    colours[kind],
+                    colours[other]
+                );
+            }
+        }
+    }
+}

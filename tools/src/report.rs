@@ -14,6 +14,8 @@ mod scene;
 mod task;
 #[cfg(test)]
 mod testing;
+#[cfg(test)]
+mod tests;
 mod window;
 
 use std::path::Path;
@@ -25,7 +27,6 @@ use serde::Serialize;
 use crate::describe::printable;
 use crate::error::{Error, Result};
 use crate::examination::{Examination, Outcome, SceneResult};
-use crate::goldens::Goldens;
 use crate::shell::{PINHOLE, in_shell};
 use crate::table;
 pub use belief::Beliefs;
@@ -68,13 +69,14 @@ pub struct Again {
 }
 
 impl Report {
-    /// The report of an examination that `again` repeats.
+    /// The report of an examination by the golden films in a folder, which `again`
+    /// repeats.
     ///
     /// # Errors
     /// If a scene file cannot be read any more.
     pub fn of_examination(
         examination: &Examination,
-        goldens: &Goldens,
+        goldens: &Path,
         again: &Again,
     ) -> Result<Report> {
         let tasks = examination.tasks.iter().enumerate();
@@ -169,7 +171,7 @@ fn summary(examination: &Examination) -> String {
 struct Shown<'a> {
     scene: &'a SceneResult,
     submission: &'a str,
-    goldens: &'a Goldens,
+    goldens: &'a Path,
     again: &'a Again,
     told: &'a [Told],
 }
@@ -184,12 +186,13 @@ impl Shown<'_> {
         };
         let rays = match passes || result.film.is_none() {
             true => None,
-            false => rays_beside(&self.goldens.folder.join(&result.name)),
+            false => rays_beside(&self.goldens.join(&result.name)),
         };
         let evidence = Evidence {
             name: result.name.clone(),
             passes,
             said: table::scene_in_words(result),
+            attempted: !matches!(result.outcome, Outcome::Unanswered | Outcome::BlockedBy(_)),
             points: Some((if passes { result.worth } else { 0 }, result.worth)),
             verdict: match &result.outcome {
                 Outcome::Judged(verdict) => Some(verdict),

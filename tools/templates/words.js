@@ -15,6 +15,7 @@ function number(value, digits) {
 
 // Six digits, or as many as it takes to see that two numbers differ.
 function digitsToTell(one, other) {
+  if (one === other) return 6;
   return [6, 7, 8].find((digits) => number(one, digits) !== number(other, digits)) ?? 9;
 }
 

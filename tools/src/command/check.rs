@@ -56,7 +56,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
     // The verdict is worth more than its report: it is shown before anything is said of
     // a report that could not be written.
     let written = path.map(|path| {
-        let report = Report::of_examination(&examination, &goldens, &again(arguments))?;
+        let report = Report::of_examination(&examination, &goldens.folder, &again(arguments))?;
         report.write(&path).map(|()| path)
     });
     let path = match &written {

@@ -168,6 +168,7 @@ fn film_report(
             name: describe::printable(&name.to_string_lossy()),
             passes: verdict.is_some_and(Verdict::passes),
             said,
+            attempted: true,
             points: None,
             verdict,
             golden,

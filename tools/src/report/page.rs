@@ -25,10 +25,11 @@ const STYLE: [&str; 2] = [
     include_str!("../../templates/viewer.css"),
 ];
 
-const SCRIPT: [&str; 4] = [
+const SCRIPT: [&str; 5] = [
     include_str!("../../templates/unpack.js"),
     include_str!("../../templates/paint.js"),
     include_str!("../../templates/words.js"),
+    include_str!("../../templates/reading.js"),
     include_str!("../../templates/viewer.js"),
 ];
 

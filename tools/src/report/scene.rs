@@ -23,6 +23,8 @@ pub struct Evidence<'a> {
     pub passes: bool,
     /// The verdict in a line.
     pub said: String,
+    /// Whether anything was cast, or tried to.
+    pub attempted: bool,
     /// Points earned and possible, if it has any.
     pub points: Option<(u32, u32)>,
     /// None if the guards refused the film, or there is none.
@@ -48,6 +50,7 @@ pub struct SceneSection {
     pub passes: bool,
     pub points: Option<(u32, u32)>,
     pub said: String,
+    pub attempted: bool,
     /// One line for each channel that fails.
     pub channels: Vec<String>,
     pub causes: Vec<CauseRow>,
@@ -145,6 +148,7 @@ impl SceneSection {
             passes: evidence.passes,
             points: evidence.points,
             said: evidence.said,
+            attempted: evidence.attempted,
             channels: evidence.verdict.map(failing_channels).unwrap_or_default(),
             causes: wrong.as_ref().map(cause_rows).unwrap_or_default(),
             cut: (!window.is_whole(golden.resolution())).then(|| {

@@ -19,8 +19,10 @@ pub struct TaskSection {
     pub possible: u32,
     /// The verdict in a line.
     pub said: String,
-    /// Whether there is more to say of it than that line.
+    /// Whether anything was answered; if not, there is no more to say.
     pub attempted: bool,
+    /// Whether its stub was judged in its place.
+    pub replaced: bool,
     pub groups: Vec<GroupRow>,
     /// The compiler's words on its file.
     pub compiler: Option<String>,
@@ -64,8 +66,9 @@ impl TaskSection {
             earned,
             possible,
             said: table::task_in_words(task),
-            attempted: task.replaced.is_none() && !task.is_unanswered(),
-            groups: task.groups.iter().map(GroupRow::of).collect(),
+            attempted: task.replaced.is_some() || !task.is_unanswered(),
+            replaced: task.replaced.is_some(),
+            groups: rows(task),
             compiler,
             beliefs: Beliefs::of(&task.diagnosis, &[]),
             chapter: Passage::chapter(&task.chapter),
@@ -74,16 +77,22 @@ impl TaskSection {
     }
 }
 
-impl GroupRow {
-    fn of(group: &GroupResult) -> GroupRow {
+/// The groups of a task; a panic in every group is one panic.
+fn rows(task: &TaskResult) -> Vec<GroupRow> {
+    let mut told: Vec<String> = Vec::new();
+    let row = |group: &GroupResult| {
+        let said = table::outcome_of(&group.outcome, "questions");
+        let again = group.worst.is_none() && told.contains(&said);
+        told.push(said.clone());
         GroupRow {
             name: group.name.clone(),
             passes: group.outcome.passes(),
             worth: group.worth,
-            said: table::outcome_of(&group.outcome, "questions"),
+            said: if again { "the same".into() } else { said },
             worst: group.worst.as_deref().map(facts).unwrap_or_default(),
         }
-    }
+    };
+    task.groups.iter().map(row).collect()
 }
 
 /// The compiler's words without their colours.
@@ -133,10 +142,10 @@ mod tests {
     }
 
     #[test]
-    fn the_compilers_colours_and_control_characters_stay_out() {
+    fn the_compilers_colours_and_what_hides_its_neighbours_stay_out() {
         assert_eq!(
-            plain("\u{1b}[31merror\u{1b}[0m: a\u{7}b\n"),
-            "error: a\\u{7}b"
+            plain("\u{1b}[31merror\u{1b}[0m: a\u{202e}b\n"),
+            "error: a\\u{202e}b"
         );
     }
 }
