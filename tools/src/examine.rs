@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use pinhole::Film;
-use pinhole::ask::{Ending, Reply, ask};
+use pinhole::ask::{Ending, Limit, Reply, ask};
 use pinhole::job::{Job, Panic};
 use pinhole::judge::judge;
 
@@ -101,7 +101,7 @@ impl Examiner<'_> {
         let share = (self.wall / films as u32).max(LEAST_WALL);
         let mut results = Vec::new();
         let mut casts = Vec::new();
-        for Group { name, worth, films } in groups {
+        for Group { name, worth, films } in groups.iter() {
             let mut result = None;
             for film in films {
                 let reply = match &mut together {
@@ -134,8 +134,8 @@ impl Examiner<'_> {
                 )
             })?;
             results.push(GroupResult {
-                name,
-                worth,
+                name: name.clone(),
+                worth: *worth,
                 outcome,
                 worst,
             });
@@ -260,9 +260,10 @@ pub fn run(
     let cores = std::thread::available_parallelism().map_or(1, usize::from) as u64;
     let seconds = cores * wall.as_secs() + 2;
     let command = sandbox.runner(&program.executable, seconds);
-    ask(command, job, wall, progress).map_err(|error| {
+    let stop = program.stop.clone();
+    ask(command, job, Limit { wall, stop }, progress).map_err(|error| {
         Error::environment(
-            format!("cannot start {}: {error}", program.executable.display()),
+            format!("cannot ask {}: {error}", program.executable.display()),
             "run this command again; if it persists, remove target/pinhole",
         )
     })

@@ -2,16 +2,18 @@
 //! each task, and a film for each scene.
 
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, PoisonError};
 
 use pinhole::job::{CameraQuestion, Job};
 use pinhole::judge::Golden;
 use pinhole::{Resolution, Scene, probe};
 
-use crate::assignment::Task;
+use crate::assignment::{GroupPoints, Task};
 use crate::error::{Error, Result};
 use crate::goldens::{GoldenScene, Goldens};
 
 /// Questions that earn their points together or not at all.
+#[derive(Debug)]
 pub struct Group {
     /// As `assignment.toml` has it.
     pub name: String,
@@ -22,6 +24,7 @@ pub struct Group {
 }
 
 /// Questions laid out as a film, and the golden film of their answers.
+#[derive(Debug)]
 pub struct QuestionFilm {
     /// The group's name, or the scene's.
     pub name: String,
@@ -39,24 +42,32 @@ pub struct QuestionFilm {
 const SCENES_GROUP: &str = "scenes";
 
 impl Goldens {
-    /// All groups of a task, in the assignment's order.
-    pub fn groups(&self, task: &Task) -> Result<Vec<Group>> {
-        let group = |(name, worth): &(String, u32)| {
-            let films = match is_of_scenes(&task.name, name) {
-                true => self
-                    .scenes
-                    .iter()
-                    .map(|scene| self.ray_film(scene))
-                    .collect::<Result<_>>()?,
-                false => vec![self.probe(task, name)?],
-            };
-            Ok(Group {
-                name: name.clone(),
-                worth: *worth,
-                films,
-            })
+    /// All groups of a task, in the assignment's order. Their films are read once.
+    pub fn groups(&self, task: &Task) -> Result<Arc<[Group]>> {
+        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(groups) = read.get(&task.name) {
+            return Ok(Arc::clone(groups));
+        }
+        let groups = task.points.iter().map(|points| self.group(task, points));
+        let groups: Arc<[Group]> = groups.collect::<Result<_>>()?;
+        read.insert(task.name.clone(), Arc::clone(&groups));
+        Ok(groups)
+    }
+
+    fn group(&self, task: &Task, points: &GroupPoints) -> Result<Group> {
+        let films = match is_of_scenes(&task.name, &points.group) {
+            true => self
+                .scenes
+                .iter()
+                .map(|scene| self.ray_film(scene))
+                .collect::<Result<_>>()?,
+            false => vec![self.probe(task, &points.group)?],
         };
-        task.points.iter().map(group).collect()
+        Ok(Group {
+            name: points.group.clone(),
+            worth: points.worth,
+            films,
+        })
     }
 
     /// The groups of a task that ask about the scenes alone.

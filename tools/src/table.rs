@@ -39,7 +39,7 @@ pub fn examination(examination: &Examination) -> String {
         line(&mut text, heading("task", width));
     }
     for task in &examination.tasks {
-        task_rows(&mut text, task, width);
+        task_rows(&mut text, task, width, usize::MAX);
     }
     if !examination.scenes.is_empty() {
         line(&mut text, heading("scene", width));
@@ -56,7 +56,21 @@ pub fn examination(examination: &Examination) -> String {
             "total"
         ),
     );
-    let lines: Vec<&str> = examination.printed.lines().collect();
+    text.push_str(&printed(&examination.printed));
+    text
+}
+
+/// One task with the first of its groups that fails.
+pub fn task(task: &TaskResult) -> String {
+    let mut text = String::new();
+    task_rows(&mut text, task, task.name.len() + 2, 1);
+    text
+}
+
+/// What a student's code printed, cut to its beginning; nothing for nothing.
+pub fn printed(printed: &str) -> String {
+    let mut text = String::new();
+    let lines: Vec<&str> = printed.lines().collect();
     if !lines.is_empty() {
         line(&mut text, "\nyour code printed:".into());
         for printed in lines.iter().take(MOST_PRINTED_LINES) {
@@ -95,7 +109,8 @@ fn row(text: &mut String, name: &str, width: usize, points: (u32, u32), said: St
     );
 }
 
-fn task_rows(text: &mut String, task: &TaskResult, width: usize) {
+/// A task's row, and at most so many of its failing groups in full.
+fn task_rows(text: &mut String, task: &TaskResult, width: usize, most: usize) {
     let failing: Vec<&GroupResult> = task
         .groups
         .iter()
@@ -113,7 +128,7 @@ fn task_rows(text: &mut String, task: &TaskResult, width: usize) {
     }
     if task.replaced.is_none() && !task.is_unanswered() {
         let mut told: Vec<String> = Vec::new();
-        for group in &failing {
+        for group in failing.iter().take(most) {
             let said = outcome_of(&group.outcome, "questions");
             // A panic in every group is one panic.
             let said = if group.worst.is_none() && told.contains(&said) {
@@ -129,6 +144,14 @@ fn task_rows(text: &mut String, task: &TaskResult, width: usize) {
                 indent(text, worst);
             }
             told.push(said);
+        }
+        let others = failing.iter().skip(most).map(|group| group.name.as_str());
+        let others: Vec<&str> = others.collect();
+        if !others.is_empty() {
+            line(
+                text,
+                format!("    {QUIET}and also: {}{QUIET:#}", others.join(", ")),
+            );
         }
     }
     if !failing.is_empty() {
