@@ -49,6 +49,8 @@ pub struct GroupResult {
     pub name: String,
     /// What it is worth.
     pub worth: u32,
+    /// What it asks, in words.
+    pub about: String,
     /// What came.
     pub outcome: Outcome,
     /// The worst question in words, where some answer is wrong.
@@ -115,6 +117,7 @@ impl TaskResult {
         let groups = task.points.iter().map(|points| GroupResult {
             name: points.group.clone(),
             worth: points.worth,
+            about: points.about.clone(),
             outcome: Outcome::Unanswered,
             worst: None,
         });

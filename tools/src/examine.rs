@@ -101,7 +101,13 @@ impl Examiner<'_> {
         let share = (self.wall / films as u32).max(LEAST_WALL);
         let mut results = Vec::new();
         let mut casts = Vec::new();
-        for Group { name, worth, films } in groups.iter() {
+        for Group {
+            name,
+            worth,
+            about,
+            films,
+        } in groups.iter()
+        {
             let mut result = None;
             for film in films {
                 let reply = match &mut together {
@@ -136,6 +142,7 @@ impl Examiner<'_> {
             results.push(GroupResult {
                 name: name.clone(),
                 worth: *worth,
+                about: about.clone(),
                 outcome,
                 worst,
             });

@@ -19,6 +19,8 @@ pub struct Group {
     pub name: String,
     /// Points.
     pub worth: u32,
+    /// What it asks, in words.
+    pub about: String,
     /// Usually one; the viewing rays of scenes have one for each.
     pub films: Vec<QuestionFilm>,
 }
@@ -66,6 +68,7 @@ impl Goldens {
         Ok(Group {
             name: points.group.clone(),
             worth: points.worth,
+            about: points.about.clone(),
             films,
         })
     }

@@ -10,10 +10,10 @@ use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskRes
 use crate::shell::in_shell;
 use crate::submission::Unusable;
 
-const PASS: Style = AnsiColor::Green.on_default();
-const FAIL: Style = AnsiColor::Red.on_default();
-const QUIET: Style = AnsiColor::BrightBlack.on_default();
-const STRONG: Style = Style::new().bold();
+pub const PASS: Style = AnsiColor::Green.on_default();
+pub const FAIL: Style = AnsiColor::Red.on_default();
+pub const QUIET: Style = AnsiColor::BrightBlack.on_default();
+pub const STRONG: Style = Style::new().bold();
 
 /// How the words for a time-out begin.
 pub const NO_ANSWER: &str = "gave no answer within";
@@ -41,13 +41,7 @@ pub fn examination(examination: &Examination) -> String {
     for task in &examination.tasks {
         task_rows(&mut text, task, width, usize::MAX);
     }
-    if !examination.scenes.is_empty() {
-        line(&mut text, heading("scene", width));
-    }
-    for scene in &examination.scenes {
-        let known = examination.tasks.iter().any(|task| !task.passes());
-        scene_rows(&mut text, scene, width, &examination.submission, known);
-    }
+    scene_table(&mut text, examination, width);
     let (earned, possible) = examination.points();
     line(
         &mut text,
@@ -64,6 +58,14 @@ pub fn examination(examination: &Examination) -> String {
 pub fn task(task: &TaskResult) -> String {
     let mut text = String::new();
     task_rows(&mut text, task, task.name.len() + 2, 1);
+    text
+}
+
+/// The scenes.
+pub fn scenes(examination: &Examination) -> String {
+    let mut text = String::new();
+    let names = examination.scenes.iter().map(|scene| scene.name.len());
+    scene_table(&mut text, examination, names.max().unwrap_or(0) + 2);
     text
 }
 
@@ -229,6 +231,16 @@ fn scene_diagnosis(text: &mut String, of_scene: &Diagnosis, known_by_tasks: bool
             text,
             &format!("what you believe in {tasks} explains {share} of it"),
         );
+    }
+}
+
+fn scene_table(text: &mut String, examination: &Examination, width: usize) {
+    if !examination.scenes.is_empty() {
+        line(text, heading("scene", width));
+    }
+    let known = examination.tasks.iter().any(|task| !task.passes());
+    for scene in &examination.scenes {
+        scene_rows(text, scene, width, &examination.submission, known);
     }
 }
 

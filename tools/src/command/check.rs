@@ -16,6 +16,7 @@ use crate::report::{Again, Report};
 use crate::sandbox::Sandbox;
 use crate::second_judge::SecondJudge;
 use crate::shell::{PINHOLE, in_shell};
+use crate::watch::{self, Course};
 use crate::{json, table};
 
 pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
@@ -29,6 +30,19 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
     let submission = super::submission(arguments.dir.as_ref(), &assignment, assignment.handout())?;
     let sandbox = Sandbox::around(&submission.folder, checkout, arguments.run.trust)?;
 
+    if arguments.watch {
+        let course = Course {
+            assignment,
+            goldens,
+            checkout: checkout.clone(),
+            sandbox,
+            wall: Duration::from_secs(arguments.run.timeout),
+            submission,
+            tasks: selection.tasks,
+        };
+        // However it ends: the student has seen the verdicts.
+        return watch::run(course, arguments.json).map(|()| Outcome::Well);
+    }
     let second_judge = arguments
         .oiiotool
         .then(|| SecondJudge::find(checkout))

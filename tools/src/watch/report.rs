@@ -1,0 +1,61 @@
+//! The report, and showing it where there is a desktop.
+
+use std::path::{Path, PathBuf};
+
+use super::Course;
+use crate::describe::printable;
+use crate::error::Result;
+use crate::examination::Examination;
+
+/// Opens the report on what is known; what came of it in one line.
+pub fn show(course: &Course, known: &Examination) -> String {
+    match write(course, known) {
+        Ok(Some(path)) => open(&path),
+        Ok(None) => "this build writes no reports yet".into(),
+        Err(error) => error.problem,
+    }
+}
+
+/// Writes the report; its path.
+fn write(_course: &Course, _known: &Examination) -> Result<Option<PathBuf>> {
+    Ok(None)
+}
+
+/// Opens a file in the desktop's program for it, or says how to get at it.
+fn open(path: &Path) -> String {
+    let shown = printable(&path.display().to_string());
+    if let Some(copy) = copy_command(path) {
+        return format!("the report is {shown}; from your own machine: {copy}");
+    }
+    match has_desktop() && open::that_detached(path).is_ok() {
+        true => format!("opened {shown}"),
+        false => format!("the report is {shown}; open it in a browser"),
+    }
+}
+
+/// What brings a file to the machine that a user has come from over ssh.
+fn copy_command(path: &Path) -> Option<String> {
+    let connection = std::env::var("SSH_CONNECTION").ok()?;
+    // Client's address and port, server's address and port.
+    let mut parts = connection.split(' ').skip(2);
+    let (server, port) = (parts.next()?, parts.next()?);
+    let port = match port {
+        "22" => String::new(),
+        other => format!("-P {other} "),
+    };
+    let user = std::env::var("USER")
+        .map(|user| user + "@")
+        .unwrap_or_default();
+    let server = match server.contains(':') {
+        true => format!("[{server}]"),
+        false => server.into(),
+    };
+    let path = path.display();
+    Some(printable(&format!("scp {port}{user}{server}:{path} .")))
+}
+
+fn has_desktop() -> bool {
+    let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    let needs_display = cfg!(all(unix, not(target_os = "macos")));
+    !needs_display || is_set("DISPLAY") || is_set("WAYLAND_DISPLAY")
+}
