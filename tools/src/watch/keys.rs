@@ -29,7 +29,7 @@ pub const KEYS: [(char, Key, &str, &str); 9] = [
     (
         'o',
         Key::Report,
-        "open report",
+        "report",
         "open the report of all that is judged so far",
     ),
     ('n', Key::Next, "next", "the next task"),

@@ -78,12 +78,13 @@ fn foot(state: &State, columns: usize) -> String {
     let file = match state.item() {
         Some(Item::Task(name)) => {
             let file = state.submission.place.join(name).with_extension("rs");
-            format!("edit {}", printable(&file.display().to_string()))
+            let file = printable(&file.display().to_string());
+            format!("{QUIET}edit {file}{QUIET:#}\n")
         }
         _ => String::new(),
     };
     format!(
-        "{}\n{}\n{QUIET}{file}{QUIET:#}\n{}",
+        "{}\n{}\n{file}{}",
         happened(state),
         progress(state, columns),
         keys.collect::<Vec<_>>().join("  ")

@@ -269,8 +269,8 @@ impl State {
         let place = |name: &str| self.items.iter().position(|item| item.name() == name);
         self.known.tasks.sort_by_key(|task| place(&task.name));
         if !scenes.is_empty() {
-            self.known.scenes = scenes;
             self.stamp(Item::Scenes, at, printed);
+            self.known.scenes = scenes;
         }
         if !self.settled {
             let missing = self.items.iter().position(|item| !self.is_full(item));
