@@ -89,7 +89,7 @@ impl Examiner<'_> {
     }
 
     fn task(&self, task: &Task, printed: &mut String) -> Result<TaskResult> {
-        let groups = self.goldens.groups(task)?;
+        let groups = self.goldens.kept_groups(task)?;
         let together = self.ask_together(task, &groups, printed)?;
         let mut together = together.map(Vec::into_iter);
         // An endless loop shall cost no more than twice the limit, whichever group it is in.
@@ -115,9 +115,9 @@ impl Examiner<'_> {
                     None => self.ask(&task.name, &film.job, share)?,
                 };
                 printed.push_str(&reply.printed);
-                let (outcome, cast) = self.judge(&reply, &film, Some(&task.name))?;
+                let (outcome, cast) = self.judge(&reply, film, Some(&task.name))?;
                 let worst = match &outcome {
-                    Outcome::Judged(verdict) => describe::worst(verdict, &film, &reply),
+                    Outcome::Judged(verdict) => describe::worst(verdict, film, &reply),
                     _ => None,
                 };
                 casts.push(Cast {

@@ -20,7 +20,7 @@ pub struct Goldens {
     /// What is known of mistakes.
     pub known: Known,
     /// Groups of questions that were read already, by task.
-    pub read: Arc<Mutex<BTreeMap<String, Arc<[Group]>>>>,
+    pub kept: Arc<Mutex<BTreeMap<String, Arc<[Group]>>>>,
 }
 
 /// A scene with a golden film.
@@ -81,7 +81,7 @@ impl Goldens {
             folder: folder.into(),
             scenes,
             known: Known::read(folder)?,
-            read: Arc::default(),
+            kept: Arc::default(),
         })
     }
 
@@ -91,7 +91,7 @@ impl Goldens {
             folder: folder.into(),
             scenes: files.iter().cloned().map(|file| own(file, 0)).collect(),
             known: Known::read(folder)?,
-            read: Arc::default(),
+            kept: Arc::default(),
         })
     }
 

@@ -44,15 +44,20 @@ pub struct QuestionFilm {
 const SCENES_GROUP: &str = "scenes";
 
 impl Goldens {
-    /// All groups of a task, in the assignment's order. Their films are read once.
-    pub fn groups(&self, task: &Task) -> Result<Arc<[Group]>> {
-        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(groups) = read.get(&task.name) {
+    /// All groups of a task, in the assignment's order.
+    pub fn groups(&self, task: &Task) -> Result<Vec<Group>> {
+        let groups = task.points.iter();
+        groups.map(|points| self.group(task, points)).collect()
+    }
+
+    /// The same, read once and kept: an examination may be one of many.
+    pub fn kept_groups(&self, task: &Task) -> Result<Arc<[Group]>> {
+        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(groups) = kept.get(&task.name) {
             return Ok(Arc::clone(groups));
         }
-        let groups = task.points.iter().map(|points| self.group(task, points));
-        let groups: Arc<[Group]> = groups.collect::<Result<_>>()?;
-        read.insert(task.name.clone(), Arc::clone(&groups));
+        let groups: Arc<[Group]> = self.groups(task)?.into();
+        kept.insert(task.name.clone(), Arc::clone(&groups));
         Ok(groups)
     }
 
@@ -77,7 +82,7 @@ impl Goldens {
     pub fn scene_groups(&self, task: &Task) -> Result<Vec<Group>> {
         let mut task = task.clone();
         task.points
-            .retain(|(group, _)| is_of_scenes(&task.name, group));
+            .retain(|points| is_of_scenes(&task.name, &points.group));
         self.groups(&task)
     }
 

@@ -39,7 +39,7 @@ pub fn examination(examination: &Examination) -> String {
         line(&mut text, heading("task", width));
     }
     for task in &examination.tasks {
-        task_rows(&mut text, task, width, usize::MAX);
+        task_rows(&mut text, task, width, Extent::All);
     }
     scene_table(&mut text, examination, width);
     let (earned, possible) = examination.points();
@@ -54,10 +54,10 @@ pub fn examination(examination: &Examination) -> String {
     text
 }
 
-/// One task with the first of its groups that fails.
-pub fn task(task: &TaskResult) -> String {
+/// One task with the first of its groups that fails; `width` is that of its name.
+pub fn task(task: &TaskResult, width: usize) -> String {
     let mut text = String::new();
-    task_rows(&mut text, task, task.name.len() + 2, 1);
+    task_rows(&mut text, task, width, Extent::First);
     text
 }
 
@@ -111,8 +111,16 @@ fn row(text: &mut String, name: &str, width: usize, points: (u32, u32), said: St
     );
 }
 
-/// A task's row, and at most so many of its failing groups in full.
-fn task_rows(text: &mut String, task: &TaskResult, width: usize, most: usize) {
+/// How much is told of a task that fails.
+#[derive(Clone, Copy, PartialEq)]
+enum Extent {
+    /// Every failing group, and where to look.
+    All,
+    /// The first failing group; hints are for whoever asks.
+    First,
+}
+
+fn task_rows(text: &mut String, task: &TaskResult, width: usize, extent: Extent) {
     let failing: Vec<&GroupResult> = task
         .groups
         .iter()
@@ -125,10 +133,18 @@ fn task_rows(text: &mut String, task: &TaskResult, width: usize, most: usize) {
     for row in diagnosis(&task.diagnosis).lines() {
         line(text, format!("    {STRONG}{row}{STRONG:#}"));
     }
-    for Explanation { mistake, .. } in &task.diagnosis.beliefs {
+    let hinted = match extent {
+        Extent::All => task.diagnosis.beliefs.as_slice(),
+        Extent::First => &[],
+    };
+    for Explanation { mistake, .. } in hinted {
         line(text, format!("    look: {}", mistake.hint.look));
     }
     if task.replaced.is_none() && !task.is_unanswered() {
+        let most = match extent {
+            Extent::All => failing.len(),
+            Extent::First => 1,
+        };
         let mut told: Vec<String> = Vec::new();
         for group in failing.iter().take(most) {
             let said = outcome_of(&group.outcome, "questions");

@@ -16,6 +16,8 @@ use crate::{json, table};
 /// Prints verdicts.
 pub struct Plain {
     json: bool,
+    /// Of the names of tasks.
+    width: usize,
 }
 
 /// Closes the watch with standard input, if that is a pipe: whoever held the other
@@ -53,7 +55,9 @@ impl Plain {
             let place = printable(&course.submission.place.display().to_string());
             anstream::println!("watching {place}: save an answer, and it is judged");
         }
-        Plain { json }
+        let names = course.assignment.tasks.iter().map(|task| task.name.len());
+        let width = names.max().unwrap_or(0) + 2;
+        Plain { json, width }
     }
 
     /// Tells what an event says, unless it is stale.
@@ -81,7 +85,8 @@ impl Plain {
             anstream::println!("{document}");
             return;
         }
-        let tasks: String = examination.tasks.iter().map(table::task).collect();
+        let tasks = examination.tasks.iter();
+        let tasks: String = tasks.map(|task| table::task(task, self.width)).collect();
         let scenes = table::scenes(examination);
         let printed = table::printed(&examination.printed);
         anstream::print!("{tasks}{scenes}{printed}");

@@ -58,7 +58,11 @@ fn body(state: &State) -> String {
             format!("{STRONG}{}{STRONG:#}\n", item.name())
         }
         Some(Item::Scenes) => table::scenes(&state.known).trim_start().into(),
-        Some(item) => state.task(item).map(table::task).unwrap_or_default(),
+        Some(item) => {
+            let width = item.name().len() + 2;
+            let told = state.task(item).map(|task| table::task(task, width));
+            told.unwrap_or_default()
+        }
     };
     if let Some(item) = state.item() {
         text.push_str(&table::printed(state.printed(item)));
