@@ -3,7 +3,7 @@
 use std::io::{self, Read, stdin};
 use std::sync::mpsc::Sender;
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use serde_json::json;
 
