@@ -79,7 +79,7 @@ pub struct Check {
     /// if it is a submission, else the handout]
     pub dir: Option<PathBuf>,
     /// Stay, and judge an answer whenever it is saved
-    #[arg(long, conflicts_with_all = ["scene", "oiiotool"])]
+    #[arg(long, conflicts_with_all = ["scene", "oiiotool", "no_report"])]
     pub watch: bool,
     /// Only this task; may be given more than once
     #[arg(long, value_name = "TASK")]

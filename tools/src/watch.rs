@@ -18,6 +18,7 @@ mod state;
 mod terminal;
 
 use std::io::{IsTerminal, stdin, stdout};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
@@ -27,6 +28,7 @@ use crate::checkout::Checkout;
 use crate::error::{Error, Result};
 use crate::examination::Examination;
 use crate::goldens::Goldens;
+use crate::report::Again;
 use crate::sandbox::Sandbox;
 use crate::submission::Submission;
 use judge::Judge;
@@ -47,6 +49,10 @@ pub struct Course {
     pub submission: Submission,
     /// Only these tasks and no scenes; empty for everything.
     pub tasks: Vec<String>,
+    /// Where the report is written when somebody asks for it.
+    pub report: PathBuf,
+    /// What repeats the examination, for the report.
+    pub again: Again,
 }
 
 /// Whatever can happen.

@@ -1,24 +1,24 @@
 //! The report, and showing it where there is a desktop.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::Course;
 use crate::describe::printable;
 use crate::error::Result;
 use crate::examination::Examination;
+use crate::report::Report;
+use crate::shell::in_shell;
 
-/// Opens the report on what is known; what came of it in one line.
+/// Writes the report of what is known and opens it; what came of it in one line.
 pub fn show(course: &Course, known: &Examination) -> String {
     match write(course, known) {
-        Ok(Some(path)) => open(&path),
-        Ok(None) => "this build writes no reports yet".into(),
-        Err(error) => error.problem,
+        Ok(()) => open(&course.report),
+        Err(error) => printable(&error.problem),
     }
 }
 
-/// Writes the report; its path.
-fn write(_course: &Course, _known: &Examination) -> Result<Option<PathBuf>> {
-    Ok(None)
+fn write(course: &Course, known: &Examination) -> Result<()> {
+    Report::of_examination(known, &course.goldens, &course.again)?.write(&course.report)
 }
 
 /// Opens a file in the desktop's program for it, or says how to get at it.
@@ -50,7 +50,9 @@ fn copy_command(path: &Path) -> Option<String> {
         true => format!("[{server}]"),
         false => server.into(),
     };
-    let path = path.display();
+    // Where the shell stands on the other side is not where we stand.
+    let path = path.canonicalize().ok()?;
+    let path = in_shell(&path.display().to_string());
     Some(printable(&format!("scp {port}{user}{server}:{path} .")))
 }
 

@@ -44,6 +44,8 @@ pub struct State {
     /// Lines of the verdict above the first that is shown.
     pub scroll: usize,
     pub help: bool,
+    /// Whether the report is to be shown once everything is judged.
+    report_wanted: bool,
     closing: bool,
     /// How many scenes there are.
     pub scenes: usize,
@@ -103,6 +105,7 @@ impl State {
             hints: 0,
             scroll: 0,
             help: false,
+            report_wanted: false,
             closing: false,
             scenes: course.goldens.scenes.len(),
             possible: possible(course),
@@ -249,6 +252,7 @@ impl State {
             self.say(format!("you saved {0}.rs, so this is {0}", first.name()));
         }
         if !saved.is_empty() {
+            self.report_wanted = false;
             self.settled = true;
             self.top();
         }
@@ -293,13 +297,16 @@ impl State {
     /// The judge has done all that was ordered.
     fn finished(&mut self) -> Vec<Act> {
         self.rest();
+        if self.report_wanted {
+            self.report_wanted = false;
+            return vec![Act::Report];
+        }
         let is_task = |item: &&Item| **item != Item::Scenes;
         let tasks: Vec<&Item> = self.items.iter().filter(is_task).collect();
         if tasks.iter().all(|task| self.is_full(task)) && self.items.contains(&Item::Scenes) {
             // The last stage. An answer may call another: what was judged beside
             // older answers is judged again before.
-            let is_stale = |item: &&Item| !self.is_current(item);
-            let stale: Vec<Item> = self.items.iter().filter(is_stale).cloned().collect();
+            let stale = self.not_current();
             if !stale.is_empty() {
                 self.go_to(Item::Scenes);
                 self.say("every task passes; now the scenes".into());
@@ -335,7 +342,15 @@ impl State {
                 self.scroll = usize::MAX;
             }
             Key::Scroll(lines) => self.scroll = self.scroll.saturating_add_signed(lines),
-            Key::Report => return vec![Act::Report],
+            Key::Report => {
+                let missing = self.not_current();
+                if missing.is_empty() {
+                    return vec![Act::Report];
+                }
+                self.report_wanted = true;
+                self.say("the report follows when everything is judged".into());
+                return self.ask_again(missing);
+            }
             Key::Quit => return vec![Act::Quit],
             Key::Next => return self.visit(self.next()),
             Key::Previous => {
@@ -403,6 +418,12 @@ impl State {
     fn is_current(&self, item: &Item) -> bool {
         let stamp = self.stamps.get(item);
         stamp.is_some_and(|stamp| stamp.generation == self.generation)
+    }
+
+    fn not_current(&self) -> Vec<Item> {
+        let items = self.items.iter();
+        let stale = items.filter(|item| !self.is_current(item));
+        stale.cloned().collect()
     }
 
     fn forget(&mut self, item: &Item) {

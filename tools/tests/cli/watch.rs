@@ -122,7 +122,10 @@ fn each_save_is_answered_by_a_block_of_plain_lines() {
 
     fs::write(folder.join("plane.rs"), reference("plane")).expect("it can be saved");
     let second = watch.read_to("after you saved").join("\n");
-    assert!(second.contains("✓ plane ") && second.contains("12 / 12"), "{second}");
+    assert!(
+        second.contains("✓ plane ") && second.contains("12 / 12"),
+        "{second}"
+    );
     assert!(
         !second.contains("sphere"),
         "only what was saved is asked:\n{second}"
