@@ -18,7 +18,7 @@ mod state;
 mod terminal;
 
 use std::io::{IsTerminal, stdin, stdout};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
@@ -161,4 +161,10 @@ impl View {
             View::Plain(_) => Ok(()),
         }
     }
+}
+
+/// A path as short as it can be from where the user stands.
+fn from_here(path: &Path) -> &Path {
+    let here = std::env::current_dir().unwrap_or_default();
+    path.strip_prefix(here).unwrap_or(path)
 }

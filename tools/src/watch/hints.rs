@@ -67,6 +67,9 @@ fn known(diagnosis: &Diagnosis) -> Vec<String> {
     vec![
         depth(|mistake| format!("look: {}", mistake.hint.look)),
         depth(|mistake| format!("think: {}", mistake.hint.think)),
-        depth(|mistake| format!("read: \"{}\" in \"{}\"", mistake.hint.read, mistake.chapter)),
+        depth(|mistake| {
+            let Mistake { chapter, hint, .. } = mistake;
+            format!("read: the book, \"{chapter}\", \"{}\"", hint.read)
+        }),
     ]
 }

@@ -8,7 +8,7 @@ use std::time::Duration;
 use serde_json::json;
 
 use super::state::State;
-use super::{Course, Event};
+use super::{Course, Event, from_here};
 use crate::describe::printable;
 use crate::examination::Examination;
 use crate::{json, table};
@@ -52,7 +52,7 @@ impl Plain {
     /// Says what is watched.
     pub fn begin(course: &Course, json: bool) -> Plain {
         if !json {
-            let place = printable(&course.submission.place.display().to_string());
+            let place = printable(&from_here(&course.submission.place).display().to_string());
             anstream::println!("watching {place}: save an answer, and it is judged");
         }
         let names = course.assignment.tasks.iter().map(|task| task.name.len());

@@ -2,6 +2,7 @@
 
 use textwrap::{Options, WordSplitter};
 
+use super::from_here;
 use super::hints;
 use super::keys::KEYS;
 use super::order::Item;
@@ -16,6 +17,9 @@ pub struct Frame {
     /// The scrolling that was possible of what was wanted.
     pub scroll: usize,
 }
+
+/// Columns of the progress bar.
+const WIDEST_BAR: usize = 40;
 
 /// What to show on so many columns and rows.
 pub fn frame(state: &State, columns: usize, rows: usize) -> Frame {
@@ -34,6 +38,7 @@ pub fn frame(state: &State, columns: usize, rows: usize) -> Frame {
         _ => String::new(),
     });
     lines.extend(foot);
+    lines.truncate(rows);
     Frame { lines, scroll }
 }
 
@@ -48,7 +53,8 @@ fn body(state: &State) -> String {
         );
     }
     if let Some(problem) = &state.problem {
-        let text = printable(&problem.problem);
+        let lines: Vec<String> = problem.problem.lines().map(printable).collect();
+        let text = lines.join("\n");
         let remedy = printable(&problem.remedy);
         return format!("{FAIL}{text}{FAIL:#}\n  remedy: {remedy}\n");
     }
@@ -82,7 +88,7 @@ fn foot(state: &State, columns: usize) -> String {
     let file = match state.item() {
         Some(Item::Task(name)) => {
             let file = state.submission.place.join(name).with_extension("rs");
-            let file = printable(&file.display().to_string());
+            let file = printable(&from_here(&file).display().to_string());
             format!("{QUIET}edit {file}{QUIET:#}\n")
         }
         _ => String::new(),
@@ -126,14 +132,12 @@ fn progress(state: &State, columns: usize) -> String {
             (full.count(), tasks.count(), "tasks")
         }
     };
-    let width = (columns / 2).min(40);
-    let done = (width * full).checked_div(count).unwrap_or(0);
     let (points, possible) = state.points();
-    format!(
-        "[{PASS}{}{PASS:#}{}] {full} / {count} {what}, {points} / {possible} points",
-        "#".repeat(done),
-        "-".repeat(width - done),
-    )
+    let said = format!("{full} / {count} {what}, {points} / {possible} points");
+    let width = columns.saturating_sub(said.len() + 3).min(WIDEST_BAR);
+    let done = (width * full).checked_div(count).unwrap_or(0);
+    let (done, left) = ("#".repeat(done), "-".repeat(width - done));
+    format!("[{PASS}{done}{PASS:#}{left}] {said}")
 }
 
 /// Lines no wider than the screen; what is indented stays so.

@@ -479,4 +479,4 @@ fn possible(course: &Course) -> u32 {
 }
 
 #[cfg(test)]
-mod tests;
+pub(in crate::watch) mod tests;

@@ -5,6 +5,7 @@ use std::panic;
 use std::sync::mpsc::Sender;
 
 use anstream::{AutoStream, ColorChoice};
+use anstyle::Reset;
 use crossterm::cursor::MoveTo;
 use crossterm::queue;
 use crossterm::terminal::{self, Clear, ClearType};
@@ -74,6 +75,8 @@ impl Terminal {
                 true => write!(bytes, "{line}")?,
                 false => write!(bytes, "{}", anstream::adapter::strip_str(line))?,
             }
+            // A style that goes on in a line below may have been cut off with it.
+            write!(bytes, "{Reset}")?;
             queue!(bytes, Clear(ClearType::UntilNewLine))?;
         }
         queue!(bytes, Clear(ClearType::FromCursorDown))?;

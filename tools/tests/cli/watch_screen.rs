@@ -149,6 +149,7 @@ fn a_student_walks_from_the_first_wrong_task_to_the_scenes() {
     );
     screen.expect_text("5 / 6 tasks");
 
+    assert!(!text.contains("look: "), "a hint nobody asked for:\n{text}");
     screen.press("h");
     screen.expect_text("look: ");
     screen.press("h");
@@ -236,6 +237,26 @@ fn what_a_student_prints_never_reaches_the_terminal_as_it_is() {
     for code in ["\u{1b}]0;", "\u{1b}[31mrude", "\u{1b}[?1049h"] {
         assert!(!sent.contains(code), "{code:?} was sent");
     }
+}
+
+#[test]
+fn over_ssh_the_report_is_written_and_said_how_to_get() {
+    let folder = with_plane("screen-report", &one_sided_plane());
+    let report = folder.join("report.html");
+    let path = report.to_str().expect("test folders have plain names");
+    let mut screen = watch(&folder, &["--task", "plane", "--report", path]);
+    screen.expect_text("✗ plane");
+    screen.expect("the end of judging", |seen| !seen.contains("judging"));
+    screen.press("o");
+    let text = screen.expect_text("scp ");
+    assert!(
+        text.contains("192.0.2.2:/") && text.contains("report.html"),
+        "{text}"
+    );
+    let html = fs::read_to_string(report).expect("it was written");
+    assert!(html.contains("plane"), "{html}");
+    screen.press("q");
+    screen.expect_end();
 }
 
 #[test]
