@@ -9,7 +9,7 @@ use crate::examination::Examination;
 use crate::report::Report;
 use crate::shell::in_shell;
 
-/// Writes the report of what is known and opens it; what came of it in one line.
+/// Writes the report of what is known and opens it; what came of it.
 pub fn show(course: &Course, known: &Examination) -> String {
     match write(course, known) {
         Ok(()) => open(&course.report),
@@ -25,7 +25,7 @@ fn write(course: &Course, known: &Examination) -> Result<()> {
 fn open(path: &Path) -> String {
     let shown = printable(&path.display().to_string());
     if let Some(copy) = copy_command(path) {
-        return format!("the report is {shown}; from your own machine: {copy}");
+        return format!("the report is {shown}; from your own machine:\n{copy}");
     }
     match has_desktop() && open::that_detached(path).is_ok() {
         true => format!("opened {shown}"),
@@ -50,8 +50,10 @@ fn copy_command(path: &Path) -> Option<String> {
         true => format!("[{server}]"),
         false => server.into(),
     };
-    // Where the shell stands on the other side is not where we stand.
     let path = path.canonicalize().ok()?;
+    // The other side begins at home.
+    let home = std::env::home_dir().unwrap_or_default();
+    let path = path.strip_prefix(home).unwrap_or(&path);
     let path = in_shell(&path.display().to_string());
     Some(printable(&format!("scp {port}{user}{server}:{path} .")))
 }

@@ -114,7 +114,7 @@ fn happened(state: &State) -> String {
         None if state.is_judging() => Some("judging everything …".into()),
         None => None,
     };
-    let all: Vec<String> = state.notice.iter().cloned().chain(judged).collect();
+    let all: Vec<String> = judged.into_iter().chain(state.notice.clone()).collect();
     all.join("; ")
 }
 

@@ -37,7 +37,7 @@ pub struct State {
     settled: bool,
     /// Why nothing can be judged.
     pub problem: Option<Error>,
-    /// One line about what has happened.
+    /// What has happened, in few words.
     pub notice: Option<String>,
     /// How many hints are shown.
     pub hints: usize,
@@ -223,7 +223,7 @@ impl State {
         (self.known.points().0, self.possible)
     }
 
-    /// Shows a line about what has happened.
+    /// Tells what has happened.
     pub fn say(&mut self, what: String) {
         self.notice = Some(what);
     }

@@ -33,6 +33,7 @@ impl Terminal {
         let hook = panic::take_hook();
         panic::set_hook(Box::new(move |info| {
             give_back();
+            eprintln!();
             hook(info);
         }));
         // What stands on the screen moves up, to where scrolling back finds it.

@@ -177,16 +177,26 @@ fn a_file_that_is_renamed_over_is_a_save_like_any_other() {
 }
 
 #[test]
-fn an_empty_moment_in_the_middle_of_a_save_is_no_verdict() {
+fn a_moment_without_text_in_the_middle_of_a_save_is_no_verdict() {
     let folder = with_plane("watch-empty", &reference("plane"));
     let watch = watch(&folder, &["--task", "plane"]);
     watch.read_to("✓ plane");
-    fs::write(folder.join("plane.rs"), "").expect("it can be truncated");
-    thread::sleep(Duration::from_millis(100));
-    fs::write(folder.join("plane.rs"), one_sided_plane()).expect("it can be written");
-    let said = watch.read_to("after you saved").join("\n");
+    let file = folder.join("plane.rs");
+    let said_after = |text: String| {
+        thread::sleep(Duration::from_millis(100));
+        fs::write(&file, text).expect("it can be written");
+        watch.read_to("after you saved").join("\n")
+    };
+    fs::remove_file(&file).expect("it can be removed");
+    let said = said_after(one_sided_plane());
     assert!(
-        said.contains("✗ plane") && !said.contains("compile"),
+        said.contains("✗ plane") && !said.contains("no such"),
+        "{said}"
+    );
+    fs::write(&file, "").expect("it can be truncated");
+    let said = said_after(reference("plane"));
+    assert!(
+        said.contains("✓ plane") && !said.contains("compile"),
         "{said}"
     );
 }
