@@ -7,6 +7,8 @@ mod transport;
 
 use std::io::{self, Read};
 use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
@@ -44,27 +46,64 @@ pub enum Ending {
     Garbled(String),
 }
 
+/// How long an answer is waited for.
+#[derive(Clone, Debug)]
+pub struct Limit {
+    /// In time.
+    pub wall: Duration,
+    /// Raised by whoever no longer wants the answer.
+    pub stop: Stop,
+}
+
+/// A flag that ends an exchange from another thread. Its clones are the same flag.
+#[derive(Clone, Debug, Default)]
+pub struct Stop(Arc<AtomicBool>);
+
+impl Stop {
+    /// Ends every exchange that watches this flag, within [`PULSE`].
+    pub fn raise(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether it was raised.
+    pub fn is_raised(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+impl From<Duration> for Limit {
+    fn from(wall: Duration) -> Limit {
+        let stop = Stop::default();
+        Limit { wall, stop }
+    }
+}
+
+/// How often a waiting exchange looks at its [`Stop`].
+const PULSE: Duration = Duration::from_millis(50);
+
 /// More output than this is read and thrown away.
 pub const MOST_PRINTED: usize = 64 * 1024;
 
 /// No message of ours is longer: a chunk of hits takes about 45 bytes each.
 const MOST_MESSAGE: usize = CHUNK * 64 + 4 * MOST_PANIC_TEXT;
 
-/// Runs `command`, a built submission, on `job` for at most `wall` of time.
+/// Runs `command`, a built submission, on `job` for a limited time.
 ///
 /// `progress` is told the number of answers so far. The process is gone when this
 /// returns.
 ///
 /// # Errors
-/// Only if the program cannot be started; whatever it does later is in the reply.
+/// Only if the program cannot be started, or nobody wants its answer any more;
+/// whatever it does later is in the reply.
 pub fn ask(
     mut command: Command,
     job: &Job,
-    wall: Duration,
+    limit: impl Into<Limit>,
     progress: &mut dyn FnMut(usize),
 ) -> io::Result<Reply> {
+    let limit = limit.into();
     command.stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut exchange = Exchange::start(command, wall)?;
+    let mut exchange = Exchange::start(command, limit.clone())?;
     let out = drain(exchange.child.stdout.take());
     let err = drain(exchange.child.stderr.take());
 
@@ -80,10 +119,13 @@ pub fn ask(
         Ok(more)
     });
     let status = end(&mut exchange.child);
+    if limit.stop.is_raised() {
+        return Err(io::Error::other("its answer is not wanted any more"));
+    }
     reply.printed = printed(out) + &printed(err);
     if reply.ending == Ending::Complete && reply.missing > 0 {
         reply.ending = match ended {
-            Err(error) if is_timeout(&error) => Ending::TimedOut(wall),
+            Err(error) if is_timeout(&error) => Ending::TimedOut(limit.wall),
             Err(error) if is_broken(&error) => Ending::Died(in_words(status, &reply.printed)),
             Err(error) => Ending::Garbled(error.to_string()),
             Ok(()) => Ending::Died(in_words(status, &reply.printed)),

@@ -8,6 +8,7 @@ use std::io;
 use std::process::{Child, Command};
 use std::time::{Duration, Instant};
 
+use super::{Limit, PULSE, Stop};
 use crate::job::{self, Job, Message};
 use crate::serve::ANSWER;
 
@@ -16,6 +17,7 @@ pub(super) struct Exchange {
     pub(super) child: Child,
     link: Link,
     deadline: Instant,
+    stop: Stop,
 }
 
 /// Called with each message; `Ok(false)` ends the exchange.
@@ -29,7 +31,7 @@ type Link = std::path::PathBuf;
 
 impl Exchange {
     #[cfg(unix)]
-    pub(super) fn start(mut command: Command, wall: Duration) -> io::Result<Exchange> {
+    pub(super) fn start(mut command: Command, limit: Limit) -> io::Result<Exchange> {
         let (link, theirs) = Link::pair()?;
         command
             .arg(ANSWER)
@@ -40,7 +42,8 @@ impl Exchange {
         Ok(Exchange {
             child,
             link,
-            deadline: Instant::now() + wall,
+            deadline: Instant::now() + limit.wall,
+            stop: limit.stop,
         })
     }
 
@@ -54,13 +57,14 @@ impl Exchange {
         let mut timed = Timed {
             link: &self.link,
             deadline: self.deadline,
+            stop: &self.stop,
         };
         job::send(job, &mut io::BufWriter::new(&mut timed))?;
         receive_all(&mut io::BufReader::new(timed), most, on_message)
     }
 
     #[cfg(not(unix))]
-    pub(super) fn start(mut command: Command, wall: Duration) -> io::Result<Exchange> {
+    pub(super) fn start(mut command: Command, limit: Limit) -> io::Result<Exchange> {
         use std::sync::atomic::{AtomicUsize, Ordering};
 
         static NEXT: AtomicUsize = AtomicUsize::new(0);
@@ -78,7 +82,8 @@ impl Exchange {
         Ok(Exchange {
             child,
             link,
-            deadline: Instant::now() + wall,
+            deadline: Instant::now() + limit.wall,
+            stop: limit.stop,
         })
     }
 
@@ -94,8 +99,8 @@ impl Exchange {
         }
         let mut late = false;
         while self.child.try_wait()?.is_none() && !late {
-            std::thread::sleep(Duration::from_millis(5));
-            late = Instant::now() > self.deadline;
+            std::thread::sleep(PULSE / 10);
+            late = Instant::now() > self.deadline || self.stop.is_raised();
         }
         if let Ok(file) = std::fs::File::open(&self.link) {
             let received = receive_all(&mut io::BufReader::new(file), most, on_message);
@@ -133,19 +138,32 @@ fn receive_all(
 }
 
 /// A socket whose every read and write ends at the same deadline, so that a slow
-/// drip of bytes gains no time.
+/// drip of bytes gains no time, or when nobody wants the answer any more.
 #[cfg(unix)]
 struct Timed<'a> {
     link: &'a Link,
     deadline: Instant,
+    stop: &'a Stop,
 }
 
 #[cfg(unix)]
 impl Timed<'_> {
-    fn left(&self) -> io::Result<Option<Duration>> {
-        match self.deadline.checked_duration_since(Instant::now()) {
-            Some(left) if !left.is_zero() => Ok(Some(left)),
-            _ => Err(io::ErrorKind::TimedOut.into()),
+    /// Reads or writes, a pulse at a time.
+    fn in_time(
+        &self,
+        arm: impl Fn(&Link, Duration) -> io::Result<()>,
+        mut work: impl FnMut() -> io::Result<usize>,
+    ) -> io::Result<usize> {
+        loop {
+            let left = self.deadline.saturating_duration_since(Instant::now());
+            if left.is_zero() || self.stop.is_raised() {
+                return Err(io::ErrorKind::TimedOut.into());
+            }
+            armed(arm(self.link, left.min(PULSE)))?;
+            match work() {
+                Err(error) if super::is_timeout(&error) => {}
+                done => return done,
+            }
         }
     }
 }
@@ -153,7 +171,7 @@ impl Timed<'_> {
 /// Where setting a timeout failed because the peer has closed the socket (macOS says
 /// so), nothing can block any more, and none is needed.
 #[cfg(unix)]
-fn arm(set: io::Result<()>) -> io::Result<()> {
+fn armed(set: io::Result<()>) -> io::Result<()> {
     match set {
         Err(error) if error.kind() == io::ErrorKind::InvalidInput => Ok(()),
         set => set,
@@ -163,16 +181,22 @@ fn arm(set: io::Result<()>) -> io::Result<()> {
 #[cfg(unix)]
 impl io::Read for Timed<'_> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        arm(self.link.set_read_timeout(self.left()?))?;
-        self.link.read(buffer)
+        let mut link = self.link;
+        self.in_time(
+            |link, left| link.set_read_timeout(Some(left)),
+            || link.read(buffer),
+        )
     }
 }
 
 #[cfg(unix)]
 impl io::Write for Timed<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        arm(self.link.set_write_timeout(self.left()?))?;
-        self.link.write(bytes)
+        let mut link = self.link;
+        self.in_time(
+            |link, left| link.set_write_timeout(Some(left)),
+            || link.write(bytes),
+        )
     }
 
     fn flush(&mut self) -> io::Result<()> {

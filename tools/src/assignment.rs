@@ -32,7 +32,29 @@ pub struct Task {
     /// The chapter of the book that teaches it.
     pub chapter: String,
     /// Groups of questions and their points, in the order they are shown.
-    pub points: Vec<(String, u32)>,
+    pub points: Vec<GroupPoints>,
+}
+
+/// A group of questions and what it is worth: `["inside", 3, "what is asked"]`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(from = "(String, u32, String)")]
+pub struct GroupPoints {
+    /// Its name.
+    pub group: String,
+    /// Points for a group without a wrong answer.
+    pub worth: u32,
+    /// What it asks, in words for somebody who fails it.
+    pub about: String,
+}
+
+impl From<(String, u32, String)> for GroupPoints {
+    fn from((group, worth, about): (String, u32, String)) -> GroupPoints {
+        GroupPoints {
+            group,
+            worth,
+            about,
+        }
+    }
 }
 
 /// A scene and what casting it right is worth.

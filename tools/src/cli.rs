@@ -10,7 +10,8 @@ use crate::validate::Part;
 
 /// Ray casting assignments, judged against golden films by Mitsuba.
 ///
-/// Fill the answers in assignments/ray_casting/handout/src, then run `cargo run --release -- check`.
+/// Run `cargo run --release -- check --watch`, and fill the answers in
+/// assignments/ray_casting/handout/src: each is judged when you save it.
 ///
 /// Exit codes: 0 all well; 1 judged wrong; 2 a file or an argument is wrong; 3 the
 /// machine or this program is at fault.
@@ -61,6 +62,12 @@ impl Command {
 /// then every scene is cast by all answers together. For each group and scene that
 /// fails, the table says what was asked, what was expected and what came.
 ///
+/// With --watch it stays, and judges an answer whenever you save it: one task at a
+/// time, from the first with missing points on, then the scenes. Keys give a hint, go to
+/// the next task, quit; ? tells them all. In a pipe, and with --json, which then prints
+/// a document on each line, it tells every verdict as it comes, and ends when standard
+/// input was a pipe and is closed, or with Ctrl-C. However it ends, the exit code is 0.
+///
 /// Only the six answer files are taken from the folder. A folder outside this
 /// checkout is compiled and run in a sandbox.
 ///
@@ -71,6 +78,9 @@ pub struct Check {
     /// A folder with the answer files, itself or in `src` [default: the current folder
     /// if it is a submission, else the handout]
     pub dir: Option<PathBuf>,
+    /// Stay, and judge an answer whenever it is saved
+    #[arg(long, conflicts_with_all = ["scene", "oiiotool", "no_report"])]
+    pub watch: bool,
     /// Only this task; may be given more than once
     #[arg(long, value_name = "TASK")]
     pub task: Vec<String>,

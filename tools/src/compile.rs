@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use pinhole::ask::Stop;
 use sha2::{Digest, Sha256};
 
 use crate::assignment::Assignment;
@@ -30,6 +31,8 @@ pub struct Program {
     pub executable: PathBuf,
     /// Answers that were replaced by their stubs, and why.
     pub replaced: Replacements,
+    /// Raised when nobody wants its answers any more.
+    pub stop: Stop,
 }
 
 /// Why a stub stands where an answer should.
@@ -41,16 +44,16 @@ pub enum Replaced {
     DoesNotCompile(String),
 }
 
-/// Compiles submissions of one assignment, one after the other or side by side.
-pub struct Compiler<'a> {
-    checkout: &'a Checkout,
-    sandbox: &'a Sandbox,
+/// What every submission is compiled with; gathered once, it serves many.
+pub struct Compiler {
+    checkout: Checkout,
+    sandbox: Sandbox,
     harness: Harness,
     /// Not the handout's folder: students fill that.
     pristine: Package,
 }
 
-/// Compiles one submission; see [`Compiler::compile`].
+/// Compiles one submission: see [`Compiler::compile`].
 pub fn compile(
     submission: &Submission,
     assignment: &Assignment,
@@ -60,16 +63,16 @@ pub fn compile(
     Compiler::new(assignment, checkout, sandbox)?.compile(submission)
 }
 
-impl<'a> Compiler<'a> {
-    /// Gathers what every submission is compiled with.
+impl Compiler {
+    /// Builds the harness if need be.
     pub fn new(
         assignment: &Assignment,
-        checkout: &'a Checkout,
-        sandbox: &'a Sandbox,
-    ) -> Result<Compiler<'a>> {
+        checkout: &Checkout,
+        sandbox: &Sandbox,
+    ) -> Result<Compiler> {
         Ok(Compiler {
-            checkout,
-            sandbox,
+            checkout: checkout.clone(),
+            sandbox: sandbox.clone(),
             harness: Harness::gather(checkout)?,
             pristine: stubs::generate(assignment)?,
         })
@@ -81,24 +84,41 @@ impl<'a> Compiler<'a> {
     /// # Errors
     /// If even the stubs do not compile, or the compiler cannot be run.
     pub fn compile(&self, submission: &Submission) -> Result<Program> {
-        let mut replaced = BTreeMap::new();
+        match self.compile_until(submission, &mut |_| false)? {
+            Attempt::Program(program) => Ok(program),
+            Attempt::Enough => unreachable!("no replacement is ever enough"),
+        }
+    }
+
+    /// The same, unless the answers that were to be replaced so far are `enough` to know:
+    /// the compiler says what is wrong long before the others' program is built.
+    pub fn compile_until(
+        &self,
+        submission: &Submission,
+        enough: &mut dyn FnMut(&Replacements) -> bool,
+    ) -> Result<Attempt> {
+        let mut replaced = Replacements::new();
         for answer in &submission.answers {
             if let Err(unusable) = &answer.text {
                 replaced.insert(answer.task.clone(), Replaced::Unusable(unusable.clone()));
             }
         }
-        let compile = |replaced: &Replacements| {
-            let sources = sources(submission, &self.pristine, replaced);
-            build(&sources, self.checkout, &self.harness, self.sandbox)
-        };
         // Each round replaces at least one answer, so there are at most as many rounds.
         for _ in 0..=submission.answers.len() {
+            if enough(&replaced) {
+                return Ok(Attempt::Enough);
+            }
+            let compile = |replaced: &Replacements| {
+                let sources = sources(submission, &self.pristine, replaced);
+                build(&sources, &self.checkout, &self.harness, &self.sandbox)
+            };
             match compile(&replaced)? {
                 Built::Program(executable) => {
-                    return Ok(Program {
+                    return Ok(Attempt::Program(Program {
                         executable,
                         replaced,
-                    });
+                        stop: Stop::default(),
+                    }));
                 }
                 Built::Refused(diagnostics) => {
                     let mut blamed = blame::by_place(&diagnostics, submission, &replaced);
@@ -117,6 +137,14 @@ impl<'a> Compiler<'a> {
             "restore the assignment's `reference` folder, which they are made from",
         ))
     }
+}
+
+/// What came of [`Compiler::compile_until`].
+pub enum Attempt {
+    /// A program.
+    Program(Program),
+    /// The caller knows enough without one.
+    Enough,
 }
 
 /// File names and texts of a whole program.

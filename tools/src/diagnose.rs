@@ -14,9 +14,9 @@ use crate::questions::QuestionFilm;
 const LEAST_SHARE: f64 = 0.02;
 
 /// What came of one film that was asked for.
-pub struct Cast {
+pub struct Cast<'a> {
     /// What was asked.
-    pub asked: QuestionFilm,
+    pub asked: &'a QuestionFilm,
     /// The film, if it is whole.
     pub film: Option<Film>,
     /// How it was judged.
@@ -25,7 +25,7 @@ pub struct Cast {
 
 impl Goldens {
     /// Which belief spoils these films, which are all those of one task.
-    pub fn diagnose_task(&self, task: &str, casts: &[Cast]) -> Result<Diagnosis> {
+    pub fn diagnose_task(&self, task: &str, casts: &[Cast<'_>]) -> Result<Diagnosis> {
         // Everybody's panics look alike.
         if casts.iter().all(|cast| cast.film.is_none()) {
             return Ok(Diagnosis::default());

@@ -8,6 +8,7 @@ use pinhole::Film;
 use pinhole::job::Panic;
 use pinhole::judge::{Golden, Refusal, Verdict};
 
+use crate::assignment::Task;
 use crate::compile::Replaced;
 use crate::diagnosis::Diagnosis;
 
@@ -48,6 +49,8 @@ pub struct GroupResult {
     pub name: String,
     /// What it is worth.
     pub worth: u32,
+    /// What it asks, in words.
+    pub about: String,
     /// What came.
     pub outcome: Outcome,
     /// The worst question in words, where some answer is wrong.
@@ -109,6 +112,24 @@ impl Outcome {
 }
 
 impl TaskResult {
+    /// A task whose answer cannot be asked.
+    pub fn replaced(task: &Task, replaced: Replaced) -> TaskResult {
+        let groups = task.points.iter().map(|points| GroupResult {
+            name: points.group.clone(),
+            worth: points.worth,
+            about: points.about.clone(),
+            outcome: Outcome::Unanswered,
+            worst: None,
+        });
+        TaskResult {
+            name: task.name.clone(),
+            chapter: task.chapter.clone(),
+            replaced: Some(replaced),
+            groups: groups.collect(),
+            diagnosis: Diagnosis::default(),
+        }
+    }
+
     /// Points earned and points possible.
     pub fn points(&self) -> (u32, u32) {
         points(

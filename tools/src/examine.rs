@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use pinhole::Film;
-use pinhole::ask::{Ending, Reply, ask};
+use pinhole::ask::{Ending, Limit, Reply, ask};
 use pinhole::job::{Job, Panic};
 use pinhole::judge::judge;
 
@@ -89,7 +89,7 @@ impl Examiner<'_> {
     }
 
     fn task(&self, task: &Task, printed: &mut String) -> Result<TaskResult> {
-        let groups = self.goldens.groups(task)?;
+        let groups = self.goldens.kept_groups(task)?;
         let together = self.ask_together(task, &groups, printed)?;
         let mut together = together.map(Vec::into_iter);
         // An endless loop shall cost no more than twice the limit, whichever group it is in.
@@ -101,7 +101,13 @@ impl Examiner<'_> {
         let share = (self.wall / films as u32).max(LEAST_WALL);
         let mut results = Vec::new();
         let mut casts = Vec::new();
-        for Group { name, worth, films } in groups {
+        for Group {
+            name,
+            worth,
+            about,
+            films,
+        } in groups.iter()
+        {
             let mut result = None;
             for film in films {
                 let reply = match &mut together {
@@ -109,9 +115,9 @@ impl Examiner<'_> {
                     None => self.ask(&task.name, &film.job, share)?,
                 };
                 printed.push_str(&reply.printed);
-                let (outcome, cast) = self.judge(&reply, &film, Some(&task.name))?;
+                let (outcome, cast) = self.judge(&reply, film, Some(&task.name))?;
                 let worst = match &outcome {
-                    Outcome::Judged(verdict) => describe::worst(verdict, &film, &reply),
+                    Outcome::Judged(verdict) => describe::worst(verdict, film, &reply),
                     _ => None,
                 };
                 casts.push(Cast {
@@ -134,8 +140,9 @@ impl Examiner<'_> {
                 )
             })?;
             results.push(GroupResult {
-                name,
-                worth,
+                name: name.clone(),
+                worth: *worth,
+                about: about.clone(),
                 outcome,
                 worst,
             });
@@ -260,9 +267,10 @@ pub fn run(
     let cores = std::thread::available_parallelism().map_or(1, usize::from) as u64;
     let seconds = cores * wall.as_secs() + 2;
     let command = sandbox.runner(&program.executable, seconds);
-    ask(command, job, wall, progress).map_err(|error| {
+    let stop = program.stop.clone();
+    ask(command, job, Limit { wall, stop }, progress).map_err(|error| {
         Error::environment(
-            format!("cannot start {}: {error}", program.executable.display()),
+            format!("cannot ask {}: {error}", program.executable.display()),
             "run this command again; if it persists, remove target/pinhole",
         )
     })

@@ -1,11 +1,14 @@
 //! A folder of goldens and the scenes it can judge.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
 
 use crate::assignment::Assignment;
 use crate::diagnosis::known::{self, Known};
 use crate::error::{Error, Result};
+use crate::questions::Group;
 
 /// Golden films, probes, and the scenes they were made from.
 #[derive(Clone, Debug)]
@@ -16,6 +19,8 @@ pub struct Goldens {
     pub scenes: Vec<GoldenScene>,
     /// What is known of mistakes.
     pub known: Known,
+    /// Groups of questions that were read already, by task.
+    pub kept: Arc<Mutex<BTreeMap<String, Arc<[Group]>>>>,
 }
 
 /// A scene with a golden film.
@@ -76,6 +81,7 @@ impl Goldens {
             folder: folder.into(),
             scenes,
             known: Known::read(folder)?,
+            kept: Arc::default(),
         })
     }
 
@@ -85,6 +91,7 @@ impl Goldens {
             folder: folder.into(),
             scenes: files.iter().cloned().map(|file| own(file, 0)).collect(),
             known: Known::read(folder)?,
+            kept: Arc::default(),
         })
     }
 

@@ -3,7 +3,8 @@
 //! Reading order: [`cli`] for what can be asked; one file in `command` for each
 //! thing it does; [`submission`], [`compile`], [`sandbox`], [`examine`] for the way
 //! from a student's folder to an [`examination`]; [`table`], [`json`] and [`report`]
-//! for how that is shown; [`validate`] for how all of it is itself measured.
+//! for how that is shown; [`watch`] for doing all that at every save; [`validate`] for
+//! how all of it is itself measured.
 
 mod assignment;
 mod blame;
@@ -36,7 +37,9 @@ mod shell;
 mod stubs;
 mod submission;
 mod table;
-mod validate;
+//! from a student's folder to an [`examination`]; [`table`], [`json`] and [`report`]
+//! for how that is shown; [`watch`] for doing all that at every save; [`validate`] for
+//! how all of it is itself measured.
 
 use std::panic::{self, PanicHookInfo};
 use std::process::ExitCode;

@@ -2,26 +2,31 @@
 //! each task, and a film for each scene.
 
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, PoisonError};
 
 use pinhole::job::{CameraQuestion, Job};
 use pinhole::judge::Golden;
 use pinhole::{Resolution, Scene, probe};
 
-use crate::assignment::Task;
+use crate::assignment::{GroupPoints, Task};
 use crate::error::{Error, Result};
 use crate::goldens::{GoldenScene, Goldens};
 
 /// Questions that earn their points together or not at all.
+#[derive(Debug)]
 pub struct Group {
     /// As `assignment.toml` has it.
     pub name: String,
     /// Points.
     pub worth: u32,
+    /// What it asks, in words.
+    pub about: String,
     /// Usually one; the viewing rays of scenes have one for each.
     pub films: Vec<QuestionFilm>,
 }
 
 /// Questions laid out as a film, and the golden film of their answers.
+#[derive(Debug)]
 pub struct QuestionFilm {
     /// The group's name, or the scene's.
     pub name: String,
@@ -41,29 +46,43 @@ const SCENES_GROUP: &str = "scenes";
 impl Goldens {
     /// All groups of a task, in the assignment's order.
     pub fn groups(&self, task: &Task) -> Result<Vec<Group>> {
-        let group = |(name, worth): &(String, u32)| {
-            let films = match is_of_scenes(&task.name, name) {
-                true => self
-                    .scenes
-                    .iter()
-                    .map(|scene| self.ray_film(scene))
-                    .collect::<Result<_>>()?,
-                false => vec![self.probe(task, name)?],
-            };
-            Ok(Group {
-                name: name.clone(),
-                worth: *worth,
-                films,
-            })
+        let groups = task.points.iter();
+        groups.map(|points| self.group(task, points)).collect()
+    }
+
+    /// The same, read once and kept: an examination may be one of many.
+    pub fn kept_groups(&self, task: &Task) -> Result<Arc<[Group]>> {
+        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(groups) = kept.get(&task.name) {
+            return Ok(Arc::clone(groups));
+        }
+        let groups: Arc<[Group]> = self.groups(task)?.into();
+        kept.insert(task.name.clone(), Arc::clone(&groups));
+        Ok(groups)
+    }
+
+    fn group(&self, task: &Task, points: &GroupPoints) -> Result<Group> {
+        let films = match is_of_scenes(&task.name, &points.group) {
+            true => self
+                .scenes
+                .iter()
+                .map(|scene| self.ray_film(scene))
+                .collect::<Result<_>>()?,
+            false => vec![self.probe(task, &points.group)?],
         };
-        task.points.iter().map(group).collect()
+        Ok(Group {
+            name: points.group.clone(),
+            worth: points.worth,
+            about: points.about.clone(),
+            films,
+        })
     }
 
     /// The groups of a task that ask about the scenes alone.
     pub fn scene_groups(&self, task: &Task) -> Result<Vec<Group>> {
         let mut task = task.clone();
         task.points
-            .retain(|(group, _)| is_of_scenes(&task.name, group));
+            .retain(|points| is_of_scenes(&task.name, &points.group));
         self.groups(&task)
     }
 

@@ -14,12 +14,14 @@ const MOST_BYTES: u64 = 256 * 1024;
 pub struct Submission {
     /// The folder as the user named it.
     pub folder: PathBuf,
+    /// Where in it the answer files lie.
+    pub place: PathBuf,
     /// One for each task, in the assignment's order.
     pub answers: Vec<Answer>,
 }
 
 /// One task's answer file.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
     /// The task, which is also the file's name without `.rs`.
     pub task: String,
@@ -69,6 +71,7 @@ impl Submission {
         Ok(Submission {
             folder: folder.into(),
             answers: answers.collect(),
+            place,
         })
     }
 

@@ -10,10 +10,10 @@ use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskRes
 use crate::shell::in_shell;
 use crate::submission::Unusable;
 
-const PASS: Style = AnsiColor::Green.on_default();
-const FAIL: Style = AnsiColor::Red.on_default();
-const QUIET: Style = AnsiColor::BrightBlack.on_default();
-const STRONG: Style = Style::new().bold();
+pub const PASS: Style = AnsiColor::Green.on_default();
+pub const FAIL: Style = AnsiColor::Red.on_default();
+pub const QUIET: Style = AnsiColor::BrightBlack.on_default();
+pub const STRONG: Style = Style::new().bold();
 
 /// How the words for a time-out begin.
 pub const NO_ANSWER: &str = "gave no answer within";
@@ -39,15 +39,9 @@ pub fn examination(examination: &Examination) -> String {
         line(&mut text, heading("task", width));
     }
     for task in &examination.tasks {
-        task_rows(&mut text, task, width);
+        task_rows(&mut text, task, width, Extent::All);
     }
-    if !examination.scenes.is_empty() {
-        line(&mut text, heading("scene", width));
-    }
-    for scene in &examination.scenes {
-        let known = examination.tasks.iter().any(|task| !task.passes());
-        scene_rows(&mut text, scene, width, &examination.submission, known);
-    }
+    scene_table(&mut text, examination, width);
     let (earned, possible) = examination.points();
     line(
         &mut text,
@@ -56,7 +50,29 @@ pub fn examination(examination: &Examination) -> String {
             "total"
         ),
     );
-    let lines: Vec<&str> = examination.printed.lines().collect();
+    text.push_str(&printed(&examination.printed));
+    text
+}
+
+/// One task with the first of its groups that fails; `width` is that of its name.
+pub fn task(task: &TaskResult, width: usize) -> String {
+    let mut text = String::new();
+    task_rows(&mut text, task, width, Extent::First);
+    text
+}
+
+/// The scenes.
+pub fn scenes(examination: &Examination) -> String {
+    let mut text = String::new();
+    let names = examination.scenes.iter().map(|scene| scene.name.len());
+    scene_table(&mut text, examination, names.max().unwrap_or(0) + 2);
+    text
+}
+
+/// What a student's code printed, cut to its beginning; nothing for nothing.
+pub fn printed(printed: &str) -> String {
+    let mut text = String::new();
+    let lines: Vec<&str> = printed.lines().collect();
     if !lines.is_empty() {
         line(&mut text, "\nyour code printed:".into());
         for printed in lines.iter().take(MOST_PRINTED_LINES) {
@@ -95,7 +111,16 @@ fn row(text: &mut String, name: &str, width: usize, points: (u32, u32), said: St
     );
 }
 
-fn task_rows(text: &mut String, task: &TaskResult, width: usize) {
+/// How much is told of a task that fails.
+#[derive(Clone, Copy, PartialEq)]
+enum Extent {
+    /// Every failing group, and where to look.
+    All,
+    /// The first failing group; hints are for whoever asks.
+    First,
+}
+
+fn task_rows(text: &mut String, task: &TaskResult, width: usize, extent: Extent) {
     let failing: Vec<&GroupResult> = task
         .groups
         .iter()
@@ -108,12 +133,20 @@ fn task_rows(text: &mut String, task: &TaskResult, width: usize) {
     for row in diagnosis(&task.diagnosis).lines() {
         line(text, format!("    {STRONG}{row}{STRONG:#}"));
     }
-    for Explanation { mistake, .. } in &task.diagnosis.beliefs {
+    let hinted = match extent {
+        Extent::All => task.diagnosis.beliefs.as_slice(),
+        Extent::First => &[],
+    };
+    for Explanation { mistake, .. } in hinted {
         line(text, format!("    look: {}", mistake.hint.look));
     }
     if task.replaced.is_none() && !task.is_unanswered() {
+        let most = match extent {
+            Extent::All => failing.len(),
+            Extent::First => 1,
+        };
         let mut told: Vec<String> = Vec::new();
-        for group in &failing {
+        for group in failing.iter().take(most) {
             let said = outcome_of(&group.outcome, "questions");
             // A panic in every group is one panic.
             let said = if group.worst.is_none() && told.contains(&said) {
@@ -129,6 +162,14 @@ fn task_rows(text: &mut String, task: &TaskResult, width: usize) {
                 indent(text, worst);
             }
             told.push(said);
+        }
+        let others = failing.iter().skip(most).map(|group| group.name.as_str());
+        let others: Vec<&str> = others.collect();
+        if !others.is_empty() {
+            line(
+                text,
+                format!("    {QUIET}and also: {}{QUIET:#}", others.join(", ")),
+            );
         }
     }
     if !failing.is_empty() {
@@ -206,6 +247,16 @@ fn scene_diagnosis(text: &mut String, of_scene: &Diagnosis, known_by_tasks: bool
             text,
             &format!("what you believe in {tasks} explains {share} of it"),
         );
+    }
+}
+
+fn scene_table(text: &mut String, examination: &Examination, width: usize) {
+    if !examination.scenes.is_empty() {
+        line(text, heading("scene", width));
+    }
+    let known = examination.tasks.iter().any(|task| !task.passes());
+    for scene in &examination.scenes {
+        scene_rows(text, scene, width, &examination.submission, known);
     }
 }
 

@@ -159,3 +159,19 @@ fn who_cannot_be_started_is_told_so() {
     let absent: &Path = &folder.path().join("absent");
     assert!(ask(Command::new(absent), &hits(1), SOON, &mut |_| {}).is_err());
 }
+
+#[test]
+fn whose_answer_is_not_wanted_any_more_is_ended_long_before_its_time() {
+    let limit = Limit::from(10 * SOON);
+    let stop = limit.stop.clone();
+    let start = Instant::now();
+    let reply = std::thread::scope(|scope| {
+        let asking = scope.spawn(|| ask(shell("sleep 200"), &hits(1), limit, &mut |_| {}));
+        std::thread::sleep(SECOND / 2);
+        stop.raise();
+        asking.join().expect("it does not panic")
+    });
+    let error = reply.expect_err("there is no answer");
+    assert!(error.to_string().contains("not wanted"), "{error}");
+    assert!(start.elapsed() < SOON, "it took {:?}", start.elapsed());
+}

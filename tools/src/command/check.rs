@@ -16,6 +16,7 @@ use crate::report::{Again, Report};
 use crate::sandbox::Sandbox;
 use crate::second_judge::SecondJudge;
 use crate::shell::{PINHOLE, in_shell};
+use crate::watch::{self, Course};
 use crate::{json, table};
 
 pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
@@ -29,6 +30,22 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
     let submission = super::submission(arguments.dir.as_ref(), &assignment, assignment.handout())?;
     let sandbox = Sandbox::around(&submission.folder, checkout, arguments.run.trust)?;
 
+    let default_report = checkout.scratch().join("report.html");
+    if arguments.watch {
+        let course = Course {
+            assignment,
+            goldens,
+            checkout: checkout.clone(),
+            sandbox,
+            wall: Duration::from_secs(arguments.run.timeout),
+            submission,
+            tasks: selection.tasks,
+            report: arguments.report.clone().unwrap_or(default_report),
+            again: again(arguments),
+        };
+        // However it ends: the student has seen the verdicts.
+        return watch::run(course, arguments.json).map(|()| Outcome::Well);
+    }
     let second_judge = arguments
         .oiiotool
         .then(|| SecondJudge::find(checkout))
@@ -51,7 +68,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
     let path = match &arguments.report {
         Some(path) => Some(path.clone()),
         None if arguments.no_report => None,
-        None => Some(checkout.scratch().join("report.html")),
+        None => Some(default_report),
     };
     // The verdict is worth more than its report: it is shown before anything is said of
     // a report that could not be written.

@@ -261,8 +261,10 @@ fn absent(manifest: &Manifest, assignment: &Assignment) -> Vec<String> {
         .iter()
         .map(|scene| format!("{}.exr", scene.name));
     let groups = assignment.tasks.iter().flat_map(|task| {
-        let groups = task.points.iter().filter(|(group, _)| group != "scenes");
-        groups.map(|(group, _)| format!("probes/{}.{group}.exr", task.name))
+        let groups = task.points.iter().map(|points| &points.group);
+        groups
+            .filter(|group| *group != "scenes")
+            .map(|group| format!("probes/{}.{group}.exr", task.name))
     });
     let needed = scenes
         .chain(groups)

@@ -24,7 +24,7 @@ pub struct Bench<'a> {
     /// By what.
     pub goldens: &'a Goldens,
     /// Makes programs.
-    pub compiler: &'a Compiler<'a>,
+    pub compiler: &'a Compiler,
     /// Where they run.
     pub sandbox: &'a Sandbox,
     /// Asked about every film too, if there is one.

@@ -11,3 +11,6 @@ mod house;
 mod report;
 mod sandbox;
 mod submissions;
+mod watch;
+#[cfg(unix)]
+mod watch_screen;

@@ -1,0 +1,96 @@
+//! The keys, once: what they are, what they do, and the words for it.
+
+use std::sync::mpsc::Sender;
+use std::thread;
+
+use crossterm::event::{self, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+
+use super::Event;
+
+/// What a key asks for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Key {
+    Hint,
+    Report,
+    Next,
+    Previous,
+    Everything,
+    Scenes,
+    Again,
+    Quit,
+    Help,
+    /// So many lines down; up if negative.
+    Scroll(isize),
+}
+
+/// Letter, meaning, its name on the screen, and what the help says of it.
+pub const KEYS: [(char, Key, &str, &str); 9] = [
+    ('h', Key::Hint, "hint", "a hint; each press tells more"),
+    (
+        'o',
+        Key::Report,
+        "report",
+        "open the report of all that is judged so far",
+    ),
+    ('n', Key::Next, "next", "the next task"),
+    ('p', Key::Previous, "previous", "the task before"),
+    (
+        'a',
+        Key::Everything,
+        "all",
+        "judge everything, with a table",
+    ),
+    (
+        's',
+        Key::Scenes,
+        "scenes",
+        "cast the scenes with all answers together",
+    ),
+    ('r', Key::Again, "again", "judge this once more"),
+    ('q', Key::Quit, "quit", "quit; so does Ctrl-C"),
+    ('?', Key::Help, "help", "show or hide this"),
+];
+
+/// A screenful, nearly: the reader keeps their place.
+const PAGE: isize = 10;
+
+/// Tells of every key and change of size, from a thread of its own.
+pub fn listen(events: Sender<Event>) {
+    thread::spawn(move || {
+        loop {
+            let event = match event::read() {
+                Ok(event::Event::Key(pressed)) => key(pressed).map(Event::Key),
+                Ok(event::Event::Resize(..)) => Some(Event::Resized),
+                Ok(_) => None,
+                // The terminal is gone.
+                Err(_) => Some(Event::Quit),
+            };
+            let over = matches!(event, Some(Event::Quit));
+            let sent = event.is_none_or(|event| events.send(event).is_ok());
+            if over || !sent {
+                break;
+            }
+        }
+    });
+}
+
+fn key(pressed: KeyEvent) -> Option<Key> {
+    if pressed.kind == KeyEventKind::Release {
+        return None;
+    }
+    match pressed.code {
+        KeyCode::Char('c' | 'd') if pressed.modifiers.contains(KeyModifiers::CONTROL) => {
+            Some(Key::Quit)
+        }
+        KeyCode::Char(letter) => {
+            let letter = letter.to_ascii_lowercase();
+            let known = KEYS.iter().find(|(known, ..)| *known == letter);
+            known.map(|(_, key, ..)| *key)
+        }
+        KeyCode::Down => Some(Key::Scroll(1)),
+        KeyCode::Up => Some(Key::Scroll(-1)),
+        KeyCode::PageDown => Some(Key::Scroll(PAGE)),
+        KeyCode::PageUp => Some(Key::Scroll(-PAGE)),
+        _ => None,
+    }
+}
