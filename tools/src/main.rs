@@ -37,6 +37,8 @@ mod shell;
 mod stubs;
 mod submission;
 mod table;
+mod validate;
+mod watch;
 
 use std::panic::{self, PanicHookInfo};
 use std::process::ExitCode;
