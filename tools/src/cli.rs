@@ -35,7 +35,7 @@ pub enum Command {
     /// Make goldens with Mitsuba, or verify the committed ones
     #[command(subcommand)]
     Golden(Golden),
-    /// Generate the handout, students' stubs, from the reference
+    /// Generate the handout, students' stubs, from the reference, or their whole repository
     Handout(Handout),
     /// Grade the grading: does it catch every known mistake, and fail nobody who is right?
     Validate(Validate),
@@ -51,7 +51,8 @@ impl Command {
             Command::Diff(arguments) => arguments.json,
             Command::Golden(Golden::Verify(arguments)) => arguments.json,
             Command::Validate(arguments) => arguments.json,
-            Command::Golden(_) | Command::Handout(_) => false,
+            Command::Handout(arguments) => arguments.json,
+            Command::Golden(_) => false,
         }
     }
 }
@@ -134,7 +135,7 @@ pub struct Render {
     /// A scene file, or the name of one of the assignment's scenes
     pub scene: String,
     /// Whose answers cast [default: the current folder if it is a submission, else the
-    /// reference]
+    /// reference, or the handout where there is none]
     #[arg(long, value_name = "DIR")]
     pub submission: Option<PathBuf>,
     /// Cast this many pixels instead of the scene's own; the image plane stays
@@ -164,7 +165,7 @@ pub struct Explain {
     /// Row, from the bottom, from 0
     pub j: usize,
     /// Whose answers to explain [default: the current folder if it is a submission,
-    /// else the reference]
+    /// else the reference, or the handout where there is none]
     #[arg(long, value_name = "DIR")]
     pub submission: Option<PathBuf>,
     #[command(flatten)]
@@ -257,18 +258,41 @@ pub struct GoldenVerify {
     pub json: bool,
 }
 
-/// Generate the handout from the reference.
+/// Generate the handout from the reference, or a whole repository for students.
 ///
 /// Signatures and documentation stay, answers become `todo!`. Everything else is
 /// copied as it is.
+///
+/// With --out, a repository of its own is made around the stubs: the harness, this
+/// command, the public scenes and their goldens, tests, a README and a workflow for
+/// GitHub. It needs Rust and nothing else, and holds no answer of ours, no source of a
+/// mistake or a variant, and nothing of a scene that says `public = false`.
 #[derive(Args)]
 pub struct Handout {
     /// The assignment
     #[arg(default_value = "ray_casting")]
     pub assignment: String,
     /// Change nothing; fail if the committed handout is out of step
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["out", "gradescope"])]
     pub check: bool,
+    /// Write a student's repository here; the folder must be new or empty
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Replace what an earlier run wrote to DIR; a file that was changed since is never
+    /// touched, and then nothing is
+    #[arg(long, requires = "out")]
+    pub force: bool,
+    /// Write an autograder for Gradescope here, for instructors alone: it holds all
+    /// goldens and our answers
+    #[arg(long, value_name = "FILE.zip")]
+    pub gradescope: Option<PathBuf>,
+    /// Put these fresh questions into the autograder, as `golden render --seed N --out DIR`
+    /// makes them: public goldens alone could be memorised
+    #[arg(long, value_name = "DIR", requires = "gradescope")]
+    pub fresh: Option<PathBuf>,
+    /// Print one JSON document on standard output
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Grade the grading.

@@ -14,8 +14,9 @@ use pinhole::Scene;
 
 use crate::assignment::Assignment;
 use crate::checkout::Checkout;
-use crate::cli::{Cli, Command};
+use crate::cli::{Cli, Command, Golden};
 use crate::error::{Error, Result};
+use crate::handout::record::Record;
 use crate::submission::Submission;
 
 /// How a command that did its work ended.
@@ -30,6 +31,7 @@ pub enum Outcome {
 /// Does what was asked.
 pub fn run(cli: Cli) -> Result<Outcome> {
     let checkout = Checkout::find()?;
+    refuse_in_a_handout(&checkout, &cli.command)?;
     match cli.command {
         Command::Check(arguments) => check::run(&checkout, &arguments),
         Command::Render(arguments) => render::run(&checkout, &arguments),
@@ -39,6 +41,24 @@ pub fn run(cli: Cli) -> Result<Outcome> {
         Command::Handout(arguments) => handout::run(&checkout, &arguments),
         Command::Validate(arguments) => validate::run(&checkout, &arguments),
     }
+}
+
+/// What needs our answers, the mistakes or Mitsuba cannot be done by a student, and is
+/// told so before it stumbles over the first file that is not there.
+fn refuse_in_a_handout(checkout: &Checkout, command: &Command) -> Result<()> {
+    let needs_more = match command {
+        Command::Handout(_) | Command::Validate(_) => true,
+        Command::Golden(golden) => !matches!(golden, Golden::Verify(_)),
+        _ => false,
+    };
+    if !needs_more || Record::read(checkout.root())?.is_none() {
+        return Ok(());
+    }
+    Err(Error::input(
+        "this is a student's repository: it holds no answers of ours, no known mistakes, and \
+         nothing that renders goldens",
+        "run this in a checkout of the course",
+    ))
 }
 
 /// The submission in the folder a user named, or else in the current one, or else in

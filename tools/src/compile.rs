@@ -74,7 +74,7 @@ impl Compiler {
             checkout: checkout.clone(),
             sandbox: sandbox.clone(),
             harness: Harness::gather(checkout)?,
-            pristine: stubs::generate(assignment)?,
+            pristine: stubs::pristine(assignment, checkout)?,
         })
     }
 
@@ -147,6 +147,12 @@ pub enum Attempt {
     Enough,
 }
 
+/// The executable's name, as the system wants it.
+const PROGRAM: &str = match cfg!(windows) {
+    true => "submission.exe",
+    false => "submission",
+};
+
 /// File names and texts of a whole program.
 type Sources = BTreeMap<String, String>;
 
@@ -182,7 +188,7 @@ fn build(
 ) -> Result<Built> {
     let programs = checkout.scratch().join("programs");
     let folder = programs.join(fingerprint(sources, harness, sandbox));
-    let executable = folder.join("out").join("submission");
+    let executable = folder.join("out").join(PROGRAM);
     if executable.is_file() {
         return Ok(Built::Program(executable));
     }
@@ -212,7 +218,7 @@ fn build(
             "install Rust from rustup.rs",
         )
     })?;
-    if output.status.success() && out.join("submission").is_file() {
+    if output.status.success() && out.join(PROGRAM).is_file() {
         return match fs::rename(&fresh, &folder) {
             Err(_) if executable.is_file() => {
                 fs::remove_dir_all(&fresh).map_err(failed)?;
@@ -240,11 +246,8 @@ fn arguments(rustc: &mut Command, harness: &Harness) {
     rustc.args(["-Copt-level=2", "-Ccodegen-units=1", "-Cstrip=debuginfo"]);
     // An `i - 1` that wraps around shows as a panic in its line, not as a wrong picture.
     rustc.args(["-Coverflow-checks=on", "-Awarnings", "-Funsafe_code"]);
-    rustc.args([
-        "--error-format=json",
-        "--json=diagnostic-rendered-ansi",
-        "-oout/submission",
-    ]);
+    rustc.args(["--error-format=json", "--json=diagnostic-rendered-ansi"]);
+    rustc.arg(format!("-oout/{PROGRAM}"));
     rustc
         .arg("-L")
         .arg(prefixed("dependency=", &harness.folder));

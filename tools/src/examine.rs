@@ -48,6 +48,13 @@ pub struct Selection {
     pub scenes: Vec<String>,
 }
 
+impl Selection {
+    /// Whether nothing is left out.
+    pub fn is_everything(&self) -> bool {
+        self.tasks.is_empty() && self.scenes.is_empty()
+    }
+}
+
 /// A group asked alone has at least this long: starting a process is no student's fault.
 const LEAST_WALL: Duration = Duration::from_secs(2);
 
@@ -82,6 +89,10 @@ impl Examiner<'_> {
             title: self.assignment.title.clone(),
             tasks,
             scenes,
+            withheld: match selection.is_everything() {
+                true => self.assignment.withheld,
+                false => 0,
+            },
             printed,
         };
         self.goldens.diagnose_scenes(&mut examination)?;

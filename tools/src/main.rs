@@ -20,6 +20,7 @@ mod examination;
 mod examine;
 mod explanation;
 mod goldens;
+mod handout;
 mod harness;
 mod json;
 mod manifest;

@@ -104,7 +104,11 @@ impl Report {
             title: examination.title.clone(),
             of: vec![("submission", printable(&examination.submission))],
             passes: examination.passes(),
-            said: summary(examination),
+            said: [Some(summary(examination)), examination.withheld_in_words()]
+                .into_iter()
+                .flatten()
+                .collect::<Vec<_>>()
+                .join(" "),
             points: Some(examination.points()),
             tasks: tasks
                 .map(|(k, task)| TaskSection::of(k, task, &again.part))

@@ -167,6 +167,7 @@ impl Bench {
                     title: assignment.title.clone(),
                     tasks: vec![TaskResult::replaced(task, why.clone())],
                     scenes: Vec::new(),
+                    withheld: 0,
                     printed: String::new(),
                 });
                 ControlFlow::Break(())
