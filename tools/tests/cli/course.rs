@@ -49,7 +49,8 @@ pub fn pinhole_in(folder: &Path, arguments: &[&str]) -> Ran {
         .expect("pinhole starts"))
 }
 
-fn ran(output: Output) -> Ran {
+/// The same of any program.
+pub fn ran(output: Output) -> Ran {
     Ran {
         code: output.status.code().expect("pinhole is not killed"),
         out: String::from_utf8(output.stdout).expect("standard output is text"),
