@@ -14,3 +14,4 @@ mod submissions;
 mod watch;
 #[cfg(unix)]
 mod watch_screen;
+mod validate;

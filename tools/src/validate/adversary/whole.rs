@@ -130,3 +130,6 @@ pub fn objects(random: &mut Random) -> (CannedQuestion, bool) {
     };
     (question, is_tie)
 }
+
+#[cfg(test)]
+mod tests;
