@@ -11,7 +11,7 @@ mod house;
 mod report;
 mod sandbox;
 mod submissions;
+mod validate;
 mod watch;
 #[cfg(unix)]
 mod watch_screen;
-mod validate;
