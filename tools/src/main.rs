@@ -37,9 +37,8 @@ mod shell;
 mod stubs;
 mod submission;
 mod table;
-//! from a student's folder to an [`examination`]; [`table`], [`json`] and [`report`]
-//! for how that is shown; [`watch`] for doing all that at every save; [`validate`] for
-//! how all of it is itself measured.
+mod validate;
+mod watch;
 
 use std::panic::{self, PanicHookInfo};
 use std::process::ExitCode;

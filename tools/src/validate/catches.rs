@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::bench::Bench;
 use super::mutants::Mutants;
 use super::submissions::Judged;
+use crate::assignment::GroupPoints;
 
 /// One row for each film, probes and scenes apart.
 #[derive(Debug, Serialize)]
@@ -44,7 +45,7 @@ impl Catches {
         let single: Vec<&Judged> = judged.iter().filter(|judged| judged.single).collect();
         let by_group = mutants.map(Mutants::by_group).unwrap_or_default();
         let groups = bench.assignment.tasks.iter().flat_map(|task| {
-            let named = |(group, _): &(String, u32)| format!("{}.{group}", task.name);
+            let named = |points: &GroupPoints| format!("{}.{}", task.name, points.group);
             task.points.iter().map(named)
         });
         let group = |name: String| {
