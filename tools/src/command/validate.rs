@@ -24,7 +24,7 @@ pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Outcome> {
     let progress = Progress::new();
     progress.say("building");
     let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(arguments.jobs.unwrap_or(0))
+        .num_threads(arguments.jobs.map_or(0, usize::from))
         .build()
         .map_err(|error| Error::environment(error.to_string(), "ask for fewer jobs with --jobs"))?;
     let bench = Bench {
