@@ -150,10 +150,9 @@ impl Diagnoses {
                 ));
             }
         }
-        for naming in [anew, compounds] {
-            for names in [&naming.tasks, &naming.scenes, &naming.pictures] {
-                faults.extend(names.wrong.iter().map(|film| format!("false name: {film}")));
-            }
+        // Of a single belief a false name counts against its share above.
+        for names in [&compounds.tasks, &compounds.scenes, &compounds.pictures] {
+            faults.extend(names.wrong.iter().map(|film| format!("false name: {film}")));
         }
         faults
     }
