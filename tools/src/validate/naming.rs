@@ -150,8 +150,9 @@ impl Diagnoses {
                 ));
             }
         }
-        // Of a single belief a false name counts against its share above.
-        for names in [&compounds.tasks, &compounds.scenes, &compounds.pictures] {
+        // Of a single belief a false name counts against its share above. A single picture
+        // of two beliefs can be the very picture of a third: nothing could tell.
+        for names in [&compounds.tasks, &compounds.scenes] {
             faults.extend(names.wrong.iter().map(|film| format!("false name: {film}")));
         }
         faults
