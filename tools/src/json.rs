@@ -105,6 +105,7 @@ fn outcome(outcome: &Outcome) -> Value {
             "kind": "panicked", "message": panic.message, "file": panic.file, "line": panic.line,
         }),
         Outcome::TimedOut { seconds } => json!({ "kind": "timed out", "seconds": seconds }),
+        Outcome::OutOfMemory { most } => json!({ "kind": "out of memory", "most": most }),
         Outcome::Died(how) => json!({ "kind": "died", "how": how }),
         Outcome::Garbled(why) => json!({ "kind": "garbled", "why": why }),
     }
