@@ -7,6 +7,7 @@ use crate::compile::Replaced;
 use crate::diagnosis::{Diagnosis, Explanation, Reading};
 use crate::examination::{Examination, Outcome};
 use crate::submission::Unusable;
+use crate::submission::flags::Flag;
 
 /// An examination, as `check --json` prints it.
 pub fn examination(examination: &Examination) -> Value {
@@ -52,6 +53,14 @@ pub fn examination(examination: &Examination) -> Value {
         "scenes": scenes.collect::<Vec<_>>(),
         "printed": examination.printed,
     })
+}
+
+/// What an instructor may want to look at.
+pub fn flags(flags: &[Flag]) -> Value {
+    let shown = flags
+        .iter()
+        .map(|flag| json!({ "task": flag.task, "line": flag.line, "what": flag.what }));
+    shown.collect()
 }
 
 /// A diagnosis; `null` if nothing known explains what came.

@@ -18,6 +18,7 @@ use crate::report::{Again, Report};
 use crate::sandbox::{Choice, Sandbox};
 use crate::second_judge::SecondJudge;
 use crate::shell::{PINHOLE, in_shell};
+use crate::submission::flags::flags;
 use crate::watch::{self, Course};
 use crate::{json, table};
 
@@ -91,6 +92,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
         let mut document = json::examination(&examination);
         document["report"] = path.into();
         document["sandbox"] = sandbox.name().into();
+        document["flags"] = json::flags(&flags(&submission));
         anstream::println!("{document:#}");
     } else {
         anstream::print!("{}", table::examination(&examination));
