@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use pinhole::Film;
-use pinhole::ask::{Ending, Reply};
+use pinhole::ask::{Ending, MOST_PRINTED, Reply};
 use pinhole::job::{Job, Panic};
 use pinhole::judge::judge;
 
@@ -77,6 +77,8 @@ impl Examiner<'_> {
                 scenes.push(self.scene(scene, &mut printed)?);
             }
         }
+        // Each process may say so much; nobody reads more of them all together.
+        printed.truncate(printed.floor_char_boundary(MOST_PRINTED));
         let mut examination = Examination {
             submission: submission.folder.display().to_string(),
             title: self.assignment.title.clone(),

@@ -35,7 +35,7 @@ impl Limits {
     /// For one run of the compiler. Right answers take a fifth of a second.
     pub fn of_compiler() -> Limits {
         Limits {
-            cpu: Duration::from_secs(30),
+            cpu: Duration::from_secs(20),
             wall: Duration::from_secs(60),
             memory: MEMORY,
             processes: cores() + SPARE_PROCESSES,

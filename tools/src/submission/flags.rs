@@ -213,7 +213,9 @@ impl Finder<'_> {
     ) {
         let is = |token: Option<&Token>, mark| token == Some(&Token::Mark(mark));
         let called = is(after(1), '!');
-        if MACROS.contains(&word) && (called || is(before(1), PATH)) {
+        // `std::env` is a module too, and flagged as that.
+        let named = is(before(1), PATH) && word != "env";
+        if MACROS.contains(&word) && (called || named) {
             self.flag(line, format!("{word}!"));
         }
         let in_attribute = is(before(1), '[') && (is(before(2), '#') || is(before(2), '!'));
@@ -253,6 +255,11 @@ fn is_library(root: &str) -> bool {
     ["std", "core", "alloc"].contains(&root)
 }
 
+/// What may stand before a path that begins with `::`.
+const KEYWORDS: [&str; 10] = [
+    "use", "pub", "as", "in", "return", "dyn", "impl", "mut", "if", "match",
+];
+
 /// Which path a word belongs to, through the braces of a `use`.
 #[derive(Default)]
 struct Paths {
@@ -263,6 +270,10 @@ struct Paths {
 
 impl Paths {
     fn word(&mut self, word: &str, continues: bool) -> &[String] {
+        if KEYWORDS.contains(&word) {
+            self.current.clear();
+            return &self.current;
+        }
         if !continues {
             self.current = self.behind.last().cloned().unwrap_or_default();
         }

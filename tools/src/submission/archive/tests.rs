@@ -179,3 +179,101 @@ fn what_is_no_archive_is_refused_in_words() {
         refusal(&path)
     );
 }
+
+/// Numbers that nobody chose (xorshift, Marsaglia 2003).
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, end: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 % end.max(1) as u64) as usize
+    }
+}
+
+#[test]
+fn no_spoilt_archive_harms_its_reader() {
+    let seconds = std::env::var("PINHOLE_FUZZ_SECONDS").map(|text| text.parse::<u64>());
+    let seconds = seconds.map_or(1, |seconds| seconds.expect("a number of seconds"));
+    let long = "let a = 1;\n".repeat(2000);
+    let (folder, path) = archive(&[
+        ("src/sphere.rs", b"// here"),
+        ("src/plane.rs", long.as_bytes()),
+        ("__MACOSX/._plane.rs", b"\0\0"),
+    ]);
+    let seed = fs::read(&path).expect("it is there");
+    let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
+    let mut dice = Dice(now.expect("later than 1970").as_nanos() as u64 | 1);
+    let start = std::time::Instant::now();
+    let mut tried = 0;
+    while start.elapsed().as_secs() < seconds {
+        let mut bytes = seed.clone();
+        for _ in 0..1 + dice.below(6) {
+            let at = dice
+                .below(bytes.len().max(1))
+                .min(bytes.len().saturating_sub(1));
+            match dice.below(5) {
+                0 => bytes[at] ^= 1 << dice.below(8),
+                1 => bytes[at] = dice.below(256) as u8,
+                // Lengths, counts and offsets are of two and four bytes.
+                2 => bytes[at..].iter_mut().take(4).for_each(|byte| *byte = 255),
+                3 => drop(bytes.drain(at..(at + dice.below(32)).min(bytes.len()))),
+                _ => bytes.truncate(at.max(30)),
+            }
+        }
+        fs::write(&path, &bytes).expect("it can be written");
+        // What harms is found again in this file.
+        if let Ok(mut archive) = Archive::open(&path) {
+            for place in archive.places() {
+                let text = archive.text(&place, "plane.rs");
+                assert!(text.is_err() || text.is_ok_and(|text| text.len() as u64 <= MOST_BYTES));
+            }
+        }
+        tried += 1;
+    }
+    println!("archive: {tried} inputs in {seconds} s");
+    drop(folder);
+}
+
+#[test]
+fn no_text_harms_who_looks_for_flags() {
+    let mut dice = Dice(4711);
+    let words = [
+        "unsafe",
+        "use",
+        "std",
+        "::",
+        "fs",
+        "{",
+        "}",
+        "(",
+        ")",
+        "include_str",
+        "!",
+        "\"",
+        "'",
+        "r#",
+        "/*",
+        "*/",
+        "//",
+        "\n",
+        "#",
+        "[",
+        "]",
+        "b\"",
+        "\\",
+        "1e9",
+        "é",
+        "\u{feff}",
+        "mod",
+        ";",
+        "*",
+    ];
+    for _ in 0..3000 {
+        let text: String = (0..dice.below(60))
+            .map(|_| words[dice.below(words.len())])
+            .collect();
+        super::super::flags::of_text("plane", &text);
+    }
+}
