@@ -6,6 +6,9 @@ use clap::{Args, Parser, Subcommand};
 use pinhole::Resolution;
 use pinhole::scene::MOST_PIXELS;
 
+use crate::sandbox::Choice;
+#[cfg(target_os = "linux")]
+use crate::sandbox::confine::Confine;
 use crate::validate::Part;
 
 /// Ray casting assignments, judged against golden films by Mitsuba.
@@ -39,6 +42,10 @@ pub enum Command {
     Handout(Handout),
     /// Grade the grading: does it catch every known mistake, and fail nobody who is right?
     Validate(Validate),
+    /// Give up all rights and become a program: what sandboxes start first
+    #[cfg(target_os = "linux")]
+    #[command(hide = true)]
+    Confine(Confine),
 }
 
 impl Command {
@@ -52,6 +59,8 @@ impl Command {
             Command::Golden(Golden::Verify(arguments)) => arguments.json,
             Command::Validate(arguments) => arguments.json,
             Command::Golden(_) | Command::Handout(_) => false,
+            #[cfg(target_os = "linux")]
+            Command::Confine(_) => false,
         }
     }
 }
@@ -114,14 +123,26 @@ pub struct Run {
     #[arg(long, value_name = "SECONDS", default_value_t = Run::TIMEOUT,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
+    /// Which walls the code runs behind
+    #[arg(long, value_enum, value_name = "WALLS", default_value_t)]
+    pub sandbox: Choice,
     /// Run a folder outside this checkout without a sandbox: your own code only
-    #[arg(long)]
+    /// (--sandbox none)
+    #[arg(long, conflicts_with = "sandbox")]
     pub trust: bool,
 }
 
 impl Run {
     /// Seconds, unless the user says otherwise.
     pub const TIMEOUT: u64 = 30;
+
+    /// Which walls the user has chosen.
+    pub fn walls(&self) -> Choice {
+        match self.trust {
+            true => Choice::None,
+            false => self.sandbox,
+        }
+    }
 }
 
 /// Cast a scene and write its film and three pictures.

@@ -2,11 +2,15 @@
 
 mod browser;
 mod check;
+#[cfg(target_os = "linux")]
+mod container;
 mod course;
 mod diagnosis;
 mod diff;
 mod explain;
 mod golden;
+#[cfg(target_os = "linux")]
+mod hostile;
 mod house;
 mod report;
 mod sandbox;
