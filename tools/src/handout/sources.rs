@@ -77,7 +77,7 @@ pub fn add_folder_as(files: &mut Files, path: &Path, folder: &str, kinds: &[&str
             continue;
         } else if kind.is_dir() {
             add_folder_as(files, &entry.path(), &inside, kinds)?;
-        } else if kind.is_file() && (kinds.is_empty() || kinds.iter().any(|kind| wanted(&kind))) {
+        } else if kind.is_file() && (kinds.is_empty() || kinds.iter().any(wanted)) {
             files.insert(inside, read(&entry.path())?);
         }
     }
