@@ -9,6 +9,7 @@ use pinhole::scene::MOST_PIXELS;
 use crate::sandbox::Choice;
 #[cfg(target_os = "linux")]
 use crate::sandbox::confine::Confine;
+#[cfg(feature = "validate")]
 use crate::validate::Part;
 
 /// Ray casting assignments, judged against golden films by Mitsuba.
@@ -41,6 +42,7 @@ pub enum Command {
     /// Generate the handout, students' stubs, from the reference, or their whole repository
     Handout(Handout),
     /// Grade the grading: does it catch every known mistake, and fail nobody who is right?
+    #[cfg(feature = "validate")]
     Validate(Validate),
     /// Give up all rights and become a program: what sandboxes start first
     #[cfg(target_os = "linux")]
@@ -57,6 +59,7 @@ impl Command {
             Command::Explain(arguments) => arguments.json,
             Command::Diff(arguments) => arguments.json,
             Command::Golden(Golden::Verify(arguments)) => arguments.json,
+            #[cfg(feature = "validate")]
             Command::Validate(arguments) => arguments.json,
             Command::Handout(arguments) => arguments.json,
             Command::Golden(_) => false,
@@ -331,6 +334,7 @@ pub struct Handout {
 /// The tables say for each group of questions and each scene how many mistakes it catches
 /// and how many only it does, and what the smallest error is that each scene detects.
 /// Exit 0 if every target is met; otherwise 1, and what misses one comes first.
+#[cfg(feature = "validate")]
 #[derive(Args)]
 pub struct Validate {
     /// The assignment: its name, or its folder

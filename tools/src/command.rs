@@ -6,6 +6,7 @@ mod explain;
 mod golden;
 mod handout;
 mod render;
+#[cfg(feature = "validate")]
 mod validate;
 
 use std::path::{Path, PathBuf};
@@ -39,6 +40,7 @@ pub fn run(cli: Cli) -> Result<Outcome> {
         Command::Diff(arguments) => diff::run(&checkout, &arguments),
         Command::Golden(arguments) => golden::run(&checkout, &arguments),
         Command::Handout(arguments) => handout::run(&checkout, &arguments),
+        #[cfg(feature = "validate")]
         Command::Validate(arguments) => validate::run(&checkout, &arguments),
         #[cfg(target_os = "linux")]
         Command::Confine(_) => unreachable!("it has become another program by now"),
@@ -49,7 +51,7 @@ pub fn run(cli: Cli) -> Result<Outcome> {
 /// told so before it stumbles over the first file that is not there.
 fn refuse_in_a_handout(checkout: &Checkout, command: &Command) -> Result<()> {
     let needs_more = match command {
-        Command::Handout(_) | Command::Validate(_) => true,
+        Command::Handout(_) => true,
         Command::Golden(golden) => !matches!(golden, Golden::Verify(_)),
         _ => false,
     };

@@ -43,7 +43,7 @@ impl Repository {
         let mut files = sources::shared(checkout)?;
         files.extend(course::files(assignment, checkout)?);
         workspace::adapt(&mut files, assignment)?;
-        readme::adapt(&mut files)?;
+        readme::adapt(&mut files, assignment)?;
         leak::refuse(&files, assignment, checkout)?;
         Ok(Repository {
             assignment: assignment.name.clone(),

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::leak::holds_word;
 use super::sources::{read, read_text};
 use super::{Files, tables};
 use crate::assignment::Assignment;
@@ -10,6 +11,10 @@ use crate::diagnosis::known::{self, Known};
 use crate::error::{Error, Result};
 use crate::manifest::{self, Manifest};
 use crate::stubs;
+
+/// Stands for a hint that points at a withheld scene.
+const ELSEWHERE: &str =
+    "Look at the first thing that is wrong here, and follow it through your code by hand.";
 
 /// The files of the assignment and of its goldens.
 pub fn files(assignment: &Assignment, checkout: &Checkout) -> Result<Files> {
@@ -128,6 +133,15 @@ fn add_goldens(files: &mut Files, assignment: &Assignment, checkout: &Checkout) 
     let mut known = Known::read(&folder)?;
     known.films.retain(|film, _| !assignment.withholds(film));
     known.panics.retain(|film, _| !assignment.withholds(film));
+    for mistake in known.mistake.values_mut() {
+        let look = &mut mistake.hint.look;
+        if assignment
+            .withheld_scenes()
+            .any(|scene| holds_word(look.as_bytes(), &scene.name))
+        {
+            *look = ELSEWHERE.into();
+        }
+    }
 
     let mut manifest = Manifest::read(&folder)?;
     manifest.films.retain(|film, _| !assignment.withholds(film));

@@ -3,9 +3,13 @@
 //! Files are chosen so that nothing of it is among them; this is for the day when
 //! somebody quotes an answer in a comment, or names a withheld scene in a README.
 
+mod search;
+
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
+
+use search::Search;
 
 use super::Files;
 use super::sources::{read, read_text};
@@ -19,21 +23,16 @@ const LEAST_LINE: usize = 24;
 
 /// Refuses files that hold a line of an answer of ours, or anything of a withheld scene.
 pub fn refuse(files: &Files, assignment: &Assignment, checkout: &Checkout) -> Result<()> {
-    let answers = answer_lines(assignment)?;
+    let answers = Search::new(answer_lines(assignment)?);
     let withheld = Withheld::of(assignment, checkout)?;
     for (path, bytes) in files {
-        let text = std::str::from_utf8(bytes).unwrap_or_default();
-        let answer = text
-            .lines()
-            .map(str::trim)
-            .find(|line| answers.contains(*line));
-        if let Some(line) = answer {
+        if let Some(line) = answers.first_in(bytes) {
             return Err(Error::input(
                 format!("{path} would give away a line of the reference: `{line}`"),
                 "write it otherwise there",
             ));
         }
-        if let Some(what) = withheld.shown_by(path, bytes, text) {
+        if let Some(what) = withheld.shown_by(path, bytes) {
             return Err(Error::input(
                 format!("{path} would give away {what}"),
                 "take it out there, or withhold another scene",
@@ -64,15 +63,26 @@ fn answer_lines(assignment: &Assignment) -> Result<BTreeSet<String>> {
 /// What tells of withheld scenes.
 struct Withheld {
     names: Vec<String>,
-    hashes: Vec<String>,
+    /// Of their files, in hexadecimal.
+    hashes: BTreeSet<String>,
+    /// The same, to be found in other files.
+    hash_search: Search,
 }
 
 impl Withheld {
     fn of(assignment: &Assignment, checkout: &Checkout) -> Result<Withheld> {
-        let mut hashes = Vec::new();
+        let mut hashes = BTreeSet::new();
+        let public = assignment.scenes.iter().filter(|scene| scene.public);
+        let public_meshes: Vec<_> = public
+            .flat_map(|scene| manifest::meshes_of(&assignment.scene(&scene.name)))
+            .collect();
         for scene in assignment.withheld_scenes() {
             let file = assignment.scene(&scene.name);
-            hashes.push(manifest::hash_of(&file, read(&file)?));
+            let mut meshes = manifest::meshes_of(&file);
+            meshes.retain(|mesh| !public_meshes.contains(mesh));
+            for path in meshes.into_iter().chain([file]) {
+                hashes.insert(manifest::hash_of(&path, read(&path)?));
+            }
         }
         let entries = fs::read_dir(checkout.golden(&assignment.name));
         for path in entries
@@ -83,16 +93,21 @@ impl Withheld {
         {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             if assignment.withholds(&name) {
-                hashes.push(manifest::hash_of(&path, read(&path)?));
+                hashes.insert(manifest::hash_of(&path, read(&path)?));
             }
         }
         let names = assignment.withheld_scenes().map(|scene| scene.name.clone());
         let names = names.collect();
-        Ok(Withheld { names, hashes })
+        let hash_search = Search::new(hashes.clone());
+        Ok(Withheld {
+            names,
+            hashes,
+            hash_search,
+        })
     }
 
     /// What a file tells, in words for an instructor.
-    fn shown_by(&self, path: &str, bytes: &[u8], text: &str) -> Option<String> {
+    fn shown_by(&self, path: &str, bytes: &[u8]) -> Option<String> {
         if self.names.is_empty() {
             return None;
         }
@@ -100,18 +115,19 @@ impl Withheld {
         if self.hashes.contains(&own) {
             return Some("a file of a withheld scene".into());
         }
-        if self.hashes.iter().any(|hash| text.contains(hash.as_str())) {
+        if self.hash_search.first_in(bytes).is_some() {
             return Some("the hash of a withheld scene's file".into());
         }
         // Sources may use a scene's name as any word; what is about scenes may not.
         let is_source = path.starts_with("src/") || path.starts_with("tools/");
-        let words = |name: &str| path.contains(name) || !is_source && holds_word(text, name);
+        let words = |name: &str| path.contains(name) || !is_source && holds_word(bytes, name);
         let name = self.names.iter().find(|name| words(name));
         name.map(|name| format!("the name of the withheld scene `{name}`"))
     }
 }
 
-fn holds_word(text: &str, word: &str) -> bool {
-    let mut words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
-    words.any(|found| found == word)
+/// Whether a file, of any kind, holds this word.
+pub fn holds_word(bytes: &[u8], word: &str) -> bool {
+    let mut words = bytes.split(|byte| !byte.is_ascii_alphanumeric() && *byte != b'_');
+    words.any(|found| found == word.as_bytes())
 }

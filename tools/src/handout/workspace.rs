@@ -17,6 +17,17 @@ fn members(assignment: &str) -> String {
     )
 }
 
+/// The feature that students' command is built without, and the sources that go with it:
+/// they hold formulas which students are to find.
+const FEATURE: &str = "validate";
+const ITS_SOURCES: [&str; 3] = [
+    "tools/src/validate/",
+    "tools/src/validate.rs",
+    "tools/src/command/validate.rs",
+];
+/// Where its modules are declared; rustfmt looks for them whatever the features are.
+const ITS_PARENTS: [&str; 2] = ["tools/src/main.rs", "tools/src/command.rs"];
+
 /// Where the workflow for GitHub lies.
 const WORKFLOW: &str = ".github/workflows/check.yml";
 
@@ -43,6 +54,10 @@ pub fn adapt(files: &mut Files, assignment: &Assignment) -> Result<()> {
                 "[dev-dependencies]" => keep_lines(&mut table.text, |line| {
                     ["[", "tempfile"].iter().any(|kept| line.starts_with(kept))
                 }),
+                "[features]" => {
+                    let default = format!("default = [\"{FEATURE}\"]");
+                    table.text = table.text.replace(&default, "default = []");
+                }
                 "[[bin]]" => {
                     let text = table.text.trim_end();
                     table.text = format!("{text}\n# Tested at home.\ntest = false\n\n");
@@ -52,6 +67,11 @@ pub fn adapt(files: &mut Files, assignment: &Assignment) -> Result<()> {
         }
         tables::join(tables)
     })?;
+    files.retain(|path, _| !ITS_SOURCES.iter().any(|own| path.starts_with(own)));
+    for parent in ITS_PARENTS {
+        let module = format!("#[cfg(feature = \"{FEATURE}\")]\nmod {FEATURE};\n");
+        change(files, parent, |text| text.replace(&module, ""))?;
+    }
     let workflow = include_str!("../../templates/handout/check.yml");
     files.insert(WORKFLOW.into(), workflow.into());
     Ok(())
