@@ -3,8 +3,10 @@
 mod check;
 mod diff;
 mod explain;
-mod golden;
+pub mod golden;
+mod grade;
 mod handout;
+mod merge;
 mod render;
 mod validate;
 
@@ -36,6 +38,8 @@ pub fn run(cli: Cli) -> Result<Outcome> {
         Command::Explain(arguments) => explain::run(&checkout, &arguments),
         Command::Diff(arguments) => diff::run(&checkout, &arguments),
         Command::Golden(arguments) => golden::run(&checkout, &arguments),
+        Command::Grade(arguments) => grade::run(&checkout, &arguments),
+        Command::Merge(arguments) => merge::run(&checkout, &arguments),
         Command::Handout(arguments) => handout::run(&checkout, &arguments),
         Command::Validate(arguments) => validate::run(&checkout, &arguments),
     }

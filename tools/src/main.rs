@@ -20,6 +20,7 @@ mod examination;
 mod examine;
 mod explanation;
 mod goldens;
+mod grade;
 mod harness;
 mod json;
 mod manifest;

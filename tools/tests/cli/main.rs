@@ -7,6 +7,7 @@ mod diagnosis;
 mod diff;
 mod explain;
 mod golden;
+mod grade;
 mod house;
 mod report;
 mod sandbox;
