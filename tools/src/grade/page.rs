@@ -11,6 +11,11 @@ use crate::assignment::Assignment;
 use crate::describe::printable;
 use crate::report::policy;
 
+const TEMPLATES: [(&str, &str); 2] = [
+    ("class.html", include_str!("../../templates/class.html")),
+    ("people.html", include_str!("../../templates/people.html")),
+];
+
 /// What stands on the page. Names are a student's: whatever cannot be seen is shown as
 /// its code, and the template escapes the rest.
 #[derive(Serialize)]
@@ -82,10 +87,11 @@ struct Line {
 pub fn html(class: &Class, assignment: &Assignment) -> String {
     let mut environment = Environment::new();
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
-    let template = include_str!("../../templates/class.html");
-    environment
-        .add_template("class.html", template)
-        .unwrap_or_else(|error| panic!("class.html: {error:#}"));
+    for (name, text) in TEMPLATES {
+        environment
+            .add_template(name, text)
+            .unwrap_or_else(|error| panic!("{name}: {error:#}"));
+    }
     let style = [
         include_str!("../../templates/page.css"),
         include_str!("../../templates/class.css"),
