@@ -6,9 +6,9 @@ use clap::{Args, Parser, Subcommand};
 use pinhole::Resolution;
 use pinhole::scene::MOST_PIXELS;
 
-use crate::validate::Part;
 use crate::grade::formats::Format;
 use crate::grade::withheld::Reveal;
+use crate::validate::Part;
 
 /// Ray casting assignments, judged against golden films by Mitsuba.
 ///
