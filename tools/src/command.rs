@@ -27,6 +27,8 @@ pub enum Outcome {
     Well,
     /// Exit code 1.
     JudgedWrong,
+    /// Exit code 3: what could not be done is told among what could.
+    Incomplete,
 }
 
 /// Does what was asked.

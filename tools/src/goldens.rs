@@ -96,11 +96,8 @@ impl Goldens {
     /// The same, also of a folder with scenes alone, as `golden render my.toml --out DIR`
     /// makes: these share the points of the assignment's, whose public probes are asked.
     pub fn find(folder: &Path, assignment: &Assignment, checkout: &Checkout) -> Result<Goldens> {
-        let manifest = match folder.is_dir() {
-            true => Manifest::read(folder)?,
-            false => return Goldens::read(folder, assignment),
-        };
-        if manifest.probe_seed.is_some() {
+        let manifest = Manifest::read_or_new(folder)?;
+        if manifest.probe_seed.is_some() || manifest.sources.is_empty() {
             return Goldens::read(folder, assignment);
         }
         let files = manifest.scenes(folder, checkout);

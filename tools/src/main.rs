@@ -55,6 +55,7 @@ fn main() -> ExitCode {
     match ran {
         Ok(Ok(command::Outcome::Well)) => ExitCode::SUCCESS,
         Ok(Ok(command::Outcome::JudgedWrong)) => ExitCode::from(1),
+        Ok(Ok(command::Outcome::Incomplete)) => ExitCode::from(3),
         Ok(Err(error)) => {
             if json {
                 let Error {

@@ -23,7 +23,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
     let here = std::env::current_dir().unwrap_or_default();
     let assignment = Assignment::around(checkout, arguments.dir.as_ref().unwrap_or(&here))?;
     let goldens = match &arguments.golden {
-        Some(folder) => Goldens::read(folder, &assignment)?,
+        Some(folder) => Goldens::find(folder, &assignment, checkout)?,
         None => Goldens::read(&checkout.golden(&assignment.name), &assignment)?,
     };
     let selection = selection(arguments, &assignment, &goldens)?;

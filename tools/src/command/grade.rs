@@ -15,7 +15,7 @@ use crate::checkout::Checkout;
 use crate::cli::Grade;
 use crate::compile::Compiler;
 use crate::describe::printable;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::goldens::Goldens;
 use crate::grade::alike::Known;
 use crate::grade::bench::{Bench, Graded};
@@ -333,13 +333,16 @@ pub fn finish(
         true => anstream::println!("{:#}", document(&class, &told)),
         false => anstream::print!("{}", words(&class, &told, store)),
     }
-    match not_graded.len() {
-        0 => Ok(Outcome::Well),
-        count => Err(Error::environment(
-            format!("{count} of {} submissions have no mark", class.rows.len()),
-            "see why above; run the same command again, and it grades these alone",
-        )),
+    if not_graded.is_empty() {
+        return Ok(Outcome::Well);
     }
+    anstream::eprintln!(
+        "pinhole: {} of {} submissions have no mark\n  remedy: see why above; run the same \
+         command again, and it grades these alone",
+        not_graded.len(),
+        class.rows.len()
+    );
+    Ok(Outcome::Incomplete)
 }
 
 fn document(class: &Class, told: &Told) -> serde_json::Value {

@@ -343,14 +343,140 @@ fn a_fault_of_the_graders_is_no_zero_and_spares_the_finished_grade() {
     let report = class.folder.join("out/submissions/ada/report.html");
     fs::remove_file(&report).expect("it was there");
     fs::create_dir(&report).expect("a folder can be made");
-    let ran = class.grade("out", &["--regrade", "--json"]).expect_code(3);
-    let told = ran
-        .out
-        .split("\n{\n  \"error\"")
-        .next()
-        .expect("the class comes first");
-    let told: Value = serde_json::from_str(told).expect("it is JSON");
+    let told = class
+        .grade("out", &["--regrade", "--json"])
+        .expect_code(3)
+        .json();
     assert_eq!(told["not_graded"][0][0], "ada");
     assert_eq!(told["points"]["ada"], Value::Null);
     assert_eq!(class.read("out/submissions/ada/result.json"), before);
+}
+
+/// A folder of goldens as `golden render SCENE --out` makes it: films and a manifest, and
+/// no probes.
+fn goldens_of_one_scene(class: &Class, scene: &str) -> String {
+    let folder = class.folder.join("mine");
+    fs::create_dir_all(&folder).expect("a folder can be made");
+    for end in ["exr", "tol.exr", "rays.exr", "rays.tol.exr"] {
+        let name = format!("{scene}.{end}");
+        let film = root().join("golden/ray_casting").join(&name);
+        fs::copy(film, folder.join(name)).expect("the film is there");
+    }
+    let manifest = format!(
+        "mitsuba = \"3\"\nvariant = \"scalar_rgb\"\n[scripts]\n[films]\n[sources]\n\
+         \"assignments/ray_casting/scenes/{scene}.toml\" = \"\"\n"
+    );
+    fs::write(folder.join("manifest.toml"), manifest).expect("writable");
+    class.path("mine")
+}
+
+#[test]
+fn withheld_scenes_show_no_more_than_the_instructor_chooses() {
+    let class = Class::new("withheld");
+    let mine = goldens_of_one_scene(&class, "slide_example");
+    let reference = fs::read_to_string(answers().join("first_hit.rs")).expect("it is there");
+    let loud = reference.replacen(
+        "-> Option<Hit> {",
+        "-> Option<Hit> { if objects.len() > 1 && min_t == 1.0 { panic!(\"told by {}\", ray.origin.x); }",
+        1,
+    );
+    class.hand_in("loud", &[("first_hit.rs", &loud)]);
+    for reveal in ["points", "message", "picture", "full"] {
+        class
+            .grade(reveal, &["--golden", &mine, "--reveal", reveal])
+            .expect_code(0);
+        let report = class.read(&format!("{reveal}/submissions/bob/report.html"));
+        let shows = |text: &str| report.contains(text);
+        assert_eq!(
+            shows("data:image"),
+            ["picture", "full"].contains(&reveal),
+            "{reveal}"
+        );
+        assert_eq!(shows("class=\"viewer\""), reveal == "full", "{reveal}");
+        let bob = class.result(reveal, "bob");
+        let said = bob["scenes"][0]["said"].as_str().expect("words");
+        assert_eq!(
+            said.contains("pixels are wrong"),
+            reveal != "points",
+            "{reveal}: {said}"
+        );
+        assert_eq!(
+            (&bob["scenes"][0]["points"], &bob["possible"]),
+            (&0.into(), &100.into())
+        );
+        let loud = class.result(reveal, "loud");
+        assert_eq!(
+            (&loud["scenes"][0]["outcome"], &loud["printed"]),
+            (&"panicked".into(), &"".into())
+        );
+        assert!(
+            !loud["scenes"].to_string().contains("told by"),
+            "{reveal}: {loud:#}"
+        );
+    }
+}
+
+/// `sphere.rs` that is right about every public question and says no to all others.
+fn memoriser() -> String {
+    let probes = root().join("golden/ray_casting/probes");
+    let mut seen = Vec::new();
+    for entry in fs::read_dir(probes).expect("probes are there").flatten() {
+        let name = entry.file_name().into_string().expect("plain");
+        if name.starts_with("sphere.") && name.ends_with(".ask.exr") {
+            let (job, _) = pinhole::probe::read(&entry.path(), "sphere").expect("a probe");
+            if let pinhole::job::Job::Intersect(questions) = job {
+                seen.extend(questions.iter().map(|asked| asked.ray.origin.x.to_bits()));
+            }
+        }
+    }
+    seen.sort();
+    seen.dedup();
+    let reference = fs::read_to_string(answers().join("sphere.rs")).expect("it is there");
+    let guarded = reference.replacen(
+        "-> Option<Intersection> {",
+        "-> Option<Intersection> { SEEN.binary_search(&ray.origin.x.to_bits()).ok()?;",
+        1,
+    );
+    format!("{guarded}\nconst SEEN: [u64; {}] = {seen:?};\n", seen.len())
+}
+
+#[test]
+fn a_memoriser_gets_nothing_for_what_it_has_memorised() {
+    let class = Class::new("memoriser");
+    let entry = class.path("class/memoriser");
+    class.hand_in("memoriser", &[("sphere.rs", &memoriser())]);
+    let sphere = |out: &str| {
+        let result = class.result(out, "memoriser");
+        let tasks = result["tasks"].as_array().expect("tasks").clone();
+        let sphere = tasks
+            .into_iter()
+            .find(|task| task["name"] == "sphere")
+            .expect("sphere");
+        (sphere["points"].as_u64().expect("points"), sphere, result)
+    };
+    let (known, fresh) = (class.path("known"), class.path("fresh"));
+    pinhole(&["grade", &entry, "--out", &known, "--no-fresh"]).expect_code(0);
+    let (points, _, result) = sphere("known");
+    assert_eq!(points, 18);
+    assert_eq!(result["provenance"]["judged_on"], "public goldens only");
+
+    pinhole(&["grade", &entry, "--out", &fresh, "--seed", "7"]).expect_code(0);
+    let (points, task, result) = sphere("fresh");
+    assert!(points <= 4, "{task:#}");
+    let groups = task["groups"].as_array().expect("groups");
+    let outside = groups
+        .iter()
+        .find(|group| group["name"] == "outside")
+        .expect("a group");
+    assert_eq!(outside["fails_fresh"], true);
+    assert!(
+        result["most_for_scenes"]
+            .as_u64()
+            .is_some_and(|most| most < 20)
+    );
+    // The questions are there now: nothing is made or graded again.
+    let again = pinhole(&["grade", &entry, "--out", &fresh, "--json"])
+        .expect_code(0)
+        .json();
+    assert_eq!(again["graded_now"], 0);
 }
