@@ -40,6 +40,8 @@ pub enum Ending {
     Panicked(Panic),
     /// Time was up before every question was answered.
     TimedOut(Duration),
+    /// The process took more memory than it may: how many bytes it may.
+    OutOfMemory(u64),
     /// The process ended early: how, in words.
     Died(String),
     /// It sent something that is no answer: what, in words.
@@ -96,14 +98,29 @@ const MOST_MESSAGE: usize = CHUNK * 64 + 4 * MOST_PANIC_TEXT;
 /// Only if the program cannot be started, or nobody wants its answer any more;
 /// whatever it does later is in the reply.
 pub fn ask(
-    mut command: Command,
+    command: Command,
     job: &Job,
     limit: impl Into<Limit>,
     progress: &mut dyn FnMut(usize),
 ) -> io::Result<Reply> {
-    let limit = limit.into();
+    ask_watched(command, job, limit.into(), progress, &mut |_| {})
+}
+
+/// The same, and tells `started` the number of the process, for somebody who watches
+/// what it takes and may end it at any time.
+///
+/// # Errors
+/// As [`ask`].
+pub fn ask_watched(
+    mut command: Command,
+    job: &Job,
+    limit: Limit,
+    progress: &mut dyn FnMut(usize),
+    started: &mut dyn FnMut(u32),
+) -> io::Result<Reply> {
     command.stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut exchange = Exchange::start(command, limit.clone())?;
+    started(exchange.child.id());
     let out = drain(exchange.child.stdout.take());
     let err = drain(exchange.child.stderr.take());
 
@@ -197,6 +214,9 @@ impl Reply {
                 self.ending = Ending::Panicked(panic);
                 Ok(false)
             }
+            Message::Answers { answers, .. } if answers.is_empty() => {
+                Err("it sent a message without an answer".into())
+            }
             Message::Answers { first, answers } => {
                 let end = first
                     .checked_add(answers.len())
@@ -245,6 +265,25 @@ fn in_words(status: Option<ExitStatus>, printed: &str) -> String {
         return "its process was lost".into();
     };
     match status.code() {
+        // As a shell, and bubblewrap, report a signal.
+        Some(code @ 129..=159) => {
+            let signal = match code - 128 {
+                4 => "an illegal instruction",
+                6 => "it aborted itself",
+                7 | 11 => "it touched memory that is not its own",
+                9 => "SIGKILL",
+                24 => "its processor time was up",
+                25 => "it wrote a file that is too long",
+                31 => "a forbidden system call",
+                _ => {
+                    return format!(
+                        "it was killed (signal {}) before it had answered",
+                        code - 128
+                    );
+                }
+            };
+            format!("it was killed ({signal}) before it had answered")
+        }
         Some(code) => format!("it exited with code {code} before it had answered"),
         None => format!("it was killed ({status}) before it had answered"),
     }

@@ -1,5 +1,7 @@
 //! What several test modules need: files to read, and numbers nobody chose.
 
+pub(crate) mod fuzz;
+
 use std::fs;
 use std::path::PathBuf;
 

@@ -290,3 +290,43 @@ fn a_film_has_no_two_channels_of_one_name() {
     bytes[place + 1] = b'a';
     refused(bytes, "channel names are not unique");
 }
+
+#[test]
+fn no_spoilt_film_harms_its_reader() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("film.exr");
+    let goldens = concat!(env!("CARGO_MANIFEST_DIR"), "/golden/ray_casting");
+    let ids: Vec<f32> = (0..64).map(|id| id as f32).collect();
+    testing::grid(8, &[("id", &ids), ("t", &ids)])
+        .write(&path)
+        .unwrap();
+    let seeds = [
+        fs::read(&path).unwrap(),
+        fs::read(format!("{goldens}/slide_example.exr")).unwrap(),
+        fs::read(format!("{goldens}/slide_example.tol.exr")).unwrap(),
+    ];
+    let words: [&[u8]; 8] = [
+        b"channels\0",
+        b"compression\0",
+        b"dataWindow\0",
+        b"tiles\0",
+        b"\x76\x2f\x31\x01",
+        b"N.X\0",
+        b"box2i\0",
+        b"lineOrder\0",
+    ];
+    // Whoever reads a damaged film is told so by a panic that goes no further.
+    std::panic::set_hook(Box::new(|_| ()));
+    testing::fuzz::fuzz("film", &seeds, &words, |bytes| {
+        fs::write(&path, bytes).unwrap();
+        if let Ok(film) = Film::read(&path) {
+            let pixels = film.resolution().pixels();
+            assert!(
+                film.channels()
+                    .iter()
+                    .all(|channel| channel.samples.len() == pixels)
+            );
+        }
+    });
+    let _ours = std::panic::take_hook();
+}

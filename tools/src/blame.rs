@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::process::ExitStatus;
 
 use serde::Deserialize;
 
 use crate::compile::{Replaced, Replacements};
 use crate::error::Error;
+use crate::sandbox::Finished;
 use crate::submission::Submission;
 
 /// The compiler's messages from its JSON output, one on each line.
@@ -41,14 +41,19 @@ struct Span {
 
 impl Diagnostic {
     /// Stands for what a compiler would have said that was killed or crashed.
-    pub fn of_dead_compiler(status: ExitStatus, stderr: &[u8]) -> Diagnostic {
-        let said = String::from_utf8_lossy(stderr);
+    pub fn of_dead_compiler(finished: &Finished) -> Diagnostic {
+        let said = String::from_utf8_lossy(&finished.stderr);
         let lines: Vec<&str> = said
             .lines()
             .filter(|line| !line.starts_with('{'))
             .take(5)
             .collect();
-        let rendered = format!("the compiler gave up ({status})\n{}\n", lines.join("\n"));
+        let why = match finished.exceeded {
+            Some(exceeded) => exceeded.to_string(),
+            None if finished.late => "it waited too long for something".into(),
+            None => finished.status.to_string(),
+        };
+        let rendered = format!("the compiler gave up ({why})\n{}\n", lines.join("\n"));
         Diagnostic {
             level: "error".into(),
             rendered,
@@ -75,16 +80,23 @@ pub fn by_place(
             submission.answer(stem).map(|answer| answer.task.clone())
         });
         if let Some(task) = task.filter(|task| !already.contains_key(task)) {
-            blamed
-                .entry(task)
-                .or_default()
-                .push_str(&diagnostic.rendered);
+            let text = blamed.entry(task).or_default();
+            if text.len() < MOST_TEXT {
+                text.push_str(cut(&diagnostic.rendered));
+            }
         }
     }
     blamed
         .into_iter()
         .map(|(task, text)| (task, Replaced::DoesNotCompile(text)))
         .collect()
+}
+
+/// A person reads no more of the compiler's words on one file.
+const MOST_TEXT: usize = 32 * 1024;
+
+fn cut(text: &str) -> &str {
+    &text[..text.floor_char_boundary(MOST_TEXT)]
 }
 
 /// The compiler's words, without its closing count of errors.
@@ -94,9 +106,11 @@ pub fn rendered(diagnostics: &[Diagnostic]) -> String {
         .filter(|diagnostic| diagnostic.level == "error");
     let (placed, other): (Vec<_>, Vec<_>) = errors.partition(|error| !error.spans.is_empty());
     let told = if placed.is_empty() { other } else { placed };
-    told.into_iter()
+    let text: String = told
+        .into_iter()
         .map(|error| error.rendered.as_str())
-        .collect()
+        .collect();
+    cut(&text).to_owned()
 }
 
 /// An error that no answer caused.

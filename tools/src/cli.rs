@@ -8,6 +8,9 @@ use pinhole::scene::MOST_PIXELS;
 
 use crate::grade::formats::Format;
 use crate::grade::withheld::Reveal;
+use crate::sandbox::Choice;
+#[cfg(target_os = "linux")]
+use crate::sandbox::confine::Confine;
 use crate::validate::Part;
 
 /// Ray casting assignments, judged against golden films by Mitsuba.
@@ -45,6 +48,10 @@ pub enum Command {
     Handout(Handout),
     /// Grade the grading: does it catch every known mistake, and fail nobody who is right?
     Validate(Validate),
+    /// Give up all rights and become a program: what sandboxes start first
+    #[cfg(target_os = "linux")]
+    #[command(hide = true)]
+    Confine(Confine),
 }
 
 impl Command {
@@ -60,6 +67,8 @@ impl Command {
             Command::Grade(arguments) => arguments.json,
             Command::Merge(arguments) => arguments.json,
             Command::Golden(_) | Command::Handout(_) => false,
+            #[cfg(target_os = "linux")]
+            Command::Confine(_) => false,
         }
     }
 }
@@ -122,14 +131,30 @@ pub struct Run {
     #[arg(long, value_name = "SECONDS", default_value_t = Run::TIMEOUT,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
+    /// Which walls the code runs behind
+    #[arg(long, value_enum, value_name = "WALLS", default_value_t)]
+    pub sandbox: Choice,
     /// Run a folder outside this checkout without a sandbox: your own code only
-    #[arg(long)]
+    /// (--sandbox none)
+    #[arg(long, conflicts_with = "sandbox")]
     pub trust: bool,
 }
 
 impl Run {
     /// Seconds, unless the user says otherwise.
     pub const TIMEOUT: u64 = 30;
+
+    /// Which walls the user has chosen.
+    pub fn walls(&self) -> Choice {
+        walls(self.trust, self.sandbox)
+    }
+}
+
+fn walls(trust: bool, chosen: Choice) -> Choice {
+    match trust {
+        true => Choice::None,
+        false => chosen,
+    }
 }
 
 /// Cast a scene and write its film and three pictures.
@@ -322,12 +347,22 @@ pub struct Grade {
     #[arg(long, value_name = "SECONDS", default_value_t = 10,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
-    /// Run without a sandbox: your own code only
-    #[arg(long)]
+    /// Which walls the code runs behind, wherever it lies; `auto` is bubblewrap
+    #[arg(long, value_enum, value_name = "WALLS", default_value_t)]
+    pub sandbox: Choice,
+    /// Run without a sandbox, as every result says: your own code only (--sandbox none)
+    #[arg(long, conflicts_with = "sandbox")]
     pub trust: bool,
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,
+}
+
+impl Grade {
+    /// Which walls the user has chosen.
+    pub fn walls(&self) -> Choice {
+        walls(self.trust, self.sandbox)
+    }
 }
 
 /// Put shards of a class together: the --out folders of `grade --shard K/N`, all of the
@@ -365,29 +400,39 @@ pub struct Handout {
 /// Grade the grading.
 ///
 /// Everything whose verdict is known beforehand goes down the same path as a student's
-/// answers, and the verdicts are compared with what is known: the stub is unanswered,
-/// the reference and every variant pass, every known mistake fails in exactly the tasks
-/// it declares, also when its belief is written anew.
+/// answers, and the verdicts are compared with what is known:
+///
+/// - the stub is unanswered, the reference and every variant pass;
+/// - every known mistake fails in exactly the tasks that it declares, and so does the same
+///   belief written anew;
+/// - with --mutants: of the reference with one small fault each (a sign, a comparison, a
+///   constant, a vector for its neighbour, …) none that compiles passes, unless
+///   equivalent.toml lists it and a search for differences agrees.
+///
+/// The tables say for each group of questions and each scene how many mistakes it catches
+/// and how many only it does, and what the smallest error is that each scene detects.
+/// Exit 0 if every target is met; otherwise 1, and what misses one comes first.
 #[derive(Args)]
 pub struct Validate {
     /// The assignment: its name, or its folder
     #[arg(default_value = "ray_casting")]
     pub assignment: String,
-    /// The mutants too
+    /// Write mutants of the reference, and judge them too: some 600, a minute or two
     #[arg(long)]
     pub mutants: bool,
     /// Only this part; may be given more than once
     #[arg(long, value_name = "PART")]
     pub only: Vec<Part>,
-    /// Only submissions whose name contains this: try `mistakes/sphere`
+    /// Only what has this in its name, as `mistakes/sphere_`, `variants/`, `triangle.rs:26:`
+    /// (a mutant) or `bunny`
     #[arg(long, value_name = "TEXT")]
     pub named: Option<String>,
     /// Ask oiiotool, the second judge, about every film too
     #[arg(long)]
     pub oiiotool: bool,
     /// Judge so many at a time [default: one for each core]
-    #[arg(long, value_name = "N")]
-    pub jobs: Option<usize>,
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub jobs: Option<u16>,
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,

@@ -17,7 +17,7 @@ use crate::blame::{self, Diagnostic};
 use crate::checkout::Checkout;
 use crate::error::{Error, Result};
 use crate::harness::Harness;
-use crate::sandbox::Sandbox;
+use crate::sandbox::{Finished, Limits, Sandbox};
 use crate::stubs::{self, Package};
 use crate::submission::{Submission, Unusable};
 
@@ -45,8 +45,10 @@ pub enum Replaced {
 }
 
 /// What every submission is compiled with; gathered once, it serves many.
+#[derive(Clone)]
 pub struct Compiler {
-    checkout: Checkout,
+    /// Where finished programs lie.
+    programs: PathBuf,
     sandbox: Sandbox,
     harness: Harness,
     /// Not the handout's folder: students fill that.
@@ -71,11 +73,21 @@ impl Compiler {
         sandbox: &Sandbox,
     ) -> Result<Compiler> {
         Ok(Compiler {
-            checkout: checkout.clone(),
+            programs: checkout.scratch().join("programs"),
             sandbox: sandbox.clone(),
             harness: Harness::gather(checkout)?,
             pristine: stubs::generate(assignment)?,
         })
+    }
+
+    /// The same for one stranger's answers: behind walls of their own, and in a folder that
+    /// nobody shares.
+    pub fn apart(&self, sandbox: &Sandbox, programs: PathBuf) -> Compiler {
+        Compiler {
+            programs,
+            sandbox: sandbox.clone(),
+            ..self.clone()
+        }
     }
 
     /// Compiles a submission, replacing by its stub each answer that is missing or does
@@ -110,7 +122,7 @@ impl Compiler {
             }
             let compile = |replaced: &Replacements| {
                 let sources = sources(submission, &self.pristine, replaced);
-                build(&sources, &self.checkout, &self.harness, &self.sandbox)
+                build(&sources, &self.programs, &self.harness, &self.sandbox)
             };
             match compile(&replaced)? {
                 Built::Program(executable) => {
@@ -176,11 +188,10 @@ enum Built {
 
 fn build(
     sources: &Sources,
-    checkout: &Checkout,
+    programs: &Path,
     harness: &Harness,
     sandbox: &Sandbox,
 ) -> Result<Built> {
-    let programs = checkout.scratch().join("programs");
     let folder = programs.join(fingerprint(sources, harness, sandbox));
     let executable = folder.join("out").join("submission");
     if executable.is_file() {
@@ -204,15 +215,19 @@ fn build(
     for (name, text) in sources {
         fs::write(src.join(name), text).map_err(failed)?;
     }
-    let mut rustc = sandbox.compiler(&fresh, &out, &harness.folder)?;
-    arguments(&mut rustc, harness);
-    let output = rustc.output().map_err(|error| {
+    let limits = Limits::of_compiler();
+    let not_started = |error: std::io::Error| {
         Error::environment(
             format!("cannot start rustc: {error}"),
             "install Rust from rustup.rs",
         )
-    })?;
-    if output.status.success() && out.join("submission").is_file() {
+    };
+    let mut rustc = sandbox
+        .compiler(&fresh, &harness.folder, &limits)
+        .map_err(not_started)?;
+    arguments(&mut rustc, harness);
+    let finished = sandbox.compile(rustc, &limits).map_err(not_started)?;
+    if finished.status.success() && is_program(&out.join("submission")) {
         return match fs::rename(&fresh, &folder) {
             Err(_) if executable.is_file() => {
                 fs::remove_dir_all(&fresh).map_err(failed)?;
@@ -222,11 +237,21 @@ fn build(
         };
     }
     fs::remove_dir_all(&fresh).map_err(failed)?;
-    let mut diagnostics = blame::diagnostics(&output.stderr);
+    Ok(Built::Refused(said(&finished)))
+}
+
+/// A file of the compiler's, not a link to anything.
+fn is_program(path: &Path) -> bool {
+    fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_file())
+}
+
+/// The compiler's words, or why there are none.
+fn said(finished: &Finished) -> Vec<Diagnostic> {
+    let mut diagnostics = blame::diagnostics(&finished.stderr);
     if !blame::has_error(&diagnostics) {
-        diagnostics.push(Diagnostic::of_dead_compiler(output.status, &output.stderr));
+        diagnostics.push(Diagnostic::of_dead_compiler(finished));
     }
-    Ok(Built::Refused(diagnostics))
+    diagnostics
 }
 
 /// Relative paths only, so that the compiler names files as the student does.
@@ -265,7 +290,7 @@ fn prefixed(prefix: &str, path: &Path) -> std::ffi::OsString {
 /// not reach a walled one by way of a finished program.
 fn fingerprint(sources: &Sources, harness: &Harness, sandbox: &Sandbox) -> String {
     let mut hash = Sha256::new();
-    hash.update(format!("{sandbox:?}"));
+    hash.update(sandbox.fingerprint());
     for (name, text) in sources {
         hash.update((name.len() as u64).to_le_bytes());
         hash.update(name);
@@ -302,13 +327,18 @@ fn blame_alone(
         return Ok(Replacements::new());
     }
     let mut blamed = Replacements::new();
-    for suspect in stubs.keys().filter(|task| !already.contains_key(*task)) {
+    let suspects = || stubs.keys().filter(|task| !already.contains_key(*task));
+    for suspect in suspects() {
         let mut others = stubs.clone();
         others.remove(suspect);
         if let Built::Refused(diagnostics) = compile(&others)? {
             let text = blame::rendered(&diagnostics);
             blamed.insert(suspect.clone(), Replaced::DoesNotCompile(text));
         }
+    }
+    if blamed.is_empty() {
+        let text = "each of these answers compiles alone, but not together with the others\n";
+        blamed.extend(suspects().map(|task| (task.clone(), Replaced::DoesNotCompile(text.into()))));
     }
     Ok(blamed)
 }

@@ -98,6 +98,11 @@ pub enum Outcome {
         /// The limit, in seconds.
         seconds: f64,
     },
+    /// It took more memory than it may.
+    OutOfMemory {
+        /// The limit, in bytes.
+        most: u64,
+    },
     /// The process ended early: how.
     Died(String),
     /// What it sent was no answer: why.

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use pinhole::Film;
-use pinhole::ask::{Ending, Limit, Reply, ask};
+use pinhole::ask::{Ending, MOST_PRINTED, Reply};
 use pinhole::job::{Job, Panic};
 use pinhole::judge::judge;
 
@@ -18,7 +18,7 @@ use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskRes
 use crate::goldens::{GoldenScene, Goldens};
 use crate::grade::turns::SecondRuns;
 use crate::questions::{self, Group, QuestionFilm};
-use crate::sandbox::Sandbox;
+use crate::sandbox::{Limits, Sandbox};
 use crate::second_judge::SecondJudge;
 use crate::submission::Submission;
 
@@ -80,6 +80,8 @@ impl Examiner<'_> {
                 scenes.push(self.scene(scene, &mut printed)?);
             }
         }
+        // Each process may say so much; nobody reads more of them all together.
+        printed.truncate(printed.floor_char_boundary(MOST_PRINTED));
         let mut examination = Examination {
             submission: submission.folder.display().to_string(),
             title: self.assignment.title.clone(),
@@ -254,6 +256,7 @@ pub fn failure(ending: &Ending, assignment: &Assignment, task: Option<&str>) -> 
         Ending::TimedOut(limit) => Outcome::TimedOut {
             seconds: limit.as_secs_f64(),
         },
+        Ending::OutOfMemory(most) => Outcome::OutOfMemory { most: *most },
         Ending::Died(how) => Outcome::Died(how.clone()),
         Ending::Garbled(why) => Outcome::Garbled(why.clone()),
     })
@@ -273,12 +276,10 @@ pub fn run(
     job: &Job,
     progress: &mut dyn FnMut(usize),
 ) -> Result<Reply> {
-    // Every core for the whole time, so that the wall clock is what ends a long answer.
-    let cores = std::thread::available_parallelism().map_or(1, usize::from) as u64;
-    let seconds = cores * wall.as_secs() + 2;
-    let command = sandbox.runner(&program.executable, seconds);
+    let limits = Limits::of_answers(wall);
     let stop = program.stop.clone();
-    ask(command, job, Limit { wall, stop }, progress).map_err(|error| {
+    let asked = sandbox.ask(&program.executable, job, &limits, stop, progress);
+    asked.map_err(|error| {
         Error::environment(
             format!("cannot ask {}: {error}", program.executable.display()),
             "run this command again; if it persists, remove target/pinhole",

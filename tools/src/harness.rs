@@ -67,7 +67,9 @@ impl Harness {
                 "run `cargo build --release` in the checkout and mend what it says",
             ));
         }
-        let libraries: Vec<(String, PathBuf)> = artifacts(&output.stdout).collect();
+        let mut libraries: Vec<(String, PathBuf)> = artifacts(&output.stdout).collect();
+        // Cargo names them in whatever order its threads come by them.
+        libraries.sort();
         // A folder for each state of the libraries: while one command compiles against
         // them, another may find that cargo has built new ones.
         let folder = checkout

@@ -7,6 +7,7 @@ use crate::compile::Replaced;
 use crate::diagnosis::{Diagnosis, Explanation, Reading};
 use crate::examination::{Examination, Outcome};
 use crate::submission::Unusable;
+use crate::submission::flags::Flag;
 
 /// An examination, as `check --json` prints it.
 pub fn examination(examination: &Examination) -> Value {
@@ -52,6 +53,14 @@ pub fn examination(examination: &Examination) -> Value {
         "scenes": scenes.collect::<Vec<_>>(),
         "printed": examination.printed,
     })
+}
+
+/// What an instructor may want to look at.
+pub fn flags(flags: &[Flag]) -> Value {
+    let shown = flags
+        .iter()
+        .map(|flag| json!({ "task": flag.task, "line": flag.line, "what": flag.what }));
+    shown.collect()
 }
 
 /// A diagnosis; `null` if nothing known explains what came.
@@ -105,6 +114,7 @@ fn outcome(outcome: &Outcome) -> Value {
             "kind": "panicked", "message": panic.message, "file": panic.file, "line": panic.line,
         }),
         Outcome::TimedOut { seconds } => json!({ "kind": "timed out", "seconds": seconds }),
+        Outcome::OutOfMemory { most } => json!({ "kind": "out of memory", "most": most }),
         Outcome::Died(how) => json!({ "kind": "died", "how": how }),
         Outcome::Garbled(why) => json!({ "kind": "garbled", "why": why }),
     }

@@ -50,6 +50,11 @@ use error::Error;
 fn main() -> ExitCode {
     panic::set_hook(Box::new(confess));
     let cli = cli::Cli::parse();
+    // Before anything else: inside the walls there is no checkout.
+    #[cfg(target_os = "linux")]
+    if let cli::Command::Confine(confine) = &cli.command {
+        return sandbox::confine::run(confine);
+    }
     let json = cli.command.wants_json();
     let ran = panic::catch_unwind(|| command::run(cli));
     match ran {

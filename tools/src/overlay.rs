@@ -27,6 +27,7 @@ impl Submission {
             }
         }
         self.folder = folder.into();
+        self.place = folder.into();
         Ok(self)
     }
 

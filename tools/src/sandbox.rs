@@ -1,15 +1,56 @@
 //! Where a submission is compiled and run: in the open if its user trusts it, or
-//! walled off by bubblewrap.
+//! walled off.
 //!
 //! Inside the walls there are a read-only system, the compiler, the harness library
 //! and the submission's own files: no golden, no other submission, no home, no
-//! network, no environment. Only the compiler may write, into one folder.
+//! network, no environment. Only the compiler may write, into one folder. Whatever
+//! runs there is bounded by [`Limits`], as one tree, and gone when its job is.
 
+mod budget;
+mod finish;
+mod limits;
+
+#[cfg(target_os = "linux")]
+mod bubblewrap;
+#[cfg(target_os = "linux")]
+pub mod confine;
+#[cfg(target_os = "linux")]
+mod container;
+#[cfg(target_os = "linux")]
+mod syscalls;
+#[cfg(target_os = "linux")]
+mod toolchain;
+#[cfg(target_os = "linux")]
+mod tree;
+mod watch;
+
+use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use clap::ValueEnum;
+use pinhole::ask::{Ending, Limit, Reply, Stop, ask_watched};
+use pinhole::job::Job;
+
 use crate::checkout::Checkout;
 use crate::error::{Error, Result};
+pub use finish::{Finished, finish};
+pub use limits::Limits;
+use watch::{Exceeded, Watch};
+
+/// What a user asks for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
+pub enum Choice {
+    /// None for a folder of this checkout, bubblewrap for any other
+    #[default]
+    Auto,
+    /// Namespaces of its own, made by bubblewrap
+    Bubblewrap,
+    /// Another user id and Landlock: as root, in a container that is used once
+    Container,
+    /// None: your own code only
+    None,
+}
 
 /// How a submission's processes are started.
 #[derive(Clone, Debug)]
@@ -17,135 +58,233 @@ pub enum Sandbox {
     /// Like any program of the user's: for code that lies in the checkout.
     Trusted,
     /// In namespaces of their own.
-    Bubblewrap {
-        /// The toolchain, bound read-only.
-        sysroot: PathBuf,
-    },
+    #[cfg(target_os = "linux")]
+    Bubblewrap(bubblewrap::Bubblewrap),
+    /// As another user, for containers that are used once.
+    #[cfg(target_os = "linux")]
+    Container(container::Container),
 }
 
-/// Address space of one process: 1 GiB is enough for rustc, half of it is not.
-const MEMORY: u64 = 2 << 30;
-
-/// No file a submission writes may be longer, its executable included.
-const FILE_SIZE: u64 = 64 << 20;
-
-/// Seconds of processor time for the compiler.
-const COMPILE_SECONDS: u64 = 60;
-
-/// Seconds after which a compiler that waits for something is stopped.
-const COMPILE_WALL_SECONDS: u64 = 90;
-
 impl Sandbox {
-    /// None for a folder of the checkout or with `trust`; bubblewrap otherwise.
-    pub fn around(folder: &Path, checkout: &Checkout, trust: bool) -> Result<Sandbox> {
-        if trust || checkout.contains(folder) {
-            return Ok(Sandbox::Trusted);
+    /// The walls a user has chosen for the code in `folder`. `secrets` are folders that
+    /// the code must not read, beside the goldens and answers of the checkout.
+    ///
+    /// # Errors
+    /// If there can be no such walls here: code is never run without them instead.
+    pub fn around(
+        folder: &Path,
+        checkout: &Checkout,
+        choice: Choice,
+        secrets: &[PathBuf],
+    ) -> Result<Sandbox> {
+        match choice {
+            Choice::Auto if checkout.contains(folder) => Ok(Sandbox::Trusted),
+            _ => Sandbox::for_strangers(&folder.display().to_string(), checkout, choice, secrets),
         }
-        let works = Command::new("bwrap")
-            .args(["--unshare-all", "--ro-bind", "/", "/", "true"])
-            .output();
-        if !works.is_ok_and(|output| output.status.success()) {
-            return Err(Error::environment(
-                format!(
-                    "{} lies outside this checkout, so its code must run in a sandbox, and \
-                     bubblewrap does not work here",
-                    folder.display()
-                ),
-                "install it (Debian: apt-get install bubblewrap), or pass --trust if the code is \
-                 your own",
-            ));
+    }
+
+    /// The same for code that nobody trusts, wherever it lies; `what` names it.
+    ///
+    /// # Errors
+    /// See [`Sandbox::around`].
+    pub fn for_strangers(
+        what: &str,
+        checkout: &Checkout,
+        choice: Choice,
+        secrets: &[PathBuf],
+    ) -> Result<Sandbox> {
+        match choice {
+            Choice::None => Ok(Sandbox::Trusted),
+            Choice::Auto | Choice::Bubblewrap => Sandbox::bubblewrap(checkout, what),
+            Choice::Container => Sandbox::container(checkout, secrets),
         }
-        // What the user's shell has open would be open inside as well.
-        #[cfg(target_os = "linux")]
-        close_fds::set_fds_cloexec(3, &[]);
-        Ok(Sandbox::Bubblewrap {
-            sysroot: sysroot()?,
-        })
+    }
+
+    /// The same walls around somebody else: another user id, so that neither can signal
+    /// or starve the other, and time of their own.
+    pub fn anew(&self) -> Sandbox {
+        match self {
+            Sandbox::Trusted => Sandbox::Trusted,
+            #[cfg(target_os = "linux")]
+            Sandbox::Bubblewrap(walls) => Sandbox::Bubblewrap(walls.anew()),
+            #[cfg(target_os = "linux")]
+            Sandbox::Container(walls) => Sandbox::Container(walls.anew()),
+        }
+    }
+
+    #[cfg(target_os = "linux")]
+    fn bubblewrap(checkout: &Checkout, what: &str) -> Result<Sandbox> {
+        let walls = bubblewrap::Bubblewrap::new(checkout).map_err(|why| {
+            Error::environment(
+                format!("{what} must run in a sandbox, and bubblewrap does not work here: {why}"),
+                "install it (Debian: apt-get install bubblewrap); in a container that is used \
+                 once, pass --sandbox container; or pass --trust if the code is your own",
+            )
+        })?;
+        Ok(Sandbox::Bubblewrap(walls))
+    }
+
+    #[cfg(target_os = "linux")]
+    fn container(checkout: &Checkout, secrets: &[PathBuf]) -> Result<Sandbox> {
+        container::Container::new(checkout, secrets).map(Sandbox::Container)
+    }
+
+    #[cfg(not(target_os = "linux"))]
+    fn bubblewrap(_: &Checkout, what: &str) -> Result<Sandbox> {
+        Err(Error::environment(
+            format!("{what} must run in a sandbox, and there is none for this system"),
+            "use a Linux machine, or pass --trust if the code is your own",
+        ))
+    }
+
+    #[cfg(not(target_os = "linux"))]
+    fn container(checkout: &Checkout, _: &[PathBuf]) -> Result<Sandbox> {
+        Sandbox::bubblewrap(checkout, "the code")
+    }
+
+    /// Which walls these are, for results.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Sandbox::Trusted => "none",
+            #[cfg(target_os = "linux")]
+            Sandbox::Bubblewrap(_) => "bubblewrap",
+            #[cfg(target_os = "linux")]
+            Sandbox::Container(walls) => walls.name(),
+        }
+    }
+
+    /// What a finished program depends on beside its sources: one that was compiled
+    /// where more could be read must not pass for another.
+    pub fn fingerprint(&self) -> String {
+        match self {
+            Sandbox::Trusted => "none".into(),
+            #[cfg(target_os = "linux")]
+            Sandbox::Bubblewrap(walls) => format!("bubblewrap {}", walls.sysroot().display()),
+            // Its file belongs to one user id.
+            #[cfg(target_os = "linux")]
+            Sandbox::Container(walls) => format!("container {}", walls.uid()),
+        }
     }
 
     /// A compiler that runs in `folder`, reads its `src` and the harness, and writes
-    /// only to `out`.
-    pub fn compiler(&self, folder: &Path, out: &Path, harness: &Path) -> Result<Command> {
+    /// only to its `out`.
+    ///
+    /// # Errors
+    /// If the folder cannot be handed over to the user id that compiles.
+    pub fn compiler(&self, folder: &Path, harness: &Path, limits: &Limits) -> io::Result<Command> {
         match self {
             Sandbox::Trusted => {
                 let mut rustc = Command::new(std::env::var_os("RUSTC").unwrap_or("rustc".into()));
                 rustc.current_dir(folder);
                 Ok(rustc)
             }
-            Sandbox::Bubblewrap { sysroot } => {
-                let mut walled = limited(COMPILE_SECONDS, COMPILE_WALL_SECONDS);
-                walled.args(walls()).args(["--setenv", "PATH", "/usr/bin"]);
-                bind(&mut walled, "--ro-bind", sysroot);
-                bind(&mut walled, "--ro-bind", harness);
-                bind(&mut walled, "--ro-bind", &folder.join("src"));
-                bind(&mut walled, "--bind", out);
-                walled.arg("--chdir").arg(folder);
-                walled.args(["--remount-ro", "/"]);
-                walled.arg("--").arg(sysroot.join("bin").join("rustc"));
-                // Plain `cc` would go through /etc, which is not there.
-                walled.arg("-Clinker=gcc");
-                Ok(walled)
-            }
+            #[cfg(target_os = "linux")]
+            Sandbox::Bubblewrap(walls) => walls.compiler(folder, harness, limits),
+            #[cfg(target_os = "linux")]
+            Sandbox::Container(walls) => walls.compiler(folder, harness, limits),
         }
     }
 
-    /// A built program, allowed `seconds` of processor time.
-    pub fn runner(&self, executable: &Path, seconds: u64) -> Command {
-        match self {
+    /// Runs a command of [`compiler`](Sandbox::compiler) to its end.
+    pub fn compile(&self, compiler: Command, limits: &Limits) -> io::Result<Finished> {
+        let finished = finish(compiler, limits, |pid| self.watch(pid, limits));
+        self.sweep();
+        finished
+    }
+
+    /// Asks a built program. What its code does wrong is in the reply.
+    ///
+    /// # Errors
+    /// If it could not be started, or the walls could not be drawn.
+    pub fn ask(
+        &self,
+        executable: &Path,
+        job: &Job,
+        limits: &Limits,
+        stop: Stop,
+        progress: &mut dyn FnMut(usize),
+    ) -> io::Result<Reply> {
+        let limits = self.within_budget(limits);
+        let command = match self {
             Sandbox::Trusted => Command::new(executable),
-            Sandbox::Bubblewrap { .. } => {
-                // The asker looks at the clock; this is for a child that outlives it.
-                let mut walled = limited(seconds, seconds);
-                walled.args(walls());
-                bind(&mut walled, "--ro-bind", executable);
-                walled.args(["--remount-ro", "/", "--"]).arg(executable);
-                walled
+            #[cfg(target_os = "linux")]
+            Sandbox::Bubblewrap(walls) => walls.runner(executable, &limits),
+            #[cfg(target_os = "linux")]
+            Sandbox::Container(walls) => walls.runner(executable, &limits),
+        };
+        let mut watch = None;
+        let limit = Limit {
+            wall: limits.wall,
+            stop,
+        };
+        let asked = ask_watched(command, job, limit, progress, &mut |pid| {
+            watch = Some(self.watch(pid, &limits));
+        });
+        let exceeded = watch.and_then(Watch::stop);
+        self.sweep();
+        let mut reply = asked?;
+        if matches!(reply.ending, Ending::Died(_)) {
+            match exceeded {
+                Some(Exceeded::Cpu(most)) => reply.ending = Ending::TimedOut(most),
+                Some(Exceeded::Memory(most)) => reply.ending = Ending::OutOfMemory(most),
+                None if reply.printed.contains("memory allocation of ") => {
+                    reply.ending = Ending::OutOfMemory(limits.memory);
+                }
+                // Perhaps it was never started.
+                None => self.prove()?,
             }
         }
+        if let Ending::TimedOut(lost) = reply.ending {
+            self.charge(lost);
+        }
+        Ok(reply)
     }
-}
 
-/// `timeout` and `prlimit` with bounds that every process inside inherits, then bubblewrap.
-fn limited(seconds: u64, wall: u64) -> Command {
-    let mut command = Command::new("timeout");
-    command.env_clear().env("PATH", "/usr/bin:/bin");
-    command.args([
-        "--signal=KILL",
-        "--foreground",
-        &wall.to_string(),
-        "prlimit",
-    ]);
-    command.args([
-        format!("--cpu={seconds}"),
-        format!("--as={MEMORY}"),
-        format!("--fsize={FILE_SIZE}"),
-    ]);
-    command.args(["--core=0", "--nofile=256", "--", "bwrap"]);
-    command
-}
+    fn watch(&self, pid: u32, limits: &Limits) -> Watch {
+        match self {
+            Sandbox::Trusted => Watch::nothing(),
+            #[cfg(target_os = "linux")]
+            _ => Watch::tree(pid, *limits),
+        }
+    }
 
-fn walls() -> impl Iterator<Item = &'static str> {
-    let fixed = "--unshare-all --unshare-user --disable-userns --uid 1000 --gid 1000 \
-         --die-with-parent --new-session --clearenv --cap-drop ALL \
-         --ro-bind /usr /usr --symlink usr/lib /lib --symlink usr/lib64 /lib64 \
-         --symlink usr/bin /bin --proc /proc --dev /dev --size 16777216 --tmpfs /tmp \
-         --remount-ro /dev";
-    fixed.split_whitespace()
-}
+    /// Ends what was left behind where no namespace of processes ends with its first.
+    fn sweep(&self) {
+        #[cfg(target_os = "linux")]
+        if let Sandbox::Container(walls) = self {
+            tree::end_all_of(walls.uid());
+        }
+    }
 
-fn bind(command: &mut Command, how: &str, path: &Path) {
-    command.arg(how).arg(path).arg(path);
-}
+    /// Whether the walls can still be drawn, so that no fault of the machine passes for
+    /// a student's.
+    fn prove(&self) -> io::Result<()> {
+        match self {
+            Sandbox::Trusted => Ok(()),
+            #[cfg(target_os = "linux")]
+            Sandbox::Bubblewrap(walls) => walls.prove().map_err(io::Error::other),
+            #[cfg(target_os = "linux")]
+            Sandbox::Container(walls) => walls.prove().map_err(io::Error::other),
+        }
+    }
 
-fn sysroot() -> Result<PathBuf> {
-    let output = Command::new("rustc").args(["--print", "sysroot"]).output();
-    match output {
-        Ok(output) if output.status.success() => Ok(PathBuf::from(
-            String::from_utf8_lossy(&output.stdout).trim(),
-        )),
-        _ => Err(Error::environment(
-            "cannot ask rustc where it lives",
-            "install Rust from rustup.rs",
-        )),
+    fn within_budget(&self, limits: &Limits) -> Limits {
+        match self {
+            Sandbox::Trusted => *limits,
+            #[cfg(target_os = "linux")]
+            Sandbox::Bubblewrap(walls) => walls.budget.bound(*limits),
+            #[cfg(target_os = "linux")]
+            Sandbox::Container(walls) => walls.budget.bound(*limits),
+        }
+    }
+
+    fn charge(&self, _lost: std::time::Duration) {
+        match self {
+            Sandbox::Trusted => {}
+            #[cfg(target_os = "linux")]
+            Sandbox::Bubblewrap(walls) => walls.budget.charge(_lost),
+            #[cfg(target_os = "linux")]
+            Sandbox::Container(walls) => walls.budget.charge(_lost),
+        }
     }
 }

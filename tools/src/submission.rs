@@ -1,18 +1,21 @@
-//! A submission as it comes from a student: six named files, and nothing else.
+//! A submission as it comes from a student: six named files in a folder or a ZIP file,
+//! and nothing else.
+
+mod archive;
+pub mod flags;
+mod text;
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::assignment::Assignment;
 use crate::error::{Error, Result};
+use archive::Archive;
 
-/// An answer file longer than this is refused.
-const MOST_BYTES: u64 = 256 * 1024;
-
-/// The answers found in a folder.
+/// The answers found in a folder or a ZIP file.
 #[derive(Clone, Debug)]
 pub struct Submission {
-    /// The folder as the user named it.
+    /// The folder or ZIP file as the user named it.
     pub folder: PathBuf,
     /// Where in it the answer files lie.
     pub place: PathBuf,
@@ -40,12 +43,15 @@ pub enum Unusable {
 
 impl Submission {
     /// Finds the answer files of `assignment` in `folder`, in its `src`, or in the
-    /// same two places of the only folder inside.
+    /// same two places of the only folder inside. A ZIP file counts as a folder.
     pub fn find(folder: &Path, assignment: &Assignment) -> Result<Submission> {
+        if folder.is_file() {
+            return Submission::unpack(folder, assignment);
+        }
         if !folder.is_dir() {
             return Err(Error::input(
                 format!("there is no folder {}", folder.display()),
-                "name the folder that holds the answer files",
+                "name the folder or ZIP file that holds the answer files",
             ));
         }
         let holds_any = |place: &PathBuf| {
@@ -55,23 +61,36 @@ impl Submission {
                 .any(|task| place.join(task.file()).symlink_metadata().is_ok())
         };
         let Some(place) = places(folder).into_iter().find(holds_any) else {
-            let files: Vec<String> = assignment.tasks.iter().map(|task| task.file()).collect();
-            return Err(Error::input(
-                format!("{} holds no answer file", folder.display()),
-                format!(
-                    "name a folder that holds (itself or in `src`): {}",
-                    files.join(", ")
-                ),
-            ));
+            return Err(empty(folder, assignment));
         };
         let answers = assignment.tasks.iter().map(|task| Answer {
             task: task.name.clone(),
-            text: read(&place.join(task.file())),
+            text: text::read(&place.join(task.file())),
         });
         Ok(Submission {
             folder: folder.into(),
             answers: answers.collect(),
             place,
+        })
+    }
+
+    fn unpack(path: &Path, assignment: &Assignment) -> Result<Submission> {
+        let mut archive = Archive::open(path)?;
+        let holds_any = |place: &Vec<String>| {
+            let mut tasks = assignment.tasks.iter();
+            tasks.any(|task| archive.holds(place, &task.file()))
+        };
+        let Some(place) = archive.places().into_iter().find(holds_any) else {
+            return Err(empty(path, assignment));
+        };
+        let answers = assignment.tasks.iter().map(|task| Answer {
+            task: task.name.clone(),
+            text: archive.text(&place, &task.file()),
+        });
+        Ok(Submission {
+            answers: answers.collect(),
+            folder: path.into(),
+            place: path.into(),
         })
     }
 
@@ -81,14 +100,28 @@ impl Submission {
     }
 }
 
+fn empty(folder: &Path, assignment: &Assignment) -> Error {
+    let files: Vec<String> = assignment.tasks.iter().map(|task| task.file()).collect();
+    Error::input(
+        format!("{} holds no answer file", folder.display()),
+        format!(
+            "name a folder or ZIP file that holds (itself or in `src`): {}",
+            files.join(", ")
+        ),
+    )
+}
+
+/// What archives and version control leave beside the answers' folder is not.
+fn is_ordinary(name: &str) -> bool {
+    !name.starts_with('.') && !name.starts_with("__")
+}
+
 fn places(folder: &Path) -> Vec<PathBuf> {
     // A link could lead into somebody else's answers.
     let is_own = |place: &PathBuf| !place.is_symlink();
     let mut places = vec![folder.into()];
     places.extend(Some(folder.join("src")).filter(is_own));
     let inside = fs::read_dir(folder).into_iter().flatten().flatten();
-    // What archives and version control leave beside the answers' folder.
-    let is_ordinary = |name: &str| !name.starts_with('.') && !name.starts_with("__");
     let folders: Vec<PathBuf> = inside
         .filter(|entry| entry.file_name().to_str().is_some_and(is_ordinary))
         .map(|entry| entry.path())
@@ -100,21 +133,4 @@ fn places(folder: &Path) -> Vec<PathBuf> {
         places.extend(Some(only.join("src")).filter(is_own));
     }
     places
-}
-
-fn read(path: &Path) -> std::result::Result<String, Unusable> {
-    // `symlink_metadata` looks at the link itself: a link could lead anywhere.
-    let metadata = fs::symlink_metadata(path).map_err(|_| Unusable::Missing)?;
-    let refused = |why: &str| Err(Unusable::Refused(why.into()));
-    if !metadata.is_file() {
-        return refused("it is not a regular file");
-    }
-    if metadata.len() > MOST_BYTES {
-        return refused("it is longer than 256 KiB");
-    }
-    match fs::read(path).map(String::from_utf8) {
-        Ok(Ok(text)) => Ok(text),
-        Ok(Err(_)) => refused("it is not UTF-8 text"),
-        Err(error) => refused(&error.to_string()),
-    }
 }

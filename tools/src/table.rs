@@ -341,6 +341,9 @@ pub fn outcome_of(outcome: &Outcome, what: &str) -> String {
             printable(&panic.message)
         ),
         Outcome::TimedOut { seconds } => format!("{NO_ANSWER} {seconds:.0} s"),
+        Outcome::OutOfMemory { most } => {
+            format!("your program took more than {} MiB of memory", most >> 20)
+        }
         Outcome::Died(how) => format!("your program did not finish: {}", printable(how)),
         Outcome::Garbled(why) => format!(
             "your program's answers could not be read: {}",

@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use clap::ValueEnum;
+
 use super::Outcome;
 use crate::assignment::Assignment;
 use crate::checkout::Checkout;
@@ -13,9 +15,10 @@ use crate::examine::{Examiner, Selection};
 use crate::goldens::Goldens;
 use crate::progress::Progress;
 use crate::report::{Again, Report};
-use crate::sandbox::Sandbox;
+use crate::sandbox::{Choice, Sandbox};
 use crate::second_judge::SecondJudge;
 use crate::shell::{PINHOLE, in_shell};
+use crate::submission::flags::flags;
 use crate::watch::{self, Course};
 use crate::{json, table};
 
@@ -28,7 +31,12 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
     };
     let selection = selection(arguments, &assignment, &goldens)?;
     let submission = super::submission(arguments.dir.as_ref(), &assignment, assignment.handout())?;
-    let sandbox = Sandbox::around(&submission.folder, checkout, arguments.run.trust)?;
+    let sandbox = Sandbox::around(
+        &submission.folder,
+        checkout,
+        arguments.run.walls(),
+        &arguments.golden.iter().cloned().collect::<Vec<_>>(),
+    )?;
 
     let default_report = checkout.scratch().join("report.html");
     if arguments.watch {
@@ -84,6 +92,8 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
     if arguments.json {
         let mut document = json::examination(&examination);
         document["report"] = path.into();
+        document["sandbox"] = sandbox.name().into();
+        document["flags"] = json::flags(&flags(&submission));
         anstream::println!("{document:#}");
     } else {
         anstream::print!("{}", table::examination(&examination));
@@ -117,8 +127,11 @@ fn again(arguments: &Check) -> Again {
         add(&mut part, "--timeout");
         add(&mut part, &arguments.run.timeout.to_string());
     }
-    if arguments.run.trust {
-        add(&mut part, "--trust");
+    if let Some(walls) = arguments.run.walls().to_possible_value()
+        && arguments.run.walls() != Choice::Auto
+    {
+        add(&mut part, "--sandbox");
+        add(&mut part, walls.get_name());
     }
     let mut whole = part.clone();
     for (option, names) in [("--task", &arguments.task), ("--scene", &arguments.scene)] {

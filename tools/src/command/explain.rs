@@ -47,7 +47,7 @@ pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Outcome> {
         &assignment,
         assignment.reference(),
     )?;
-    let sandbox = Sandbox::around(&submission.folder, checkout, arguments.run.trust)?;
+    let sandbox = Sandbox::around(&submission.folder, checkout, arguments.run.walls(), &[])?;
     let progress = Progress::new();
     progress.say("building");
     let program = compile(&submission, &assignment, checkout, &sandbox)?;

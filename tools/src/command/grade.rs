@@ -1,8 +1,9 @@
 //! `pinhole grade`: a class of submissions, each on its own.
 
 use std::collections::BTreeMap;
+use std::fs;
 use std::io::IsTerminal;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -61,8 +62,17 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Outcome> {
         probes: arguments.golden.is_some() && goldens.probes.is_none(),
         reveal: arguments.reveal,
     };
+    let secrets = [
+        Some(folder.clone()),
+        made.as_ref().map(|(fresh, _)| fresh.folder.clone()),
+    ];
+    let secrets: Vec<PathBuf> = secrets
+        .into_iter()
+        .flatten()
+        .chain([arguments.out.clone()])
+        .collect();
     // Submissions are never trusted for lying in the checkout.
-    let sandbox = Sandbox::around(Path::new("/"), checkout, arguments.trust)?;
+    let sandbox = Sandbox::for_strangers("submissions", checkout, arguments.walls(), &secrets)?;
     let of_manifest = |folder: &Path| provenance::of_file(&folder.join("manifest.toml"));
     let made_with = MadeWith {
         judged_on: judged_on(
@@ -76,7 +86,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Outcome> {
             .transpose()?,
         assignment: provenance::of_assignment(&assignment)?,
         tool: Tool::this()?,
-        sandbox: provenance::sandbox_in_words(&sandbox).into(),
+        sandbox: sandbox.name().into(),
         timeout: arguments.timeout,
         reveal: (withheld.any() || made.is_some()).then_some(arguments.reveal),
     };
@@ -89,7 +99,8 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Outcome> {
     }
     let progress = Progress::new();
     progress.say("building");
-    let compiler = Compiler::gather(&assignment, checkout, &sandbox)?;
+    let compiler = Compiler::new(&assignment, checkout, &sandbox)?;
+    let rooms = rooms(checkout, &store);
     let bench = Bench {
         assignment: &assignment,
         goldens: &goldens,
@@ -100,6 +111,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Outcome> {
         sandbox: &sandbox,
         wall: Duration::from_secs(arguments.timeout),
         turns: &Turns::default(),
+        rooms: &rooms,
         made_with: &made_with,
     };
     store.write(ROLL, &pretty(&roll)?)?;
@@ -115,6 +127,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Outcome> {
     };
     let worked = desk.work(&mine, jobs(arguments));
     progress.clear();
+    let _left_for_the_next_run = fs::remove_dir_all(&rooms);
 
     let mut records = BTreeMap::new();
     let mut changes = Vec::new();
@@ -155,6 +168,17 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Outcome> {
 fn jobs(arguments: &Grade) -> usize {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     arguments.jobs.unwrap_or(cores)
+}
+
+/// Where this class's programs lie while they are asked, without those of a run that was
+/// killed. Not in `--out`: whom the code runs as may not get there.
+fn rooms(checkout: &Checkout, store: &Store) -> PathBuf {
+    let out = store.path("");
+    let out = out.canonicalize().unwrap_or(out);
+    let name = provenance::sha256(out.as_os_str().as_encoded_bytes());
+    let rooms = checkout.scratch().join("grading").join(&name[..16]);
+    let _absent = fs::remove_dir_all(&rooms);
+    rooms
 }
 
 fn judged_on(own: bool, seed: Option<u64>) -> String {

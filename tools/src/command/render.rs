@@ -30,7 +30,7 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Outcome> {
         &assignment,
         assignment.reference(),
     )?;
-    let sandbox = Sandbox::around(&submission.folder, checkout, arguments.run.trust)?;
+    let sandbox = Sandbox::around(&submission.folder, checkout, arguments.run.walls(), &[])?;
 
     let progress = Progress::new();
     progress.say("building");

@@ -8,7 +8,7 @@ use crate::compile::Compiler;
 use crate::error::{Error, Result};
 use crate::goldens::Goldens;
 use crate::progress::Progress;
-use crate::sandbox::Sandbox;
+use crate::sandbox::{Choice, Sandbox};
 use crate::second_judge::SecondJudge;
 use crate::validate::bench::Bench;
 use crate::validate::{Part, Plan, table, validate};
@@ -16,7 +16,7 @@ use crate::validate::{Part, Plan, table, validate};
 pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Outcome> {
     let assignment = Assignment::named(checkout, &arguments.assignment)?;
     let goldens = Goldens::read(&checkout.golden(&assignment.name), &assignment)?;
-    let sandbox = Sandbox::around(&assignment.folder, checkout, false)?;
+    let sandbox = Sandbox::around(&assignment.folder, checkout, Choice::Auto, &[])?;
     let second_judge = arguments
         .oiiotool
         .then(|| SecondJudge::find(checkout))
@@ -24,7 +24,7 @@ pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Outcome> {
     let progress = Progress::new();
     progress.say("building");
     let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(arguments.jobs.unwrap_or(0))
+        .num_threads(arguments.jobs.map_or(0, usize::from))
         .build()
         .map_err(|error| Error::environment(error.to_string(), "ask for fewer jobs with --jobs"))?;
     let bench = Bench {

@@ -1,6 +1,9 @@
 //! One submission, from what was handed in to its record and its report.
 
+use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use super::alike;
@@ -22,6 +25,7 @@ use crate::goldens::Goldens;
 use crate::report::{Again, Report};
 use crate::sandbox::Sandbox;
 use crate::submission::Submission;
+use crate::submission::flags::{Flag, flags};
 
 /// More of what a student's code prints is not kept.
 const MOST_PRINTED: usize = 16 * 1024;
@@ -39,7 +43,31 @@ pub struct Bench<'a> {
     pub sandbox: &'a Sandbox,
     pub wall: Duration,
     pub turns: &'a Turns,
+    /// Where programs lie while they are asked.
+    pub rooms: &'a Path,
     pub made_with: &'a MadeWith,
+}
+
+/// A folder for one submission's programs, gone when it is graded: a class's would fill the
+/// disk, and nobody is to find another's.
+struct Room {
+    folder: PathBuf,
+}
+
+impl Room {
+    fn new(rooms: &Path) -> Room {
+        static NEXT: AtomicUsize = AtomicUsize::new(0);
+        let number = NEXT.fetch_add(1, Ordering::Relaxed);
+        Room {
+            folder: rooms.join(number.to_string()),
+        }
+    }
+}
+
+impl Drop for Room {
+    fn drop(&mut self) {
+        let _left_for_the_next_run = fs::remove_dir_all(&self.folder);
+    }
 }
 
 /// A record, and its report if there is a grade.
@@ -90,22 +118,31 @@ impl Bench<'_> {
 
     fn try_grade(&self, entry: &Entry, submission: &Submission) -> Result<Graded> {
         let start = Instant::now();
-        let program = self.compiler.compile(submission)?;
+        let room = Room::new(self.rooms);
+        let sandbox = self.sandbox.anew();
+        let compiler = self.compiler.apart(&sandbox, room.folder.clone());
+        let program = compiler.compile(submission)?;
         let compiled = start.elapsed();
         let second_runs = SecondRuns::new(self.turns);
         let everything = Selection::default();
         let mut examination = self.examine(
             self.goldens,
             &program,
+            &sandbox,
             submission,
             &everything,
             &second_runs,
         )?;
         examination.submission = entry.name.clone();
         let fresh = match (self.fresh, worth_asking_again(&examination)) {
-            (Some(goldens), Some(selection)) => {
-                Some(self.examine(goldens, &program, submission, &selection, &second_runs)?)
-            }
+            (Some(goldens), Some(selection)) => Some(self.examine(
+                goldens,
+                &program,
+                &sandbox,
+                submission,
+                &selection,
+                &second_runs,
+            )?),
             _ => None,
         };
         let failed = fresh.as_ref().map(|fresh| deny(&mut examination, fresh));
@@ -130,7 +167,7 @@ impl Bench<'_> {
             let end = examination.printed.floor_char_boundary(MOST_PRINTED);
             record.printed = examination.printed[..end].into();
         }
-        record.flags = flags(submission);
+        record.flags = flagged(submission);
         let page = self.report(&record, &examination, &failed)?.html();
         let total = start.elapsed();
         record.timings = Timings {
@@ -150,6 +187,7 @@ impl Bench<'_> {
         &self,
         goldens: &Goldens,
         program: &Program,
+        sandbox: &Sandbox,
         submission: &Submission,
         selection: &Selection,
         second_runs: &SecondRuns,
@@ -158,7 +196,7 @@ impl Bench<'_> {
             assignment: self.assignment,
             goldens,
             program,
-            sandbox: self.sandbox,
+            sandbox,
             wall: self.wall,
             second_judge: None,
             second_runs: Some(second_runs),
@@ -235,7 +273,7 @@ impl Bench<'_> {
             whole: command.clone(),
             part: command,
         };
-        let mut report = Report::of_examination(examination, self.goldens, &again)?;
+        let mut report = Report::of_examination(examination, &self.goldens.folder, &again)?;
         withheld::veil(
             &mut report,
             examination,
@@ -346,6 +384,9 @@ fn beliefs(diagnosis: &Diagnosis) -> Vec<BeliefRecord> {
 }
 
 /// What an instructor may want to read.
-fn flags(_submission: &Submission) -> Vec<FlagRecord> {
-    Vec::new()
+fn flagged(submission: &Submission) -> Vec<FlagRecord> {
+    let flags = flags(submission).into_iter();
+    flags
+        .map(|Flag { task, line, what }| FlagRecord { task, line, what })
+        .collect()
 }

@@ -117,7 +117,7 @@ impl Kind {
             Outcome::Unanswered | Outcome::BlockedBy(_) => Kind::Unanswered,
             Outcome::Panicked(_) => Kind::Panicked,
             Outcome::TimedOut { .. } => Kind::TimedOut,
-            Outcome::Died(how) if how.contains("memory") => Kind::OutOfMemory,
+            Outcome::OutOfMemory { .. } => Kind::OutOfMemory,
             Outcome::Died(_) => Kind::Killed,
         }
     }

@@ -10,7 +10,6 @@ use sha2::{Digest, Sha256};
 use super::withheld::Reveal;
 use crate::assignment::Assignment;
 use crate::error::{Error, Result};
-use crate::sandbox::Sandbox;
 use crate::submission::{Submission, Unusable};
 
 /// Hashes and settings; equal ones give equal marks.
@@ -84,14 +83,6 @@ impl Provenance {
             answers: answers.collect(),
             made_with: made_with.clone(),
         }
-    }
-}
-
-/// The words for how code is walled off.
-pub fn sandbox_in_words(sandbox: &Sandbox) -> &'static str {
-    match sandbox {
-        Sandbox::Trusted => "none: the grader trusts this code",
-        _ => "bubblewrap",
     }
 }
 

@@ -69,6 +69,7 @@ pub fn said(outcome: &Outcome, what: &str, reveal: Option<Reveal>) -> String {
             "your program's answers could not be read".into()
         }
         (Some(_), Outcome::TimedOut { .. }) => "gave no answer in time".into(),
+        (Some(_), Outcome::OutOfMemory { .. }) => "asked for too much memory".into(),
         (Some(_), _) => table::outcome_of(outcome, what),
     }
 }

@@ -13,8 +13,9 @@ use sha2::{Digest, Sha256};
 use super::Report;
 use super::cause::Cause;
 
-const TEMPLATES: [(&str, &str); 4] = [
+const TEMPLATES: [(&str, &str); 5] = [
     ("report.html", include_str!("../../templates/report.html")),
+    ("name.html", include_str!("../../templates/name.html")),
     ("task.html", include_str!("../../templates/task.html")),
     ("scene.html", include_str!("../../templates/scene.html")),
     ("beliefs.html", include_str!("../../templates/beliefs.html")),

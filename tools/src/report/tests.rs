@@ -12,6 +12,7 @@ const EVIL: &str = "</script><img src=x onerror=alert(1)>";
 fn html(diagnosis: Diagnosis) -> String {
     let group = GroupResult {
         name: "inside".into(),
+        about: "the ray starts inside the sphere".into(),
         worth: 3,
         outcome: Outcome::Died(EVIL.into()),
         worst: Some(format!("got       {EVIL}")),

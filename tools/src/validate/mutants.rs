@@ -11,7 +11,7 @@ use super::bench::Bench;
 use super::difference::{Difference, Oracle};
 use super::equivalents::{self, Listed};
 use super::mutate::{self, Mutant};
-use crate::compile::Program;
+use crate::compile::{Attempt, Program, Replacements};
 use crate::error::{Error, Result};
 use crate::examine::Selection;
 use crate::overlay;
@@ -111,10 +111,11 @@ fn fate(
     let submission = reference
         .clone()
         .with_answer(&mutant.task, mutant.text.clone());
-    let program = bench.compiler.compile(&submission)?;
-    if program.replaced.contains_key(&mutant.task) {
+    let is_not_viable = &mut |replaced: &Replacements| replaced.contains_key(&mutant.task);
+    let Attempt::Program(program) = bench.compiler.compile_until(&submission, is_not_viable)?
+    else {
         return Ok(Fate::NotViable);
-    }
+    };
     let fate = fate_of_program(bench, &submission, &program, mutant, oracle, listed);
     program.discard();
     fate

@@ -143,3 +143,6 @@ fn without_indent(lines: &str) -> String {
         .map(|line| line.get(least.unwrap_or(0)..).unwrap_or_default());
     moved.collect::<Vec<_>>().join("\n")
 }
+
+#[cfg(test)]
+mod tests;

@@ -91,6 +91,7 @@ fn stub(bench: &Bench) -> Result<Submission> {
     });
     Ok(Submission {
         folder: bench.assignment.handout(),
+        place: bench.assignment.handout().join("src"),
         answers: answers.collect(),
     })
 }

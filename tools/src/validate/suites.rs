@@ -87,3 +87,6 @@ impl Suite {
         counted > self.fail_percent / 100.0 * pixels || most > self.hard_fail
     }
 }
+
+#[cfg(test)]
+mod tests;

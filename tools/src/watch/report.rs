@@ -18,7 +18,7 @@ pub fn show(course: &Course, known: &Examination) -> String {
 }
 
 fn write(course: &Course, known: &Examination) -> Result<()> {
-    Report::of_examination(known, &course.goldens, &course.again)?.write(&course.report)
+    Report::of_examination(known, &course.goldens.folder, &course.again)?.write(&course.report)
 }
 
 /// Opens a file in the desktop's program for it, or says how to get at it.

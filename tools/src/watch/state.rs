@@ -1,13 +1,17 @@
 //! What is known, what is shown, and what follows from an event.
 //!
-//! Nothing here reads a file, a clock or a terminal.
+//! Nothing here reads a file, a clock or a terminal. [`verdicts`] has what follows from
+//! saves and from what the judge says, [`walk`] what follows from keys.
+
+mod verdicts;
+mod walk;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use super::order::{Item, Order};
-use super::{Course, Event, Key, hints};
+use super::{Course, Event};
 use crate::assignment::Task;
 use crate::error::Error;
 use crate::examination::{Examination, TaskResult};
@@ -226,185 +230,6 @@ impl State {
     /// Tells what has happened.
     pub fn say(&mut self, what: String) {
         self.notice = Some(what);
-    }
-
-    fn saved(&mut self, submission: Submission, tasks: &[String], at: Instant) -> Vec<Act> {
-        self.problem = None;
-        self.submission = Arc::new(submission);
-        let is_saved = |item: &Item| matches!(item, Item::Task(name) if tasks.contains(name));
-        let saved: Vec<Item> = self
-            .items
-            .iter()
-            .filter(|item| is_saved(item))
-            .cloned()
-            .collect();
-        self.generation += u64::from(!tasks.is_empty());
-        self.forget(&Item::Scenes);
-        for item in &saved {
-            self.forget(item);
-            self.saved.insert(item.clone(), at);
-        }
-        // Follow the student to the file they are in.
-        if let Some(first) = saved.first()
-            && !self.item().is_some_and(is_saved)
-        {
-            self.go_to(first.clone());
-            self.say(format!("you saved {0}.rs, so this is {0}", first.name()));
-        }
-        if !saved.is_empty() {
-            self.report_wanted = false;
-            self.settled = true;
-            self.top();
-        }
-        self.ask(saved)
-    }
-
-    fn judged(&mut self, examination: Examination, at: Instant) {
-        let Examination {
-            tasks,
-            scenes,
-            printed,
-            ..
-        } = examination;
-        for task in tasks {
-            self.stamp(Item::Task(task.name.clone()), at, printed.clone());
-            self.known.tasks.push(task);
-        }
-        let place = |name: &str| self.items.iter().position(|item| item.name() == name);
-        self.known.tasks.sort_by_key(|task| place(&task.name));
-        if !scenes.is_empty() {
-            self.stamp(Item::Scenes, at, printed);
-            self.known.scenes = scenes;
-        }
-        if !self.settled {
-            let missing = self.items.iter().position(|item| !self.is_full(item));
-            self.shown = Some(missing.unwrap_or(self.items.len() - 1));
-            self.settled = missing.is_some_and(|at| self.has_verdict(&self.items[at]));
-        }
-    }
-
-    fn stamp(&mut self, item: Item, at: Instant, printed: String) {
-        self.forget(&item);
-        let saved = self.saved.remove(&item);
-        let stamp = Stamp {
-            generation: self.generation,
-            after_save: saved.map(|saved| at.saturating_duration_since(saved)),
-            printed,
-        };
-        self.stamps.insert(item, stamp);
-    }
-
-    /// The judge has done all that was ordered.
-    fn finished(&mut self) -> Vec<Act> {
-        self.rest();
-        if self.report_wanted {
-            self.report_wanted = false;
-            return vec![Act::Report];
-        }
-        let is_task = |item: &&Item| **item != Item::Scenes;
-        let tasks: Vec<&Item> = self.items.iter().filter(is_task).collect();
-        if tasks.iter().all(|task| self.is_full(task)) && self.items.contains(&Item::Scenes) {
-            // The last stage. An answer may call another: what was judged beside
-            // older answers is judged again before.
-            let stale = self.not_current();
-            if !stale.is_empty() {
-                self.go_to(Item::Scenes);
-                self.say("every task passes; now the scenes".into());
-                return self.ask(stale);
-            }
-        }
-        self.settled = true;
-        self.quit_if_closing()
-    }
-
-    fn rest(&mut self) {
-        self.order = None;
-        self.asking = None;
-    }
-
-    fn quit_if_closing(&self) -> Vec<Act> {
-        match self.closing && self.order.is_none() {
-            true => vec![Act::Quit],
-            false => Vec::new(),
-        }
-    }
-
-    fn pressed(&mut self, key: Key) -> Vec<Act> {
-        if !matches!(key, Key::Scroll(_)) {
-            self.notice = None;
-        }
-        let back_from_help = std::mem::take(&mut self.help);
-        match key {
-            Key::Help => self.help = !back_from_help,
-            Key::Hint => {
-                self.hints = (self.hints + 1).min(hints::of(self).len());
-                // Hints come after the verdict; the screen stops at its end.
-                self.scroll = usize::MAX;
-            }
-            Key::Scroll(lines) => self.scroll = self.scroll.saturating_add_signed(lines),
-            Key::Report => {
-                let missing = self.not_current();
-                if missing.is_empty() {
-                    return vec![Act::Report];
-                }
-                self.report_wanted = true;
-                self.say("the report follows when everything is judged".into());
-                return self.ask_again(missing);
-            }
-            Key::Quit => return vec![Act::Quit],
-            Key::Next => return self.visit(self.next()),
-            Key::Previous => {
-                let count = self.items.len();
-                return self.visit(self.shown.map_or(count - 1, |at| (at + count - 1) % count));
-            }
-            Key::Scenes => {
-                if let Some(at) = self.items.iter().position(|item| *item == Item::Scenes) {
-                    return self.visit(at);
-                }
-                self.say("only some tasks are watched, and no scenes".into());
-            }
-            Key::Everything => {
-                self.settled = true;
-                self.shown = None;
-                self.top();
-                return self.ask_again(self.items.clone());
-            }
-            Key::Again => {
-                let again = self
-                    .item()
-                    .map_or(self.items.clone(), |item| vec![item.clone()]);
-                self.top();
-                return self.ask_again(again);
-            }
-        }
-        Vec::new()
-    }
-
-    /// After a task that passes the first with missing points, else the one after this.
-    fn next(&self) -> usize {
-        let missing = self.items.iter().position(|item| !self.is_full(item));
-        match self.shown {
-            Some(at) if !self.is_full(&self.items[at]) => (at + 1) % self.items.len(),
-            Some(at) => missing.unwrap_or((at + 1) % self.items.len()),
-            None => missing.unwrap_or(0),
-        }
-    }
-
-    /// Shows an item, and judges it again if other answers have changed since.
-    fn visit(&mut self, at: usize) -> Vec<Act> {
-        self.settled = true;
-        self.shown = Some(at);
-        self.top();
-        let item = self.items[at].clone();
-        let ordered = |order: &Order| order.items.contains(&item);
-        if self.is_current(&item) || self.order.as_ref().is_some_and(ordered) {
-            return Vec::new();
-        }
-        self.ask_again(vec![item])
-    }
-
-    fn go_to(&mut self, item: Item) {
-        self.shown = self.items.iter().position(|known| *known == item);
     }
 
     /// To the beginning of the verdict, without hints.

@@ -113,10 +113,10 @@ impl Browser {
         text.unwrap_or_else(|| panic!("{expression} is {value}"))
     }
 
-    /// Waits, five seconds at most, until an expression is true.
+    /// Waits, twenty seconds at most, until an expression is true.
     #[track_caller]
     pub fn wait_for(&self, expression: &str) {
-        for _ in 0..100 {
+        for _ in 0..400 {
             if self.value(expression) == true {
                 return;
             }

@@ -49,6 +49,15 @@ pub fn pinhole_in(folder: &Path, arguments: &[&str]) -> Ran {
         .expect("pinhole starts"))
 }
 
+/// Runs `pinhole` at the top of the checkout with more in its environment.
+pub fn pinhole_with(environment: &[(&str, &str)], arguments: &[&str]) -> Ran {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_pinhole"));
+    command
+        .current_dir(root())
+        .envs(environment.iter().copied());
+    ran(command.args(arguments).output().expect("pinhole starts"))
+}
+
 fn ran(output: Output) -> Ran {
     Ran {
         code: output.status.code().expect("pinhole is not killed"),

@@ -2,16 +2,21 @@
 
 mod browser;
 mod check;
+#[cfg(target_os = "linux")]
+mod container;
 mod course;
 mod diagnosis;
 mod diff;
 mod explain;
 mod golden;
 mod grade;
+#[cfg(target_os = "linux")]
+mod hostile;
 mod house;
 mod report;
 mod sandbox;
 mod submissions;
+mod validate;
 mod watch;
 #[cfg(unix)]
 mod watch_screen;

@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use crate::browser::Browser;
 use crate::check::with_body;
-use crate::course::{fresh, pinhole, root, submission, trusted};
+use crate::course::{TASKS, fresh, pinhole, root, submission, trusted};
 
 /// Scene of the tests: small, and with a sphere in front of a plane.
 pub const SCENE: &str = "sphere_and_plane";
@@ -249,6 +249,10 @@ fn a_scene_that_was_not_cast_shows_what_was_expected_and_why() {
         seen.contains("0 of 100 points") && seen.contains("unanswered"),
         "{seen}"
     );
+    for name in TASKS.into_iter().chain(["in_front_of_the_image_plane"]) {
+        let shown = "[...document.querySelectorAll('.tables a')].map((a) => a.innerText).join(' ')";
+        assert!(browser.text(shown).split(' ').any(|shown| shown == name));
+    }
     assert_eq!(
         browser.value("document.querySelectorAll('.gallery img').length"),
         12

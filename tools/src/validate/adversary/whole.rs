@@ -61,10 +61,7 @@ pub fn sphere(random: &mut Random) -> (ShapeQuestion, bool) {
     let c = from_center.length_squared() - radius * radius;
     let at_min_t = a * ray.min_t * ray.min_t + 2.0 * h * ray.min_t + c;
     let is_tie = h * h - a * c == 0.0 || at_min_t == 0.0;
-    let sphere = Sphere {
-        center: center,
-        radius,
-    };
+    let sphere = Sphere { center, radius };
     (ray.ask(Shape::Sphere(sphere)), is_tie)
 }
 
@@ -74,10 +71,7 @@ pub fn plane(random: &mut Random) -> (ShapeQuestion, bool) {
     let ray = WholeRay::new(random);
     let along = ray.d.dot(normal);
     let is_tie = along != 0.0 && (point - ray.e).dot(normal) == ray.min_t * along;
-    let plane = Plane {
-        point: point,
-        normal: normal,
-    };
+    let plane = Plane { point, normal };
     (ray.ask(Shape::Plane(plane)), is_tie)
 }
 
@@ -130,3 +124,6 @@ pub fn objects(random: &mut Random) -> (CannedQuestion, bool) {
     };
     (question, is_tie)
 }
+
+#[cfg(test)]
+mod tests;

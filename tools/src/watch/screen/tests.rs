@@ -40,7 +40,9 @@ fn ordinary_screens_hold_the_verdict_the_progress_and_every_key() {
         let text = text(&frame(&watch.state, columns, rows));
         assert!(text.starts_with("✗ sphere    0 / 18"), "{text}");
         assert!(text.contains("5 / 6 tasks, 62 / 100 points"), "{text}");
-        assert!(text.contains("sphere.rs"), "{text}");
+        // A long path is broken wherever the screen ends.
+        let unbroken: String = text.split_whitespace().collect();
+        assert!(unbroken.contains("sphere.rs"), "{text}");
         for (key, _, name, _) in KEYS {
             assert!(text.contains(&format!("{key}:{name}")), "{key} in\n{text}");
         }

@@ -8,6 +8,8 @@ use crate::examination::{GroupResult, Outcome, SceneResult};
 use crate::goldens::Goldens;
 use crate::report::Again;
 use crate::sandbox::Sandbox;
+use crate::watch::hints;
+use crate::watch::keys::Key;
 
 /// The real course, of which nothing is compiled or asked here.
 pub(in crate::watch) fn course() -> Course {

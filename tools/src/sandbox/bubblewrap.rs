@@ -1,0 +1,187 @@
+//! Walls of namespaces, drawn by bubblewrap: what is not bound inside does not exist.
+
+use std::io;
+use std::os::unix::fs::chown;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use super::Limits;
+use super::budget::Budget;
+use super::confine;
+use super::syscalls::Purpose;
+use super::toolchain::{next_uid, sysroot};
+use crate::checkout::Checkout;
+use crate::error::Error;
+
+/// What is needed to draw them.
+#[derive(Clone, Debug)]
+pub struct Bubblewrap {
+    /// The toolchain, bound read-only.
+    sysroot: PathBuf,
+    /// This program, which confines the code further once it is inside.
+    pinhole: PathBuf,
+    /// Whom the code runs as, if we are root. Otherwise it stays who we are, under
+    /// another number.
+    uid: Option<u32>,
+    /// What timeouts have cost so far.
+    pub budget: Budget,
+}
+
+/// Where this program lies inside.
+const PINHOLE_INSIDE: &str = "/pinhole";
+
+/// A user cannot own so many.
+const UNCOUNTED: u64 = 1 << 20;
+
+impl Bubblewrap {
+    /// Tries whether walls can be drawn here; if not, says what bubblewrap says.
+    pub fn new(_: &Checkout) -> Result<Bubblewrap, String> {
+        let problem = |error: Error| error.problem;
+        let walls = Bubblewrap {
+            sysroot: sysroot().map_err(problem)?,
+            pinhole: std::env::current_exe().map_err(|error| error.to_string())?,
+            uid: rustix::process::getuid().is_root().then(next_uid),
+            budget: Budget::default(),
+        };
+        walls.prove()?;
+        // What the user's shell has open would be open inside as well.
+        close_fds::set_fds_cloexec(3, &[]);
+        Ok(walls)
+    }
+
+    /// See [`Sandbox::anew`](super::Sandbox::anew).
+    pub fn anew(&self) -> Bubblewrap {
+        Bubblewrap {
+            uid: self.uid.map(|_| next_uid()),
+            budget: Budget::default(),
+            ..self.clone()
+        }
+    }
+
+    /// The toolchain.
+    pub fn sysroot(&self) -> &Path {
+        &self.sysroot
+    }
+
+    /// Whether a program can be run inside.
+    pub fn prove(&self) -> Result<(), String> {
+        let limits = Limits::of_compiler();
+        let mut command = self.walled(&limits, Purpose::Answer);
+        command.args(["--", "/usr/bin/true"]);
+        let output = command.output().map_err(|error| error.to_string())?;
+        match output.status.success() {
+            true => Ok(()),
+            false => Err(String::from_utf8_lossy(&output.stderr).trim().to_owned()),
+        }
+    }
+
+    /// See [`Sandbox::compiler`](super::Sandbox::compiler).
+    pub fn compiler(&self, folder: &Path, harness: &Path, limits: &Limits) -> io::Result<Command> {
+        let out = folder.join("out");
+        if let Some(uid) = self.uid {
+            chown(&out, Some(uid), Some(uid))?;
+        }
+        let mut command = self.bare();
+        // Before what may lie in it.
+        command.args(["--size", "67108864", "--perms", "1777", "--tmpfs", "/tmp"]);
+        bind(&mut command, "--ro-bind", &self.sysroot);
+        bind(&mut command, "--ro-bind", harness);
+        bind(&mut command, "--ro-bind", &folder.join("src"));
+        bind(&mut command, "--bind", &out);
+        command.args(["--setenv", "PATH", "/usr/bin"]);
+        command.arg("--chdir").arg(folder);
+        self.confine(&mut command, limits, Purpose::Compile);
+        for read in [&self.sysroot, harness, folder] {
+            command.arg("--read").arg(read);
+        }
+        command.arg("--write").arg(&out).args(["--write", "/tmp"]);
+        command
+            .arg("--")
+            .arg(self.sysroot.join("bin").join("rustc"));
+        // Plain `cc` would go through /etc, which is not there.
+        command.arg("-Clinker=gcc");
+        Ok(command)
+    }
+
+    /// A built program, to be asked.
+    pub fn runner(&self, executable: &Path, limits: &Limits) -> Command {
+        let mut command = self.bare();
+        command.arg("--ro-bind").arg(executable).arg(PROGRAM_INSIDE);
+        self.confine(&mut command, limits, Purpose::Answer);
+        command.args(["--read", PROGRAM_INSIDE, "--", PROGRAM_INSIDE]);
+        command
+    }
+
+    fn walled(&self, limits: &Limits, purpose: Purpose) -> Command {
+        let mut command = self.bare();
+        self.confine(&mut command, limits, purpose);
+        command
+    }
+
+    /// Bubblewrap with what every program needs, open for more.
+    fn bare(&self) -> Command {
+        let mut command = Command::new("bwrap");
+        command.env_clear().env("PATH", "/usr/bin:/bin");
+        let own = match self.uid {
+            // Root may bind what others cannot reach, a toolchain in its home, say; the
+            // code becomes another user inside. Bubblewrap's own mapping would leave it
+            // root outside, for whom processes are not counted.
+            Some(_) => "--cap-add CAP_SETUID --cap-add CAP_SETGID",
+            None => "--unshare-user --disable-userns --uid 1000 --gid 1000",
+        };
+        let fixed = "--unshare-ipc --unshare-pid --unshare-net --unshare-uts \
+             --unshare-cgroup-try --hostname submission --die-with-parent --new-session \
+             --clearenv --cap-drop ALL";
+        let files = "--ro-bind /usr /usr --symlink usr/lib /lib --symlink usr/lib64 /lib64 \
+             --symlink usr/bin /bin --proc /proc --dev /dev --remount-ro /dev";
+        command.args(fixed.split_whitespace());
+        command.args(own.split_whitespace());
+        command.args(files.split_whitespace());
+        command
+            .arg("--ro-bind")
+            .arg(&self.pinhole)
+            .arg(PINHOLE_INSIDE);
+        command
+    }
+
+    /// Closes the walls and confines what runs inside, which is to follow.
+    fn confine(&self, command: &mut Command, limits: &Limits, purpose: Purpose) {
+        command.args(["--remount-ro", "/", "--", PINHOLE_INSIDE]);
+        let mut limits = *limits;
+        if self.uid.is_none() && !counts_by_namespace() {
+            limits.processes = UNCOUNTED;
+        }
+        confine::arguments(command, &limits, purpose, self.uid);
+        for read in ["/usr", "/proc", "/dev"] {
+            command.args(["--read", read]);
+        }
+        command.args(["--write", "/dev/null"]);
+    }
+}
+
+/// Where a built program lies inside.
+const PROGRAM_INSIDE: &str = "/submission";
+
+/// Since Linux 5.14 a namespace's processes are counted apart from those their user has
+/// outside, which may be more than the limit already.
+fn counts_by_namespace() -> bool {
+    let release = std::fs::read_to_string("/proc/sys/kernel/osrelease").unwrap_or_default();
+    let mut numbers = release
+        .split(['.', '-'])
+        .map_while(|part| part.parse().ok());
+    (numbers.next(), numbers.next()) >= (Some(5), Some(14_u32))
+}
+
+fn bind(command: &mut Command, how: &str, path: &Path) {
+    // Left to itself, bubblewrap makes folders on the way that only root may pass.
+    let mut above: Vec<&Path> = path.ancestors().skip(1).collect();
+    above.retain(|folder| !folder.starts_with("/usr") && folder.parent().is_some());
+    for folder in above
+        .into_iter()
+        .rev()
+        .filter(|folder| *folder != Path::new("/tmp"))
+    {
+        command.args(["--perms", "0755", "--dir"]).arg(folder);
+    }
+    command.arg(how).arg(path).arg(path);
+}

@@ -1,0 +1,77 @@
+//! Runs a command to its end, or to its limits'.
+
+use std::io::{self, Read};
+use std::process::{Command, ExitStatus, Stdio};
+use std::sync::mpsc;
+use std::time::{Duration, Instant};
+
+use super::Limits;
+use super::watch::{Exceeded, Watch};
+
+/// What came of it.
+#[derive(Debug)]
+pub struct Finished {
+    /// How it ended.
+    pub status: ExitStatus,
+    /// What it said, cut at [`MOST_SAID`] bytes.
+    pub stderr: Vec<u8>,
+    /// Which limit ended it, if one did.
+    pub exceeded: Option<Exceeded>,
+    /// Whether the clock ended it.
+    pub late: bool,
+}
+
+/// More is read and thrown away.
+pub const MOST_SAID: usize = 1 << 20;
+
+/// Between two looks whether it has ended.
+const PAUSE: Duration = Duration::from_millis(2);
+
+/// Runs a command that reads and prints nothing, and says what it has to on standard
+/// error; `watch` is told its process.
+pub fn finish(
+    mut command: Command,
+    limits: &Limits,
+    watch: impl FnOnce(u32) -> Watch,
+) -> io::Result<Finished> {
+    let deadline = Instant::now() + limits.wall;
+    command
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped());
+    let mut child = command.spawn()?;
+    let watch = watch(child.id());
+    let (sender, said) = mpsc::channel();
+    if let Some(mut pipe) = child.stderr.take() {
+        std::thread::spawn(move || {
+            let mut kept = Vec::new();
+            let beginning = (&mut pipe).take(MOST_SAID as u64).read_to_end(&mut kept);
+            let rest = beginning.and_then(|_| io::copy(&mut pipe, &mut io::sink()));
+            // A broken pipe ends the text; nobody waiting for it is no fault either.
+            let _ = (rest, sender.send(kept));
+        });
+    }
+    let mut late = false;
+    let status = loop {
+        match child.try_wait()? {
+            Some(status) => break status,
+            None if Instant::now() > deadline => {
+                late = true;
+                let _already_gone = child.kill();
+                break child.wait()?;
+            }
+            None => std::thread::sleep(PAUSE),
+        }
+    };
+    let exceeded = watch.stop();
+    // Whoever still holds the pipe was left behind, and is not waited for.
+    let stderr = said
+        .recv_timeout(Duration::from_secs(2))
+        .unwrap_or_default();
+    Ok(Finished {
+        status,
+        stderr,
+        exceeded,
+        late,
+    })
+}

@@ -1,0 +1,72 @@
+//! How much of the machine foreign code may use.
+
+use std::time::Duration;
+
+/// Bounds on one process and everything it starts.
+///
+/// A time in a mark must not depend on what else the machine does: `cpu` counts the
+/// processor's seconds, of all threads and processes together, and `wall` is only for
+/// code that waits for something. Choose `cpu` at least a hundred times what the
+/// reference takes, and count a timeout only if it comes again when the submission
+/// runs alone: caches, clocks and memory are shared even where seconds are not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Seconds of processor time, summed over the whole tree.
+    pub cpu: Duration,
+    /// Time on the clock.
+    pub wall: Duration,
+    /// Bytes: the address space of each process, and the memory in use of all together.
+    pub memory: u64,
+    /// Processes and threads together.
+    pub processes: u64,
+    /// Bytes of the longest file that may be written.
+    pub file_size: u64,
+    /// Open files of one process.
+    pub open_files: u64,
+}
+
+/// 1 GiB is enough for rustc, half of it is not.
+const MEMORY: u64 = 2 << 30;
+
+/// Threads that code may have beside those which answer on all cores.
+const SPARE_PROCESSES: u64 = 32;
+
+impl Limits {
+    /// For one run of the compiler. Right answers take a fifth of a second.
+    pub fn of_compiler() -> Limits {
+        Limits {
+            cpu: Duration::from_secs(20),
+            wall: Duration::from_secs(60),
+            memory: MEMORY,
+            processes: cores() + SPARE_PROCESSES,
+            file_size: 64 << 20,
+            open_files: 256,
+        }
+    }
+
+    /// For a built program that may answer for so long: every core for the whole time,
+    /// so that the clock is what ends a long answer.
+    pub fn of_answers(wall: Duration) -> Limits {
+        Limits {
+            cpu: wall * cores() as u32 + Duration::from_secs(2),
+            wall,
+            file_size: 0,
+            open_files: 64,
+            ..Limits::of_compiler()
+        }
+    }
+
+    /// The same for less time.
+    pub fn at_most(self, time: Duration) -> Limits {
+        Limits {
+            cpu: self.cpu.min(time * cores() as u32 + Duration::from_secs(2)),
+            wall: self.wall.min(time),
+            ..self
+        }
+    }
+}
+
+/// How many threads answer.
+fn cores() -> u64 {
+    std::thread::available_parallelism().map_or(1, usize::from) as u64
+}

@@ -1,0 +1,103 @@
+//! A process and its descendants, as `/proc` shows them.
+
+use std::fs;
+use std::os::unix::fs::MetadataExt;
+use std::time::Duration;
+
+use rustix::process::{Pid, Signal, kill_process};
+
+/// What a tree of processes has taken.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Used {
+    /// Of all living processes and of those they have waited for.
+    pub cpu: Duration,
+    /// Bytes in memory, what several processes share counted for each.
+    pub memory: u64,
+}
+
+/// What `pid` and its descendants use now. Who vanishes meanwhile counts as nothing.
+pub fn used_by(pid: u32) -> Used {
+    let mut used = Used::default();
+    let mut ticks = 0;
+    let mut found = vec![pid];
+    while let Some(pid) = found.pop() {
+        ticks += ticks_of(pid).unwrap_or(0);
+        used.memory += memory_of(pid).unwrap_or(0);
+        found.extend(children(pid));
+    }
+    let per_second = rustix::param::clock_ticks_per_second();
+    used.cpu = Duration::from_millis(ticks * 1000 / per_second.max(1));
+    used
+}
+
+/// Ends every process of a user id that belongs to foreign code alone.
+pub fn end_all_of(uid: u32) {
+    // They are few, for their number is bounded; but each may start another before its
+    // turn comes, until all stand still.
+    for signal in [Signal::STOP, Signal::KILL] {
+        for _ in 0..50 {
+            let left = processes_of(uid, signal);
+            for pid in &left {
+                let _gone = kill_process(*pid, signal);
+            }
+            if left.is_empty() {
+                break;
+            }
+            std::thread::sleep(Duration::from_millis(1));
+        }
+    }
+}
+
+/// The processes of a user that a signal has not reached yet.
+fn processes_of(uid: u32, signal: Signal) -> Vec<Pid> {
+    let done = match signal {
+        Signal::STOP => ["T", "Z"],
+        _ => ["X", "Z"],
+    };
+    let entries = fs::read_dir("/proc").into_iter().flatten().flatten();
+    let theirs = entries.filter(|entry| entry.metadata().is_ok_and(|about| about.uid() == uid));
+    let ids = theirs.filter_map(|entry| entry.file_name().to_str()?.parse().ok());
+    let reached = |pid: u32| match stat(pid) {
+        Some(fields) => done.contains(&fields[0].as_str()),
+        None => true,
+    };
+    ids.filter(|pid| !reached(*pid))
+        .filter_map(|pid| Pid::from_raw(pid as i32))
+        .collect()
+}
+
+fn children(pid: u32) -> Vec<u32> {
+    let threads = fs::read_dir(format!("/proc/{pid}/task"));
+    let threads = threads.into_iter().flatten().flatten();
+    let lists =
+        threads.filter_map(|thread| fs::read_to_string(thread.path().join("children")).ok());
+    lists
+        .flat_map(|list| {
+            let ids = list.split_whitespace().filter_map(|id| id.parse().ok());
+            ids.collect::<Vec<u32>>()
+        })
+        .collect()
+}
+
+/// The fields of `stat` from the third, the state, on: a name may hold anything.
+fn stat(pid: u32) -> Option<Vec<String>> {
+    let text = fs::read_to_string(format!("/proc/{pid}/stat")).ok()?;
+    let (_, fields) = text.rsplit_once(')')?;
+    Some(fields.split_whitespace().map(str::to_owned).collect())
+}
+
+/// Its own clock ticks, user and system, and its late children's (fields 14 to 17).
+fn ticks_of(pid: u32) -> Option<u64> {
+    let fields = stat(pid)?;
+    let ticks = fields.get(11..15)?.iter().map(|field| field.parse::<u64>());
+    ticks.sum::<Result<u64, _>>().ok()
+}
+
+fn memory_of(pid: u32) -> Option<u64> {
+    let text = fs::read_to_string(format!("/proc/{pid}/statm")).ok()?;
+    let pages: u64 = text.split_whitespace().nth(1)?.parse().ok()?;
+    Some(pages * rustix::param::page_size() as u64)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,92 @@
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+use super::used_by;
+use crate::sandbox::watch::{Exceeded, Watch};
+use crate::sandbox::{Limits, finish};
+
+fn shell(line: &str) -> Command {
+    let mut shell = Command::new("sh");
+    shell.args(["-c", line]).stdin(Stdio::null());
+    shell
+}
+
+fn limits() -> Limits {
+    Limits::of_answers(Duration::from_secs(20))
+}
+
+/// Waits until a tree uses what it will.
+#[track_caller]
+fn eventually(child: &mut Child, condition: impl Fn(u32) -> bool) {
+    let start = Instant::now();
+    while !condition(child.id()) {
+        assert!(start.elapsed() < Duration::from_secs(10), "it never came");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    child.kill().expect("it can be ended");
+    child.wait().expect("it can be waited for");
+}
+
+#[test]
+fn memory_of_a_grandchild_counts() {
+    // `tail` keeps what it has read for lack of a line's end.
+    let line = "sh -c '(head -c 60000000 /dev/zero; sleep 9) | tail >/dev/null; true'; true";
+    let mut child = shell(line).spawn().expect("there is a shell");
+    eventually(&mut child, |pid| used_by(pid).memory > 50_000_000);
+}
+
+#[test]
+fn time_of_children_that_have_ended_counts() {
+    let line = "i=0; while [ $i -lt 40 ]; do head -c 20000000 /dev/zero | tail -c 1 >/dev/null; \
+                i=$((i+1)); done; sleep 9";
+    let mut child = shell(line).spawn().expect("there is a shell");
+    eventually(&mut child, |pid| {
+        used_by(pid).cpu > Duration::from_millis(200)
+    });
+}
+
+#[test]
+fn a_tree_that_takes_too_much_memory_is_ended_though_each_process_takes_little() {
+    let one = "(head -c 40000000 /dev/zero; sleep 15) | tail >/dev/null & ";
+    let limits = Limits {
+        memory: 100_000_000,
+        ..limits()
+    };
+    let line = one.repeat(6) + "wait";
+    let finished = finish(shell(&line), &limits, |pid| Watch::tree(pid, limits));
+    assert_eq!(
+        finished.expect("there is a shell").exceeded,
+        Some(Exceeded::Memory(limits.memory))
+    );
+}
+
+#[test]
+fn a_tree_that_takes_too_long_on_the_processor_is_ended() {
+    let limits = Limits {
+        cpu: Duration::from_millis(300),
+        ..limits()
+    };
+    let finished = finish(shell("(while :; do :; done) & wait"), &limits, |pid| {
+        Watch::tree(pid, limits)
+    });
+    assert_eq!(
+        finished.expect("there is a shell").exceeded,
+        Some(Exceeded::Cpu(limits.cpu))
+    );
+}
+
+#[test]
+fn a_flood_of_words_is_cut_and_a_wait_is_ended_by_the_clock() {
+    let limits = Limits {
+        wall: Duration::from_secs(1),
+        ..limits()
+    };
+    let start = Instant::now();
+    let finished = finish(shell("yes >&2"), &limits, |_| Watch::nothing()).expect("a shell");
+    assert!(
+        finished.stderr.len() <= super::super::finish::MOST_SAID,
+        "too much was kept"
+    );
+    assert!(!finished.status.success());
+    assert!(start.elapsed() < Duration::from_secs(5));
+}

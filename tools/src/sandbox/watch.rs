@@ -1,0 +1,90 @@
+//! Somebody who looks at a process and all it starts, and ends it when it takes more
+//! than it may: the kernel's own limits count each process by itself.
+
+use std::fmt;
+use std::sync::mpsc::Sender;
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+/// Which limit was passed, and what it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Exceeded {
+    /// Seconds of processor time.
+    Cpu(Duration),
+    /// Bytes in use.
+    Memory(u64),
+}
+
+impl fmt::Display for Exceeded {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Exceeded::Cpu(most) => {
+                write!(f, "more than {} s of processor time", most.as_secs_f64())
+            }
+            Exceeded::Memory(most) => write!(f, "more than {} MiB of memory", most >> 20),
+        }
+    }
+}
+
+/// Looks until it is told to stop.
+pub struct Watch {
+    looking: Option<(Sender<()>, JoinHandle<Option<Exceeded>>)>,
+}
+
+impl Watch {
+    /// For what may take all it likes.
+    pub fn nothing() -> Watch {
+        Watch { looking: None }
+    }
+
+    /// What was exceeded, if anything was. Nothing is ended any more after this.
+    pub fn stop(self) -> Option<Exceeded> {
+        let (enough, thread) = self.looking?;
+        drop(enough);
+        thread.join().ok().flatten()
+    }
+}
+
+#[cfg(target_os = "linux")]
+mod looking {
+    use std::sync::mpsc::{self, RecvTimeoutError};
+
+    use rustix::process::{Pid, PidfdFlags, Signal, pidfd_open, pidfd_send_signal};
+
+    use super::*;
+    use crate::sandbox::{Limits, tree};
+
+    /// Between two looks; a gigabyte takes longer to fill.
+    const PAUSE: Duration = Duration::from_millis(20);
+
+    impl Watch {
+        /// Ends `pid` when it and its descendants pass the limits.
+        pub fn tree(pid: u32, limits: Limits) -> Watch {
+            let (enough, told) = mpsc::channel::<()>();
+            let thread = std::thread::spawn(move || {
+                let first = Pid::from_raw(i32::try_from(pid).ok()?)?;
+                // Held from the start, so that no later process of that number is meant.
+                let handle = pidfd_open(first, PidfdFlags::empty()).ok()?;
+                loop {
+                    if told.recv_timeout(PAUSE) != Err(RecvTimeoutError::Timeout) {
+                        return None;
+                    }
+                    let used = tree::used_by(pid);
+                    let exceeded = if used.memory > limits.memory {
+                        Exceeded::Memory(limits.memory)
+                    } else if used.cpu > limits.cpu {
+                        Exceeded::Cpu(limits.cpu)
+                    } else {
+                        continue;
+                    };
+                    // If it has ended by itself meanwhile, it passed the limit all the same.
+                    let _ended = pidfd_send_signal(&handle, Signal::KILL);
+                    return Some(exceeded);
+                }
+            });
+            Watch {
+                looking: Some((enough, thread)),
+            }
+        }
+    }
+}

@@ -1,0 +1,309 @@
+//! What an instructor may want to look at in an answer: reaching for files, processes,
+//! the network, the compiler's environment. Flagged, never scored.
+//!
+//! The text is split into tokens as the compiler does it, so no comment or string is
+//! taken for code, and what stands inside a macro is seen too. There is no parser
+//! behind it: those work their way down by recursion, and an answer of 100,000 minus
+//! signs would take the grader with it.
+
+use proc_macro2::{TokenStream, TokenTree};
+
+use super::Submission;
+
+/// One thing to look at.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Flag {
+    /// The task whose file it is.
+    pub task: String,
+    /// In that file, from 1.
+    pub line: usize,
+    /// What was found, as the code names it.
+    pub what: String,
+}
+
+/// More of one answer tell nothing new.
+const MOST_FLAGS: usize = 50;
+
+/// More numbers than this look like a table of results.
+const MOST_NUMBERS: usize = 300;
+
+/// Macros that read files or the environment, end the compiler, or are assembly.
+const MACROS: [&str; 10] = [
+    "include",
+    "include_str",
+    "include_bytes",
+    "env",
+    "option_env",
+    "asm",
+    "global_asm",
+    "naked_asm",
+    "compile_error",
+    "thread_local",
+];
+
+/// Modules of the standard library that reach out of the program, or around its types.
+const MODULES: [&str; 11] = [
+    "fs",
+    "process",
+    "net",
+    "env",
+    "thread",
+    "os",
+    "io",
+    "arch",
+    "intrinsics",
+    "ptr",
+    "backtrace",
+];
+
+/// Modules of the harness that an answer has no business with.
+const HARNESS: [&str; 12] = [
+    "ask", "job", "serve", "judge", "film", "Film", "probe", "oiiotool", "scene", "Scene", "mesh",
+    "Answers",
+];
+
+/// Attributes that name other files or symbols.
+const ATTRIBUTES: [&str; 8] = [
+    "path",
+    "no_mangle",
+    "export_name",
+    "link",
+    "link_name",
+    "link_section",
+    "global_allocator",
+    "panic_handler",
+];
+
+/// All flags of a submission, in the order of its answers.
+pub fn flags(submission: &Submission) -> Vec<Flag> {
+    let answers = submission.answers.iter();
+    let texts = answers.filter_map(|answer| Some((&answer.task, answer.text.as_ref().ok()?)));
+    texts.flat_map(|(task, text)| of_text(task, text)).collect()
+}
+
+/// The flags of one answer.
+pub fn of_text(task: &str, text: &str) -> Vec<Flag> {
+    let Ok(stream) = text.parse::<TokenStream>() else {
+        // The compiler will refuse it too.
+        return Vec::new();
+    };
+    let tokens = flatten(stream);
+    let mut found = Finder {
+        task,
+        flags: Vec::new(),
+    };
+    found.look(&tokens);
+    let mut flags = found.flags;
+    flags.dedup();
+    flags.truncate(MOST_FLAGS);
+    flags
+}
+
+/// A token, its delimiters told apart from what they hold.
+#[derive(Debug, PartialEq)]
+enum Token {
+    Word(String),
+    /// `::` is one.
+    Mark(char),
+    Number,
+    Text,
+}
+
+/// What stands for `::`, which is no character of the language.
+const PATH: char = '∷';
+
+/// All tokens with their lines. Not by recursion: delimiters may be nested without end.
+fn flatten(stream: TokenStream) -> Vec<(Token, usize)> {
+    let mut flat: Vec<(Token, usize)> = Vec::new();
+    let mut open = vec![(stream.into_iter(), None)];
+    while let Some((tokens, close)) = open.last_mut() {
+        let Some(tree) = tokens.next() else {
+            let line = flat.last().map_or(1, |(_, line)| *line);
+            flat.extend(close.map(|mark| (Token::Mark(mark), line)));
+            open.pop();
+            continue;
+        };
+        let line = tree.span().start().line;
+        match tree {
+            TokenTree::Ident(word) => {
+                let word = word.to_string();
+                let plain = word.strip_prefix("r#").unwrap_or(&word).to_owned();
+                flat.push((Token::Word(plain), line));
+            }
+            TokenTree::Punct(mark) => match (mark.as_char(), flat.last_mut()) {
+                (':', Some((Token::Mark(before @ ':'), _))) => *before = PATH,
+                (mark, _) => flat.push((Token::Mark(mark), line)),
+            },
+            TokenTree::Literal(literal) => {
+                let is_number = literal
+                    .to_string()
+                    .starts_with(|c: char| c.is_ascii_digit());
+                flat.push((
+                    if is_number {
+                        Token::Number
+                    } else {
+                        Token::Text
+                    },
+                    line,
+                ));
+            }
+            TokenTree::Group(group) => {
+                let (begin, end) = match group.delimiter() {
+                    proc_macro2::Delimiter::Parenthesis => ('(', ')'),
+                    proc_macro2::Delimiter::Bracket => ('[', ']'),
+                    proc_macro2::Delimiter::Brace => ('{', '}'),
+                    proc_macro2::Delimiter::None => (' ', ' '),
+                };
+                flat.push((Token::Mark(begin), line));
+                open.push((group.stream().into_iter(), Some(end)));
+            }
+        }
+    }
+    flat
+}
+
+struct Finder<'a> {
+    task: &'a str,
+    flags: Vec<Flag>,
+}
+
+impl Finder<'_> {
+    fn flag(&mut self, line: usize, what: impl Into<String>) {
+        self.flags.push(Flag {
+            task: self.task.into(),
+            line,
+            what: what.into(),
+        });
+    }
+
+    fn look(&mut self, tokens: &[(Token, usize)]) {
+        let mut path = Paths::default();
+        let mut numbers = 0;
+        for (at, (token, line)) in tokens.iter().enumerate() {
+            let before = |steps: usize| Some(&tokens.get(at.checked_sub(steps)?)?.0);
+            let after = |steps: usize| Some(&tokens.get(at + steps)?.0);
+            match token {
+                Token::Word(word) => {
+                    self.word(word, *line, &before, &after);
+                    let named = path.word(word, before(1) == Some(&Token::Mark(PATH)));
+                    self.path(named, *line, after(1));
+                }
+                Token::Mark(mark) => {
+                    path.mark(*mark, before(1) == Some(&Token::Mark(PATH)));
+                    let named = path.current.as_slice();
+                    if *mark == '*' && matches!(named, [root] if is_library(root)) {
+                        self.flag(*line, format!("{}::*", named[0]));
+                    }
+                }
+                Token::Number => numbers += 1,
+                Token::Text => {}
+            }
+        }
+        if numbers > MOST_NUMBERS {
+            self.flag(1, format!("{numbers} numbers written out"));
+        }
+    }
+
+    fn word<'t>(
+        &mut self,
+        word: &str,
+        line: usize,
+        before: &dyn Fn(usize) -> Option<&'t Token>,
+        after: &dyn Fn(usize) -> Option<&'t Token>,
+    ) {
+        let is = |token: Option<&Token>, mark| token == Some(&Token::Mark(mark));
+        let called = is(after(1), '!');
+        // `std::env` is a module too, and flagged as that.
+        let named = is(before(1), PATH) && word != "env";
+        if MACROS.contains(&word) && (called || named) {
+            self.flag(line, format!("{word}!"));
+        }
+        let in_attribute = is(before(1), '[') && (is(before(2), '#') || is(before(2), '!'));
+        let set = is(after(1), '=') && after(2) == Some(&Token::Text);
+        if ATTRIBUTES.contains(&word) && (in_attribute || set) {
+            self.flag(line, format!("#[{word}]"));
+        }
+        match word {
+            "unsafe" | "extern" => self.flag(line, word),
+            "macro_rules" if called => self.flag(line, "macro_rules!"),
+            "transmute" => self.flag(line, "transmute"),
+            "mut" if before(1) == Some(&Token::Word("static".into())) => {
+                self.flag(line, "static mut");
+            }
+            "mod" if is(after(2), ';') => self.flag(line, "mod of another file"),
+            _ => {}
+        }
+    }
+
+    fn path(&mut self, named: &[String], line: usize, after: Option<&Token>) {
+        match named {
+            [root] if is_library(root) && after == Some(&Token::Word("as".into())) => {
+                self.flag(line, format!("{root} by another name"));
+            }
+            [root, module] if is_library(root) && MODULES.contains(&module.as_str()) => {
+                self.flag(line, format!("{root}::{module}"));
+            }
+            [root, module] if root == "pinhole" && HARNESS.contains(&module.as_str()) => {
+                self.flag(line, format!("{root}::{module}"));
+            }
+            _ => {}
+        }
+    }
+}
+
+fn is_library(root: &str) -> bool {
+    ["std", "core", "alloc"].contains(&root)
+}
+
+/// What may stand before a path that begins with `::`.
+const KEYWORDS: [&str; 10] = [
+    "use", "pub", "as", "in", "return", "dyn", "impl", "mut", "if", "match",
+];
+
+/// Which path a word belongs to, through the braces of a `use`.
+#[derive(Default)]
+struct Paths {
+    current: Vec<String>,
+    /// What each open brace stands behind.
+    behind: Vec<Vec<String>>,
+}
+
+impl Paths {
+    fn word(&mut self, word: &str, continues: bool) -> &[String] {
+        if KEYWORDS.contains(&word) {
+            self.current.clear();
+            return &self.current;
+        }
+        if !continues {
+            self.current = self.behind.last().cloned().unwrap_or_default();
+        }
+        // Deeper ones mean nothing to us, and a path may be nested without end.
+        if self.current.len() < 4 {
+            self.current.push(word.to_owned());
+        }
+        &self.current
+    }
+
+    fn mark(&mut self, mark: char, continues: bool) {
+        match mark {
+            PATH => {}
+            '{' => {
+                let behind = match continues {
+                    true => self.current.clone(),
+                    false => Vec::new(),
+                };
+                self.behind.push(behind);
+                self.current.clear();
+            }
+            '}' => {
+                self.behind.pop();
+                self.current.clear();
+            }
+            '*' if continues => {}
+            _ => self.current = self.behind.last().cloned().unwrap_or_default(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
