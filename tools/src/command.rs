@@ -3,8 +3,10 @@
 mod check;
 mod diff;
 mod explain;
-mod golden;
+pub mod golden;
+mod grade;
 mod handout;
+mod merge;
 mod render;
 #[cfg(feature = "validate")]
 mod validate;
@@ -27,6 +29,8 @@ pub enum Outcome {
     Well,
     /// Exit code 1.
     JudgedWrong,
+    /// Exit code 3: what could not be done is told among what could.
+    Incomplete,
 }
 
 /// Does what was asked.
@@ -39,6 +43,8 @@ pub fn run(cli: Cli) -> Result<Outcome> {
         Command::Explain(arguments) => explain::run(&checkout, &arguments),
         Command::Diff(arguments) => diff::run(&checkout, &arguments),
         Command::Golden(arguments) => golden::run(&checkout, &arguments),
+        Command::Grade(arguments) => grade::run(&checkout, &arguments),
+        Command::Merge(arguments) => merge::run(&checkout, &arguments),
         Command::Handout(arguments) => handout::run(&checkout, &arguments),
         #[cfg(feature = "validate")]
         Command::Validate(arguments) => validate::run(&checkout, &arguments),
@@ -51,7 +57,7 @@ pub fn run(cli: Cli) -> Result<Outcome> {
 /// told so before it stumbles over the first file that is not there.
 fn refuse_in_a_handout(checkout: &Checkout, command: &Command) -> Result<()> {
     let needs_more = match command {
-        Command::Handout(_) => true,
+        Command::Handout(_) | Command::Grade(_) | Command::Merge(_) => true,
         Command::Golden(golden) => !matches!(golden, Golden::Verify(_)),
         _ => false,
     };

@@ -45,8 +45,10 @@ pub enum Replaced {
 }
 
 /// What every submission is compiled with; gathered once, it serves many.
+#[derive(Clone)]
 pub struct Compiler {
-    checkout: Checkout,
+    /// Where finished programs lie.
+    programs: PathBuf,
     sandbox: Sandbox,
     harness: Harness,
     /// Not the handout's folder: students fill that.
@@ -71,11 +73,21 @@ impl Compiler {
         sandbox: &Sandbox,
     ) -> Result<Compiler> {
         Ok(Compiler {
-            checkout: checkout.clone(),
+            programs: checkout.scratch().join("programs"),
             sandbox: sandbox.clone(),
             harness: Harness::gather(checkout)?,
             pristine: stubs::pristine(assignment, checkout)?,
         })
+    }
+
+    /// The same for one stranger's answers: behind walls of their own, and in a folder that
+    /// nobody shares.
+    pub fn apart(&self, sandbox: &Sandbox, programs: PathBuf) -> Compiler {
+        Compiler {
+            programs,
+            sandbox: sandbox.clone(),
+            ..self.clone()
+        }
     }
 
     /// Compiles a submission, replacing by its stub each answer that is missing or does
@@ -110,7 +122,7 @@ impl Compiler {
             }
             let compile = |replaced: &Replacements| {
                 let sources = sources(submission, &self.pristine, replaced);
-                build(&sources, &self.checkout, &self.harness, &self.sandbox)
+                build(&sources, &self.programs, &self.harness, &self.sandbox)
             };
             match compile(&replaced)? {
                 Built::Program(executable) => {
@@ -182,11 +194,10 @@ enum Built {
 
 fn build(
     sources: &Sources,
-    checkout: &Checkout,
+    programs: &Path,
     harness: &Harness,
     sandbox: &Sandbox,
 ) -> Result<Built> {
-    let programs = checkout.scratch().join("programs");
     let folder = programs.join(fingerprint(sources, harness, sandbox));
     let executable = folder.join("out").join(PROGRAM);
     if executable.is_file() {

@@ -16,6 +16,7 @@ use crate::diagnosis::Diagnosis;
 use crate::error::{Error, Result};
 use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskResult};
 use crate::goldens::{GoldenScene, Goldens};
+use crate::grade::turns::SecondRuns;
 use crate::questions::{self, Group, QuestionFilm};
 use crate::sandbox::{Limits, Sandbox};
 use crate::second_judge::SecondJudge;
@@ -35,6 +36,8 @@ pub struct Examiner<'a> {
     pub wall: Duration,
     /// Asked about every film too, if there is one; a disagreement is an error.
     pub second_judge: Option<&'a SecondJudge>,
+    /// Where an answer that comes too late is asked for again, if anywhere.
+    pub second_runs: Option<&'a SecondRuns<'a>>,
     /// Told what is being asked, and the share of its answers so far, 0 to 1.
     pub progress: &'a dyn Fn(&str, f64),
 }
@@ -196,7 +199,7 @@ impl Examiner<'_> {
     }
 
     fn scene(&self, scene: &GoldenScene, printed: &mut String) -> Result<SceneResult> {
-        let film = self.goldens.scene_film(scene)?;
+        let film = self.goldens.kept_scene(scene)?;
         let start = Instant::now();
         let reply = self.ask(&scene.name, &film.job, self.wall)?;
         let seconds = start.elapsed().as_secs_f64();
@@ -210,15 +213,22 @@ impl Examiner<'_> {
             seconds,
             file: scene.file.clone(),
             film: cast,
-            golden: film.golden,
+            golden: film.golden.clone(),
             diagnosis: Diagnosis::default(),
         })
     }
 
     fn ask(&self, what: &str, job: &Job, wall: Duration) -> Result<Reply> {
-        run(self.program, self.sandbox, wall, job, &mut |done| {
-            (self.progress)(what, done as f64 / job.len().max(1) as f64);
-        })
+        let once = || {
+            run(self.program, self.sandbox, wall, job, &mut |done| {
+                (self.progress)(what, done as f64 / job.len().max(1) as f64);
+            })
+        };
+        let too_late = |reply: &Result<Reply>| matches!(reply, Ok(reply) if matches!(reply.ending, Ending::TimedOut(_)));
+        match self.second_runs {
+            Some(second_runs) => second_runs.run(once, too_late),
+            None => once(),
+        }
     }
 
     /// An outcome from a reply, with the film if it is whole; `task` if one answer was

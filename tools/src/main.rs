@@ -23,6 +23,7 @@ mod examination;
 mod examine;
 mod explanation;
 mod goldens;
+mod grade;
 mod handout;
 mod harness;
 mod json;
@@ -64,6 +65,7 @@ fn main() -> ExitCode {
     match ran {
         Ok(Ok(command::Outcome::Well)) => ExitCode::SUCCESS,
         Ok(Ok(command::Outcome::JudgedWrong)) => ExitCode::from(1),
+        Ok(Ok(command::Outcome::Incomplete)) => ExitCode::from(3),
         Ok(Err(error)) => {
             if json {
                 let Error {

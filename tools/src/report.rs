@@ -31,6 +31,7 @@ use crate::shell::{PINHOLE, in_shell};
 use crate::table;
 pub use belief::Beliefs;
 use belief::Told;
+pub use page::policy;
 pub use rays::RayGrid;
 pub use scene::{Evidence, SceneSection};
 use task::TaskSection;

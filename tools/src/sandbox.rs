@@ -78,21 +78,45 @@ impl Sandbox {
         secrets: &[PathBuf],
     ) -> Result<Sandbox> {
         match choice {
-            Choice::None => Ok(Sandbox::Trusted),
             Choice::Auto if checkout.contains(folder) => Ok(Sandbox::Trusted),
-            Choice::Auto | Choice::Bubblewrap => Sandbox::bubblewrap(checkout, folder),
+            _ => Sandbox::for_strangers(&folder.display().to_string(), checkout, choice, secrets),
+        }
+    }
+
+    /// The same for code that nobody trusts, wherever it lies; `what` names it.
+    ///
+    /// # Errors
+    /// See [`Sandbox::around`].
+    pub fn for_strangers(
+        what: &str,
+        checkout: &Checkout,
+        choice: Choice,
+        secrets: &[PathBuf],
+    ) -> Result<Sandbox> {
+        match choice {
+            Choice::None => Ok(Sandbox::Trusted),
+            Choice::Auto | Choice::Bubblewrap => Sandbox::bubblewrap(checkout, what),
             Choice::Container => Sandbox::container(checkout, secrets),
         }
     }
 
+    /// The same walls around somebody else: another user id, so that neither can signal
+    /// or starve the other, and time of their own.
+    pub fn anew(&self) -> Sandbox {
+        match self {
+            Sandbox::Trusted => Sandbox::Trusted,
+            #[cfg(target_os = "linux")]
+            Sandbox::Bubblewrap(walls) => Sandbox::Bubblewrap(walls.anew()),
+            #[cfg(target_os = "linux")]
+            Sandbox::Container(walls) => Sandbox::Container(walls.anew()),
+        }
+    }
+
     #[cfg(target_os = "linux")]
-    fn bubblewrap(checkout: &Checkout, folder: &Path) -> Result<Sandbox> {
+    fn bubblewrap(checkout: &Checkout, what: &str) -> Result<Sandbox> {
         let walls = bubblewrap::Bubblewrap::new(checkout).map_err(|why| {
             Error::environment(
-                format!(
-                    "{} must run in a sandbox, and bubblewrap does not work here: {why}",
-                    folder.display()
-                ),
+                format!("{what} must run in a sandbox, and bubblewrap does not work here: {why}"),
                 "install it (Debian: apt-get install bubblewrap); in a container that is used \
                  once, pass --sandbox container; or pass --trust if the code is your own",
             )
@@ -106,19 +130,16 @@ impl Sandbox {
     }
 
     #[cfg(not(target_os = "linux"))]
-    fn bubblewrap(_: &Checkout, folder: &Path) -> Result<Sandbox> {
+    fn bubblewrap(_: &Checkout, what: &str) -> Result<Sandbox> {
         Err(Error::environment(
-            format!(
-                "{} must run in a sandbox, and there is none for this system",
-                folder.display()
-            ),
+            format!("{what} must run in a sandbox, and there is none for this system"),
             "use a Linux machine, or pass --trust if the code is your own",
         ))
     }
 
     #[cfg(not(target_os = "linux"))]
     fn container(checkout: &Checkout, _: &[PathBuf]) -> Result<Sandbox> {
-        Sandbox::bubblewrap(checkout, Path::new("the code"))
+        Sandbox::bubblewrap(checkout, "the code")
     }
 
     /// Which walls these are, for results.

@@ -49,6 +49,15 @@ impl Bubblewrap {
         Ok(walls)
     }
 
+    /// See [`Sandbox::anew`](super::Sandbox::anew).
+    pub fn anew(&self) -> Bubblewrap {
+        Bubblewrap {
+            uid: self.uid.map(|_| next_uid()),
+            budget: Budget::default(),
+            ..self.clone()
+        }
+    }
+
     /// The toolchain.
     pub fn sysroot(&self) -> &Path {
         &self.sysroot

@@ -63,6 +63,15 @@ impl Container {
         Ok(walls)
     }
 
+    /// See [`Sandbox::anew`](super::Sandbox::anew).
+    pub fn anew(&self) -> Container {
+        Container {
+            uid: next_uid(),
+            budget: Budget::default(),
+            ..self.clone()
+        }
+    }
+
     /// Which walls these are, for results.
     pub fn name(&self) -> &'static str {
         match self.landlocked {
