@@ -171,6 +171,8 @@ impl Sandbox {
     ///
     /// # Errors
     /// If the folder cannot be handed over to the user id that compiles.
+    // Only Linux has walls, which want to know more.
+    #[cfg_attr(not(target_os = "linux"), expect(unused_variables))]
     pub fn compiler(&self, folder: &Path, harness: &Path, limits: &Limits) -> io::Result<Command> {
         match self {
             Sandbox::Trusted => {
@@ -240,6 +242,7 @@ impl Sandbox {
         Ok(reply)
     }
 
+    #[cfg_attr(not(target_os = "linux"), expect(unused_variables))]
     fn watch(&self, pid: u32, limits: &Limits) -> Watch {
         match self {
             Sandbox::Trusted => Watch::nothing(),

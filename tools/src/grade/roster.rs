@@ -200,7 +200,7 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placed {
         if of_one.len() < 2 {
             continue;
         }
-        of_one.sort_by(|(_, a), (_, b)| b.attempt.cmp(&a.attempt));
+        of_one.sort_by_key(|(_, b)| std::cmp::Reverse(b.attempt));
         let ordered = of_one.iter().all(|(_, said)| said.attempt.is_some())
             && of_one
                 .windows(2)

@@ -123,7 +123,9 @@ impl Secrets {
             for source in sources(&course.join(kind)) {
                 let two = source
                     .windows(2)
-                    .filter(|two| two.iter().all(|line| is_secret(line)));
+                    .filter(|two| two.iter().all(|line| is_secret(line)))
+                    // That there are two projections is told by the stubs as well.
+                    .filter(|two| !two.iter().all(|line| line.starts_with("Projection::")));
                 let long = two.filter(|two| two.concat().len() >= 48);
                 pairs.extend(long.map(|two| (two[0].clone(), two[1].clone())));
             }
@@ -168,6 +170,9 @@ fn whatever_file_would_give_something_away_it_is_refused() {
         bytes.extend_from_slice(more.as_bytes());
         bytes
     };
+    let readme = fs::read_to_string(root().join("README.md")).expect("it is there");
+    let heading = "## For students\n";
+    let named = readme.replace(heading, &format!("{heading}\nSee `sphere_packing`.\n"));
     let line = "would give away a line of the reference";
     let cases: [(&str, Vec<u8>, &str); 5] = [
         (
@@ -180,11 +185,7 @@ fn whatever_file_would_give_something_away_it_is_refused() {
             with("book/figures/id.png", answer),
             line,
         ),
-        (
-            "README.md",
-            with("README.md", "\nsphere_packing\n"),
-            "the name of the withheld scene",
-        ),
+        ("README.md", named.into(), "the name of the withheld scene"),
         (
             "book/figures/id.png",
             with("book/figures/id.png", &hash),
