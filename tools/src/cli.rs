@@ -347,8 +347,9 @@ pub struct Grade {
     /// Grade only part K of N, for `pinhole merge`
     #[arg(long, value_name = "K/N", value_parser = shard)]
     pub shard: Option<(usize, usize)>,
-    /// Seconds after which an answer no longer counts; only if it is late again, alone
-    #[arg(long, value_name = "SECONDS", default_value_t = 10,
+    /// Seconds of processor time that each task and scene has at least; never less than a
+    /// hundred times what the reference takes. Late is only what is late again, alone
+    #[arg(long, value_name = "SECONDS", default_value_t = 4,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
     /// Which walls the code runs behind, wherever it lies; `auto` is bubblewrap

@@ -16,7 +16,7 @@ use crate::diagnosis::Diagnosis;
 use crate::error::{Error, Result};
 use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskResult};
 use crate::goldens::{GoldenScene, Goldens};
-use crate::grade::turns::SecondRuns;
+use crate::grade::clock::Clock;
 use crate::questions::{self, Group, QuestionFilm};
 use crate::sandbox::{Limits, Sandbox};
 use crate::second_judge::SecondJudge;
@@ -36,8 +36,8 @@ pub struct Examiner<'a> {
     pub wall: Duration,
     /// Asked about every film too, if there is one; a disagreement is an error.
     pub second_judge: Option<&'a SecondJudge>,
-    /// Where an answer that comes too late is asked for again, if anywhere.
-    pub second_runs: Option<&'a SecondRuns<'a>>,
+    /// What says how long each process may take instead, if anything does.
+    pub clock: Option<&'a Clock<'a>>,
     /// Told what is being asked, and the share of its answers so far, 0 to 1.
     pub progress: &'a dyn Fn(&str, f64),
 }
@@ -219,16 +219,17 @@ impl Examiner<'_> {
     }
 
     fn ask(&self, what: &str, job: &Job, wall: Duration) -> Result<Reply> {
-        let once = || {
-            run(self.program, self.sandbox, wall, job, &mut |done| {
-                (self.progress)(what, done as f64 / job.len().max(1) as f64);
-            })
+        let limits = match self.clock {
+            Some(clock) => clock.limits(what),
+            None => Limits::of_answers(wall),
         };
-        let too_late = |reply: &Result<Reply>| matches!(reply, Ok(reply) if matches!(reply.ending, Ending::TimedOut(_)));
-        match self.second_runs {
-            Some(second_runs) => second_runs.run(once, too_late),
-            None => once(),
+        let reply = run(self.program, self.sandbox, &limits, job, &mut |done| {
+            (self.progress)(what, done as f64 / job.len().max(1) as f64);
+        })?;
+        if let Some(clock) = self.clock {
+            clock.look(&reply)?;
         }
+        Ok(reply)
     }
 
     /// An outcome from a reply, with the film if it is whole; `task` if one answer was
@@ -283,13 +284,12 @@ fn task_of<'a>(panic: &Panic, assignment: &'a Assignment) -> Option<&'a str> {
 pub fn run(
     program: &Program,
     sandbox: &Sandbox,
-    wall: Duration,
+    limits: &Limits,
     job: &Job,
     progress: &mut dyn FnMut(usize),
 ) -> Result<Reply> {
-    let limits = Limits::of_answers(wall);
     let stop = program.stop.clone();
-    let asked = sandbox.ask(&program.executable, job, &limits, stop, progress);
+    let asked = sandbox.ask(&program.executable, job, limits, stop, progress);
     asked.map_err(|error| {
         Error::environment(
             format!("cannot ask {}: {error}", program.executable.display()),

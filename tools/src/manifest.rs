@@ -148,6 +148,39 @@ impl Manifest {
         Ok(format!("{head}{text}"))
     }
 
+    /// Films and scenes that are not what they were when the films were made.
+    fn changed_files(&self, folder: &Path, checkout: &Checkout) -> Vec<String> {
+        let sources = self.sources.iter().map(|(path, recorded)| {
+            let source = source(path, folder, checkout);
+            changed(&source, path, recorded)
+        });
+        let films = self.films.iter();
+        let films = films.map(|(path, recorded)| changed(&folder.join(path), path, recorded));
+        sources.chain(films).flatten().collect()
+    }
+
+    /// Refuses goldens that marks must not be made from.
+    ///
+    /// # Errors
+    /// If a film or a scene has changed since.
+    pub fn refuse_changed(&self, folder: &Path, checkout: &Checkout) -> Result<()> {
+        let changed = self.changed_files(folder, checkout);
+        let Some(first) = changed.first() else {
+            return Ok(());
+        };
+        let more = match changed.len() {
+            1 => String::new(),
+            count => format!(", and {} more", count - 1),
+        };
+        Err(Error::input(
+            format!(
+                "goldens in {} cannot be judged by: {first}{more}",
+                folder.display()
+            ),
+            "restore them (git checkout), or make them again: cargo run --release -- golden render",
+        ))
+    }
+
     /// Everything that is not as the manifest says.
     pub fn out_of_step(
         &self,
@@ -172,13 +205,7 @@ impl Manifest {
             problems
                 .push("the scripts in tools/mitsuba are not those that made the goldens".into());
         }
-        for (path, recorded) in &self.sources {
-            let source = source(path, folder, checkout);
-            problems.extend(changed(&source, path, recorded));
-        }
-        for (path, recorded) in &self.films {
-            problems.extend(changed(&folder.join(path), path, recorded));
-        }
+        problems.extend(self.changed_files(folder, checkout));
         let known: BTreeSet<&String> = self.films.keys().collect();
         for place in [folder.to_owned(), folder.join("probes")] {
             let entries = fs::read_dir(&place).into_iter().flatten().flatten();

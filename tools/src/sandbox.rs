@@ -38,6 +38,15 @@ pub use finish::{Finished, finish};
 pub use limits::Limits;
 use watch::{Exceeded, Watch};
 
+/// Processor time of all processes that this one has started and seen end, where the
+/// system tells.
+pub fn time_of_children() -> Option<std::time::Duration> {
+    #[cfg(target_os = "linux")]
+    return tree::time_of_children();
+    #[cfg(not(target_os = "linux"))]
+    None
+}
+
 /// What a user asks for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
 pub enum Choice {

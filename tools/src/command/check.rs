@@ -68,7 +68,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
         sandbox: &sandbox,
         wall: Duration::from_secs(arguments.run.timeout),
         second_judge: second_judge.as_ref(),
-        second_runs: None,
+        clock: None,
         progress: &|what, share| progress.show(what, share),
     };
     let examination = examiner.examine(&submission, &selection)?;

@@ -5,7 +5,7 @@ use std::fs;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use serde_json::json;
@@ -22,12 +22,12 @@ use crate::grade::alike::Known;
 use crate::grade::bench::{Bench, Graded};
 use crate::grade::changes::{self, Change};
 use crate::grade::class::{Class, Roll};
+use crate::grade::clock::Pace;
 use crate::grade::formats::Format;
 use crate::grade::intake::{self, Entry};
 use crate::grade::provenance::{self, MadeWith, Provenance, Tool};
 use crate::grade::record::Record;
 use crate::grade::store::{Store, pretty};
-use crate::grade::turns::Turns;
 use crate::grade::withheld::Withheld;
 use crate::grade::{csv, fresh, page, roster};
 use crate::manifest::Manifest;
@@ -57,6 +57,12 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Outcome> {
             fresh::find_or_make(&folder, arguments.seed, &assignment, checkout)?
         }
     };
+    for folder in [Some(folder), made.as_ref().map(|(fresh, _)| &fresh.folder)]
+        .into_iter()
+        .flatten()
+    {
+        Manifest::read(folder)?.refuse_changed(folder, checkout)?;
+    }
     let withheld = Withheld {
         scenes: arguments.golden.is_some(),
         probes: arguments.golden.is_some() && goldens.probes.is_none(),
@@ -101,6 +107,13 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Outcome> {
     progress.say("building");
     let compiler = Compiler::new(&assignment, checkout, &sandbox)?;
     let rooms = rooms(checkout, &store);
+    progress.say("asking the reference");
+    let judges: Vec<&Goldens> = [Some(&goldens), made.as_ref().map(|(fresh, _)| fresh)]
+        .into_iter()
+        .flatten()
+        .collect();
+    let least = Duration::from_secs(arguments.timeout);
+    let pace = Pace::measure(&assignment, &judges, checkout, least)?;
     let bench = Bench {
         assignment: &assignment,
         goldens: &goldens,
@@ -109,8 +122,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Outcome> {
         of_fresh: arguments.reveal,
         compiler: &compiler,
         sandbox: &sandbox,
-        wall: Duration::from_secs(arguments.timeout),
-        turns: &Turns::default(),
+        pace: &pace,
         rooms: &rooms,
         made_with: &made_with,
     };
@@ -131,10 +143,12 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Outcome> {
 
     let mut records = BTreeMap::new();
     let mut changes = Vec::new();
+    let mut faults = Vec::new();
     let mut anew = 0;
     for done in worked {
         anew += usize::from(done.anew);
         changes.extend(done.change);
+        faults.extend(done.fault);
         records.insert(done.record.id.clone(), done.record);
     }
     changes::sort(&mut changes);
@@ -153,6 +167,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Outcome> {
         anew,
         seconds: start.elapsed().as_secs_f64(),
         changes,
+        faults,
     };
     finish(
         &store,
@@ -225,29 +240,50 @@ struct Done {
     record: Record,
     anew: bool,
     change: Option<Change>,
+    /// Whose grading failed now, and why.
+    fault: Option<(String, String)>,
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Desk<'_> {
     fn work(&self, entries: &[Entry], jobs: usize) -> Vec<Done> {
         let next = AtomicUsize::new(0);
         let all = Mutex::new(Vec::new());
+        let late = Mutex::new(Vec::new());
         std::thread::scope(|scope| {
             for _ in 0..jobs.clamp(1, entries.len().max(1)) {
                 scope.spawn(|| {
                     while let Some(entry) = entries.get(next.fetch_add(1, Ordering::Relaxed)) {
-                        let done = self.one(entry);
-                        self.tell(&done);
-                        all.lock()
-                            .unwrap_or_else(PoisonError::into_inner)
-                            .push(done);
+                        match self.one(entry, false) {
+                            Some(done) => locked(&all).push(done),
+                            None => locked(&late).push(entry),
+                        }
                     }
                 });
             }
         });
-        all.into_inner().unwrap_or_else(PoisonError::into_inner)
+        let mut all = all.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let late = late.into_inner().unwrap_or_else(PoisonError::into_inner);
+        for entry in &late {
+            let name = printable(&entry.id);
+            self.progress
+                .say(&format!("{name} again, alone: an answer came too late"));
+            all.extend(self.one(entry, true));
+        }
+        all
     }
 
-    fn one(&self, entry: &Entry) -> Done {
+    /// `None` if it is to be graded again, `alone`.
+    fn one(&self, entry: &Entry, alone: bool) -> Option<Done> {
+        let done = self.grade(entry, alone)?;
+        self.tell(&done);
+        Some(done)
+    }
+
+    fn grade(&self, entry: &Entry, alone: bool) -> Option<Done> {
         let Bench {
             assignment,
             made_with,
@@ -260,7 +296,7 @@ impl Desk<'_> {
                 let missing = Unusable::Missing;
                 let nothing = intake::without_answers(entry, assignment, &missing);
                 let record = self.bench.blank(entry, &nothing);
-                return self.faulty(record.not_graded(error.to_string()));
+                return Some(self.faulty(record.not_graded(error.to_string()), None));
             }
         };
         if let Some(before) = &before
@@ -268,36 +304,42 @@ impl Desk<'_> {
             && before.provenance == Provenance::of(&submission, made_with)
             && before.name == entry.name
         {
-            return Done {
+            return Some(Done {
                 record: before.clone(),
                 anew: false,
                 change: None,
-            };
+                fault: None,
+            });
         }
-        let Graded { record, report } = self.bench.grade(entry, &submission);
+        let Graded { record, report } = self.bench.grade(entry, &submission, alone)?;
         let Some(report) = report else {
-            return self.faulty(record);
+            return Some(self.faulty(record, before));
         };
         if let Err(error) = self.store.keep(&record, &report) {
-            return self.faulty(record.not_graded(error.to_string()));
+            return Some(self.faulty(record.not_graded(error.to_string()), before));
         }
         let change = before.and_then(|before| Change::between(&before, &record));
-        Done {
+        Some(Done {
             record,
             anew: true,
             change,
-        }
+            fault: None,
+        })
     }
 
-    /// A fault of ours: told, and kept beside a finished grade if there is one.
-    fn faulty(&self, mut record: Record) -> Done {
+    /// A fault of ours: told, and kept beside the grade from `before` if there is one,
+    /// which stands if it is of the same answers, judged by the same.
+    fn faulty(&self, mut record: Record, before: Option<Record>) -> Done {
         if let Err(error) = self.store.keep_fault(&record) {
             record.explanation.push_str(&format!("; {}", error.problem));
         }
+        let fault = Some((record.id.clone(), record.explanation.clone()));
+        let stands = before.filter(|before| before.provenance == record.provenance);
         Done {
-            record,
-            anew: true,
+            anew: stands.is_none(),
+            record: stands.unwrap_or(record),
             change: None,
+            fault,
         }
     }
 
@@ -327,6 +369,8 @@ pub struct Told {
     pub anew: usize,
     pub seconds: f64,
     pub changes: Vec<Change>,
+    /// Whose grading failed, and why; an earlier grade of the same may stand.
+    pub faults: Vec<(String, String)>,
 }
 
 /// Writes what is said of the class, and says it.
@@ -357,14 +401,15 @@ pub fn finish(
         true => anstream::println!("{:#}", document(&class, &told)),
         false => anstream::print!("{}", words(&class, &told, store)),
     }
-    if not_graded.is_empty() {
+    if not_graded.is_empty() && told.faults.is_empty() {
         return Ok(Outcome::Well);
     }
     anstream::eprintln!(
-        "pinhole: {} of {} submissions have no mark\n  remedy: see why above; run the same \
-         command again, and it grades these alone",
+        "pinhole: {} of {} submissions have no mark, and grading failed for {}\n  remedy: see \
+         why above; run the same command again, and it grades these alone",
         not_graded.len(),
-        class.rows.len()
+        class.rows.len(),
+        told.faults.len()
     );
     Ok(Outcome::Incomplete)
 }
@@ -388,6 +433,7 @@ fn document(class: &Class, told: &Told) -> serde_json::Value {
         "mistakes": class.mistakes(),
         "alike": class.alike,
         "changes": told.changes,
+        "faults": told.faults,
         "roster": class.roll.placed,
         "ignored": class.roll.ignored,
     })
@@ -401,6 +447,14 @@ fn words(class: &Class, told: &Told, store: &Store) -> String {
     };
     for (id, why) in class.not_graded() {
         line(format!("not graded: {}: {}", printable(id), printable(why)));
+    }
+    let stands = |id: &String| !class.not_graded().iter().any(|(other, _)| other == id);
+    for (id, why) in told.faults.iter().filter(|(id, _)| stands(id)) {
+        line(format!(
+            "not graded again, the old mark stands: {}: {}",
+            printable(id),
+            printable(why)
+        ));
     }
     for change in &told.changes {
         line(format!("changed: {}", printable(&change.in_words())));

@@ -46,7 +46,9 @@ pub fn tokens(text: &str) -> Option<String> {
         match token {
             TokenTree::Group(group) if was_after_hash && is_doc(&group.stream()) => {
                 flat.truncate(flat.trim_end_matches(['#', '!', '\n']).len());
-                flat.push('\n');
+                if !flat.is_empty() {
+                    flat.push('\n');
+                }
             }
             TokenTree::Group(group) => {
                 let [opening, closing] = match group.delimiter() {

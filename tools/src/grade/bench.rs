@@ -7,13 +7,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use super::alike;
+use super::clock::{Clock, Pace};
 use super::intake::Entry;
 use super::kind::Kind;
 use super::provenance::{MadeWith, Provenance};
 use super::record::{
     BeliefRecord, FlagRecord, GroupRecord, Record, SCHEMA, SceneRecord, TaskRecord, Timings,
 };
-use super::turns::{SecondRuns, Turns};
 use super::withheld::{self, Reveal, Withheld};
 use crate::assignment::Assignment;
 use crate::compile::{Compiler, Program, Replaced};
@@ -41,8 +41,7 @@ pub struct Bench<'a> {
     pub of_fresh: Reveal,
     pub compiler: &'a Compiler,
     pub sandbox: &'a Sandbox,
-    pub wall: Duration,
-    pub turns: &'a Turns,
+    pub pace: &'a Pace,
     /// Where programs lie while they are asked.
     pub rooms: &'a Path,
     pub made_with: &'a MadeWith,
@@ -79,17 +78,24 @@ pub struct Graded {
 impl Bench<'_> {
     /// Grades a submission. Whatever goes wrong here is told in the record: it stops
     /// nobody else, and is nobody's zero.
-    pub fn grade(&self, entry: &Entry, submission: &Submission) -> Graded {
-        let work = AssertUnwindSafe(|| self.try_grade(entry, submission));
+    ///
+    /// `None` if an answer came too late and it was not `alone`: see [`clock`](super::clock).
+    pub fn grade(&self, entry: &Entry, submission: &Submission, alone: bool) -> Option<Graded> {
+        let clock = Clock::new(self.pace, alone);
+        let work = AssertUnwindSafe(|| self.try_grade(entry, submission, &clock));
         let fault = match catch_unwind(work) {
-            Ok(Ok(graded)) => return graded,
+            Ok(Ok(mut graded)) => {
+                graded.record.timings.second_runs = u32::from(alone);
+                return Some(graded);
+            }
+            Ok(Err(_)) if clock.was_late() => return None,
             Ok(Err(error)) => error.to_string(),
             Err(_) => "the grader itself failed; please report it".into(),
         };
-        Graded {
+        Some(Graded {
             record: self.blank(entry, submission).not_graded(fault),
             report: None,
-        }
+        })
     }
 
     /// What is known of a submission before anything was asked.
@@ -116,14 +122,13 @@ impl Bench<'_> {
         }
     }
 
-    fn try_grade(&self, entry: &Entry, submission: &Submission) -> Result<Graded> {
+    fn try_grade(&self, entry: &Entry, submission: &Submission, clock: &Clock) -> Result<Graded> {
         let start = Instant::now();
         let room = Room::new(self.rooms);
         let sandbox = self.sandbox.anew();
         let compiler = self.compiler.apart(&sandbox, room.folder.clone());
         let program = compiler.compile(submission)?;
         let compiled = start.elapsed();
-        let second_runs = SecondRuns::new(self.turns);
         let everything = Selection::default();
         let mut examination = self.examine(
             self.goldens,
@@ -131,18 +136,13 @@ impl Bench<'_> {
             &sandbox,
             submission,
             &everything,
-            &second_runs,
+            clock,
         )?;
         examination.submission = entry.name.clone();
         let fresh = match (self.fresh, worth_asking_again(&examination)) {
-            (Some(goldens), Some(selection)) => Some(self.examine(
-                goldens,
-                &program,
-                &sandbox,
-                submission,
-                &selection,
-                &second_runs,
-            )?),
+            (Some(goldens), Some(selection)) => {
+                Some(self.examine(goldens, &program, &sandbox, submission, &selection, clock)?)
+            }
             _ => None,
         };
         let failed = fresh.as_ref().map(|fresh| deny(&mut examination, fresh));
@@ -175,7 +175,7 @@ impl Bench<'_> {
             compiling: compiled.as_secs_f64(),
             asking: (asked - compiled).as_secs_f64(),
             report: (total - asked).as_secs_f64(),
-            second_runs: second_runs.made(),
+            second_runs: 0,
         };
         Ok(Graded {
             record,
@@ -190,16 +190,16 @@ impl Bench<'_> {
         sandbox: &Sandbox,
         submission: &Submission,
         selection: &Selection,
-        second_runs: &SecondRuns,
+        clock: &Clock,
     ) -> Result<Examination> {
         let examiner = Examiner {
             assignment: self.assignment,
             goldens,
             program,
             sandbox,
-            wall: self.wall,
+            wall: Duration::MAX,
             second_judge: None,
-            second_runs: Some(second_runs),
+            clock: Some(clock),
             progress: &|_, _| {},
         };
         examiner.examine(submission, selection)

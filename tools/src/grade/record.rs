@@ -110,7 +110,7 @@ pub struct Timings {
     pub compiling: f64,
     pub asking: f64,
     pub report: f64,
-    /// How many answers came too late and were asked for again.
+    /// 1 if an answer came too late beside others, so that all was graded again, alone.
     pub second_runs: u32,
 }
 

@@ -15,7 +15,7 @@ use super::Limits;
 use super::budget::Budget;
 use super::confine;
 use super::syscalls::Purpose;
-use super::toolchain::{next_uid, sysroot};
+use super::toolchain::{linker, next_uid, sysroot};
 use crate::checkout::Checkout;
 use crate::error::{Error, Result};
 
@@ -113,7 +113,7 @@ impl Container {
         command
             .arg("--")
             .arg(self.sysroot.join("bin").join("rustc"));
-        command.arg("-Clinker=gcc");
+        command.args(linker(&self.sysroot));
         Ok(command)
     }
 

@@ -129,7 +129,7 @@ impl Bench {
             sandbox,
             wall: self.course.wall,
             second_judge: None,
-            second_runs: None,
+            clock: None,
             progress: &|what, _| {
                 if asking.replace(what.into()) != what {
                     self.tell(Event::Asking {

@@ -339,6 +339,7 @@ fn a_fault_of_the_graders_is_no_zero_and_spares_the_finished_grade() {
     let class = Class::new("fault");
     class.grade("out", &[]).expect_code(0);
     let before = class.read("out/submissions/ada/result.json");
+    let marks = class.read("out/grades.csv");
     // Nobody can write a report where a folder lies.
     let report = class.folder.join("out/submissions/ada/report.html");
     fs::remove_file(&report).expect("it was there");
@@ -347,9 +348,16 @@ fn a_fault_of_the_graders_is_no_zero_and_spares_the_finished_grade() {
         .grade("out", &["--regrade", "--json"])
         .expect_code(3)
         .json();
+    assert_eq!(told["faults"][0][0], "ada");
+    assert_eq!(told["points"]["ada"], 100, "the old mark stands");
+    assert_eq!(class.read("out/submissions/ada/result.json"), before);
+    assert_eq!(class.read("out/grades.csv"), marks);
+
+    // Of other answers the old mark says nothing.
+    class.hand_in("ada", &[("plane.rs", &wrong_plane())]);
+    let told = class.grade("out", &["--json"]).expect_code(3).json();
     assert_eq!(told["not_graded"][0][0], "ada");
     assert_eq!(told["points"]["ada"], Value::Null);
-    assert_eq!(class.read("out/submissions/ada/result.json"), before);
 }
 
 /// A folder of goldens as `golden render SCENE --out` makes it: films and a manifest, and
@@ -362,11 +370,18 @@ fn goldens_of_one_scene(class: &Class, scene: &str) -> String {
         let film = root().join("golden/ray_casting").join(&name);
         fs::copy(film, folder.join(name)).expect("the film is there");
     }
-    let manifest = format!(
-        "mitsuba = \"3\"\nvariant = \"scalar_rgb\"\n[scripts]\n[films]\n[sources]\n\
-         \"assignments/ray_casting/scenes/{scene}.toml\" = \"\"\n"
-    );
-    fs::write(folder.join("manifest.toml"), manifest).expect("writable");
+    let manifest = fs::read_to_string(root().join("golden/ray_casting/manifest.toml"));
+    let mut manifest: toml::Table = manifest.expect("it is there").parse().expect("TOML");
+    manifest.remove("probe_seed");
+    manifest.remove("mistakes");
+    for (table, part) in [
+        ("films", format!("{scene}.")),
+        ("sources", format!("/{scene}.toml")),
+    ] {
+        let entries = manifest[table].as_table_mut().expect("a table");
+        entries.retain(|name, _| name.contains(&part) && !name.contains("mistakes"));
+    }
+    fs::write(folder.join("manifest.toml"), manifest.to_string()).expect("writable");
     class.path("mine")
 }
 
@@ -414,6 +429,68 @@ fn withheld_scenes_show_no_more_than_the_instructor_chooses() {
             "{reveal}: {loud:#}"
         );
     }
+}
+
+#[test]
+fn goldens_that_have_changed_since_they_were_made_judge_nobody() {
+    let class = Class::new("changed-goldens");
+    let mine = goldens_of_one_scene(&class, "inside_a_sphere");
+    let film = class.folder.join("mine/inside_a_sphere.exr");
+    let mut bytes = fs::read(&film).expect("it is there");
+    *bytes.last_mut().expect("it is not empty") ^= 1;
+    fs::write(&film, bytes).expect("writable");
+    class
+        .grade("out", &["--golden", &mine])
+        .expect_code(2)
+        .expect_err("inside_a_sphere.exr has changed since the goldens were made");
+    assert!(!class.folder.join("out/grades.csv").exists());
+}
+
+#[test]
+fn an_endless_answer_is_asked_again_alone_and_costs_its_own_points_only() {
+    let class = Class::new("endless");
+    let entry = class.path("class/endless");
+    let reference = fs::read_to_string(answers().join("plane.rs")).expect("it is there");
+    let endless = reference.replacen(
+        "-> Option<Intersection> {",
+        "-> Option<Intersection> { while std::hint::black_box(true) {}",
+        1,
+    );
+    class.hand_in("endless", &[("plane.rs", &endless)]);
+    let out = class.path("out");
+    let more = ["--no-fresh", "--timeout", "1"];
+    pinhole(&[&["grade", &entry, "--out", &out][..], &more].concat()).expect_code(0);
+    let result = class.result("out", "endless");
+    assert_eq!(result["outcome"], "timed out");
+    assert_eq!(result["timings"]["second_runs"], 1);
+    for task in result["tasks"].as_array().expect("tasks") {
+        let lost = task["points"] != task["possible"];
+        assert_eq!(lost, task["name"] == "plane", "{task:#}");
+    }
+}
+
+#[test]
+fn nobody_is_graded_without_walls_unless_the_instructor_says_so() {
+    let class = Class::new("trusted");
+    let (entry, out) = (class.path("class/ada"), class.path("out"));
+    let fixed = ["grade", &entry, "--out", &out, "--no-fresh"];
+    pinhole(&[&fixed[..], &["--trust"]].concat()).expect_code(0);
+    let result = class.result("out", "ada");
+    assert_eq!(result["provenance"]["sandbox"], "none");
+    assert!(
+        class
+            .read("out/submissions/ada/report.html")
+            .contains("none")
+    );
+    // That mark does not pass for one made behind walls.
+    let again = pinhole(&[&fixed[..], &["--json"]].concat())
+        .expect_code(0)
+        .json();
+    assert_eq!(again["graded_now"], 1);
+    assert_eq!(
+        class.result("out", "ada")["provenance"]["sandbox"],
+        "bubblewrap"
+    );
 }
 
 /// `sphere.rs` that is right about every public question and says no to all others.
