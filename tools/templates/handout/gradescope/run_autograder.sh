@@ -4,7 +4,7 @@ set -uo pipefail
 
 export RUSTUP_HOME=/opt/rust/rustup CARGO_HOME=/opt/rust/cargo CARGO_NET_OFFLINE=true
 export PATH="/opt/rust/cargo/bin:$PATH"
-cd /autograder/source/pinhole
+cd /autograder/source/pinhole || exit
 
 # Another user's code runs in this container: what is graded is root's alone.
 graded=/autograder/graded
