@@ -337,7 +337,10 @@ fn two_graders_do_not_write_into_one_folder() {
 #[test]
 fn a_fault_of_the_graders_is_no_zero_and_spares_the_finished_grade() {
     let class = Class::new("fault");
-    class.grade("out", &[]).expect_code(0);
+    // The first run may build this program anew, and then the second is another's.
+    for _ in 0..2 {
+        class.grade("out", &[]).expect_code(0);
+    }
     let before = class.read("out/submissions/ada/result.json");
     let marks = class.read("out/grades.csv");
     // Nobody can write a report where a folder lies.
