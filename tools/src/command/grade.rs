@@ -64,7 +64,17 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Outcome> {
         Manifest::read(folder)?.refuse_changed(folder, checkout)?;
     }
     let withheld = Withheld {
-        scenes: arguments.golden.is_some(),
+        scenes: match arguments.golden {
+            Some(_) => goldens
+                .scenes
+                .iter()
+                .map(|scene| scene.name.clone())
+                .collect(),
+            None => assignment
+                .withheld_scenes()
+                .map(|scene| scene.name.clone())
+                .collect(),
+        },
         probes: arguments.golden.is_some() && goldens.probes.is_none(),
         reveal: arguments.reveal,
     };
@@ -81,10 +91,8 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Outcome> {
     let sandbox = Sandbox::for_strangers("submissions", checkout, arguments.walls(), &secrets)?;
     let of_manifest = |folder: &Path| provenance::of_file(&folder.join("manifest.toml"));
     let made_with = MadeWith {
-        judged_on: judged_on(
-            arguments.golden.is_some(),
-            made.as_ref().map(|(_, seed)| *seed),
-        ),
+        judged_on: judged_on(arguments.golden.is_some(), made.is_some()),
+        seed: made.as_ref().map(|(_, seed)| *seed),
         goldens: of_manifest(folder)?,
         fresh: made
             .as_ref()
@@ -196,15 +204,16 @@ fn rooms(checkout: &Checkout, store: &Store) -> PathBuf {
     rooms
 }
 
-fn judged_on(own: bool, seed: Option<u64>) -> String {
+/// Students read this, so it does not name the seed: who knows it can make the questions.
+fn judged_on(own: bool, fresh: bool) -> String {
     let goldens = if own {
         "the instructor's goldens"
     } else {
         "public goldens"
     };
-    match seed {
-        Some(seed) => format!("{goldens} and fresh questions (seed {seed})"),
-        None => format!("{goldens} only"),
+    match fresh {
+        true => format!("{goldens} and fresh questions"),
+        false => format!("{goldens} only"),
     }
 }
 

@@ -151,10 +151,9 @@ impl Bench<'_> {
 
         let mut record = self.blank(entry, submission);
         record.tasks = self.tasks(&examination, submission, &failed);
-        let reveal = self.withheld.scene();
-        record.scenes = scenes(&examination.scenes, reveal);
+        record.scenes = scenes(&examination.scenes, |name| self.withheld.scene(name));
         if let Some(fresh) = &fresh {
-            record.fresh_scenes = scenes(&fresh.scenes, Some(self.of_fresh));
+            record.fresh_scenes = scenes(&fresh.scenes, |_| Some(self.of_fresh));
             record.most_for_scenes = Some(most_for_scenes(&record));
         }
         let kinds = record.tasks.iter().map(|task| task.outcome);
@@ -277,7 +276,7 @@ impl Bench<'_> {
         withheld::veil(
             &mut report,
             examination,
-            self.withheld,
+            &self.withheld,
             failed,
             self.of_fresh,
         );
@@ -353,21 +352,25 @@ fn most_for_scenes(record: &Record) -> u32 {
     fresh.max((scenes * earned).div_ceil(possible.max(1)))
 }
 
-fn scenes(results: &[SceneResult], reveal: Option<Reveal>) -> Vec<SceneRecord> {
-    let record = |scene: &SceneResult| SceneRecord {
-        name: scene.name.clone(),
-        points: if scene.outcome.passes() {
-            scene.worth
-        } else {
-            0
-        },
-        possible: scene.worth,
-        outcome: Kind::of(&scene.outcome),
-        said: withheld::said(&scene.outcome, "pixels", reveal),
-        diagnosis: match reveal {
-            Some(Reveal::Points) => Vec::new(),
-            _ => beliefs(&scene.diagnosis),
-        },
+/// What is kept of scenes, of which `reveal` says by name what may be shown.
+fn scenes(results: &[SceneResult], reveal: impl Fn(&str) -> Option<Reveal>) -> Vec<SceneRecord> {
+    let record = |scene: &SceneResult| {
+        let reveal = reveal(&scene.name);
+        SceneRecord {
+            name: scene.name.clone(),
+            points: if scene.outcome.passes() {
+                scene.worth
+            } else {
+                0
+            },
+            possible: scene.worth,
+            outcome: Kind::of(&scene.outcome),
+            said: withheld::said(&scene.outcome, "pixels", reveal),
+            diagnosis: match reveal {
+                Some(Reveal::Points) => Vec::new(),
+                _ => beliefs(&scene.diagnosis),
+            },
+        }
     };
     results.iter().map(record).collect()
 }

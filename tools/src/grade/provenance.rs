@@ -24,8 +24,10 @@ pub struct Provenance {
 /// What is the same for the whole class.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct MadeWith {
-    /// "public goldens and fresh questions (seed 42)", say.
+    /// "public goldens and fresh questions", say.
     pub judged_on: String,
+    /// What the fresh questions were drawn from; not for students.
+    pub seed: Option<u64>,
     /// The manifest of the goldens, which names every film's hash.
     pub goldens: String,
     /// That of the fresh ones.

@@ -29,10 +29,10 @@ pub enum Reveal {
 }
 
 /// Which parts of an examination are withheld.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Withheld {
-    /// The scenes, and the rays of their pixels.
-    pub scenes: bool,
+    /// These scenes, and, if there are any, the questions made of scenes' pixels.
+    pub scenes: Vec<String>,
     /// The questions to single tasks.
     pub probes: bool,
     pub reveal: Reveal,
@@ -42,18 +42,22 @@ impl Withheld {
     /// What may be shown of a group; `None` if all.
     pub fn group(&self, task: &str, group: &str) -> Option<Reveal> {
         let of_scenes = crate::questions::is_of_scenes(task, group);
-        let withheld = if of_scenes { self.scenes } else { self.probes };
+        let withheld = match of_scenes {
+            true => !self.scenes.is_empty(),
+            false => self.probes,
+        };
         withheld.then_some(self.reveal)
     }
 
     /// What may be shown of a scene; `None` if all.
-    pub fn scene(&self) -> Option<Reveal> {
-        self.scenes.then_some(self.reveal)
+    pub fn scene(&self, name: &str) -> Option<Reveal> {
+        let withheld = self.scenes.iter().any(|scene| scene == name);
+        withheld.then_some(self.reveal)
     }
 
     /// Whether anything is.
     pub fn any(&self) -> bool {
-        self.scenes || self.probes
+        !self.scenes.is_empty() || self.probes
     }
 }
 
@@ -86,7 +90,7 @@ pub fn worst(worst: Option<&String>, reveal: Option<Reveal>) -> Option<String> {
 pub fn veil(
     report: &mut Report,
     examination: &Examination,
-    withheld: Withheld,
+    withheld: &Withheld,
     fresh: &[(String, String)],
     of_fresh: Reveal,
 ) {
@@ -112,8 +116,8 @@ pub fn veil(
             section.beliefs = None;
         }
     }
-    if let Some(reveal) = withheld.scene() {
-        for (section, scene) in report.scenes.iter_mut().zip(&examination.scenes) {
+    for (section, scene) in report.scenes.iter_mut().zip(&examination.scenes) {
+        if let Some(reveal) = withheld.scene(&scene.name) {
             section.said = said(&scene.outcome, "pixels", Some(reveal));
             veil_scene(section, reveal);
         }
@@ -175,5 +179,23 @@ mod tests {
             }
             assert!(said(&outcome, "pixels", None).contains(words));
         }
+    }
+
+    #[test]
+    fn one_withheld_scene_withholds_itself_and_what_is_asked_of_pixels() {
+        let withheld = |scenes: &[&str]| Withheld {
+            scenes: scenes.iter().map(|name| (*name).to_owned()).collect(),
+            probes: false,
+            reveal: Reveal::Message,
+        };
+        let one = withheld(&["exam"]);
+        assert_eq!(one.scene("exam"), Some(Reveal::Message));
+        assert_eq!(one.scene("bunny"), None);
+        assert_eq!(one.group("viewing_ray", "scenes"), Some(Reveal::Message));
+        assert_eq!(one.group("viewing_ray", "corners"), None);
+        assert!(one.any());
+        let none = withheld(&[]);
+        assert_eq!(none.group("viewing_ray", "scenes"), None);
+        assert!(!none.any());
     }
 }
