@@ -29,7 +29,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use clap::ValueEnum;
-use pinhole::ask::{Ending, Limit, Reply, Stop, ask_watched};
+use pinhole::ask::{self, Ending, Limit, Reply, Stop, ask_watched};
 use pinhole::job::Job;
 
 use crate::checkout::Checkout;
@@ -234,10 +234,14 @@ impl Sandbox {
         let exceeded = watch.and_then(Watch::stop);
         self.sweep();
         let mut reply = asked?;
-        if matches!(reply.ending, Ending::Died(_)) {
+        if let Ending::Died(how) = &reply.ending {
             match exceeded {
                 Some(Exceeded::Cpu(most)) => reply.ending = Ending::TimedOut(most),
                 Some(Exceeded::Memory(most)) => reply.ending = Ending::OutOfMemory(most),
+                // The kernel's own limit, where a busy machine looks too seldom.
+                None if how.contains(ask::TIME_WAS_UP) => {
+                    reply.ending = Ending::TimedOut(limits.cpu);
+                }
                 None if reply.printed.contains("memory allocation of ") => {
                     reply.ending = Ending::OutOfMemory(limits.memory);
                 }
