@@ -112,7 +112,7 @@ fn in_a_container_code_runs_as_somebody_who_reads_and_reaches_nothing() {
             "first_hit.rs",
             with_body(
                 "first_hit",
-                "loop { std::mem::forget(std::hint::black_box(vec![1_u8; 64 << 20])); }",
+                "loop { std::mem::forget(std::hint::black_box(Vec::<u8>::with_capacity(64 << 20))); }",
             ),
         ),
     ];
