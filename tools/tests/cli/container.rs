@@ -31,6 +31,8 @@ fn without_namespaces(arguments: &[&str]) -> Option<Output> {
         .env_remove("RUSTUP_TOOLCHAIN")
         .env_remove("CARGO")
         .env_remove("RUSTC")
+        // Cargo puts the toolchain's own libraries here, and rustc looks beside them.
+        .env_remove("LD_LIBRARY_PATH")
         .env(SECRET.0, SECRET.1)
         .current_dir(root());
     let id = Command::new("id")
