@@ -1,6 +1,7 @@
 //! What is handed out beside the repository: Gradescope's autograder and the workflow.
 
 use std::fs;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -11,7 +12,15 @@ use crate::course::{fresh, pinhole, root, trusted};
 fn an_autograder_holds_both_scripts_and_every_golden() {
     let folder = fresh(&trusted(), "handout-gradescope");
     let file = folder.join("autograder.zip");
-    let ran = pinhole(&["handout", "--gradescope", plain(&file), "--json"]).expect_code(0);
+    let arguments = [
+        "handout",
+        "--gradescope",
+        plain(&file),
+        "--reveal",
+        "points",
+        "--json",
+    ];
+    let ran = pinhole(&arguments).expect_code(0);
     let bytes = ran.json()["gradescope"]["bytes"].as_u64().expect("a size");
     assert_eq!(bytes, fs::metadata(&file).expect("it was written").len());
     let archive = fs::File::open(&file).expect("it was written");
@@ -24,6 +33,11 @@ fn an_autograder_holds_both_scripts_and_every_golden() {
             "{script}"
         );
     }
+    let mut reveal = String::new();
+    let mut entry = archive.by_name("pinhole/reveal").expect("it is there");
+    entry.read_to_string(&mut reveal).expect("it is a word");
+    assert_eq!(reveal, "points");
+    drop(entry);
     for golden in files(&root().join("golden")).keys() {
         let name = format!("pinhole/golden/{golden}");
         assert!(archive.by_name(&name).is_ok(), "no {name}");
