@@ -23,7 +23,7 @@ target/release/pinhole grade "$class" --out "$graded" \
     --sandbox container --format gradescope --reveal "$(cat reveal)" "${fresh[@]}"
 
 results=/autograder/results/results.json
-if ! cp "$graded/submissions/submission/gradescope.json" "$results"; then
+if ! cp "$graded"/submissions/*/gradescope.json "$results"; then
     # Without a score: a fault of the grader is no student's zero.
     echo '{"output": "The grader failed, not your answers. Your instructor can run it again.", "stdout_visibility": "hidden"}' >"$results"
 fi
