@@ -1,0 +1,150 @@
+use super::haines_scaled::Scaled;
+use crate::dyadic::{Dyadic, DyadicVector};
+use crate::kernel::Kernel;
+use crate::leading::Leading;
+use crate::number::Real;
+use crate::shape::{Ray, Sphere};
+use crate::vector::Vector;
+
+/// Haines et al., scaled, with an error bound beside each number that decides something;
+/// what a bound leaves open is decided exactly. Hit or miss is never wrong, and t is
+/// good to √u of itself at least, mostly to an ulp.
+///
+/// # Why the filter is right
+///
+/// With u the unit roundoff, 1 ≤ |d|∞ < 2, f = e − c and hats on what is computed
+/// (Shewchuk's style, *Discrete Comput. Geom.* 18, 1997; γₙ ≈ n u):
+///
+/// 1. |f̂ − f| ≤ u|f|, so h = d·f is off by 4u|d||f|, h/a by 8u|f|/|d|, and
+///    l = f − (h/a) d by 12u|f| =: ε at most, every rounding counted.
+/// 2. r² − |l|² is off by 2|l|ε + ε² + 3u|l|² + 2u(r² + |l|²) at most. Of that, 24u|l||f|
+///    ≤ 12 (√u |l|² + u√u |f|²), since 2xy ≤ x² + y²; the rest is less than
+///    4 (√u (|l|² + r²) + u√u |f|²) for both types. Hence E = 16 (√u (|l|² + r²) +
+///    u√u |f|²): no root is needed to bound the error of a root's argument.
+/// 3. The start g = f + m d, with s = |f|² + m²|d|², is off by 2.9u√s. So |g|² − r² is
+///    off by less than 20u (s + r²), and g·d by less than 8u√(s a).
+/// 4. What underflows adds less than [`Real::TINY`] times 64 to each, and that is in the
+///    bounds. What overflows makes a bound infinite or a number NaN, and either is left
+///    open.
+pub struct Adaptive;
+
+/// A ray scaled for the filter, and as it was given, for exact decisions.
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<F> {
+    scaled: Scaled<F>,
+    given: Ray<F>,
+}
+
+impl<F: Real> Kernel<Sphere<F>, F> for Adaptive {
+    const NAME: &'static str = "adaptive exact";
+    type Prepared = Prepared<F>;
+
+    #[inline(always)]
+    fn prepare(ray: &Ray<F>) -> Prepared<F> {
+        let (scaled, given) = (Scaled::new(ray), *ray);
+        Prepared { scaled, given }
+    }
+
+    #[inline(always)]
+    fn intersect(sphere: &Sphere<F>, ray: &Prepared<F>, min_t: F) -> Option<F> {
+        match filtered(sphere, &ray.scaled, min_t) {
+            Some(answer) => answer,
+            None => exact(sphere, &ray.given, min_t),
+        }
+    }
+}
+
+/// The answer, or `None` if rounding might have changed it.
+#[inline(always)]
+fn filtered<F: Real>(sphere: &Sphere<F>, scaled: &Scaled<F>, min_t: F) -> Option<Option<F>> {
+    let (u, root_u) = (F::UNIT_ROUNDOFF, F::ROOT_OF_UNIT);
+    let underflow = F::of(64.0) * F::TINY;
+    let (d, m) = (scaled.ray.direction, scaled.scale(min_t));
+    let f = scaled.ray.origin - sphere.center;
+    let (a, h, f_square) = (d.dot(d), d.dot(f), f.dot(f));
+    let l = f - d * (h / a);
+    let (l_square, r_square) = (l.dot(l), sphere.radius * sphere.radius);
+    let within = r_square - l_square;
+    let bound = F::of(16.0) * root_u * (l_square + r_square + u * f_square) + underflow;
+    if within < -bound {
+        return Some(None);
+    }
+    if !(within > bound) {
+        return None;
+    }
+    let g = f + d * m;
+    let outside = g.dot(g) - r_square;
+    let s = f_square + m * m * a;
+    if !(outside.abs() > F::of(20.0) * u * (s + r_square) + underflow) {
+        return None;
+    }
+    let is_near = outside > F::ZERO;
+    if is_near {
+        let onward = g.dot(d);
+        if !(onward * onward > F::of(80.0) * u * u * s * a + underflow) {
+            return None;
+        }
+        if onward > F::ZERO {
+            return Some(None);
+        }
+    }
+    let root = within.sqrt();
+    let q = h.abs() + (a * within).sqrt();
+    if !trusted(f, sphere.radius, root, q) {
+        return None;
+    }
+    let c = f_square - r_square;
+    let by_q = is_near == (h < F::ZERO);
+    if by_q && !(c.abs() > F::of(16.0) * root_u * (f_square + r_square)) {
+        return None;
+    }
+    let q = q.copysign(-h);
+    let t = if by_q { c / q } else { q / a };
+    let t = scaled.unscale(t).max(min_t);
+    t.is_finite().then_some(Some(t))
+}
+
+/// Whether q is good to half of √u: √(r² − |l|²) is off by (12u r|f| + 72u²|f|²)/root at
+/// most, with |l| ≤ r, h by 4u|d||f|, and |d| < 3.5; |f| ≤ 1.74 |f|∞.
+#[inline(always)]
+fn trusted<F: Real>(f: Vector<F>, radius: F, root: F, q: F) -> bool {
+    let (u, f) = (F::UNIT_ROUNDOFF, F::of(1.74) * f.largest());
+    let error = F::of(12.0) * u * f * (radius + F::of(6.0) * u * f) + F::of(4.0) * u * f * root;
+    F::of(8.0) * error < F::ROOT_OF_UNIT * q * root
+}
+
+/// The answer from exact signs; t rounded from more than a hundred bits.
+#[cold]
+#[inline(never)]
+fn exact<F: Real>(sphere: &Sphere<F>, ray: &Ray<F>, min_t: F) -> Option<F> {
+    let finite = |vector: Vector<F>| vector.array().into_iter().all(F::is_finite);
+    let points = finite(ray.origin) && finite(ray.direction) && finite(sphere.center);
+    if !(points && sphere.radius.is_finite() && min_t.is_finite()) {
+        return None;
+    }
+    let f = &DyadicVector::of(ray.origin) - &DyadicVector::of(sphere.center);
+    let (d, m, r) = (DyadicVector::of(ray.direction), Dyadic::of(min_t), Dyadic::of(sphere.radius));
+    let (a, h) = (d.dot(&d), d.dot(&f));
+    let c = &f.dot(&f) - &(&r * &r);
+    // |f + m d|² − r², and how fast it changes there.
+    let onward = &(&a * &m) + &h;
+    let outside = &(&(&onward + &h) * &m) + &c;
+    let discriminant = &(&h * &h) - &(&a * &c);
+    let is_near = match outside.sign() {
+        _ if a.sign() == 0 => return None,
+        0 => return Some(min_t),
+        1 if onward.sign() >= 0 || discriminant.sign() < 0 => return None,
+        sign => sign > 0,
+    };
+    let root = Leading::from(&discriminant).sqrt();
+    let (a, minus_h, c) = (Leading::from(&a), -Leading::from(&h), Leading::from(&c));
+    let q = match h.sign() < 0 {
+        true => minus_h + root,
+        false => minus_h + -root,
+    };
+    let t = match is_near == (h.sign() < 0) {
+        true => c / q,
+        false => q / a,
+    };
+    Some(t.rounded()).filter(|t: &F| t.is_finite())
+}

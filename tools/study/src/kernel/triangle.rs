@@ -1,0 +1,18 @@
+//! Triangles: e + t d on the triangle a, b, c, edges included.
+
+mod adaptive;
+mod cramer;
+mod double_double;
+mod edge_functions;
+mod exact;
+mod moller_trumbore;
+mod moller_trumbore_epsilon;
+mod woop;
+
+pub use adaptive::Adaptive;
+pub use cramer::Cramer;
+pub use double_double::DoubleDouble;
+pub use edge_functions::EdgeFunctions;
+pub use moller_trumbore::MollerTrumbore;
+pub use moller_trumbore_epsilon::MollerTrumboreEpsilon;
+pub use woop::Woop;
