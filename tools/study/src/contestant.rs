@@ -18,7 +18,8 @@ pub struct Contestant<S: 'static> {
     pub data: Data,
     /// Its answer to a question.
     pub answer: fn(&Question<S>) -> Option<f64>,
-    /// A workload of rays and shapes: each call casts every ray at every shape once.
+    /// A workload: each call casts the ray of every question at its shape. Rays are
+    /// prepared beforehand, as they are when they come to the leaf of a tree.
     pub workload: fn(&[Question<S>]) -> Box<dyn FnMut()>,
 }
 
@@ -52,44 +53,29 @@ fn answer<K: Kernel<S::With<F>, F>, S: Shape, F: Real>(question: &Question<S>) -
     K::intersect(&shape, &K::prepare(&ray), min_t).map(F::wide)
 }
 
-/// How many shapes each ray is tried on: about what a leaf of a tree holds, so that what
-/// is worked out once for a ray counts as it does there.
-pub const SHAPES_PER_RAY: usize = 8;
-
 fn workload<K, S, F>(questions: &[Question<S>]) -> Box<dyn FnMut()>
 where
     K: Kernel<S::With<F>, F>,
     S: Shape,
     F: Real,
 {
-    let (mut shapes, mut rays) = (Vec::new(), Vec::new());
-    for (at, question) in questions.iter().enumerate() {
+    let prepared = |question| {
         let (shape, ray, min_t) = of::<S, F>(question);
-        shapes.push(shape);
-        if at % SHAPES_PER_RAY == 0 {
-            rays.push((ray, min_t));
-        }
-    }
+        (shape, K::prepare(&ray), min_t)
+    };
+    let pairs: Vec<_> = questions.iter().map(prepared).collect();
     Box::new(move || {
-        black_box(cast::<K, S, F>(&shapes, &rays));
+        black_box(cast::<K, S, F>(black_box(&pairs)));
     })
 }
 
 #[inline(never)]
-fn cast<K, S, F>(shapes: &[S::With<F>], rays: &[(Ray<F>, F)]) -> F
+fn cast<K, S, F>(pairs: &[(S::With<F>, K::Prepared, F)]) -> F
 where
     K: Kernel<S::With<F>, F>,
     S: Shape,
     F: Real,
 {
-    let mut sum = F::ZERO;
-    for (group, (ray, min_t)) in shapes.chunks(SHAPES_PER_RAY).zip(rays) {
-        let prepared = K::prepare(ray);
-        for shape in group {
-            if let Some(t) = K::intersect(shape, &prepared, *min_t) {
-                sum = sum + t;
-            }
-        }
-    }
-    sum
+    let hits = pairs.iter().filter_map(|(shape, ray, min_t)| K::intersect(shape, ray, *min_t));
+    hits.fold(F::ZERO, |sum, t| sum + t)
 }

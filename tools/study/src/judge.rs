@@ -77,17 +77,23 @@ fn verdict<S: Known>(
         (Some(root), Some(t)) => {
             let error = root.error_in_ulp(t, kernel.data);
             let other = truth.other.as_ref().map(|other| other.value());
-            match other.is_some_and(|other| is_of_other_side(question, root.value(), other, t)) {
-                true => Verdict::WrongRoot,
-                false => Verdict::Right(Some(error)),
+            let apart = other.map_or(0.0, |other| root.error_in_ulp(other, kernel.data));
+            match other.filter(|_| apart > APART) {
+                Some(other) if is_of_other_side(question, root.value(), other, t) => {
+                    Verdict::WrongRoot
+                }
+                _ => Verdict::Right(Some(error)),
             }
         }
     }
 }
 
+/// Roots nearer to each other than so many ulp are not told apart: from very far away
+/// even the best t in the type may be nearer to the other one.
+const APART: f64 = 64.0;
+
 /// Whether t is nearer to the other root, where the two are further apart than the
-/// radius: nothing that rounding excuses. (Nearly tangent roots are not told apart; their
-/// error is measured.)
+/// radius. (Nearly tangent roots are not told apart either; their error is measured.)
 fn is_of_other_side<S: Known>(question: &Question<S>, root: f64, other: f64, t: f64) -> bool {
     let [lengths, _, direction] = question.numbers();
     // A sphere's numbers end with its radius.

@@ -1,21 +1,114 @@
-//! Scratch.
-use pinhole_study::{contestants::Contested, family::{Studied, questions}, judge::judge, oracle::Known, question::Data, shape::*};
-fn run<S: Studied>() {
-    for family in S::families() {
-        for data in [Data::F64, Data::F32] {
-            for x in (family.exponents)(data) {
-                let start = std::time::Instant::now();
-                let asked = questions(&family, x, data, 500, 1);
-                if asked.is_empty() { continue; }
-                let truths: Vec<_> = asked.iter().map(S::truth).collect();
-                let took = start.elapsed().as_micros() as usize / asked.len();
-                println!("{} {} {} {x}: oracle {took} us", S::NAME, family.name, data.name());
-                for k in S::contestants().iter().filter(|k| k.data == data) {
-                    let t = judge(k, &asked, &truths);
-                    println!("  {:20} {:10} wrong {:>6.2}% (fh {} fm {} wr {}) nf {} oor {} silent {} ties {} median {:.2e} worst {:.2e}", k.name, k.numbers, 100.0*t.wrong_share(), t.false_hits, t.false_misses, t.wrong_roots, t.not_finite, t.out_of_range, t.silent, t.ties, t.median_ulp.unwrap_or(-1.0), t.worst_ulp.unwrap_or(-1.0));
-                }
-            }
+//! Runs the study: `pinhole study` is the way to it.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+use indicatif::ProgressBar;
+use pinhole_study::provenance::provenance;
+use pinhole_study::result::{SCHEMA, Study};
+use pinhole_study::run::{Extent, run};
+use pinhole_study::targets::targets;
+use pinhole_study::{instructions, plots, summary};
+
+/// Measure the trade between speed and accuracy, and the extremes.
+///
+/// Every way to intersect a sphere, a plane and a triangle is asked the same questions,
+/// which get harder step by step, and judged by exact arithmetic. Writes study.json,
+/// summary.md and plots as SVG; prints what was measured before beside what came.
+/// Exit 0 if all of that agrees, else 1.
+#[derive(Parser)]
+#[command(name = "study", max_term_width = 100, args_conflicts_with_subcommands = true)]
+struct Arguments {
+    #[command(subcommand)]
+    part: Option<Part>,
+    /// Ask fewer questions: less than a minute
+    #[arg(long)]
+    quick: bool,
+    /// Where to write
+    #[arg(long, value_name = "DIR", default_value = "study")]
+    out: PathBuf,
+    /// Print the document on standard output too
+    #[arg(long)]
+    json: bool,
+    /// Only this family of questions (distance, surface, …), or mesh, spoilt or speed
+    #[arg(long, value_name = "FAMILY")]
+    only: Option<String>,
+    /// What random questions come from
+    #[arg(long, value_name = "N", default_value_t = 20_261_121)]
+    seed: u64,
+}
+
+#[derive(Subcommand)]
+enum Part {
+    /// Cast one kernel's workload: what runs under callgrind
+    #[command(hide = true)]
+    Cast { shape: String, kernel: usize, casts: u32 },
+}
+
+/// The seed of workloads whose instructions are counted.
+const WORKLOAD: u64 = 1;
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    if let Some(Part::Cast { shape, kernel, casts }) = arguments.part {
+        instructions::cast(&shape, kernel, casts, WORKLOAD);
+        return ExitCode::SUCCESS;
+    }
+    match studied(&arguments) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(1),
+        Err(problem) => {
+            eprintln!("study: {problem}");
+            ExitCode::from(2)
         }
     }
 }
-fn main() { run::<Sphere<f64>>(); run::<Plane<f64>>(); run::<Triangle<f64>>(); }
+
+fn studied(arguments: &Arguments) -> Result<bool, String> {
+    let extent = if arguments.quick { Extent::QUICK } else { Extent::FULL };
+    let bar = ProgressBar::new_spinner();
+    bar.enable_steady_tick(std::time::Duration::from_millis(100));
+    let say = |what: &str| match bar.is_hidden() {
+        true => eprintln!("{what}"),
+        false => bar.set_message(what.to_owned()),
+    };
+    let findings = run(&extent, arguments.seed, arguments.only.as_deref(), &say);
+    bar.finish_and_clear();
+    let targets = targets(&findings);
+    let study = Study {
+        schema: SCHEMA.into(),
+        provenance: provenance(extent.name, arguments.seed),
+        families: findings.families,
+        meshes: findings.meshes,
+        spoilt: findings.spoilt,
+        speed: findings.speed,
+        breaking: findings.breaking,
+        targets,
+    };
+    if study.families.is_empty() && study.meshes.is_empty() && study.spoilt.is_empty() && study.speed.is_empty() {
+        let only = arguments.only.as_deref().unwrap_or_default();
+        return Err(format!("there is no family {only:?}\n  remedy: leave --only out to see all names"));
+    }
+    write(&study, arguments)?;
+    Ok(study.targets.iter().all(|target| target.met))
+}
+
+fn write(study: &Study, arguments: &Arguments) -> Result<(), String> {
+    let folder = &arguments.out;
+    let failed = |error: &dyn std::fmt::Display| {
+        format!("cannot write {}: {error}\n  remedy: name another folder with --out", folder.display())
+    };
+    fs::create_dir_all(folder).map_err(|error| failed(&error))?;
+    let document = serde_json::to_string_pretty(study).map_err(|error| failed(&error))?;
+    fs::write(folder.join("study.json"), document.clone() + "\n").map_err(|error| failed(&error))?;
+    let names = plots::draw(study, folder).map_err(|error| failed(&error))?;
+    let text = summary::summary(study, &names);
+    fs::write(folder.join("summary.md"), &text).map_err(|error| failed(&error))?;
+    match arguments.json {
+        true => println!("{document}"),
+        false => println!("{}\nwritten to {}", summary::terminal(study), folder.display()),
+    }
+    Ok(())
+}

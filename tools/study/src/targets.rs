@@ -1,0 +1,218 @@
+//! What was measured before this instrument was built (the project's field notes, section
+//! 5), and what was promised of it, beside what came. A figure agrees if it is within a
+//! factor of what random questions and another machine explain; 0 agrees with 0 only.
+
+use crate::judge::rule_of_three;
+use crate::result::{Judged, MeshTally, Speed, Target};
+use crate::run::Findings;
+
+/// Shares and errors may differ by this factor: the questions are others.
+const OF_SHARES: f64 = 3.0;
+/// Costs by this one: the machine is another, and so is the compiler.
+const OF_COSTS: f64 = 1.5;
+
+/// Wrong decisions of `f64` kernels on spheres, at distance/radius 1e6, 1e7 and 1e8.
+const SPHERE_WRONG: [(&str, [f64; 3]); 4] = [
+    ("textbook", [0.0005, 0.029, 0.48]),
+    ("half-b", [0.0005, 0.029, 0.48]),
+    ("stable-q", [0.0005, 0.029, 0.48]),
+    ("fma discriminant", [0.0005, 0.023, 0.46]),
+];
+
+/// Costs relative to the fastest kernel, in `f64`.
+const COSTS: [(&str, &str, f64); 13] = [
+    ("sphere", "textbook", 1.25),
+    ("sphere", "half-b", 1.35),
+    ("sphere", "stable-q", 1.54),
+    ("sphere", "fma discriminant", 1.59),
+    ("sphere", "Haines et al.", 2.36),
+    ("sphere", "Haines, scaled", 2.92),
+    ("sphere", "adaptive exact", 3.45),
+    ("plane", "shifted origin", 1.06),
+    ("triangle", "Cramer", 1.1),
+    ("triangle", "Möller–Trumbore", 1.0),
+    ("triangle", "edge functions", 1.04),
+    ("triangle", "Woop–Benthin–Wald", 1.15),
+    ("triangle", "adaptive exact", 2.0),
+];
+
+/// Leaks and double hits in `f64`: at edges, at vertices.
+const MESHES: [(&str, [f64; 2], [f64; 2]); 5] = [
+    ("Cramer", [0.061, 0.027], [0.33, 0.83]),
+    ("Möller–Trumbore", [0.055, 0.018], [0.37, 0.87]),
+    ("edge functions", [0.0, 0.0011], [0.30, 0.91]),
+    ("Woop–Benthin–Wald", [0.0, 0.0], [0.0, 0.47]),
+    ("adaptive exact", [0.0, 0.0], [0.0, 0.0]),
+];
+
+/// Every figure that the run allows to compare.
+pub fn targets(findings: &Findings) -> Vec<Target> {
+    let mut targets = Vec::new();
+    for (kernel, shares) in SPHERE_WRONG {
+        for (exponent, share) in [6, 7, 8].into_iter().zip(shares) {
+            targets.extend(wrong(findings, ("sphere", "distance", exponent), (kernel, "f64"), share));
+        }
+    }
+    for (exponent, share) in [2, 3, 4].into_iter().zip([0.0005, 0.16, 0.52]) {
+        targets.extend(wrong(findings, ("sphere", "distance", exponent), ("textbook", "f32"), share));
+    }
+    for (exponent, share) in [4, 5].into_iter().zip([0.63, 1.0]) {
+        let place = ("triangle", "small", exponent);
+        targets.extend(wrong_of_hits(findings, place, ("M–T, epsilon", "f64"), share));
+    }
+    targets.extend(wrong_of_hits(findings, ("plane", "parallel", 6), ("epsilon cut", "f64"), 0.49));
+    targets.extend(median(findings, ("sphere", "distance", 8), ("textbook", "f64"), 3e7));
+    targets.extend(median(findings, ("sphere", "distance", 8), ("fma discriminant", "f64"), 7e7));
+    targets.extend(median(findings, ("sphere", "distance", 9), ("Haines et al.", "f64"), 0.65));
+    targets.extend(median(findings, ("plane", "offset", 9), ("shifted origin", "f64"), 0.6));
+    targets.extend(median(findings, ("plane", "offset", 9), ("plain", "f64"), 2e8));
+    targets.extend(never_wrong(findings, "distance", "Haines et al.", "f64"));
+    targets.extend(never_wrong(findings, "direction", "Haines, scaled", "f64"));
+    for numbers in ["f64", "f32", "f64 on f32"] {
+        targets.extend(never_wrong(findings, "", "adaptive exact", numbers));
+    }
+    targets.extend(f64_on_f32(findings));
+    for (kernel, leaks, double_hits) in MESHES {
+        for (at, aimed_at) in ["edge", "vertex"].into_iter().enumerate() {
+            let mut tallies = findings.meshes.iter();
+            let tally = tallies.find(|m| {
+                m.kernel == kernel && m.numbers == "f64" && m.aimed_at == aimed_at
+            });
+            targets.extend(tally.map(|tally| leaking(tally, leaks[at])));
+            targets.extend(tally.map(|tally| doubling(tally, double_hits[at])));
+        }
+    }
+    targets.extend(COSTS.iter().filter_map(|cost| costing(&findings.speed, cost)));
+    targets
+}
+
+type Place = (&'static str, &'static str, i32);
+type Kernel = (&'static str, &'static str);
+
+fn judged(findings: &Findings, (shape, family, exponent): Place, (kernel, numbers): Kernel) -> Option<&Judged> {
+    let mut sweeps = findings.families.iter();
+    let data = if numbers == "f64" { "f64" } else { "f32" };
+    let sweep = sweeps.find(|s| s.shape == shape && s.family == family && s.data == data)?;
+    let point = sweep.points.iter().find(|point| point.exponent == exponent)?;
+    point.kernels.iter().find(|k| k.kernel == kernel && k.numbers == numbers)
+}
+
+fn percent(share: f64) -> String {
+    format!("{:.3} %", share * 100.0)
+}
+
+/// Whether two shares agree, one of them counted among `asked`.
+fn agree(expected: f64, counted: u64, asked: u64) -> bool {
+    let measured = counted as f64 / asked.max(1) as f64;
+    let ratio = measured / expected;
+    let few = expected * asked as f64 <= 3.0 && counted <= 9;
+    expected == measured || few && expected > 0.0 || (1.0 / OF_SHARES..=OF_SHARES).contains(&ratio)
+}
+
+fn wrong(findings: &Findings, place: Place, kernel: Kernel, share: f64) -> Option<Target> {
+    let tally = &judged(findings, place, kernel)?.tally;
+    Some(Target {
+        about: format!("{} {}: wrong at {} 10^{}, {}", place.0, kernel.0, place.1, place.2, kernel.1),
+        expected: percent(share),
+        measured: percent(tally.wrong_share()),
+        met: agree(share, tally.wrong(), tally.asked),
+    })
+}
+
+/// Of the true hits alone, which is what the older figures count.
+fn wrong_of_hits(findings: &Findings, place: Place, kernel: Kernel, share: f64) -> Option<Target> {
+    let tally = &judged(findings, place, kernel)?.tally;
+    Some(Target {
+        about: format!("{} {}: hits lost at {} 10^−{}, {}", place.0, kernel.0, place.1, place.2, kernel.1),
+        expected: percent(share),
+        measured: percent(tally.false_misses as f64 / tally.hits.max(1) as f64),
+        met: agree(share, tally.false_misses, tally.hits),
+    })
+}
+
+fn median(findings: &Findings, place: Place, kernel: Kernel, ulp: f64) -> Option<Target> {
+    let measured = judged(findings, place, kernel)?.tally.median_ulp?;
+    Some(Target {
+        about: format!("{} {}: median error at {} 10^{}, {}", place.0, kernel.0, place.1, place.2, kernel.1),
+        expected: format!("{ulp:.2} ulp"),
+        measured: format!("{measured:.2} ulp"),
+        met: (1.0 / OF_SHARES..=OF_SHARES).contains(&(measured / ulp)),
+    })
+}
+
+fn never_wrong(findings: &Findings, family: &str, kernel: &str, numbers: &str) -> Option<Target> {
+    let swept = findings.breaking.iter().filter(|b| {
+        (family.is_empty() || b.family == family && b.shape == "sphere")
+            && b.kernel == kernel
+            && b.numbers == numbers
+    });
+    let (wrong, asked) = swept.fold((0, 0), |sum, b| (sum.0 + b.wrong, sum.1 + b.asked));
+    let family = if family.is_empty() { "every family" } else { family };
+    (asked > 0).then(|| Target {
+        about: format!("{kernel}: wrong in {family}, {numbers}"),
+        expected: "0".into(),
+        measured: counted(wrong, asked),
+        met: wrong == 0,
+    })
+}
+
+fn f64_on_f32(findings: &Findings) -> Option<Target> {
+    let of = |numbers: &str| {
+        let swept = findings.breaking.iter().filter(|b| b.numbers == numbers && is_plain(&b.kernel));
+        swept.fold((0, 0), |sum, b| (sum.0 + b.wrong, sum.1 + b.asked))
+    };
+    let ((wrong, asked), (narrow, _)) = (of("f64 on f32"), of("f32"));
+    (asked > 0).then(|| Target {
+        about: format!("plain kernels in f64 on f32 data: wrong in every family (in f32: {narrow})"),
+        expected: "0".into(),
+        measured: counted(wrong, asked),
+        met: wrong == 0,
+    })
+}
+
+/// Without those that are here for their fault.
+fn is_plain(kernel: &str) -> bool {
+    !kernel.contains("epsilon")
+}
+
+fn counted(wrong: u64, asked: u64) -> String {
+    match wrong {
+        0 => format!("0 of {asked} (below {:.1e} with 95 % confidence)", rule_of_three(asked)),
+        _ => format!("{wrong} of {asked}"),
+    }
+}
+
+fn leaking(tally: &MeshTally, share: f64) -> Target {
+    Target {
+        about: format!("{}: leaks at an {}, f64", tally.kernel, tally.aimed_at),
+        expected: percent(share),
+        measured: of_rays(tally.leaks, tally.rays),
+        met: agree(share, tally.leaks, tally.rays),
+    }
+}
+
+fn doubling(tally: &MeshTally, share: f64) -> Target {
+    Target {
+        about: format!("{}: double hits at an {}, f64", tally.kernel, tally.aimed_at),
+        expected: percent(share),
+        measured: of_rays(tally.double_hits, tally.rays),
+        met: agree(share, tally.double_hits, tally.rays),
+    }
+}
+
+fn of_rays(count: u64, rays: u64) -> String {
+    match count {
+        0 => counted(0, rays),
+        _ => percent(count as f64 / rays as f64),
+    }
+}
+
+fn costing(speeds: &[Speed], (shape, kernel, ratio): &(&str, &str, f64)) -> Option<Target> {
+    let speed = speeds.iter().find(|s| s.shape == *shape && s.kernel == *kernel && s.numbers == "f64")?;
+    Some(Target {
+        about: format!("{shape} {kernel}: cost over the fastest, f64"),
+        expected: format!("{ratio:.2}"),
+        measured: format!("{:.2}", speed.ratio),
+        met: (1.0 / OF_COSTS..=OF_COSTS).contains(&(speed.ratio / ratio)),
+    })
+}
