@@ -9,16 +9,21 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
+use smallvec::SmallVec;
+
 use crate::double_double::DoubleDouble;
 use crate::number::Real;
 use crate::vector::Vector;
+
+/// As many bits as everyday numbers need are kept in place; more go to the heap.
+type Limbs = SmallVec<[u64; 8]>;
 
 /// ±`limbs` × 2^`exponent`.
 #[derive(Clone, Debug)]
 pub struct Dyadic {
     negative: bool,
     /// Lowest first; the highest is not 0. None at all for zero.
-    limbs: Vec<u64>,
+    limbs: Limbs,
     exponent: i64,
 }
 
@@ -32,7 +37,7 @@ impl Dyadic {
             0 => (fraction, -1074),
             _ => (fraction | (1 << 52), field as i64 - 1075),
         };
-        let limbs = if mantissa == 0 { vec![] } else { vec![mantissa] };
+        let limbs = trimmed(Limbs::from_slice(&[mantissa]));
         Dyadic { negative: bits >> 63 == 1, limbs, exponent }
     }
 
@@ -46,10 +51,10 @@ impl Dyadic {
     }
 
     /// The limbs, as they are with a smaller exponent.
-    fn limbs_at(&self, exponent: i64) -> Vec<u64> {
+    fn limbs_at(&self, exponent: i64) -> Limbs {
         let shift = (self.exponent - exponent) as usize;
         let (whole, part) = (shift / 64, shift % 64);
-        let mut limbs = vec![0; whole];
+        let mut limbs = Limbs::from_elem(0, whole);
         let mut carry = 0;
         for limb in &self.limbs {
             limbs.push(limb << part | carry);
@@ -82,7 +87,7 @@ impl Dyadic {
     }
 }
 
-fn trimmed(mut limbs: Vec<u64>) -> Vec<u64> {
+fn trimmed(mut limbs: Limbs) -> Limbs {
     while limbs.last() == Some(&0) {
         limbs.pop();
     }
@@ -94,7 +99,7 @@ fn compared(a: &[u64], b: &[u64]) -> Ordering {
     longer.then_with(|| a.iter().rev().cmp(b.iter().rev()))
 }
 
-fn sum(mut a: Vec<u64>, b: &[u64]) -> Vec<u64> {
+fn sum(mut a: Limbs, b: &[u64]) -> Limbs {
     a.resize(a.len().max(b.len()) + 1, 0);
     let mut carry = 0;
     for (at, limb) in a.iter_mut().enumerate() {
@@ -105,7 +110,7 @@ fn sum(mut a: Vec<u64>, b: &[u64]) -> Vec<u64> {
 }
 
 /// `a` − `b`, where a ≥ b.
-fn difference(mut a: Vec<u64>, b: &[u64]) -> Vec<u64> {
+fn difference(mut a: Limbs, b: &[u64]) -> Limbs {
     let mut borrow = false;
     for (at, limb) in a.iter_mut().enumerate() {
         let (less, first) = limb.overflowing_sub(b.get(at).copied().unwrap_or(0));
@@ -150,7 +155,7 @@ impl Sub for &Dyadic {
 impl Mul for &Dyadic {
     type Output = Dyadic;
     fn mul(self, other: &Dyadic) -> Dyadic {
-        let mut limbs = vec![0; self.limbs.len() + other.limbs.len()];
+        let mut limbs = Limbs::from_elem(0, self.limbs.len() + other.limbs.len());
         for (at, a) in self.limbs.iter().enumerate() {
             let mut carry = 0;
             for (b, place) in other.limbs.iter().zip(&mut limbs[at..]) {

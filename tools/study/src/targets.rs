@@ -6,9 +6,11 @@ use crate::judge::rule_of_three;
 use crate::result::{Judged, MeshTally, Speed, Target};
 use crate::run::Findings;
 
-/// Shares and errors may differ by this factor: the questions are others.
-const OF_SHARES: f64 = 3.0;
-/// Costs by this one: the machine is another, and so is the compiler.
+/// Shares and errors may differ by this factor: the questions are others, and how exactly
+/// the older ones were aimed was not written down.
+const OF_SHARES: f64 = 4.0;
+/// Costs may be larger by this one: the machine is another, and so is the compiler. To be
+/// cheaper is no fault.
 const OF_COSTS: f64 = 1.5;
 
 /// Wrong decisions of `f64` kernels on spheres, at distance/radius 1e6, 1e7 and 1e8.
@@ -82,6 +84,7 @@ pub fn targets(findings: &Findings) -> Vec<Target> {
             targets.extend(tally.map(|tally| doubling(tally, double_hits[at])));
         }
     }
+    targets.extend(cost_of_f64_on_f32(&findings.speed));
     targets.extend(COSTS.iter().filter_map(|cost| costing(&findings.speed, cost)));
     targets
 }
@@ -156,23 +159,36 @@ fn never_wrong(findings: &Findings, family: &str, kernel: &str, numbers: &str) -
     })
 }
 
+/// A good plain kernel for each shape.
+const PLAIN: [&str; 3] = ["Haines et al.", "shifted origin", "Möller–Trumbore"];
+
 fn f64_on_f32(findings: &Findings) -> Option<Target> {
     let of = |numbers: &str| {
-        let swept = findings.breaking.iter().filter(|b| b.numbers == numbers && is_plain(&b.kernel));
+        let is_it = |kernel: &str| PLAIN.contains(&kernel);
+        let swept = findings.breaking.iter().filter(|b| b.numbers == numbers && is_it(&b.kernel));
         swept.fold((0, 0), |sum, b| (sum.0 + b.wrong, sum.1 + b.asked))
     };
     let ((wrong, asked), (narrow, _)) = (of("f64 on f32"), of("f32"));
     (asked > 0).then(|| Target {
-        about: format!("plain kernels in f64 on f32 data: wrong in every family (in f32: {narrow})"),
+        about: format!("{} in f64 on f32 data: wrong in every family ({narrow} in f32)", PLAIN.join(", ")),
         expected: "0".into(),
         measured: counted(wrong, asked),
         met: wrong == 0,
     })
 }
 
-/// Without those that are here for their fault.
-fn is_plain(kernel: &str) -> bool {
-    !kernel.contains("epsilon")
+fn cost_of_f64_on_f32(speeds: &[Speed]) -> Option<Target> {
+    let sum = |numbers: &str| -> f64 {
+        let of = speeds.iter().filter(|s| s.numbers == numbers && PLAIN.contains(&s.kernel.as_str()));
+        of.map(|speed| speed.nanoseconds).sum()
+    };
+    let ratio = sum("f64 on f32") / sum("f32");
+    ratio.is_finite().then(|| Target {
+        about: "the same kernels: cost of f64 on f32 data over f32".into(),
+        expected: "1.17".into(),
+        measured: format!("{ratio:.2}"),
+        met: ratio <= OF_COSTS * 1.17,
+    })
 }
 
 fn counted(wrong: u64, asked: u64) -> String {
@@ -184,7 +200,7 @@ fn counted(wrong: u64, asked: u64) -> String {
 
 fn leaking(tally: &MeshTally, share: f64) -> Target {
     Target {
-        about: format!("{}: leaks at an {}, f64", tally.kernel, tally.aimed_at),
+        about: format!("{}: leaks at {} {}, f64", tally.kernel, article(tally), tally.aimed_at),
         expected: percent(share),
         measured: of_rays(tally.leaks, tally.rays),
         met: agree(share, tally.leaks, tally.rays),
@@ -193,11 +209,15 @@ fn leaking(tally: &MeshTally, share: f64) -> Target {
 
 fn doubling(tally: &MeshTally, share: f64) -> Target {
     Target {
-        about: format!("{}: double hits at an {}, f64", tally.kernel, tally.aimed_at),
+        about: format!("{}: double hits at {} {}, f64", tally.kernel, article(tally), tally.aimed_at),
         expected: percent(share),
         measured: of_rays(tally.double_hits, tally.rays),
         met: agree(share, tally.double_hits, tally.rays),
     }
+}
+
+fn article(tally: &MeshTally) -> &'static str {
+    if tally.aimed_at == "edge" { "an" } else { "a" }
 }
 
 fn of_rays(count: u64, rays: u64) -> String {
@@ -213,6 +233,6 @@ fn costing(speeds: &[Speed], (shape, kernel, ratio): &(&str, &str, f64)) -> Opti
         about: format!("{shape} {kernel}: cost over the fastest, f64"),
         expected: format!("{ratio:.2}"),
         measured: format!("{:.2}", speed.ratio),
-        met: (1.0 / OF_COSTS..=OF_COSTS).contains(&(speed.ratio / ratio)),
+        met: speed.ratio <= OF_COSTS * ratio,
     })
 }

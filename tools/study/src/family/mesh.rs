@@ -34,21 +34,42 @@ const OCTAHEDRON: [[usize; 3]; 8] = [
     [0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5],
 ];
 
-/// A ray inside an octahedron of random shape and place, aimed at an edge or a corner.
+/// An octahedron's faces, each cut into four and blown up to the unit sphere: six faces
+/// meet at most corners, four at the others.
+fn sphere() -> Vec<[Vector<f64>; 3]> {
+    let axis = |x, y, z| Vector::new(x, y, z);
+    let corners = [
+        axis(1.0, 0.0, 0.0), axis(-1.0, 0.0, 0.0), axis(0.0, 1.0, 0.0),
+        axis(0.0, -1.0, 0.0), axis(0.0, 0.0, 1.0), axis(0.0, 0.0, -1.0),
+    ];
+    // The sum is the same from both ends: neighbours agree on the corner, to the bit.
+    let between = |p: Vector<f64>, q: Vector<f64>| {
+        let middle = p + q;
+        middle * (1.0 / middle.dot(middle).sqrt())
+    };
+    let cut = |face: [usize; 3]| {
+        let [a, b, c] = face.map(|at| corners[at]);
+        let (ab, bc, ca) = (between(a, b), between(b, c), between(c, a));
+        [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
+    };
+    OCTAHEDRON.into_iter().flat_map(cut).collect()
+}
+
+/// A ray inside a ball of random shape and place, aimed at an edge or a corner.
 pub fn inside(random: &mut Random, aim: Aim, data: Data) -> Inside {
     let round = |vector: Vector<f64>| vector.map(|x| data.round(x));
     let (x, middle) = (random.unit(), random.unit());
     let y = random.unit_across(x);
-    let z = x.cross(y);
-    let corners = [x, x * -1.0, y, y * -1.0, z, z * -1.0]
-        .map(|axis| round(middle + axis * random.within(0.5, 2.0)));
+    let [x, y, z] = [x, y, x.cross(y)].map(|axis| axis * random.within(0.5, 2.0));
+    let place = |p: Vector<f64>| round(middle + x * p.x + y * p.y + z * p.z);
+    let triangles: Vec<_> =
+        sphere().into_iter().map(|face| Triangle { corners: face.map(place) }).collect();
     let origin = round(middle + random.unit() * random.within(0.0, 0.2));
-    let triangles = OCTAHEDRON.map(|face| Triangle { corners: face.map(|at| corners[at]) });
-    let [a, b, _] = triangles[random.below(8)].corners;
+    let [a, b, _] = triangles[random.below(triangles.len())].corners;
     let target = match aim {
         Aim::Edge => round(a + (b - a) * random.within(0.0, 1.0)),
         Aim::Vertex => a,
     };
     let direction = round(target - origin);
-    Inside { triangles: triangles.to_vec(), ray: Ray { origin, direction } }
+    Inside { triangles, ray: Ray { origin, direction } }
 }

@@ -9,17 +9,38 @@ use crate::vector::Vector;
 ///
 /// A sheared corner is the same in all triangles that share it, and a difference of two
 /// rounded products has the right sign or is 0. Where it is 0 the paper computes it anew
-/// in `double`. Departure: here fused multiply-adds repair the sign (Kahan's difference
-/// of products), which serves `f64` too. So nothing leaks; but a ray exactly through a
-/// sheared vertex hits all triangles around it.
+/// in `double`. Departures: here fused multiply-adds repair the sign (Kahan's difference
+/// of products), which serves `f64` too; and both orientations count, so that x and y
+/// need not be swapped. So nothing leaks; but a ray exactly through a sheared vertex hits
+/// all triangles around it.
 pub struct Woop;
 
 /// The shear, worked out once for a ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Sheared<F> {
     origin: Vector<F>,
-    axes: [usize; 3],
+    along: Axis,
     shear: [F; 3],
+}
+
+/// The largest component of a direction.
+#[derive(Clone, Copy, Debug)]
+enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+impl Axis {
+    /// The components in cyclic order, this one last.
+    #[inline(always)]
+    fn to_the_end<F: Real>(self, v: Vector<F>) -> [F; 3] {
+        match self {
+            Axis::X => [v.y, v.z, v.x],
+            Axis::Y => [v.z, v.x, v.y],
+            Axis::Z => [v.x, v.y, v.z],
+        }
+    }
 }
 
 impl<F: Real> Kernel<Triangle<F>, F> for Woop {
@@ -28,25 +49,26 @@ impl<F: Real> Kernel<Triangle<F>, F> for Woop {
 
     #[inline(always)]
     fn prepare(ray: &Ray<F>) -> Sheared<F> {
-        let d = ray.direction.array();
-        let largest = |i: usize, j: usize| if d[j].abs() > d[i].abs() { j } else { i };
-        let z = largest(largest(0, 1), 2);
-        let (x, y) = ((z + 1) % 3, (z + 2) % 3);
-        // The figure keeps its orientation.
-        let (x, y) = if d[z] < F::ZERO { (y, x) } else { (x, y) };
+        let d = ray.direction.map(F::abs);
+        let along = match (d.z >= d.x && d.z >= d.y, d.y >= d.x) {
+            (true, _) => Axis::Z,
+            (false, true) => Axis::Y,
+            (false, false) => Axis::X,
+        };
+        let [x, y, z] = along.to_the_end(ray.direction);
         Sheared {
             origin: ray.origin,
-            axes: [x, y, z],
-            shear: [d[x] / d[z], d[y] / d[z], F::ONE / d[z]],
+            along,
+            shear: [x / z, y / z, F::ONE / z],
         }
     }
 
     #[inline(always)]
     fn intersect(triangle: &Triangle<F>, ray: &Sheared<F>, min_t: F) -> Option<F> {
-        let ([x, y, z], [sx, sy, sz]) = (ray.axes, ray.shear);
+        let [sx, sy, sz] = ray.shear;
         let [a, b, c] = triangle.corners.map(|corner| {
-            let seen = (corner - ray.origin).array();
-            [seen[x] - sx * seen[z], seen[y] - sy * seen[z], seen[z]]
+            let [x, y, z] = ray.along.to_the_end(corner - ray.origin);
+            [x - sx * z, y - sy * z, z]
         });
         let u = signed_area(c, b);
         let v = signed_area(a, c);

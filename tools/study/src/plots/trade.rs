@@ -1,0 +1,88 @@
+//! Cost against wrong decisions: the trade itself.
+
+use plotters::prelude::*;
+
+use super::paper::{FAINT, GROUND, INK, colour, spread, text};
+use crate::result::{Speed, Study};
+use crate::summary::wrong_in_all;
+
+const SIZE: (u32, u32) = (860, 460);
+
+/// A point for every kernel of a shape.
+pub fn svg(study: &Study, shape: &str) -> Result<String, String> {
+    let mut svg = String::new();
+    draw(study, shape, SVGBackend::with_string(&mut svg, SIZE)).map_err(|error| error.to_string())?;
+    Ok(svg)
+}
+
+fn draw(study: &Study, shape: &str, backend: SVGBackend) -> Result<(), Box<dyn std::error::Error>> {
+    let paper = backend.into_drawing_area();
+    paper.fill(&GROUND)?;
+    let title = format!("{shape}: what a kernel costs, and how often it decides wrongly over all extremes");
+    paper.draw(&Text::new(title, (18, 22), text(17, INK)))?;
+    let note = "left is fast, low is right; filled: f64, hollow: f64 arithmetic on f32 data, cross: f32";
+    paper.draw(&Text::new(note, (18, 46), text(14, INK)))?;
+    let speeds: Vec<&Speed> = study.speed.iter().filter(|speed| speed.shape == shape).collect();
+    let fastest = speeds.iter().map(|s| s.nanoseconds).fold(f64::MAX, f64::min);
+    let slowest = speeds.iter().map(|s| s.nanoseconds).fold(0.0, f64::max);
+    let most = speeds.iter().map(|speed| wrong_in_all(&study.breaking, speed).1).max().unwrap_or(1);
+    let floor = -(most.max(10) as f64).log10() - 0.3;
+    let (left, right) = ((fastest * 0.85).log10(), (slowest * 1.2).log10());
+    let mut chart = ChartBuilder::on(&paper)
+        .margin_left(18)
+        .margin_right(210)
+        .margin_top(66)
+        .x_label_area_size(46)
+        .y_label_area_size(80)
+        .build_cartesian_2d(left..right, floor..0.2)?;
+    chart
+        .configure_mesh()
+        .light_line_style(GROUND)
+        .bold_line_style(FAINT)
+        .axis_style(INK)
+        .y_labels(6)
+        .x_labels(8)
+        .x_desc("nanoseconds for a ray and a shape")
+        .label_style(("sans-serif", 13).into_font().color(&INK))
+        .x_label_formatter(&|x| format!("{:.0}", 10f64.powf(*x)))
+        .y_label_formatter(&|y| match *y {
+            y if y < floor + 0.6 => "none".into(),
+            y if y < -3.5 => format!("1 in 10^{:.0}", -y),
+            y => format!("{} %", 10f64.powf(y + 2.0)),
+        })
+        .draw()?;
+    let mut labels = Vec::new();
+    let mut names: Vec<&str> = Vec::new();
+    for speed in &speeds {
+        if !names.contains(&speed.kernel.as_str()) {
+            names.push(&speed.kernel);
+        }
+        let (wrong, asked) = wrong_in_all(&study.breaking, speed);
+        let share = (wrong as f64 / asked.max(1) as f64).log10().max(floor);
+        let at = (speed.nanoseconds.log10(), share);
+        let kernel = names.len() - 1;
+        match speed.numbers.as_str() {
+            "f64" => {
+                chart.draw_series([Circle::new(at, 6, colour(kernel).filled())])?;
+                labels.push((at, kernel));
+            }
+            "f32" => drop(chart.draw_series([Cross::new(at, 5, colour(kernel).stroke_width(2))])?),
+            _ => drop(chart.draw_series([Circle::new(at, 5, colour(kernel).stroke_width(2))])?),
+        }
+    }
+    let edge = chart.backend_coord(&(right, floor)).0 + 14;
+    let mut places: Vec<_> = labels
+        .iter()
+        .enumerate()
+        .map(|(place, (at, _))| (f64::from(chart.backend_coord(at).1), place))
+        .collect();
+    spread(&mut places, 18.0, 76.0, 400.0);
+    for (y, place) in places {
+        let (at, kernel) = labels[place];
+        let from = chart.backend_coord(&at);
+        let line = PathElement::new([from, (edge, y as i32)], colour(kernel).mix(0.5));
+        paper.draw(&line)?;
+        paper.draw(&Text::new(names[kernel].to_owned(), (edge + 4, y as i32), text(13, colour(kernel))))?;
+    }
+    Ok(paper.present()?)
+}
