@@ -42,6 +42,8 @@ pub enum Command {
     Handout(Handout),
     /// Grade the grading: does it catch every known mistake, and fail nobody who is right?
     Validate(Validate),
+    /// Measure the trade between speed and accuracy, and the extremes
+    Study(Study),
     /// Give up all rights and become a program: what sandboxes start first
     #[cfg(target_os = "linux")]
     #[command(hide = true)]
@@ -58,6 +60,7 @@ impl Command {
             Command::Diff(arguments) => arguments.json,
             Command::Golden(Golden::Verify(arguments)) => arguments.json,
             Command::Validate(arguments) => arguments.json,
+            Command::Study(arguments) => arguments.json,
             Command::Golden(_) | Command::Handout(_) => false,
             #[cfg(target_os = "linux")]
             Command::Confine(_) => false,
@@ -328,6 +331,28 @@ pub struct Validate {
     /// Judge so many at a time [default: one for each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
+    /// Print one JSON document on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Measure the trade between speed and accuracy, and the extremes.
+///
+/// Many ways to intersect a sphere, a plane and a triangle are asked the same questions,
+/// which get harder step by step, and are judged by exact arithmetic. Writes study.json,
+/// summary.md and plots; prints what was measured before beside what came. Exit 0 if all
+/// of that agrees, otherwise 1. The first run compiles the study, which nothing else needs.
+#[derive(Args)]
+pub struct Study {
+    /// Ask fewer questions: less than a minute
+    #[arg(long)]
+    pub quick: bool,
+    /// Where to write
+    #[arg(long, value_name = "DIR", default_value = "study")]
+    pub out: PathBuf,
+    /// Only this family of questions (distance, surface, …), or mesh, spoilt or speed
+    #[arg(long, value_name = "FAMILY")]
+    pub only: Option<String>,
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,

@@ -6,6 +6,7 @@ mod explain;
 mod golden;
 mod handout;
 mod render;
+mod study;
 mod validate;
 
 use std::path::{Path, PathBuf};
@@ -38,6 +39,7 @@ pub fn run(cli: Cli) -> Result<Outcome> {
         Command::Golden(arguments) => golden::run(&checkout, &arguments),
         Command::Handout(arguments) => handout::run(&checkout, &arguments),
         Command::Validate(arguments) => validate::run(&checkout, &arguments),
+        Command::Study(arguments) => study::run(&checkout, &arguments),
         #[cfg(target_os = "linux")]
         Command::Confine(_) => unreachable!("it has become another program by now"),
     }

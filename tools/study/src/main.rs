@@ -6,9 +6,11 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 use indicatif::ProgressBar;
+use pinhole_study::family::Studied;
 use pinhole_study::provenance::provenance;
 use pinhole_study::result::{SCHEMA, Study};
 use pinhole_study::run::{Extent, run};
+use pinhole_study::shape::{Plane, Sphere, Triangle};
 use pinhole_study::targets::targets;
 use pinhole_study::{instructions, plots, summary};
 
@@ -89,10 +91,21 @@ fn studied(arguments: &Arguments) -> Result<bool, String> {
     };
     if study.families.is_empty() && study.meshes.is_empty() && study.spoilt.is_empty() && study.speed.is_empty() {
         let only = arguments.only.as_deref().unwrap_or_default();
-        return Err(format!("there is no family {only:?}\n  remedy: leave --only out to see all names"));
+        return Err(format!("there is no family {only:?}\n  remedy: name one of {}", names().join(", ")));
     }
     write(&study, arguments)?;
     Ok(study.targets.iter().all(|target| target.met))
+}
+
+/// What `--only` understands.
+fn names() -> Vec<&'static str> {
+    let mut names = vec!["mesh", "spoilt", "speed"];
+    names.extend(Sphere::families().iter().map(|family| family.name));
+    names.extend(Plane::families().iter().map(|family| family.name));
+    names.extend(Triangle::families().iter().map(|family| family.name));
+    names.sort_unstable();
+    names.dedup();
+    names
 }
 
 fn write(study: &Study, arguments: &Arguments) -> Result<(), String> {

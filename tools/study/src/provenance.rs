@@ -9,16 +9,27 @@ use crate::result::Provenance;
 
 /// Of this run.
 pub fn provenance(mode: &str, seed: u64) -> Provenance {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
     Provenance {
         machine: machine(),
         date: date(),
         commit: commit(),
-        command: format!("cargo run --release -- study {}", arguments.join(" ")).trim().into(),
+        command: command(),
         mode: mode.into(),
         seed,
         features: if cfg!(target_feature = "fma") { "fma" } else { "no fma: mul_add is a call" }.into(),
     }
+}
+
+/// What to type for the same; where it is written changes no figure.
+fn command() -> String {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let mut words = vec!["cargo run --release -- study"];
+    for (at, word) in arguments.iter().enumerate() {
+        if word != "--out" && at.checked_sub(1).is_none_or(|at| arguments[at] != "--out") {
+            words.push(word);
+        }
+    }
+    words.join(" ")
 }
 
 fn machine() -> String {

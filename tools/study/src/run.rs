@@ -37,8 +37,8 @@ impl Extent {
     /// Less than a minute: for readers, and to keep the rest honest.
     pub const QUICK: Extent = Extent {
         name: "quick",
-        questions: 1000,
-        mesh_rays: 20_000,
+        questions: 600,
+        mesh_rays: 10_000,
         spoilt: 5,
         rounds: 60,
         instructions: false,
@@ -47,7 +47,7 @@ impl Extent {
     pub const FULL: Extent = Extent {
         name: "full",
         questions: 20_000,
-        mesh_rays: 2_000_000,
+        mesh_rays: 500_000,
         spoilt: 50,
         rounds: 400,
         instructions: true,

@@ -28,7 +28,7 @@ const COSTS: [(&str, &str, f64); 13] = [
     ("sphere", "stable-q", 1.54),
     ("sphere", "fma discriminant", 1.59),
     ("sphere", "Haines et al.", 2.36),
-    ("sphere", "Haines, scaled", 2.92),
+    ("sphere", "Haines scaled", 2.92),
     ("sphere", "adaptive exact", 3.45),
     ("plane", "shifted origin", 1.06),
     ("triangle", "Cramer", 1.1),
@@ -60,7 +60,7 @@ pub fn targets(findings: &Findings) -> Vec<Target> {
     }
     for (exponent, share) in [4, 5].into_iter().zip([0.63, 1.0]) {
         let place = ("triangle", "small", exponent);
-        targets.extend(wrong_of_hits(findings, place, ("M–T, epsilon", "f64"), share));
+        targets.extend(wrong_of_hits(findings, place, ("M–T with epsilon", "f64"), share));
     }
     targets.extend(wrong_of_hits(findings, ("plane", "parallel", 6), ("epsilon cut", "f64"), 0.49));
     targets.extend(median(findings, ("sphere", "distance", 8), ("textbook", "f64"), 3e7));
@@ -69,7 +69,7 @@ pub fn targets(findings: &Findings) -> Vec<Target> {
     targets.extend(median(findings, ("plane", "offset", 9), ("shifted origin", "f64"), 0.6));
     targets.extend(median(findings, ("plane", "offset", 9), ("plain", "f64"), 2e8));
     targets.extend(never_wrong(findings, "distance", "Haines et al.", "f64"));
-    targets.extend(never_wrong(findings, "direction", "Haines, scaled", "f64"));
+    targets.extend(never_wrong(findings, "direction", "Haines scaled", "f64"));
     for numbers in ["f64", "f32", "f64 on f32"] {
         targets.extend(never_wrong(findings, "", "adaptive exact", numbers));
     }

@@ -34,18 +34,18 @@ pub fn text(size: i32, colour: RGBColor) -> TextStyle<'static> {
     style.pos(Pos::new(HPos::Left, VPos::Center))
 }
 
-/// Moves labels apart, keeping their order: at least `gap` between neighbours, within
-/// `low` and `high`.
-pub fn spread(places: &mut [(f64, usize)], gap: f64, low: f64, high: f64) {
-    places.sort_by(|a, b| a.0.total_cmp(&b.0));
+/// Moves labels apart, keeping their order, so that none overlaps the next or leaves the
+/// room from `low` to `high`. A label has a place, its upper end, and a height.
+pub fn spread<T>(labels: &mut [(f64, f64, T)], low: f64, high: f64) {
+    labels.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut floor = low;
-    for place in places.iter_mut() {
-        place.0 = place.0.max(floor);
-        floor = place.0 + gap;
+    for (place, height, _) in labels.iter_mut() {
+        *place = place.max(floor);
+        floor = *place + *height;
     }
     let mut ceiling = high;
-    for place in places.iter_mut().rev() {
-        place.0 = place.0.min(ceiling);
-        ceiling = place.0 - gap;
+    for (place, height, _) in labels.iter_mut().rev() {
+        *place = place.min(ceiling - *height);
+        ceiling = *place;
     }
 }

@@ -7,17 +7,29 @@ use super::paper::{FAINT, GROUND, INK, colour, spread, text};
 use crate::judge::Tally;
 use crate::result::{Point, Sweep};
 
-const SIZE: (u32, u32) = (860, 640);
+const SIZE: (u32, u32) = (900, 640);
 /// Room on the right for labels.
-const LABELS: u32 = 270;
+const LABELS: u32 = 300;
+/// Height of a row of them.
+const ROW: f64 = 14.0;
+
+/// Lines nowhere further apart than this power of ten are drawn as one.
+const NEAR: f64 = 0.3;
 
 type Paper<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// Lines that lie on each other share one label.
 struct Line {
-    label: String,
+    names: Vec<String>,
     colour: RGBColor,
     values: Vec<(f64, f64)>,
+}
+
+impl Line {
+    /// Its label, two names on each row.
+    fn rows(&self) -> Vec<String> {
+        self.names.chunks(2).map(|names| names.join(", ")).collect()
+    }
 }
 
 /// What is plotted, on a scale of powers of ten with a floor for 0.
@@ -101,28 +113,34 @@ fn panel(paper: &Paper, sweep: &Sweep, panel: &Panel, none: &str) -> Result<(), 
         chart.draw_series(line.values.iter().map(|at| Circle::new(*at, 3, line.colour.filled())))?;
     }
     let end = |line: &Line| line.values.last().copied().unwrap_or((last, floor));
-    let mut places: Vec<(f64, usize)> = lines
+    let mut labels: Vec<(f64, f64, &Line)> = lines
         .iter()
-        .enumerate()
-        .map(|(at, line)| (f64::from(chart.backend_coord(&end(line)).1), at))
+        .map(|line| (f64::from(chart.backend_coord(&end(line)).1) - 7.0, line))
+        .map(|(place, line)| (place, ROW * line.rows().len() as f64 + 3.0, line))
         .collect();
     let (edge, low) = chart.backend_coord(&(last, floor));
     let high = chart.backend_coord(&(last, top)).1;
-    spread(&mut places, 17.0, f64::from(high), f64::from(low) + 14.0);
+    spread(&mut labels, f64::from(high) - 20.0, f64::from(low) + 30.0);
     // Backend coordinates are the whole picture's; this panel's begin where it lies.
     let shift = paper.get_base_pixel();
-    for (y, at) in places {
-        let (x, from) = chart.backend_coord(&end(&lines[at]));
-        let (x, y, from) = (x - shift.0, y as i32 - shift.1, from - shift.1);
-        let corner = edge - shift.0 + 14;
-        paper.draw(&PathElement::new([(x, from), (corner, y)], lines[at].colour))?;
-        paper.draw(&Text::new(lines[at].label.clone(), (corner + 4, y), text(13, lines[at].colour)))?;
+    let corner = edge - shift.0 + 14;
+    for (place, _, line) in labels {
+        let (x, from) = chart.backend_coord(&end(line));
+        let (x, from) = (x - shift.0, from - shift.1);
+        for (row, words) in line.rows().into_iter().enumerate() {
+            let y = (place + 7.0 + ROW * row as f64) as i32 - shift.1;
+            if row == 0 {
+                paper.draw(&PathElement::new([(x, from), (corner, y)], line.colour))?;
+            }
+            paper.draw(&Text::new(words, (corner + 4, y), text(12, line.colour)))?;
+        }
     }
     Ok(())
 }
 
 fn lines(sweep: &Sweep, panel: &Panel) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
+    let mut kernels: Vec<&str> = Vec::new();
     for (at, kernel) in sweep.points[0].kernels.iter().enumerate() {
         let value = |point: &Point| {
             let value = (panel.value)(&point.kernels[at].tally)?;
@@ -133,26 +151,21 @@ fn lines(sweep: &Sweep, panel: &Panel) -> Vec<Line> {
             "f64 on f32" => format!("{} (f64)", kernel.kernel),
             _ => kernel.kernel.clone(),
         };
+        if !kernels.contains(&kernel.kernel.as_str()) {
+            kernels.push(&kernel.kernel);
+        }
         let is_near = |line: &&mut Line| {
             line.values.len() == values.len()
-                && line.values.iter().zip(&values).all(|(a, b)| (a.1 - b.1).abs() < 0.3)
+                && line.values.iter().zip(&values).all(|(a, b)| (a.1 - b.1).abs() < NEAR)
         };
         match lines.iter_mut().find(is_near) {
-            Some(line) => line.label = format!("{}, {name}", line.label),
-            None => lines.push(Line { label: name, colour: colour(at), values }),
+            Some(line) => line.names.push(name),
+            None => {
+                let place = kernels.iter().position(|name| *name == kernel.kernel);
+                let colour = colour(place.unwrap_or_default());
+                lines.push(Line { names: vec![name], colour, values });
+            }
         }
     }
-    for line in &mut lines {
-        line.label = shortened(&line.label);
-    }
     lines
-}
-
-/// At most three names.
-fn shortened(label: &str) -> String {
-    let names: Vec<&str> = label.split(", ").collect();
-    match names.len() {
-        0..=2 => label.into(),
-        more => format!("{}, {} and {} more", names[0], names[1], more - 2),
-    }
 }

@@ -60,7 +60,7 @@ fn draw(study: &Study, shape: &str, backend: SVGBackend) -> Result<(), Box<dyn s
         let (wrong, asked) = wrong_in_all(&study.breaking, speed);
         let share = (wrong as f64 / asked.max(1) as f64).log10().max(floor);
         let at = (speed.nanoseconds.log10(), share);
-        let kernel = names.len() - 1;
+        let kernel = names.iter().position(|name| *name == speed.kernel).unwrap_or_default();
         match speed.numbers.as_str() {
             "f64" => {
                 chart.draw_series([Circle::new(at, 6, colour(kernel).filled())])?;
@@ -71,18 +71,16 @@ fn draw(study: &Study, shape: &str, backend: SVGBackend) -> Result<(), Box<dyn s
         }
     }
     let edge = chart.backend_coord(&(right, floor)).0 + 14;
-    let mut places: Vec<_> = labels
-        .iter()
-        .enumerate()
-        .map(|(place, (at, _))| (f64::from(chart.backend_coord(at).1), place))
+    let mut labels: Vec<_> = labels
+        .into_iter()
+        .map(|(at, kernel)| (chart.backend_coord(&at), kernel))
+        .map(|(from, kernel)| (f64::from(from.1) - 9.0, 18.0, (from, kernel)))
         .collect();
-    spread(&mut places, 18.0, 76.0, 400.0);
-    for (y, place) in places {
-        let (at, kernel) = labels[place];
-        let from = chart.backend_coord(&at);
-        let line = PathElement::new([from, (edge, y as i32)], colour(kernel).mix(0.5));
-        paper.draw(&line)?;
-        paper.draw(&Text::new(names[kernel].to_owned(), (edge + 4, y as i32), text(13, colour(kernel))))?;
+    spread(&mut labels, 70.0, 410.0);
+    for (y, _, (from, kernel)) in labels {
+        let (y, colour) = (y as i32 + 9, colour(kernel));
+        paper.draw(&PathElement::new([from, (edge, y)], colour.mix(0.4)))?;
+        paper.draw(&Text::new(names[kernel].to_owned(), (edge + 4, y), text(13, colour)))?;
     }
     Ok(paper.present()?)
 }

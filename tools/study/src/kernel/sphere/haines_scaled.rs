@@ -50,7 +50,7 @@ impl<F: Real> Scaled<F> {
 }
 
 impl<F: Real> Kernel<Sphere<F>, F> for HainesScaled {
-    const NAME: &'static str = "Haines, scaled";
+    const NAME: &'static str = "Haines scaled";
     type Prepared = Scaled<F>;
 
     #[inline(always)]

@@ -9,7 +9,7 @@ use crate::shape::{Ray, Triangle};
 pub struct MollerTrumboreEpsilon;
 
 impl<F: Real> Kernel<Triangle<F>, F> for MollerTrumboreEpsilon {
-    const NAME: &'static str = "M–T, epsilon";
+    const NAME: &'static str = "M–T with epsilon";
     type Prepared = Ray<F>;
 
     #[inline(always)]
