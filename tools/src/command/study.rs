@@ -10,7 +10,13 @@ use crate::error::{Error, Result};
 
 pub fn run(checkout: &Checkout, arguments: &Study) -> Result<Outcome> {
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
-    cargo.args(["run", "--release", "--package", "pinhole-study", "--manifest-path"]);
+    cargo.args([
+        "run",
+        "--release",
+        "--package",
+        "pinhole-study",
+        "--manifest-path",
+    ]);
     cargo.arg(checkout.root().join("Cargo.toml")).arg("--");
     cargo.arg("--out").arg(&arguments.out);
     cargo.args(arguments.quick.then_some("--quick"));
@@ -25,7 +31,13 @@ pub fn run(checkout: &Checkout, arguments: &Study) -> Result<Outcome> {
     match status.code() {
         Some(0) => Ok(Outcome::Well),
         Some(1) => Ok(Outcome::JudgedWrong),
-        Some(2) => Err(Error::input("the study was not made", "see its message above")),
-        _ => Err(Error::environment("the study was not made", "see its message above")),
+        Some(2) => Err(Error::input(
+            "the study was not made",
+            "see its message above",
+        )),
+        _ => Err(Error::environment(
+            "the study was not made",
+            "see its message above",
+        )),
     }
 }

@@ -25,8 +25,14 @@ pub fn breaking(sweep: &Sweep, data: Data) -> Vec<Breaking> {
 fn of_kernel(sweep: &Sweep, data: Data, at: usize) -> Breaking {
     let tallies = || sweep.points.iter().map(|point| &point.kernels[at].tally);
     let broken = |point: &&Point| is_broken(&point.kernels[at].tally, data);
-    let above = sweep.points.iter().filter(|point| point.exponent >= sweep.easy);
-    let below = sweep.points.iter().filter(|point| point.exponent <= sweep.easy);
+    let above = sweep
+        .points
+        .iter()
+        .filter(|point| point.exponent >= sweep.easy);
+    let below = sweep
+        .points
+        .iter()
+        .filter(|point| point.exponent <= sweep.easy);
     let named = &sweep.points[0].kernels[at];
     Breaking {
         shape: sweep.shape.clone(),
@@ -38,6 +44,8 @@ fn of_kernel(sweep: &Sweep, data: Data, at: usize) -> Breaking {
         wrong: tallies().map(Tally::wrong).sum(),
         asked: tallies().map(|tally| tally.asked).sum(),
         silent: tallies().map(|tally| tally.silent).sum(),
-        worst_median_ulp: tallies().filter_map(|tally| tally.median_ulp).reduce(f64::max),
+        worst_median_ulp: tallies()
+            .filter_map(|tally| tally.median_ulp)
+            .reduce(f64::max),
     }
 }

@@ -76,6 +76,8 @@ where
     S: Shape,
     F: Real,
 {
-    let hits = pairs.iter().filter_map(|(shape, ray, min_t)| K::intersect(shape, ray, *min_t));
+    let hits = pairs
+        .iter()
+        .filter_map(|(shape, ray, min_t)| K::intersect(shape, ray, *min_t));
     hits.fold(F::ZERO, |sum, t| sum + t)
 }

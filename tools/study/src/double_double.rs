@@ -49,7 +49,10 @@ impl<F: Real> DoubleDouble<F> {
     #[inline(always)]
     pub fn sqrt(self) -> DoubleDouble<F> {
         if self.high <= F::ZERO {
-            return DoubleDouble { high: self.high.sqrt(), low: F::ZERO };
+            return DoubleDouble {
+                high: self.high.sqrt(),
+                low: F::ZERO,
+            };
         }
         let root = self.high.sqrt();
         let rest = self - DoubleDouble::product(root, root);
@@ -79,7 +82,10 @@ impl<F: Real> Neg for DoubleDouble<F> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        DoubleDouble { high: -self.high, low: -self.low }
+        DoubleDouble {
+            high: -self.high,
+            low: -self.low,
+        }
     }
 }
 

@@ -38,7 +38,11 @@ impl Dyadic {
             _ => (fraction | (1 << 52), field as i64 - 1075),
         };
         let limbs = trimmed(Limbs::from_slice(&[mantissa]));
-        Dyadic { negative: bits >> 63 == 1, limbs, exponent }
+        Dyadic {
+            negative: bits >> 63 == 1,
+            limbs,
+            exponent,
+        }
     }
 
     /// −1, 0 or 1.
@@ -134,14 +138,21 @@ impl Add for &Dyadic {
             (false, Ordering::Less) => (other.negative, difference(b, &a)),
             (false, _) => (self.negative, difference(a, &b)),
         };
-        Dyadic { negative, limbs, exponent }
+        Dyadic {
+            negative,
+            limbs,
+            exponent,
+        }
     }
 }
 
 impl Neg for Dyadic {
     type Output = Dyadic;
     fn neg(self) -> Dyadic {
-        Dyadic { negative: !self.negative, ..self }
+        Dyadic {
+            negative: !self.negative,
+            ..self
+        }
     }
 }
 

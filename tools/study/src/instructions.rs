@@ -18,7 +18,10 @@ pub fn count<S: Contested>(kernel: usize) -> Option<f64> {
         valgrind.args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]);
         valgrind.arg(env::current_exe().ok()?);
         valgrind.args(["cast", S::NAME, &kernel.to_string(), &casts.to_string()]);
-        let output = valgrind.output().ok().filter(|output| output.status.success())?;
+        let output = valgrind
+            .output()
+            .ok()
+            .filter(|output| output.status.success())?;
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         let line = said.lines().find(|line| line.contains("Collected :"))?;
         line.rsplit(' ').next()?.parse::<f64>().ok()

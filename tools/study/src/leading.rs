@@ -49,7 +49,10 @@ impl From<&Dyadic> for Leading {
 impl Neg for Leading {
     type Output = Leading;
     fn neg(self) -> Leading {
-        Leading { value: -self.value, ..self }
+        Leading {
+            value: -self.value,
+            ..self
+        }
     }
 }
 

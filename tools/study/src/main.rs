@@ -21,7 +21,11 @@ use pinhole_study::{instructions, plots, summary};
 /// summary.md and plots as SVG; prints what was measured before beside what came.
 /// Exit 0 if all of that agrees, else 1.
 #[derive(Parser)]
-#[command(name = "study", max_term_width = 100, args_conflicts_with_subcommands = true)]
+#[command(
+    name = "study",
+    max_term_width = 100,
+    args_conflicts_with_subcommands = true
+)]
 struct Arguments {
     #[command(subcommand)]
     part: Option<Part>,
@@ -46,7 +50,11 @@ struct Arguments {
 enum Part {
     /// Cast one kernel's workload: what runs under callgrind
     #[command(hide = true)]
-    Cast { shape: String, kernel: usize, casts: u32 },
+    Cast {
+        shape: String,
+        kernel: usize,
+        casts: u32,
+    },
 }
 
 /// The seed of workloads whose instructions are counted.
@@ -54,7 +62,12 @@ const WORKLOAD: u64 = 1;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    if let Some(Part::Cast { shape, kernel, casts }) = arguments.part {
+    if let Some(Part::Cast {
+        shape,
+        kernel,
+        casts,
+    }) = arguments.part
+    {
         instructions::cast(&shape, kernel, casts, WORKLOAD);
         return ExitCode::SUCCESS;
     }
@@ -69,7 +82,11 @@ fn main() -> ExitCode {
 }
 
 fn studied(arguments: &Arguments) -> Result<bool, String> {
-    let extent = if arguments.quick { Extent::QUICK } else { Extent::FULL };
+    let extent = if arguments.quick {
+        Extent::QUICK
+    } else {
+        Extent::FULL
+    };
     let bar = ProgressBar::new_spinner();
     bar.enable_steady_tick(std::time::Duration::from_millis(100));
     let say = |what: &str| match bar.is_hidden() {
@@ -89,9 +106,16 @@ fn studied(arguments: &Arguments) -> Result<bool, String> {
         breaking: findings.breaking,
         targets,
     };
-    if study.families.is_empty() && study.meshes.is_empty() && study.spoilt.is_empty() && study.speed.is_empty() {
+    if study.families.is_empty()
+        && study.meshes.is_empty()
+        && study.spoilt.is_empty()
+        && study.speed.is_empty()
+    {
         let only = arguments.only.as_deref().unwrap_or_default();
-        return Err(format!("there is no family {only:?}\n  remedy: name one of {}", names().join(", ")));
+        return Err(format!(
+            "there is no family {only:?}\n  remedy: name one of {}",
+            names().join(", ")
+        ));
     }
     write(&study, arguments)?;
     Ok(study.targets.iter().all(|target| target.met))
@@ -111,17 +135,25 @@ fn names() -> Vec<&'static str> {
 fn write(study: &Study, arguments: &Arguments) -> Result<(), String> {
     let folder = &arguments.out;
     let failed = |error: &dyn std::fmt::Display| {
-        format!("cannot write {}: {error}\n  remedy: name another folder with --out", folder.display())
+        format!(
+            "cannot write {}: {error}\n  remedy: name another folder with --out",
+            folder.display()
+        )
     };
     fs::create_dir_all(folder).map_err(|error| failed(&error))?;
     let document = serde_json::to_string_pretty(study).map_err(|error| failed(&error))?;
-    fs::write(folder.join("study.json"), document.clone() + "\n").map_err(|error| failed(&error))?;
+    fs::write(folder.join("study.json"), document.clone() + "\n")
+        .map_err(|error| failed(&error))?;
     let names = plots::draw(study, folder).map_err(|error| failed(&error))?;
     let text = summary::summary(study, &names);
     fs::write(folder.join("summary.md"), &text).map_err(|error| failed(&error))?;
     match arguments.json {
         true => println!("{document}"),
-        false => println!("{}\nwritten to {}", summary::terminal(study), folder.display()),
+        false => println!(
+            "{}\nwritten to {}",
+            summary::terminal(study),
+            folder.display()
+        ),
     }
     Ok(())
 }

@@ -117,7 +117,12 @@ impl<S: Shape<With<f64> = S>> Question<S> {
             exponent(largest)
         });
         let by = |power: i32| move |value: f64| value.times_power_of_two(power);
-        self.map(by(-length), by(-free), by(-direction), by(direction - length))
+        self.map(
+            by(-length),
+            by(-free),
+            by(-direction),
+            by(direction - length),
+        )
     }
 
     /// Whether every number is finite and directions and normals are not 0.
@@ -131,7 +136,6 @@ impl<S: Shape<With<f64> = S>> Question<S> {
             && !is_zero(&direction)
     }
 }
-
 
 /// A power of ten, also where it is subnormal.
 pub fn ten_to(power: i32) -> f64 {

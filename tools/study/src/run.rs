@@ -120,7 +120,10 @@ fn of_shape<S: Studied>(
 
 /// One family in one type of data, every kernel on the same questions.
 pub fn swept<S: Studied>(family: &Family<S>, data: Data, count: usize, seed: u64) -> Sweep {
-    let kernels: Vec<_> = S::contestants().into_iter().filter(|k| k.data == data).collect();
+    let kernels: Vec<_> = S::contestants()
+        .into_iter()
+        .filter(|k| k.data == data)
+        .collect();
     let point = |exponent| {
         let asked = questions(family, exponent, data, count, seed);
         let truths: Vec<_> = asked.par_iter().map(S::truth).collect();
@@ -129,7 +132,10 @@ pub fn swept<S: Studied>(family: &Family<S>, data: Data, count: usize, seed: u64
             numbers: kernel.numbers.into(),
             tally: judge(kernel, &asked, &truths),
         });
-        (!asked.is_empty()).then(|| Point { exponent, kernels: judged.collect() })
+        (!asked.is_empty()).then(|| Point {
+            exponent,
+            kernels: judged.collect(),
+        })
     };
     Sweep {
         shape: S::NAME.into(),
@@ -138,22 +144,23 @@ pub fn swept<S: Studied>(family: &Family<S>, data: Data, count: usize, seed: u64
         axis: family.axis.into(),
         data: data.name().into(),
         easy: family.easy,
-        points: (family.exponents)(data).into_iter().filter_map(point).collect(),
+        points: (family.exponents)(data)
+            .into_iter()
+            .filter_map(point)
+            .collect(),
     }
 }
 
 /// One kernel on rays at edges or vertices of closed meshes, from inside.
-pub fn on_mesh(
-    kernel: &Contestant<Triangle<f64>>,
-    aim: Aim,
-    rays: usize,
-    seed: u64,
-) -> MeshTally {
+pub fn on_mesh(kernel: &Contestant<Triangle<f64>>, aim: Aim, rays: usize, seed: u64) -> MeshTally {
     let mut random = Random::new(seed, &format!("mesh {aim:?} {}", kernel.data.name()));
     let (mut leaks, mut double_hits) = (0, 0);
     for _ in 0..rays {
         let inside = inside(&mut random, aim, kernel.data);
-        let answers = inside.triangles.iter().map(|face| (kernel.answer)(&inside.question(*face)));
+        let answers = inside
+            .triangles
+            .iter()
+            .map(|face| (kernel.answer)(&inside.question(*face)));
         match answers.flatten().count() {
             0 => leaks += 1,
             1 => (),
@@ -220,16 +227,27 @@ fn speeds<S: Studied>(extent: &Extent, seed: u64) -> Vec<Speed> {
     let mut speeds = Vec::new();
     for data in [Data::F64, Data::F32] {
         let times = race(&kernels, data, extent.rounds, seed);
-        let fastest = times.iter().map(|time| time.nanoseconds).fold(f64::MAX, f64::min);
-        let entered = kernels.iter().enumerate().filter(|(_, kernel)| kernel.data == data);
-        speeds.extend(entered.zip(times).map(|((at, kernel), time)| Speed {
-            shape: S::NAME.into(),
-            kernel: kernel.name.into(),
-            numbers: kernel.numbers.into(),
-            nanoseconds: time.nanoseconds,
-            spread: time.spread,
-            ratio: time.nanoseconds / fastest,
-            instructions: extent.instructions.then(|| instructions::count::<S>(at)).flatten(),
+        let fastest = times
+            .iter()
+            .map(|time| time.nanoseconds)
+            .fold(f64::MAX, f64::min);
+        let entered = kernels
+            .iter()
+            .enumerate()
+            .filter(|(_, kernel)| kernel.data == data);
+        speeds.extend(entered.zip(times).map(|((at, kernel), time)| {
+            Speed {
+                shape: S::NAME.into(),
+                kernel: kernel.name.into(),
+                numbers: kernel.numbers.into(),
+                nanoseconds: time.nanoseconds,
+                spread: time.spread,
+                ratio: time.nanoseconds / fastest,
+                instructions: extent
+                    .instructions
+                    .then(|| instructions::count::<S>(at))
+                    .flatten(),
+            }
         }));
     }
     speeds

@@ -79,11 +79,7 @@ impl Shape for Triangle<f64> {
 impl Ray<f64> {
     /// Each number replaced by a function of it.
     #[inline(always)]
-    pub fn map<G: Real>(
-        &self,
-        length: impl Fn(f64) -> G,
-        direction: impl Fn(f64) -> G,
-    ) -> Ray<G> {
+    pub fn map<G: Real>(&self, length: impl Fn(f64) -> G, direction: impl Fn(f64) -> G) -> Ray<G> {
         Ray {
             origin: self.origin.map(length),
             direction: self.direction.map(direction),

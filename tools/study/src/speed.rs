@@ -50,7 +50,12 @@ pub fn workload<S: Studied>(kernel: &Contestant<S>, seed: u64) -> Box<dyn FnMut(
 }
 
 /// Times of all contestants with one type of data, in their order.
-pub fn race<S: Studied>(kernels: &[Contestant<S>], data: Data, rounds: usize, seed: u64) -> Vec<Time> {
+pub fn race<S: Studied>(
+    kernels: &[Contestant<S>],
+    data: Data,
+    rounds: usize,
+    seed: u64,
+) -> Vec<Time> {
     let entered = kernels.iter().filter(|kernel| kernel.data == data);
     let mut workloads: Vec<_> = entered.map(|kernel| workload(kernel, seed)).collect();
     let mut times = vec![Vec::with_capacity(rounds); workloads.len()];
@@ -67,7 +72,10 @@ pub fn race<S: Studied>(kernels: &[Contestant<S>], data: Data, rounds: usize, se
         }
     }
     let casts = f64::from(REPEATS) * PAIRS as f64;
-    times.into_iter().map(|times| of_rounds(times, casts)).collect()
+    times
+        .into_iter()
+        .map(|times| of_rounds(times, casts))
+        .collect()
 }
 
 fn of_rounds(mut times: Vec<f64>, casts: f64) -> Time {

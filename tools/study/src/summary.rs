@@ -8,16 +8,28 @@ use crate::result::{Breaking, Speed, Study};
 /// What was expected beside what came, for a terminal.
 pub fn terminal(study: &Study) -> String {
     let mut text = String::new();
-    let width = study.targets.iter().map(|t| t.about.chars().count()).max().unwrap_or(0);
+    let width = study
+        .targets
+        .iter()
+        .map(|t| t.about.chars().count())
+        .max()
+        .unwrap_or(0);
     for target in &study.targets {
         let mark = if target.met { "✓" } else { "✗" };
         let verdict = if target.met { "pass" } else { "fall short" };
         let padding = " ".repeat(width - target.about.chars().count());
         let (about, expected, measured) = (&target.about, &target.expected, &target.measured);
-        let _ = writeln!(text, "{mark} {about}{padding}  {expected:>14}  {measured}  {verdict}");
+        let _ = writeln!(
+            text,
+            "{mark} {about}{padding}  {expected:>14}  {measured}  {verdict}"
+        );
     }
     let met = study.targets.iter().filter(|target| target.met).count();
-    let _ = write!(text, "{met} of {} figures agree with what was measured before", study.targets.len());
+    let _ = write!(
+        text,
+        "{met} of {} figures agree with what was measured before",
+        study.targets.len()
+    );
     text
 }
 
@@ -47,10 +59,17 @@ pub fn summary(study: &Study, plots: &[String]) -> String {
     if !study.spoilt.is_empty() {
         spoilt(&mut text, study);
     }
-    let _ = write!(text, "## Measured before, and now\n\n| what | before | now | |\n| --- | --- | --- | --- |\n");
+    let _ = write!(
+        text,
+        "## Measured before, and now\n\n| what | before | now | |\n| --- | --- | --- | --- |\n"
+    );
     for target in &study.targets {
         let verdict = if target.met { "pass" } else { "**fall short**" };
-        let _ = writeln!(text, "| {} | {} | {} | {verdict} |", target.about, target.expected, target.measured);
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {verdict} |",
+            target.about, target.expected, target.measured
+        );
     }
     text
 }
@@ -76,7 +95,10 @@ fn costs(text: &mut String, speeds: &[Speed], breaking: &[Breaking]) {
     );
     for shape in ["sphere", "plane", "triangle"] {
         if speeds.iter().any(|speed| speed.shape == shape) {
-            let _ = writeln!(text, "![Cost against wrong decisions: {shape}](trade-{shape}.svg)\n");
+            let _ = writeln!(
+                text,
+                "![Cost against wrong decisions: {shape}](trade-{shape}.svg)\n"
+            );
         }
     }
     let _ = write!(
@@ -91,8 +113,17 @@ fn costs(text: &mut String, speeds: &[Speed], breaking: &[Breaking]) {
             (0, _) => format!("0 of {asked} (< {:.0e})", rule_of_three(asked)),
             _ => format!("{:.2} %", 100.0 * wrong as f64 / asked as f64),
         };
-        let instructions = speed.instructions.map_or("–".into(), |count| format!("{count:.0}"));
-        let Speed { shape, kernel, numbers, ratio, nanoseconds, .. } = speed;
+        let instructions = speed
+            .instructions
+            .map_or("–".into(), |count| format!("{count:.0}"));
+        let Speed {
+            shape,
+            kernel,
+            numbers,
+            ratio,
+            nanoseconds,
+            ..
+        } = speed;
         let _ = writeln!(
             text,
             "| {shape} | {kernel} | {numbers} | {ratio:.2} | {nanoseconds:.1} | {instructions} | {wrong} |"
@@ -120,7 +151,12 @@ fn meshes(text: &mut String, study: &Study) {
         let _ = writeln!(
             text,
             "| {} | {} | {} | {} | {} | {} |",
-            mesh.kernel, mesh.numbers, mesh.aimed_at, mesh.rays, share(mesh.leaks), share(mesh.double_hits)
+            mesh.kernel,
+            mesh.numbers,
+            mesh.aimed_at,
+            mesh.rays,
+            share(mesh.leaks),
+            share(mesh.double_hits)
         );
     }
     text.push('\n');
@@ -139,25 +175,54 @@ fn sweeps(text: &mut String, study: &Study, plots: &[String]) {
     );
     for sweep in &study.families {
         let name = format!("{}-{}-{}.svg", sweep.shape, sweep.family, sweep.data);
-        let _ = writeln!(text, "### {}, {}, {}\n\n{}; x: {}.\n", sweep.shape, sweep.family, sweep.data, sentence(&sweep.meaning), sweep.axis);
+        let _ = writeln!(
+            text,
+            "### {}, {}, {}\n\n{}; x: {}.\n",
+            sweep.shape,
+            sweep.family,
+            sweep.data,
+            sentence(&sweep.meaning),
+            sweep.axis
+        );
         if plots.contains(&name) {
             let _ = writeln!(text, "![{}, {}](<{name}>)\n", sweep.shape, sweep.family);
         }
-        let _ = write!(text, "| kernel | numbers | breaks at x | wrong | silent | largest median error |\n| --- | --- | --- | --- | --- | --- |\n");
+        let _ = write!(
+            text,
+            "| kernel | numbers | breaks at x | wrong | silent | largest median error |\n| --- | --- | --- | --- | --- | --- |\n"
+        );
         let is_of_sweep = |b: &&Breaking| {
             let data = if b.numbers == "f64" { "f64" } else { "f32" };
             b.shape == sweep.shape && b.family == sweep.family && data == sweep.data
         };
         for b in study.breaking.iter().filter(is_of_sweep) {
-            let ends: Vec<String> = [b.below, b.above].into_iter().flatten().map(|x| x.to_string()).collect();
-            let ends = if ends.is_empty() { "never".into() } else { ends.join(" and ") };
+            let ends: Vec<String> = [b.below, b.above]
+                .into_iter()
+                .flatten()
+                .map(|x| x.to_string())
+                .collect();
+            let ends = if ends.is_empty() {
+                "never".into()
+            } else {
+                ends.join(" and ")
+            };
             let wrong = match b.wrong {
                 0 => format!("0 of {} (< {:.0e})", b.asked, rule_of_three(b.asked)),
                 wrong => format!("{wrong} of {}", b.asked),
             };
-            let ulp = b.worst_median_ulp.map_or("–".into(), |ulp| format!("{ulp:.2}"));
-            let ulp = if ulp.len() > 7 { format!("{:.0e}", b.worst_median_ulp.unwrap_or(0.0)) } else { ulp };
-            let _ = writeln!(text, "| {} | {} | {ends} | {wrong} | {} | {ulp} ulp |", b.kernel, b.numbers, b.silent);
+            let ulp = b
+                .worst_median_ulp
+                .map_or("–".into(), |ulp| format!("{ulp:.2}"));
+            let ulp = if ulp.len() > 7 {
+                format!("{:.0e}", b.worst_median_ulp.unwrap_or(0.0))
+            } else {
+                ulp
+            };
+            let _ = writeln!(
+                text,
+                "| {} | {} | {ends} | {wrong} | {} | {ulp} ulp |",
+                b.kernel, b.numbers, b.silent
+            );
         }
         text.push('\n');
     }
@@ -165,7 +230,10 @@ fn sweeps(text: &mut String, study: &Study, plots: &[String]) {
 
 fn sentence(text: &str) -> String {
     let mut letters = text.chars();
-    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
+    letters
+        .next()
+        .map(|first| first.to_uppercase().chain(letters).collect())
+        .unwrap_or_default()
 }
 
 fn spoilt(text: &mut String, study: &Study) {
@@ -177,13 +245,31 @@ fn spoilt(text: &mut String, study: &Study) {
          | shape | kernel | numbers | replaced by | questions | hits of nothing | wrong | not finite |\n\
          | --- | --- | --- | --- | --- | --- | --- | --- |\n"
     );
-    for s in study.spoilt.iter().filter(|s| s.hits_of_nothing + s.wrong + s.not_finite > 0) {
+    for s in study
+        .spoilt
+        .iter()
+        .filter(|s| s.hits_of_nothing + s.wrong + s.not_finite > 0)
+    {
         let _ = writeln!(
             text,
             "| {} | {} | {} | {} | {} | {} | {} | {} |",
-            s.shape, s.kernel, s.numbers, s.spoiler, s.asked, s.hits_of_nothing, s.wrong, s.not_finite
+            s.shape,
+            s.kernel,
+            s.numbers,
+            s.spoiler,
+            s.asked,
+            s.hits_of_nothing,
+            s.wrong,
+            s.not_finite
         );
     }
-    let faultless = study.spoilt.iter().filter(|s| s.hits_of_nothing + s.wrong + s.not_finite == 0);
-    let _ = write!(text, "\nThe other {} combinations are without fault.\n\n", faultless.count());
+    let faultless = study
+        .spoilt
+        .iter()
+        .filter(|s| s.hits_of_nothing + s.wrong + s.not_finite == 0);
+    let _ = write!(
+        text,
+        "\nThe other {} combinations are without fault.\n\n",
+        faultless.count()
+    );
 }

@@ -52,22 +52,67 @@ pub fn targets(findings: &Findings) -> Vec<Target> {
     let mut targets = Vec::new();
     for (kernel, shares) in SPHERE_WRONG {
         for (exponent, share) in [6, 7, 8].into_iter().zip(shares) {
-            targets.extend(wrong(findings, ("sphere", "distance", exponent), (kernel, "f64"), share));
+            targets.extend(wrong(
+                findings,
+                ("sphere", "distance", exponent),
+                (kernel, "f64"),
+                share,
+            ));
         }
     }
     for (exponent, share) in [2, 3, 4].into_iter().zip([0.0005, 0.16, 0.52]) {
-        targets.extend(wrong(findings, ("sphere", "distance", exponent), ("textbook", "f32"), share));
+        targets.extend(wrong(
+            findings,
+            ("sphere", "distance", exponent),
+            ("textbook", "f32"),
+            share,
+        ));
     }
     for (exponent, share) in [4, 5].into_iter().zip([0.63, 1.0]) {
         let place = ("triangle", "small", exponent);
-        targets.extend(wrong_of_hits(findings, place, ("M–T with epsilon", "f64"), share));
+        targets.extend(wrong_of_hits(
+            findings,
+            place,
+            ("M–T with epsilon", "f64"),
+            share,
+        ));
     }
-    targets.extend(wrong_of_hits(findings, ("plane", "parallel", 6), ("epsilon cut", "f64"), 0.49));
-    targets.extend(median(findings, ("sphere", "distance", 8), ("textbook", "f64"), 3e7));
-    targets.extend(median(findings, ("sphere", "distance", 8), ("fma discriminant", "f64"), 7e7));
-    targets.extend(median(findings, ("sphere", "distance", 9), ("Haines et al.", "f64"), 0.65));
-    targets.extend(median(findings, ("plane", "offset", 9), ("shifted origin", "f64"), 0.6));
-    targets.extend(median(findings, ("plane", "offset", 9), ("plain", "f64"), 2e8));
+    targets.extend(wrong_of_hits(
+        findings,
+        ("plane", "parallel", 6),
+        ("epsilon cut", "f64"),
+        0.49,
+    ));
+    targets.extend(median(
+        findings,
+        ("sphere", "distance", 8),
+        ("textbook", "f64"),
+        3e7,
+    ));
+    targets.extend(median(
+        findings,
+        ("sphere", "distance", 8),
+        ("fma discriminant", "f64"),
+        7e7,
+    ));
+    targets.extend(median(
+        findings,
+        ("sphere", "distance", 9),
+        ("Haines et al.", "f64"),
+        0.65,
+    ));
+    targets.extend(median(
+        findings,
+        ("plane", "offset", 9),
+        ("shifted origin", "f64"),
+        0.6,
+    ));
+    targets.extend(median(
+        findings,
+        ("plane", "offset", 9),
+        ("plain", "f64"),
+        2e8,
+    ));
     targets.extend(never_wrong(findings, "distance", "Haines et al.", "f64"));
     targets.extend(never_wrong(findings, "direction", "Haines scaled", "f64"));
     for numbers in ["f64", "f32", "f64 on f32"] {
@@ -77,45 +122,66 @@ pub fn targets(findings: &Findings) -> Vec<Target> {
     for (kernel, leaks, double_hits) in MESHES {
         for (at, aimed_at) in ["edge", "vertex"].into_iter().enumerate() {
             let mut tallies = findings.meshes.iter();
-            let tally = tallies.find(|m| {
-                m.kernel == kernel && m.numbers == "f64" && m.aimed_at == aimed_at
-            });
+            let tally = tallies
+                .find(|m| m.kernel == kernel && m.numbers == "f64" && m.aimed_at == aimed_at);
             targets.extend(tally.map(|tally| leaking(tally, leaks[at])));
             targets.extend(tally.map(|tally| doubling(tally, double_hits[at])));
         }
     }
     targets.extend(cost_of_f64_on_f32(&findings.speed));
-    targets.extend(COSTS.iter().filter_map(|cost| costing(&findings.speed, cost)));
+    targets.extend(
+        COSTS
+            .iter()
+            .filter_map(|cost| costing(&findings.speed, cost)),
+    );
     targets
 }
 
 type Place = (&'static str, &'static str, i32);
 type Kernel = (&'static str, &'static str);
 
-fn judged(findings: &Findings, (shape, family, exponent): Place, (kernel, numbers): Kernel) -> Option<&Judged> {
+fn judged(
+    findings: &Findings,
+    (shape, family, exponent): Place,
+    (kernel, numbers): Kernel,
+) -> Option<&Judged> {
     let mut sweeps = findings.families.iter();
     let data = if numbers == "f64" { "f64" } else { "f32" };
     let sweep = sweeps.find(|s| s.shape == shape && s.family == family && s.data == data)?;
-    let point = sweep.points.iter().find(|point| point.exponent == exponent)?;
-    point.kernels.iter().find(|k| k.kernel == kernel && k.numbers == numbers)
+    let point = sweep
+        .points
+        .iter()
+        .find(|point| point.exponent == exponent)?;
+    point
+        .kernels
+        .iter()
+        .find(|k| k.kernel == kernel && k.numbers == numbers)
 }
 
 fn percent(share: f64) -> String {
     format!("{:.3} %", share * 100.0)
 }
 
-/// Whether two shares agree, one of them counted among `asked`.
+/// Whether two shares agree, the second counted among `asked`: within the factor, or
+/// within what chance does to such a count (two standard deviations, Poisson's).
 fn agree(expected: f64, counted: u64, asked: u64) -> bool {
-    let measured = counted as f64 / asked.max(1) as f64;
-    let ratio = measured / expected;
-    let few = expected * asked as f64 <= 3.0 && counted <= 9;
-    expected == measured || few && expected > 0.0 || (1.0 / OF_SHARES..=OF_SHARES).contains(&ratio)
+    let expected = expected * asked as f64;
+    if expected == 0.0 || counted == 0 {
+        return expected == counted as f64
+            || counted == 0 && (0.0..3.0 * OF_SHARES).contains(&expected);
+    }
+    let chance = 2.0 * (counted as f64).sqrt();
+    let (low, high) = (counted as f64 - chance, counted as f64 + chance);
+    low <= expected * OF_SHARES && high >= expected / OF_SHARES
 }
 
 fn wrong(findings: &Findings, place: Place, kernel: Kernel, share: f64) -> Option<Target> {
     let tally = &judged(findings, place, kernel)?.tally;
     Some(Target {
-        about: format!("{} {}: wrong at {} 10^{}, {}", place.0, kernel.0, place.1, place.2, kernel.1),
+        about: format!(
+            "{} {}: wrong at {} 10^{}, {}",
+            place.0, kernel.0, place.1, place.2, kernel.1
+        ),
         expected: percent(share),
         measured: percent(tally.wrong_share()),
         met: agree(share, tally.wrong(), tally.asked),
@@ -126,7 +192,10 @@ fn wrong(findings: &Findings, place: Place, kernel: Kernel, share: f64) -> Optio
 fn wrong_of_hits(findings: &Findings, place: Place, kernel: Kernel, share: f64) -> Option<Target> {
     let tally = &judged(findings, place, kernel)?.tally;
     Some(Target {
-        about: format!("{} {}: hits lost at {} 10^−{}, {}", place.0, kernel.0, place.1, place.2, kernel.1),
+        about: format!(
+            "{} {}: hits lost at {} 10^−{}, {}",
+            place.0, kernel.0, place.1, place.2, kernel.1
+        ),
         expected: percent(share),
         measured: percent(tally.false_misses as f64 / tally.hits.max(1) as f64),
         met: agree(share, tally.false_misses, tally.hits),
@@ -136,7 +205,10 @@ fn wrong_of_hits(findings: &Findings, place: Place, kernel: Kernel, share: f64) 
 fn median(findings: &Findings, place: Place, kernel: Kernel, ulp: f64) -> Option<Target> {
     let measured = judged(findings, place, kernel)?.tally.median_ulp?;
     Some(Target {
-        about: format!("{} {}: median error at {} 10^{}, {}", place.0, kernel.0, place.1, place.2, kernel.1),
+        about: format!(
+            "{} {}: median error at {} 10^{}, {}",
+            place.0, kernel.0, place.1, place.2, kernel.1
+        ),
         expected: format!("{ulp:.2} ulp"),
         measured: format!("{measured:.2} ulp"),
         met: (1.0 / OF_SHARES..=OF_SHARES).contains(&(measured / ulp)),
@@ -150,7 +222,11 @@ fn never_wrong(findings: &Findings, family: &str, kernel: &str, numbers: &str) -
             && b.numbers == numbers
     });
     let (wrong, asked) = swept.fold((0, 0), |sum, b| (sum.0 + b.wrong, sum.1 + b.asked));
-    let family = if family.is_empty() { "every family" } else { family };
+    let family = if family.is_empty() {
+        "every family"
+    } else {
+        family
+    };
     (asked > 0).then(|| Target {
         about: format!("{kernel}: wrong in {family}, {numbers}"),
         expected: "0".into(),
@@ -165,12 +241,18 @@ const PLAIN: [&str; 3] = ["Haines et al.", "shifted origin", "Möller–Trumbore
 fn f64_on_f32(findings: &Findings) -> Option<Target> {
     let of = |numbers: &str| {
         let is_it = |kernel: &str| PLAIN.contains(&kernel);
-        let swept = findings.breaking.iter().filter(|b| b.numbers == numbers && is_it(&b.kernel));
+        let swept = findings
+            .breaking
+            .iter()
+            .filter(|b| b.numbers == numbers && is_it(&b.kernel));
         swept.fold((0, 0), |sum, b| (sum.0 + b.wrong, sum.1 + b.asked))
     };
     let ((wrong, asked), (narrow, _)) = (of("f64 on f32"), of("f32"));
     (asked > 0).then(|| Target {
-        about: format!("{} in f64 on f32 data: wrong in every family ({narrow} in f32)", PLAIN.join(", ")),
+        about: format!(
+            "{} in f64 on f32 data: wrong in every family ({narrow} in f32)",
+            PLAIN.join(", ")
+        ),
         expected: "0".into(),
         measured: counted(wrong, asked),
         met: wrong == 0,
@@ -179,7 +261,9 @@ fn f64_on_f32(findings: &Findings) -> Option<Target> {
 
 fn cost_of_f64_on_f32(speeds: &[Speed]) -> Option<Target> {
     let sum = |numbers: &str| -> f64 {
-        let of = speeds.iter().filter(|s| s.numbers == numbers && PLAIN.contains(&s.kernel.as_str()));
+        let of = speeds
+            .iter()
+            .filter(|s| s.numbers == numbers && PLAIN.contains(&s.kernel.as_str()));
         of.map(|speed| speed.nanoseconds).sum()
     };
     let ratio = sum("f64 on f32") / sum("f32");
@@ -193,14 +277,22 @@ fn cost_of_f64_on_f32(speeds: &[Speed]) -> Option<Target> {
 
 fn counted(wrong: u64, asked: u64) -> String {
     match wrong {
-        0 => format!("0 of {asked} (below {:.1e} with 95 % confidence)", rule_of_three(asked)),
+        0 => format!(
+            "0 of {asked} (below {:.1e} with 95 % confidence)",
+            rule_of_three(asked)
+        ),
         _ => format!("{wrong} of {asked}"),
     }
 }
 
 fn leaking(tally: &MeshTally, share: f64) -> Target {
     Target {
-        about: format!("{}: leaks at {} {}, f64", tally.kernel, article(tally), tally.aimed_at),
+        about: format!(
+            "{}: leaks at {} {}, f64",
+            tally.kernel,
+            article(tally),
+            tally.aimed_at
+        ),
         expected: percent(share),
         measured: of_rays(tally.leaks, tally.rays),
         met: agree(share, tally.leaks, tally.rays),
@@ -209,7 +301,12 @@ fn leaking(tally: &MeshTally, share: f64) -> Target {
 
 fn doubling(tally: &MeshTally, share: f64) -> Target {
     Target {
-        about: format!("{}: double hits at {} {}, f64", tally.kernel, article(tally), tally.aimed_at),
+        about: format!(
+            "{}: double hits at {} {}, f64",
+            tally.kernel,
+            article(tally),
+            tally.aimed_at
+        ),
         expected: percent(share),
         measured: of_rays(tally.double_hits, tally.rays),
         met: agree(share, tally.double_hits, tally.rays),
@@ -228,7 +325,9 @@ fn of_rays(count: u64, rays: u64) -> String {
 }
 
 fn costing(speeds: &[Speed], (shape, kernel, ratio): &(&str, &str, f64)) -> Option<Target> {
-    let speed = speeds.iter().find(|s| s.shape == *shape && s.kernel == *kernel && s.numbers == "f64")?;
+    let speed = speeds
+        .iter()
+        .find(|s| s.shape == *shape && s.kernel == *kernel && s.numbers == "f64")?;
     Some(Target {
         about: format!("{shape} {kernel}: cost over the fastest, f64"),
         expected: format!("{ratio:.2}"),

@@ -33,7 +33,9 @@ fn decimal(text: &str) -> RBig {
     let (mantissa, exponent) = text.split_once('e').expect("it has an exponent");
     let exponent = exponent.parse::<i32>().expect("it is a number");
     let digits = IBig::from_str(&mantissa.replace('.', "")).expect("they are digits");
-    let places = mantissa.split_once('.').map_or(0, |(_, places)| places.len()) as i32;
+    let places = mantissa
+        .split_once('.')
+        .map_or(0, |(_, places)| places.len()) as i32;
     let power = UBig::from(10u8).pow((exponent - places).unsigned_abs() as usize);
     match exponent >= places {
         true => RBig::from(digits * IBig::from(power)),
@@ -58,7 +60,11 @@ fn second_opinion(lines: &str) -> Vec<String> {
     let output = python.wait_with_output().expect("it ends");
     writer.join().expect("no panic").expect("it reads all");
     assert!(output.status.success());
-    String::from_utf8(output.stdout).expect("it is text").lines().map(str::to_owned).collect()
+    String::from_utf8(output.stdout)
+        .expect("it is text")
+        .lines()
+        .map(str::to_owned)
+        .collect()
 }
 
 #[track_caller]
@@ -91,10 +97,17 @@ fn oracles_agree<S: Studied + std::fmt::Debug>(shape_first: fn(&Question<S>) -> 
             let difference = &ours - &theirs;
             let limit = &ours * RBig::from_parts(1.into(), UBig::from(10u8).pow(AGREE));
             let square = |x: &RBig| x * x;
-            assert!(square(&difference) <= square(&limit), "{question:?}: {second}");
+            assert!(
+                square(&difference) <= square(&limit),
+                "{question:?}: {second}"
+            );
         }
     }
-    assert!(hits > asked.len() / 8, "{hits} hits of {} are no test", asked.len());
+    assert!(
+        hits > asked.len() / 8,
+        "{hits} hits of {} are no test",
+        asked.len()
+    );
 }
 
 #[test]

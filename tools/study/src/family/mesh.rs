@@ -25,13 +25,24 @@ pub struct Inside {
 impl Inside {
     /// The question to one of the triangles.
     pub fn question(&self, shape: Triangle<f64>) -> Question<Triangle<f64>> {
-        Question { shape, ray: self.ray, min_t: 0.0 }
+        Question {
+            shape,
+            ray: self.ray,
+            min_t: 0.0,
+        }
     }
 }
 
 /// The faces of an octahedron over its corners ±x, ±y, ±z.
 const OCTAHEDRON: [[usize; 3]; 8] = [
-    [0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5],
+    [0, 2, 4],
+    [2, 1, 4],
+    [1, 3, 4],
+    [3, 0, 4],
+    [2, 0, 5],
+    [1, 2, 5],
+    [3, 1, 5],
+    [0, 3, 5],
 ];
 
 /// An octahedron's faces, each cut into four and blown up to the unit sphere: six faces
@@ -39,8 +50,12 @@ const OCTAHEDRON: [[usize; 3]; 8] = [
 fn sphere() -> Vec<[Vector<f64>; 3]> {
     let axis = |x, y, z| Vector::new(x, y, z);
     let corners = [
-        axis(1.0, 0.0, 0.0), axis(-1.0, 0.0, 0.0), axis(0.0, 1.0, 0.0),
-        axis(0.0, -1.0, 0.0), axis(0.0, 0.0, 1.0), axis(0.0, 0.0, -1.0),
+        axis(1.0, 0.0, 0.0),
+        axis(-1.0, 0.0, 0.0),
+        axis(0.0, 1.0, 0.0),
+        axis(0.0, -1.0, 0.0),
+        axis(0.0, 0.0, 1.0),
+        axis(0.0, 0.0, -1.0),
     ];
     // The sum is the same from both ends: neighbours agree on the corner, to the bit.
     let between = |p: Vector<f64>, q: Vector<f64>| {
@@ -66,8 +81,12 @@ pub fn inside(random: &mut Random, aim: Aim, data: Data) -> Inside {
     let y = random.unit_across(x);
     let [x, y, z] = [x, y, x.cross(y)].map(|axis| axis * random.within(0.5, 2.0));
     let place = |p: Vector<f64>| round(middle + x * p.x + y * p.y + z * p.z);
-    let triangles: Vec<_> =
-        sphere().into_iter().map(|face| Triangle { corners: face.map(place) }).collect();
+    let triangles: Vec<_> = sphere()
+        .into_iter()
+        .map(|face| Triangle {
+            corners: face.map(place),
+        })
+        .collect();
     let origin = round(middle + random.unit() * random.within(0.0, 0.2));
     let (step, first) = AMONG_SIX;
     let [a, b, _] = triangles[random.below(triangles.len() / step) * step + first].corners;
@@ -76,5 +95,8 @@ pub fn inside(random: &mut Random, aim: Aim, data: Data) -> Inside {
         Aim::Vertex => a,
     };
     let direction = round(target - origin);
-    Inside { triangles, ray: Ray { origin, direction } }
+    Inside {
+        triangles,
+        ray: Ray { origin, direction },
+    }
 }

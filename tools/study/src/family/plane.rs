@@ -84,7 +84,9 @@ fn plain(random: &mut Random) -> Question<Plane<f64>> {
 
 /// A ray at the angle 10^−`exponent`; exactly parallel at 18, in one of the axes' planes.
 fn parallel(random: &mut Random, exponent: i32) -> Question<Plane<f64>> {
-    let Question { mut shape, mut ray, .. } = plain(random);
+    let Question {
+        mut shape, mut ray, ..
+    } = plain(random);
     if exponent == 18 {
         shape.normal = shape.normal.map(|_| 0.0);
         shape.normal.y = random.within(0.5, 2.0);
@@ -97,7 +99,6 @@ fn parallel(random: &mut Random, exponent: i32) -> Question<Plane<f64>> {
     asked(shape.point, shape.normal, ray.origin, ray.direction)
 }
 
-
 fn asked(
     point: Vector<f64>,
     normal: Vector<f64>,
@@ -106,5 +107,9 @@ fn asked(
 ) -> Question<Plane<f64>> {
     let ray = Ray { origin, direction };
     let shape = Plane { point, normal };
-    Question { shape, ray, min_t: 0.0 }
+    Question {
+        shape,
+        ray,
+        min_t: 0.0,
+    }
 }

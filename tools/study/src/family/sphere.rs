@@ -120,7 +120,12 @@ fn aimed(random: &mut Random, radius: f64, away: f64, impact: f64) -> Question<S
     let sine = impact * radius / distance;
     let across = random.unit_across(towards) * sine;
     let along = towards * (1.0 - sine * sine).max(0.0).sqrt();
-    asked(center, radius, origin, (along + across) * random.within(0.5, 2.0))
+    asked(
+        center,
+        radius,
+        origin,
+        (along + across) * random.within(0.5, 2.0),
+    )
 }
 
 /// From a unit's height above a large ball, to a line half or one and a half times as far
@@ -144,5 +149,9 @@ fn asked(
 ) -> Question<Sphere<f64>> {
     let ray = Ray { origin, direction };
     let shape = Sphere { center, radius };
-    Question { shape, ray, min_t: 0.0 }
+    Question {
+        shape,
+        ray,
+        min_t: 0.0,
+    }
 }

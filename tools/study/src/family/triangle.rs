@@ -142,8 +142,15 @@ fn aimed(
     let (alpha, beta) = (random.within(-0.3, 1.0), random.within(-0.3, 1.0));
     let target = a + (b - a) * alpha + (c - a) * beta;
     let direction = from * -random.within(0.5, 2.0);
-    let ray = Ray { origin: target + from * away, direction };
-    Question { shape: Triangle { corners }, ray, min_t: 0.0 }
+    let ray = Ray {
+        origin: target + from * away,
+        direction,
+    };
+    Question {
+        shape: Triangle { corners },
+        ray,
+        min_t: 0.0,
+    }
 }
 
 /// Corners that coincide, or lie in a line: exactly, for they are multiples of 1/1024.
@@ -159,6 +166,13 @@ fn flat(random: &mut Random, kind: i32) -> Question<Triangle<f64>> {
     };
     let from = random.unit();
     let target = a + along * at;
-    let ray = Ray { origin: target + from * 3.0, direction: target - (target + from * 3.0) };
-    Question { shape: Triangle { corners }, ray, min_t: 0.0 }
+    let ray = Ray {
+        origin: target + from * 3.0,
+        direction: target - (target + from * 3.0),
+    };
+    Question {
+        shape: Triangle { corners },
+        ray,
+        min_t: 0.0,
+    }
 }

@@ -16,7 +16,11 @@ impl Known for Plane<f64> {
         let beyond = sign(&(&t - fraction(*min_t)));
         match beyond < 0 {
             true => Truth::miss(false),
-            false => Truth { t: Some(Root::from(t)), other: None, is_tie: beyond == 0 },
+            false => Truth {
+                t: Some(Root::from(t)),
+                other: None,
+                is_tie: beyond == 0,
+            },
         }
     }
 }

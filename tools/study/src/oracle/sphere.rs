@@ -39,7 +39,11 @@ impl Known for Sphere<f64> {
             false => (-(&h + &root) / &a, -(&c / (&h + &root))),
         };
         let (t, other) = if is_near { (near, far) } else { (far, near) };
-        Truth { t: Some(Root::from(t)), other: Some(Root::from(other)), is_tie }
+        Truth {
+            t: Some(Root::from(t)),
+            other: Some(Root::from(other)),
+            is_tie,
+        }
     }
 }
 

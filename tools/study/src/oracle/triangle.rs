@@ -29,7 +29,11 @@ impl Known for Triangle<f64> {
         let is_tie = signs.contains(&0) || beyond == 0;
         match beyond < 0 {
             true => Truth::miss(false),
-            false => Truth { t: Some(Root::from(t)), other: None, is_tie },
+            false => Truth {
+                t: Some(Root::from(t)),
+                other: None,
+                is_tie,
+            },
         }
     }
 }

@@ -21,7 +21,11 @@ pub struct Truth {
 impl Truth {
     /// A plain miss, or a miss by a hair.
     pub fn miss(is_tie: bool) -> Truth {
-        Truth { t: None, other: None, is_tie }
+        Truth {
+            t: None,
+            other: None,
+            is_tie,
+        }
     }
 }
 
@@ -39,7 +43,12 @@ pub struct Root {
 impl From<Relaxed> for Root {
     fn from(exact: Relaxed) -> Root {
         if sign(&exact) == 0 {
-            return Root { exact, high: 0.0, low: 0.0, exponent: -100_000 };
+            return Root {
+                exact,
+                high: 0.0,
+                low: 0.0,
+                exponent: -100_000,
+            };
         }
         let (_, numerator) = exact.numerator().clone().into_parts();
         let guess = numerator.bit_len() as i32 - exact.denominator().bit_len() as i32;
@@ -52,7 +61,12 @@ impl From<Relaxed> for Root {
         let scaled = near_one * shift(-adjust);
         let high = scaled.to_f64().value();
         let low = (scaled - fraction(high)).to_f64().value();
-        Root { exact, high, low, exponent: guess + adjust }
+        Root {
+            exact,
+            high,
+            low,
+            exponent: guess + adjust,
+        }
     }
 }
 

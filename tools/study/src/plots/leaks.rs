@@ -25,7 +25,10 @@ fn draw(meshes: &[&MeshTally], backend: SVGBackend) -> Result<(), Box<dyn std::e
     let title = "From inside a closed mesh, a ray meets the surface once. These were aimed at edges and corners:";
     paper.draw(&Text::new(title, (18, 22), text(16, INK)))?;
     let (leak, double) = (colour(0), colour(1));
-    for (x, what, colour) in [(LEFT, "leaks: the ray meets nothing", leak), (LEFT + 260, "double hits: it meets two or more", double)] {
+    for (x, what, colour) in [
+        (LEFT, "leaks: the ray meets nothing", leak),
+        (LEFT + 260, "double hits: it meets two or more", double),
+    ] {
         paper.draw(&Rectangle::new([(x, 42), (x + 12, 54)], colour.filled()))?;
         paper.draw(&Text::new(what, (x + 18, 48), text(14, INK)))?;
     }
@@ -39,8 +42,14 @@ fn draw(meshes: &[&MeshTally], backend: SVGBackend) -> Result<(), Box<dyn std::e
         let share = |count: u64| count as f64 / mesh.rays as f64;
         let width = |count: u64| (share(count) * WIDTH).ceil() as i32;
         let (leaks, doubles) = (width(mesh.leaks), width(mesh.double_hits));
-        paper.draw(&Rectangle::new([(LEFT, y + 2), (LEFT + leaks, y + 9)], leak.filled()))?;
-        paper.draw(&Rectangle::new([(LEFT, y + 10), (LEFT + doubles, y + 17)], double.filled()))?;
+        paper.draw(&Rectangle::new(
+            [(LEFT, y + 2), (LEFT + leaks, y + 9)],
+            leak.filled(),
+        ))?;
+        paper.draw(&Rectangle::new(
+            [(LEFT, y + 10), (LEFT + doubles, y + 17)],
+            double.filled(),
+        ))?;
         let figure = |count: u64| match count {
             0 => "0".into(),
             _ => format!("{:.2} %", 100.0 * share(count)),

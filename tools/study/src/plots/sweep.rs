@@ -51,7 +51,13 @@ pub fn svg(sweep: &Sweep) -> Result<String, String> {
 fn draw(sweep: &Sweep, backend: SVGBackend) -> Result<(), Box<dyn std::error::Error>> {
     let paper = backend.into_drawing_area();
     paper.fill(&GROUND)?;
-    let asked = sweep.points.iter().flat_map(|p| &p.kernels).map(|k| k.tally.asked).max().unwrap_or(1);
+    let asked = sweep
+        .points
+        .iter()
+        .flat_map(|p| &p.kernels)
+        .map(|k| k.tally.asked)
+        .max()
+        .unwrap_or(1);
     let title = format!("{} in {}: {}", sweep.shape, sweep.data, sweep.meaning);
     paper.draw(&Text::new(title, (18, 22), text(17, INK)))?;
     let note = format!("x: {};  {asked} questions at each x", sweep.axis);
@@ -83,11 +89,27 @@ fn draw(sweep: &Sweep, backend: SVGBackend) -> Result<(), Box<dyn std::error::Er
     Ok(paper.present()?)
 }
 
-fn panel(paper: &Paper, sweep: &Sweep, panel: &Panel, none: &str) -> Result<(), Box<dyn std::error::Error>> {
+fn panel(
+    paper: &Paper,
+    sweep: &Sweep,
+    panel: &Panel,
+    none: &str,
+) -> Result<(), Box<dyn std::error::Error>> {
     let lines = lines(sweep, panel);
-    let (first, last) = (f64::from(sweep.points[0].exponent), f64::from(sweep.points[sweep.points.len() - 1].exponent));
-    let highest = lines.iter().flat_map(|line| &line.values).map(|value| value.1).fold(1.0, f64::max);
-    let top = if panel.top == 0.0 { 0.2 } else { (highest + 1.0).min(panel.top) };
+    let (first, last) = (
+        f64::from(sweep.points[0].exponent),
+        f64::from(sweep.points[sweep.points.len() - 1].exponent),
+    );
+    let highest = lines
+        .iter()
+        .flat_map(|line| &line.values)
+        .map(|value| value.1)
+        .fold(1.0, f64::max);
+    let top = if panel.top == 0.0 {
+        0.2
+    } else {
+        (highest + 1.0).min(panel.top)
+    };
     let mut chart = ChartBuilder::on(paper)
         .margin_left(18)
         .margin_right(LABELS)
@@ -106,11 +128,24 @@ fn panel(paper: &Paper, sweep: &Sweep, panel: &Panel, none: &str) -> Result<(), 
         .y_labels(6)
         .label_style(("sans-serif", 13).into_font().color(&INK))
         .x_label_formatter(&|x| format!("{x:.0}"))
-        .y_label_formatter(&|y| if *y <= floor + 0.4 { none.into() } else { (panel.tick)(*y) })
+        .y_label_formatter(&|y| {
+            if *y <= floor + 0.4 {
+                none.into()
+            } else {
+                (panel.tick)(*y)
+            }
+        })
         .draw()?;
     for line in &lines {
-        chart.draw_series(LineSeries::new(line.values.clone(), line.colour.stroke_width(2)))?;
-        chart.draw_series(line.values.iter().map(|at| Circle::new(*at, 3, line.colour.filled())))?;
+        chart.draw_series(LineSeries::new(
+            line.values.clone(),
+            line.colour.stroke_width(2),
+        ))?;
+        chart.draw_series(
+            line.values
+                .iter()
+                .map(|at| Circle::new(*at, 3, line.colour.filled())),
+        )?;
     }
     let end = |line: &Line| line.values.last().copied().unwrap_or((last, floor));
     let mut labels: Vec<(f64, f64, &Line)> = lines
@@ -144,7 +179,10 @@ fn lines(sweep: &Sweep, panel: &Panel) -> Vec<Line> {
     for (at, kernel) in sweep.points[0].kernels.iter().enumerate() {
         let value = |point: &Point| {
             let value = (panel.value)(&point.kernels[at].tally)?;
-            Some((f64::from(point.exponent), value.log10().clamp(panel.floor, 17.0)))
+            Some((
+                f64::from(point.exponent),
+                value.log10().clamp(panel.floor, 17.0),
+            ))
         };
         let values: Vec<_> = sweep.points.iter().filter_map(value).collect();
         let name = match kernel.numbers.as_str() {
@@ -156,14 +194,22 @@ fn lines(sweep: &Sweep, panel: &Panel) -> Vec<Line> {
         }
         let is_near = |line: &&mut Line| {
             line.values.len() == values.len()
-                && line.values.iter().zip(&values).all(|(a, b)| (a.1 - b.1).abs() < NEAR)
+                && line
+                    .values
+                    .iter()
+                    .zip(&values)
+                    .all(|(a, b)| (a.1 - b.1).abs() < NEAR)
         };
         match lines.iter_mut().find(is_near) {
             Some(line) => line.names.push(name),
             None => {
                 let place = kernels.iter().position(|name| *name == kernel.kernel);
                 let colour = colour(place.unwrap_or_default());
-                lines.push(Line { names: vec![name], colour, values });
+                lines.push(Line {
+                    names: vec![name],
+                    colour,
+                    values,
+                });
             }
         }
     }

@@ -46,7 +46,8 @@ fn filtered<F: Real>(plane: &Plane<F>, ray: &Ray<F>, m: F) -> Option<Option<F>> 
     let (down_error, height_error) = (error(d), error(w));
     // t − m = (height − m down) / down.
     let beyond = height - m * down;
-    let beyond_error = height_error + F::of(2.0) * m.abs() * down_error
+    let beyond_error = height_error
+        + F::of(2.0) * m.abs() * down_error
         + F::of(2.0) * F::UNIT_ROUNDOFF * beyond.abs();
     if !(down.abs() > down_error && beyond.abs() > beyond_error) {
         return None;

@@ -94,11 +94,12 @@ fn filtered<F: Real>(sphere: &Sphere<F>, scaled: &Scaled<F>, min_t: F) -> Option
         return None;
     }
     let c = f_square - r_square;
-    let by_q = is_near == (h < F::ZERO);
+    let is_ahead = h < F::ZERO;
+    let by_q = is_near == is_ahead;
     if by_q && !(c.abs() > F::of(16.0) * root_u * (f_square + r_square)) {
         return None;
     }
-    let q = q.copysign(-h);
+    let q = if is_ahead { q } else { -q };
     let t = if by_q { c / q } else { q / a };
     let t = scaled.unscale(t).max(min_t);
     t.is_finite().then_some(Some(t))
@@ -123,7 +124,11 @@ fn exact<F: Real>(sphere: &Sphere<F>, ray: &Ray<F>, min_t: F) -> Option<F> {
         return None;
     }
     let f = &DyadicVector::of(ray.origin) - &DyadicVector::of(sphere.center);
-    let (d, m, r) = (DyadicVector::of(ray.direction), Dyadic::of(min_t), Dyadic::of(sphere.radius));
+    let (d, m, r) = (
+        DyadicVector::of(ray.direction),
+        Dyadic::of(min_t),
+        Dyadic::of(sphere.radius),
+    );
     let (a, h) = (d.dot(&d), d.dot(&f));
     let c = &f.dot(&f) - &(&r * &r);
     // |f + m d|² − r², and how fast it changes there.

@@ -13,8 +13,13 @@ pub fn exact<F: Real>(triangle: &Triangle<F>, ray: &Ray<F>, min_t: F) -> Option<
     if !(points && finite(ray.direction) && min_t.is_finite()) {
         return None;
     }
-    let (e, d) = (DyadicVector::of(ray.origin), DyadicVector::of(ray.direction));
-    let [a, b, c] = triangle.corners.map(|corner| &DyadicVector::of(corner) - &e);
+    let (e, d) = (
+        DyadicVector::of(ray.origin),
+        DyadicVector::of(ray.direction),
+    );
+    let [a, b, c] = triangle
+        .corners
+        .map(|corner| &DyadicVector::of(corner) - &e);
     let b_cross_c = b.cross(&c);
     let u = d.dot(&b_cross_c);
     let u_side = side(&u, &b_cross_c, &b, &c, &d);
