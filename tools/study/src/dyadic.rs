@@ -6,6 +6,10 @@
 //! they are exact only while no partial product underflows, and the extremes are what
 //! this package is about. The oracle uses another's rationals: the two share no code.
 
+mod vector;
+
+pub use vector::DyadicVector;
+
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -13,7 +17,6 @@ use smallvec::SmallVec;
 
 use crate::double_double::DoubleDouble;
 use crate::number::Real;
-use crate::vector::Vector;
 
 /// As many bits as everyday numbers need are kept in place; more go to the heap.
 type Limbs = SmallVec<[u64; 8]>;
@@ -180,37 +183,5 @@ impl Mul for &Dyadic {
             limbs: trimmed(limbs),
             exponent: self.exponent + other.exponent,
         }
-    }
-}
-
-/// A vector of such numbers.
-#[derive(Clone, Debug)]
-pub struct DyadicVector(pub [Dyadic; 3]);
-
-impl DyadicVector {
-    /// A vector of finite numbers, exactly.
-    pub fn of(vector: Vector<impl Real>) -> DyadicVector {
-        DyadicVector(vector.array().map(Dyadic::of))
-    }
-
-    /// The dot product.
-    pub fn dot(&self, other: &DyadicVector) -> Dyadic {
-        let ([a, b, c], [x, y, z]) = (&self.0, &other.0);
-        &(&(a * x) + &(b * y)) + &(c * z)
-    }
-
-    /// The cross product.
-    pub fn cross(&self, other: &DyadicVector) -> DyadicVector {
-        let ([a, b, c], [x, y, z]) = (&self.0, &other.0);
-        let minor = |p: &Dyadic, q: &Dyadic, r: &Dyadic, s: &Dyadic| &(p * q) - &(r * s);
-        DyadicVector([minor(b, z, c, y), minor(c, x, a, z), minor(a, y, b, x)])
-    }
-}
-
-impl Sub for &DyadicVector {
-    type Output = DyadicVector;
-    fn sub(self, other: &DyadicVector) -> DyadicVector {
-        let ([a, b, c], [x, y, z]) = (&self.0, &other.0);
-        DyadicVector([a - x, b - y, c - z])
     }
 }
