@@ -98,6 +98,15 @@ impl Columns<'_> {
         })
     }
 
+    fn min_t(&self, at: usize) -> Result<f64, String> {
+        match self.number("min_t", at)? {
+            min_t if min_t < 0.0 => Err(format!(
+                "channel `min_t` holds {min_t}, behind the ray's origin"
+            )),
+            min_t => Ok(min_t),
+        }
+    }
+
     fn shape(&self, kind: &str, at: usize) -> Result<ShapeQuestion, String> {
         let vector = |name| self.vector(name, at);
         let shape = match kind {
@@ -116,7 +125,7 @@ impl Columns<'_> {
         Ok(ShapeQuestion {
             shape,
             ray: self.ray(at)?,
-            min_t: self.number("min_t", at)?,
+            min_t: self.min_t(at)?,
         })
     }
 
@@ -142,7 +151,7 @@ impl Columns<'_> {
         Ok(CannedQuestion {
             objects: TriangleSoup { triangles },
             ray: self.ray(at)?,
-            min_t: self.number("min_t", at)?,
+            min_t: self.min_t(at)?,
         })
     }
 

@@ -316,6 +316,20 @@ fn a_count_of_more_than_there_is_misses_a_channel() {
 }
 
 #[test]
+fn nothing_behind_the_origin_is_asked_about() {
+    for task in ["first_hit", "triangle_soup"] {
+        let question = with(canned(), "min_t", -0.25);
+        refused(
+            task,
+            &question,
+            "`min_t` holds -0.25, behind the ray's origin",
+        );
+    }
+    let question = with(sphere(), "min_t", -0.25);
+    refused("sphere", &question, "`min_t` holds -0.25");
+}
+
+#[test]
 fn too_many_objects_are_not_quietly_dropped() {
     for count in [7.0, 1e30] {
         let question = with(canned(), "count", count);

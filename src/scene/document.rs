@@ -52,7 +52,7 @@ impl<'a> Document<'a> {
         let camera = self.camera()?;
         let resolution = self.resolution()?;
         let min_t = match &self.file.camera.get_ref().min_t {
-            Some(min_t) => self.number("min_t", min_t)?,
+            Some(min_t) => self.min_t(min_t)?,
             None => match camera.projection {
                 Projection::Perspective { .. } => 1.0,
                 Projection::Orthographic => 0.0,
@@ -245,6 +245,18 @@ impl<'a> Document<'a> {
                 number.span(),
                 format!("`{key}` is {value}"),
                 "give a length greater than 0, in scene units",
+            ));
+        }
+        Ok(value)
+    }
+
+    fn min_t(&self, number: &Spanned<f64>) -> Result<f64, Error> {
+        let value = self.number("min_t", number)?;
+        if value < 0.0 {
+            return Err(self.error(
+                number.span(),
+                format!("`min_t` is {value}, behind the eye"),
+                "give 0 (the eye) or more, in multiples of a ray's direction",
             ));
         }
         Ok(value)

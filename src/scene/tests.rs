@@ -291,6 +291,16 @@ fn a_length_is_more_than_nothing() {
 }
 
 #[test]
+fn nothing_behind_the_eye_is_seen() {
+    refused(
+        "width = 2.0",
+        "width = 2.0\nmin_t = ▶-0.5",
+        "`min_t` is -0.5, behind the eye",
+        "give 0 (the eye) or more",
+    );
+}
+
+#[test]
 fn what_is_no_toml_is_pointed_at() {
     refused("width = 2.0", "width = ▶two", "invalid", "README.md");
     refused(

@@ -118,9 +118,13 @@ fn who_answers_with_garbage_is_garbled() {
         &after_the_job("printf '\\003\\000\\000\\000abc' >&0"),
         Ending::Garbled("a message could not be read".into()),
     );
-    // Answers, from the 10th on, none.
+    // Answers, from the 10th on: none; and one, that nothing is hit.
     ends(
         &after_the_job("printf '\\003\\000\\000\\000\\000\\012\\000' >&0"),
+        Ending::Garbled("it sent a message without an answer".into()),
+    );
+    ends(
+        &after_the_job("printf '\\005\\000\\000\\000\\000\\012\\001\\000\\000' >&0"),
         Ending::Garbled("it answered a question that was not asked".into()),
     );
 }

@@ -7,6 +7,9 @@ use crate::number::Real;
 use crate::question::{Data, Question};
 use crate::shape::{Ray, Shape};
 
+/// Casts prepared rays at their shapes, all of them at each call.
+pub type Workload = Box<dyn FnMut()>;
+
 /// A kernel, the numbers it computes with, and the type its data are stored in.
 #[derive(Clone, Copy)]
 pub struct Contestant<S: 'static> {
@@ -20,7 +23,7 @@ pub struct Contestant<S: 'static> {
     pub answer: fn(&Question<S>) -> Option<f64>,
     /// A workload: each call casts the ray of every question at its shape. Rays are
     /// prepared beforehand, as they are when they come to the leaf of a tree.
-    pub workload: fn(&[Question<S>]) -> Box<dyn FnMut()>,
+    pub workload: fn(&[Question<S>]) -> Workload,
 }
 
 impl<S: Shape<With<f64> = S>> Contestant<S> {
@@ -53,7 +56,7 @@ fn answer<K: Kernel<S::With<F>, F>, S: Shape, F: Real>(question: &Question<S>) -
     K::intersect(&shape, &K::prepare(&ray), min_t).map(F::wide)
 }
 
-fn workload<K, S, F>(questions: &[Question<S>]) -> Box<dyn FnMut()>
+fn workload<K, S, F>(questions: &[Question<S>]) -> Workload
 where
     K: Kernel<S::With<F>, F>,
     S: Shape,

@@ -6,7 +6,7 @@
 
 use std::time::Duration;
 
-use crate::contestant::Contestant;
+use crate::contestant::{Contestant, Workload};
 use crate::family::{Studied, questions};
 use crate::question::Data;
 
@@ -42,7 +42,7 @@ fn now() -> Duration {
 
 /// The workload of a kernel: the first family at the second step, an everyday scene of
 /// which about half of the rays hit.
-pub fn workload<S: Studied>(kernel: &Contestant<S>, seed: u64) -> Box<dyn FnMut()> {
+pub fn workload<S: Studied>(kernel: &Contestant<S>, seed: u64) -> Workload {
     let families = S::families();
     let everyday = families.iter().find(|family| family.name == "offset");
     let everyday = everyday.expect("every shape has an offset");

@@ -8,8 +8,9 @@ pub trait IntersectRay {
     /// The first point of this surface along `ray`, at `min_t` or beyond.
     ///
     /// `min_t` and the answer's `t` are the ray's parameter: multiples of
-    /// `ray.direction`, whatever its length. The answer's normal is unit and points
-    /// outward, never flipped towards the ray. `None` if there is no such point.
+    /// `ray.direction`, whatever its length. `min_t` is never negative. The answer's
+    /// normal is unit and points outward, never flipped towards the ray. `None` if
+    /// there is no such point.
     fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection>;
 }
 

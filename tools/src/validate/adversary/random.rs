@@ -63,12 +63,15 @@ impl Random {
     }
 
     /// A ray from `origin` through `target`, which it meets at a t that is not 1, and a
-    /// `min_t` about as large: before it, behind it, or behind the eye.
+    /// `min_t` at the eye, before that t or beyond it.
     fn through(&mut self, origin: DVec3, target: DVec3) -> (Ray, f64) {
         let t = self.size(0.05, 20.0);
         let side = if self.count(5) == 0 { -1.0 } else { 1.0 };
         let direction = side * (target - origin) / t;
-        (Ray { origin, direction }, t * self.between(-1.0, 1.5))
+        (
+            Ray { origin, direction },
+            t * self.between(-0.5, 1.5).max(0.0),
+        )
     }
 
     /// Seen from outside and from inside, hit, grazed and missed.
@@ -115,7 +118,7 @@ impl Random {
         });
         let triangles = objects.collect();
         let (ray, _) = self.through(DVec3::ZERO, DVec3::ONE);
-        let min_t = self.between(-2.0, 4.0);
+        let min_t = self.between(-1.0, 4.0).max(0.0);
         let objects = TriangleSoup { triangles };
         CannedQuestion {
             objects,

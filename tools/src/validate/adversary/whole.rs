@@ -37,7 +37,7 @@ impl WholeRay {
         WholeRay {
             e: vector(random) / 4.0,
             d: not_zero(random),
-            min_t: random.whole(-2, 2),
+            min_t: random.whole(0, 3),
         }
     }
 

@@ -25,6 +25,10 @@ pub fn table(catches: &Catches) -> String {
     let mutants = |columns: String| catches.mutants.map(|_| columns).unwrap_or_default();
     for (kind, rows) in [("probes", &catches.probes), ("scenes", &catches.scenes)] {
         let is_probe = kind == "probes";
+        // Mutants are judged by their tasks' questions alone.
+        if !is_probe && catches.mistakes == 0 {
+            continue;
+        }
         let heads = match is_probe {
             true => mutants(format!("  {:>7}  {:>4}", "mutants", "only")),
             false => String::new(),

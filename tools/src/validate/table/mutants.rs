@@ -42,7 +42,7 @@ fn equivalent_row(judged: &Judged) -> String {
         return String::new();
     };
     let (name, becomes) = (judged.mutant.name(), &judged.mutant.becomes);
-    let becomes = becomes.replace('\n', " ");
+    let becomes = becomes.split_whitespace().collect::<Vec<_>>().join(" ");
     let shown = match (difference.same_program, difference.on_ties) {
         (true, _) => "the same machine code".into(),
         (false, 0) => {
