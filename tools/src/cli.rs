@@ -475,9 +475,11 @@ pub struct Validate {
 /// Measure the trade between speed and accuracy, and the extremes.
 ///
 /// Many ways to intersect a sphere, a plane and a triangle are asked the same questions,
-/// which get harder step by step, and are judged by exact arithmetic. Writes study.json,
-/// summary.md and plots; prints what was measured before beside what came. Exit 0 if all
-/// of that agrees, otherwise 1. The first run compiles the study, which nothing else needs.
+/// which get harder step by step, and are judged by exact arithmetic; then every scene is
+/// cast, and every pixel judged. Writes study.json, summary.md and plots; prints what was
+/// measured before, or promised, beside what came. Exit 0 if all of that agrees but for
+/// times, which depend on the machine; otherwise 1. The first run compiles the study, which
+/// nothing else needs.
 #[cfg(feature = "study")]
 #[derive(Args)]
 pub struct Study {
@@ -487,7 +489,7 @@ pub struct Study {
     /// Where to write
     #[arg(long, value_name = "DIR", default_value = "study")]
     pub out: PathBuf,
-    /// Only this family of questions (distance, surface, …), or mesh, spoilt or speed
+    /// Only this family of questions (distance, surface, …), or mesh, scenes, spoilt or speed
     #[arg(long, value_name = "FAMILY")]
     pub only: Option<String>,
     /// Print one JSON document on standard output

@@ -104,11 +104,15 @@ macro_rules! real {
             }
             #[inline(always)]
             fn times_power_of_two(self, power: i32) -> Self {
-                // 2^power itself may be out of range: three factors never are.
                 let two_to = |power: i32| {
-                    let power = power.clamp(1 - $type::MAX_EXP, $type::MAX_EXP - 1);
                     $type::from_bits(((power + $type::MAX_EXP - 1) as $bits) << $mantissa)
                 };
+                if power.abs() < $type::MAX_EXP - 1 {
+                    return self * two_to(power);
+                }
+                // 2^power itself may be out of range: three factors are not, or leave it too.
+                let two_to =
+                    |power: i32| two_to(power.clamp(2 - $type::MAX_EXP, $type::MAX_EXP - 1));
                 let (third, rest) = (power / 3, power - 2 * (power / 3));
                 self * two_to(third) * two_to(third) * two_to(rest)
             }

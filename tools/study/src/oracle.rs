@@ -5,6 +5,7 @@
 //! it against Python's fractions.
 
 mod plane;
+pub mod scene;
 mod sphere;
 mod triangle;
 mod truth;

@@ -12,7 +12,8 @@ use crate::instructions;
 use crate::judge::judge;
 use crate::question::Data;
 use crate::random::Random;
-use crate::result::{Breaking, Judged, MeshTally, Point, Speed, SpoiltTally, Sweep};
+use crate::result::{Breaking, Judged, MeshTally, Point, SceneTally, Speed, SpoiltTally, Sweep};
+use crate::scenes::{self, Share};
 use crate::shape::{Plane, Sphere, Triangle};
 use crate::speed::race;
 
@@ -31,6 +32,8 @@ pub struct Extent {
     pub rounds: usize,
     /// Whether instructions are counted.
     pub instructions: bool,
+    /// How much of every scene.
+    pub scenes: Share,
 }
 
 impl Extent {
@@ -42,6 +45,7 @@ impl Extent {
         spoilt: 5,
         rounds: 60,
         instructions: false,
+        scenes: Share { step: 7, rounds: 3 },
     };
     /// For the record.
     pub const FULL: Extent = Extent {
@@ -51,6 +55,10 @@ impl Extent {
         spoilt: 50,
         rounds: 400,
         instructions: true,
+        scenes: Share {
+            step: 1,
+            rounds: 15,
+        },
     };
 }
 
@@ -67,9 +75,11 @@ pub struct Findings {
     pub speed: Vec<Speed>,
     /// Breaking points.
     pub breaking: Vec<Breaking>,
+    /// Whole scenes.
+    pub scenes: Vec<SceneTally>,
 }
 
-/// Does it all, or only the family, `mesh`, `spoilt` or `speed` that is named; `say` is
+/// Does it all, or only the family, `mesh`, `scenes`, `spoilt` or `speed` that is named; `say` is
 /// told what is being done.
 pub fn run(extent: &Extent, seed: u64, only: Option<&str>, say: &dyn Fn(&str)) -> Findings {
     let mut findings = Findings::default();
@@ -84,6 +94,16 @@ pub fn run(extent: &Extent, seed: u64, only: Option<&str>, say: &dyn Fn(&str)) -
             [Aim::Edge, Aim::Vertex].map(|aim| on_mesh(kernel, aim, extent.mesh_rays, seed))
         });
         findings.meshes = tallies.collect();
+    }
+    if is_wanted("scenes") {
+        for file in scenes::files() {
+            say(&format!(
+                "scene {}",
+                file.file_stem().unwrap_or_default().display()
+            ));
+            let tallies = scenes::studied(&file, extent.scenes).expect("the scene is committed");
+            findings.scenes.extend(tallies);
+        }
     }
     findings
 }

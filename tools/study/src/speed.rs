@@ -26,14 +26,14 @@ pub struct Time {
 
 /// CPU time of this thread.
 #[cfg(unix)]
-fn now() -> Duration {
+pub fn now() -> Duration {
     let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
     Duration::new(time.tv_sec as u64, time.tv_nsec as u32)
 }
 
 /// Wall time, where a thread's own is not to be had.
 #[cfg(not(unix))]
-fn now() -> Duration {
+pub fn now() -> Duration {
     use std::sync::LazyLock;
     use std::time::Instant;
     static START: LazyLock<Instant> = LazyLock::new(Instant::now);

@@ -1,5 +1,7 @@
 //! The study in words: a page for the book, and lines for a terminal.
 
+mod scenes;
+
 use std::fmt::Write;
 
 use crate::judge::rule_of_three;
@@ -27,7 +29,7 @@ pub fn terminal(study: &Study) -> String {
     let met = study.targets.iter().filter(|target| target.met).count();
     let _ = write!(
         text,
-        "{met} of {} figures agree with what was measured before",
+        "{met} of {} figures agree with what was measured before, or was promised",
         study.targets.len()
     );
     text
@@ -55,13 +57,16 @@ pub fn summary(study: &Study, plots: &[String]) -> String {
     if !study.meshes.is_empty() {
         meshes(&mut text, study);
     }
+    if !study.scenes.is_empty() {
+        scenes::section(&mut text, study);
+    }
     sweeps(&mut text, study, plots);
     if !study.spoilt.is_empty() {
         spoilt(&mut text, study);
     }
     let _ = write!(
         text,
-        "## Measured before, and now\n\n| what | before | now | |\n| --- | --- | --- | --- |\n"
+        "## Measured before or promised, and now\n\n| what | before | now | |\n| --- | --- | --- | --- |\n"
     );
     for target in &study.targets {
         let verdict = if target.met { "pass" } else { "**fall short**" };

@@ -3,20 +3,19 @@
 //! factor of what random questions and another machine explain; 0 agrees with 0 only.
 
 mod before;
+mod meshes;
+mod scenes;
+mod times;
 
-use before::{COSTS, MESHES, SPHERE_WRONG};
+use before::SPHERE_WRONG;
 
 use crate::judge::rule_of_three;
-use crate::result::{Judged, MeshTally, Speed, Target};
+use crate::result::{Judged, Target};
 use crate::run::Findings;
 
 /// Shares and errors may differ by this factor: the questions are others, and how exactly
 /// the older ones were aimed was not written down.
 const OF_SHARES: f64 = 4.0;
-/// Costs may be larger by this one: the machine is another, and so is the compiler. To be
-/// cheaper is no fault.
-const OF_COSTS: f64 = 1.5;
-
 /// Every figure that the run allows to compare.
 pub fn targets(findings: &Findings) -> Vec<Target> {
     let mut targets = Vec::new();
@@ -89,21 +88,9 @@ pub fn targets(findings: &Findings) -> Vec<Target> {
         targets.extend(never_wrong(findings, "", "adaptive exact", numbers));
     }
     targets.extend(f64_on_f32(findings));
-    for (kernel, leaks, double_hits) in MESHES {
-        for (at, aimed_at) in ["edge", "vertex"].into_iter().enumerate() {
-            let mut tallies = findings.meshes.iter();
-            let tally = tallies
-                .find(|m| m.kernel == kernel && m.numbers == "f64" && m.aimed_at == aimed_at);
-            targets.extend(tally.map(|tally| leaking(tally, leaks[at])));
-            targets.extend(tally.map(|tally| doubling(tally, double_hits[at])));
-        }
-    }
-    targets.extend(cost_of_f64_on_f32(&findings.speed));
-    targets.extend(
-        COSTS
-            .iter()
-            .filter_map(|cost| costing(&findings.speed, cost)),
-    );
+    targets.extend(meshes::targets(&findings.meshes));
+    targets.extend(times::targets(&findings.speed));
+    targets.extend(scenes::targets(&findings.scenes));
     targets
 }
 
@@ -155,6 +142,7 @@ fn wrong(findings: &Findings, place: Place, kernel: Kernel, share: f64) -> Optio
         expected: percent(share),
         measured: percent(tally.wrong_share()),
         met: agree(share, tally.wrong(), tally.asked),
+        is_time: false,
     })
 }
 
@@ -169,6 +157,7 @@ fn wrong_of_hits(findings: &Findings, place: Place, kernel: Kernel, share: f64) 
         expected: percent(share),
         measured: percent(tally.false_misses as f64 / tally.hits.max(1) as f64),
         met: agree(share, tally.false_misses, tally.hits),
+        is_time: false,
     })
 }
 
@@ -182,6 +171,7 @@ fn median(findings: &Findings, place: Place, kernel: Kernel, ulp: f64) -> Option
         expected: format!("{ulp:.2} ulp"),
         measured: format!("{measured:.2} ulp"),
         met: (1.0 / OF_SHARES..=OF_SHARES).contains(&(measured / ulp)),
+        is_time: false,
     })
 }
 
@@ -202,6 +192,7 @@ fn never_wrong(findings: &Findings, family: &str, kernel: &str, numbers: &str) -
         expected: "0".into(),
         measured: counted(wrong, asked),
         met: wrong == 0,
+        is_time: false,
     })
 }
 
@@ -226,22 +217,7 @@ fn f64_on_f32(findings: &Findings) -> Option<Target> {
         expected: "0".into(),
         measured: counted(wrong, asked),
         met: wrong == 0,
-    })
-}
-
-fn cost_of_f64_on_f32(speeds: &[Speed]) -> Option<Target> {
-    let sum = |numbers: &str| -> f64 {
-        let of = speeds
-            .iter()
-            .filter(|s| s.numbers == numbers && PLAIN.contains(&s.kernel.as_str()));
-        of.map(|speed| speed.nanoseconds).sum()
-    };
-    let ratio = sum("f64 on f32") / sum("f32");
-    ratio.is_finite().then(|| Target {
-        about: "the same kernels: cost of f64 on f32 data over f32".into(),
-        expected: "1.17".into(),
-        measured: format!("{ratio:.2}"),
-        met: ratio <= OF_COSTS * 1.17,
+        is_time: false,
     })
 }
 
@@ -253,55 +229,4 @@ fn counted(wrong: u64, asked: u64) -> String {
         ),
         _ => format!("{wrong} of {asked}"),
     }
-}
-
-fn leaking(tally: &MeshTally, share: f64) -> Target {
-    Target {
-        about: format!(
-            "{}: leaks at {} {}, f64",
-            tally.kernel,
-            article(tally),
-            tally.aimed_at
-        ),
-        expected: percent(share),
-        measured: of_rays(tally.leaks, tally.rays),
-        met: agree(share, tally.leaks, tally.rays),
-    }
-}
-
-fn doubling(tally: &MeshTally, share: f64) -> Target {
-    Target {
-        about: format!(
-            "{}: double hits at {} {}, f64",
-            tally.kernel,
-            article(tally),
-            tally.aimed_at
-        ),
-        expected: percent(share),
-        measured: of_rays(tally.double_hits, tally.rays),
-        met: agree(share, tally.double_hits, tally.rays),
-    }
-}
-
-fn article(tally: &MeshTally) -> &'static str {
-    if tally.aimed_at == "edge" { "an" } else { "a" }
-}
-
-fn of_rays(count: u64, rays: u64) -> String {
-    match count {
-        0 => counted(0, rays),
-        _ => percent(count as f64 / rays as f64),
-    }
-}
-
-fn costing(speeds: &[Speed], (shape, kernel, ratio): &(&str, &str, f64)) -> Option<Target> {
-    let speed = speeds
-        .iter()
-        .find(|s| s.shape == *shape && s.kernel == *kernel && s.numbers == "f64")?;
-    Some(Target {
-        about: format!("{shape} {kernel}: cost over the fastest, f64"),
-        expected: format!("{ratio:.2}"),
-        measured: format!("{:.2}", speed.ratio),
-        met: speed.ratio <= OF_COSTS * ratio,
-    })
 }

@@ -1,9 +1,12 @@
 //! What exact kernels decide with, by properties.
 
+use std::cmp::Ordering;
+
 use pinhole_study::double_double::DoubleDouble;
 use pinhole_study::dyadic::Dyadic;
 use pinhole_study::leading::Leading;
 use pinhole_study::random::Random;
+use pinhole_study::root::Root;
 
 /// Any finite number, of any magnitude.
 fn any(random: &mut Random) -> f64 {
@@ -81,5 +84,66 @@ fn double_doubles_lose_nothing_where_they_promise_so() {
         let sum = DoubleDouble::sum(a, b);
         let exact = &of(a) + &of(b);
         assert_eq!((&exact - &(&of(sum.high) + &of(sum.low))).sign(), 0);
+    }
+}
+
+/// √2 as exactly as an `f64` says it, and things around it: t² − 2 = 0 has ±√2.
+#[test]
+fn roots_are_compared_beyond_the_digits_of_any_float() {
+    let of = Dyadic::of;
+    let root =
+        |p: f64, sign, radicand: f64, q: f64| Root::quadratic(of(p), sign, of(radicand), of(q));
+    let near_root_2 = Root::fraction(of(2f64.sqrt()), of(1.0));
+    // 2f64.sqrt() is above √2: its square is.
+    assert_eq!(
+        near_root_2.compare(&root(0.0, 1, 2.0, 1.0)),
+        Ordering::Greater
+    );
+    assert_eq!(
+        root(0.0, -1, 2.0, 1.0).compare(&near_root_2),
+        Ordering::Less
+    );
+    // √8 / 2 = √2, 1 + √2 = (2 + √8) / 2, and √2 + √3 < √10 by a digit of the fourth.
+    assert_eq!(
+        root(0.0, 1, 8.0, 2.0).compare(&root(0.0, 1, 2.0, 1.0)),
+        Ordering::Equal
+    );
+    assert_eq!(
+        root(1.0, 1, 2.0, 1.0).compare(&root(2.0, 1, 8.0, 2.0)),
+        Ordering::Equal
+    );
+    assert_eq!(
+        root(1.0, -1, 2.0, 1.0).compare(&root(2.0, -1, 8.0, 2.0)),
+        Ordering::Equal
+    );
+    let hair = 2f64.powi(-200);
+    assert_eq!(
+        root(hair, 1, 2.0, 1.0).compare(&root(0.0, 1, 8.0, 2.0)),
+        Ordering::Greater
+    );
+    assert_eq!(
+        root(-hair, -1, 2.0, 1.0).compare(&root(0.0, -1, 8.0, 2.0)),
+        Ordering::Less
+    );
+}
+
+#[test]
+fn a_comparison_of_roots_is_that_of_their_values_and_turns_around() {
+    let mut random = Random::new(6, "roots");
+    for _ in 0..5_000 {
+        let [p, q] = [0; 2].map(|_| {
+            let sign = if random.within(0.0, 1.0) < 0.5 { -1 } else { 1 };
+            let [rational, radicand, divisor] = [(-9.0, 9.0), (0.0, 9.0), (1.0, 9.0)]
+                .map(|(low, high)| random.within(low, high).round());
+            let value = (rational + f64::from(sign) * radicand.sqrt()) / divisor;
+            let [r, d, q] = [rational, radicand, divisor].map(Dyadic::of);
+            (Root::quadratic(r, sign, d, q), value)
+        });
+        assert!((p.0.rounded::<f64>() - p.1).abs() <= 1e-14 * (1.0 + p.1.abs()));
+        let order = p.0.compare(&q.0);
+        assert_eq!(order, q.0.compare(&p.0).reverse());
+        if (p.1 - q.1).abs() > 1e-9 {
+            assert_eq!(Some(order), p.1.partial_cmp(&q.1));
+        }
     }
 }

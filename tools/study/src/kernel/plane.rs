@@ -5,7 +5,7 @@ mod epsilon_cut;
 mod plain;
 mod shifted;
 
-pub use adaptive::Adaptive;
+pub use adaptive::{Adaptive, exact, filtered};
 pub use epsilon_cut::EpsilonCut;
 pub use plain::Plain;
 pub use shifted::Shifted;

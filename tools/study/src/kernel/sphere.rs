@@ -9,7 +9,7 @@ mod half_b;
 mod stable_q;
 mod textbook;
 
-pub use adaptive::Adaptive;
+pub use adaptive::{Adaptive, exact, filtered};
 pub use double_double::DoubleDouble;
 pub use fma::Fma;
 pub use haines::Haines;

@@ -9,10 +9,11 @@ mod moller_trumbore;
 mod moller_trumbore_epsilon;
 mod woop;
 
-pub use adaptive::Adaptive;
+pub use adaptive::{Adaptive, filtered};
 pub use cramer::Cramer;
 pub use double_double::DoubleDouble;
 pub use edge_functions::EdgeFunctions;
+pub use exact::exact;
 pub use moller_trumbore::MollerTrumbore;
 pub use moller_trumbore_epsilon::MollerTrumboreEpsilon;
 pub use woop::Woop;

@@ -82,6 +82,15 @@ impl Root {
         self.high.times_power_of_two(power)
     }
 
+    /// How far an answer is from it, as a part of it.
+    pub fn relative_error(&self, answer: f64) -> f64 {
+        let near_one = answer.times_power_of_two(-self.exponent);
+        match self.high == 0.0 {
+            true => answer.abs(),
+            false => ((near_one - self.high) - self.low).abs() / self.high.abs(),
+        }
+    }
+
     /// How far an answer is from it, in units in the last place of the true t as a
     /// number of that type.
     pub fn error_in_ulp(&self, answer: f64, data: Data) -> f64 {

@@ -1,7 +1,7 @@
 use crate::dyadic::{Dyadic, DyadicVector};
 use crate::kernel::Kernel;
-use crate::leading::Leading;
 use crate::number::Real;
+use crate::root::{Root, rounded};
 use crate::shape::{Plane, Ray};
 use crate::vector::Vector;
 
@@ -30,14 +30,14 @@ impl<F: Real> Kernel<Plane<F>, F> for Adaptive {
     fn intersect(plane: &Plane<F>, ray: &Ray<F>, min_t: F) -> Option<F> {
         match filtered(plane, ray, min_t) {
             Some(answer) => answer,
-            None => exact(plane, ray, min_t),
+            None => rounded(exact(plane, ray, min_t)),
         }
     }
 }
 
 /// The answer, or `None` if rounding might have changed it.
 #[inline(always)]
-fn filtered<F: Real>(plane: &Plane<F>, ray: &Ray<F>, m: F) -> Option<Option<F>> {
+pub fn filtered<F: Real>(plane: &Plane<F>, ray: &Ray<F>, m: F) -> Option<Option<F>> {
     let (n, d, w) = (plane.normal, ray.direction, plane.point - ray.origin);
     let error = |v: Vector<F>| {
         F::of(8.0) * F::UNIT_ROUNDOFF * n.map(F::abs).dot(v.map(F::abs)) + F::of(64.0) * F::TINY
@@ -63,10 +63,10 @@ fn filtered<F: Real>(plane: &Plane<F>, ray: &Ray<F>, m: F) -> Option<Option<F>> 
     t.is_finite().then_some(Some(t))
 }
 
-/// The answer from exact signs; t rounded from more than a hundred bits.
+/// The answer by exact signs.
 #[cold]
 #[inline(never)]
-fn exact<F: Real>(plane: &Plane<F>, ray: &Ray<F>, min_t: F) -> Option<F> {
+pub fn exact<F: Real>(plane: &Plane<F>, ray: &Ray<F>, min_t: F) -> Option<Root> {
     let vectors = [plane.normal, plane.point, ray.origin, ray.direction];
     let finite = |vector: Vector<F>| vector.array().into_iter().all(F::is_finite);
     if !(vectors.into_iter().all(finite) && min_t.is_finite()) {
@@ -79,6 +79,5 @@ fn exact<F: Real>(plane: &Plane<F>, ray: &Ray<F>, min_t: F) -> Option<F> {
     if down.sign() == 0 || beyond.sign() * down.sign() < 0 {
         return None;
     }
-    let t = Leading::from(&height) / Leading::from(&down);
-    Some(t.rounded()).filter(|t: &F| t.is_finite())
+    Some(Root::fraction(height, down))
 }

@@ -1,8 +1,8 @@
 use super::haines_scaled::Scaled;
 use crate::dyadic::{Dyadic, DyadicVector};
 use crate::kernel::Kernel;
-use crate::leading::Leading;
 use crate::number::Real;
+use crate::root::{Root, rounded};
 use crate::shape::{Ray, Sphere};
 use crate::vector::Vector;
 
@@ -49,14 +49,14 @@ impl<F: Real> Kernel<Sphere<F>, F> for Adaptive {
     fn intersect(sphere: &Sphere<F>, ray: &Prepared<F>, min_t: F) -> Option<F> {
         match filtered(sphere, &ray.scaled, min_t) {
             Some(answer) => answer,
-            None => exact(sphere, &ray.given, min_t),
+            None => rounded(exact(sphere, &ray.given, min_t)),
         }
     }
 }
 
 /// The answer, or `None` if rounding might have changed it.
 #[inline(always)]
-fn filtered<F: Real>(sphere: &Sphere<F>, scaled: &Scaled<F>, min_t: F) -> Option<Option<F>> {
+pub fn filtered<F: Real>(sphere: &Sphere<F>, scaled: &Scaled<F>, min_t: F) -> Option<Option<F>> {
     let (u, root_u) = (F::UNIT_ROUNDOFF, F::ROOT_OF_UNIT);
     let underflow = F::of(64.0) * F::TINY;
     let (d, m) = (scaled.ray.direction, scaled.scale(min_t));
@@ -114,10 +114,10 @@ fn trusted<F: Real>(f: Vector<F>, radius: F, root: F, q: F) -> bool {
     F::of(8.0) * error < F::ROOT_OF_UNIT * q * root
 }
 
-/// The answer from exact signs; t rounded from more than a hundred bits.
+/// The answer by exact signs.
 #[cold]
 #[inline(never)]
-fn exact<F: Real>(sphere: &Sphere<F>, ray: &Ray<F>, min_t: F) -> Option<F> {
+pub fn exact<F: Real>(sphere: &Sphere<F>, ray: &Ray<F>, min_t: F) -> Option<Root> {
     let finite = |vector: Vector<F>| vector.array().into_iter().all(F::is_finite);
     let points = finite(ray.origin) && finite(ray.direction) && finite(sphere.center);
     if !(points && sphere.radius.is_finite() && min_t.is_finite()) {
@@ -137,19 +137,10 @@ fn exact<F: Real>(sphere: &Sphere<F>, ray: &Ray<F>, min_t: F) -> Option<F> {
     let discriminant = &(&h * &h) - &(&a * &c);
     let is_near = match outside.sign() {
         _ if a.sign() == 0 => return None,
-        0 => return Some(min_t),
+        0 => return Some(Root::fraction(m, Dyadic::of(1.0))),
         1 if onward.sign() >= 0 || discriminant.sign() < 0 => return None,
         sign => sign > 0,
     };
-    let root = Leading::from(&discriminant).sqrt();
-    let (a, minus_h, c) = (Leading::from(&a), -Leading::from(&h), Leading::from(&c));
-    let q = match h.sign() < 0 {
-        true => minus_h + root,
-        false => minus_h + -root,
-    };
-    let t = match is_near == (h.sign() < 0) {
-        true => c / q,
-        false => q / a,
-    };
-    Some(t.rounded()).filter(|t: &F| t.is_finite())
+    let sign = if is_near { -1 } else { 1 };
+    Some(Root::quadratic(-h, sign, discriminant, a))
 }

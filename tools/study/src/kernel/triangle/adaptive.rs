@@ -2,6 +2,7 @@ use super::exact::exact;
 use crate::kernel::Kernel;
 use crate::kernel::sphere::Scaled;
 use crate::number::Real;
+use crate::root::rounded;
 use crate::shape::{Ray, Triangle};
 
 /// Möller–Trumbore by signs, with one error bound; what it leaves open is decided
@@ -49,14 +50,18 @@ impl<F: Real> Kernel<Triangle<F>, F> for Adaptive {
     fn intersect(triangle: &Triangle<F>, ray: &Prepared<F>, min_t: F) -> Option<F> {
         match filtered(triangle, &ray.scaled, min_t) {
             Some(answer) => answer,
-            None => exact(triangle, &ray.given, min_t),
+            None => rounded(exact(triangle, &ray.given, min_t)),
         }
     }
 }
 
 /// The answer, or `None` if rounding might have changed it.
 #[inline(always)]
-fn filtered<F: Real>(triangle: &Triangle<F>, scaled: &Scaled<F>, min_t: F) -> Option<Option<F>> {
+pub fn filtered<F: Real>(
+    triangle: &Triangle<F>,
+    scaled: &Scaled<F>,
+    min_t: F,
+) -> Option<Option<F>> {
     let ([a, b, c], d) = (triangle.corners, scaled.ray.direction);
     let (e1, e2, s) = (b - a, c - a, scaled.ray.origin - a);
     let (size, away) = (e1.largest().max(e2.largest()), s.largest());

@@ -1,13 +1,13 @@
 use crate::dyadic::{Dyadic, DyadicVector};
-use crate::leading::Leading;
 use crate::number::Real;
+use crate::root::Root;
 use crate::shape::{Ray, Triangle};
 use crate::vector::Vector;
 
-/// The exact answer, ties decided; t rounded from more than a hundred bits.
+/// The answer by exact signs, ties decided.
 #[cold]
 #[inline(never)]
-pub fn exact<F: Real>(triangle: &Triangle<F>, ray: &Ray<F>, min_t: F) -> Option<F> {
+pub fn exact<F: Real>(triangle: &Triangle<F>, ray: &Ray<F>, min_t: F) -> Option<Root> {
     let finite = |vector: Vector<F>| vector.array().into_iter().all(F::is_finite);
     let points = finite(ray.origin) && triangle.corners.into_iter().all(finite);
     if !(points && finite(ray.direction) && min_t.is_finite()) {
@@ -39,8 +39,7 @@ pub fn exact<F: Real>(triangle: &Triangle<F>, ray: &Ray<F>, min_t: F) -> Option<
     if determinant.sign() == 0 || beyond.sign() * determinant.sign() < 0 {
         return None;
     }
-    let t = Leading::from(&volume) / Leading::from(&determinant);
-    Some(t.rounded()).filter(|t: &F| t.is_finite())
+    Some(Root::fraction(volume, determinant))
 }
 
 /// On which side of the edge from p to q the ray passes: the sign of d·(p × q), and where
