@@ -182,6 +182,12 @@ pub struct Render {
     /// Cast this many pixels instead of the scene's own; the image plane stays
     #[arg(long, value_name = "NXxNY", value_parser = resolution)]
     pub resolution: Option<Resolution>,
+    /// Cast by the study's exact caster, whose objects are never wrong, whatever the scene:
+    /// what rounding leaves open is decided by exact arithmetic, and it is told how often.
+    /// Exact for the rays as rounded to f64. The first run compiles the study
+    #[cfg(feature = "study")]
+    #[arg(long, conflicts_with = "submission")]
+    pub exact: bool,
     /// Where to write
     #[arg(long, value_name = "DIR", default_value = "render")]
     pub out: PathBuf,

@@ -89,7 +89,7 @@ impl Caster {
         min_t: f64,
         tally: &mut Tally,
     ) -> Option<Found<'_>> {
-        let mut nearest = Nearest::<M>::new(ray, min_t, tally);
+        let mut nearest = Nearest::<M>::new(&self.world, ray, min_t, tally);
         match search {
             Search::BruteForce => nearest.consider(&self.world.parts),
             Search::Boxes => self.tree.search(&self.world, &mut nearest),
@@ -130,10 +130,15 @@ pub struct Nearest<'a, 'r, M: Model> {
 }
 
 impl<'a, 'r, M: Model> Nearest<'a, 'r, M> {
-    fn new(ray: &'r Ray<f64>, min_t: f64, tally: &'r mut Tally) -> Nearest<'a, 'r, M> {
+    fn new(
+        world: &World,
+        ray: &'r Ray<f64>,
+        min_t: f64,
+        tally: &'r mut Tally,
+    ) -> Nearest<'a, 'r, M> {
         Nearest {
             ray,
-            prepared: M::prepare(ray),
+            prepared: M::prepare(ray, world),
             min_t,
             tally,
             found: None,

@@ -70,6 +70,7 @@ impl Contested for Triangle<f64> {
             in_all_numbers::<Self, triangle::MollerTrumboreEpsilon>(),
             in_all_numbers::<Self, triangle::EdgeFunctions>(),
             in_all_numbers::<Self, triangle::Woop>(),
+            in_all_numbers::<Self, triangle::WoopOnce>(),
             in_all_numbers::<Self, triangle::DoubleDouble>(),
             in_all_numbers::<Self, triangle::Adaptive>(),
         ]

@@ -11,7 +11,7 @@
 //! 4. [`oracle`], [`judge`], [`breaking`]: what is true, what is wrong, what is broken;
 //! 5. [`contestant`], [`contestants`], [`speed`], [`instructions`]: who takes part, and
 //!    what each costs;
-//! 6. [`cast`], [`scenes`]: whole scenes;
+//! 6. [`cast`], [`film`], [`scenes`]: whole scenes;
 //! 7. [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the whole,
 //!    and how it is told.
 
@@ -22,6 +22,7 @@ pub mod contestants;
 pub mod double_double;
 pub mod dyadic;
 pub mod family;
+pub mod film;
 pub mod instructions;
 pub mod judge;
 pub mod kernel;

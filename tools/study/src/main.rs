@@ -1,18 +1,19 @@
 //! Runs the study: `pinhole study` is the way to it.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 use indicatif::ProgressBar;
+use pinhole::Resolution;
 use pinhole_study::family::Studied;
 use pinhole_study::provenance::provenance;
 use pinhole_study::result::{SCHEMA, Study};
 use pinhole_study::run::{Extent, run};
 use pinhole_study::shape::{Plane, Sphere, Triangle};
 use pinhole_study::targets::targets;
-use pinhole_study::{instructions, plots, summary};
+use pinhole_study::{film, instructions, plots, summary};
 
 /// Measure the trade between speed and accuracy, and the extremes.
 ///
@@ -55,6 +56,14 @@ enum Part {
         kernel: usize,
         casts: u32,
     },
+    /// Cast a scene exactly into a film: what `pinhole render --exact` runs
+    #[command(hide = true)]
+    Film {
+        scene: PathBuf,
+        film: PathBuf,
+        #[arg(long, num_args = 2, value_names = ["NX", "NY"])]
+        resolution: Vec<usize>,
+    },
 }
 
 /// The seed of workloads whose instructions are counted.
@@ -62,16 +71,23 @@ const WORKLOAD: u64 = 1;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    if let Some(Part::Cast {
-        shape,
-        kernel,
-        casts,
-    }) = arguments.part
-    {
-        instructions::cast(&shape, kernel, casts, WORKLOAD);
-        return ExitCode::SUCCESS;
-    }
-    match studied(&arguments) {
+    let done = match &arguments.part {
+        None => studied(&arguments),
+        Some(Part::Cast {
+            shape,
+            kernel,
+            casts,
+        }) => {
+            instructions::cast(shape, *kernel, *casts, WORKLOAD);
+            Ok(true)
+        }
+        Some(Part::Film {
+            scene,
+            film,
+            resolution,
+        }) => cast(scene, resolution, film).map(|()| true),
+    };
+    match done {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::from(1),
         Err(problem) => {
@@ -79,6 +95,20 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
+}
+
+/// Casts a film, and says on standard output what that took, as JSON.
+fn cast(scene: &Path, resolution: &[usize], to: &Path) -> Result<(), String> {
+    let resolution = match resolution {
+        [n_x, n_y] => Some(Resolution {
+            n_x: *n_x,
+            n_y: *n_y,
+        }),
+        _ => None,
+    };
+    let report = film::write(scene, resolution, to).map_err(|error| error.to_string())?;
+    println!("{}", serde_json::json!(report));
+    Ok(())
 }
 
 fn studied(arguments: &Arguments) -> Result<bool, String> {

@@ -1,6 +1,6 @@
 //! With which kernels a scene is cast, and how it is decided which of two parts is first.
 
-use super::world::{Part, Primitive};
+use super::world::{Part, Primitive, World};
 use super::{Found, Tally};
 use crate::kernel::sphere::Scaled;
 use crate::kernel::{Kernel, plane, sphere, triangle};
@@ -17,7 +17,7 @@ pub trait Model: Sync + 'static {
     type Ray;
 
     /// Once for a ray.
-    fn prepare(ray: &Ray<f64>) -> Self::Ray;
+    fn prepare(ray: &Ray<f64>, world: &World) -> Self::Ray;
     /// The smallest t ≥ `min_t` at which a ray meets a part.
     fn meet(shape: &Primitive, ray: &Self::Ray, min_t: f64, tally: &mut Tally) -> Option<f64>;
     /// Whether a ray meets `one` before `other`, both from `min_t` on.
@@ -39,7 +39,7 @@ impl Model for Plain {
     type Ray = Ray<f64>;
 
     #[inline(always)]
-    fn prepare(ray: &Ray<f64>) -> Ray<f64> {
+    fn prepare(ray: &Ray<f64>, _: &World) -> Ray<f64> {
         *ray
     }
 
@@ -67,6 +67,9 @@ pub struct Exact;
 pub struct Prepared {
     scaled: Scaled<f64>,
     given: Ray<f64>,
+    /// For all triangles of the scene: what this leaves open is filtered again, with the
+    /// triangle's own, before it is decided exactly.
+    budget: triangle::Budget<f64>,
 }
 
 /// The kernels' t are good to √u = 2⁻²⁶·⁵ of themselves; t as different as this are in
@@ -79,9 +82,12 @@ impl Model for Exact {
     type Ray = Prepared;
 
     #[inline(always)]
-    fn prepare(ray: &Ray<f64>) -> Prepared {
-        let (scaled, given) = (Scaled::new(ray), *ray);
-        Prepared { scaled, given }
+    fn prepare(ray: &Ray<f64>, world: &World) -> Prepared {
+        Prepared {
+            scaled: Scaled::new(ray),
+            given: *ray,
+            budget: triangle::Budget::new(world.edges(), world.away(ray.origin)),
+        }
     }
 
     #[inline(always)]
@@ -89,7 +95,10 @@ impl Model for Exact {
         let filtered = match shape {
             Primitive::Sphere(shape) => sphere::filtered(shape, &ray.scaled, min_t),
             Primitive::Plane(shape) => plane::filtered(shape, &ray.given, min_t),
-            Primitive::Triangle(shape) => triangle::filtered(shape, &ray.scaled, min_t),
+            Primitive::Triangle(shape) => {
+                triangle::filtered_within(shape, &ray.scaled, min_t, &ray.budget)
+                    .or_else(|| triangle::filtered(shape, &ray.scaled, min_t))
+            }
         };
         filtered.unwrap_or_else(|| {
             tally.fallbacks += 1;

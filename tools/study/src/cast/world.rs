@@ -31,6 +31,16 @@ pub struct Part {
 pub struct World {
     /// A tree may change their order; [`Part::place`] remembers it.
     pub parts: Vec<Part>,
+    corners: Corners,
+}
+
+/// What is known of all triangles of a scene.
+#[derive(Clone, Copy, Debug, Default)]
+struct Corners {
+    /// Of a box around all corners, where there are any.
+    bounds: Option<[Vector<f64>; 2]>,
+    /// The largest component of an edge from a first corner.
+    edges: f64,
 }
 
 /// The same numbers in this package's vector.
@@ -69,8 +79,33 @@ impl World {
         world
     }
 
+    /// The largest component of an edge that leaves a triangle's first corner.
+    pub fn edges(&self) -> f64 {
+        self.corners.edges
+    }
+
+    /// The largest component that leads from a point to a triangle's corner, rounded as
+    /// that difference is: rounding keeps order.
+    #[inline]
+    pub fn away(&self, point: Vector<f64>) -> f64 {
+        let corners = self.corners.bounds.into_iter().flatten();
+        let away = corners.map(|corner| (point - corner).largest());
+        away.fold(0.0, f64::max)
+    }
+
     /// One more part, of an object.
     pub fn add(&mut self, object: usize, shape: Primitive) {
+        if let (Primitive::Triangle(triangle), Some(bounds)) = (&shape, shape.bounds()) {
+            let [a, b, c] = triangle.corners;
+            let edges = (b - a).largest().max((c - a).largest());
+            self.corners.edges = self.corners.edges.max(edges);
+            let [low, high] = self.corners.bounds.unwrap_or(bounds);
+            let by = |pick: fn(f64, f64) -> f64, p: Vector<f64>, q: Vector<f64>| {
+                Vector::new(pick(p.x, q.x), pick(p.y, q.y), pick(p.z, q.z))
+            };
+            let wider = [by(f64::min, low, bounds[0]), by(f64::max, high, bounds[1])];
+            self.corners.bounds = Some(wider);
+        }
         self.parts.push(Part {
             object: object as u32,
             place: self.parts.len() as u32,

@@ -8,8 +8,9 @@ mod exact;
 mod moller_trumbore;
 mod moller_trumbore_epsilon;
 mod woop;
+mod woop_once;
 
-pub use adaptive::{Adaptive, filtered};
+pub use adaptive::{Adaptive, Budget, filtered, filtered_within};
 pub use cramer::Cramer;
 pub use double_double::DoubleDouble;
 pub use edge_functions::EdgeFunctions;
@@ -17,3 +18,4 @@ pub use exact::exact;
 pub use moller_trumbore::MollerTrumbore;
 pub use moller_trumbore_epsilon::MollerTrumboreEpsilon;
 pub use woop::Woop;
+pub use woop_once::WoopOnce;

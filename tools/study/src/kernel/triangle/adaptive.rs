@@ -55,6 +55,32 @@ impl<F: Real> Kernel<Triangle<F>, F> for Adaptive {
     }
 }
 
+/// How far rounding may have moved what decides: see the head of [`Adaptive`].
+#[derive(Clone, Copy, Debug)]
+pub struct Budget<F> {
+    /// Of each of the three volumes, and of their sum.
+    of_volumes: F,
+    /// Of the determinant alone.
+    of_determinant: F,
+    /// Of t times the determinant.
+    of_t: F,
+}
+
+impl<F: Real> Budget<F> {
+    /// For triangles whose edges have components up to `size`, and rays whose origin is
+    /// up to `away` from a corner, in each component.
+    #[inline(always)]
+    pub fn new(size: F, away: F) -> Budget<F> {
+        let underflow = F::of(64.0) * F::TINY;
+        let of_size = F::of(256.0) * F::UNIT_ROUNDOFF * size + underflow;
+        Budget {
+            of_volumes: of_size * (size + away) + underflow,
+            of_determinant: of_size * size + underflow,
+            of_t: (of_size * away + underflow) * size + underflow,
+        }
+    }
+}
+
 /// The answer, or `None` if rounding might have changed it.
 #[inline(always)]
 pub fn filtered<F: Real>(
@@ -62,13 +88,24 @@ pub fn filtered<F: Real>(
     scaled: &Scaled<F>,
     min_t: F,
 ) -> Option<Option<F>> {
+    let [a, b, c] = triangle.corners;
+    let size = (b - a).largest().max((c - a).largest());
+    let away = (scaled.ray.origin - a).largest();
+    filtered_within(triangle, scaled, min_t, &Budget::new(size, away))
+}
+
+/// The same with a budget that is known already: a scene's, which costs its triangles
+/// nothing, and leaves more open.
+#[inline(always)]
+pub fn filtered_within<F: Real>(
+    triangle: &Triangle<F>,
+    scaled: &Scaled<F>,
+    min_t: F,
+    budget: &Budget<F>,
+) -> Option<Option<F>> {
     let ([a, b, c], d) = (triangle.corners, scaled.ray.direction);
     let (e1, e2, s) = (b - a, c - a, scaled.ray.origin - a);
-    let (size, away) = (e1.largest().max(e2.largest()), s.largest());
-    let underflow = F::of(64.0) * F::TINY;
-    let of_size = F::of(256.0) * F::UNIT_ROUNDOFF * size + underflow;
-    let bound = of_size * (size + away) + underflow;
-
+    let bound = budget.of_volumes;
     let p = d.cross(e2);
     let determinant = e1.dot(p);
     if !(determinant.abs() > bound) {
@@ -92,9 +129,8 @@ pub fn filtered<F: Real>(
 
     // t − m = (volume − m determinant) / determinant.
     let (volume, m) = (e2.dot(q) * side, scaled.scale(min_t));
-    let volume_error = (of_size * away + underflow) * size + underflow;
     let beyond = volume - m * determinant;
-    let beyond_error = volume_error + F::of(2.0) * m.abs() * bound;
+    let beyond_error = budget.of_t + F::of(2.0) * m.abs() * bound;
     if !(beyond.abs() > beyond_error) {
         return None;
     }
@@ -102,7 +138,7 @@ pub fn filtered<F: Real>(
         return Some(None);
     }
     let half = F::of(0.5) * F::ROOT_OF_UNIT;
-    if !(half * volume.abs() > volume_error && half * determinant > of_size * size + underflow) {
+    if !(half * volume.abs() > budget.of_t && half * determinant > budget.of_determinant) {
         return None;
     }
     let t = scaled.unscale(volume / determinant).max(min_t);

@@ -12,7 +12,7 @@ use crate::vector::Vector;
 /// in `double`. Departures: here fused multiply-adds repair the sign (Kahan's difference
 /// of products), which serves `f64` too; and both orientations count, so that x and y
 /// need not be swapped. So nothing leaks; but a ray exactly through a sheared vertex hits
-/// all triangles around it.
+/// all triangles around it; [`super::WoopOnce`] mends that.
 pub struct Woop;
 
 /// The shear, worked out once for a ray.
@@ -65,9 +65,23 @@ impl<F: Real> Kernel<Triangle<F>, F> for Woop {
 
     #[inline(always)]
     fn intersect(triangle: &Triangle<F>, ray: &Sheared<F>, min_t: F) -> Option<F> {
-        let [sx, sy, sz] = ray.shear;
+        ray.met(triangle, min_t, |_, _| true)
+    }
+}
+
+impl<F: Real> Sheared<F> {
+    /// Where the ray meets a triangle. Whether that has an edge, from p to q with the
+    /// triangle on its left, is asked if the ray passes exactly through it.
+    #[inline(always)]
+    pub fn met(
+        &self,
+        triangle: &Triangle<F>,
+        min_t: F,
+        has_edge: impl Fn([F; 3], [F; 3]) -> bool,
+    ) -> Option<F> {
+        let [sx, sy, sz] = self.shear;
         let [a, b, c] = triangle.corners.map(|corner| {
-            let [x, y, z] = ray.along.to_the_end(corner - ray.origin);
+            let [x, y, z] = self.along.to_the_end(corner - self.origin);
             [x - sx * z, y - sy * z, z]
         });
         let u = signed_area(c, b);
@@ -77,6 +91,17 @@ impl<F: Real> Kernel<Triangle<F>, F> for Woop {
         let positive = u > F::ZERO || v > F::ZERO || w > F::ZERO;
         if negative && positive {
             return None;
+        }
+        if u == F::ZERO || v == F::ZERO || w == F::ZERO {
+            let edges = [(u, c, b), (v, a, c), (w, b, a)];
+            let has = |(area, p, q)| match (area == F::ZERO, negative) {
+                (false, _) => true,
+                (true, false) => has_edge(p, q),
+                (true, true) => has_edge(q, p),
+            };
+            if !edges.into_iter().all(has) {
+                return None;
+            }
         }
         let determinant = u + v + w;
         if determinant == F::ZERO {
