@@ -21,8 +21,10 @@ use crate::vector::Vector;
 ///    ≤ 12 (√u |l|² + u√u |f|²), since 2xy ≤ x² + y²; the rest is less than
 ///    4 (√u (|l|² + r²) + u√u |f|²) for both types. Hence E = 16 (√u (|l|² + r²) +
 ///    u√u |f|²): no root is needed to bound the error of a root's argument.
-/// 3. The start g = f + m d, with s = |f|² + m²|d|², is off by 2.9u√s. So |g|² − r² is
-///    off by less than 20u (s + r²), and g·d by less than 8u√(s a).
+/// 3. q = |h| + √(a (r² − |l|²)) is off by a (12u r|f| + 72u²|f|²) / root and 4u|d||f| at
+///    most, root being that of q, |l| ≤ r, |d| < 3.5; c = |f|² − r² by 8u (|f|² + r²).
+///    Where twice the first is below √u q, and the last below ½√u c, both roots c/q and
+///    q/a are good to √u: what is further than 4√u from `min_t` is on its side of it.
 /// 4. What underflows adds less than [`Real::TINY`] times 64 to each, and that is in the
 ///    bounds. What overflows makes a bound infinite or a number NaN, and either is left
 ///    open.
@@ -59,7 +61,7 @@ impl<F: Real> Kernel<Sphere<F>, F> for Adaptive {
 pub fn filtered<F: Real>(sphere: &Sphere<F>, scaled: &Scaled<F>, min_t: F) -> Option<Option<F>> {
     let (u, root_u) = (F::UNIT_ROUNDOFF, F::ROOT_OF_UNIT);
     let underflow = F::of(64.0) * F::TINY;
-    let (d, m) = (scaled.ray.direction, scaled.scale(min_t));
+    let d = scaled.ray.direction;
     let f = scaled.ray.origin - sphere.center;
     let (a, h, f_square) = (d.dot(d), d.dot(f), f.dot(f));
     let l = f - d * (h / a);
@@ -72,46 +74,41 @@ pub fn filtered<F: Real>(sphere: &Sphere<F>, scaled: &Scaled<F>, min_t: F) -> Op
     if !(within > bound) {
         return None;
     }
-    let g = f + d * m;
-    let outside = g.dot(g) - r_square;
-    let s = f_square + m * m * a;
-    if !(outside.abs() > F::of(20.0) * u * (s + r_square) + underflow) {
-        return None;
-    }
-    let is_near = outside > F::ZERO;
-    if is_near {
-        let onward = g.dot(d);
-        if !(onward * onward > F::of(80.0) * u * u * s * a + underflow) {
-            return None;
-        }
-        if onward > F::ZERO {
-            return Some(None);
-        }
-    }
-    let root = within.sqrt();
-    let q = h.abs() + (a * within).sqrt();
-    if !trusted(f, sphere.radius, root, q) {
+    let root = (a * within).sqrt();
+    let q = h.abs() + root;
+    let size = F::of(1.74) * f.largest();
+    let q_error = F::of(24.0) * u * a * size * (sphere.radius + F::of(6.0) * u * size)
+        + F::of(28.0) * u * size * root;
+    if !(q_error < root_u * q * root) {
         return None;
     }
     let c = f_square - r_square;
+    let by_c = || {
+        let is_good = c.abs() > F::of(16.0) * root_u * (f_square + r_square);
+        is_good.then(|| c / q)
+    };
+    let m = scaled.scale(min_t);
     let is_ahead = h < F::ZERO;
-    let by_q = is_near == is_ahead;
-    if by_q && !(c.abs() > F::of(16.0) * root_u * (f_square + r_square)) {
-        return None;
-    }
-    let q = if is_ahead { q } else { -q };
-    let t = if by_q { c / q } else { q / a };
-    let t = scaled.unscale(t).max(min_t);
+    let near = if is_ahead { by_c()? } else { -(q / a) };
+    let t = match is_beyond(near, m)? {
+        true => near,
+        false => {
+            let far = if is_ahead { q / a } else { -by_c()? };
+            if !is_beyond(far, m)? {
+                return Some(None);
+            }
+            far
+        }
+    };
+    let t = scaled.unscale(t);
     t.is_finite().then_some(Some(t))
 }
 
-/// Whether q is good to half of √u: √(r² − |l|²) is off by (12u r|f| + 72u²|f|²)/root at
-/// most, with |l| ≤ r, h by 4u|d||f|, and |d| < 3.5; |f| ≤ 1.74 |f|∞.
+/// Whether the true root is not before m, if a t that is good to √u tells.
 #[inline(always)]
-fn trusted<F: Real>(f: Vector<F>, radius: F, root: F, q: F) -> bool {
-    let (u, f) = (F::UNIT_ROUNDOFF, F::of(1.74) * f.largest());
-    let error = F::of(12.0) * u * f * (radius + F::of(6.0) * u * f) + F::of(4.0) * u * f * root;
-    F::of(8.0) * error < F::ROOT_OF_UNIT * q * root
+fn is_beyond<F: Real>(t: F, m: F) -> Option<bool> {
+    let margin = F::of(4.0) * F::ROOT_OF_UNIT * t.abs().max(m.abs()) + F::TINY;
+    ((t - m).abs() > margin).then_some(t > m)
 }
 
 /// The answer by exact signs.
