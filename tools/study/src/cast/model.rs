@@ -97,13 +97,12 @@ impl Model for Exact {
             Primitive::Plane(shape) => plane::filtered(shape, &ray.given, min_t),
             Primitive::Triangle(shape) => {
                 triangle::filtered_within(shape, &ray.scaled, min_t, &ray.budget)
-                    .or_else(|| triangle::filtered(shape, &ray.scaled, min_t))
             }
         };
-        filtered.unwrap_or_else(|| {
-            tally.fallbacks += 1;
-            rounded(exact(shape, &ray.given, min_t))
-        })
+        match filtered {
+            Some(answer) => answer,
+            None => left_open(shape, ray, min_t, tally),
+        }
     }
 
     #[inline(always)]
@@ -123,6 +122,19 @@ impl Model for Exact {
             }
         }
     }
+}
+
+/// What the first filter leaves open. Out of the way of what it does not.
+#[cold]
+#[inline(never)]
+fn left_open(shape: &Primitive, ray: &Prepared, min_t: f64, tally: &mut Tally) -> Option<f64> {
+    if let Primitive::Triangle(triangle) = shape
+        && let Some(answer) = triangle::filtered(triangle, &ray.scaled, min_t)
+    {
+        return answer;
+    }
+    tally.fallbacks += 1;
+    rounded(exact(shape, &ray.given, min_t))
 }
 
 fn exact(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
