@@ -111,10 +111,15 @@ macro_rules! real {
                     return self * two_to(power);
                 }
                 // 2^power itself may be out of range: three factors are not, or leave it too.
-                let two_to =
-                    |power: i32| two_to(power.clamp(2 - $type::MAX_EXP, $type::MAX_EXP - 1));
-                let (third, rest) = (power / 3, power - 2 * (power / 3));
-                self * two_to(third) * two_to(third) * two_to(rest)
+                #[cold]
+                #[inline(never)]
+                fn by_three(value: $type, power: i32, two_to: impl Fn(i32) -> $type) -> $type {
+                    let two_to =
+                        |power: i32| two_to(power.clamp(2 - $type::MAX_EXP, $type::MAX_EXP - 1));
+                    let (third, rest) = (power / 3, power - 2 * (power / 3));
+                    value * two_to(third) * two_to(third) * two_to(rest)
+                }
+                by_three(self, power, two_to)
             }
         }
     };

@@ -91,39 +91,42 @@ impl Tree {
         let slabs = Slabs::of(nearest.ray, nearest.min_t);
         let horizon = |nearest: &Nearest<M>| slabs.scaled.scale(nearest.horizon()).min(f64::MAX);
         let mut beyond = horizon(nearest);
-        let Some(root) = self.nodes.first() else {
+        let enters = |at: u32, beyond| slabs.enters(&self.nodes[at as usize], beyond);
+        if self.nodes.is_empty() || enters(0, beyond) > beyond {
             return;
-        };
-        let mut waiting: SmallVec<[(u32, f64); 64]> = SmallVec::new();
-        if slabs.enters(root, beyond) <= beyond {
-            waiting.push((0, slabs.from));
         }
-        while let Some((at, entry)) = waiting.pop() {
-            if entry > beyond {
-                continue;
-            }
+        let mut waiting: SmallVec<[(u32, f64); 64]> = SmallVec::new();
+        let mut at = 0;
+        loop {
             let node = &self.nodes[at as usize];
             let first = node.first as usize;
             if node.count > 0 {
                 nearest.consider(&world.parts[first..first + node.count as usize]);
                 beyond = horizon(nearest);
-                continue;
-            }
-            let children = [node.first, node.first + 1];
-            let [one, other] = children.map(|at| {
-                let entry = slabs.enters(&self.nodes[at as usize], beyond);
-                (at, entry)
-            });
-            let (near, far) = if one.1 <= other.1 {
-                (one, other)
             } else {
-                (other, one)
+                let one = (node.first, enters(node.first, beyond));
+                let other = (node.first + 1, enters(node.first + 1, beyond));
+                let is_other_far = one.1 <= other.1;
+                let (near, far) = if is_other_far {
+                    (one, other)
+                } else {
+                    (other, one)
+                };
+                if far.1 <= beyond {
+                    waiting.push(far);
+                }
+                if near.1 <= beyond {
+                    at = near.0;
+                    continue;
+                }
+            }
+            at = loop {
+                match waiting.pop() {
+                    None => return,
+                    Some((next, entry)) if entry <= beyond => break next,
+                    Some(_) => (),
+                }
             };
-            waiting.extend(
-                [far, near]
-                    .into_iter()
-                    .filter(|(_, entry)| *entry <= beyond),
-            );
         }
     }
 }
