@@ -50,7 +50,7 @@ impl Extent {
     /// For the record.
     pub const FULL: Extent = Extent {
         name: "full",
-        questions: 20_000,
+        questions: 10_000,
         mesh_rays: 500_000,
         spoilt: 50,
         rounds: 400,
