@@ -50,6 +50,9 @@ pub enum Command {
     /// Grade the grading: does it catch every known mistake, and fail nobody who is right?
     #[cfg(feature = "validate")]
     Validate(Validate),
+    /// Measure the trade between speed and accuracy, and the extremes
+    #[cfg(feature = "study")]
+    Study(Study),
     /// Give up all rights and become a program: what sandboxes start first
     #[cfg(target_os = "linux")]
     #[command(hide = true)]
@@ -67,6 +70,8 @@ impl Command {
             Command::Golden(Golden::Verify(arguments)) => arguments.json,
             #[cfg(feature = "validate")]
             Command::Validate(arguments) => arguments.json,
+            #[cfg(feature = "study")]
+            Command::Study(arguments) => arguments.json,
             Command::Grade(arguments) => arguments.json,
             Command::Merge(arguments) => arguments.json,
             Command::Handout(arguments) => arguments.json,
@@ -177,6 +182,12 @@ pub struct Render {
     /// Cast this many pixels instead of the scene's own; the image plane stays
     #[arg(long, value_name = "NXxNY", value_parser = resolution)]
     pub resolution: Option<Resolution>,
+    /// Cast by the study's exact caster, whose objects are never wrong, whatever the scene:
+    /// what rounding leaves open is decided by exact arithmetic, and it is told how often.
+    /// Exact for the rays as rounded to f64. The first run compiles the study
+    #[cfg(feature = "study")]
+    #[arg(long, conflicts_with = "submission")]
+    pub exact: bool,
     /// Where to write
     #[arg(long, value_name = "DIR", default_value = "render")]
     pub out: PathBuf,
@@ -465,6 +476,31 @@ pub struct Validate {
     /// Judge so many at a time [default: one for each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
+    /// Print one JSON document on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Measure the trade between speed and accuracy, and the extremes.
+///
+/// Many ways to intersect a sphere, a plane and a triangle are asked the same questions,
+/// which get harder step by step, and are judged by exact arithmetic; then every scene is
+/// cast, and every pixel judged. Writes study.json, summary.md and plots; prints what was
+/// measured before, or promised, beside what came. Exit 0 if all of that agrees but for
+/// times, which depend on the machine; otherwise 1. The first run compiles the study, which
+/// nothing else needs.
+#[cfg(feature = "study")]
+#[derive(Args)]
+pub struct Study {
+    /// Ask fewer questions: less than a minute
+    #[arg(long)]
+    pub quick: bool,
+    /// Where to write
+    #[arg(long, value_name = "DIR", default_value = "study")]
+    pub out: PathBuf,
+    /// Only this family of questions (distance, surface, …), or mesh, scenes, spoilt or speed
+    #[arg(long, value_name = "FAMILY")]
+    pub only: Option<String>,
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,

@@ -8,6 +8,8 @@ mod grade;
 mod handout;
 mod merge;
 mod render;
+#[cfg(feature = "study")]
+mod study;
 #[cfg(feature = "validate")]
 mod validate;
 
@@ -58,6 +60,8 @@ pub fn run(cli: Cli) -> Result<Outcome> {
         Command::Handout(arguments) => handout::run(&checkout, &arguments),
         #[cfg(feature = "validate")]
         Command::Validate(arguments) => validate::run(&checkout, &arguments),
+        #[cfg(feature = "study")]
+        Command::Study(arguments) => study::run(&checkout, &arguments),
         #[cfg(target_os = "linux")]
         Command::Confine(_) => unreachable!("it has become another program by now"),
     }
@@ -102,23 +106,7 @@ fn scene(
     assignment: &Assignment,
     checkout: &Checkout,
 ) -> Result<(Scene, Option<PathBuf>)> {
-    let file = Path::new(named);
-    let own = assignment.scene(named);
-    let path = match (file.is_file(), own.is_file()) {
-        (true, _) => file.into(),
-        (false, true) => own,
-        (false, false) => {
-            let names: Vec<&str> = assignment
-                .scenes
-                .iter()
-                .map(|scene| scene.name.as_str())
-                .collect();
-            return Err(Error::input(
-                format!("there is no scene {named}"),
-                format!("name a TOML file, or one of: {}", names.join(", ")),
-            ));
-        }
-    };
+    let path = scene_file(named, assignment)?;
     let golden = path.file_stem().map(|stem| {
         checkout
             .golden(&assignment.name)
@@ -134,4 +122,25 @@ fn scene(
         Scene::read(&path)?,
         golden.filter(|golden| is_own && golden.is_file()),
     ))
+}
+
+/// Where the scene lies that a user means.
+fn scene_file(named: &str, assignment: &Assignment) -> Result<PathBuf> {
+    let file = Path::new(named);
+    let own = assignment.scene(named);
+    match (file.is_file(), own.is_file()) {
+        (true, _) => Ok(file.into()),
+        (false, true) => Ok(own),
+        (false, false) => {
+            let names: Vec<&str> = assignment
+                .scenes
+                .iter()
+                .map(|scene| scene.name.as_str())
+                .collect();
+            Err(Error::input(
+                format!("there is no scene {named}"),
+                format!("name a TOML file, or one of: {}", names.join(", ")),
+            ))
+        }
+    }
 }

@@ -1,12 +1,14 @@
 //! `pinhole render`: a film and its pictures.
 
 use std::fs;
+use std::ops::Range;
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 use pinhole::job::Job;
 use pinhole::report::number;
-use pinhole::{Film, false_colour};
-use serde_json::json;
+use pinhole::{Film, Resolution, Scene, false_colour};
+use serde_json::{Value, json};
 
 use super::Outcome;
 use crate::assignment::Assignment;
@@ -20,21 +22,97 @@ use crate::progress::Progress;
 use crate::sandbox::{Limits, Sandbox};
 use crate::{pictures, table};
 
+/// What was cast, by whom.
+pub struct Cast {
+    pub film: Film,
+    pub by: String,
+    pub seconds: f64,
+    /// Why the film is not complete.
+    pub problem: Option<String>,
+    /// What a student's code printed.
+    pub printed: String,
+    /// What exact casting took, as the study tells it.
+    pub exact: Option<Value>,
+}
+
 pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Outcome> {
     let here = std::env::current_dir().unwrap_or_default();
     let assignment = Assignment::around(checkout, arguments.submission.as_ref().unwrap_or(&here))?;
     let (mut scene, golden) = super::scene(&arguments.scene, &assignment, checkout)?;
     scene.resolution = arguments.resolution.unwrap_or(scene.resolution);
+    let (resolution, depth_per_t) = (scene.resolution, scene.camera.depth_per_t());
+    let cannot = |error: std::io::Error| {
+        let problem = format!("cannot write to {}: {error}", arguments.out.display());
+        Error::input(problem, "name a folder you may write to with --out")
+    };
+    fs::create_dir_all(&arguments.out).map_err(cannot)?;
+    let path = arguments.out.join("film.exr");
+    let cast = cast(checkout, &assignment, arguments, scene, &path)?;
+    cast.film.write(&path)?;
+
+    let range = match &golden {
+        Some(golden) => false_colour::depth_range(&Film::read(golden)?, depth_per_t),
+        None => false_colour::depth_range(&cast.film, depth_per_t),
+    };
+    let mut written = vec![path.display().to_string()];
+    written.extend(pictures::write(
+        &arguments.out,
+        "",
+        &cast.film,
+        depth_per_t,
+        range.clone(),
+    )?);
+    let is_complete = cast.problem.is_none();
+    tell(arguments, &cast, resolution, &range, &written);
+    Ok(if is_complete {
+        Outcome::Well
+    } else {
+        Outcome::JudgedWrong
+    })
+}
+
+/// By the study's exact caster, if that is wanted.
+#[cfg(feature = "study")]
+fn cast(
+    checkout: &Checkout,
+    assignment: &Assignment,
+    arguments: &Render,
+    scene: Scene,
+    path: &Path,
+) -> Result<Cast> {
+    match arguments.exact {
+        true => super::study::film(checkout, assignment, arguments, path),
+        false => by_submission(checkout, assignment, arguments, scene),
+    }
+}
+
+#[cfg(not(feature = "study"))]
+fn cast(
+    checkout: &Checkout,
+    assignment: &Assignment,
+    arguments: &Render,
+    scene: Scene,
+    _: &Path,
+) -> Result<Cast> {
+    by_submission(checkout, assignment, arguments, scene)
+}
+
+fn by_submission(
+    checkout: &Checkout,
+    assignment: &Assignment,
+    arguments: &Render,
+    scene: Scene,
+) -> Result<Cast> {
     let submission = super::submission(
         arguments.submission.as_ref(),
-        &assignment,
+        assignment,
         assignment.own_answers(),
     )?;
     let sandbox = Sandbox::around(&submission.folder, checkout, arguments.run.walls(), &[])?;
 
     let progress = Progress::new();
     progress.say("building");
-    let program = compile(&submission, &assignment, checkout, &sandbox)?;
+    let program = compile(&submission, assignment, checkout, &sandbox)?;
     for (task, why) in &program.replaced {
         if let Replaced::DoesNotCompile(diagnostics) = why {
             progress.clear();
@@ -45,7 +123,7 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Outcome> {
             ));
         }
     }
-    let (resolution, depth_per_t) = (scene.resolution, scene.camera.depth_per_t());
+    let resolution = scene.resolution;
     let pixels = resolution.pixels() as f64;
     let wall = Duration::from_secs(arguments.run.timeout);
     let start = Instant::now();
@@ -60,56 +138,54 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Outcome> {
     )?;
     let seconds = start.elapsed().as_secs_f64();
     progress.clear();
+    let problem = examine::failure(&reply.ending, assignment, None);
+    Ok(Cast {
+        film: reply.film(resolution),
+        by: submission.folder.display().to_string(),
+        seconds,
+        problem: problem.as_ref().map(table::outcome),
+        printed: reply.printed,
+        exact: None,
+    })
+}
 
-    let film = reply.film(resolution);
-    let cannot = |error: std::io::Error| {
-        let problem = format!("cannot write to {}: {error}", arguments.out.display());
-        Error::input(problem, "name a folder you may write to with --out")
-    };
-    fs::create_dir_all(&arguments.out).map_err(cannot)?;
-    let path = arguments.out.join("film.exr");
-    film.write(&path)?;
-    let range = match &golden {
-        Some(golden) => false_colour::depth_range(&Film::read(golden)?, depth_per_t),
-        None => false_colour::depth_range(&film, depth_per_t),
-    };
-    let mut written = vec![path.display().to_string()];
-    written.extend(pictures::write(
-        &arguments.out,
-        "",
-        &film,
-        depth_per_t,
-        range.clone(),
-    )?);
-
-    let hits = film
+/// Says what came of it.
+fn tell(
+    arguments: &Render,
+    cast: &Cast,
+    resolution: Resolution,
+    range: &Range<f64>,
+    written: &[String],
+) {
+    let hits = cast
+        .film
         .channel("id")
         .unwrap_or_default()
         .iter()
         .filter(|id| **id >= 0.0)
         .count();
-    let problem = examine::failure(&reply.ending, &assignment, None);
-    let problem = problem.as_ref().map(table::outcome);
     if arguments.json {
         anstream::println!(
             "{:#}",
             json!({
                 "scene": arguments.scene,
-                "submission": submission.folder.display().to_string(),
+                "submission": cast.exact.is_none().then_some(&cast.by),
+                "exact": cast.exact,
                 "resolution": [resolution.n_x, resolution.n_y],
                 "hits": hits,
                 "depth_range": [range.start, range.end],
-                "seconds": seconds,
+                "seconds": cast.seconds,
                 "files": written,
-                "problem": problem,
+                "problem": cast.problem,
             })
         );
     } else {
         anstream::println!(
-            "{resolution} pixels in {seconds:.2} s, {hits} of them hit something, by {}",
-            printable(&submission.folder.display().to_string())
+            "{resolution} pixels in {:.2} s, {hits} of them hit something, by {}",
+            cast.seconds,
+            printable(&cast.by)
         );
-        if hits == 0 && problem.is_none() {
+        if hits == 0 && cast.problem.is_none() {
             anstream::println!(
                 "every ray missed; see one of them: cargo run --release -- explain {} {} {}",
                 arguments.scene,
@@ -119,22 +195,17 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Outcome> {
         }
         let (near, far) = (number(range.start, 4), number(range.end, 4));
         anstream::println!("depth.png spans {near} (bright) to {far} (dark) scene units");
-        for file in &written {
+        for file in written {
             anstream::println!("wrote {file}");
         }
-        if !reply.printed.is_empty() {
+        if !cast.printed.is_empty() {
             anstream::eprintln!("your code printed:");
-            for line in reply.printed.lines() {
+            for line in cast.printed.lines() {
                 anstream::eprintln!("  {}", printable(line));
             }
         }
-        if let Some(problem) = &problem {
+        if let Some(problem) = &cast.problem {
             anstream::println!("the film is not complete: {problem}");
         }
     }
-    Ok(if problem.is_none() {
-        Outcome::Well
-    } else {
-        Outcome::JudgedWrong
-    })
 }

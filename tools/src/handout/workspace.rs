@@ -17,16 +17,24 @@ fn members(assignment: &str) -> String {
     )
 }
 
-/// The feature that students' command is built without, and the sources that go with it:
-/// they hold formulas which students are to find.
-const FEATURE: &str = "validate";
-const ITS_SOURCES: [&str; 3] = [
-    "tools/src/validate/",
-    "tools/src/validate.rs",
-    "tools/src/command/validate.rs",
-];
-/// Where its modules are declared; rustfmt looks for them whatever the features are.
-const ITS_PARENTS: [&str; 2] = ["tools/src/main.rs", "tools/src/command.rs"];
+/// The features that students' command is built without, and the sources that go with
+/// them: they hold formulas which students are to find, or belong to a package that does.
+const FEATURES: [&str; 2] = ["validate", "study"];
+/// Where their modules are declared; rustfmt looks for them whatever the features are.
+const PARENTS: [&str; 2] = ["tools/src/main.rs", "tools/src/command.rs"];
+/// Whose profiles only such a package needs: cargo warns of profiles for nobody.
+const AT_HOME: &str = "dashu-";
+
+/// Whether a source belongs to one of [`FEATURES`].
+fn stays(path: &str) -> bool {
+    FEATURES.iter().any(|feature| {
+        let own = ["tools/src/", "tools/src/command/"].map(|folder| format!("{folder}{feature}"));
+        own.iter().any(|own| {
+            let rest = path.strip_prefix(own.as_str());
+            rest.is_some_and(|rest| rest == ".rs" || rest.starts_with('/'))
+        })
+    })
+}
 
 /// Where the workflow for GitHub lies.
 const WORKFLOW: &str = ".github/workflows/check.yml";
@@ -42,6 +50,12 @@ pub fn adapt(files: &mut Files, assignment: &Assignment) -> Result<()> {
         {
             table.text = members(&assignment.name);
         }
+        for table in tables
+            .iter_mut()
+            .filter(|table| table.header == "[profile.release.package]")
+        {
+            keep_lines(&mut table.text, |line| !line.starts_with(AT_HOME));
+        }
         tables::join(tables)
     })?;
     change(files, "tools/Cargo.toml", |text| {
@@ -55,7 +69,8 @@ pub fn adapt(files: &mut Files, assignment: &Assignment) -> Result<()> {
                     ["[", "tempfile"].iter().any(|kept| line.starts_with(kept))
                 }),
                 "[features]" => {
-                    let default = format!("default = [\"{FEATURE}\"]");
+                    let features = FEATURES.map(|feature| format!("\"{feature}\""));
+                    let default = format!("default = [{}]", features.join(", "));
                     table.text = table.text.replace(&default, "default = []");
                 }
                 "[[bin]]" => {
@@ -67,9 +82,9 @@ pub fn adapt(files: &mut Files, assignment: &Assignment) -> Result<()> {
         }
         tables::join(tables)
     })?;
-    files.retain(|path, _| !ITS_SOURCES.iter().any(|own| path.starts_with(own)));
-    for parent in ITS_PARENTS {
-        let module = format!("#[cfg(feature = \"{FEATURE}\")]\nmod {FEATURE};\n");
+    files.retain(|path, _| !stays(path));
+    for (parent, feature) in PARENTS.iter().flat_map(|p| FEATURES.map(|f| (*p, f))) {
+        let module = format!("#[cfg(feature = \"{feature}\")]\nmod {feature};\n");
         change(files, parent, |text| text.replace(&module, ""))?;
     }
     let workflow = include_str!("../../templates/handout/check.yml");

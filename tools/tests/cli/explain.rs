@@ -66,6 +66,31 @@ fn render_writes_a_film_and_three_pictures() {
 }
 
 #[test]
+fn exact_casting_agrees_with_mitsuba_and_tells_what_it_took() {
+    let out = fresh(&trusted(), "render-exact");
+    let out_name = out.to_str().expect("a plain name");
+    let exact = ["render", "bunny", "--exact", "--out", out_name];
+    let told = pinhole(&[&exact[..], &["--json"]].concat());
+    let told = told.expect_code(0).json();
+    assert!(told["exact"]["tests"].as_u64() > Some(10_000), "{told}");
+    assert!(out.join("normal.png").is_file());
+    let film = out.join("film.exr");
+    pinhole(&[
+        "diff",
+        "golden/ray_casting/bunny.exr",
+        film.to_str().expect("plain"),
+    ])
+    .expect_code(0);
+
+    let ran = pinhole(&[&exact[..], &["--resolution", "20x10"]].concat());
+    ran.expect_code(0)
+        .expect_out("20×10 pixels")
+        .expect_out("needed exact arithmetic");
+    let reference = "assignments/ray_casting/reference";
+    pinhole(&[&exact[..], &["--submission", reference]].concat()).expect_code(2);
+}
+
+#[test]
 fn a_scene_with_a_light_is_told_why_there_are_none() {
     let folder = fresh(&trusted(), "light");
     let scene = folder.join("lit.toml");

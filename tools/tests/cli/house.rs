@@ -13,6 +13,7 @@ fn in_house_dependencies(manifest: &str) -> BTreeSet<String> {
     let table: toml::Table = text.parse().expect("it is TOML");
     let own = [
         "pinhole",
+        "pinhole-study",
         "pinhole-tools",
         "ray-casting-reference",
         "ray-casting-handout",
@@ -28,6 +29,9 @@ fn imports_point_one_way() {
     let harness_only = BTreeSet::from(["pinhole".to_owned()]);
     assert_eq!(in_house_dependencies("Cargo.toml"), BTreeSet::new());
     assert_eq!(in_house_dependencies("tools/Cargo.toml"), harness_only);
+    // The study stands alone; nothing in-house links it, so that students never compile it.
+    let study = in_house_dependencies("tools/study/Cargo.toml");
+    assert!(study.is_subset(&harness_only), "{study:?}");
     for submission in ["reference", "handout"] {
         let manifest = format!("assignments/ray_casting/{submission}/Cargo.toml");
         assert_eq!(in_house_dependencies(&manifest), harness_only);

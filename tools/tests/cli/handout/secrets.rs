@@ -34,6 +34,7 @@ fn a_students_repository_holds_no_answer_no_mistake_no_variant_and_at_most_20_me
             "variants/",
             "tools/mitsuba/",
             "tools/src/validate",
+            "study",
             "benches",
             "tests/cli",
         ];

@@ -1,0 +1,51 @@
+//! Where a kernel breaks, by one rule for all.
+
+use crate::judge::Tally;
+use crate::question::Data;
+use crate::result::{Breaking, Point, Sweep};
+
+/// More wrong decisions than this share and a kernel is broken.
+const WRONG: f64 = 1e-3;
+
+/// A kernel is broken where more than one decision in a thousand is wrong, where a t is
+/// not finite, or where half of all t have lost half of their digits.
+pub fn is_broken(tally: &Tally, data: Data) -> bool {
+    let half_lost = 2f64.powf(f64::from(data.digits()) / 2.0);
+    tally.wrong_share() > WRONG
+        || tally.not_finite > 0
+        || tally.median_ulp.is_some_and(|ulp| ulp > half_lost)
+}
+
+/// The breaking points of every kernel in a sweep.
+pub fn breaking(sweep: &Sweep, data: Data) -> Vec<Breaking> {
+    let kernels = sweep.points.first().map_or(0, |point| point.kernels.len());
+    (0..kernels).map(|at| of_kernel(sweep, data, at)).collect()
+}
+
+fn of_kernel(sweep: &Sweep, data: Data, at: usize) -> Breaking {
+    let tallies = || sweep.points.iter().map(|point| &point.kernels[at].tally);
+    let broken = |point: &&Point| is_broken(&point.kernels[at].tally, data);
+    let above = sweep
+        .points
+        .iter()
+        .filter(|point| point.exponent >= sweep.easy);
+    let below = sweep
+        .points
+        .iter()
+        .filter(|point| point.exponent <= sweep.easy);
+    let named = &sweep.points[0].kernels[at];
+    Breaking {
+        shape: sweep.shape.clone(),
+        family: sweep.family.clone(),
+        kernel: named.kernel.clone(),
+        numbers: named.numbers.clone(),
+        above: { above }.find(broken).map(|point| point.exponent),
+        below: below.rev().find(broken).map(|point| point.exponent),
+        wrong: tallies().map(Tally::wrong).sum(),
+        asked: tallies().map(|tally| tally.asked).sum(),
+        silent: tallies().map(|tally| tally.silent).sum(),
+        worst_median_ulp: tallies()
+            .filter_map(|tally| tally.median_ulp)
+            .reduce(f64::max),
+    }
+}

@@ -1,0 +1,172 @@
+//! Casting whole scenes: from a scene's file to a film, by kernels of one's choice.
+//!
+//! [`world`] is the scene as parts that a ray can meet, [`tree`] what spares most of
+//! them, [`model`] with which numbers and kernels they are met, [`rays`] where rays come
+//! from.
+
+pub mod model;
+pub mod rays;
+pub mod tree;
+pub mod world;
+
+use rayon::prelude::*;
+
+use crate::shape::Ray;
+use model::Model;
+use tree::Tree;
+use world::{Part, World};
+
+/// What is looked at to find what a ray meets first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Search {
+    /// Every part.
+    BruteForce,
+    /// The parts in boxes that the ray meets.
+    Boxes,
+}
+
+impl Search {
+    /// How tables call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Search::BruteForce => "brute force",
+            Search::Boxes => "boxes",
+        }
+    }
+}
+
+/// What a cast did.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// Rays against parts.
+    pub tests: u64,
+    /// Tests that a filter left open.
+    pub fallbacks: u64,
+    /// Comparisons of two t that floats left open.
+    pub close_calls: u64,
+}
+
+impl Tally {
+    /// Of both.
+    pub fn plus(self, other: Tally) -> Tally {
+        Tally {
+            tests: self.tests + other.tests,
+            fallbacks: self.fallbacks + other.fallbacks,
+            close_calls: self.close_calls + other.close_calls,
+        }
+    }
+}
+
+/// The part that a ray meets first, and where.
+#[derive(Clone, Copy, Debug)]
+pub struct Found<'a> {
+    /// Met first.
+    pub part: &'a Part,
+    /// In multiples of the ray's direction.
+    pub t: f64,
+}
+
+/// A scene ready to be cast.
+pub struct Caster {
+    /// What can be met.
+    pub world: World,
+    tree: Tree,
+}
+
+impl Caster {
+    /// Builds the tree.
+    pub fn new(mut world: World) -> Caster {
+        let tree = Tree::over(&mut world);
+        Caster { world, tree }
+    }
+
+    /// What a ray meets first, from `min_t` on; that is not negative.
+    #[inline]
+    pub fn first<M: Model>(
+        &self,
+        search: Search,
+        ray: &Ray<f64>,
+        min_t: f64,
+        tally: &mut Tally,
+    ) -> Option<Found<'_>> {
+        let mut nearest = Nearest::<M>::new(&self.world, ray, min_t, tally);
+        match search {
+            Search::BruteForce => nearest.consider(&self.world.parts),
+            Search::Boxes => self.tree.search(&self.world, &mut nearest),
+        }
+        nearest.found
+    }
+
+    /// What many rays meet first, by all of the machine's cores.
+    pub fn film<M: Model>(
+        &self,
+        search: Search,
+        rays: &[Ray<f64>],
+        min_t: f64,
+    ) -> (Vec<Option<Found<'_>>>, Tally) {
+        let cast = |rays: &[Ray<f64>]| {
+            let mut tally = Tally::default();
+            let first = |ray| self.first::<M>(search, ray, min_t, &mut tally);
+            (rays.iter().map(first).collect::<Vec<_>>(), tally)
+        };
+        let pieces: Vec<_> = rays.par_chunks(512).map(cast).collect();
+        let tally = pieces
+            .iter()
+            .fold(Tally::default(), |sum, (_, tally)| sum.plus(*tally));
+        (
+            pieces.into_iter().flat_map(|(found, _)| found).collect(),
+            tally,
+        )
+    }
+}
+
+/// The search for what one ray meets first.
+pub struct Nearest<'a, 'r, M: Model> {
+    ray: &'r Ray<f64>,
+    prepared: M::Ray,
+    min_t: f64,
+    tally: &'r mut Tally,
+    found: Option<Found<'a>>,
+}
+
+impl<'a, 'r, M: Model> Nearest<'a, 'r, M> {
+    fn new(
+        world: &World,
+        ray: &'r Ray<f64>,
+        min_t: f64,
+        tally: &'r mut Tally,
+    ) -> Nearest<'a, 'r, M> {
+        Nearest {
+            ray,
+            prepared: M::prepare(ray, world),
+            min_t,
+            tally,
+            found: None,
+        }
+    }
+
+    /// Tests these parts too.
+    #[inline(always)]
+    fn consider(&mut self, parts: &'a [Part]) {
+        for part in parts {
+            self.tally.tests += 1;
+            let t = M::meet(&part.shape, &self.prepared, self.min_t, self.tally);
+            let Some(found) = t.map(|t| Found { part, t }) else {
+                continue;
+            };
+            let is_first = self
+                .found
+                .is_none_or(|best| M::comes_first(&found, &best, self.ray, self.min_t, self.tally));
+            if is_first {
+                self.found = Some(found);
+            }
+        }
+    }
+
+    /// What lies further away cannot be first.
+    #[inline(always)]
+    fn horizon(&self) -> f64 {
+        self.found
+            .map_or(f64::INFINITY, |found| found.t + found.t.abs() * M::SLACK)
+    }
+}

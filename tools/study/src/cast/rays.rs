@@ -1,0 +1,29 @@
+//! The rays of a scene's camera.
+
+use pinhole::{Projection, Scene};
+
+use super::world::vector;
+use crate::shape::Ray;
+
+/// Through the centre of every pixel, in image order (Marschner & Shirley, 4th ed., §4.3):
+/// rounded, and what is exact is exact for the rounded ray.
+pub fn rays(scene: &Scene) -> Vec<Ray<f64>> {
+    let (camera, resolution) = (&scene.camera, scene.resolution);
+    let through = |index| {
+        let pixel = resolution.pixel(index);
+        let across = (pixel.i as f64 + 0.5) / resolution.n_x as f64 - 0.5;
+        let upward = (pixel.j as f64 + 0.5) / resolution.n_y as f64 - 0.5;
+        let on_plane = camera.width * across * camera.u + camera.height * upward * camera.v;
+        let (origin, direction) = match camera.projection {
+            Projection::Perspective { focal_length } => {
+                (camera.eye, on_plane - focal_length * camera.w)
+            }
+            Projection::Orthographic => (camera.eye + on_plane, -camera.w),
+        };
+        Ray {
+            origin: vector(origin),
+            direction: vector(direction),
+        }
+    };
+    (0..resolution.pixels()).map(through).collect()
+}

@@ -1,0 +1,86 @@
+//! A kernel with its types forgotten, so that tables can list them.
+
+use std::hint::black_box;
+
+use crate::kernel::Kernel;
+use crate::number::Real;
+use crate::question::{Data, Question};
+use crate::shape::{Ray, Shape};
+
+/// Casts prepared rays at their shapes, all of them at each call.
+pub type Workload = Box<dyn FnMut()>;
+
+/// A kernel, the numbers it computes with, and the type its data are stored in.
+#[derive(Clone, Copy)]
+pub struct Contestant<S: 'static> {
+    /// The kernel's name.
+    pub name: &'static str,
+    /// `f64`, `f32`, or `f64 on f32`.
+    pub numbers: &'static str,
+    /// What its questions are rounded to.
+    pub data: Data,
+    /// Its answer to a question.
+    pub answer: fn(&Question<S>) -> Option<f64>,
+    /// A workload: each call casts the ray of every question at its shape. Rays are
+    /// prepared beforehand, as they are when they come to the leaf of a tree.
+    pub workload: fn(&[Question<S>]) -> Workload,
+}
+
+impl<S: Shape<With<f64> = S>> Contestant<S> {
+    /// From a kernel on `F`.
+    pub fn new<K, F>(data: Data, numbers: &'static str) -> Contestant<S>
+    where
+        F: Real,
+        K: Kernel<S::With<F>, F>,
+    {
+        Contestant {
+            name: K::NAME,
+            numbers,
+            data,
+            answer: answer::<K, S, F>,
+            workload: workload::<K, S, F>,
+        }
+    }
+}
+
+fn of<S: Shape, F: Real>(question: &Question<S>) -> (S::With<F>, Ray<F>, F) {
+    (
+        question.shape.map(F::of, F::of),
+        question.ray.map(F::of, F::of),
+        F::of(question.min_t),
+    )
+}
+
+fn answer<K: Kernel<S::With<F>, F>, S: Shape, F: Real>(question: &Question<S>) -> Option<f64> {
+    let (shape, ray, min_t) = of::<S, F>(question);
+    K::intersect(&shape, &K::prepare(&ray), min_t).map(F::wide)
+}
+
+fn workload<K, S, F>(questions: &[Question<S>]) -> Workload
+where
+    K: Kernel<S::With<F>, F>,
+    S: Shape,
+    F: Real,
+{
+    let prepared = |question| {
+        let (shape, ray, min_t) = of::<S, F>(question);
+        (shape, K::prepare(&ray), min_t)
+    };
+    let pairs: Vec<_> = questions.iter().map(prepared).collect();
+    Box::new(move || {
+        black_box(cast::<K, S, F>(black_box(&pairs)));
+    })
+}
+
+#[inline(never)]
+fn cast<K, S, F>(pairs: &[(S::With<F>, K::Prepared, F)]) -> F
+where
+    K: Kernel<S::With<F>, F>,
+    S: Shape,
+    F: Real,
+{
+    let hits = pairs
+        .iter()
+        .filter_map(|(shape, ray, min_t)| K::intersect(shape, ray, *min_t));
+    hits.fold(F::ZERO, |sum, t| sum + t)
+}

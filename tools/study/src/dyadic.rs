@@ -1,0 +1,187 @@
+//! Integers times powers of two: every finite float is one, and so is every sum and
+//! product of floats, without rounding, overflow or underflow. The adaptive kernels
+//! decide with these what their filters leave open.
+//!
+//! Why not expansions (Shewchuk, *Discrete Comput. Geom.* 18, 1997), which are faster:
+//! they are exact only while no partial product underflows, and the extremes are what
+//! this package is about. The oracle uses another's rationals: the two share no code.
+
+mod vector;
+
+pub use vector::DyadicVector;
+
+use std::cmp::Ordering;
+use std::ops::{Add, Mul, Neg, Sub};
+
+use smallvec::SmallVec;
+
+use crate::double_double::DoubleDouble;
+use crate::number::Real;
+
+/// As many bits as everyday numbers need are kept in place; more go to the heap.
+type Limbs = SmallVec<[u64; 8]>;
+
+/// ±`limbs` × 2^`exponent`.
+#[derive(Clone, Debug)]
+pub struct Dyadic {
+    negative: bool,
+    /// Lowest first; the highest is not 0. None at all for zero.
+    limbs: Limbs,
+    exponent: i64,
+}
+
+impl Dyadic {
+    /// A finite number, exactly.
+    pub fn of(value: impl Real) -> Dyadic {
+        let bits = value.wide().to_bits();
+        let (field, fraction) = ((bits >> 52) & 0x7ff, bits & ((1 << 52) - 1));
+        debug_assert!(field < 0x7ff, "only finite numbers are dyadic");
+        let (mantissa, exponent) = match field {
+            0 => (fraction, -1074),
+            _ => (fraction | (1 << 52), field as i64 - 1075),
+        };
+        let limbs = trimmed(Limbs::from_slice(&[mantissa]));
+        Dyadic {
+            negative: bits >> 63 == 1,
+            limbs,
+            exponent,
+        }
+    }
+
+    /// −1, 0 or 1.
+    pub fn sign(&self) -> i32 {
+        match (self.limbs.is_empty(), self.negative) {
+            (true, _) => 0,
+            (false, true) => -1,
+            (false, false) => 1,
+        }
+    }
+
+    /// The limbs, as they are with a smaller exponent.
+    fn limbs_at(&self, exponent: i64) -> Limbs {
+        let shift = (self.exponent - exponent) as usize;
+        let (whole, part) = (shift / 64, shift % 64);
+        let mut limbs = Limbs::from_elem(0, whole);
+        let mut carry = 0;
+        for limb in &self.limbs {
+            limbs.push(limb << part | carry);
+            carry = (limb >> 1) >> (63 - part);
+        }
+        limbs.push(carry);
+        trimmed(limbs)
+    }
+
+    /// The first 106 bits and where they stand: `value` × 2^`exponent`, `value.high` in
+    /// [1, 2).
+    pub fn leading(&self) -> (DoubleDouble<f64>, i64) {
+        let Some(top) = self.limbs.last() else {
+            return (0.0.into(), 0);
+        };
+        let count = self.limbs.len() as i64 * 64 - i64::from(top.leading_zeros());
+        let bits = |from_top: i64| {
+            // 53 bits, of which the highest is so far below the top.
+            let low = count - from_top - 53;
+            let bit = |at: i64| match at {
+                0.. => self.limbs[at as usize / 64] >> (at % 64) & 1,
+                _ => 0,
+            };
+            (0..53).fold(0, |sum, at| sum | bit(low + at) << at) as f64
+        };
+        let sign = f64::from(self.sign());
+        let (high, low) = (bits(0) * 2f64.powi(-52), bits(53) * 2f64.powi(-105));
+        let value = DoubleDouble::sum(sign * high, sign * low);
+        (value, self.exponent + count - 1)
+    }
+}
+
+fn trimmed(mut limbs: Limbs) -> Limbs {
+    while limbs.last() == Some(&0) {
+        limbs.pop();
+    }
+    limbs
+}
+
+fn compared(a: &[u64], b: &[u64]) -> Ordering {
+    let longer = a.len().cmp(&b.len());
+    longer.then_with(|| a.iter().rev().cmp(b.iter().rev()))
+}
+
+fn sum(mut a: Limbs, b: &[u64]) -> Limbs {
+    a.resize(a.len().max(b.len()) + 1, 0);
+    let mut carry = 0;
+    for (at, limb) in a.iter_mut().enumerate() {
+        let total = u128::from(*limb) + u128::from(b.get(at).copied().unwrap_or(0)) + carry;
+        (*limb, carry) = (total as u64, total >> 64);
+    }
+    trimmed(a)
+}
+
+/// `a` − `b`, where a ≥ b.
+fn difference(mut a: Limbs, b: &[u64]) -> Limbs {
+    let mut borrow = false;
+    for (at, limb) in a.iter_mut().enumerate() {
+        let (less, first) = limb.overflowing_sub(b.get(at).copied().unwrap_or(0));
+        let (less, second) = less.overflowing_sub(borrow.into());
+        (*limb, borrow) = (less, first || second);
+    }
+    trimmed(a)
+}
+
+impl Add for &Dyadic {
+    type Output = Dyadic;
+    fn add(self, other: &Dyadic) -> Dyadic {
+        let exponent = match (self.sign(), other.sign()) {
+            (0, _) => return other.clone(),
+            (_, 0) => return self.clone(),
+            _ => self.exponent.min(other.exponent),
+        };
+        let (a, b) = (self.limbs_at(exponent), other.limbs_at(exponent));
+        let (negative, limbs) = match (self.negative == other.negative, compared(&a, &b)) {
+            (true, _) => (self.negative, sum(a, &b)),
+            (false, Ordering::Less) => (other.negative, difference(b, &a)),
+            (false, _) => (self.negative, difference(a, &b)),
+        };
+        Dyadic {
+            negative,
+            limbs,
+            exponent,
+        }
+    }
+}
+
+impl Neg for Dyadic {
+    type Output = Dyadic;
+    fn neg(self) -> Dyadic {
+        Dyadic {
+            negative: !self.negative,
+            ..self
+        }
+    }
+}
+
+impl Sub for &Dyadic {
+    type Output = Dyadic;
+    fn sub(self, other: &Dyadic) -> Dyadic {
+        self + &-other.clone()
+    }
+}
+
+impl Mul for &Dyadic {
+    type Output = Dyadic;
+    fn mul(self, other: &Dyadic) -> Dyadic {
+        let mut limbs = Limbs::from_elem(0, self.limbs.len() + other.limbs.len());
+        for (at, a) in self.limbs.iter().enumerate() {
+            let mut carry = 0;
+            for (b, place) in other.limbs.iter().zip(&mut limbs[at..]) {
+                let total = u128::from(*a) * u128::from(*b) + u128::from(*place) + carry;
+                (*place, carry) = (total as u64, total >> 64);
+            }
+            limbs[at + other.limbs.len()] = carry as u64;
+        }
+        Dyadic {
+            negative: self.negative != other.negative,
+            limbs: trimmed(limbs),
+            exponent: self.exponent + other.exponent,
+        }
+    }
+}

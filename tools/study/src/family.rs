@@ -1,0 +1,67 @@
+//! The extremes: families of questions, each swept over an exponent until every kernel
+//! breaks or the type of numbers ends.
+
+pub mod mesh;
+mod plane;
+mod sphere;
+pub mod spoilt;
+mod threshold;
+mod triangle;
+
+use crate::contestants::Contested;
+use crate::question::{Data, Question};
+use crate::random::Random;
+
+/// Questions that get harder, or smaller, or larger, with an exponent.
+pub struct Family<S> {
+    /// One word or two, for `--only` and for file names.
+    pub name: &'static str,
+    /// What is swept, as an axis says it: "distance / radius = 10^x".
+    pub axis: &'static str,
+    /// What it shows, in a sentence for people who know no numerics.
+    pub meaning: &'static str,
+    /// The exponents, for each type of data.
+    pub exponents: fn(Data) -> Vec<i32>,
+    /// The exponent that is easy: breaking is told from here outwards.
+    pub easy: i32,
+    /// One random question.
+    pub ask: fn(&mut Random, i32, Data) -> Question<S>,
+}
+
+/// A shape with families of questions about it.
+pub trait Studied: Contested {
+    /// All of them.
+    fn families() -> Vec<Family<Self>>;
+}
+
+/// 0, 1, …, `last`, in steps of one decade.
+fn decades(last: i32) -> Vec<i32> {
+    (0..=last).collect()
+}
+
+/// Every scale the type has.
+fn scales(data: Data) -> Vec<i32> {
+    match data {
+        Data::F64 => [-320].into_iter().chain((-300..=300).step_by(20)).collect(),
+        Data::F32 => [-44].into_iter().chain((-40..=36).step_by(4)).collect(),
+    }
+}
+
+/// So many sound questions of a family, rounded to the data's type: the same for every
+/// kernel, and on every machine. None where the type cannot hold them.
+pub fn questions<S: Contested>(
+    family: &Family<S>,
+    exponent: i32,
+    data: Data,
+    count: usize,
+    seed: u64,
+) -> Vec<Question<S>> {
+    let purpose = format!("{} {} {exponent} {}", S::NAME, family.name, data.name());
+    let mut random = Random::new(seed, &purpose);
+    let tries = (0..count * 2).map(|_| (family.ask)(&mut random, exponent, data).rounded(data));
+    let sound: Vec<_> = tries.filter(Question::is_sound).take(count).collect();
+    match sound.len() == count {
+        true => sound,
+        false => Vec::new(),
+    }
+}

@@ -1,0 +1,102 @@
+//! Closed meshes: a ray from inside meets the surface exactly once, wherever it goes.
+
+use crate::question::{Data, Question};
+use crate::random::Random;
+use crate::shape::{Ray, Triangle};
+use crate::vector::Vector;
+
+/// Where a ray is aimed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Aim {
+    /// At a random point of an edge, as nearly as rounding lets it.
+    Edge,
+    /// At a corner, exactly: the direction is the corner minus the origin, rounded.
+    Vertex,
+}
+
+/// A ray and all triangles around it, numbers rounded to a type.
+pub struct Inside {
+    /// A closed, convex mesh.
+    pub triangles: Vec<Triangle<f64>>,
+    /// From inside.
+    pub ray: Ray<f64>,
+}
+
+impl Inside {
+    /// The question to one of the triangles.
+    pub fn question(&self, shape: Triangle<f64>) -> Question<Triangle<f64>> {
+        Question {
+            shape,
+            ray: self.ray,
+            min_t: 0.0,
+        }
+    }
+}
+
+/// The faces of an octahedron over its corners ±x, ±y, ±z.
+const OCTAHEDRON: [[usize; 3]; 8] = [
+    [0, 2, 4],
+    [2, 1, 4],
+    [1, 3, 4],
+    [3, 0, 4],
+    [2, 0, 5],
+    [1, 2, 5],
+    [3, 1, 5],
+    [0, 3, 5],
+];
+
+/// An octahedron's faces, each cut into four and blown up to the unit sphere: six faces
+/// meet at most corners, four at the others.
+fn sphere() -> Vec<[Vector<f64>; 3]> {
+    let axis = |x, y, z| Vector::new(x, y, z);
+    let corners = [
+        axis(1.0, 0.0, 0.0),
+        axis(-1.0, 0.0, 0.0),
+        axis(0.0, 1.0, 0.0),
+        axis(0.0, -1.0, 0.0),
+        axis(0.0, 0.0, 1.0),
+        axis(0.0, 0.0, -1.0),
+    ];
+    // The sum is the same from both ends: neighbours agree on the corner, to the bit.
+    let between = |p: Vector<f64>, q: Vector<f64>| {
+        let middle = p + q;
+        middle * (1.0 / middle.dot(middle).sqrt())
+    };
+    let cut = |[a, b, c]: [Vector<f64>; 3]| {
+        let (ab, bc, ca) = (between(a, b), between(b, c), between(c, a));
+        [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
+    };
+    let faces = OCTAHEDRON.map(|face| face.map(|at| corners[at]));
+    faces.into_iter().flat_map(cut).collect()
+}
+
+/// Where in [`sphere`] to find triangles between corners at which six meet, as at most
+/// corners of most meshes.
+const AMONG_SIX: (usize, usize) = (4, 3);
+
+/// A ray inside a ball of random shape and place, aimed at an edge or a corner.
+pub fn inside(random: &mut Random, aim: Aim, data: Data) -> Inside {
+    let round = |vector: Vector<f64>| vector.map(|x| data.round(x));
+    let (x, middle) = (random.unit(), random.unit());
+    let y = random.unit_across(x);
+    let [x, y, z] = [x, y, x.cross(y)].map(|axis| axis * random.within(0.5, 2.0));
+    let place = |p: Vector<f64>| round(middle + x * p.x + y * p.y + z * p.z);
+    let triangles: Vec<_> = sphere()
+        .into_iter()
+        .map(|face| Triangle {
+            corners: face.map(place),
+        })
+        .collect();
+    let origin = round(middle + random.unit() * random.within(0.0, 0.2));
+    let (step, first) = AMONG_SIX;
+    let [a, b, _] = triangles[random.below(triangles.len() / step) * step + first].corners;
+    let target = match aim {
+        Aim::Edge => round(a + (b - a) * random.within(0.0, 1.0)),
+        Aim::Vertex => a,
+    };
+    let direction = round(target - origin);
+    Inside {
+        triangles,
+        ray: Ray { origin, direction },
+    }
+}

@@ -1,0 +1,157 @@
+use super::threshold::at_threshold;
+use super::{Family, Studied, decades, scales};
+use crate::question::{Data, Question, ten_to};
+use crate::random::Random;
+use crate::shape::{Ray, Sphere};
+use crate::vector::Vector;
+
+impl Studied for Sphere<f64> {
+    fn families() -> Vec<Family<Self>> {
+        vec![
+            Family {
+                name: "distance",
+                axis: "distance / radius = 10^x",
+                meaning: "the same ball from further and further away, aimed half at it and half past it",
+                exponents: |_| decades(9),
+                easy: 0,
+                ask: |random, x, _| {
+                    let radius = random.within(0.5, 2.0);
+                    let squared = random.within(0.0, 2.0);
+                    aimed(random, radius, ten_to(x), squared.sqrt())
+                },
+            },
+            Family {
+                name: "ground",
+                axis: "radius / height of the eye = 10^x",
+                meaning: "a ball as large as a planet, seen from just above it towards its horizon",
+                exponents: |_| decades(9),
+                easy: 0,
+                ask: |random, x, _| ground(random, ten_to(x)),
+            },
+            Family {
+                name: "grazing",
+                axis: "distance of the line from the ball's edge = 10^−x radii",
+                meaning: "rays that only just touch a ball, or only just miss it",
+                exponents: |_| (1..=16).collect(),
+                easy: 1,
+                ask: |random, x, _| {
+                    let radius = random.within(0.5, 2.0);
+                    let impact = 1.0 + random.sign() * ten_to(-x);
+                    aimed(random, radius, 10.0, impact)
+                },
+            },
+            Family {
+                name: "surface",
+                axis: "distance of the eye from the surface = 10^−x radii",
+                meaning: "rays that start on a ball, or just outside or inside it, as reflections do",
+                exponents: |_| (1..=17).collect(),
+                easy: 1,
+                ask: |random, x, _| {
+                    let radius = random.within(0.5, 2.0);
+                    let (center, out) = (random.unit(), random.unit());
+                    let origin = center + out * (radius * (1.0 + random.sign() * ten_to(-x)));
+                    let direction = random.unit() * random.within(0.5, 2.0);
+                    asked(center, radius, origin, direction)
+                },
+            },
+            Family {
+                name: "direction",
+                axis: "length of the direction = 10^x",
+                meaning: "the same ray with a longer or a shorter direction: t alone should change",
+                exponents: scales,
+                easy: 0,
+                ask: |random, x, data| {
+                    // So small that t can be told for every length.
+                    let size = if data == Data::F64 { 1e-13 } else { 1e-6 };
+                    let question = plain(random).map(|l| l * size, |n| n, |d| d, |t| t);
+                    question.map(|l| l, |n| n, |d| d * ten_to(x), |t| t)
+                },
+            },
+            Family {
+                name: "offset",
+                axis: "distance of the scene from the world's origin = 10^x",
+                meaning: "the same scene moved away from the origin of the world",
+                exponents: |_| decades(12),
+                easy: 0,
+                ask: |random, x, _| {
+                    let mut question = plain(random);
+                    let offset = random.unit() * ten_to(x);
+                    question.shape.center = question.shape.center + offset;
+                    question.ray.origin = question.ray.origin + offset;
+                    question
+                },
+            },
+            Family {
+                name: "scale",
+                axis: "size of the scene = 10^x",
+                meaning: "the same scene in other units, direction included: t should not change",
+                exponents: scales,
+                easy: 0,
+                ask: |random, x, _| {
+                    let scale = ten_to(x);
+                    plain(random).map(|l| l * scale, |n| n, |d| d * scale, |t| t)
+                },
+            },
+            Family {
+                name: "threshold",
+                axis: "distance of min_t from the near root = 10^−x of it",
+                meaning: "rays that may begin just before or just behind the near side",
+                exponents: |_| (1..=17).collect(),
+                easy: 1,
+                ask: |random, x, _| at_threshold(random, x, plain),
+            },
+        ]
+    }
+}
+
+/// A few radii away, with a direction that is not unit; half of the rays hit.
+fn plain(random: &mut Random) -> Question<Sphere<f64>> {
+    let (radius, away) = (random.within(0.5, 2.0), random.within(1.0, 5.0));
+    let squared = random.within(0.0, 2.0);
+    aimed(random, radius, away, squared.sqrt())
+}
+
+/// From `away` radii outside the surface, past the centre at `impact` radii.
+fn aimed(random: &mut Random, radius: f64, away: f64, impact: f64) -> Question<Sphere<f64>> {
+    let (center, towards) = (random.unit(), random.unit());
+    let distance = radius * (1.0 + away);
+    let origin = center + towards * -distance;
+    // The line at that distance from the centre: sin of its angle is impact / distance.
+    let sine = impact * radius / distance;
+    let across = random.unit_across(towards) * sine;
+    let along = towards * (1.0 - sine * sine).max(0.0).sqrt();
+    asked(
+        center,
+        radius,
+        origin,
+        (along + across) * random.within(0.5, 2.0),
+    )
+}
+
+/// From a unit's height above a large ball, to a line half or one and a half times as far
+/// below the horizontal as its horizon.
+fn ground(random: &mut Random, radius: f64) -> Question<Sphere<f64>> {
+    let up = random.unit();
+    let origin = random.unit();
+    let height = random.within(0.5, 2.0);
+    let center = origin + up * -(radius + height);
+    let horizon = (2.0 * height / radius).sqrt().min(1.0);
+    let below = horizon * random.within(0.5, 1.5);
+    let direction = random.unit_across(up) + up * -below;
+    asked(center, radius, origin, direction * random.within(0.5, 2.0))
+}
+
+fn asked(
+    center: Vector<f64>,
+    radius: f64,
+    origin: Vector<f64>,
+    direction: Vector<f64>,
+) -> Question<Sphere<f64>> {
+    let ray = Ray { origin, direction };
+    let shape = Sphere { center, radius };
+    Question {
+        shape,
+        ray,
+        min_t: 0.0,
+    }
+}

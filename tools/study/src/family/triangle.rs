@@ -1,0 +1,178 @@
+use super::threshold::at_threshold;
+use super::{Family, Studied, decades, scales};
+use crate::question::{Data, Question, ten_to};
+use crate::random::Random;
+use crate::shape::{Ray, Triangle};
+use crate::vector::Vector;
+
+impl Studied for Triangle<f64> {
+    fn families() -> Vec<Family<Self>> {
+        vec![
+            Family {
+                name: "distance",
+                axis: "distance / size = 10^x",
+                meaning: "the same triangle from further and further away, aimed at it and around it",
+                exponents: |_| decades(9),
+                easy: 0,
+                ask: |random, x, _| {
+                    let corners = well_shaped(random);
+                    let from = random.unit();
+                    aimed(random, corners, from, ten_to(x))
+                },
+            },
+            Family {
+                name: "sliver",
+                axis: "length / width = 10^x",
+                meaning: "triangles that are long and thin",
+                exponents: |_| decades(9),
+                easy: 0,
+                ask: |random, x, _| {
+                    let a = random.unit();
+                    let along = random.unit();
+                    let across = random.unit_across(along) * ten_to(-x);
+                    let c = a + along * random.within(0.0, 1.0) + across;
+                    let from = random.unit();
+                    aimed(random, [a, a + along, c], from, 3.0)
+                },
+            },
+            Family {
+                name: "edge-on",
+                axis: "angle between ray and triangle = 10^−x",
+                meaning: "rays that see a triangle more and more from the side",
+                exponents: |_| decades(16),
+                easy: 0,
+                ask: |random, x, _| {
+                    let corners = well_shaped(random);
+                    let [a, b, c] = corners;
+                    let normal = (b - a).cross(c - a);
+                    let normal = normal * (1.0 / normal.dot(normal).sqrt());
+                    let along = random.unit_across(normal);
+                    aimed(random, corners, along + normal * ten_to(-x), 3.0)
+                },
+            },
+            Family {
+                name: "flat",
+                axis: "corners: 0 all alike, 1 two alike, 2 in a line, 3 in a line but for rounding",
+                meaning: "triangles without an area: no ray meets them",
+                exponents: |_| decades(3),
+                easy: 0,
+                ask: |random, x, _| flat(random, x),
+            },
+            Family {
+                name: "direction",
+                axis: "length of the direction = 10^x",
+                meaning: "the same ray with a longer or a shorter direction: t alone should change",
+                exponents: scales,
+                easy: 0,
+                ask: |random, x, data| {
+                    let size = if data == Data::F64 { 1e-13 } else { 1e-6 };
+                    let question = plain(random).map(|l| l * size, |n| n, |d| d, |t| t);
+                    question.map(|l| l, |n| n, |d| d * ten_to(x), |t| t)
+                },
+            },
+            Family {
+                name: "offset",
+                axis: "distance of the scene from the world's origin = 10^x",
+                meaning: "the same scene moved away from the origin of the world",
+                exponents: |_| decades(12),
+                easy: 0,
+                ask: |random, x, _| {
+                    let mut question = plain(random);
+                    let offset = random.unit() * ten_to(x);
+                    question.shape.corners = question.shape.corners.map(|corner| corner + offset);
+                    question.ray.origin = question.ray.origin + offset;
+                    question
+                },
+            },
+            Family {
+                name: "scale",
+                axis: "size of the scene = 10^x",
+                meaning: "the same scene in other units: t should grow with it",
+                exponents: scales,
+                easy: 0,
+                ask: |random, x, _| plain(random).map(|l| l * ten_to(x), |n| n, |d| d, |t| t),
+            },
+            Family {
+                name: "small",
+                axis: "size of the scene = 10^−x",
+                meaning: "the same scene in larger units, decade by decade",
+                exponents: |_| decades(9),
+                easy: 0,
+                ask: |random, x, _| plain(random).map(|l| l * ten_to(-x), |n| n, |d| d, |t| t),
+            },
+            Family {
+                name: "threshold",
+                axis: "distance of min_t from t = 10^−x of it",
+                meaning: "rays that may begin just before or just behind the triangle",
+                exponents: |_| (1..=17).collect(),
+                easy: 1,
+                ask: |random, x, _| at_threshold(random, x, plain),
+            },
+        ]
+    }
+}
+
+/// No angle near 0 or a half turn.
+fn well_shaped(random: &mut Random) -> [Vector<f64>; 3] {
+    loop {
+        let corners = [random.unit(), random.unit(), random.unit()];
+        let [a, b, c] = corners;
+        let normal = (b - a).cross(c - a);
+        if normal.dot(normal) > 0.5 {
+            return corners;
+        }
+    }
+}
+
+/// A few sizes away, from any side.
+fn plain(random: &mut Random) -> Question<Triangle<f64>> {
+    let corners = well_shaped(random);
+    let (from, away) = (random.unit(), random.within(1.0, 5.0));
+    aimed(random, corners, from, away)
+}
+
+/// From a direction, at a point of the triangle's plane in or around it.
+fn aimed(
+    random: &mut Random,
+    corners: [Vector<f64>; 3],
+    from: Vector<f64>,
+    away: f64,
+) -> Question<Triangle<f64>> {
+    let [a, b, c] = corners;
+    let (alpha, beta) = (random.within(-0.3, 1.0), random.within(-0.3, 1.0));
+    let target = a + (b - a) * alpha + (c - a) * beta;
+    let direction = from * -random.within(0.5, 2.0);
+    let ray = Ray {
+        origin: target + from * away,
+        direction,
+    };
+    Question {
+        shape: Triangle { corners },
+        ray,
+        min_t: 0.0,
+    }
+}
+
+/// Corners that coincide, or lie in a line: exactly, for they are multiples of 1/1024.
+fn flat(random: &mut Random, kind: i32) -> Question<Triangle<f64>> {
+    let coarse = |vector: Vector<f64>| vector.map(|x| (x * 1024.0).round() / 1024.0);
+    let (a, along) = (coarse(random.unit()), coarse(random.unit()));
+    let at = random.within(0.0, 1.0);
+    let corners = match kind {
+        0 => [a, a, a],
+        1 => [a, a + along, a + along],
+        2 => [a, a + along, a + along * 0.25],
+        _ => [a, a + along, a + along * at],
+    };
+    let from = random.unit();
+    let target = a + along * at;
+    let ray = Ray {
+        origin: target + from * 3.0,
+        direction: target - (target + from * 3.0),
+    };
+    Question {
+        shape: Triangle { corners },
+        ray,
+        min_t: 0.0,
+    }
+}

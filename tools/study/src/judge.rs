@@ -1,0 +1,147 @@
+//! One kernel's answers to one set of questions, against the truth.
+
+use serde::{Deserialize, Serialize};
+
+use crate::contestant::Contestant;
+use crate::oracle::{Known, Truth};
+use crate::question::Question;
+
+/// What came of it. Ties are counted, and otherwise left out; so are questions whose t
+/// is larger than the type's largest number.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub struct Tally {
+    /// Questions that count.
+    pub asked: u64,
+    /// Questions decided by an exact equality.
+    pub ties: u64,
+    /// Questions to which the true answer is a hit.
+    pub hits: u64,
+    /// Answered with a hit where there is none.
+    pub false_hits: u64,
+    /// Answered with a miss where there is a hit.
+    pub false_misses: u64,
+    /// Answered with t of a sphere's other side.
+    pub wrong_roots: u64,
+    /// Hits whose t is infinite or NaN.
+    pub not_finite: u64,
+    /// Of the wrong and the not finite: right when all numbers are scaled by powers of
+    /// two to be near 1. Nothing but overflow or underflow explains that.
+    pub out_of_range: u64,
+    /// Of these, wrong without a sign of it: a miss, or a number.
+    pub silent: u64,
+    /// The median error of t over true hits that were answered with a finite t, in ulp.
+    pub median_ulp: Option<f64>,
+    /// The largest.
+    pub worst_ulp: Option<f64>,
+}
+
+impl Tally {
+    /// All decisions that are wrong.
+    pub fn wrong(&self) -> u64 {
+        self.false_hits + self.false_misses + self.wrong_roots
+    }
+
+    /// The share of wrong decisions.
+    pub fn wrong_share(&self) -> f64 {
+        self.wrong() as f64 / self.asked.max(1) as f64
+    }
+}
+
+/// With no wrong decision in n, the true share is at most 3/n with 95 % confidence
+/// (Hanley & Lippman-Hand, "If nothing goes wrong, is everything all right?", *JAMA*
+/// 249, 1983: the rule of three).
+pub fn rule_of_three(asked: u64) -> f64 {
+    3.0 / asked.max(1) as f64
+}
+
+/// One answer, judged.
+enum Verdict {
+    Right(Option<f64>),
+    FalseHit,
+    FalseMiss,
+    WrongRoot,
+    NotFinite,
+}
+
+fn verdict<S: Known>(
+    kernel: &Contestant<S>,
+    question: &Question<S>,
+    truth: &Truth,
+    answer: Option<f64>,
+) -> Verdict {
+    match (&truth.t, answer) {
+        (_, Some(t)) if !t.is_finite() => Verdict::NotFinite,
+        (None, None) => Verdict::Right(None),
+        (None, Some(_)) => Verdict::FalseHit,
+        (Some(_), None) => Verdict::FalseMiss,
+        (Some(root), Some(t)) => {
+            let error = root.error_in_ulp(t, kernel.data);
+            let other = truth.other.as_ref().map(|other| other.value());
+            let apart = other.map_or(0.0, |other| root.error_in_ulp(other, kernel.data));
+            match other.filter(|_| apart > APART) {
+                Some(other) if is_of_other_side(question, root.value(), other, t) => {
+                    Verdict::WrongRoot
+                }
+                _ => Verdict::Right(Some(error)),
+            }
+        }
+    }
+}
+
+/// Roots nearer to each other than so many ulp are not told apart: from very far away
+/// even the best t in the type may be nearer to the other one.
+const APART: f64 = 64.0;
+
+/// Whether t is nearer to the other root, where the two are further apart than the
+/// radius. (Nearly tangent roots are not told apart either; their error is measured.)
+fn is_of_other_side<S: Known>(question: &Question<S>, root: f64, other: f64, t: f64) -> bool {
+    let [lengths, _, direction] = question.numbers();
+    // A sphere's numbers end with its radius.
+    let radius = lengths.last().copied().unwrap_or(0.0).abs();
+    let length = direction.into_iter().fold(0.0, f64::hypot);
+    (other - root).abs() > radius / length && (t - other).abs() < (t - root).abs()
+}
+
+/// A kernel's answers to questions whose truths are known.
+pub fn judge<S: Known>(
+    kernel: &Contestant<S>,
+    questions: &[Question<S>],
+    truths: &[Truth],
+) -> Tally {
+    let mut tally = Tally::default();
+    let mut errors = Vec::new();
+    for (question, truth) in questions.iter().zip(truths) {
+        if truth.is_tie {
+            tally.ties += 1;
+            continue;
+        }
+        if truth.t.as_ref().is_some_and(|t| !t.fits(kernel.data)) {
+            continue;
+        }
+        tally.asked += 1;
+        tally.hits += u64::from(truth.t.is_some());
+        let answer = (kernel.answer)(question);
+        let fault = match verdict(kernel, question, truth, answer) {
+            Verdict::Right(error) => {
+                errors.extend(error);
+                continue;
+            }
+            Verdict::FalseHit => &mut tally.false_hits,
+            Verdict::FalseMiss => &mut tally.false_misses,
+            Verdict::WrongRoot => &mut tally.wrong_roots,
+            Verdict::NotFinite => &mut tally.not_finite,
+        };
+        *fault += 1;
+        let near_one = question.normalized().rounded(kernel.data);
+        let again = (kernel.answer)(&near_one);
+        let truth = S::truth(&near_one);
+        if matches!(verdict(kernel, &near_one, &truth, again), Verdict::Right(_)) {
+            tally.out_of_range += 1;
+            tally.silent += u64::from(answer.is_none_or(f64::is_finite));
+        }
+    }
+    errors.sort_by(f64::total_cmp);
+    tally.median_ulp = errors.get(errors.len() / 2).copied();
+    tally.worst_ulp = errors.last().copied();
+    tally
+}

@@ -1,0 +1,21 @@
+//! Triangles: e + t d on the triangle a, b, c, edges included.
+
+mod adaptive;
+mod cramer;
+mod double_double;
+mod edge_functions;
+mod exact;
+mod moller_trumbore;
+mod moller_trumbore_epsilon;
+mod woop;
+mod woop_once;
+
+pub use adaptive::{Adaptive, Budget, filtered, filtered_within};
+pub use cramer::Cramer;
+pub use double_double::DoubleDouble;
+pub use edge_functions::EdgeFunctions;
+pub use exact::exact;
+pub use moller_trumbore::MollerTrumbore;
+pub use moller_trumbore_epsilon::MollerTrumboreEpsilon;
+pub use woop::Woop;
+pub use woop_once::WoopOnce;

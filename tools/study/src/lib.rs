@@ -1,0 +1,44 @@
+//! The trade between speed and accuracy in ray casting, measured.
+//!
+//! Reading order:
+//!
+//! 1. [`number`], [`vector`], [`shape`]: the lecture's words, generic over the type of
+//!    numbers;
+//! 2. [`kernel`]: ways to intersect a ray with a shape, one file for each, and what some
+//!    of them compute with: [`double_double`], [`dyadic`], [`leading`],
+//!    [`root`];
+//! 3. [`question`], [`family`], [`random`]: what they are asked;
+//! 4. [`oracle`], [`judge`], [`breaking`]: what is true, what is wrong, what is broken;
+//! 5. [`contestant`], [`contestants`], [`speed`], [`instructions`]: who takes part, and
+//!    what each costs;
+//! 6. [`cast`], [`film`], [`scenes`]: whole scenes;
+//! 7. [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the whole,
+//!    and how it is told.
+
+pub mod breaking;
+pub mod cast;
+pub mod contestant;
+pub mod contestants;
+pub mod double_double;
+pub mod dyadic;
+pub mod family;
+pub mod film;
+pub mod instructions;
+pub mod judge;
+pub mod kernel;
+pub mod leading;
+pub mod number;
+pub mod oracle;
+pub mod plots;
+pub mod provenance;
+pub mod question;
+pub mod random;
+pub mod result;
+pub mod root;
+pub mod run;
+pub mod scenes;
+pub mod shape;
+pub mod speed;
+pub mod summary;
+pub mod targets;
+pub mod vector;

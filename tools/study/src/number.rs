@@ -1,0 +1,135 @@
+//! What a kernel needs of a number, so that one text serves `f32` and `f64`.
+
+use std::fmt::Debug;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// `f32` or `f64`: a binary floating-point number, rounded to nearest (IEEE 754).
+pub trait Real:
+    Copy
+    + Debug
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + Send
+    + Sync
+    + 'static
+{
+    /// How tables call it.
+    const NAME: &'static str;
+    /// 0.
+    const ZERO: Self;
+    /// 1.
+    const ONE: Self;
+    /// The largest relative error of one rounding: 2⁻²⁴ or 2⁻⁵³.
+    const UNIT_ROUNDOFF: Self;
+    /// The square root of [`Real::UNIT_ROUNDOFF`], rounded up.
+    const ROOT_OF_UNIT: Self;
+    /// The smallest number with all its digits; below it, products lose some.
+    const TINY: Self;
+    /// The nearest number of this type.
+    fn of(value: f64) -> Self;
+    /// The same number as an `f64`.
+    fn wide(self) -> f64;
+    /// The square root, correctly rounded.
+    fn sqrt(self) -> Self;
+    /// self × factor + summand with a single rounding.
+    fn mul_add(self, factor: Self, summand: Self) -> Self;
+    /// The magnitude.
+    fn abs(self) -> Self;
+    /// The larger of two numbers.
+    fn max(self, other: Self) -> Self;
+    /// The magnitude of one number with the sign of another.
+    fn copysign(self, sign: Self) -> Self;
+    /// Neither infinite nor NaN.
+    fn is_finite(self) -> bool;
+    /// self × 2^`power`, exact unless the result leaves the type's range.
+    fn times_power_of_two(self, power: i32) -> Self;
+}
+
+/// The e of 2^e ≤ |value| < 2^(e + 1); that of 1 for what has none.
+#[inline]
+pub fn exponent(value: f64) -> i32 {
+    let field = |bits: u64| ((bits >> 52) & 0x7ff) as i32;
+    match field(value.to_bits()) {
+        0x7ff => 0,
+        0 if value == 0.0 => 0,
+        0 => field((value * 2f64.powi(64)).to_bits()) - 1023 - 64,
+        e => e - 1023,
+    }
+}
+
+macro_rules! real {
+    ($type:ident, $bits:ident, $mantissa:expr, $unit:expr, $root:expr) => {
+        impl Real for $type {
+            const NAME: &'static str = stringify!($type);
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            const UNIT_ROUNDOFF: Self = $unit;
+            const ROOT_OF_UNIT: Self = $root;
+            const TINY: Self = $type::MIN_POSITIVE;
+            #[inline(always)]
+            fn of(value: f64) -> Self {
+                value as $type
+            }
+            #[inline(always)]
+            fn wide(self) -> f64 {
+                self.into()
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                self.sqrt()
+            }
+            #[inline(always)]
+            fn mul_add(self, factor: Self, summand: Self) -> Self {
+                self.mul_add(factor, summand)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                self.abs()
+            }
+            #[inline(always)]
+            fn max(self, other: Self) -> Self {
+                if self > other { self } else { other }
+            }
+            #[inline(always)]
+            fn copysign(self, sign: Self) -> Self {
+                self.copysign(sign)
+            }
+            #[inline(always)]
+            fn is_finite(self) -> bool {
+                self.is_finite()
+            }
+            #[inline(always)]
+            fn times_power_of_two(self, power: i32) -> Self {
+                let two_to = |power: i32| {
+                    $type::from_bits(((power + $type::MAX_EXP - 1) as $bits) << $mantissa)
+                };
+                if power.abs() < $type::MAX_EXP - 1 {
+                    return self * two_to(power);
+                }
+                // 2^power itself may be out of range: three factors are not, or leave it too.
+                #[cold]
+                #[inline(never)]
+                fn by_three(value: $type, power: i32, two_to: impl Fn(i32) -> $type) -> $type {
+                    let two_to =
+                        |power: i32| two_to(power.clamp(2 - $type::MAX_EXP, $type::MAX_EXP - 1));
+                    let (third, rest) = (power / 3, power - 2 * (power / 3));
+                    value * two_to(third) * two_to(third) * two_to(rest)
+                }
+                by_three(self, power, two_to)
+            }
+        }
+    };
+}
+
+real!(f32, u32, 23, 5.960_464_5e-8, 2.441_406_3e-4);
+real!(
+    f64,
+    u64,
+    52,
+    1.110_223_024_625_156_5e-16,
+    1.053_671_212_772_351e-8
+);

@@ -1,0 +1,26 @@
+use super::{Exact, Known, Root, Truth, fraction, sign};
+use crate::question::Question;
+use crate::shape::Plane;
+
+impl Known for Plane<f64> {
+    /// t = n·(p − e) / n·d, unless n·d is exactly 0.
+    fn truth(question: &Question<Self>) -> Truth {
+        let Question { shape, ray, min_t } = question;
+        let normal = Exact::of(shape.normal);
+        let along = normal.dot(&Exact::of(ray.direction));
+        let height = normal.dot(&Exact::of(shape.point).minus(&Exact::of(ray.origin)));
+        if sign(&along) == 0 {
+            return Truth::miss(sign(&height) == 0);
+        }
+        let t = height / along;
+        let beyond = sign(&(&t - fraction(*min_t)));
+        match beyond < 0 {
+            true => Truth::miss(false),
+            false => Truth {
+                t: Some(Root::from(t)),
+                other: None,
+                is_tie: beyond == 0,
+            },
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! What a ray truly meets first in a scene: every part by exact arithmetic, but for those
+//! that it passes by far. Nothing here is shared with what casts scenes.
+
+use std::cmp::Ordering;
+
+use super::{Exact, Known, Root, Truth, sign};
+use crate::cast::world::{Part, Primitive};
+use crate::question::Question;
+use crate::shape::Ray;
+use crate::vector::Vector;
+
+/// What a ray truly meets.
+#[derive(Clone, Debug)]
+pub struct Sight<'a> {
+    /// Met first, and where; or nothing.
+    pub first: Option<(&'a Part, Truth)>,
+    /// What may be said instead, for an exact equality decides: objects touched on an
+    /// edge or a tangent before the first, or together with it.
+    pub also: Vec<u32>,
+    /// Whether nothing may be said too, for all that is met is touched only.
+    pub may_be_nothing: bool,
+}
+
+impl Sight<'_> {
+    /// Whether this is what one sees.
+    pub fn allows(&self, object: Option<u32>) -> bool {
+        let first = self.first.as_ref().map(|(part, _)| part.object);
+        match object {
+            None => first.is_none() || self.may_be_nothing,
+            Some(object) => first == Some(object) || self.also.contains(&object),
+        }
+    }
+}
+
+/// What a ray meets first, from `min_t` on.
+pub fn sight<'a>(parts: &'a [Part], ray: &Ray<f64>, min_t: f64) -> Sight<'a> {
+    let near = parts
+        .iter()
+        .filter(|part| !is_passed_by_far(&part.shape, ray));
+    let mut met: Vec<(&Part, Truth)> = near
+        .map(|part| (part, truth(&part.shape, ray, min_t)))
+        .filter(|(_, truth)| truth.t.is_some())
+        .collect();
+    met.sort_by(|(p, one), (q, other)| order(one, other).then(p.place.cmp(&q.place)));
+    let touched = met.iter().take_while(|(_, truth)| truth.is_tie).count();
+    let last = met.get(touched.min(met.len().saturating_sub(1)));
+    let together = met
+        .iter()
+        .filter(|(_, truth)| last.is_some_and(|(_, last)| order(truth, last) != Ordering::Greater));
+    Sight {
+        also: together.map(|(part, _)| part.object).collect(),
+        may_be_nothing: touched == met.len(),
+        first: met.into_iter().next(),
+    }
+}
+
+fn truth(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> Truth {
+    fn of<S: Known>(shape: S, ray: &Ray<f64>, min_t: f64) -> Truth {
+        S::truth(&Question {
+            shape,
+            ray: *ray,
+            min_t,
+        })
+    }
+    match shape {
+        Primitive::Sphere(shape) => of(*shape, ray, min_t),
+        Primitive::Plane(shape) => of(*shape, ray, min_t),
+        Primitive::Triangle(shape) => of(*shape, ray, min_t),
+    }
+}
+
+/// The unit outward normal where a ray meets a shape at `t`: rounded only when its three
+/// numbers are known.
+pub fn normal(shape: &Primitive, ray: &Ray<f64>, t: &Root) -> Vector<f64> {
+    let along = match shape {
+        Primitive::Plane(plane) => Exact::of(plane.normal),
+        Primitive::Triangle(triangle) => {
+            let [a, b, c] = triangle.corners.map(Exact::of);
+            b.minus(&a).cross(&c.minus(&a))
+        }
+        Primitive::Sphere(sphere) => {
+            let from_center = Exact::of(ray.origin).minus(&Exact::of(sphere.center));
+            let [e, d] = [from_center.0, Exact::of(ray.direction).0];
+            let at = e.iter().zip(&d).map(|(e, d)| e + &t.exact * d);
+            Exact(at.collect::<Vec<_>>().try_into().expect("three of them"))
+        }
+    };
+    let [x, y, z] = along.0.map(|number| number.to_f64().value());
+    let along = Vector::new(x, y, z);
+    along * (1.0 / along.dot(along).sqrt())
+}
+
+/// By t: fractions are compared as they are; a sphere's root is known to more than 300
+/// bits, and what agrees in 280 of them is taken for equal.
+fn order(one: &Truth, other: &Truth) -> Ordering {
+    let (Some(p), Some(q)) = (&one.t, &other.t) else {
+        return one.t.is_none().cmp(&other.t.is_none());
+    };
+    let apart = &p.exact - &q.exact;
+    let grain = &p.exact * super::fraction(2f64.powi(-280));
+    match sign(&(&apart * &apart - &grain * &grain)) > 0 {
+        true => sign(&apart).cmp(&0),
+        false => Ordering::Equal,
+    }
+}
+
+/// Whether a line passes a shape at more than its size and a millionth of how far off it
+/// is: too far for roundings to matter in numbers whose squares are floats.
+fn is_passed_by_far(shape: &Primitive, ray: &Ray<f64>) -> bool {
+    let (middle, radius) = match shape {
+        Primitive::Plane(_) => return false,
+        Primitive::Sphere(sphere) => (sphere.center, sphere.radius),
+        Primitive::Triangle(triangle) => {
+            let [a, b, c] = triangle.corners;
+            let reach = |p: Vector<f64>| (p - a).dot(p - a).sqrt();
+            (a, reach(b).max(reach(c)))
+        }
+    };
+    let to = middle - ray.origin;
+    let across = to.cross(ray.direction);
+    let (length, distance) = (ray.direction.dot(ray.direction), to.dot(to));
+    let size = radius + 1e-6 * (radius + distance.sqrt());
+    across.dot(across) > size * size * length * (1.0 + 1e-6)
+}

@@ -1,0 +1,39 @@
+use super::{Exact, Known, Root, Truth, fraction, sign};
+use crate::question::Question;
+use crate::shape::Triangle;
+
+impl Known for Triangle<f64> {
+    /// e − a = α t₁ + β t₂ − t d by Cramer's rule, in fractions: the determinant of three
+    /// columns, and the same with each replaced by e − a. Edges belong to the triangle,
+    /// and whatever touches one is a tie.
+    fn truth(question: &Question<Self>) -> Truth {
+        let Question { shape, ray, min_t } = question;
+        let [a, b, c] = shape.corners.map(Exact::of);
+        let (t1, t2, d) = (b.minus(&a), c.minus(&a), Exact::of(ray.direction));
+        let from_a = Exact::of(ray.origin).minus(&a);
+        // |t₁ t₂ −d| = −d·(t₁ × t₂), and so on.
+        let normal = t1.cross(&t2);
+        let determinant = -d.dot(&normal);
+        if sign(&determinant) == 0 {
+            return Truth::miss(false);
+        }
+        let alpha = d.dot(&t2.cross(&from_a)) / &determinant;
+        let beta = d.dot(&from_a.cross(&t1)) / &determinant;
+        let rest = fraction(1.0) - &alpha - &beta;
+        let signs = [sign(&alpha), sign(&beta), sign(&rest)];
+        if signs.contains(&-1) {
+            return Truth::miss(false);
+        }
+        let t = from_a.dot(&normal) / &determinant;
+        let beyond = sign(&(&t - fraction(*min_t)));
+        let is_tie = signs.contains(&0) || beyond == 0;
+        match beyond < 0 {
+            true => Truth::miss(false),
+            false => Truth {
+                t: Some(Root::from(t)),
+                other: None,
+                is_tie,
+            },
+        }
+    }
+}

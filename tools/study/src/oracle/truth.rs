@@ -1,0 +1,105 @@
+use dashu_int::UBig;
+use dashu_int::ops::BitTest;
+use dashu_ratio::Relaxed;
+
+use super::{fraction, sign};
+use crate::number::{Real, exponent};
+use crate::question::Data;
+
+/// The true answer to a question.
+#[derive(Clone, Debug)]
+pub struct Truth {
+    /// The first intersection, if there is one.
+    pub t: Option<Root>,
+    /// A sphere's other root, with which the first may be confused.
+    pub other: Option<Root>,
+    /// Whether it is decided by an exact equality: tangent, on an edge, t = min_t. Such
+    /// a question has an answer, but no kernel is blamed for another.
+    pub is_tie: bool,
+}
+
+impl Truth {
+    /// A plain miss, or a miss by a hair.
+    pub fn miss(is_tie: bool) -> Truth {
+        Truth {
+            t: None,
+            other: None,
+            is_tie,
+        }
+    }
+}
+
+/// A true t: exact, or to more than 300 bits.
+#[derive(Clone, Debug)]
+pub struct Root {
+    /// The number itself.
+    pub exact: Relaxed,
+    /// `exact` = (`high` + `low`) × 2^`exponent`, to 106 bits, |`high`| from 1 to 2.
+    high: f64,
+    low: f64,
+    exponent: i32,
+}
+
+impl From<Relaxed> for Root {
+    fn from(exact: Relaxed) -> Root {
+        if sign(&exact) == 0 {
+            return Root {
+                exact,
+                high: 0.0,
+                low: 0.0,
+                exponent: -100_000,
+            };
+        }
+        let (_, numerator) = exact.numerator().clone().into_parts();
+        let guess = numerator.bit_len() as i32 - exact.denominator().bit_len() as i32;
+        let shift = |power: i32| match power >= 0 {
+            true => Relaxed::from(UBig::ONE << power as usize),
+            false => fraction(1.0) / Relaxed::from(UBig::ONE << -power as usize),
+        };
+        let near_one = &exact * shift(-guess);
+        let adjust = exponent(near_one.to_f64().value());
+        let scaled = near_one * shift(-adjust);
+        let high = scaled.to_f64().value();
+        let low = (scaled - fraction(high)).to_f64().value();
+        Root {
+            exact,
+            high,
+            low,
+            exponent: guess + adjust,
+        }
+    }
+}
+
+impl Root {
+    /// Whether a type has numbers as large as this.
+    pub fn fits(&self, data: Data) -> bool {
+        self.exponent <= exponent(data.largest()) && self.value().abs() <= data.largest()
+    }
+
+    /// The nearest `f64`.
+    pub fn value(&self) -> f64 {
+        let power = self.exponent.clamp(-3000, 3000);
+        self.high.times_power_of_two(power)
+    }
+
+    /// How far an answer is from it, as a part of it.
+    pub fn relative_error(&self, answer: f64) -> f64 {
+        let near_one = answer.times_power_of_two(-self.exponent);
+        match self.high == 0.0 {
+            true => answer.abs(),
+            false => ((near_one - self.high) - self.low).abs() / self.high.abs(),
+        }
+    }
+
+    /// How far an answer is from it, in units in the last place of the true t as a
+    /// number of that type.
+    pub fn error_in_ulp(&self, answer: f64, data: Data) -> f64 {
+        let last_place = (self.exponent - data.digits() + 1).max(data.smallest_exponent());
+        if self.high == 0.0 {
+            return answer.abs().times_power_of_two((-last_place).min(2000));
+        }
+        let near_one = answer.times_power_of_two(-self.exponent);
+        let error = ((near_one - self.high) - self.low).abs();
+        error.times_power_of_two(self.exponent - last_place)
+    }
+}

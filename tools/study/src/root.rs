@@ -1,0 +1,103 @@
+//! Exact answers, before anything is rounded: what tells which of two shapes comes first
+//! where their t agree in every digit of a float.
+
+use std::cmp::Ordering;
+
+use crate::dyadic::Dyadic;
+use crate::leading::Leading;
+use crate::number::Real;
+
+/// (`rational` ± √`radicand`) / `divisor`: a root of a linear or a quadratic equation.
+#[derive(Clone, Debug)]
+pub struct Root {
+    rational: Dyadic,
+    /// −1 or 1.
+    sign: i32,
+    /// Not negative.
+    radicand: Dyadic,
+    /// Positive.
+    divisor: Dyadic,
+}
+
+impl Root {
+    /// A fraction; its divisor is not 0.
+    pub fn fraction(numerator: Dyadic, divisor: Dyadic) -> Root {
+        debug_assert!(divisor.sign() != 0, "nothing is divided by 0");
+        let is_negative = divisor.sign() < 0;
+        let upright = |x: Dyadic| if is_negative { -x } else { x };
+        Root {
+            rational: upright(numerator),
+            sign: 1,
+            radicand: Dyadic::of(0.0),
+            divisor: upright(divisor),
+        }
+    }
+
+    /// (`rational` + `sign` √`radicand`) / `divisor`, where the last two are not negative.
+    pub fn quadratic(rational: Dyadic, sign: i32, radicand: Dyadic, divisor: Dyadic) -> Root {
+        debug_assert!(radicand.sign() >= 0 && divisor.sign() > 0 && sign.abs() == 1);
+        Root {
+            rational,
+            sign,
+            radicand,
+            divisor,
+        }
+    }
+
+    /// The nearest number of a type, from more than a hundred bits: where the two terms
+    /// would cancel, p + s = (p² − s²) / (p − s).
+    pub fn rounded<F: Real>(&self) -> F {
+        let root = Leading::from(&self.radicand).sqrt();
+        let root = if self.sign < 0 { -root } else { root };
+        let (rational, divisor) = (Leading::from(&self.rational), Leading::from(&self.divisor));
+        let cancels = self.rational.sign() * self.sign < 0 && self.radicand.sign() > 0;
+        let numerator = match cancels {
+            false => rational + root,
+            true => {
+                let squares = &(&self.rational * &self.rational) - &self.radicand;
+                Leading::from(&squares) / (rational + -root)
+            }
+        };
+        (numerator / divisor).rounded()
+    }
+
+    /// Which is smaller, whatever their digits.
+    pub fn compare(&self, other: &Root) -> Ordering {
+        // The difference times both divisors is a + b √self.radicand + c √other.radicand.
+        let a = &(&self.rational * &other.divisor) - &(&other.rational * &self.divisor);
+        let signed = |sign: i32, factor: &Dyadic| match sign < 0 {
+            true => -factor.clone(),
+            false => factor.clone(),
+        };
+        let b = signed(self.sign, &other.divisor);
+        let c = signed(-other.sign, &self.divisor);
+        let first = sign_of(&a, &b, &self.radicand);
+        let second = c.sign() * other.radicand.sign();
+        let sign = match first * second {
+            0.. => first + second,
+            _ => {
+                let of_a = &(&a * &a) + &(&(&b * &b) * &self.radicand);
+                let squares = &of_a - &(&(&c * &c) * &other.radicand);
+                let twice = &Dyadic::of(2.0) * &(&a * &b);
+                first * sign_of(&squares, &twice, &self.radicand)
+            }
+        };
+        sign.cmp(&0)
+    }
+}
+
+/// An exact answer as a kernel gives it; none where the type has no number as large.
+pub fn rounded<F: Real>(root: Option<Root>) -> Option<F> {
+    let t = root.map(|root| root.rounded());
+    t.filter(|t: &F| t.is_finite())
+}
+
+/// The sign of a + b √`radicand`: where the terms have opposite signs, the larger square
+/// decides.
+fn sign_of(a: &Dyadic, b: &Dyadic, radicand: &Dyadic) -> i32 {
+    let (first, second) = (a.sign(), b.sign() * radicand.sign());
+    match first * second {
+        0.. => (first + second).signum(),
+        _ => first * (&(a * a) - &(&(b * b) * radicand)).sign(),
+    }
+}

@@ -1,0 +1,193 @@
+//! Whole scenes: every model and every search on every scene's own rays, judged pixel by
+//! pixel, and timed in turns.
+
+use std::hint::black_box;
+use std::path::{Path, PathBuf};
+
+use pinhole::{Film, Scene};
+use rayon::prelude::*;
+
+use crate::cast::model::{Exact, Model, Plain};
+use crate::cast::rays::rays;
+use crate::cast::world::World;
+use crate::cast::{Caster, Search, Tally};
+use crate::oracle::scene::{Sight, normal, sight};
+use crate::result::SceneTally;
+use crate::shape::Ray;
+use crate::speed::now;
+use crate::vector::Vector;
+
+/// How much of every scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Share {
+    /// Every so many rays are cast; 1 for all.
+    pub step: usize,
+    /// Films by each model and search.
+    pub rounds: usize,
+}
+
+/// What somebody says is seen: object, t and normal.
+type Seen = Option<(u32, f64, Vector<f64>)>;
+
+/// One way to cast a scene.
+struct Way {
+    model: &'static str,
+    search: Search,
+    see: fn(&Caster, Search, &Ray<f64>, f64, &mut Tally) -> Seen,
+    time: fn(&Caster, Search, &[Ray<f64>], f64) -> f64,
+}
+
+impl Way {
+    fn of<M: Model>(search: Search) -> Way {
+        Way {
+            model: M::NAME,
+            search,
+            see: see::<M>,
+            time: time::<M>,
+        }
+    }
+}
+
+fn see<M: Model>(
+    caster: &Caster,
+    search: Search,
+    ray: &Ray<f64>,
+    min_t: f64,
+    tally: &mut Tally,
+) -> Seen {
+    let found = caster.first::<M>(search, ray, min_t, tally)?;
+    let point = ray.origin + ray.direction * found.t;
+    Some((found.part.object, found.t, found.part.shape.normal(point)))
+}
+
+/// CPU time of this thread for all rays, in nanoseconds for each.
+#[inline(never)]
+fn time<M: Model>(caster: &Caster, search: Search, rays: &[Ray<f64>], min_t: f64) -> f64 {
+    let start = now();
+    for ray in black_box(rays) {
+        black_box(caster.first::<M>(search, ray, min_t, &mut Tally::default()));
+    }
+    (now() - start).as_secs_f64() * 1e9 / rays.len() as f64
+}
+
+fn ways() -> [Way; 4] {
+    [
+        Way::of::<Plain>(Search::BruteForce),
+        Way::of::<Exact>(Search::BruteForce),
+        Way::of::<Plain>(Search::Boxes),
+        Way::of::<Exact>(Search::Boxes),
+    ]
+}
+
+/// The assignment's scenes, in order of their names.
+pub fn files() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assignments/ray_casting/scenes");
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
+    files.retain(|file| file.extension().is_some_and(|kind| kind == "toml"));
+    files.sort();
+    files
+}
+
+/// Mitsuba's film of a scene of the assignment.
+fn golden(name: &str) -> Option<Film> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../golden/ray_casting");
+    Film::read(&folder.join(format!("{name}.exr"))).ok()
+}
+
+/// Every way on one scene, and Mitsuba's film of it if there is one.
+pub fn studied(file: &Path, share: Share) -> Result<Vec<SceneTally>, pinhole::Error> {
+    let scene = Scene::read(file)?;
+    let name = file.file_stem().unwrap_or_default().to_string_lossy();
+    let caster = Caster::new(World::of(&scene.objects));
+    let rays: Vec<_> = rays(&scene).into_iter().step_by(share.step).collect();
+    let truths: Vec<_> = rays
+        .par_iter()
+        .map(|ray| sight(&caster.world.parts, ray, scene.min_t))
+        .collect();
+    let mut tallies = Vec::new();
+    for (way, nanoseconds) in ways()
+        .iter()
+        .zip(race(&caster, &rays, scene.min_t, share.rounds))
+    {
+        let mut tally = Tally::default();
+        let seen = rays
+            .iter()
+            .map(|ray| (way.see)(&caster, way.search, ray, scene.min_t, &mut tally));
+        let judged = judged(&rays, &truths, seen);
+        tallies.push(SceneTally {
+            scene: name.clone().into(),
+            model: way.model.into(),
+            search: Some(way.search.name().into()),
+            parts: caster.world.parts.len() as u64,
+            nanoseconds: Some(nanoseconds),
+            tests: Some(tally.tests as f64 / rays.len() as f64),
+            fallbacks: tally.fallbacks,
+            close_calls: tally.close_calls,
+            ..judged
+        });
+    }
+    if let Some(film) = golden(&name) {
+        let seen = seen_in(&film).into_iter().step_by(share.step);
+        tallies.push(SceneTally {
+            scene: name.into(),
+            model: "Mitsuba".into(),
+            parts: caster.world.parts.len() as u64,
+            ..judged(&rays, &truths, seen)
+        });
+    }
+    Ok(tallies)
+}
+
+/// Nanoseconds for a ray by each of the [`ways`], which take turns: medians.
+fn race(caster: &Caster, rays: &[Ray<f64>], min_t: f64, rounds: usize) -> Vec<f64> {
+    let mut times = vec![Vec::new(); ways().len()];
+    for _ in 0..rounds {
+        for (way, times) in ways().iter().zip(&mut times) {
+            times.push((way.time)(caster, way.search, rays, min_t));
+        }
+    }
+    let median = |mut times: Vec<f64>| {
+        times.sort_by(f64::total_cmp);
+        times[times.len() / 2]
+    };
+    times.into_iter().map(median).collect()
+}
+
+/// What a film of hits says, pixel by pixel.
+fn seen_in(film: &Film) -> Vec<Seen> {
+    let channels = pinhole::film::HIT_CHANNELS.map(|name| film.channel(name).unwrap_or_default());
+    let pixel = |at: usize| {
+        let [id, t, x, y, z] = channels.map(|samples| f64::from(samples[at]));
+        (id >= 0.0).then(|| (id as u32, t, Vector::new(x, y, z)))
+    };
+    (0..film.resolution().pixels()).map(pixel).collect()
+}
+
+fn judged(rays: &[Ray<f64>], truths: &[Sight], seen: impl Iterator<Item = Seen>) -> SceneTally {
+    let mut tally = SceneTally {
+        rays: rays.len() as u64,
+        ..SceneTally::default()
+    };
+    let mut errors = Vec::new();
+    for ((ray, truth), seen) in rays.iter().zip(truths).zip(seen) {
+        if !truth.allows(seen.map(|(object, ..)| object)) {
+            tally.wrong_ids += 1;
+            continue;
+        }
+        let Some(((part, met), (object, t, direction))) = truth.first.as_ref().zip(seen) else {
+            continue;
+        };
+        let Some(root) = met.t.as_ref().filter(|_| part.object == object) else {
+            continue;
+        };
+        errors.push(root.relative_error(t));
+        let off = normal(&part.shape, ray, root).cross(direction);
+        let angle = off.dot(off).sqrt().min(1.0).asin();
+        tally.worst_normal = Some(tally.worst_normal.unwrap_or(0.0).max(angle));
+    }
+    errors.sort_by(f64::total_cmp);
+    tally.median_t = errors.get(errors.len() / 2).copied();
+    tally.worst_t = errors.last().copied();
+    tally
+}

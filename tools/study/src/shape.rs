@@ -1,0 +1,88 @@
+//! The harness's ray and shapes, with numbers of either type.
+
+use crate::number::Real;
+use crate::vector::Vector;
+
+/// p(t) = origin + t direction; the direction is not unit length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray<F> {
+    /// Where t = 0.
+    pub origin: Vector<F>,
+    /// From t = 0 to t = 1.
+    pub direction: Vector<F>,
+}
+
+/// All points at distance `radius` from `center`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere<F> {
+    /// Its middle.
+    pub center: Vector<F>,
+    /// Positive.
+    pub radius: F,
+}
+
+/// All points p with (p − `point`) · `normal` = 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane<F> {
+    /// Any point of it.
+    pub point: Vector<F>,
+    /// Not unit length.
+    pub normal: Vector<F>,
+}
+
+/// A flat triangle, edges included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Triangle<F> {
+    /// Its corners a, b, c.
+    pub corners: [Vector<F>; 3],
+}
+
+/// What can be asked about a shape of either type of number: all that the instrument
+/// needs to round a question, to scale it and to spoil it.
+pub trait Shape: Copy + Send + Sync + 'static {
+    /// The same shape with other numbers.
+    type With<G: Real>: Copy;
+    /// Each number replaced by a function of it, lengths by one function, everything
+    /// that has no length (a plane's normal) by another.
+    fn map<G: Real>(&self, length: impl Fn(f64) -> G, free: impl Fn(f64) -> G) -> Self::With<G>;
+}
+
+impl Shape for Sphere<f64> {
+    type With<G: Real> = Sphere<G>;
+    fn map<G: Real>(&self, length: impl Fn(f64) -> G, _: impl Fn(f64) -> G) -> Sphere<G> {
+        Sphere {
+            center: self.center.map(&length),
+            radius: length(self.radius),
+        }
+    }
+}
+
+impl Shape for Plane<f64> {
+    type With<G: Real> = Plane<G>;
+    fn map<G: Real>(&self, length: impl Fn(f64) -> G, free: impl Fn(f64) -> G) -> Plane<G> {
+        Plane {
+            point: self.point.map(length),
+            normal: self.normal.map(free),
+        }
+    }
+}
+
+impl Shape for Triangle<f64> {
+    type With<G: Real> = Triangle<G>;
+    fn map<G: Real>(&self, length: impl Fn(f64) -> G, _: impl Fn(f64) -> G) -> Triangle<G> {
+        Triangle {
+            corners: self.corners.map(|corner| corner.map(&length)),
+        }
+    }
+}
+
+impl Ray<f64> {
+    /// Each number replaced by a function of it.
+    #[inline(always)]
+    pub fn map<G: Real>(&self, length: impl Fn(f64) -> G, direction: impl Fn(f64) -> G) -> Ray<G> {
+        Ray {
+            origin: self.origin.map(length),
+            direction: self.direction.map(direction),
+        }
+    }
+}

@@ -1,0 +1,37 @@
+//! The older figures: field notes, section 5.
+
+/// Wrong decisions of `f64` kernels on spheres, at distance/radius 1e6, 1e7 and 1e8.
+pub const SPHERE_WRONG: [(&str, [f64; 3]); 4] = [
+    ("textbook", [0.0005, 0.029, 0.48]),
+    ("half-b", [0.0005, 0.029, 0.48]),
+    ("stable-q", [0.0005, 0.029, 0.48]),
+    ("fma discriminant", [0.0005, 0.023, 0.46]),
+];
+
+/// Costs relative to the fastest kernel, in `f64`.
+pub const COSTS: [(&str, &str, f64); 13] = [
+    ("sphere", "textbook", 1.25),
+    ("sphere", "half-b", 1.35),
+    ("sphere", "stable-q", 1.54),
+    ("sphere", "fma discriminant", 1.59),
+    ("sphere", "Haines et al.", 2.36),
+    ("sphere", "Haines scaled", 2.92),
+    ("sphere", "adaptive exact", 3.45),
+    ("plane", "shifted origin", 1.06),
+    ("triangle", "Cramer", 1.1),
+    ("triangle", "Möller–Trumbore", 1.0),
+    ("triangle", "edge functions", 1.04),
+    ("triangle", "Woop–Benthin–Wald", 1.15),
+    ("triangle", "adaptive exact", 2.0),
+];
+
+/// Leaks and double hits in `f64`: at edges, at vertices.
+/// (What owns edges is younger, and was promised.)
+pub const MESHES: [(&str, [f64; 2], [f64; 2]); 6] = [
+    ("Cramer", [0.061, 0.027], [0.33, 0.83]),
+    ("Möller–Trumbore", [0.055, 0.018], [0.37, 0.87]),
+    ("edge functions", [0.0, 0.0011], [0.30, 0.91]),
+    ("Woop–Benthin–Wald", [0.0, 0.0], [0.0, 0.47]),
+    ("Woop, edges owned", [0.0, 0.0], [0.0, 0.0]),
+    ("adaptive exact", [0.0, 0.0], [0.0, 0.0]),
+];

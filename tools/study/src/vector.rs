@@ -1,0 +1,87 @@
+//! Three numbers of one type. The order of operations is glam's `DVec3`'s, and so are
+//! the bits; glam itself has no vector that is generic over the type of its numbers.
+
+use std::ops::{Add, Mul, Sub};
+
+use crate::number::Real;
+
+/// A point, or a direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vector<F> {
+    /// The first component.
+    pub x: F,
+    /// The second.
+    pub y: F,
+    /// The third.
+    pub z: F,
+}
+
+impl<F: Real> Vector<F> {
+    /// From its components.
+    #[inline(always)]
+    pub fn new(x: F, y: F, z: F) -> Vector<F> {
+        Vector { x, y, z }
+    }
+
+    /// The same function of each component.
+    #[inline(always)]
+    pub fn map<G>(self, function: impl Fn(F) -> G) -> Vector<G> {
+        Vector {
+            x: function(self.x),
+            y: function(self.y),
+            z: function(self.z),
+        }
+    }
+
+    /// The three components in a row.
+    #[inline(always)]
+    pub fn array(self) -> [F; 3] {
+        [self.x, self.y, self.z]
+    }
+
+    /// The dot product.
+    #[inline(always)]
+    pub fn dot(self, other: Vector<F>) -> F {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+
+    /// The cross product.
+    #[inline(always)]
+    pub fn cross(self, other: Vector<F>) -> Vector<F> {
+        Vector {
+            x: self.y * other.z - other.y * self.z,
+            y: self.z * other.x - other.z * self.x,
+            z: self.x * other.y - other.x * self.y,
+        }
+    }
+
+    /// The magnitude of its largest component.
+    #[inline(always)]
+    pub fn largest(self) -> F {
+        self.x.abs().max(self.y.abs()).max(self.z.abs())
+    }
+}
+
+impl<F: Real> Add for Vector<F> {
+    type Output = Vector<F>;
+    #[inline(always)]
+    fn add(self, other: Vector<F>) -> Vector<F> {
+        Vector::new(self.x + other.x, self.y + other.y, self.z + other.z)
+    }
+}
+
+impl<F: Real> Sub for Vector<F> {
+    type Output = Vector<F>;
+    #[inline(always)]
+    fn sub(self, other: Vector<F>) -> Vector<F> {
+        Vector::new(self.x - other.x, self.y - other.y, self.z - other.z)
+    }
+}
+
+impl<F: Real> Mul<F> for Vector<F> {
+    type Output = Vector<F>;
+    #[inline(always)]
+    fn mul(self, factor: F) -> Vector<F> {
+        Vector::new(self.x * factor, self.y * factor, self.z * factor)
+    }
+}

@@ -1,0 +1,137 @@
+//! Whole scenes: is no hit lost, and is the nearer of two always first?
+
+use pinhole_study::cast::model::{Exact, Model, Plain};
+use pinhole_study::cast::world::{Primitive, World};
+use pinhole_study::cast::{Caster, Search, Tally};
+use pinhole_study::oracle::scene::sight;
+use pinhole_study::random::Random;
+use pinhole_study::shape::{Plane, Ray, Sphere, Triangle};
+use pinhole_study::vector::Vector;
+
+/// A direction along an axis half of the time: it runs parallel to the sides of boxes.
+fn direction(random: &mut Random) -> Vector<f64> {
+    let any = random.unit();
+    let axis = Vector::new(1.0, 0.0, 0.0);
+    match random.below(6) {
+        0 => axis,
+        1 => Vector::new(0.0, -2.0, 0.0),
+        2 => Vector::new(0.0, any.y, any.z),
+        _ => any,
+    }
+}
+
+/// Balls and triangles with corners on a grid, so that sides of boxes and rays coincide.
+fn crowd(random: &mut Random, scale: f64, offset: Vector<f64>) -> World {
+    let on_grid = |random: &mut Random| {
+        let at = random.unit() * random.within(0.0, 8.0);
+        offset + at.map(|x| x.round() * scale)
+    };
+    let mut world = World::default();
+    for object in 0..60 {
+        let shape = match object % 3 {
+            0 => Primitive::Sphere(Sphere {
+                center: on_grid(random),
+                radius: scale * random.within(0.1, 1.5),
+            }),
+            _ => Primitive::Triangle(Triangle {
+                corners: [0; 3].map(|_| on_grid(random)),
+            }),
+        };
+        world.add(object, shape);
+    }
+    world
+}
+
+#[test]
+fn boxes_lose_no_hit() {
+    let mut random = Random::new(1, "boxes");
+    let mut hits = 0;
+    for (scale, away) in [
+        (1.0, 0.0),
+        (1e-3, 1e3),
+        (1e20, 0.0),
+        (1e-30, 0.0),
+        (1.0, 1e8),
+    ] {
+        for _ in 0..20 {
+            let offset = random.unit() * away;
+            let caster = Caster::new(crowd(&mut random, scale, offset));
+            for _ in 0..300 {
+                let at = random.unit() * random.within(0.0, 9.0);
+                let origin = offset + at.map(|x| x.round() * scale);
+                let direction = direction(&mut random);
+                let ray = Ray { origin, direction };
+                let by = |search| {
+                    let first = caster.first::<Exact>(search, &ray, 0.0, &mut Tally::default());
+                    first.map(|found| (found.part.place, found.t))
+                };
+                let all = by(Search::BruteForce);
+                assert_eq!(
+                    by(Search::Boxes),
+                    all,
+                    "{ray:?}, scale {scale}, {away} away"
+                );
+                hits += usize::from(all.is_some());
+            }
+        }
+    }
+    assert!(hits > 10_000, "{hits}");
+}
+
+/// Rays at shapes that lie within a few last digits of each other.
+fn wrong_objects<M: Model>() -> usize {
+    let mut random = Random::new(2, "close");
+    let mut wrong = 0;
+    for round in 0..2_000 {
+        let from = random.unit() * 4.0;
+        let target = random.unit() * 0.3;
+        let ray = Ray {
+            origin: from,
+            direction: (target - from) * random.within(0.3, 3.0),
+        };
+        // A ball, and planes and triangles where the ray meets it, give or take an ulp.
+        let ball = Primitive::Sphere(Sphere {
+            center: Vector::new(0.0, 0.0, 0.0),
+            radius: 1.0,
+        });
+        let mut world = World::default();
+        world.add(0, ball);
+        let alone = Caster::new(world.clone());
+        let met = alone.first::<Exact>(Search::BruteForce, &ray, 0.0, &mut Tally::default());
+        let point = ray.origin + ray.direction * met.expect("it is aimed at the ball").t;
+        let across = random.unit_across(point);
+        let corners = [
+            across,
+            across.cross(point),
+            across * -1.0 - across.cross(point),
+        ];
+        let is_plane = round % 2 == 0;
+        world.add(
+            1,
+            match is_plane {
+                true => Primitive::Plane(Plane {
+                    point,
+                    normal: point,
+                }),
+                false => Primitive::Triangle(Triangle {
+                    corners: corners.map(|corner| point + corner),
+                }),
+            },
+        );
+        let caster = Caster::new(world);
+        for search in [Search::BruteForce, Search::Boxes] {
+            let seen = caster.first::<M>(search, &ray, 0.0, &mut Tally::default());
+            let truth = sight(&caster.world.parts, &ray, 0.0);
+            wrong += usize::from(!truth.allows(seen.map(|found| found.part.object)));
+        }
+    }
+    wrong
+}
+
+#[test]
+fn of_two_surfaces_an_ulp_apart_the_nearer_is_seen() {
+    assert_eq!(wrong_objects::<Exact>(), 0);
+    // And the judge notices a caster that compares rounded t.
+    let plain = wrong_objects::<Plain>();
+    assert!(plain > 100, "{plain}");
+}
