@@ -1,5 +1,6 @@
 //! What the command understands; the texts of `--help`.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
@@ -42,6 +43,8 @@ pub enum Command {
     Handout(Handout),
     /// Grade the grading: does it catch every known mistake, and fail nobody who is right?
     Validate(Validate),
+    /// Build the book, or prove it
+    Book(Book),
     /// Give up all rights and become a program: what sandboxes start first
     #[cfg(target_os = "linux")]
     #[command(hide = true)]
@@ -58,7 +61,7 @@ impl Command {
             Command::Diff(arguments) => arguments.json,
             Command::Golden(Golden::Verify(arguments)) => arguments.json,
             Command::Validate(arguments) => arguments.json,
-            Command::Golden(_) | Command::Handout(_) => false,
+            Command::Golden(_) | Command::Handout(_) | Command::Book(_) => false,
             #[cfg(target_os = "linux")]
             Command::Confine(_) => false,
         }
@@ -290,6 +293,20 @@ pub struct Handout {
     /// Change nothing; fail if the committed handout is out of step
     #[arg(long)]
     pub check: bool,
+}
+
+/// Build the book, or prove it.
+///
+/// `build` makes both editions, the students' without solutions, in book/build. `check`
+/// makes them and looks for whatever is not so: listings, links, figures, what commands
+/// print, spelling. The book's own package does both, so that students need not build it;
+/// `book build --help` tells the rest.
+#[derive(Args)]
+#[command(disable_help_flag = true)]
+pub struct Book {
+    /// build or check, and what it is to be told
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+    pub arguments: Vec<OsString>,
 }
 
 /// Grade the grading.

@@ -1,5 +1,6 @@
 //! One file for each thing the command does.
 
+mod book;
 mod check;
 mod diff;
 mod explain;
@@ -38,6 +39,7 @@ pub fn run(cli: Cli) -> Result<Outcome> {
         Command::Golden(arguments) => golden::run(&checkout, &arguments),
         Command::Handout(arguments) => handout::run(&checkout, &arguments),
         Command::Validate(arguments) => validate::run(&checkout, &arguments),
+        Command::Book(arguments) => book::run(&checkout, &arguments),
         #[cfg(target_os = "linux")]
         Command::Confine(_) => unreachable!("it has become another program by now"),
     }

@@ -14,6 +14,7 @@ fn in_house_dependencies(manifest: &str) -> BTreeSet<String> {
     let own = [
         "pinhole",
         "pinhole-tools",
+        "pinhole-book",
         "ray-casting-reference",
         "ray-casting-handout",
     ];
@@ -28,6 +29,7 @@ fn imports_point_one_way() {
     let harness_only = BTreeSet::from(["pinhole".to_owned()]);
     assert_eq!(in_house_dependencies("Cargo.toml"), BTreeSet::new());
     assert_eq!(in_house_dependencies("tools/Cargo.toml"), harness_only);
+    assert_eq!(in_house_dependencies("tools/book/Cargo.toml"), harness_only);
     for submission in ["reference", "handout"] {
         let manifest = format!("assignments/ray_casting/{submission}/Cargo.toml");
         assert_eq!(in_house_dependencies(&manifest), harness_only);
