@@ -1,6 +1,5 @@
 //! The book of all pages, one edition at a time.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
@@ -9,13 +8,15 @@ use mdbook_driver::config::Config;
 
 use crate::checkout::{Checkout, write};
 use crate::edition::Edition;
-use crate::error::{Error, Problem, Result};
+use crate::error::{Problem, Result};
 use crate::expand::{Expand, Sources};
+use crate::interactive;
 
 /// What every page loads besides mdBook's own: written into the book's top folder.
-const ASSETS: [(&str, &[u8]); 4] = [
+const ASSETS: [(&str, &[u8]); 5] = [
     ("book.css", include_bytes!("../assets/book.css")),
     ("book.js", include_bytes!("../assets/book.js")),
+    ("interactive.js", interactive::BUNDLE.as_bytes()),
     (
         "fonts/stix-two-math.woff2",
         include_bytes!("../assets/fonts/stix-two-math-latin-400-normal.woff2"),
@@ -81,16 +82,4 @@ pub fn build(
         folder: folder.into(),
         problems,
     })
-}
-
-/// Copies a folder's files into another.
-pub fn copy(from: &Path, to: &Path) -> Result<()> {
-    for entry in fs::read_dir(from)
-        .map_err(|error| Error::file(from, &error))?
-        .flatten()
-    {
-        let content = fs::read(entry.path()).map_err(|error| Error::file(&entry.path(), &error))?;
-        write(&to.join(entry.file_name()), content)?;
-    }
-    Ok(())
 }

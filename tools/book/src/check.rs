@@ -13,7 +13,8 @@ use crate::checkout::Checkout;
 use crate::course::{self, Course};
 use crate::edition::Edition;
 use crate::error::{Problem, Result};
-use crate::{figures, interactive, run};
+use crate::{figures, gallery, interactive, run};
+pub use pages::files as pages_files;
 
 /// A part of the check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -24,6 +25,8 @@ pub enum Part {
     Runs,
     /// Figures against the programs that make them
     Figures,
+    /// Galleries against what the mistakes cast
+    Galleries,
     /// The interactive figures' types and mathematics (needs Node.js)
     Interactive,
     /// Words (needs Node.js)
@@ -32,10 +35,11 @@ pub enum Part {
 
 impl Part {
     /// All of them.
-    pub const ALL: [Part; 5] = [
+    pub const ALL: [Part; 6] = [
         Part::Pages,
         Part::Runs,
         Part::Figures,
+        Part::Galleries,
         Part::Interactive,
         Part::Spelling,
     ];
@@ -53,6 +57,7 @@ pub fn check(built: &[Built], parts: &[Part], checkout: &Checkout) -> Result<Vec
             }
             Part::Runs => problems.extend(run::check(checkout)?),
             Part::Figures => problems.extend(figures::check(checkout)?),
+            Part::Galleries => problems.extend(gallery::check(checkout)?),
             Part::Interactive => problems.extend(interactive::check(checkout)?),
             Part::Spelling => problems.extend(spelling::check(checkout)?),
         }

@@ -186,7 +186,7 @@ impl Expand {
                 )),
             },
             Directive::Interactive { name, alternative } => {
-                interactive::shown(&name, &alternative, checkout)
+                interactive::shown(&name, &alternative, to_root, checkout)
             }
         }
     }

@@ -1,5 +1,11 @@
 //! Every figure of the book, by name: made by a program, kept, compared by every check.
 
+mod camera;
+mod drawing;
+mod pictures;
+mod shapes;
+mod stills;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
@@ -7,6 +13,7 @@ use std::path::PathBuf;
 use crate::checkout::{Checkout, write};
 use crate::error::{Problem, Result};
 use crate::html::escaped;
+pub use drawing::colour;
 
 /// A figure's file: what is in it, and how its name ends.
 pub struct Made {
@@ -21,7 +28,37 @@ pub type Maker = fn(&Checkout) -> Result<Made>;
 
 /// All makers by the figure's name.
 pub fn makers() -> BTreeMap<&'static str, Maker> {
-    BTreeMap::new()
+    let makers: [(&'static str, Maker); 25] = [
+        ("camera_obscura", camera::camera_obscura),
+        ("ray_parameter", camera::ray_parameter),
+        ("pinhole_and_image_plane", camera::pinhole_and_image_plane),
+        ("camera_frame", camera::camera_frame),
+        ("projection_rays", camera::projection_rays),
+        ("three_spaces", camera::three_spaces),
+        ("pixel_space", camera::pixel_space),
+        ("viewing_ray", camera::viewing_ray),
+        ("two_loops", shapes::two_loops),
+        ("implicit_and_parametric", shapes::implicit_and_parametric),
+        ("plane_and_ray", shapes::plane_and_ray),
+        ("sphere_and_line", shapes::sphere_and_line),
+        ("triangle_alpha_beta", shapes::triangle_alpha_beta),
+        ("soup_of_triangles", shapes::soup_of_triangles),
+        ("first_hit_along_ray", shapes::first_hit_along_ray),
+        ("three_outputs_bunny", pictures::three_outputs_bunny),
+        ("three_outputs_boxes", pictures::three_outputs_boxes),
+        ("image_function", pictures::image_function),
+        (
+            "projections_side_by_side",
+            pictures::projections_side_by_side,
+        ),
+        ("normal_colours", pictures::normal_colours),
+        ("pixel_to_ray", stills::pixel_to_ray),
+        ("sphere_roots", stills::sphere_roots),
+        ("projections", stills::projections),
+        ("triangle_weights", shapes::triangle_alpha_beta),
+        ("breaking_distance", stills::breaking_distance),
+    ];
+    makers.into()
 }
 
 /// Where figures are kept.

@@ -11,7 +11,7 @@ use pinhole_book::checkout::Checkout;
 use pinhole_book::edition::Edition;
 use pinhole_book::error::{Error, Problem, Result};
 use pinhole_book::expand::Sources;
-use pinhole_book::{figures, run};
+use pinhole_book::{figures, gallery, interactive, run};
 
 /// Pinhole's book: built, and proved.
 ///
@@ -47,6 +47,13 @@ enum Command {
         /// Only these
         ids: Vec<String>,
     },
+    /// Cast the mistakes, and keep their pictures
+    Gallery {
+        /// Only these
+        mistakes: Vec<String>,
+    },
+    /// Bundle the script of the interactive figures, and keep it (needs Node.js)
+    Bundle,
     /// Make the figures, and keep them
     Figures {
         /// Only these
@@ -105,6 +112,8 @@ fn run_command(command: Command) -> Result<Vec<Problem>> {
             check(&editions(&which, &checkout)?, &parts, &checkout)
         }
         Command::Capture { ids } => run::capture(&ids, &checkout).map(|()| Vec::new()),
+        Command::Gallery { mistakes } => gallery::keep(&mistakes, &checkout).map(|()| Vec::new()),
+        Command::Bundle => interactive::bundle(&checkout).map(|()| Vec::new()),
         Command::Figures { names } => figures::keep(&names, &checkout).map(|()| Vec::new()),
     }
 }

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use pinhole::ask::{Ending, ask};
 use pinhole::job::{Answer, CameraQuestion, Job, ShapeQuestion};
-use pinhole::{Camera, Hit, Intersection, Pixel, Ray, Resolution, Shape};
+use pinhole::{Camera, Hit, Intersection, Pixel, Ray, Resolution, Shape, Triangle};
 
 use crate::checkout::Checkout;
 use crate::error::{Error, Result};
@@ -53,6 +53,21 @@ impl Reference {
             Answer::Hit(hit) => Ok(hit.map(|hit| hit.intersection)),
             Answer::Ray(_) => Err(odd()),
         }
+    }
+
+    /// Where a ray meets each of these triangles that it meets.
+    pub fn each(&self, triangles: &[Triangle], ray: Ray, min_t: f64) -> Result<Vec<f64>> {
+        let question = |triangle: &Triangle| ShapeQuestion {
+            shape: Shape::Triangle(*triangle),
+            ray,
+            min_t,
+        };
+        let reply = self.reply(&Job::Intersect(triangles.iter().map(question).collect()))?;
+        let t = |answer| match answer {
+            Some(Answer::Hit(hit)) => hit.map(|hit: Hit| hit.intersection.t),
+            _ => None,
+        };
+        Ok(reply.answers.into_iter().filter_map(t).collect())
     }
 
     /// What a ray meets first of a list.

@@ -14,6 +14,8 @@ use pinhole::report::number;
 use crate::checkout::Checkout;
 use crate::error::Result;
 use crate::reference::Reference;
+pub use camera::{PIXEL, on_plane, slide};
+pub use shapes::{PLANE, Quadratic, RAY, SPHERE, TRIANGLE, weights};
 
 /// What is shown, by name.
 pub type Values = BTreeMap<String, String>;
