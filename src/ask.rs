@@ -257,6 +257,9 @@ fn end(child: &mut Child) -> Option<ExitStatus> {
     child.wait().ok()
 }
 
+/// What is said of a process that the kernel ended for the processor time it took.
+pub const TIME_WAS_UP: &str = "its processor time was up";
+
 fn in_words(status: Option<ExitStatus>, printed: &str) -> String {
     if printed.contains("has overflowed its stack") {
         return "its stack overflowed: does a function call itself without end?".into();
@@ -272,7 +275,7 @@ fn in_words(status: Option<ExitStatus>, printed: &str) -> String {
                 6 => "it aborted itself",
                 7 | 11 => "it touched memory that is not its own",
                 9 => "SIGKILL",
-                24 => "its processor time was up",
+                24 => TIME_WAS_UP,
                 25 => "it wrote a file that is too long",
                 31 => "a forbidden system call",
                 _ => {

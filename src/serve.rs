@@ -16,6 +16,9 @@ use crate::ray::{Hit, Intersection};
 /// The word that makes a submission answer; without it a person has started it.
 pub const ANSWER: &str = "answer";
 
+/// The exit code if the answers could not be sent.
+const UNSENT: u8 = 3;
+
 /// A submission's whole `main`.
 ///
 /// The job comes in on standard input. On Unix that is a socket, and the answers go
@@ -24,25 +27,42 @@ pub const ANSWER: &str = "answer";
 pub fn serve(answers: &Answers) -> ExitCode {
     let mut arguments = std::env::args_os().skip(1);
     if arguments.next().is_none_or(|word| word != ANSWER) {
-        eprintln!(
-            "This program answers questions of the `pinhole` command. To see what your answers\n\
-             make of a scene, run in the checkout's top folder:\n\n    \
-             cargo run --release -- check"
-        );
-        return ExitCode::from(2);
+        return hand_on();
     }
     let served = match arguments.next() {
-        Some(file) => std::fs::File::create(file)
-            .and_then(|mut out| serve_through(answers, &mut io::stdin().lock(), &mut out)),
+        Some(file) => std::fs::File::create(file).and_then(|mut out| {
+            answer_job(answers, &receive_job(&mut io::stdin().lock())?, &mut out)
+        }),
         None => serve_through_stdin(answers),
     };
     match served {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("pinhole: the answers could not be sent: {error}");
-            ExitCode::from(3)
+            ExitCode::from(UNSENT)
         }
     }
+}
+
+/// Somebody has started the submission by hand. In its folder `cargo run` means this
+/// program, though `pinhole` was meant: that is asked in its place.
+fn hand_on() -> ExitCode {
+    let words: Vec<_> = std::env::args_os().skip(1).collect();
+    let cargo = std::env::var_os("CARGO").filter(|_| !words.is_empty());
+    let status = cargo.and_then(|cargo| {
+        let mut command = std::process::Command::new(cargo);
+        command.args(["run", "--release", "--package", "pinhole-tools", "--"]);
+        command.args(words).status().ok()
+    });
+    if let Some(status) = status {
+        let code = status.code().and_then(|code| u8::try_from(code).ok());
+        return ExitCode::from(code.unwrap_or(3));
+    }
+    eprintln!(
+        "This program answers questions of the `pinhole` command. To see what your answers\n\
+         make of a scene, run:\n\n    cargo run --release -- check"
+    );
+    ExitCode::from(2)
 }
 
 #[cfg(unix)]
@@ -51,8 +71,23 @@ fn serve_through_stdin(answers: &Answers) -> io::Result<()> {
     use std::os::unix::net::UnixStream;
 
     let mut socket = UnixStream::from(io::stdin().as_fd().try_clone_to_owned()?);
-    let mut out = io::BufWriter::new(socket.try_clone()?);
-    serve_through(answers, &mut socket, &mut out)
+    let job = receive_job(&mut socket)?;
+    end_with(socket.try_clone()?);
+    answer_job(answers, &job, &mut io::BufWriter::new(socket))
+}
+
+/// Ends this process when nobody is there any more to read its answers, even if the
+/// student's code never comes to an end.
+#[cfg(unix)]
+fn end_with(mut asker: std::os::unix::net::UnixStream) {
+    std::thread::spawn(move || {
+        // Nothing follows a job: whatever comes but an interruption is the end.
+        while asker
+            .read(&mut [0])
+            .is_err_and(|error| error.kind() == io::ErrorKind::Interrupted)
+        {}
+        std::process::exit(UNSENT.into())
+    });
 }
 
 #[cfg(not(unix))]
@@ -60,14 +95,13 @@ fn serve_through_stdin(_: &Answers) -> io::Result<()> {
     Err(io::Error::other("name a file for the answers"))
 }
 
-/// Answers one job read from `input`, writing messages to `out`.
-fn serve_through(
-    answers: &Answers,
-    input: &mut impl Read,
-    out: &mut (impl Write + Send),
-) -> io::Result<()> {
-    let job: Job = job::receive(input, u32::MAX as usize)?
-        .ok_or_else(|| io::Error::other("there was no job on standard input"))?;
+fn receive_job(input: &mut impl Read) -> io::Result<Job> {
+    job::receive(input, u32::MAX as usize)?
+        .ok_or_else(|| io::Error::other("there was no job on standard input"))
+}
+
+/// Answers a job, writing messages to `out`.
+fn answer_job(answers: &Answers, job: &Job, out: &mut (impl Write + Send)) -> io::Result<()> {
     panic::set_hook(Box::new(remember));
 
     let out = Mutex::new(out);
@@ -79,7 +113,7 @@ fn serve_through(
         }
         let first = chunk * CHUNK;
         let indices = first..job.len().min(first + CHUNK);
-        let message = match answer_all(answers, &job, indices) {
+        let message = match answer_all(answers, job, indices) {
             Ok(answers) => Message::Answers { first, answers },
             Err(panic) if stop.swap(true, Ordering::Relaxed) => return drop_second(panic),
             Err(panic) => Message::Panicked(panic),

@@ -1,6 +1,6 @@
 //! Whose answer keeps a program from compiling.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use serde::Deserialize;
@@ -36,7 +36,6 @@ pub struct Diagnostic {
 #[derive(Deserialize)]
 struct Span {
     file_name: String,
-    is_primary: bool,
 }
 
 impl Diagnostic {
@@ -62,7 +61,8 @@ impl Diagnostic {
     }
 }
 
-/// Errors by the answer they stand in.
+/// Errors by the answer they stand in. One that stands in several is nobody's yet: two
+/// answers may contradict each other, and who is wrong shows when each stands among stubs.
 pub fn by_place(
     diagnostics: &[Diagnostic],
     submission: &Submission,
@@ -73,13 +73,15 @@ pub fn by_place(
         .iter()
         .filter(|diagnostic| diagnostic.level == "error")
     {
-        let mut spans: Vec<&Span> = diagnostic.spans.iter().collect();
-        spans.sort_by_key(|span| !span.is_primary);
-        let task = spans.iter().find_map(|span| {
+        let answers = diagnostic.spans.iter().filter_map(|span| {
             let stem = Path::new(&span.file_name).file_stem()?.to_str()?;
             submission.answer(stem).map(|answer| answer.task.clone())
         });
-        if let Some(task) = task.filter(|task| !already.contains_key(task)) {
+        let mut tasks: BTreeSet<String> = answers.collect();
+        tasks.retain(|task| !already.contains_key(task));
+        if tasks.len() == 1
+            && let Some(task) = tasks.pop_first()
+        {
             let text = blamed.entry(task).or_default();
             if text.len() < MOST_TEXT {
                 text.push_str(cut(&diagnostic.rendered));

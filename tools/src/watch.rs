@@ -134,8 +134,10 @@ pub fn run(course: Course, json: bool) -> Result<()> {
                 continue;
             }
         };
-        if let View::Plain(plain) = &mut view {
-            plain.tell(&event, &state);
+        match &mut view {
+            View::Plain(plain) => plain.tell(&event, &state),
+            View::Screen(terminal) if matches!(event, Event::Resized) => terminal.forget(),
+            View::Screen(_) => {}
         }
         acts = state.step(event);
     }

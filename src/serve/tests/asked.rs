@@ -229,3 +229,29 @@ fn what_a_student_prints_is_kept_apart_from_the_answers() {
     assert_eq!(reply.printed.matches("an honest line\n").count(), 3);
     assert_eq!(reply.printed.matches("an honest complaint\n").count(), 3);
 }
+
+#[test]
+fn an_endless_answer_ends_when_nobody_waits_for_it() {
+    use std::os::fd::OwnedFd;
+    use std::os::unix::net::UnixStream;
+    use std::process::Stdio;
+
+    let (mut asker, theirs) = UnixStream::pair().unwrap();
+    let mut child = submission("endless")
+        .stdin(OwnedFd::from(theirs))
+        .stdout(Stdio::null())
+        .spawn()
+        .unwrap();
+    job::send(&rays(9), &mut asker).unwrap();
+    std::thread::sleep(Duration::from_secs(1));
+    assert!(child.try_wait().unwrap().is_none(), "it was not endless");
+    drop(asker);
+    let start = std::time::Instant::now();
+    while child.try_wait().unwrap().is_none() {
+        if start.elapsed() > LONG_ENOUGH {
+            child.kill().unwrap();
+            panic!("it goes on for nobody");
+        }
+        std::thread::sleep(Duration::from_millis(10));
+    }
+}

@@ -45,7 +45,7 @@ pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Outcome> {
     let submission = super::submission(
         arguments.submission.as_ref(),
         &assignment,
-        assignment.reference(),
+        assignment.own_answers(),
     )?;
     let sandbox = Sandbox::around(&submission.folder, checkout, arguments.run.walls(), &[])?;
     let progress = Progress::new();
@@ -103,17 +103,13 @@ fn print(explanation: &Explanation, scene: &Scene, pixel: Pixel, arguments: &Exp
         show(v)
     );
     let (u, v) = (show(u), show(v));
-    match camera.projection {
+    let in_camera_space = match camera.projection {
         Projection::Perspective { focal_length } => {
-            anstream::println!(
-                "ray in camera space    t ({u}, {v}, {})",
-                show(-focal_length)
-            );
+            format!("t ({u}, {v}, {})", show(-focal_length))
         }
-        Projection::Orthographic => {
-            anstream::println!("ray in camera space    ({u}, {v}, 0) + t (0, 0, −1)");
-        }
-    }
+        Projection::Orthographic => format!("({u}, {v}, 0) + t (0, 0, −1)"),
+    };
+    anstream::println!("ray in camera space    {in_camera_space}");
     match &explanation.ray {
         Ok(own) => anstream::println!("ray in world space     {}", ray(own, DIGITS)),
         Err(why) => anstream::println!("ray in world space     viewing_ray: {why}"),

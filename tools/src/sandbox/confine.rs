@@ -13,7 +13,7 @@ use landlock::{
     ABI, Access, AccessFs, CompatLevel, Compatible, Ruleset, RulesetAttr, RulesetCreatedAttr,
     RulesetStatus, Scope, path_beneath_rules,
 };
-use rustix::process::{Resource, Rlimit, Signal, setrlimit};
+use rustix::process::{Resource, Rlimit, Signal, getrlimit, setrlimit};
 use rustix::thread;
 
 use super::Limits;
@@ -61,8 +61,9 @@ pub fn arguments(command: &mut Command, limits: &Limits, purpose: Purpose, uid: 
     if purpose == Purpose::Compile {
         command.arg("--compiles");
     }
-    // The kernel counts whole seconds of one process; the tree is watched from outside.
-    let cpu = limits.cpu.as_secs() + 1;
+    // The kernel counts whole seconds of one process; the tree is watched from outside. On
+    // a busy machine that takes a while, and the same loop must not end now so, now so.
+    let cpu = limits.cpu.as_secs() + 5;
     for (name, value) in [
         ("--cpu", cpu),
         ("--memory", limits.memory),
@@ -117,8 +118,17 @@ fn give_up(confine: &Confine) -> Result<(), String> {
         (Resource::Memlock, 0),
         (Resource::Msgqueue, 0),
     ] {
+        // Who is bounded more tightly already may not be able to undo that.
+        let most = getrlimit(resource)
+            .maximum
+            .map_or(most, |least| least.min(most));
+        // Time that is up is told by a signal of its own; a second later all is over.
+        let current = match resource {
+            Resource::Cpu => most.saturating_sub(1),
+            _ => most,
+        };
         let limit = Rlimit {
-            current: Some(most),
+            current: Some(current),
             maximum: Some(most),
         };
         setrlimit(resource, limit).map_err(failed("limits"))?;

@@ -55,6 +55,11 @@ impl Terminal {
         Ok(())
     }
 
+    /// A terminal that changed its size may have moved what stood there.
+    pub fn forget(&mut self) {
+        self.shown.clear();
+    }
+
     /// Leaves the last screen standing, and the shell's prompt below it.
     pub fn leave(mut self, state: &mut State) -> Result<()> {
         self.show(state)?;

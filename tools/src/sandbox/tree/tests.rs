@@ -66,9 +66,9 @@ fn a_tree_that_takes_too_long_on_the_processor_is_ended() {
         cpu: Duration::from_millis(300),
         ..limits()
     };
-    let finished = finish(shell("(while :; do :; done) & wait"), &limits, |pid| {
-        Watch::tree(pid, limits)
-    });
+    // What walls would end with the shell here ends by itself.
+    let line = "ulimit -t 5; (while :; do :; done) & wait";
+    let finished = finish(shell(line), &limits, |pid| Watch::tree(pid, limits));
     assert_eq!(
         finished.expect("there is a shell").exceeded,
         Some(Exceeded::Cpu(limits.cpu))

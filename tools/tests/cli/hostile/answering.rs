@@ -248,7 +248,9 @@ fn running_code_costs_itself_alone() {
         attack(
             "half-a-message",
             Outcome("timed out"),
-            &stream("stream.write_all(&[9, 0, 0]).unwrap(); loop { std::thread::park(); }"),
+            &stream(
+                "static ONCE: std::sync::Once = std::sync::Once::new(); ONCE.call_once(|| stream.write_all(&[9, 0, 0]).unwrap()); loop { std::thread::park(); }",
+            ),
         ),
         attack(
             "a-drip",
