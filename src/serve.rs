@@ -24,12 +24,7 @@ pub const ANSWER: &str = "answer";
 pub fn serve(answers: &Answers) -> ExitCode {
     let mut arguments = std::env::args_os().skip(1);
     if arguments.next().is_none_or(|word| word != ANSWER) {
-        eprintln!(
-            "This program answers questions of the `pinhole` command. To see what your answers\n\
-             make of a scene, run in the checkout's top folder:\n\n    \
-             cargo run --release -- check"
-        );
-        return ExitCode::from(2);
+        return hand_on();
     }
     let served = match arguments.next() {
         Some(file) => std::fs::File::create(file)
@@ -43,6 +38,27 @@ pub fn serve(answers: &Answers) -> ExitCode {
             ExitCode::from(3)
         }
     }
+}
+
+/// Somebody has started the submission by hand. In its folder `cargo run` means this
+/// program, though `pinhole` was meant: that is asked in its place.
+fn hand_on() -> ExitCode {
+    let words: Vec<_> = std::env::args_os().skip(1).collect();
+    let cargo = std::env::var_os("CARGO").filter(|_| !words.is_empty());
+    let status = cargo.and_then(|cargo| {
+        let mut command = std::process::Command::new(cargo);
+        command.args(["run", "--release", "--package", "pinhole-tools", "--"]);
+        command.args(words).status().ok()
+    });
+    if let Some(status) = status {
+        let code = status.code().and_then(|code| u8::try_from(code).ok());
+        return ExitCode::from(code.unwrap_or(3));
+    }
+    eprintln!(
+        "This program answers questions of the `pinhole` command. To see what your answers\n\
+         make of a scene, run:\n\n    cargo run --release -- check"
+    );
+    ExitCode::from(2)
 }
 
 #[cfg(unix)]

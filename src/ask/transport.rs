@@ -6,7 +6,9 @@
 
 use std::io;
 use std::process::{Child, Command};
-use std::time::{Duration, Instant};
+#[cfg(unix)]
+use std::time::Duration;
+use std::time::Instant;
 
 use super::{Limit, PULSE, Stop};
 use crate::job::{self, Job, Message};

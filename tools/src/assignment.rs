@@ -21,6 +21,8 @@ pub struct Assignment {
     pub tasks: Vec<Task>,
     /// In the order they are cast.
     pub scenes: Vec<ScenePoints>,
+    /// Points of scenes that students do not have here.
+    pub withheld: u32,
 }
 
 /// One answer file and what it is worth.
@@ -65,12 +67,21 @@ pub struct ScenePoints {
     pub name: String,
     /// Points for a film that passes.
     pub points: u32,
+    /// Whether students get it; a withheld scene is cast when it is graded only.
+    #[serde(default = "is_public")]
+    pub public: bool,
+}
+
+fn is_public() -> bool {
+    true
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
     title: String,
+    #[serde(default)]
+    withheld: u32,
     task: Vec<Task>,
     scene: Vec<ScenePoints>,
 }
@@ -118,6 +129,7 @@ impl Assignment {
             title: file.title,
             tasks: file.task,
             scenes: file.scene,
+            withheld: file.withheld,
         })
     }
 
@@ -149,6 +161,21 @@ impl Assignment {
     /// The folder of our own answers.
     pub fn reference(&self) -> PathBuf {
         self.folder.join("reference")
+    }
+
+    /// The answers that cast when nobody says whose: our own, or, in a student's
+    /// repository, which has none of ours, the student's.
+    pub fn own_answers(&self) -> PathBuf {
+        match self.reference().is_dir() {
+            true => self.reference(),
+            false => self.handout(),
+        }
+    }
+
+    /// The stubs as they were handed out, in a student's repository: the handout's
+    /// folder is where students write.
+    pub fn pristine(&self) -> PathBuf {
+        self.folder.join("stubs")
     }
 
     /// The files around the answers, which are the same in every submission.

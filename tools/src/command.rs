@@ -3,9 +3,12 @@
 mod check;
 mod diff;
 mod explain;
-mod golden;
+pub mod golden;
+mod grade;
 mod handout;
+mod merge;
 mod render;
+#[cfg(feature = "validate")]
 mod validate;
 
 use std::path::{Path, PathBuf};
@@ -14,8 +17,9 @@ use pinhole::Scene;
 
 use crate::assignment::Assignment;
 use crate::checkout::Checkout;
-use crate::cli::{Cli, Command};
+use crate::cli::{Cli, Command, Golden};
 use crate::error::{Error, Result};
+use crate::handout::record::Record;
 use crate::submission::Submission;
 
 /// How a command that did its work ended.
@@ -25,22 +29,46 @@ pub enum Outcome {
     Well,
     /// Exit code 1.
     JudgedWrong,
+    /// Exit code 3: what could not be done is told among what could.
+    Incomplete,
 }
 
 /// Does what was asked.
 pub fn run(cli: Cli) -> Result<Outcome> {
     let checkout = Checkout::find()?;
+    refuse_in_a_handout(&checkout, &cli.command)?;
     match cli.command {
         Command::Check(arguments) => check::run(&checkout, &arguments),
         Command::Render(arguments) => render::run(&checkout, &arguments),
         Command::Explain(arguments) => explain::run(&checkout, &arguments),
         Command::Diff(arguments) => diff::run(&checkout, &arguments),
         Command::Golden(arguments) => golden::run(&checkout, &arguments),
+        Command::Grade(arguments) => grade::run(&checkout, &arguments),
+        Command::Merge(arguments) => merge::run(&checkout, &arguments),
         Command::Handout(arguments) => handout::run(&checkout, &arguments),
+        #[cfg(feature = "validate")]
         Command::Validate(arguments) => validate::run(&checkout, &arguments),
         #[cfg(target_os = "linux")]
         Command::Confine(_) => unreachable!("it has become another program by now"),
     }
+}
+
+/// What needs our answers, the mistakes or Mitsuba cannot be done by a student, and is
+/// told so before it stumbles over the first file that is not there.
+fn refuse_in_a_handout(checkout: &Checkout, command: &Command) -> Result<()> {
+    let needs_more = match command {
+        Command::Handout(_) | Command::Grade(_) | Command::Merge(_) => true,
+        Command::Golden(golden) => !matches!(golden, Golden::Verify(_)),
+        _ => false,
+    };
+    if !needs_more || Record::read(checkout.root())?.is_none() {
+        return Ok(());
+    }
+    Err(Error::input(
+        "this is a student's repository: it holds no answers of ours, no known mistakes, and \
+         nothing that renders goldens",
+        "run this in a checkout of the course",
+    ))
 }
 
 /// The submission in the folder a user named, or else in the current one, or else in

@@ -45,8 +45,10 @@ pub enum Replaced {
 }
 
 /// What every submission is compiled with; gathered once, it serves many.
+#[derive(Clone)]
 pub struct Compiler {
-    checkout: Checkout,
+    /// Where finished programs lie.
+    programs: PathBuf,
     sandbox: Sandbox,
     harness: Harness,
     /// Not the handout's folder: students fill that.
@@ -71,11 +73,21 @@ impl Compiler {
         sandbox: &Sandbox,
     ) -> Result<Compiler> {
         Ok(Compiler {
-            checkout: checkout.clone(),
+            programs: checkout.scratch().join("programs"),
             sandbox: sandbox.clone(),
             harness: Harness::gather(checkout)?,
-            pristine: stubs::generate(assignment)?,
+            pristine: stubs::pristine(assignment, checkout)?,
         })
+    }
+
+    /// The same for one stranger's answers: behind walls of their own, and in a folder that
+    /// nobody shares.
+    pub fn apart(&self, sandbox: &Sandbox, programs: PathBuf) -> Compiler {
+        Compiler {
+            programs,
+            sandbox: sandbox.clone(),
+            ..self.clone()
+        }
     }
 
     /// Compiles a submission, replacing by its stub each answer that is missing or does
@@ -110,7 +122,7 @@ impl Compiler {
             }
             let compile = |replaced: &Replacements| {
                 let sources = sources(submission, &self.pristine, replaced);
-                build(&sources, &self.checkout, &self.harness, &self.sandbox)
+                build(&sources, &self.programs, &self.harness, &self.sandbox)
             };
             match compile(&replaced)? {
                 Built::Program(executable) => {
@@ -147,6 +159,12 @@ pub enum Attempt {
     Enough,
 }
 
+/// The executable's name, as the system wants it.
+const PROGRAM: &str = match cfg!(windows) {
+    true => "submission.exe",
+    false => "submission",
+};
+
 /// File names and texts of a whole program.
 type Sources = BTreeMap<String, String>;
 
@@ -176,13 +194,12 @@ enum Built {
 
 fn build(
     sources: &Sources,
-    checkout: &Checkout,
+    programs: &Path,
     harness: &Harness,
     sandbox: &Sandbox,
 ) -> Result<Built> {
-    let programs = checkout.scratch().join("programs");
     let folder = programs.join(fingerprint(sources, harness, sandbox));
-    let executable = folder.join("out").join("submission");
+    let executable = folder.join("out").join(PROGRAM);
     if executable.is_file() {
         return Ok(Built::Program(executable));
     }
@@ -216,7 +233,7 @@ fn build(
         .map_err(not_started)?;
     arguments(&mut rustc, harness);
     let finished = sandbox.compile(rustc, &limits).map_err(not_started)?;
-    if finished.status.success() && is_program(&out.join("submission")) {
+    if finished.status.success() && is_program(&out.join(PROGRAM)) {
         return match fs::rename(&fresh, &folder) {
             Err(_) if executable.is_file() => {
                 fs::remove_dir_all(&fresh).map_err(failed)?;
@@ -254,11 +271,8 @@ fn arguments(rustc: &mut Command, harness: &Harness) {
     rustc.args(["-Copt-level=2", "-Ccodegen-units=1", "-Cstrip=debuginfo"]);
     // An `i - 1` that wraps around shows as a panic in its line, not as a wrong picture.
     rustc.args(["-Coverflow-checks=on", "-Awarnings", "-Funsafe_code"]);
-    rustc.args([
-        "--error-format=json",
-        "--json=diagnostic-rendered-ansi",
-        "-oout/submission",
-    ]);
+    rustc.args(["--error-format=json", "--json=diagnostic-rendered-ansi"]);
+    rustc.arg(format!("-oout/{PROGRAM}"));
     rustc
         .arg("-L")
         .arg(prefixed("dependency=", &harness.folder));

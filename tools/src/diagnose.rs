@@ -30,6 +30,20 @@ impl Goldens {
         if casts.iter().all(|cast| cast.film.is_none()) {
             return Ok(Diagnosis::default());
         }
+        if let Some(probes) = &self.probes {
+            let own = casts
+                .iter()
+                .filter(|cast| cast.asked.golden_path.starts_with(&probes.folder));
+            return probes.diagnose_casts(task, own);
+        }
+        self.diagnose_casts(task, casts.iter())
+    }
+
+    fn diagnose_casts<'a>(
+        &self,
+        task: &str,
+        casts: impl Iterator<Item = &'a Cast<'a>>,
+    ) -> Result<Diagnosis> {
         let mut evidence = Vec::new();
         for Cast { asked, film, end } in casts {
             let name = self.film_name(&asked.golden_path);

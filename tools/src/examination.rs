@@ -23,6 +23,8 @@ pub struct Examination {
     pub tasks: Vec<TaskResult>,
     /// In the assignment's order.
     pub scenes: Vec<SceneResult>,
+    /// Points that cannot be earned here, for scenes that students do not have.
+    pub withheld: u32,
     /// What the student's code printed, cut to its beginning.
     pub printed: String,
 }
@@ -168,6 +170,14 @@ impl Examination {
                     .map(|scene| (&scene.outcome, scene.worth)),
             ),
         )
+    }
+
+    /// That there is more to earn than can be seen here, if there is.
+    pub fn withheld_in_words(&self) -> Option<String> {
+        let (_, possible) = self.points();
+        let all = possible + self.withheld;
+        let words = "can be seen here; the rest is for scenes that come with grading";
+        (self.withheld > 0).then(|| format!("{possible} of {all} points {words}"))
     }
 
     /// Whether everything that was asked passes.

@@ -16,6 +16,7 @@ use crate::diagnosis::Diagnosis;
 use crate::error::{Error, Result};
 use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskResult};
 use crate::goldens::{GoldenScene, Goldens};
+use crate::grade::clock::Clock;
 use crate::questions::{self, Group, QuestionFilm};
 use crate::sandbox::{Limits, Sandbox};
 use crate::second_judge::SecondJudge;
@@ -35,6 +36,8 @@ pub struct Examiner<'a> {
     pub wall: Duration,
     /// Asked about every film too, if there is one; a disagreement is an error.
     pub second_judge: Option<&'a SecondJudge>,
+    /// What says how long each process may take instead, if anything does.
+    pub clock: Option<&'a Clock<'a>>,
     /// Told what is being asked, and the share of its answers so far, 0 to 1.
     pub progress: &'a dyn Fn(&str, f64),
 }
@@ -46,6 +49,13 @@ pub struct Selection {
     pub tasks: Vec<String>,
     /// Only these scenes.
     pub scenes: Vec<String>,
+}
+
+impl Selection {
+    /// Whether nothing is left out.
+    pub fn is_everything(&self) -> bool {
+        self.tasks.is_empty() && self.scenes.is_empty()
+    }
 }
 
 /// A group asked alone has at least this long: starting a process is no student's fault.
@@ -84,6 +94,10 @@ impl Examiner<'_> {
             title: self.assignment.title.clone(),
             tasks,
             scenes,
+            withheld: match selection.is_everything() {
+                true => self.assignment.withheld,
+                false => 0,
+            },
             printed,
         };
         self.goldens.diagnose_scenes(&mut examination)?;
@@ -185,7 +199,7 @@ impl Examiner<'_> {
     }
 
     fn scene(&self, scene: &GoldenScene, printed: &mut String) -> Result<SceneResult> {
-        let film = self.goldens.scene_film(scene)?;
+        let film = self.goldens.kept_scene(scene)?;
         let start = Instant::now();
         let reply = self.ask(&scene.name, &film.job, self.wall)?;
         let seconds = start.elapsed().as_secs_f64();
@@ -199,15 +213,23 @@ impl Examiner<'_> {
             seconds,
             file: scene.file.clone(),
             film: cast,
-            golden: film.golden,
+            golden: film.golden.clone(),
             diagnosis: Diagnosis::default(),
         })
     }
 
     fn ask(&self, what: &str, job: &Job, wall: Duration) -> Result<Reply> {
-        run(self.program, self.sandbox, wall, job, &mut |done| {
+        let limits = match self.clock {
+            Some(clock) => clock.limits(what),
+            None => Limits::of_answers(wall),
+        };
+        let reply = run(self.program, self.sandbox, &limits, job, &mut |done| {
             (self.progress)(what, done as f64 / job.len().max(1) as f64);
-        })
+        })?;
+        if let Some(clock) = self.clock {
+            clock.look(&reply)?;
+        }
+        Ok(reply)
     }
 
     /// An outcome from a reply, with the film if it is whole; `task` if one answer was
@@ -262,13 +284,12 @@ fn task_of<'a>(panic: &Panic, assignment: &'a Assignment) -> Option<&'a str> {
 pub fn run(
     program: &Program,
     sandbox: &Sandbox,
-    wall: Duration,
+    limits: &Limits,
     job: &Job,
     progress: &mut dyn FnMut(usize),
 ) -> Result<Reply> {
-    let limits = Limits::of_answers(wall);
     let stop = program.stop.clone();
-    let asked = sandbox.ask(&program.executable, job, &limits, stop, progress);
+    let asked = sandbox.ask(&program.executable, job, limits, stop, progress);
     asked.map_err(|error| {
         Error::environment(
             format!("cannot ask {}: {error}", program.executable.display()),

@@ -11,7 +11,7 @@ use crate::compile::{Program, Replaced};
 use crate::describe::{self, hit_in_film, ray_in_film};
 use crate::error::Result;
 use crate::examine;
-use crate::sandbox::Sandbox;
+use crate::sandbox::{Limits, Sandbox};
 use crate::table;
 
 /// What Mitsuba found at a pixel, where a golden is committed.
@@ -142,7 +142,13 @@ impl Witness<'_> {
                 Replaced::DoesNotCompile(_) => format!("{task}.rs does not compile"),
             }));
         }
-        let reply = examine::run(self.program, self.sandbox, self.wall, job, &mut |_| {})?;
+        let reply = examine::run(
+            self.program,
+            self.sandbox,
+            &Limits::of_answers(self.wall),
+            job,
+            &mut |_| {},
+        )?;
         let answer = reply.answers.first().copied().flatten().and_then(pick);
         Ok(answer.ok_or_else(|| {
             let failure = examine::failure(&reply.ending, self.assignment, Some(task));

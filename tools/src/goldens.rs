@@ -6,9 +6,11 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 use crate::assignment::Assignment;
+use crate::checkout::Checkout;
 use crate::diagnosis::known::{self, Known};
 use crate::error::{Error, Result};
-use crate::questions::Group;
+use crate::manifest::Manifest;
+use crate::questions::{Group, QuestionFilm};
 
 /// Golden films, probes, and the scenes they were made from.
 #[derive(Clone, Debug)]
@@ -21,6 +23,10 @@ pub struct Goldens {
     pub known: Known,
     /// Groups of questions that were read already, by task.
     pub kept: Arc<Mutex<BTreeMap<String, Arc<[Group]>>>>,
+    /// Films of scenes that were read already, by name.
+    pub kept_scenes: Arc<Mutex<BTreeMap<String, Arc<QuestionFilm>>>>,
+    /// Whose probes are asked, if this folder has scenes alone.
+    pub probes: Option<Box<Goldens>>,
 }
 
 /// A scene with a golden film.
@@ -82,7 +88,36 @@ impl Goldens {
             scenes,
             known: Known::read(folder)?,
             kept: Arc::default(),
+            kept_scenes: Arc::default(),
+            probes: None,
         })
+    }
+
+    /// The same, also of a folder with scenes alone, as `golden render my.toml --out DIR`
+    /// makes: these share the points of the assignment's, whose public probes are asked.
+    pub fn find(folder: &Path, assignment: &Assignment, checkout: &Checkout) -> Result<Goldens> {
+        let manifest = Manifest::read_or_new(folder)?;
+        if manifest.probe_seed.is_some() || manifest.sources.is_empty() {
+            return Goldens::read(folder, assignment);
+        }
+        let files = manifest.scenes(folder, checkout);
+        let mut goldens = Goldens::of_scenes(folder, &files)?;
+        let all: u32 = assignment.scenes.iter().map(|scene| scene.points).sum();
+        for (scene, worth) in goldens
+            .scenes
+            .iter_mut()
+            .zip(shares(all, files.len() as u32))
+        {
+            scene.worth = worth;
+        }
+        let public = Goldens::read(&checkout.golden(&assignment.name), assignment)?;
+        goldens.probes = Some(Box::new(public));
+        Ok(goldens)
+    }
+
+    /// The goldens that single tasks are judged by.
+    pub fn judge_of_probes(&self) -> &Goldens {
+        self.probes.as_deref().unwrap_or(self)
     }
 
     /// The goldens of these scene files in `folder`, whatever else is there.
@@ -92,6 +127,8 @@ impl Goldens {
             scenes: files.iter().cloned().map(|file| own(file, 0)).collect(),
             known: Known::read(folder)?,
             kept: Arc::default(),
+            kept_scenes: Arc::default(),
+            probes: None,
         })
     }
 

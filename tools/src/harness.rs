@@ -45,10 +45,12 @@ impl Harness {
     /// folder of their own: cargo's holds the compiled reference as well.
     pub fn gather(checkout: &Checkout) -> Result<Harness> {
         let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
-        // The default members, not `-p pinhole`: alone it would be built with other features.
+        // Not `-p pinhole` alone: it would be built with other features. And not the default
+        // members: in a student's repository, answers that may not compile are among them.
         cargo
             .current_dir(checkout.root())
-            .args(["build", "--quiet", "--message-format=json"]);
+            .args(["build", "--quiet", "--message-format=json"])
+            .args(["-p", "pinhole", "-p", "pinhole-tools"]);
         if !cfg!(debug_assertions) {
             cargo.arg("--release");
         }

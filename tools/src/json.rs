@@ -49,6 +49,7 @@ pub fn examination(examination: &Examination) -> Value {
         "passes": examination.passes(),
         "points": points,
         "possible": possible,
+        "withheld": examination.withheld,
         "tasks": tasks.collect::<Vec<_>>(),
         "scenes": scenes.collect::<Vec<_>>(),
         "printed": examination.printed,

@@ -16,7 +16,7 @@ use crate::mistake;
 use crate::mitsuba::{self, Renderer};
 
 /// The file's name in a folder of goldens.
-const FILE: &str = "manifest.toml";
+pub const FILE: &str = "manifest.toml";
 
 /// SHA-256 of files, in hexadecimal, by path.
 pub type Hashes = BTreeMap<String, String>;
@@ -133,14 +133,52 @@ impl Manifest {
 
     /// Writes the manifest into `folder`.
     pub fn write(&self, folder: &Path) -> Result<()> {
+        fs::write(folder.join(FILE), self.text()?).map_err(|error| {
+            let problem = format!("cannot write {}: {error}", folder.join(FILE).display());
+            Error::input(problem, "name a folder you may write to")
+        })
+    }
+
+    /// What stands in the file.
+    pub fn text(&self) -> Result<String> {
         let text = toml::to_string(self).map_err(|error| {
             Error::environment(format!("cannot write a manifest: {error}"), "report this")
         })?;
         let head = "# Written by `pinhole golden render`; checked by `pinhole golden verify`.\n\n";
-        fs::write(folder.join(FILE), format!("{head}{text}")).map_err(|error| {
-            let problem = format!("cannot write {}: {error}", folder.join(FILE).display());
-            Error::input(problem, "name a folder you may write to")
-        })
+        Ok(format!("{head}{text}"))
+    }
+
+    /// Films and scenes that are not what they were when the films were made.
+    fn changed_files(&self, folder: &Path, checkout: &Checkout) -> Vec<String> {
+        let sources = self.sources.iter().map(|(path, recorded)| {
+            let source = source(path, folder, checkout);
+            changed(&source, path, recorded)
+        });
+        let films = self.films.iter();
+        let films = films.map(|(path, recorded)| changed(&folder.join(path), path, recorded));
+        sources.chain(films).flatten().collect()
+    }
+
+    /// Refuses goldens that marks must not be made from.
+    ///
+    /// # Errors
+    /// If a film or a scene has changed since.
+    pub fn refuse_changed(&self, folder: &Path, checkout: &Checkout) -> Result<()> {
+        let changed = self.changed_files(folder, checkout);
+        let Some(first) = changed.first() else {
+            return Ok(());
+        };
+        let more = match changed.len() {
+            1 => String::new(),
+            count => format!(", and {} more", count - 1),
+        };
+        Err(Error::input(
+            format!(
+                "goldens in {} cannot be judged by: {first}{more}",
+                folder.display()
+            ),
+            "restore them (git checkout), or make them again: cargo run --release -- golden render",
+        ))
     }
 
     /// Everything that is not as the manifest says.
@@ -161,17 +199,13 @@ impl Manifest {
                     .into(),
             );
         }
-        if script_hashes(checkout).is_ok_and(|scripts| scripts != self.scripts) {
+        // Nor have they the scripts.
+        let scripts = script_hashes(checkout).unwrap_or_default();
+        if !scripts.is_empty() && scripts != self.scripts {
             problems
                 .push("the scripts in tools/mitsuba are not those that made the goldens".into());
         }
-        for (path, recorded) in &self.sources {
-            let source = source(path, folder, checkout);
-            problems.extend(changed(&source, path, recorded));
-        }
-        for (path, recorded) in &self.films {
-            problems.extend(changed(&folder.join(path), path, recorded));
-        }
+        problems.extend(self.changed_files(folder, checkout));
         let known: BTreeSet<&String> = self.films.keys().collect();
         for place in [folder.to_owned(), folder.join("probes")] {
             let entries = fs::read_dir(&place).into_iter().flatten().flatten();
@@ -248,7 +282,7 @@ fn script_hashes(checkout: &Checkout) -> Result<Hashes> {
 }
 
 /// The OBJ files a scene names. The scene was read before, so its form is known.
-fn meshes_of(scene: &Path) -> Vec<PathBuf> {
+pub fn meshes_of(scene: &Path) -> Vec<PathBuf> {
     #[derive(Deserialize)]
     struct Named {
         #[serde(default)]
@@ -268,21 +302,28 @@ fn meshes_of(scene: &Path) -> Vec<PathBuf> {
         .collect()
 }
 
-/// Text files are hashed with `\n` line ends, as git may check them out with others.
-fn hash(path: &Path) -> Result<String> {
-    let mut bytes = fs::read(path).map_err(|error| {
+/// The hash of a file.
+pub fn hash(path: &Path) -> Result<String> {
+    let bytes = fs::read(path).map_err(|error| {
         Error::input(
             format!("cannot read {}: {error}", path.display()),
             "restore the file",
         )
     })?;
-    if !is_film(path) {
+    Ok(hash_of(path, bytes))
+}
+
+/// The hash of what a file holds. Text is hashed with `\n` line ends, as git may check it
+/// out with others.
+pub fn hash_of(path: &Path, mut bytes: Vec<u8>) -> String {
+    let is_picture = path.extension().is_some_and(|extension| extension == "png");
+    if !is_film(path) && !is_picture {
         bytes.retain(|byte| *byte != b'\r');
     }
-    Ok(Sha256::digest(&bytes)
+    Sha256::digest(&bytes)
         .iter()
         .map(|byte| format!("{byte:02x}"))
-        .collect())
+        .collect()
 }
 
 fn relative(path: &Path, folder: &Path, checkout: &Checkout) -> String {

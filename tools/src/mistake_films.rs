@@ -18,7 +18,7 @@ use crate::mistake::{self, MistakeFolder};
 use crate::overlay;
 use crate::progress::Progress;
 use crate::questions::QuestionFilm;
-use crate::sandbox::Sandbox;
+use crate::sandbox::{Limits, Sandbox};
 
 /// No mistake takes longer over a film.
 const WALL: Duration = Duration::from_secs(60);
@@ -100,7 +100,13 @@ fn asked(assignment: &Assignment, goldens: &Goldens, probes: bool) -> Result<Ask
 
 /// The film of a mistake; `None` if it panics.
 fn cast(program: &Program, film: &QuestionFilm) -> Result<Option<Film>> {
-    let reply = examine::run(program, &Sandbox::Trusted, WALL, &film.job, &mut |_| {})?;
+    let reply = examine::run(
+        program,
+        &Sandbox::Trusted,
+        &Limits::of_answers(WALL),
+        &film.job,
+        &mut |_| {},
+    )?;
     let complete = reply.answers.iter().all(Option::is_some);
     Ok(complete.then(|| reply.film(film.resolution)))
 }

@@ -20,6 +20,11 @@ pub fn scripts(checkout: &Checkout) -> PathBuf {
     checkout.root().join("tools").join("mitsuba")
 }
 
+/// Whether the environment is there.
+pub fn is_there(checkout: &Checkout) -> bool {
+    interpreter(&environment(checkout)).is_file()
+}
+
 /// Makes the environment, or mends it.
 pub fn setup(checkout: &Checkout) -> Result<()> {
     let environment = environment(checkout);

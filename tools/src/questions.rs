@@ -68,7 +68,7 @@ impl Goldens {
                 .iter()
                 .map(|scene| self.ray_film(scene))
                 .collect::<Result<_>>()?,
-            false => vec![self.probe(task, &points.group)?],
+            false => vec![self.judge_of_probes().probe(task, &points.group)?],
         };
         Ok(Group {
             name: points.group.clone(),
@@ -100,6 +100,21 @@ impl Goldens {
             golden,
             golden_path,
         })
+    }
+
+    /// The same, read once and kept.
+    pub fn kept_scene(&self, scene: &GoldenScene) -> Result<Arc<QuestionFilm>> {
+        let kept = || {
+            self.kept_scenes
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner)
+        };
+        if let Some(film) = kept().get(&scene.name) {
+            return Ok(Arc::clone(film));
+        }
+        let film = Arc::new(self.scene_film(scene)?);
+        kept().insert(scene.name.clone(), Arc::clone(&film));
+        Ok(film)
     }
 
     fn ray_film(&self, scene: &GoldenScene) -> Result<QuestionFilm> {
@@ -144,7 +159,7 @@ impl Goldens {
 }
 
 /// Whether a group is that of the scenes' viewing rays.
-fn is_of_scenes(task: &str, group: &str) -> bool {
+pub fn is_of_scenes(task: &str, group: &str) -> bool {
     (task, group) == ("viewing_ray", SCENES_GROUP)
 }
 

@@ -31,6 +31,7 @@ use crate::shell::{PINHOLE, in_shell};
 use crate::table;
 pub use belief::Beliefs;
 use belief::Told;
+pub use page::policy;
 pub use rays::RayGrid;
 pub use scene::{Evidence, SceneSection};
 use task::TaskSection;
@@ -104,7 +105,11 @@ impl Report {
             title: examination.title.clone(),
             of: vec![("submission", printable(&examination.submission))],
             passes: examination.passes(),
-            said: summary(examination),
+            said: [Some(summary(examination)), examination.withheld_in_words()]
+                .into_iter()
+                .flatten()
+                .collect::<Vec<_>>()
+                .join(" "),
             points: Some(examination.points()),
             tasks: tasks
                 .map(|(k, task)| TaskSection::of(k, task, &again.part))

@@ -38,6 +38,15 @@ pub use finish::{Finished, finish};
 pub use limits::Limits;
 use watch::{Exceeded, Watch};
 
+/// Processor time of all processes that this one has started and seen end, where the
+/// system tells.
+pub fn time_of_children() -> Option<std::time::Duration> {
+    #[cfg(target_os = "linux")]
+    return tree::time_of_children();
+    #[cfg(not(target_os = "linux"))]
+    None
+}
+
 /// What a user asks for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
 pub enum Choice {
@@ -78,21 +87,45 @@ impl Sandbox {
         secrets: &[PathBuf],
     ) -> Result<Sandbox> {
         match choice {
-            Choice::None => Ok(Sandbox::Trusted),
             Choice::Auto if checkout.contains(folder) => Ok(Sandbox::Trusted),
-            Choice::Auto | Choice::Bubblewrap => Sandbox::bubblewrap(checkout, folder),
+            _ => Sandbox::for_strangers(&folder.display().to_string(), checkout, choice, secrets),
+        }
+    }
+
+    /// The same for code that nobody trusts, wherever it lies; `what` names it.
+    ///
+    /// # Errors
+    /// See [`Sandbox::around`].
+    pub fn for_strangers(
+        what: &str,
+        checkout: &Checkout,
+        choice: Choice,
+        secrets: &[PathBuf],
+    ) -> Result<Sandbox> {
+        match choice {
+            Choice::None => Ok(Sandbox::Trusted),
+            Choice::Auto | Choice::Bubblewrap => Sandbox::bubblewrap(checkout, what),
             Choice::Container => Sandbox::container(checkout, secrets),
         }
     }
 
+    /// The same walls around somebody else: another user id, so that neither can signal
+    /// or starve the other, and time of their own.
+    pub fn anew(&self) -> Sandbox {
+        match self {
+            Sandbox::Trusted => Sandbox::Trusted,
+            #[cfg(target_os = "linux")]
+            Sandbox::Bubblewrap(walls) => Sandbox::Bubblewrap(walls.anew()),
+            #[cfg(target_os = "linux")]
+            Sandbox::Container(walls) => Sandbox::Container(walls.anew()),
+        }
+    }
+
     #[cfg(target_os = "linux")]
-    fn bubblewrap(checkout: &Checkout, folder: &Path) -> Result<Sandbox> {
+    fn bubblewrap(checkout: &Checkout, what: &str) -> Result<Sandbox> {
         let walls = bubblewrap::Bubblewrap::new(checkout).map_err(|why| {
             Error::environment(
-                format!(
-                    "{} must run in a sandbox, and bubblewrap does not work here: {why}",
-                    folder.display()
-                ),
+                format!("{what} must run in a sandbox, and bubblewrap does not work here: {why}"),
                 "install it (Debian: apt-get install bubblewrap); in a container that is used \
                  once, pass --sandbox container; or pass --trust if the code is your own",
             )
@@ -106,19 +139,16 @@ impl Sandbox {
     }
 
     #[cfg(not(target_os = "linux"))]
-    fn bubblewrap(_: &Checkout, folder: &Path) -> Result<Sandbox> {
+    fn bubblewrap(_: &Checkout, what: &str) -> Result<Sandbox> {
         Err(Error::environment(
-            format!(
-                "{} must run in a sandbox, and there is none for this system",
-                folder.display()
-            ),
+            format!("{what} must run in a sandbox, and there is none for this system"),
             "use a Linux machine, or pass --trust if the code is your own",
         ))
     }
 
     #[cfg(not(target_os = "linux"))]
     fn container(checkout: &Checkout, _: &[PathBuf]) -> Result<Sandbox> {
-        Sandbox::bubblewrap(checkout, Path::new("the code"))
+        Sandbox::bubblewrap(checkout, "the code")
     }
 
     /// Which walls these are, for results.
@@ -150,6 +180,8 @@ impl Sandbox {
     ///
     /// # Errors
     /// If the folder cannot be handed over to the user id that compiles.
+    // Only Linux has walls, which want to know more.
+    #[cfg_attr(not(target_os = "linux"), expect(unused_variables))]
     pub fn compiler(&self, folder: &Path, harness: &Path, limits: &Limits) -> io::Result<Command> {
         match self {
             Sandbox::Trusted => {
@@ -219,6 +251,7 @@ impl Sandbox {
         Ok(reply)
     }
 
+    #[cfg_attr(not(target_os = "linux"), expect(unused_variables))]
     fn watch(&self, pid: u32, limits: &Limits) -> Watch {
         match self {
             Sandbox::Trusted => Watch::nothing(),

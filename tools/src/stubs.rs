@@ -6,7 +6,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::assignment::Assignment;
+use crate::checkout::Checkout;
 use crate::error::{Error, Result};
+use crate::handout::record::Record;
 
 /// What the handout should hold: paths inside its folder, and texts.
 pub type Package = BTreeMap<PathBuf, String>;
@@ -39,6 +41,15 @@ pub fn generate(assignment: &Assignment) -> Result<Package> {
         package.insert(Path::new("src").join(task.file()), stub);
     }
     Ok(package)
+}
+
+/// The stubs as students got them: generated, or, where there is no reference, as they
+/// came beside the handout.
+pub fn pristine(assignment: &Assignment, checkout: &Checkout) -> Result<Package> {
+    match Record::read(checkout.root())? {
+        None => generate(assignment),
+        Some(record) => record.package(&assignment.pristine(), checkout),
+    }
 }
 
 /// Replaces the answer between its anchors by `todo!`.

@@ -50,6 +50,9 @@ pub fn examination(examination: &Examination) -> String {
             "total"
         ),
     );
+    if let Some(words) = examination.withheld_in_words() {
+        line(&mut text, format!("  {QUIET}{words}{QUIET:#}"));
+    }
     text.push_str(&printed(&examination.printed));
     text
 }

@@ -26,7 +26,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
     let here = std::env::current_dir().unwrap_or_default();
     let assignment = Assignment::around(checkout, arguments.dir.as_ref().unwrap_or(&here))?;
     let goldens = match &arguments.golden {
-        Some(folder) => Goldens::read(folder, &assignment)?,
+        Some(folder) => Goldens::find(folder, &assignment, checkout)?,
         None => Goldens::read(&checkout.golden(&assignment.name), &assignment)?,
     };
     let selection = selection(arguments, &assignment, &goldens)?;
@@ -68,6 +68,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
         sandbox: &sandbox,
         wall: Duration::from_secs(arguments.run.timeout),
         second_judge: second_judge.as_ref(),
+        clock: None,
         progress: &|what, share| progress.show(what, share),
     };
     let examination = examiner.examine(&submission, &selection)?;

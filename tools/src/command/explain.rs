@@ -45,7 +45,7 @@ pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Outcome> {
     let submission = super::submission(
         arguments.submission.as_ref(),
         &assignment,
-        assignment.reference(),
+        assignment.own_answers(),
     )?;
     let sandbox = Sandbox::around(&submission.folder, checkout, arguments.run.walls(), &[])?;
     let progress = Progress::new();

@@ -44,8 +44,9 @@ fn mistakes(checkout: &Checkout, arguments: &GoldenMistakes) -> Result<Outcome> 
     let folder = arguments.dir.as_ref().unwrap_or(&own);
     let mut manifest = Manifest::read(folder)?;
     let scenes = manifest.scenes(folder, checkout);
-    fingerprint(&mut manifest, folder, &scenes, &assignment, checkout)?;
+    let said = fingerprint(&mut manifest, folder, &scenes, &assignment, checkout)?;
     manifest.write(folder)?;
+    anstream::println!("{said}");
     Ok(Outcome::Well)
 }
 
@@ -57,7 +58,7 @@ fn fingerprint(
     scenes: &[PathBuf],
     assignment: &Assignment,
     checkout: &Checkout,
-) -> Result<()> {
+) -> Result<String> {
     let goldens = Goldens::of_scenes(folder, scenes)?;
     let progress = Progress::new();
     let probes = manifest.probe_seed.is_some();
@@ -65,11 +66,21 @@ fn fingerprint(
     progress.clear();
     manifest.set_mistakes(&written, folder, assignment, checkout)?;
     let mistakes = Known::read(folder)?.mistake.len();
-    anstream::println!("{mistakes} mistakes show in {} films", written.len());
-    Ok(())
+    Ok(format!(
+        "{mistakes} mistakes show in {} films",
+        written.len()
+    ))
 }
 
 fn render(checkout: &Checkout, arguments: &GoldenRender) -> Result<Outcome> {
+    for said in make(checkout, arguments)? {
+        anstream::println!("{said}");
+    }
+    Ok(Outcome::Well)
+}
+
+/// Renders what is asked for; what there is to say of it, line by line.
+pub fn make(checkout: &Checkout, arguments: &GoldenRender) -> Result<Vec<String>> {
     let assignment = Assignment::around(checkout, &std::env::current_dir().unwrap_or_default())?;
     let own = checkout.golden(&assignment.name);
     let folder = arguments.out.clone().unwrap_or_else(|| own.clone());
@@ -141,16 +152,26 @@ fn render(checkout: &Checkout, arguments: &GoldenRender) -> Result<Outcome> {
     }
     manifest.write(&folder)?;
     progress.clear();
-    anstream::println!("{} films in {}", manifest.films.len(), folder.display());
+    let mut said = vec![format!(
+        "{} films in {}",
+        manifest.films.len(),
+        folder.display()
+    )];
     if !arguments.no_mistakes {
         let scenes = match arguments.scenes.is_empty() {
             true => manifest.scenes(&folder, checkout),
             false => scenes,
         };
-        fingerprint(&mut manifest, &folder, &scenes, &assignment, checkout)?;
+        said.push(fingerprint(
+            &mut manifest,
+            &folder,
+            &scenes,
+            &assignment,
+            checkout,
+        )?);
         manifest.write(&folder)?;
     }
-    Ok(Outcome::Well)
+    Ok(said)
 }
 
 /// The scene files to render: those named, or all of the assignment's.

@@ -17,7 +17,7 @@ use crate::describe::{printable, printable_coloured};
 use crate::error::{Error, Result};
 use crate::examine;
 use crate::progress::Progress;
-use crate::sandbox::Sandbox;
+use crate::sandbox::{Limits, Sandbox};
 use crate::{pictures, table};
 
 pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Outcome> {
@@ -28,7 +28,7 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Outcome> {
     let submission = super::submission(
         arguments.submission.as_ref(),
         &assignment,
-        assignment.reference(),
+        assignment.own_answers(),
     )?;
     let sandbox = Sandbox::around(&submission.folder, checkout, arguments.run.walls(), &[])?;
 
@@ -49,9 +49,15 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Outcome> {
     let pixels = resolution.pixels() as f64;
     let wall = Duration::from_secs(arguments.run.timeout);
     let start = Instant::now();
-    let reply = examine::run(&program, &sandbox, wall, &Job::Film(scene), &mut |done| {
-        progress.show("casting", done as f64 / pixels);
-    })?;
+    let reply = examine::run(
+        &program,
+        &sandbox,
+        &Limits::of_answers(wall),
+        &Job::Film(scene),
+        &mut |done| {
+            progress.show("casting", done as f64 / pixels);
+        },
+    )?;
     let seconds = start.elapsed().as_secs_f64();
     progress.clear();
 

@@ -60,15 +60,20 @@ impl Known {
 
     /// Writes the words into `folder`.
     pub fn write(&self, folder: &Path) -> Result<()> {
+        fs::write(folder.join(FILE), self.text()?).map_err(|error| {
+            let problem = format!("cannot write {}: {error}", folder.join(FILE).display());
+            Error::input(problem, "name a folder you may write to")
+        })
+    }
+
+    /// What stands in the file.
+    pub fn text(&self) -> Result<String> {
         let text = toml::to_string(self).map_err(|error| {
             Error::environment(format!("cannot write {FILE}: {error}"), "report this")
         })?;
         let head = "# Written by `pinhole golden`: what is known of mistakes, and in how many pixels \
                     of each film each shows.\n\n";
-        fs::write(folder.join(FILE), format!("{head}{text}")).map_err(|error| {
-            let problem = format!("cannot write {}: {error}", folder.join(FILE).display());
-            Error::input(problem, "name a folder you may write to")
-        })
+        Ok(format!("{head}{text}"))
     }
 
     /// Fingerprints these mistakes' films of `golden` and writes them; a mistake without

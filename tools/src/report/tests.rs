@@ -29,6 +29,7 @@ fn html(diagnosis: Diagnosis) -> String {
         title: "Ray casting".into(),
         tasks: vec![task],
         scenes: Vec::new(),
+        withheld: 0,
         printed: EVIL.into(),
     };
     let again = Again {

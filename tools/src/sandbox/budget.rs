@@ -17,18 +17,15 @@ pub struct Budget {
 }
 
 /// Once this many limits of its own length are lost, every further question has but
-/// the shortest.
+/// its shortest.
 const MOST_LOST: u32 = 4;
-
-/// Still a hundred times what the reference takes for the probes of any task.
-const SHORTEST: Duration = Duration::from_secs(2);
 
 impl Budget {
     /// Shorter limits, if too much has been lost already.
     pub fn bound(&self, limits: Limits) -> Limits {
         let lost = Duration::from_millis(self.lost_millis.load(Ordering::Relaxed));
         match lost >= limits.wall * MOST_LOST {
-            true => limits.at_most(SHORTEST),
+            true => limits.at_most(limits.shortest),
             false => limits,
         }
     }

@@ -61,8 +61,9 @@ pub fn arguments(command: &mut Command, limits: &Limits, purpose: Purpose, uid: 
     if purpose == Purpose::Compile {
         command.arg("--compiles");
     }
-    // The kernel counts whole seconds of one process; the tree is watched from outside.
-    let cpu = limits.cpu.as_secs() + 1;
+    // The kernel counts whole seconds of one process; the tree is watched from outside. On
+    // a busy machine that takes a while, and the same loop must not end now so, now so.
+    let cpu = limits.cpu.as_secs() + 5;
     for (name, value) in [
         ("--cpu", cpu),
         ("--memory", limits.memory),

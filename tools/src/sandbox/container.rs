@@ -15,7 +15,7 @@ use super::Limits;
 use super::budget::Budget;
 use super::confine;
 use super::syscalls::Purpose;
-use super::toolchain::{next_uid, sysroot};
+use super::toolchain::{linker, next_uid, sysroot};
 use crate::checkout::Checkout;
 use crate::error::{Error, Result};
 
@@ -63,6 +63,15 @@ impl Container {
         Ok(walls)
     }
 
+    /// See [`Sandbox::anew`](super::Sandbox::anew).
+    pub fn anew(&self) -> Container {
+        Container {
+            uid: next_uid(),
+            budget: Budget::default(),
+            ..self.clone()
+        }
+    }
+
     /// Which walls these are, for results.
     pub fn name(&self) -> &'static str {
         match self.landlocked {
@@ -104,7 +113,7 @@ impl Container {
         command
             .arg("--")
             .arg(self.sysroot.join("bin").join("rustc"));
-        command.arg("-Clinker=gcc");
+        command.args(linker(&self.sysroot));
         Ok(command)
     }
 

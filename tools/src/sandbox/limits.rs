@@ -23,10 +23,15 @@ pub struct Limits {
     pub file_size: u64,
     /// Open files of one process.
     pub open_files: u64,
+    /// However much time a submission has lost, `cpu` and `wall` become no shorter.
+    pub shortest: Duration,
 }
 
 /// 1 GiB is enough for rustc, half of it is not.
 const MEMORY: u64 = 2 << 30;
+
+/// Still a hundred times what the reference takes for the probes of any task.
+const SHORTEST: Duration = Duration::from_secs(2);
 
 /// Threads that code may have beside those which answer on all cores.
 const SPARE_PROCESSES: u64 = 32;
@@ -41,6 +46,7 @@ impl Limits {
             processes: cores() + SPARE_PROCESSES,
             file_size: 64 << 20,
             open_files: 256,
+            shortest: SHORTEST,
         }
     }
 
@@ -53,6 +59,18 @@ impl Limits {
             file_size: 0,
             open_files: 64,
             ..Limits::of_compiler()
+        }
+    }
+
+    /// For so many seconds of the processor, on however few cores; if much time is lost,
+    /// for `shortest`.
+    pub fn of_processor(cpu: Duration, shortest: Duration) -> Limits {
+        Limits {
+            cpu,
+            // Twice, for a machine that does other things as well.
+            wall: cpu * 2 + Duration::from_secs(2),
+            shortest: shortest.max(SHORTEST),
+            ..Limits::of_answers(cpu)
         }
     }
 

@@ -1,6 +1,8 @@
 //! Where the compiler lives.
 
-use std::path::PathBuf;
+use std::ffi::OsString;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::error::{Error, Result};
@@ -17,6 +19,24 @@ pub fn sysroot() -> Result<PathBuf> {
             "install Rust from rustup.rs",
         )),
     }
+}
+
+/// What links inside: gcc by name, for plain `cc` would go through /etc, which is not
+/// there. To name any linker turns off rustc's own default for Linux, the LLVM linker that
+/// comes with it; with that one compiling takes half the time, so it is asked for again.
+pub fn linker(sysroot: &Path) -> Vec<OsString> {
+    let mut arguments = vec!["-Clinker=gcc".into()];
+    let targets = fs::read_dir(sysroot.join("lib/rustlib"))
+        .into_iter()
+        .flatten()
+        .flatten();
+    let mut folders = targets.map(|target| target.path().join("bin/gcc-ld"));
+    if let Some(folder) = folders.find(|folder| folder.join("ld.lld").is_file()) {
+        let mut place = OsString::from("-Clink-arg=-B");
+        place.push(folder);
+        arguments.extend(["-Clink-arg=-fuse-ld=lld".into(), place]);
+    }
+    arguments
 }
 
 /// User ids that no system gives to people or services; those of one program's

@@ -25,9 +25,20 @@ pub fn used_by(pid: u32) -> Used {
         used.memory += memory_of(pid).unwrap_or(0);
         found.extend(children(pid));
     }
-    let per_second = rustix::param::clock_ticks_per_second();
-    used.cpu = Duration::from_millis(ticks * 1000 / per_second.max(1));
+    used.cpu = duration(ticks);
     used
+}
+
+/// What our own late children and theirs have used (fields 16 and 17).
+pub fn time_of_children() -> Option<Duration> {
+    let fields = stat(std::process::id())?;
+    let ticks = fields.get(13..15)?.iter().map(|field| field.parse::<u64>());
+    ticks.sum::<Result<u64, _>>().ok().map(duration)
+}
+
+fn duration(ticks: u64) -> Duration {
+    let per_second = rustix::param::clock_ticks_per_second();
+    Duration::from_millis(ticks * 1000 / per_second.max(1))
 }
 
 /// Ends every process of a user id that belongs to foreign code alone.

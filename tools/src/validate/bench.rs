@@ -80,6 +80,7 @@ impl Bench<'_> {
             sandbox: self.sandbox,
             wall,
             second_judge: self.second_judge,
+            clock: None,
             progress: &|_, _| {},
         };
         examiner.examine(submission, selection)

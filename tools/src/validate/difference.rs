@@ -16,6 +16,7 @@ use crate::compile::Program;
 use crate::describe;
 use crate::error::Result;
 use crate::examine;
+use crate::sandbox::Limits;
 
 /// How a mutant's answers differ from the reference's.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -128,7 +129,13 @@ impl<'a> Oracle<'a> {
 
     fn answers(&self, program: &Program, asked: &Asked) -> Result<(Vec<Option<Answer>>, Ending)> {
         let sandbox = self.bench.sandbox;
-        let reply = examine::run(program, sandbox, WALL, &asked.job, &mut |_| {})?;
+        let reply = examine::run(
+            program,
+            sandbox,
+            &Limits::of_answers(WALL),
+            &asked.job,
+            &mut |_| {},
+        )?;
         Ok((reply.answers, reply.ending))
     }
 }

@@ -19,6 +19,7 @@ use crate::compile::Program;
 use crate::error::{Error, Result};
 use crate::examine;
 use crate::overlay;
+use crate::sandbox::Limits;
 
 /// What one scene detects.
 #[derive(Debug, Serialize)]
@@ -133,7 +134,13 @@ pub fn measure(bench: &Bench, named: &str) -> Result<Vec<Sensitivity>> {
 
 fn cast(bench: &Bench, program: &Program, scene: &Scene) -> Result<Film> {
     let job = Job::Film(scene.clone());
-    let reply = examine::run(program, bench.sandbox, WALL, &job, &mut |_| {})?;
+    let reply = examine::run(
+        program,
+        bench.sandbox,
+        &Limits::of_answers(WALL),
+        &job,
+        &mut |_| {},
+    )?;
     match reply.answers.iter().all(Option::is_some) {
         true => Ok(reply.film(scene.resolution)),
         false => Err(Error::environment(

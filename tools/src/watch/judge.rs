@@ -129,6 +129,7 @@ impl Bench {
             sandbox,
             wall: self.course.wall,
             second_judge: None,
+            clock: None,
             progress: &|what, _| {
                 if asking.replace(what.into()) != what {
                     self.tell(Event::Asking {
@@ -167,6 +168,7 @@ impl Bench {
                     title: assignment.title.clone(),
                     tasks: vec![TaskResult::replaced(task, why.clone())],
                     scenes: Vec::new(),
+                    withheld: 0,
                     printed: String::new(),
                 });
                 ControlFlow::Break(())

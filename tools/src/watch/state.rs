@@ -94,6 +94,7 @@ impl State {
                 title: course.assignment.title.clone(),
                 tasks: Vec::new(),
                 scenes: Vec::new(),
+                withheld: course.assignment.withheld,
                 printed: String::new(),
             },
             stamps: BTreeMap::new(),

@@ -58,7 +58,8 @@ pub fn pinhole_with(environment: &[(&str, &str)], arguments: &[&str]) -> Ran {
     ran(command.args(arguments).output().expect("pinhole starts"))
 }
 
-fn ran(output: Output) -> Ran {
+/// What any program did.
+pub fn ran(output: Output) -> Ran {
     Ran {
         code: output.status.code().expect("pinhole is not killed"),
         out: String::from_utf8(output.stdout).expect("standard output is text"),

@@ -9,6 +9,8 @@ mod diagnosis;
 mod diff;
 mod explain;
 mod golden;
+mod grade;
+mod handout;
 #[cfg(target_os = "linux")]
 mod hostile;
 mod house;

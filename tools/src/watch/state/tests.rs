@@ -164,6 +164,7 @@ impl Watch {
             title: "a test".into(),
             tasks,
             scenes,
+            withheld: 0,
             printed: String::new(),
         }
     }

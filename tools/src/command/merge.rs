@@ -1,0 +1,95 @@
+//! `pinhole merge`: the shards of a class, graded anywhere, as one class.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use super::Outcome;
+use super::grade::{ROLL, Told, finish};
+use crate::assignment::Assignment;
+use crate::checkout::Checkout;
+use crate::cli::Merge;
+use crate::error::{Error, Result};
+use crate::grade::class::Roll;
+use crate::grade::provenance::MadeWith;
+use crate::grade::record::Record;
+use crate::grade::store::{Store, pretty, write};
+
+pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Outcome> {
+    let assignment = Assignment::around(checkout, &std::env::current_dir().unwrap_or_default())?;
+    let roll = common_roll(arguments)?;
+    let store = Store::open(&arguments.out)?;
+    let mut records: BTreeMap<String, Record> = BTreeMap::new();
+    let mut with: Option<MadeWith> = None;
+    for entry in &roll.entries {
+        for shard in &arguments.shards {
+            let Some(record) = graded(shard, &entry.id) else {
+                continue;
+            };
+            let made_with = &record.provenance.made_with;
+            let with = with.get_or_insert_with(|| made_with.clone());
+            // The program may have been built on each machine anew.
+            if with.goldens != made_with.goldens
+                || with.fresh != made_with.fresh
+                || with.assignment != made_with.assignment
+            {
+                return Err(Error::input(
+                    format!("{} was judged by other goldens", shard.display()),
+                    "grade all shards by the same: with the same --golden, --fresh or --seed",
+                ));
+            }
+            let from = shard.join("submissions").join(&entry.id);
+            let report = fs::read(from.join("report.html")).map_err(|error| {
+                let problem = format!("cannot read the report in {}: {error}", from.display());
+                Error::input(problem, "grade that shard again")
+            })?;
+            let to = store.of(&entry.id);
+            write(&to.join("report.html"), &report)?;
+            write(&to.join("result.json"), pretty(&record)?.as_bytes())?;
+            records.insert(entry.id.clone(), record);
+            break;
+        }
+    }
+    store.write(ROLL, &pretty(&roll)?)?;
+    finish(
+        &store,
+        &roll,
+        &records,
+        &assignment,
+        &arguments.format,
+        Told::default(),
+        arguments.json,
+    )
+}
+
+/// What was handed in, on which all shards must agree.
+fn common_roll(arguments: &Merge) -> Result<Roll> {
+    let mut common: Option<Roll> = None;
+    for shard in &arguments.shards {
+        let path = shard.join(ROLL);
+        let text = fs::read_to_string(&path).map_err(|error| {
+            let problem = format!("cannot read {}: {error}", path.display());
+            Error::input(problem, "name the --out folders of `pinhole grade --shard`")
+        })?;
+        let roll: Roll = serde_json::from_str(&text).map_err(|error| {
+            let problem = format!("{}: {error}", path.display());
+            Error::input(problem, "grade that shard again with this version")
+        })?;
+        match &common {
+            Some(common) if *common != roll => {
+                return Err(Error::input(
+                    format!("{} is a shard of another class", shard.display()),
+                    "grade all shards with the same paths and the same roster",
+                ));
+            }
+            _ => common = Some(roll),
+        }
+    }
+    common.ok_or_else(|| Error::input("there is nothing to merge", "name the shards' folders"))
+}
+
+fn graded(shard: &Path, id: &str) -> Option<Record> {
+    let path = shard.join("submissions").join(id).join("result.json");
+    let record: Record = serde_json::from_str(&fs::read_to_string(path).ok()?).ok()?;
+    record.is_graded().then_some(record)
+}

@@ -1,0 +1,392 @@
+//! One submission, from what was handed in to its record and its report.
+
+use std::fs;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+
+use super::alike;
+use super::clock::{Clock, Pace};
+use super::intake::Entry;
+use super::kind::Kind;
+use super::provenance::{MadeWith, Provenance};
+use super::record::{
+    BeliefRecord, FlagRecord, GroupRecord, Record, SCHEMA, SceneRecord, TaskRecord, Timings,
+};
+use super::withheld::{self, Reveal, Withheld};
+use crate::assignment::Assignment;
+use crate::compile::{Compiler, Program, Replaced};
+use crate::diagnosis::{Diagnosis, Reading};
+use crate::error::Result;
+use crate::examination::{Examination, SceneResult, TaskResult};
+use crate::examine::{Examiner, Selection};
+use crate::goldens::Goldens;
+use crate::report::{Again, Report};
+use crate::sandbox::Sandbox;
+use crate::submission::Submission;
+use crate::submission::flags::{Flag, flags};
+
+/// More of what a student's code prints is not kept.
+const MOST_PRINTED: usize = 16 * 1024;
+
+/// What the whole class is graded with.
+pub struct Bench<'a> {
+    pub assignment: &'a Assignment,
+    pub goldens: &'a Goldens,
+    /// Questions nobody has seen; a group counts only if it passes these too.
+    pub fresh: Option<&'a Goldens>,
+    pub withheld: Withheld,
+    /// What is shown of fresh questions.
+    pub of_fresh: Reveal,
+    pub compiler: &'a Compiler,
+    pub sandbox: &'a Sandbox,
+    pub pace: &'a Pace,
+    /// Where programs lie while they are asked.
+    pub rooms: &'a Path,
+    pub made_with: &'a MadeWith,
+}
+
+/// A folder for one submission's programs, gone when it is graded: a class's would fill the
+/// disk, and nobody is to find another's.
+struct Room {
+    folder: PathBuf,
+}
+
+impl Room {
+    fn new(rooms: &Path) -> Room {
+        static NEXT: AtomicUsize = AtomicUsize::new(0);
+        let number = NEXT.fetch_add(1, Ordering::Relaxed);
+        Room {
+            folder: rooms.join(number.to_string()),
+        }
+    }
+}
+
+impl Drop for Room {
+    fn drop(&mut self) {
+        let _left_for_the_next_run = fs::remove_dir_all(&self.folder);
+    }
+}
+
+/// A record, and its report if there is a grade.
+pub struct Graded {
+    pub record: Record,
+    pub report: Option<String>,
+}
+
+impl Bench<'_> {
+    /// Grades a submission. Whatever goes wrong here is told in the record: it stops
+    /// nobody else, and is nobody's zero.
+    ///
+    /// `None` if an answer came too late and it was not `alone`: see [`clock`](super::clock).
+    pub fn grade(&self, entry: &Entry, submission: &Submission, alone: bool) -> Option<Graded> {
+        let clock = Clock::new(self.pace, alone);
+        let work = AssertUnwindSafe(|| self.try_grade(entry, submission, &clock));
+        let fault = match catch_unwind(work) {
+            Ok(Ok(mut graded)) => {
+                graded.record.timings.second_runs = u32::from(alone);
+                return Some(graded);
+            }
+            Ok(Err(_)) if clock.was_late() => return None,
+            Ok(Err(error)) => error.to_string(),
+            Err(_) => "the grader itself failed; please report it".into(),
+        };
+        Some(Graded {
+            record: self.blank(entry, submission).not_graded(fault),
+            report: None,
+        })
+    }
+
+    /// What is known of a submission before anything was asked.
+    pub fn blank(&self, entry: &Entry, submission: &Submission) -> Record {
+        let scenes = self.goldens.scenes.iter().map(|scene| scene.worth);
+        let groups = self.assignment.tasks.iter().flat_map(|task| &task.points);
+        Record {
+            schema: SCHEMA,
+            id: entry.id.clone(),
+            name: entry.name.clone(),
+            assignment: self.assignment.title.clone(),
+            outcome: Kind::NotGraded,
+            explanation: String::new(),
+            points: None,
+            possible: scenes.sum::<u32>() + groups.map(|points| points.worth).sum::<u32>(),
+            tasks: Vec::new(),
+            scenes: Vec::new(),
+            fresh_scenes: Vec::new(),
+            most_for_scenes: None,
+            flags: Vec::new(),
+            provenance: Provenance::of(submission, self.made_with),
+            timings: Timings::default(),
+            printed: String::new(),
+        }
+    }
+
+    fn try_grade(&self, entry: &Entry, submission: &Submission, clock: &Clock) -> Result<Graded> {
+        let start = Instant::now();
+        let room = Room::new(self.rooms);
+        let sandbox = self.sandbox.anew();
+        let compiler = self.compiler.apart(&sandbox, room.folder.clone());
+        let program = compiler.compile(submission)?;
+        let compiled = start.elapsed();
+        let everything = Selection::default();
+        let mut examination = self.examine(
+            self.goldens,
+            &program,
+            &sandbox,
+            submission,
+            &everything,
+            clock,
+        )?;
+        examination.submission = entry.name.clone();
+        let fresh = match (self.fresh, worth_asking_again(&examination)) {
+            (Some(goldens), Some(selection)) => {
+                Some(self.examine(goldens, &program, &sandbox, submission, &selection, clock)?)
+            }
+            _ => None,
+        };
+        let failed = fresh.as_ref().map(|fresh| deny(&mut examination, fresh));
+        let failed = failed.unwrap_or_default();
+        let asked = start.elapsed();
+
+        let mut record = self.blank(entry, submission);
+        record.tasks = self.tasks(&examination, submission, &failed);
+        let reveal = self.withheld.scene();
+        record.scenes = scenes(&examination.scenes, reveal);
+        if let Some(fresh) = &fresh {
+            record.fresh_scenes = scenes(&fresh.scenes, Some(self.of_fresh));
+            record.most_for_scenes = Some(most_for_scenes(&record));
+        }
+        let kinds = record.tasks.iter().map(|task| task.outcome);
+        let kinds = kinds.chain(record.scenes.iter().map(|scene| scene.outcome));
+        record.outcome = kinds.min().unwrap_or(Kind::Graded);
+        record.explanation = record.outcome.explained().into();
+        let tasks: u32 = record.tasks.iter().map(|task| task.points).sum();
+        record.points = Some(tasks + record.scene_points().0);
+        if !self.withheld.any() {
+            let end = examination.printed.floor_char_boundary(MOST_PRINTED);
+            record.printed = examination.printed[..end].into();
+        }
+        record.flags = flagged(submission);
+        let page = self.report(&record, &examination, &failed)?.html();
+        let total = start.elapsed();
+        record.timings = Timings {
+            total: total.as_secs_f64(),
+            compiling: compiled.as_secs_f64(),
+            asking: (asked - compiled).as_secs_f64(),
+            report: (total - asked).as_secs_f64(),
+            second_runs: 0,
+        };
+        Ok(Graded {
+            record,
+            report: Some(page),
+        })
+    }
+
+    fn examine(
+        &self,
+        goldens: &Goldens,
+        program: &Program,
+        sandbox: &Sandbox,
+        submission: &Submission,
+        selection: &Selection,
+        clock: &Clock,
+    ) -> Result<Examination> {
+        let examiner = Examiner {
+            assignment: self.assignment,
+            goldens,
+            program,
+            sandbox,
+            wall: Duration::MAX,
+            second_judge: None,
+            clock: Some(clock),
+            progress: &|_, _| {},
+        };
+        examiner.examine(submission, selection)
+    }
+
+    fn tasks(
+        &self,
+        examination: &Examination,
+        submission: &Submission,
+        failed: &[(String, String)],
+    ) -> Vec<TaskRecord> {
+        let record = |task: &TaskResult| {
+            let groups = task.groups.iter().map(|group| {
+                let fails_fresh = failed.contains(&(task.name.clone(), group.name.clone()));
+                let reveal = match fails_fresh {
+                    true => Some(self.of_fresh),
+                    false => self.withheld.group(&task.name, &group.name),
+                };
+                GroupRecord {
+                    name: group.name.clone(),
+                    about: group.about.clone(),
+                    points: if group.outcome.passes() {
+                        group.worth
+                    } else {
+                        0
+                    },
+                    possible: group.worth,
+                    outcome: Kind::of(&group.outcome),
+                    said: withheld::said(&group.outcome, "questions", reveal),
+                    worst: withheld::worst(group.worst.as_ref(), reveal),
+                    fails_fresh,
+                }
+            });
+            let (points, possible) = task.points();
+            let text = submission
+                .answer(&task.name)
+                .and_then(|answer| answer.text.as_ref().ok());
+            let hidden = self.withheld.probes && self.withheld.reveal == Reveal::Points;
+            TaskRecord {
+                name: task.name.clone(),
+                points,
+                possible,
+                outcome: Kind::of_task(task),
+                said: crate::table::task_in_words(task),
+                compiler: match &task.replaced {
+                    Some(Replaced::DoesNotCompile(text)) => {
+                        Some(anstream::adapter::strip_str(text).to_string())
+                    }
+                    _ => None,
+                },
+                groups: groups.collect(),
+                diagnosis: if hidden {
+                    Vec::new()
+                } else {
+                    beliefs(&task.diagnosis)
+                },
+                tokens: text.and_then(|text| alike::tokens(text)),
+            }
+        };
+        examination.tasks.iter().map(record).collect()
+    }
+
+    fn report(
+        &self,
+        record: &Record,
+        examination: &Examination,
+        failed: &[(String, String)],
+    ) -> Result<Report> {
+        let command = format!("{} check", crate::shell::PINHOLE);
+        let again = Again {
+            whole: command.clone(),
+            part: command,
+        };
+        let mut report = Report::of_examination(examination, &self.goldens.folder, &again)?;
+        withheld::veil(
+            &mut report,
+            examination,
+            self.withheld,
+            failed,
+            self.of_fresh,
+        );
+        report
+            .of
+            .push(("judged on", record.provenance.made_with.judged_on.clone()));
+        report
+            .of
+            .push(("sandbox", record.provenance.made_with.sandbox.clone()));
+        report.points = record.points.map(|points| (points, record.possible));
+        report.passes = record.points == Some(record.possible);
+        if record.outcome != Kind::Graded {
+            report.said = format!("{} {}", report.said, record.explanation);
+        }
+        if let Some(most) = record.most_for_scenes
+            && record.scenes.iter().map(|scene| scene.points).sum::<u32>() > most
+        {
+            report.said.push_str(&format!(
+                " The scenes earn {most} points at most, as the answers behind them did on \
+                 questions that nobody had seen."
+            ));
+        }
+        Ok(report)
+    }
+}
+
+/// The tasks and scenes that fresh questions could still cost something.
+fn worth_asking_again(examination: &Examination) -> Option<Selection> {
+    let has_points = |task: &&TaskResult| task.points().0 > 0;
+    let tasks = examination.tasks.iter().filter(has_points);
+    let tasks: Vec<String> = tasks.map(|task| task.name.clone()).collect();
+    let scenes = examination
+        .scenes
+        .iter()
+        .any(|scene| scene.outcome.passes());
+    match (tasks.is_empty(), scenes) {
+        (true, false) => None,
+        (_, true) => Some(Selection::default()),
+        (false, false) => Some(Selection {
+            tasks,
+            scenes: Vec::new(),
+        }),
+    }
+}
+
+/// Takes from `examination` the groups that pass only the questions that were known, and
+/// names them: task and group.
+fn deny(examination: &mut Examination, fresh: &Examination) -> Vec<(String, String)> {
+    let mut denied = Vec::new();
+    for task in &mut examination.tasks {
+        let Some(again) = fresh.tasks.iter().find(|again| again.name == task.name) else {
+            continue;
+        };
+        for (group, again) in task.groups.iter_mut().zip(&again.groups) {
+            if group.outcome.passes() && !again.outcome.passes() {
+                group.outcome = again.outcome.clone();
+                group.worst = again.worst.clone();
+                denied.push((task.name.clone(), group.name.clone()));
+            }
+        }
+    }
+    denied
+}
+
+/// Scenes earn no more than the answers behind them do on questions nobody has seen: the
+/// larger of what fresh scenes earn and the tasks' share of their points, rounded up.
+/// Fresh scenes alone would be too strict, as one wrong shape spoils all of them.
+fn most_for_scenes(record: &Record) -> u32 {
+    let fresh: u32 = record.fresh_scenes.iter().map(|scene| scene.points).sum();
+    let scenes: u32 = record.scenes.iter().map(|scene| scene.possible).sum();
+    let earned: u32 = record.tasks.iter().map(|task| task.points).sum();
+    let possible: u32 = record.tasks.iter().map(|task| task.possible).sum();
+    fresh.max((scenes * earned).div_ceil(possible.max(1)))
+}
+
+fn scenes(results: &[SceneResult], reveal: Option<Reveal>) -> Vec<SceneRecord> {
+    let record = |scene: &SceneResult| SceneRecord {
+        name: scene.name.clone(),
+        points: if scene.outcome.passes() {
+            scene.worth
+        } else {
+            0
+        },
+        possible: scene.worth,
+        outcome: Kind::of(&scene.outcome),
+        said: withheld::said(&scene.outcome, "pixels", reveal),
+        diagnosis: match reveal {
+            Some(Reveal::Points) => Vec::new(),
+            _ => beliefs(&scene.diagnosis),
+        },
+    };
+    results.iter().map(record).collect()
+}
+
+fn beliefs(diagnosis: &Diagnosis) -> Vec<BeliefRecord> {
+    let record = |held: &crate::diagnosis::Explanation| BeliefRecord {
+        mistake: held.slug.clone(),
+        belief: held.mistake.belief.clone(),
+        explained: held.explained,
+        one_of: diagnosis.reading == Reading::OneOf,
+        look: held.mistake.hint.look.clone(),
+    };
+    diagnosis.beliefs.iter().map(record).collect()
+}
+
+/// What an instructor may want to read.
+fn flagged(submission: &Submission) -> Vec<FlagRecord> {
+    let flags = flags(submission).into_iter();
+    flags
+        .map(|Flag { task, line, what }| FlagRecord { task, line, what })
+        .collect()
+}

@@ -1,0 +1,105 @@
+//! An autograder for Gradescope: the course, and the two scripts that Gradescope runs.
+//!
+//! It holds every golden and our answers, and is for instructors alone: that is why it
+//! is no part of a student's repository.
+
+use std::fs::File;
+use std::io::Write;
+use std::path::Path;
+
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipWriter};
+
+use super::sources::{add, add_folder, add_folder_as, shared};
+use super::{Files, Written};
+use crate::assignment::Assignment;
+use crate::checkout::Checkout;
+use crate::error::{Error, Result};
+use crate::manifest::Manifest;
+
+/// Gradescope runs the first when it builds the container's image, the second for each
+/// submission; the third is for whoever unpacks the archive.
+const RECIPE: [(&str, &str, u32); 3] = [
+    (
+        "setup.sh",
+        include_str!("../../templates/handout/gradescope/setup.sh"),
+        0o755,
+    ),
+    (
+        "run_autograder",
+        include_str!("../../templates/handout/gradescope/run_autograder.sh"),
+        0o755,
+    ),
+    (
+        "README.md",
+        include_str!("../../templates/handout/gradescope/README.md"),
+        0o644,
+    ),
+];
+
+/// Where the course lies in the archive.
+const COURSE: &str = "pinhole";
+
+/// Writes the archive; it appears at `path` only when it is complete.
+pub fn write(
+    assignment: &Assignment,
+    checkout: &Checkout,
+    fresh: Option<&Path>,
+    path: &Path,
+) -> Result<Written> {
+    let mut course = course(assignment, checkout)?;
+    if let Some(folder) = fresh {
+        // Read first: a folder that is none of goldens should be refused here, not there.
+        Manifest::read(folder)?;
+        add_folder_as(&mut course, folder, "fresh", &[])?;
+    }
+    let recipe = RECIPE.map(|(name, text, mode)| (name.to_owned(), text.as_bytes(), mode));
+    let course = course.iter();
+    let course = course.map(|(name, bytes)| (format!("{COURSE}/{name}"), bytes.as_slice(), 0o644));
+    let failed = |error: std::io::Error| {
+        Error::input(
+            format!("cannot write {}: {error}", path.display()),
+            "name a file in a folder you may write to",
+        )
+    };
+    let mut name = path.as_os_str().to_owned();
+    name.push(format!(".new{}", std::process::id()));
+    let fresh = Path::new(&name);
+    let mut archive = ZipWriter::new(File::create(fresh).map_err(failed)?);
+    let mut files = 0;
+    for (name, bytes, mode) in recipe.into_iter().chain(course) {
+        // Films are packed already, and sources are small.
+        let options = SimpleFileOptions::default()
+            .compression_method(CompressionMethod::Stored)
+            .unix_permissions(mode);
+        archive
+            .start_file(name, options)
+            .map_err(std::io::Error::from)
+            .and_then(|()| archive.write_all(bytes))
+            .map_err(failed)?;
+        files += 1;
+    }
+    let file = archive.finish().map_err(|error| failed(error.into()))?;
+    let bytes = file.metadata().map_err(failed)?.len();
+    std::fs::rename(fresh, path).map_err(failed)?;
+    Ok(Written { files, bytes })
+}
+
+/// What grades: the checkout without mistakes, variants, and what renders goldens.
+fn course(assignment: &Assignment, checkout: &Checkout) -> Result<Files> {
+    let mut files = shared(checkout)?;
+    let name = &assignment.name;
+    add(
+        &mut files,
+        checkout,
+        &format!("assignments/{name}/assignment.toml"),
+    )?;
+    for part in ["handout", "reference", "tests", "scenes"] {
+        let folder = format!("assignments/{name}/{part}");
+        add_folder(&mut files, checkout, &folder, &[])?;
+    }
+    add_folder(&mut files, checkout, &format!("golden/{name}"), &[])?;
+    // Cargo refuses a manifest that names a file which is not there.
+    add_folder(&mut files, checkout, "tools/benches", &["rs"])?;
+    Ok(files)
+}
