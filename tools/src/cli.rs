@@ -70,7 +70,7 @@ impl Command {
             Command::Golden(Golden::Verify(arguments)) => arguments.json,
             #[cfg(feature = "validate")]
             Command::Validate(arguments) => arguments.json,
-Command::Grade(arguments) => arguments.json,
+            Command::Grade(arguments) => arguments.json,
             Command::Merge(arguments) => arguments.json,
             Command::Handout(arguments) => arguments.json,
             Command::Golden(_) | Command::Book(_) => false,

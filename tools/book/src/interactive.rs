@@ -88,14 +88,22 @@ pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
     let again = "make them again: cargo run --release -p pinhole-book -- bundle";
     let mut problems = Vec::new();
     if checkout.read(FACTS).ok() != Some(facts_text(checkout)?) {
-        problems.push(Problem::of(FACTS, "the facts are not those of the course", again));
+        problems.push(Problem::of(
+            FACTS,
+            "the facts are not those of the course",
+            again,
+        ));
         return Ok(problems);
     }
     let file = checkout.scratch().join("probes.json");
     write(&file, probes::probes(checkout)?.to_string())?;
     let probes = ("PINHOLE_PROBES", file.display().to_string());
     for script in ["types", "test"] {
-        if let Err(said) = npm(&["run", "--silent", script], std::slice::from_ref(&probes), checkout)? {
+        if let Err(said) = npm(
+            &["run", "--silent", script],
+            std::slice::from_ref(&probes),
+            checkout,
+        )? {
             problems.push(Problem::of("book/interactive", said, "mend the script"));
         }
     }
@@ -116,8 +124,12 @@ pub fn npm(
 ) -> Result<std::result::Result<String, String>> {
     let folder = folder(checkout);
     if !folder.join("node_modules/.package-lock.json").is_file() {
-        started(&folder, &["ci", "--silent", "--no-audit", "--no-fund"], &[])?
-            .map_err(|said| Error::environment(format!("npm ci: {said}"), "see that npm reaches its registry"))?;
+        started(&folder, &["ci", "--silent", "--no-audit", "--no-fund"], &[])?.map_err(|said| {
+            Error::environment(
+                format!("npm ci: {said}"),
+                "see that npm reaches its registry",
+            )
+        })?;
     }
     started(&folder, arguments, environment)
 }

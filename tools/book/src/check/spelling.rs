@@ -13,7 +13,10 @@ pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
     Ok(match interactive::npm(&arguments, &[], checkout)? {
         Ok(_) => Vec::new(),
         Err(said) => {
-            let told: Vec<Problem> = said.lines().filter_map(|line| problem(line, checkout)).collect();
+            let told: Vec<Problem> = said
+                .lines()
+                .filter_map(|line| problem(line, checkout))
+                .collect();
             match told.is_empty() {
                 true => vec![Problem::of("book/interactive/cspell.json", said, "mend it")],
                 false => told,
@@ -30,7 +33,12 @@ fn problem(line: &str, checkout: &Checkout) -> Option<Problem> {
     let file = checkout.inside(Path::new(place.next()?.trim()));
     let word = told.split_once('(')?.1.split_once(')')?.0;
     let remedy = "correct it, or add it to book/words.txt if it is right";
-    Some(Problem::at(file, number, format!("`{word}` is no word we know"), remedy))
+    Some(Problem::at(
+        file,
+        number,
+        format!("`{word}` is no word we know"),
+        remedy,
+    ))
 }
 
 #[cfg(test)]
@@ -40,9 +48,13 @@ mod tests {
     #[test]
     fn an_unknown_word_is_told_with_its_line() {
         let checkout = Checkout::at(Path::new("/checkout"));
-        let line = "/checkout/book/src/rays.md:7:12 - Unknown word (parametre) Suggestions: [parameter]";
+        let line =
+            "/checkout/book/src/rays.md:7:12 - Unknown word (parametre) Suggestions: [parameter]";
         let problem = problem(line, &checkout).unwrap();
-        assert_eq!((problem.file.to_str(), problem.line), (Some("book/src/rays.md"), Some(7)));
+        assert_eq!(
+            (problem.file.to_str(), problem.line),
+            (Some("book/src/rays.md"), Some(7))
+        );
         assert!(problem.problem.contains("`parametre`"), "{problem}");
     }
 }

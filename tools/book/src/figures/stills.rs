@@ -43,7 +43,11 @@ pub fn sphere_roots(_: &Checkout) -> Result<Made> {
     drawing.text(DVec2::ZERO, Side::Above, "*e*");
     drawing.line(at(0.0), at(1.0), &ink().dashed());
     drawing.line(at(1.0), at(2.8), &stroke(colour(5)).thick());
-    drawing.line(at(1.0) - dvec2(0.0, 0.25), at(1.0) + dvec2(0.0, 0.25), &stroke(colour(4)).thick());
+    drawing.line(
+        at(1.0) - dvec2(0.0, 0.25),
+        at(1.0) + dvec2(0.0, 0.25),
+        &stroke(colour(4)).thick(),
+    );
     drawing.text(at(1.0) - dvec2(0.0, 0.2), Side::Below, "min_t");
     let quadratic = Quadratic::new(&RAY, &SPHERE);
     let [t0, t1] = quadratic.roots();
@@ -51,7 +55,11 @@ pub fn sphere_roots(_: &Checkout) -> Result<Made> {
     drawing.ring(at(t1));
     drawing.text(at(t0), Side::Below, "t₀");
     drawing.text(at(t1), Side::Below, "t₁");
-    drawing.text(dvec2(7.4, 2.9), Side::On, &format!("Δ = {}", quadratic.discriminant()));
+    drawing.text(
+        dvec2(7.4, 2.9),
+        Side::On,
+        &format!("Δ = {}", quadratic.discriminant()),
+    );
     Ok(drawing.made())
 }
 
@@ -63,7 +71,11 @@ pub fn projections(_: &Checkout) -> Result<Made> {
     for (row, name) in [(0.0, "perspective"), (-3.7, "orthographic")] {
         let origin = dvec2(0.0, row);
         let left = origin + dvec2(plane, 0.0);
-        drawing.line(left - dvec2(0.0, 1.2), left + dvec2(0.0, 1.2), &ink().thick());
+        drawing.line(
+            left - dvec2(0.0, 1.2),
+            left + dvec2(0.0, 1.2),
+            &ink().thick(),
+        );
         for (number, ball) in balls.iter().enumerate() {
             let fill = colour([0, 1, 2][number]);
             drawing.circle(origin + *ball, radius, &fill, 0.5, &ink());
@@ -71,7 +83,10 @@ pub fn projections(_: &Checkout) -> Result<Made> {
                 // The tangent from the eye, and its point of contact.
                 let sine = radius / ball.x;
                 let touch = match name {
-                    "perspective" => dvec2(ball.x * (1.0 - sine * sine), side * radius * (1.0 - sine * sine).sqrt()),
+                    "perspective" => dvec2(
+                        ball.x * (1.0 - sine * sine),
+                        side * radius * (1.0 - sine * sine).sqrt(),
+                    ),
                     _ => *ball + dvec2(0.0, side * radius),
                 };
                 let from = match name {
@@ -102,7 +117,10 @@ pub fn breaking_distance(_: &Checkout) -> Result<Made> {
         enlarged(&picture, 5)
     };
     let single = |x: f64, y: f64, far: f64| in_f32(x as f32, y as f32, far as f32);
-    made(&beside(&[silhouette(single), silhouette(in_f64), silhouette(stable)], GAP))
+    made(&beside(
+        &[silhouette(single), silhouette(in_f64), silhouette(stable)],
+        GAP,
+    ))
 }
 
 /// Whether a ray from the origin to (x, y, far) meets the unit sphere there; the textbook's

@@ -22,7 +22,11 @@ pub fn probes(checkout: &Checkout) -> Result<Value> {
     asked.sort();
     let (mut shapes, mut rays) = (Vec::new(), Vec::new());
     for path in asked {
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let name = path
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
         let group = name.trim_end_matches(".ask.exr").to_owned();
         let task = group.split('.').next().unwrap_or_default().to_owned();
         if !["viewing_ray", "sphere", "plane", "triangle"].contains(&task.as_str()) {
@@ -53,7 +57,10 @@ pub fn probes(checkout: &Checkout) -> Result<Value> {
 
 fn add(question: &mut Value, group: &str, golden: &Golden, channels: &[&str], index: usize) {
     let samples = |film: &Film| -> Vec<f32> {
-        let one = |name: &&str| film.channel(name).map_or(f32::NAN, |samples| samples[index]);
+        let one = |name: &&str| {
+            film.channel(name)
+                .map_or(f32::NAN, |samples| samples[index])
+        };
         channels.iter().map(one).collect()
     };
     question["group"] = json!(group);
