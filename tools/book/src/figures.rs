@@ -2,6 +2,7 @@
 
 mod camera;
 mod drawing;
+pub mod loops;
 mod pictures;
 mod shapes;
 mod stills;
@@ -28,7 +29,7 @@ pub type Maker = fn(&Checkout) -> Result<Made>;
 
 /// All makers by the figure's name.
 pub fn makers() -> BTreeMap<&'static str, Maker> {
-    let makers: [(&'static str, Maker); 25] = [
+    let makers: [(&'static str, Maker); 28] = [
         ("camera_obscura", camera::camera_obscura),
         ("ray_parameter", camera::ray_parameter),
         ("pinhole_and_image_plane", camera::pinhole_and_image_plane),
@@ -38,6 +39,8 @@ pub fn makers() -> BTreeMap<&'static str, Maker> {
         ("pixel_space", camera::pixel_space),
         ("viewing_ray", camera::viewing_ray),
         ("two_loops", shapes::two_loops),
+        ("loops_by_objects", loops::loops_by_objects),
+        ("loops_by_pixels", loops::loops_by_pixels),
         ("implicit_and_parametric", shapes::implicit_and_parametric),
         ("plane_and_ray", shapes::plane_and_ray),
         ("sphere_and_line", shapes::sphere_and_line),
@@ -57,6 +60,7 @@ pub fn makers() -> BTreeMap<&'static str, Maker> {
         ("projections", stills::projections),
         ("triangle_weights", shapes::triangle_alpha_beta),
         ("breaking_distance", stills::breaking_distance),
+        ("sphere_from_afar", stills::sphere_from_afar),
     ];
     makers.into()
 }

@@ -10,10 +10,11 @@
 //! 1. [`error`], [`checkout`], [`edition`]: what can be wrong, where things lie, for whom;
 //! 2. [`scan`], [`directive`]: what a writer's page consists of;
 //! 3. [`program`], [`reference`](mod@reference), [`course`]: whom the book asks instead of claiming;
-//! 4. [`listing`], [`formula`], [`run`], [`worked`], [`figures`], [`gallery`],
+//! 4. [`rasterizer`] and [`silhouette`]: what the book computes itself, to compare;
+//! 5. [`listing`], [`formula`], [`run`], [`worked`], [`figures`], [`gallery`],
 //!    [`interactive`]: one file for each thing a page can quote;
-//! 5. [`expand`], [`build`]: a page with everything put in, and the book of all pages;
-//! 6. [`check`]: what would make the book lie, looked for in the built pages.
+//! 6. [`expand`], [`build`]: a page with everything put in, and the book of all pages;
+//! 7. [`check`]: what would make the book lie, looked for in the built pages.
 
 pub mod build;
 pub mod check;
@@ -30,7 +31,9 @@ pub mod html;
 pub mod interactive;
 pub mod listing;
 pub mod program;
+pub mod rasterizer;
 pub mod reference;
 pub mod run;
 pub mod scan;
+pub mod silhouette;
 pub mod worked;

@@ -14,6 +14,7 @@ use pinhole::report::number;
 use crate::checkout::Checkout;
 use crate::error::Result;
 use crate::reference::Reference;
+use crate::silhouette::{DISTANCES, WAYS, wrong};
 pub use camera::{PIXEL, on_plane, slide};
 pub use shapes::{PLANE, Quadratic, RAY, SPHERE, TRIANGLE, weights};
 
@@ -30,6 +31,12 @@ pub fn values(checkout: &Checkout) -> Result<Values> {
     camera::add(&mut values, &reference, checkout)?;
     shapes::add(&mut values, &reference)?;
     let colours = pinhole::false_colour::OBJECT_COLOURS;
+    for (name, meets) in WAYS {
+        for far in DISTANCES {
+            let name = format!("afar_{name}_{far:e}");
+            values.insert(name, wrong(meets, far).to_string());
+        }
+    }
     values.insert("object_colours".into(), colours.to_string());
     Ok(values)
 }

@@ -9,7 +9,8 @@ use super::drawing::{Drawing, INK, Side, colour, ink, stroke};
 use super::pictures::{GAP, enlarged, made};
 use crate::checkout::Checkout;
 use crate::error::Result;
-use crate::gallery::strip::beside;
+use crate::gallery::strip::{beside, stacked};
+use crate::silhouette::{DISTANCES, Meets, SIDE, WAYS, on};
 use crate::worked::{PIXEL, Quadratic, RAY, SPHERE};
 
 /// How wide and high a pixel of the lecture's picture is drawn.
@@ -105,40 +106,27 @@ pub fn projections(_: &Checkout) -> Result<Made> {
 
 /// The silhouettes of one sphere at ten million radii, by three computations.
 pub fn breaking_distance(_: &Checkout) -> Result<Made> {
-    let (n, distance) = (40, 1e7);
+    made(&row(&WAYS.map(|(_, meets)| (meets, 1e7)), 5))
+}
+
+/// One sphere from farther and farther away: by the textbook's discriminant above, from
+/// the foot of the perpendicular below.
+pub fn sphere_from_afar(_: &Checkout) -> Result<Made> {
+    let [_, (_, textbook), (_, foot)] = WAYS;
+    let above = row(&DISTANCES.map(|far| (textbook, far)), 3);
+    let below = row(&DISTANCES.map(|far| (foot, far)), 3);
+    made(&stacked(&[above, below], GAP))
+}
+
+/// Silhouettes beside each other.
+fn row(of: &[(Meets, f64)], times: u32) -> RgbImage {
     let [r, g, b] = false_colour::object(1).0;
-    let silhouette = |meets: fn(f64, f64, f64) -> bool| {
-        // From −1.2 to 1.2 radii.
-        let on = |k: u32| (f64::from(k) + 0.5) / f64::from(n) * 2.4 - 1.2;
-        let picture = RgbImage::from_fn(n, n, |i, j| match meets(on(i), on(j), distance) {
+    let picture = |(meets, far): &(Meets, f64)| {
+        let picture = RgbImage::from_fn(SIDE, SIDE, |i, j| match meets(on(i), on(j), *far) {
             true => Rgb([r, g, b]),
             false => false_colour::BACKGROUND,
         });
-        enlarged(&picture, 5)
+        enlarged(&picture, times)
     };
-    let single = |x: f64, y: f64, far: f64| in_f32(x as f32, y as f32, far as f32);
-    made(&beside(
-        &[silhouette(single), silhouette(in_f64), silhouette(stable)],
-        GAP,
-    ))
-}
-
-/// Whether a ray from the origin to (x, y, far) meets the unit sphere there; the textbook's
-/// discriminant.
-fn in_f64(x: f64, y: f64, far: f64) -> bool {
-    let (a, h, k) = (x * x + y * y + far * far, -far * far, far * far - 1.0);
-    h * h - a * k >= 0.0
-}
-
-fn in_f32(x: f32, y: f32, far: f32) -> bool {
-    let (a, h, k) = (x * x + y * y + far * far, -far * far, far * far - 1.0);
-    h * h - a * k >= 0.0
-}
-
-/// The same from the foot of the perpendicular (Haines et al. 2019).
-fn stable(x: f64, y: f64, far: f64) -> bool {
-    let a = x * x + y * y + far * far;
-    let t = far * far / a;
-    let foot = [t * x, t * y, t * far - far];
-    1.0 - foot.iter().map(|part| part * part).sum::<f64>() >= 0.0
+    beside(&of.iter().map(picture).collect::<Vec<_>>(), GAP)
 }

@@ -68,6 +68,12 @@ pub fn beside(pictures: &[RgbImage], gap: u32) -> RgbImage {
     all
 }
 
+/// Pictures of the same width below each other, on white.
+pub fn stacked(pictures: &[RgbImage], gap: u32) -> RgbImage {
+    let turned: Vec<RgbImage> = pictures.iter().map(image::imageops::rotate90).collect();
+    image::imageops::rotate270(&beside(&turned.into_iter().rev().collect::<Vec<_>>(), gap))
+}
+
 /// The picture as a PNG file.
 pub fn png(picture: &RgbImage) -> Result<Vec<u8>> {
     let mut file = std::io::Cursor::new(Vec::new());
