@@ -18,7 +18,7 @@ use crate::formula::Formulas;
 use crate::html::{escaped, figure};
 use crate::run::{self, Runs};
 use crate::scan::{Piece, pieces};
-use crate::worked::{self, Values};
+use crate::worked::Values;
 use crate::{figures, gallery, interactive, listing};
 
 /// What pages quote, read or computed once for all editions.
@@ -31,14 +31,14 @@ pub struct Sources {
 }
 
 impl Sources {
-    /// Reads and computes them.
-    pub fn read(checkout: &Checkout) -> Result<Sources> {
+    /// Reads them; the numbers are those of [`worked::values`](crate::worked::values).
+    pub fn read(values: Values, checkout: &Checkout) -> Result<Sources> {
         Ok(Sources {
             checkout: checkout.clone(),
             course: Course::read(checkout)?,
             formulas: Formulas::default(),
             runs: run::read(checkout)?,
-            values: worked::values(checkout)?,
+            values,
         })
     }
 }

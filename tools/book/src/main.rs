@@ -11,7 +11,7 @@ use pinhole_book::checkout::Checkout;
 use pinhole_book::edition::Edition;
 use pinhole_book::error::{Error, Problem, Result};
 use pinhole_book::expand::Sources;
-use pinhole_book::{figures, gallery, interactive, run};
+use pinhole_book::{figures, gallery, interactive, run, worked};
 
 /// Pinhole's book: built, and proved.
 ///
@@ -124,7 +124,7 @@ fn editions(which: &Which, checkout: &Checkout) -> Result<Vec<Built>> {
         Some(out) => here.join(out),
         None => checkout.book().join("build"),
     };
-    let sources = Arc::new(Sources::read(checkout)?);
+    let sources = Arc::new(Sources::read(worked::values(checkout)?, checkout)?);
     let wanted = Edition::ALL
         .into_iter()
         .filter(|own| which.edition.is_none_or(|one| one == *own));
