@@ -4,6 +4,8 @@
 //! stream of [`Message`]s: each a four-byte little-endian length and that many
 //! bytes of postcard. Whoever reads them trusts nothing (see [`ask`](crate::ask)).
 
+mod cameras;
+
 use std::io::{self, Read, Write};
 
 use serde::de::DeserializeOwned;
@@ -20,7 +22,7 @@ pub enum Job {
     /// Cast a scene: a hit for every pixel, in image order.
     Film(Scene),
     /// A viewing ray for each question.
-    ViewingRay(Vec<CameraQuestion>),
+    ViewingRay(#[serde(with = "cameras")] Vec<CameraQuestion>),
     /// One shape, met alone, for each question.
     Intersect(Vec<ShapeQuestion>),
     /// The first hit among canned objects for each question.
@@ -32,7 +34,7 @@ pub enum Job {
 }
 
 /// Which ray passes through the centre of `pixel`?
-#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraQuestion {
     /// Who looks.
     pub camera: Camera,

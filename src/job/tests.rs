@@ -165,3 +165,30 @@ fn only_what_nobody_wrote_yet_is_unanswered() {
     assert!(!panic("index out of bounds: not yet implemented").is_unanswered());
     assert!(!panic("").is_unanswered());
 }
+
+#[test]
+fn a_camera_travels_once_for_all_its_pixels() {
+    use crate::camera::Projection;
+
+    let camera = |eye| {
+        let projection = Projection::Orthographic;
+        Camera::new(eye, -DVec3::Z, DVec3::Y, (1.0, 1.0), projection).unwrap()
+    };
+    let resolution = Resolution { n_x: 50, n_y: 20 };
+    let ask = |eye: DVec3, index: usize| CameraQuestion {
+        camera: camera(eye),
+        pixel: resolution.pixel(index),
+        resolution,
+    };
+    let mut questions: Vec<_> = (0..1000).map(|index| ask(DVec3::X, index)).collect();
+    questions.push(ask(DVec3::Y, 3));
+    questions.push(ask(DVec3::X, 4));
+    let mut bytes = Vec::new();
+    send(&Job::ViewingRay(questions.clone()), &mut bytes).unwrap();
+    assert!(bytes.len() < 4000, "{} bytes", bytes.len());
+    let received: Option<Job> = receive(&mut bytes.as_slice(), bytes.len()).unwrap();
+    let Some(Job::ViewingRay(received)) = received else {
+        panic!("another job came");
+    };
+    assert_eq!(received, questions);
+}

@@ -423,6 +423,9 @@ pub struct Handout {
     /// makes them: public goldens alone could be memorised
     #[arg(long, value_name = "DIR", requires = "gradescope")]
     pub fresh: Option<PathBuf>,
+    /// What the autograder shows of withheld and fresh questions
+    #[arg(long, value_enum, default_value_t, requires = "gradescope")]
+    pub reveal: Reveal,
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,

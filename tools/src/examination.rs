@@ -112,6 +112,11 @@ pub enum Outcome {
 }
 
 impl Outcome {
+    /// All points or none.
+    pub fn earns(&self, worth: u32) -> u32 {
+        if self.passes() { worth } else { 0 }
+    }
+
     /// Whether it earns its points.
     pub fn passes(&self) -> bool {
         matches!(self, Outcome::Judged(verdict) if verdict.passes())
@@ -195,9 +200,6 @@ impl Examination {
 
 fn points<'a>(outcomes: impl Iterator<Item = (&'a Outcome, u32)>) -> (u32, u32) {
     outcomes.fold((0, 0), |(earned, possible), (outcome, worth)| {
-        (
-            earned + if outcome.passes() { worth } else { 0 },
-            possible + worth,
-        )
+        (earned + outcome.earns(worth), possible + worth)
     })
 }

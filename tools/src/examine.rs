@@ -17,7 +17,7 @@ use crate::error::{Error, Result};
 use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskResult};
 use crate::goldens::{GoldenScene, Goldens};
 use crate::grade::clock::Clock;
-use crate::questions::{self, Group, QuestionFilm};
+use crate::questions::{Group, QuestionFilm, Questions};
 use crate::sandbox::{Limits, Sandbox};
 use crate::second_judge::SecondJudge;
 use crate::submission::Submission;
@@ -105,11 +105,12 @@ impl Examiner<'_> {
     }
 
     fn task(&self, task: &Task, printed: &mut String) -> Result<TaskResult> {
-        let groups = self.goldens.kept_groups(task)?;
-        let together = self.ask_together(task, &groups, printed)?;
+        let questions = self.goldens.kept_questions(task)?;
+        let together = self.ask_together(task, &questions, printed)?;
         let mut together = together.map(Vec::into_iter);
         // An endless loop shall cost no more than twice the limit, whichever group it is in.
-        let films = groups
+        let films = questions
+            .groups
             .iter()
             .map(|group| group.films.len())
             .sum::<usize>()
@@ -122,7 +123,7 @@ impl Examiner<'_> {
             worth,
             about,
             films,
-        } in groups.iter()
+        } in &questions.groups
         {
             let mut result = None;
             for film in films {
@@ -183,18 +184,18 @@ impl Examiner<'_> {
     fn ask_together(
         &self,
         task: &Task,
-        groups: &[Group],
+        questions: &Questions,
         printed: &mut String,
     ) -> Result<Option<Vec<Reply>>> {
-        let Some(job) = questions::join(groups) else {
+        let Some(job) = &questions.together else {
             return Ok(None);
         };
-        let mut reply = self.ask(&task.name, &job, self.wall)?;
+        let mut reply = self.ask(&task.name, job, self.wall)?;
         if reply.ending != Ending::Complete {
             return Ok(None);
         }
         printed.push_str(&std::mem::take(&mut reply.printed));
-        let films = groups.iter().flat_map(|group| &group.films);
+        let films = questions.groups.iter().flat_map(|group| &group.films);
         Ok(Some(reply.split(films.map(|film| film.job.len()))))
     }
 

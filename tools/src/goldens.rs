@@ -10,7 +10,7 @@ use crate::checkout::Checkout;
 use crate::diagnosis::known::{self, Known};
 use crate::error::{Error, Result};
 use crate::manifest::Manifest;
-use crate::questions::{Group, QuestionFilm};
+use crate::questions::{QuestionFilm, Questions};
 
 /// Golden films, probes, and the scenes they were made from.
 #[derive(Clone, Debug)]
@@ -21,8 +21,8 @@ pub struct Goldens {
     pub scenes: Vec<GoldenScene>,
     /// What is known of mistakes.
     pub known: Known,
-    /// Groups of questions that were read already, by task.
-    pub kept: Arc<Mutex<BTreeMap<String, Arc<[Group]>>>>,
+    /// Questions that were read already, by task.
+    pub kept: Arc<Mutex<BTreeMap<String, Arc<Questions>>>>,
     /// Films of scenes that were read already, by name.
     pub kept_scenes: Arc<Mutex<BTreeMap<String, Arc<QuestionFilm>>>>,
     /// Whose probes are asked, if this folder has scenes alone.

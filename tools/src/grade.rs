@@ -1,21 +1,25 @@
 //! Grading a class: every submission alone, nothing lost, the same marks twice.
 //!
 //! Reading order: [`intake`] for what was handed in, [`roster`] for whose it is;
-//! [`bench`] grades one submission into a [`record`], for as long as
-//! [`clock`] allows; [`withheld`] for what may be shown; [`store`] for what lies
+//! [`desk`] has them graded, several at a time; [`bench`] grades one into a [`record`]
+//! ([`kept`], [`again`]), for as long as [`clock`] allows; [`withheld`] for what may be shown; [`store`] for what lies
 //! on disk; [`class`] for all records together, [`alike`] for answers that are the same;
-//! [`csv`], [`page`] and [`formats`] for how that is told; [`fresh`] for questions that
-//! nobody has seen.
+//! [`finish`] for what is told of them, by [`csv`], [`page`] and [`formats`]; [`fresh`] for
+//! questions that nobody has seen.
 
+pub mod again;
 pub mod alike;
 pub mod bench;
 pub mod changes;
 pub mod class;
 pub mod clock;
 pub mod csv;
+pub mod desk;
+pub mod finish;
 pub mod formats;
 pub mod fresh;
 pub mod intake;
+pub mod kept;
 pub mod kind;
 pub mod page;
 pub mod provenance;

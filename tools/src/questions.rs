@@ -12,6 +12,14 @@ use crate::assignment::{GroupPoints, Task};
 use crate::error::{Error, Result};
 use crate::goldens::{GoldenScene, Goldens};
 
+/// All that is asked of a task.
+#[derive(Debug)]
+pub struct Questions {
+    pub groups: Vec<Group>,
+    /// The jobs of all films as one; `None` if they are of different kinds, or none.
+    pub together: Option<Job>,
+}
+
 /// Questions that earn their points together or not at all.
 #[derive(Debug)]
 pub struct Group {
@@ -51,14 +59,16 @@ impl Goldens {
     }
 
     /// The same, read once and kept: an examination may be one of many.
-    pub fn kept_groups(&self, task: &Task) -> Result<Arc<[Group]>> {
+    pub fn kept_questions(&self, task: &Task) -> Result<Arc<Questions>> {
         let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(groups) = kept.get(&task.name) {
-            return Ok(Arc::clone(groups));
+        if let Some(questions) = kept.get(&task.name) {
+            return Ok(Arc::clone(questions));
         }
-        let groups: Arc<[Group]> = self.groups(task)?.into();
-        kept.insert(task.name.clone(), Arc::clone(&groups));
-        Ok(groups)
+        let groups = self.groups(task)?;
+        let together = join(&groups);
+        let questions = Arc::new(Questions { groups, together });
+        kept.insert(task.name.clone(), Arc::clone(&questions));
+        Ok(questions)
     }
 
     fn group(&self, task: &Task, points: &GroupPoints) -> Result<Group> {
@@ -163,8 +173,8 @@ pub fn is_of_scenes(task: &str, group: &str) -> bool {
     (task, group) == ("viewing_ray", SCENES_GROUP)
 }
 
-/// The jobs of all films as one; `None` if they are of different kinds, or none.
-pub fn join(groups: &[Group]) -> Option<Job> {
+/// The jobs of all films as one.
+fn join(groups: &[Group]) -> Option<Job> {
     let mut joined: Option<Job> = None;
     for film in groups.iter().flat_map(|group| &group.films) {
         match (&mut joined, &film.job) {

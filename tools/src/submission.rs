@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use crate::assignment::Assignment;
 use crate::error::{Error, Result};
 use archive::Archive;
+use text::Text;
 
 /// The answers found in a folder or a ZIP file.
 #[derive(Clone, Debug)]
@@ -29,7 +30,7 @@ pub struct Answer {
     /// The task, which is also the file's name without `.rs`.
     pub task: String,
     /// Its text, or why there is none.
-    pub text: std::result::Result<String, Unusable>,
+    pub text: Text,
 }
 
 /// Why an answer file does not count.
@@ -44,7 +45,15 @@ pub enum Unusable {
 impl Submission {
     /// Finds the answer files of `assignment` in `folder`, in its `src`, or in the
     /// same two places of the only folder inside. A ZIP file counts as a folder.
+    ///
+    /// # Errors
+    /// If there is none, or the machine cannot read what is there.
     pub fn find(folder: &Path, assignment: &Assignment) -> Result<Submission> {
+        Submission::find_any(folder, assignment)?.ok_or_else(|| empty(folder, assignment))
+    }
+
+    /// The same; `None` if there is no answer file.
+    pub fn find_any(folder: &Path, assignment: &Assignment) -> Result<Option<Submission>> {
         if folder.is_file() {
             return Submission::unpack(folder, assignment);
         }
@@ -60,38 +69,40 @@ impl Submission {
                 .iter()
                 .any(|task| place.join(task.file()).symlink_metadata().is_ok())
         };
-        let Some(place) = places(folder).into_iter().find(holds_any) else {
-            return Err(empty(folder, assignment));
+        let Some(place) = places(folder)?.into_iter().find(holds_any) else {
+            return Ok(None);
         };
-        let answers = assignment.tasks.iter().map(|task| Answer {
-            task: task.name.clone(),
-            text: text::read(&place.join(task.file())),
+        let answers = assignment.tasks.iter().map(|task| {
+            Ok(Answer {
+                task: task.name.clone(),
+                text: text::read(&place.join(task.file()))?,
+            })
         });
-        Ok(Submission {
+        Ok(Some(Submission {
             folder: folder.into(),
-            answers: answers.collect(),
+            answers: answers.collect::<Result<_>>()?,
             place,
-        })
+        }))
     }
 
-    fn unpack(path: &Path, assignment: &Assignment) -> Result<Submission> {
+    fn unpack(path: &Path, assignment: &Assignment) -> Result<Option<Submission>> {
         let mut archive = Archive::open(path)?;
         let holds_any = |place: &Vec<String>| {
             let mut tasks = assignment.tasks.iter();
             tasks.any(|task| archive.holds(place, &task.file()))
         };
         let Some(place) = archive.places().into_iter().find(holds_any) else {
-            return Err(empty(path, assignment));
+            return Ok(None);
         };
         let answers = assignment.tasks.iter().map(|task| Answer {
             task: task.name.clone(),
             text: archive.text(&place, &task.file()),
         });
-        Ok(Submission {
+        Ok(Some(Submission {
             answers: answers.collect(),
             folder: path.into(),
             place: path.into(),
-        })
+        }))
     }
 
     /// The answer to this task.
@@ -116,13 +127,14 @@ fn is_ordinary(name: &str) -> bool {
     !name.starts_with('.') && !name.starts_with("__")
 }
 
-fn places(folder: &Path) -> Vec<PathBuf> {
+fn places(folder: &Path) -> Result<Vec<PathBuf>> {
     // A link could lead into somebody else's answers.
     let is_own = |place: &PathBuf| !place.is_symlink();
     let mut places = vec![folder.into()];
     places.extend(Some(folder.join("src")).filter(is_own));
-    let inside = fs::read_dir(folder).into_iter().flatten().flatten();
+    let inside = fs::read_dir(folder).map_err(|error| text::unreadable(folder, &error))?;
     let folders: Vec<PathBuf> = inside
+        .flatten()
         .filter(|entry| entry.file_name().to_str().is_some_and(is_ordinary))
         .map(|entry| entry.path())
         .filter(|path| path.is_dir() && !path.is_symlink())
@@ -132,5 +144,5 @@ fn places(folder: &Path) -> Vec<PathBuf> {
         places.push(only.clone());
         places.extend(Some(only.join("src")).filter(is_own));
     }
-    places
+    Ok(places)
 }

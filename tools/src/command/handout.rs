@@ -47,7 +47,8 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
         ));
     }
     if let Some(file) = &arguments.gradescope {
-        let written = write_gradescope(assignment, checkout, arguments.fresh.as_deref(), file)?;
+        let fresh = arguments.fresh.as_deref();
+        let written = write_gradescope(assignment, checkout, fresh, arguments.reveal, file)?;
         let path = file.display().to_string();
         document["gradescope"] = sizes(&path, &written);
         words.push_str(&format!(

@@ -2,18 +2,17 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
 
 use super::Outcome;
-use super::grade::{ROLL, Told, finish};
 use crate::assignment::Assignment;
 use crate::checkout::Checkout;
 use crate::cli::Merge;
 use crate::error::{Error, Result};
-use crate::grade::class::Roll;
+use crate::grade::class::{ROLL, Roll};
+use crate::grade::finish::{Telling, Told};
 use crate::grade::provenance::MadeWith;
 use crate::grade::record::Record;
-use crate::grade::store::{Store, pretty, write};
+use crate::grade::store::{Store, pretty, standing, write};
 
 pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Outcome> {
     let assignment = Assignment::around(checkout, &std::env::current_dir().unwrap_or_default())?;
@@ -23,9 +22,15 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Outcome> {
     let mut with: Option<MadeWith> = None;
     for entry in &roll.entries {
         for shard in &arguments.shards {
-            let Some(record) = graded(shard, &entry.id) else {
+            let from = shard.join("submissions").join(&entry.id);
+            let Some(record) = standing(&from) else {
                 continue;
             };
+            if !record.is_graded() {
+                // Why, if no other shard knows better.
+                records.entry(entry.id.clone()).or_insert(record);
+                continue;
+            }
             let made_with = &record.provenance.made_with;
             let with = with.get_or_insert_with(|| made_with.clone());
             // The program may have been built on each machine anew.
@@ -38,7 +43,6 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Outcome> {
                     "grade all shards by the same: with the same --golden, --fresh or --seed",
                 ));
             }
-            let from = shard.join("submissions").join(&entry.id);
             let report = fs::read(from.join("report.html")).map_err(|error| {
                 let problem = format!("cannot read the report in {}: {error}", from.display());
                 Error::input(problem, "grade that shard again")
@@ -51,15 +55,17 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Outcome> {
         }
     }
     store.write(ROLL, &pretty(&roll)?)?;
-    finish(
-        &store,
+    let telling = Telling {
+        store: &store,
+        assignment: &assignment,
+        formats: &arguments.format,
+        as_json: arguments.json,
+    };
+    Ok(Outcome::of_class(telling.finish(
         &roll,
         &records,
-        &assignment,
-        &arguments.format,
-        Told::default(),
-        arguments.json,
-    )
+        &Told::default(),
+    )?))
 }
 
 /// What was handed in, on which all shards must agree.
@@ -86,10 +92,4 @@ fn common_roll(arguments: &Merge) -> Result<Roll> {
         }
     }
     common.ok_or_else(|| Error::input("there is nothing to merge", "name the shards' folders"))
-}
-
-fn graded(shard: &Path, id: &str) -> Option<Record> {
-    let path = shard.join("submissions").join(id).join("result.json");
-    let record: Record = serde_json::from_str(&fs::read_to_string(path).ok()?).ok()?;
-    record.is_graded().then_some(record)
 }

@@ -6,26 +6,23 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
-use super::alike;
+use super::again::{deny, most_for_scenes, worth_asking_again};
 use super::clock::{Clock, Pace};
 use super::intake::Entry;
+use super::kept::{flagged, scenes, tasks};
 use super::kind::Kind;
 use super::provenance::{MadeWith, Provenance};
-use super::record::{
-    BeliefRecord, FlagRecord, GroupRecord, Record, SCHEMA, SceneRecord, TaskRecord, Timings,
-};
-use super::withheld::{self, Reveal, Withheld};
+use super::record::{Record, SCHEMA, Timings};
+use super::withheld::{self, Withheld};
 use crate::assignment::Assignment;
-use crate::compile::{Compiler, Program, Replaced};
-use crate::diagnosis::{Diagnosis, Reading};
+use crate::compile::{Compiler, Program};
 use crate::error::Result;
-use crate::examination::{Examination, SceneResult, TaskResult};
+use crate::examination::Examination;
 use crate::examine::{Examiner, Selection};
 use crate::goldens::Goldens;
 use crate::report::{Again, Report};
 use crate::sandbox::Sandbox;
 use crate::submission::Submission;
-use crate::submission::flags::{Flag, flags};
 
 /// More of what a student's code prints is not kept.
 const MOST_PRINTED: usize = 16 * 1024;
@@ -36,9 +33,8 @@ pub struct Bench<'a> {
     pub goldens: &'a Goldens,
     /// Questions nobody has seen; a group counts only if it passes these too.
     pub fresh: Option<&'a Goldens>,
+    /// What is withheld; of fresh questions as much is shown.
     pub withheld: Withheld,
-    /// What is shown of fresh questions.
-    pub of_fresh: Reveal,
     pub compiler: &'a Compiler,
     pub sandbox: &'a Sandbox,
     pub pace: &'a Pace,
@@ -150,18 +146,18 @@ impl Bench<'_> {
         let asked = start.elapsed();
 
         let mut record = self.blank(entry, submission);
-        record.tasks = self.tasks(&examination, submission, &failed);
+        record.tasks = tasks(&examination, submission, &failed, &self.withheld);
         record.scenes = scenes(&examination.scenes, |name| self.withheld.scene(name));
         if let Some(fresh) = &fresh {
-            record.fresh_scenes = scenes(&fresh.scenes, |_| Some(self.of_fresh));
+            record.fresh_scenes = scenes(&fresh.scenes, |_| Some(self.withheld.reveal));
             record.most_for_scenes = Some(most_for_scenes(&record));
         }
         let kinds = record.tasks.iter().map(|task| task.outcome);
         let kinds = kinds.chain(record.scenes.iter().map(|scene| scene.outcome));
         record.outcome = kinds.min().unwrap_or(Kind::Graded);
         record.explanation = record.outcome.explained().into();
-        let tasks: u32 = record.tasks.iter().map(|task| task.points).sum();
-        record.points = Some(tasks + record.scene_points().0);
+        let by_tasks: u32 = record.tasks.iter().map(|task| task.points).sum();
+        record.points = Some(by_tasks + record.scene_points().0);
         if !self.withheld.any() {
             let end = examination.printed.floor_char_boundary(MOST_PRINTED);
             record.printed = examination.printed[..end].into();
@@ -204,63 +200,6 @@ impl Bench<'_> {
         examiner.examine(submission, selection)
     }
 
-    fn tasks(
-        &self,
-        examination: &Examination,
-        submission: &Submission,
-        failed: &[(String, String)],
-    ) -> Vec<TaskRecord> {
-        let record = |task: &TaskResult| {
-            let groups = task.groups.iter().map(|group| {
-                let fails_fresh = failed.contains(&(task.name.clone(), group.name.clone()));
-                let reveal = match fails_fresh {
-                    true => Some(self.of_fresh),
-                    false => self.withheld.group(&task.name, &group.name),
-                };
-                GroupRecord {
-                    name: group.name.clone(),
-                    about: group.about.clone(),
-                    points: if group.outcome.passes() {
-                        group.worth
-                    } else {
-                        0
-                    },
-                    possible: group.worth,
-                    outcome: Kind::of(&group.outcome),
-                    said: withheld::said(&group.outcome, "questions", reveal),
-                    worst: withheld::worst(group.worst.as_ref(), reveal),
-                    fails_fresh,
-                }
-            });
-            let (points, possible) = task.points();
-            let text = submission
-                .answer(&task.name)
-                .and_then(|answer| answer.text.as_ref().ok());
-            let hidden = self.withheld.probes && self.withheld.reveal == Reveal::Points;
-            TaskRecord {
-                name: task.name.clone(),
-                points,
-                possible,
-                outcome: Kind::of_task(task),
-                said: crate::table::task_in_words(task),
-                compiler: match &task.replaced {
-                    Some(Replaced::DoesNotCompile(text)) => {
-                        Some(anstream::adapter::strip_str(text).to_string())
-                    }
-                    _ => None,
-                },
-                groups: groups.collect(),
-                diagnosis: if hidden {
-                    Vec::new()
-                } else {
-                    beliefs(&task.diagnosis)
-                },
-                tokens: text.and_then(|text| alike::tokens(text)),
-            }
-        };
-        examination.tasks.iter().map(record).collect()
-    }
-
     fn report(
         &self,
         record: &Record,
@@ -273,13 +212,7 @@ impl Bench<'_> {
             part: command,
         };
         let mut report = Report::of_examination(examination, &self.goldens.folder, &again)?;
-        withheld::veil(
-            &mut report,
-            examination,
-            &self.withheld,
-            failed,
-            self.of_fresh,
-        );
+        withheld::veil(&mut report, examination, &self.withheld, failed);
         report
             .of
             .push(("judged on", record.provenance.made_with.judged_on.clone()));
@@ -301,95 +234,4 @@ impl Bench<'_> {
         }
         Ok(report)
     }
-}
-
-/// The tasks and scenes that fresh questions could still cost something.
-fn worth_asking_again(examination: &Examination) -> Option<Selection> {
-    let has_points = |task: &&TaskResult| task.points().0 > 0;
-    let tasks = examination.tasks.iter().filter(has_points);
-    let tasks: Vec<String> = tasks.map(|task| task.name.clone()).collect();
-    let scenes = examination
-        .scenes
-        .iter()
-        .any(|scene| scene.outcome.passes());
-    match (tasks.is_empty(), scenes) {
-        (true, false) => None,
-        (_, true) => Some(Selection::default()),
-        (false, false) => Some(Selection {
-            tasks,
-            scenes: Vec::new(),
-        }),
-    }
-}
-
-/// Takes from `examination` the groups that pass only the questions that were known, and
-/// names them: task and group.
-fn deny(examination: &mut Examination, fresh: &Examination) -> Vec<(String, String)> {
-    let mut denied = Vec::new();
-    for task in &mut examination.tasks {
-        let Some(again) = fresh.tasks.iter().find(|again| again.name == task.name) else {
-            continue;
-        };
-        for (group, again) in task.groups.iter_mut().zip(&again.groups) {
-            if group.outcome.passes() && !again.outcome.passes() {
-                group.outcome = again.outcome.clone();
-                group.worst = again.worst.clone();
-                denied.push((task.name.clone(), group.name.clone()));
-            }
-        }
-    }
-    denied
-}
-
-/// Scenes earn no more than the answers behind them do on questions nobody has seen: the
-/// larger of what fresh scenes earn and the tasks' share of their points, rounded up.
-/// Fresh scenes alone would be too strict, as one wrong shape spoils all of them.
-fn most_for_scenes(record: &Record) -> u32 {
-    let fresh: u32 = record.fresh_scenes.iter().map(|scene| scene.points).sum();
-    let scenes: u32 = record.scenes.iter().map(|scene| scene.possible).sum();
-    let earned: u32 = record.tasks.iter().map(|task| task.points).sum();
-    let possible: u32 = record.tasks.iter().map(|task| task.possible).sum();
-    fresh.max((scenes * earned).div_ceil(possible.max(1)))
-}
-
-/// What is kept of scenes, of which `reveal` says by name what may be shown.
-fn scenes(results: &[SceneResult], reveal: impl Fn(&str) -> Option<Reveal>) -> Vec<SceneRecord> {
-    let record = |scene: &SceneResult| {
-        let reveal = reveal(&scene.name);
-        SceneRecord {
-            name: scene.name.clone(),
-            points: if scene.outcome.passes() {
-                scene.worth
-            } else {
-                0
-            },
-            possible: scene.worth,
-            outcome: Kind::of(&scene.outcome),
-            said: withheld::said(&scene.outcome, "pixels", reveal),
-            diagnosis: match reveal {
-                Some(Reveal::Points) => Vec::new(),
-                _ => beliefs(&scene.diagnosis),
-            },
-        }
-    };
-    results.iter().map(record).collect()
-}
-
-fn beliefs(diagnosis: &Diagnosis) -> Vec<BeliefRecord> {
-    let record = |held: &crate::diagnosis::Explanation| BeliefRecord {
-        mistake: held.slug.clone(),
-        belief: held.mistake.belief.clone(),
-        explained: held.explained,
-        one_of: diagnosis.reading == Reading::OneOf,
-        look: held.mistake.hint.look.clone(),
-    };
-    diagnosis.beliefs.iter().map(record).collect()
-}
-
-/// What an instructor may want to read.
-fn flagged(submission: &Submission) -> Vec<FlagRecord> {
-    let flags = flags(submission).into_iter();
-    flags
-        .map(|Flag { task, line, what }| FlagRecord { task, line, what })
-        .collect()
 }

@@ -10,6 +10,9 @@ use super::kind::Kind;
 use super::record::Record;
 use super::roster::{Person, Placed};
 
+/// The file of a graded class that holds its roll, for merges to read.
+pub const ROLL: &str = "roll.json";
+
 /// What was handed in and whose it is: the same in every shard.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Roll {

@@ -20,7 +20,6 @@ use crate::error::{Error, Result};
 use crate::examine;
 use crate::goldens::Goldens;
 use crate::overlay;
-use crate::questions;
 use crate::sandbox::{Limits, Sandbox, time_of_children};
 
 /// So many times the reference's own time a right answer may take.
@@ -84,8 +83,8 @@ impl Pace {
         };
         for goldens in goldens {
             for task in &assignment.tasks {
-                if let Some(job) = questions::join(&goldens.kept_groups(task)?) {
-                    measure(&task.name, &job)?;
+                if let Some(job) = &goldens.kept_questions(task)?.together {
+                    measure(&task.name, job)?;
                 }
             }
             for scene in &goldens.scenes {

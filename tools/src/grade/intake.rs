@@ -37,7 +37,7 @@ pub fn find(paths: &[PathBuf], assignment: &Assignment) -> Result<Intake> {
     let mut found = Vec::new();
     let mut ignored = Vec::new();
     for path in paths {
-        if path.is_file() || Submission::find(path, assignment).is_ok() {
+        if path.is_file() || Submission::find_any(path, assignment)?.is_some() {
             found.push(path.clone());
             continue;
         }
@@ -123,10 +123,12 @@ fn plain(name: &str) -> String {
 /// A submission's answers. Whatever is wrong with what was handed in becomes files that
 /// are missing or refused; only a fault of the machine's is an error.
 pub fn open(entry: &Entry, assignment: &Assignment) -> Result<Submission> {
-    let unusable = match Submission::find(&entry.path, assignment) {
-        Ok(submission) => return Ok(submission),
-        Err(error) if error.fault == Fault::Environment => return Err(error),
-        Err(_) if entry.path.is_dir() => Unusable::Missing,
+    let unusable = match Submission::find_any(&entry.path, assignment) {
+        Ok(Some(submission)) => return Ok(submission),
+        Ok(None) => Unusable::Missing,
+        Err(error) if error.fault == Fault::Environment || !entry.path.exists() => {
+            return Err(error);
+        }
         Err(error) => {
             // The path is the instructor's own business.
             let path = entry.path.display().to_string();

@@ -87,6 +87,21 @@ impl Store {
     }
 }
 
+/// What a folder of `submissions` holds of one: its grade, or why it has none. A grade
+/// does not stand if other answers could not be graded since.
+pub fn standing(folder: &Path) -> Option<Record> {
+    let read = |name: &str| -> Option<Record> {
+        serde_json::from_str(&fs::read_to_string(folder.join(name)).ok()?).ok()
+    };
+    let (result, fault) = (read("result.json"), read("fault.json"));
+    match (&result, &fault) {
+        (Some(result), Some(fault)) if result.provenance == fault.provenance => {}
+        (_, Some(_)) => return fault,
+        (_, None) => {}
+    }
+    result
+}
+
 /// JSON for people, too.
 pub fn pretty(value: &impl serde::Serialize) -> Result<String> {
     let text = serde_json::to_string_pretty(value).map_err(|error| {

@@ -86,19 +86,18 @@ pub fn worst(worst: Option<&String>, reveal: Option<Reveal>) -> Option<String> {
 }
 
 /// Takes from a report what may not be shown. `fresh` names the groups that fail on fresh
-/// questions alone: task, group, and what may be shown of those.
+/// questions alone: task and group.
 pub fn veil(
     report: &mut Report,
     examination: &Examination,
     withheld: &Withheld,
     fresh: &[(String, String)],
-    of_fresh: Reveal,
 ) {
     for (section, task) in report.tasks.iter_mut().zip(&examination.tasks) {
         for (row, group) in section.groups.iter_mut().zip(&task.groups) {
             let is_fresh = fresh.contains(&(task.name.clone(), group.name.clone()));
             let reveal = match is_fresh {
-                true => Some(of_fresh),
+                true => Some(withheld.reveal),
                 false => withheld.group(&task.name, &group.name),
             };
             if reveal.is_none() {

@@ -7,6 +7,7 @@ use std::fs::File;
 use std::io::Write;
 use std::path::Path;
 
+use clap::ValueEnum;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
@@ -15,6 +16,7 @@ use super::{Files, Written};
 use crate::assignment::Assignment;
 use crate::checkout::Checkout;
 use crate::error::{Error, Result};
+use crate::grade::withheld::Reveal;
 use crate::manifest::Manifest;
 
 /// Gradescope runs the first when it builds the container's image, the second for each
@@ -45,9 +47,13 @@ pub fn write(
     assignment: &Assignment,
     checkout: &Checkout,
     fresh: Option<&Path>,
+    reveal: Reveal,
     path: &Path,
 ) -> Result<Written> {
     let mut course = course(assignment, checkout)?;
+    let word = reveal.to_possible_value();
+    let word = word.map_or(String::new(), |word| word.get_name().to_owned());
+    course.insert("reveal".into(), word.into_bytes());
     if let Some(folder) = fresh {
         // Read first: a folder that is none of goldens should be refused here, not there.
         Manifest::read(folder)?;

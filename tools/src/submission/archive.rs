@@ -2,14 +2,13 @@
 //! disk, and of what is inside only the answers are unpacked at all.
 
 use std::collections::BTreeMap;
-use std::fs::File;
-use std::io::{BufReader, Read};
+use std::io::{self, Cursor, Read};
 use std::path::Path;
 
 use zip::ZipArchive;
 
 use super::Unusable;
-use super::text::{self, MOST_BYTES};
+use super::text::{self, MOST_BYTES, Text};
 use crate::error::{Error, Result};
 
 /// A longer archive holds more than answers.
@@ -24,7 +23,7 @@ const REGULAR: u32 = 0o100_000;
 
 /// An archive whose list of contents makes sense.
 pub struct Archive {
-    zip: ZipArchive<BufReader<File>>,
+    zip: ZipArchive<Cursor<Vec<u8>>>,
     /// The index of each file, by its folders and name.
     files: BTreeMap<Vec<String>, usize>,
 }
@@ -33,7 +32,8 @@ impl Archive {
     /// Reads the list of contents.
     ///
     /// # Errors
-    /// If it is too long, or would put a file anywhere but below its own folder.
+    /// If it is too long, or would put a file anywhere but below its own folder; or if the
+    /// machine cannot read it.
     pub fn open(path: &Path) -> Result<Archive> {
         let refused = |why: String| {
             Error::input(
@@ -41,17 +41,20 @@ impl Archive {
                 "pack the answer files alone into a ZIP file, without a password",
             )
         };
-        let file = text::open(path).map_err(|error| refused(error.to_string()))?;
-        let metadata = file
-            .metadata()
-            .map_err(|error| refused(error.to_string()))?;
-        if !metadata.is_file() {
+        // Read whole, so that what goes wrong later is the archive's own fault.
+        let unreadable = |error: io::Error| text::unreadable(path, &error);
+        let file = text::open(path).map_err(unreadable)?;
+        if !file.metadata().map_err(unreadable)?.is_file() {
             return Err(refused("it is neither a folder nor a regular file".into()));
         }
-        if metadata.len() > MOST_ARCHIVE_BYTES {
+        let mut bytes = Vec::new();
+        file.take(MOST_ARCHIVE_BYTES + 1)
+            .read_to_end(&mut bytes)
+            .map_err(unreadable)?;
+        if bytes.len() as u64 > MOST_ARCHIVE_BYTES {
             return Err(refused("it is longer than 16 MiB".into()));
         }
-        let mut zip = ZipArchive::new(BufReader::new(file))
+        let mut zip = ZipArchive::new(Cursor::new(bytes))
             .map_err(|error| refused(format!("it is no ZIP file ({error})")))?;
         if zip.len() > MOST_ENTRIES {
             return Err(refused(format!("it holds more than {MOST_ENTRIES} files")));
@@ -95,7 +98,7 @@ impl Archive {
     }
 
     /// The text of a file, or why there is none.
-    pub fn text(&mut self, folder: &[String], name: &str) -> std::result::Result<String, Unusable> {
+    pub fn text(&mut self, folder: &[String], name: &str) -> Text {
         let refused = |why: &str| Unusable::Refused(why.into());
         let wanted = within(folder, name);
         let is_alike = |other: &Vec<String>| {

@@ -5,31 +5,53 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use super::Unusable;
+use crate::error::{Error, Result};
+
+/// An answer's text, or why there is none.
+pub type Text = std::result::Result<String, Unusable>;
 
 /// An answer file longer than this is refused.
 pub const MOST_BYTES: u64 = 256 * 1024;
 
 /// Reads a file that is what it seems.
-pub fn read(path: &Path) -> Result<String, Unusable> {
-    let refused = |why: &str| Err(Unusable::Refused(why.into()));
+///
+/// # Errors
+/// If the machine cannot read what is there, which is no fault of the file's.
+pub fn read(path: &Path) -> Result<Text> {
+    let refused = |why: &str| Ok(Err(Unusable::Refused(why.into())));
     // `symlink_metadata` looks at the link itself: a link could lead anywhere.
-    let metadata = std::fs::symlink_metadata(path).map_err(|_| Unusable::Missing)?;
+    let metadata = match std::fs::symlink_metadata(path) {
+        Ok(metadata) => metadata,
+        Err(error) if is_absent(&error) => return Ok(Err(Unusable::Missing)),
+        Err(error) => return Err(unreadable(path, &error)),
+    };
     if !metadata.is_file() {
         return refused("it is not a regular file");
     }
-    let file = match open(path) {
-        Ok(file) => file,
-        Err(error) => return refused(&error.to_string()),
-    };
+    let file = open(path).map_err(|error| unreadable(path, &error))?;
     // Once more, of what was opened: it may have been exchanged meanwhile.
     if !file.metadata().is_ok_and(|metadata| metadata.is_file()) {
         return refused("it is not a regular file");
     }
     let mut bytes = Vec::new();
-    match file.take(MOST_BYTES + 1).read_to_end(&mut bytes) {
-        Ok(_) => of_bytes(bytes),
-        Err(error) => refused(&error.to_string()),
-    }
+    file.take(MOST_BYTES + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|error| unreadable(path, &error))?;
+    Ok(of_bytes(bytes))
+}
+
+/// Whether there is nothing of that name.
+fn is_absent(error: &io::Error) -> bool {
+    use io::ErrorKind::{NotADirectory, NotFound};
+    matches!(error.kind(), NotFound | NotADirectory)
+}
+
+/// What is there and cannot be read.
+pub fn unreadable(path: &Path, error: &io::Error) -> Error {
+    Error::environment(
+        format!("cannot read {}: {error}", path.display()),
+        "let whoever runs this read it (chmod -R u+rX), and run this again",
+    )
 }
 
 /// Opens a file, but follows no link and waits for no writer.
@@ -45,7 +67,7 @@ pub fn open(path: &Path) -> io::Result<File> {
 }
 
 /// Bytes as an answer's text.
-pub fn of_bytes(bytes: Vec<u8>) -> Result<String, Unusable> {
+pub fn of_bytes(bytes: Vec<u8>) -> Text {
     let refused = |why: &str| Err(Unusable::Refused(why.into()));
     if bytes.len() as u64 > MOST_BYTES {
         return refused("it is longer than 256 KiB");
@@ -53,5 +75,25 @@ pub fn of_bytes(bytes: Vec<u8>) -> Result<String, Unusable> {
     match String::from_utf8(bytes) {
         Ok(text) => Ok(text),
         Err(_) => refused("it is not UTF-8 text"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn a_file_that_the_machine_cannot_read_is_nobodys_zero() {
+        // A regular file whose first byte cannot be read by anybody.
+        let error = read(Path::new("/proc/self/mem")).unwrap_err();
+        assert!(
+            error.problem.contains("cannot read /proc/self/mem"),
+            "{error}"
+        );
+        let absent = read(Path::new("/proc/self/nothing")).unwrap();
+        assert_eq!(absent, Err(Unusable::Missing));
+        let below_a_file = read(Path::new("/proc/self/mem/x")).unwrap();
+        assert_eq!(below_a_file, Err(Unusable::Missing));
     }
 }

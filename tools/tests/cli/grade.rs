@@ -1,9 +1,11 @@
 //! A small class, graded by the real command: the same marks whatever happens meanwhile.
 
+mod fresh;
+mod resume;
+mod withheld;
+
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::path::PathBuf;
 
 use serde_json::Value;
 
@@ -213,240 +215,30 @@ fn every_format_is_valid(class: &Class, id: &str) {
 }
 
 #[test]
-fn killed_grader_resumes_without_losing_a_grade() {
-    let class = Class::new("killed");
-    let undisturbed = class.grade("whole", &[]).expect_code(0);
-    drop(undisturbed);
-    let (folder, out) = (class.path("class"), class.path("killed"));
-    let mut graded = 0;
-    for least in [1, 3] {
-        let mut grader = Command::new(env!("CARGO_BIN_EXE_pinhole"))
-            .current_dir(root())
-            .args(["grade", &folder, "--out", &out, "--no-fresh", "--jobs", "1"])
-            .stderr(Stdio::null())
-            .stdout(Stdio::null())
-            .spawn()
-            .expect("pinhole starts");
-        let end = Instant::now() + Duration::from_secs(120);
-        while finished(Path::new(&out)).len() < least && Instant::now() < end {
-            std::thread::sleep(Duration::from_millis(5));
-        }
-        grader.kill().expect("it can be killed");
-        grader.wait().expect("it is gone");
-        let now = finished(Path::new(&out)).len();
-        assert!(now >= graded.max(least) && now < 7, "{now} were graded");
-        graded = now;
-    }
-    let before = finished(Path::new(&out));
-    let told = class.grade("killed", &["--json"]).expect_code(0).json();
-    assert_eq!(told["graded_now"], 7 - graded);
-    assert_eq!(
-        class.read("killed/grades.csv"),
-        class.read("whole/grades.csv")
-    );
-    for (path, modified) in before {
-        let now = path
-            .metadata()
-            .and_then(|metadata| metadata.modified())
-            .expect("it is there");
-        assert_eq!(now, modified, "{} was not touched", path.display());
-    }
-}
-
-/// Results and when they were written.
-fn finished(out: &Path) -> Vec<(PathBuf, std::time::SystemTime)> {
-    let entries = fs::read_dir(out.join("submissions"))
-        .into_iter()
-        .flatten()
-        .flatten();
-    let results = entries.map(|entry| entry.path().join("result.json"));
-    results
-        .filter_map(|path| {
-            let modified = path
-                .metadata()
-                .and_then(|metadata| metadata.modified())
-                .ok()?;
-            Some((path, modified))
-        })
-        .collect()
-}
-
-#[test]
-fn only_what_changed_is_graded_again_and_drops_are_listed_first() {
-    let class = Class::new("changed");
-    class.grade("out", &[]).expect_code(0);
-    class.hand_in("emil", &[]);
-    class.hand_in("ada", &[("plane.rs", BROKEN)]);
-    let told = class.grade("out", &["--json"]).expect_code(0).json();
-    assert_eq!(told["graded_now"], 2);
-    let changes = told["changes"].as_array().expect("a list");
-    assert_eq!(
-        (&changes[0]["id"], &changes[1]["id"]),
-        (&"ada".into(), &"emil".into())
-    );
-    let again = class
-        .grade("out", &["--json", "--regrade"])
-        .expect_code(0)
-        .json();
-    assert_eq!(
-        (&again["graded_now"], &again["changes"]),
-        (&7.into(), &serde_json::json!([]))
-    );
-}
-
-#[test]
-fn shards_merge_to_the_grades_of_one_run() {
-    let class = Class::new("shards");
-    class.grade("whole", &[]).expect_code(0);
-    for shard in ["1/2", "2/2"] {
-        class
-            .grade(&shard.replace('/', "-"), &["--shard", shard])
-            .expect_code(0);
-    }
-    let (one, two, merged) = (class.path("1-2"), class.path("2-2"), class.path("merged"));
-    pinhole(&["merge", &one, "--out", &merged])
-        .expect_code(3)
-        .expect_out("not graded");
-    pinhole(&["merge", &two, &one, "--out", &merged]).expect_code(0);
-    assert_eq!(
-        class.read("merged/grades.csv"),
-        class.read("whole/grades.csv")
-    );
-    assert!(
-        class
-            .folder
-            .join("merged/submissions/ada/report.html")
-            .is_file()
-    );
-}
-
-#[test]
-fn two_graders_do_not_write_into_one_folder() {
-    let class = Class::new("locked");
-    fs::create_dir_all(class.folder.join("out")).expect("a folder can be made");
-    let lock = fs::File::create(class.folder.join("out/.lock")).expect("writable");
-    lock.lock().expect("nobody else has it");
-    class
-        .grade("out", &[])
-        .expect_code(2)
-        .expect_err("somebody else is grading");
-    drop(lock);
-    class.grade("out", &[]).expect_code(0);
-}
-
-#[test]
-fn a_fault_of_the_graders_is_no_zero_and_spares_the_finished_grade() {
-    let class = Class::new("fault");
-    // The first run may build this program anew, and then the second is another's.
-    for _ in 0..2 {
-        class.grade("out", &[]).expect_code(0);
-    }
-    let before = class.read("out/submissions/ada/result.json");
-    let marks = class.read("out/grades.csv");
-    // Nobody can write a report where a folder lies.
-    let report = class.folder.join("out/submissions/ada/report.html");
-    fs::remove_file(&report).expect("it was there");
-    fs::create_dir(&report).expect("a folder can be made");
-    let told = class
-        .grade("out", &["--regrade", "--json"])
-        .expect_code(3)
-        .json();
-    assert_eq!(told["faults"][0][0], "ada");
-    assert_eq!(told["points"]["ada"], 100, "the old mark stands");
-    assert_eq!(class.read("out/submissions/ada/result.json"), before);
-    assert_eq!(class.read("out/grades.csv"), marks);
-
-    // Of other answers the old mark says nothing.
-    class.hand_in("ada", &[("plane.rs", &wrong_plane())]);
-    let told = class.grade("out", &["--json"]).expect_code(3).json();
-    assert_eq!(told["not_graded"][0][0], "ada");
-    assert_eq!(told["points"]["ada"], Value::Null);
-}
-
-/// A folder of goldens as `golden render SCENE --out` makes it: films and a manifest, and
-/// no probes.
-fn goldens_of_one_scene(class: &Class, scene: &str) -> String {
-    let folder = class.folder.join("mine");
-    fs::create_dir_all(&folder).expect("a folder can be made");
-    for end in ["exr", "tol.exr", "rays.exr", "rays.tol.exr"] {
-        let name = format!("{scene}.{end}");
-        let film = root().join("golden/ray_casting").join(&name);
-        fs::copy(film, folder.join(name)).expect("the film is there");
-    }
-    let manifest = fs::read_to_string(root().join("golden/ray_casting/manifest.toml"));
-    let mut manifest: toml::Table = manifest.expect("it is there").parse().expect("TOML");
-    manifest.remove("probe_seed");
-    manifest.remove("mistakes");
-    for (table, part) in [
-        ("films", format!("{scene}.")),
-        ("sources", format!("/{scene}.toml")),
+fn an_archive_without_answers_misses_them_and_one_that_makes_no_sense_is_refused() {
+    let class = Class::new("archives");
+    let folder = class.folder.join("archives");
+    fs::create_dir_all(folder.join("empty")).expect("a folder can be made");
+    let archive = fs::File::create(folder.join("without.zip")).expect("writable");
+    let mut archive = zip::ZipWriter::new(archive);
+    let options = zip::write::SimpleFileOptions::default();
+    archive.start_file("notes.txt", options).expect("writable");
+    archive.finish().expect("writable");
+    fs::write(folder.join("broken.zip"), "PK no archive").expect("writable");
+    let (folder, out) = (class.path("archives"), class.path("out"));
+    pinhole(&["grade", &folder, "--out", &out, "--no-fresh"]).expect_code(0);
+    for (id, outcome) in [
+        ("without", "missing file"),
+        ("broken", "refused file"),
+        ("empty", "missing file"),
     ] {
-        let entries = manifest[table].as_table_mut().expect("a table");
-        entries.retain(|name, _| name.contains(&part) && !name.contains("mistakes"));
-    }
-    fs::write(folder.join("manifest.toml"), manifest.to_string()).expect("writable");
-    class.path("mine")
-}
-
-#[test]
-fn withheld_scenes_show_no_more_than_the_instructor_chooses() {
-    let class = Class::new("withheld");
-    let mine = goldens_of_one_scene(&class, "inside_a_sphere");
-    let reference = fs::read_to_string(answers().join("first_hit.rs")).expect("it is there");
-    let loud = reference.replacen(
-        "-> Option<Hit> {",
-        "-> Option<Hit> { if min_t == 1.0 && !objects.is_empty() { panic!(\"told by {}\", ray.origin.x); }",
-        1,
-    );
-    class.hand_in("loud", &[("first_hit.rs", &loud)]);
-    for reveal in ["points", "message", "picture", "full"] {
-        class
-            .grade(reveal, &["--golden", &mine, "--reveal", reveal])
-            .expect_code(0);
-        let report = class.read(&format!("{reveal}/submissions/bob/report.html"));
-        let shows = |text: &str| report.contains(text);
+        let result = class.result("out", id);
         assert_eq!(
-            shows("data:image"),
-            ["picture", "full"].contains(&reveal),
-            "{reveal}"
-        );
-        assert_eq!(shows("class=\"viewer\""), reveal == "full", "{reveal}");
-        let bob = class.result(reveal, "bob");
-        let said = bob["scenes"][0]["said"].as_str().expect("words");
-        assert_eq!(
-            said.contains("pixels are wrong"),
-            reveal != "points",
-            "{reveal}: {said}"
-        );
-        assert_eq!(
-            (&bob["scenes"][0]["points"], &bob["possible"]),
-            (&0.into(), &100.into())
-        );
-        let loud = class.result(reveal, "loud");
-        assert_eq!(
-            (&loud["scenes"][0]["outcome"], &loud["printed"]),
-            (&"panicked".into(), &"".into())
-        );
-        assert!(
-            !loud["scenes"].to_string().contains("told by"),
-            "{reveal}: {loud:#}"
+            (&result["outcome"], &result["points"]),
+            (&outcome.into(), &0.into()),
+            "{id}"
         );
     }
-}
-
-#[test]
-fn goldens_that_have_changed_since_they_were_made_judge_nobody() {
-    let class = Class::new("changed-goldens");
-    let mine = goldens_of_one_scene(&class, "inside_a_sphere");
-    let film = class.folder.join("mine/inside_a_sphere.exr");
-    let mut bytes = fs::read(&film).expect("it is there");
-    *bytes.last_mut().expect("it is not empty") ^= 1;
-    fs::write(&film, bytes).expect("writable");
-    class
-        .grade("out", &["--golden", &mine])
-        .expect_code(2)
-        .expect_err("inside_a_sphere.exr has changed since the goldens were made");
-    assert!(!class.folder.join("out/grades.csv").exists());
 }
 
 #[test]
@@ -494,69 +286,4 @@ fn nobody_is_graded_without_walls_unless_the_instructor_says_so() {
         class.result("out", "ada")["provenance"]["sandbox"],
         "bubblewrap"
     );
-}
-
-/// `sphere.rs` that is right about every public question and says no to all others.
-fn memoriser() -> String {
-    let probes = root().join("golden/ray_casting/probes");
-    let mut seen = Vec::new();
-    for entry in fs::read_dir(probes).expect("probes are there").flatten() {
-        let name = entry.file_name().into_string().expect("plain");
-        if name.starts_with("sphere.") && name.ends_with(".ask.exr") {
-            let (job, _) = pinhole::probe::read(&entry.path(), "sphere").expect("a probe");
-            if let pinhole::job::Job::Intersect(questions) = job {
-                seen.extend(questions.iter().map(|asked| asked.ray.origin.x.to_bits()));
-            }
-        }
-    }
-    seen.sort();
-    seen.dedup();
-    let reference = fs::read_to_string(answers().join("sphere.rs")).expect("it is there");
-    let guarded = reference.replacen(
-        "-> Option<Intersection> {",
-        "-> Option<Intersection> { SEEN.binary_search(&ray.origin.x.to_bits()).ok()?;",
-        1,
-    );
-    format!("{guarded}\nconst SEEN: [u64; {}] = {seen:?};\n", seen.len())
-}
-
-#[test]
-fn a_memoriser_gets_nothing_for_what_it_has_memorised() {
-    let class = Class::new("memoriser");
-    let entry = class.path("class/memoriser");
-    class.hand_in("memoriser", &[("sphere.rs", &memoriser())]);
-    let sphere = |out: &str| {
-        let result = class.result(out, "memoriser");
-        let tasks = result["tasks"].as_array().expect("tasks").clone();
-        let sphere = tasks
-            .into_iter()
-            .find(|task| task["name"] == "sphere")
-            .expect("sphere");
-        (sphere["points"].as_u64().expect("points"), sphere, result)
-    };
-    let (known, fresh) = (class.path("known"), class.path("fresh"));
-    pinhole(&["grade", &entry, "--out", &known, "--no-fresh"]).expect_code(0);
-    let (points, _, result) = sphere("known");
-    assert_eq!(points, 18);
-    assert_eq!(result["provenance"]["judged_on"], "public goldens only");
-
-    pinhole(&["grade", &entry, "--out", &fresh, "--seed", "7"]).expect_code(0);
-    let (points, task, result) = sphere("fresh");
-    assert!(points <= 4, "{task:#}");
-    let groups = task["groups"].as_array().expect("groups");
-    let outside = groups
-        .iter()
-        .find(|group| group["name"] == "outside")
-        .expect("a group");
-    assert_eq!(outside["fails_fresh"], true);
-    assert!(
-        result["most_for_scenes"]
-            .as_u64()
-            .is_some_and(|most| most < 20)
-    );
-    // The questions are there now: nothing is made or graded again.
-    let again = pinhole(&["grade", &entry, "--out", &fresh, "--json"])
-        .expect_code(0)
-        .json();
-    assert_eq!(again["graded_now"], 0);
 }

@@ -98,6 +98,10 @@ pub fn walls() -> String {
 
 /// Checks a folder or archive behind these walls, the two tasks alone.
 pub fn examine(path: &Path, walls: &str) -> Value {
+    examine_for(path, walls, "4")
+}
+
+fn examine_for(path: &Path, walls: &str, seconds: &str) -> Value {
     let path = path.to_str().expect("a plain name");
     let ran = pinhole_with(
         &[SECRET],
@@ -111,7 +115,7 @@ pub fn examine(path: &Path, walls: &str) -> Value {
             "--json",
             "--no-report",
             "--timeout",
-            "4",
+            seconds,
             "--sandbox",
             walls,
         ],
@@ -138,7 +142,12 @@ fn problems(attack: &Attack, walls: &str) -> Vec<String> {
     let folder = submission(&std::env::temp_dir(), &name, &[("plane.rs", &attack.text)]);
     let before = listing(&folder);
     let start = Instant::now();
-    let examination = examine(&folder, walls);
+    // Memory is to end these, however long a busy machine takes to hand it out.
+    let seconds = match attack.fate {
+        Fate::Outcome("out of memory") => "120",
+        _ => "4",
+    };
+    let examination = examine_for(&folder, walls, seconds);
     let mut problems = Vec::new();
     let mut expect = |right: bool, what: String| {
         if !right {

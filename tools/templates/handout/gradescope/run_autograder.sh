@@ -11,19 +11,19 @@ graded=/autograder/graded
 rm -rf "$graded"
 mkdir -m 700 "$graded"
 
+# A folder of one submission: whatever is missing in it is the student's to know.
+class=/autograder/class
+rm -rf "$class"
+mkdir -m 700 "$class"
+cp -a /autograder/submission "$class/submission"
+
 fresh=(--no-fresh)
 if [ -d fresh ]; then fresh=(--fresh fresh); fi
-target/release/pinhole grade /autograder/submission --out "$graded" \
-    --sandbox container --format gradescope "${fresh[@]}"
-code=$?
+target/release/pinhole grade "$class" --out "$graded" \
+    --sandbox container --format gradescope --reveal "$(cat reveal)" "${fresh[@]}"
 
 results=/autograder/results/results.json
-graded=("$graded"/submissions/*/gradescope.json)
-if [ -f "${graded[0]}" ]; then
-    cp "${graded[0]}" "$results"
-elif [ "$code" = 2 ]; then
-    echo '{"score": 0, "output": "There was nothing to grade: upload the six answer files, or a zip of them."}' >"$results"
-else
+if ! cp "$graded/submissions/submission/gradescope.json" "$results"; then
     # Without a score: a fault of the grader is no student's zero.
     echo '{"output": "The grader failed, not your answers. Your instructor can run it again.", "stdout_visibility": "hidden"}' >"$results"
 fi

@@ -1,0 +1,159 @@
+//! From the files of a whole program to the program.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use sha2::{Digest, Sha256};
+
+use super::prune;
+use crate::blame::{self, Diagnostic};
+use crate::error::{Error, Result};
+use crate::harness::Harness;
+use crate::sandbox::{Finished, Limits, Sandbox};
+
+/// The executable's name, as the system wants it.
+const PROGRAM: &str = match cfg!(windows) {
+    true => "submission.exe",
+    false => "submission",
+};
+
+/// File names and texts of a whole program.
+pub type Sources = BTreeMap<String, String>;
+
+/// What the compiler made of sources.
+pub enum Built {
+    Program(PathBuf),
+    Refused(Vec<Diagnostic>),
+}
+
+/// Compiles sources into a folder of `programs`, unless it is there already.
+///
+/// # Errors
+/// If there is no room for it, or no compiler.
+pub fn build(
+    sources: &Sources,
+    programs: &Path,
+    harness: &Harness,
+    sandbox: &Sandbox,
+) -> Result<Built> {
+    let folder = programs.join(fingerprint(sources, harness, sandbox));
+    let executable = folder.join("out").join(PROGRAM);
+    if executable.is_file() {
+        prune::keep(&folder);
+        return Ok(Built::Program(executable));
+    }
+    let failed = |error: std::io::Error| {
+        Error::environment(
+            format!("cannot write to {}: {error}", programs.display()),
+            "free some disk space and check that the folder can be written",
+        )
+    };
+    // A folder of its own until it is complete: another command may be compiling the
+    // same answers.
+    static NEXT: AtomicUsize = AtomicUsize::new(0);
+    let turn = NEXT.fetch_add(1, Ordering::Relaxed);
+    let fresh = folder.with_extension(format!("{}-{turn}", std::process::id()));
+    let (src, out) = (fresh.join("src"), fresh.join("out"));
+    fs::create_dir_all(&out)
+        .and_then(|()| fs::create_dir_all(&src))
+        .map_err(failed)?;
+    for (name, text) in sources {
+        fs::write(src.join(name), text).map_err(failed)?;
+    }
+    let limits = Limits::of_compiler();
+    let not_started = |error: std::io::Error| {
+        Error::environment(
+            format!("cannot start rustc: {error}"),
+            "install Rust from rustup.rs",
+        )
+    };
+    let mut rustc = sandbox
+        .compiler(&fresh, &harness.folder, &limits)
+        .map_err(not_started)?;
+    arguments(&mut rustc, harness);
+    let finished = sandbox.compile(rustc, &limits).map_err(not_started)?;
+    if finished.status.success() && is_program(&out.join(PROGRAM)) {
+        return match fs::rename(&fresh, &folder) {
+            Err(_) if executable.is_file() => {
+                fs::remove_dir_all(&fresh).map_err(failed)?;
+                Ok(Built::Program(executable))
+            }
+            renamed => {
+                prune::prune(programs);
+                renamed.map(|()| Built::Program(executable)).map_err(failed)
+            }
+        };
+    }
+    fs::remove_dir_all(&fresh).map_err(failed)?;
+    Ok(Built::Refused(said(&finished)))
+}
+
+/// A file of the compiler's, not a link to anything.
+fn is_program(path: &Path) -> bool {
+    fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_file())
+}
+
+/// The compiler's words, or why there are none.
+fn said(finished: &Finished) -> Vec<Diagnostic> {
+    let mut diagnostics = blame::diagnostics(&finished.stderr);
+    if !blame::has_error(&diagnostics) {
+        diagnostics.push(Diagnostic::of_dead_compiler(finished));
+    }
+    diagnostics
+}
+
+/// Relative paths only, so that the compiler names files as the student does.
+fn arguments(rustc: &mut Command, harness: &Harness) {
+    rustc.args([
+        "src/main.rs",
+        "--edition=2024",
+        "--crate-type=bin",
+        "--crate-name=submission",
+    ]);
+    rustc.args(["-Copt-level=2", "-Ccodegen-units=1", "-Cstrip=debuginfo"]);
+    // An `i - 1` that wraps around shows as a panic in its line, not as a wrong picture.
+    rustc.args(["-Coverflow-checks=on", "-Awarnings", "-Funsafe_code"]);
+    rustc.args(["--error-format=json", "--json=diagnostic-rendered-ansi"]);
+    rustc.arg(format!("-oout/{PROGRAM}"));
+    rustc
+        .arg("-L")
+        .arg(prefixed("dependency=", &harness.folder));
+    for (name, file) in &harness.externs {
+        rustc
+            .arg("--extern")
+            .arg(prefixed(&format!("{name}="), file));
+    }
+}
+
+fn prefixed(prefix: &str, path: &Path) -> std::ffi::OsString {
+    let mut text = std::ffi::OsString::from(prefix);
+    text.push(path);
+    text
+}
+
+/// What is compiled, against what, and where: what a trusted compiler could read must
+/// not reach a walled one by way of a finished program.
+fn fingerprint(sources: &Sources, harness: &Harness, sandbox: &Sandbox) -> String {
+    let mut hash = Sha256::new();
+    hash.update(sandbox.fingerprint());
+    for (name, text) in sources {
+        hash.update((name.len() as u64).to_le_bytes());
+        hash.update(name);
+        hash.update((text.len() as u64).to_le_bytes());
+        hash.update(text);
+    }
+    for (name, file) in &harness.externs {
+        hash.update(name);
+        hash.update(file.as_os_str().as_encoded_bytes());
+        let modified = fs::metadata(file).and_then(|metadata| metadata.modified());
+        hash.update(format!("{modified:?}"));
+    }
+    hash.finalize()
+        .iter()
+        .take(12)
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
+}

@@ -1,0 +1,73 @@
+//! Each save of an answer makes a program: the oldest go, or they would fill the disk.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
+
+/// So many stay, about a megabyte each: what was undone is quick to be done again.
+const KEPT: usize = 200;
+
+/// One that is younger may be about to be asked.
+const YOUNG: Duration = Duration::from_secs(15 * 60);
+
+/// Makes a program as young as if it had been made now: it is about to be asked.
+pub fn keep(program: &Path) {
+    let opened = fs::File::open(program);
+    // It may only go sooner.
+    let _aged = opened.and_then(|folder| folder.set_modified(SystemTime::now()));
+}
+
+/// Removes the oldest programs.
+pub fn prune(programs: &Path) {
+    prune_to(programs, KEPT, YOUNG);
+}
+
+fn prune_to(programs: &Path, kept: usize, young: Duration) {
+    let entries = fs::read_dir(programs).into_iter().flatten().flatten();
+    let mut old: Vec<(SystemTime, PathBuf)> = entries
+        .filter_map(|entry| Some((entry.metadata().ok()?.modified().ok()?, entry.path())))
+        .collect();
+    old.sort();
+    old.truncate(old.len().saturating_sub(kept));
+    old.retain(|(made, _)| made.elapsed().is_ok_and(|age| age >= young));
+    for (_, program) in old {
+        // Whoever removes it first; what cannot be removed is no reason to stop.
+        let _gone_or_kept = fs::remove_dir_all(program);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_oldest_go_and_the_young_stay() {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, age) in [("a", 3000), ("b", 2000), ("c", 4000), ("d", 10)] {
+            let program = folder.path().join(name);
+            fs::create_dir(&program).unwrap();
+            let made = SystemTime::now() - Duration::from_secs(age);
+            fs::File::open(&program)
+                .unwrap()
+                .set_modified(made)
+                .unwrap();
+        }
+        let left = || {
+            let names = fs::read_dir(folder.path()).unwrap().flatten();
+            let mut names: Vec<_> = names.map(|entry| entry.file_name()).collect();
+            names.sort();
+            names
+        };
+        prune_to(folder.path(), 3, Duration::from_secs(60));
+        assert_eq!(left(), ["a", "b", "d"]);
+        prune_to(folder.path(), 0, Duration::from_secs(60));
+        assert_eq!(left(), ["d"]);
+        fs::create_dir(folder.path().join("e")).unwrap();
+        let long_ago = SystemTime::now() - Duration::from_secs(5000);
+        let open = || fs::File::open(folder.path().join("e")).unwrap();
+        open().set_modified(long_ago).unwrap();
+        keep(&folder.path().join("e"));
+        prune_to(folder.path(), 0, Duration::from_secs(60));
+        assert_eq!(left(), ["d", "e"]);
+    }
+}
