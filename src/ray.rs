@@ -3,6 +3,7 @@
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
+// ANCHOR: ray
 /// A ray p(t) = e + t **d**, in world space (Marschner & Shirley, 4th ed., §4.2).
 ///
 /// The direction is **not** unit length: a perspective camera's rays have
@@ -22,7 +23,9 @@ impl Ray {
         self.origin + t * self.direction
     }
 }
+// ANCHOR_END: ray
 
+// ANCHOR: hit
 /// Where a ray meets a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Intersection {
@@ -42,3 +45,4 @@ pub struct Hit {
     /// Where on that object.
     pub intersection: Intersection,
 }
+// ANCHOR_END: hit

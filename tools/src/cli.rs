@@ -1,5 +1,6 @@
 //! What the command understands; the texts of `--help`.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
@@ -53,6 +54,8 @@ pub enum Command {
     /// Measure the trade between speed and accuracy, and the extremes
     #[cfg(feature = "study")]
     Study(Study),
+    /// Build the book, or prove it
+    Book(Book),
     /// Give up all rights and become a program: what sandboxes start first
     #[cfg(target_os = "linux")]
     #[command(hide = true)]
@@ -75,7 +78,7 @@ impl Command {
             Command::Grade(arguments) => arguments.json,
             Command::Merge(arguments) => arguments.json,
             Command::Handout(arguments) => arguments.json,
-            Command::Golden(_) => false,
+            Command::Golden(_) | Command::Book(_) => false,
             #[cfg(target_os = "linux")]
             Command::Confine(_) => false,
         }
@@ -437,6 +440,20 @@ pub struct Handout {
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,
+}
+
+/// Build the book, or prove it.
+///
+/// `build` makes both editions, the students' without solutions, in book/build. `check`
+/// makes them and looks for whatever is not so: listings, links, figures, what commands
+/// print, spelling. The book's own package does both, so that students need not build it;
+/// `book build --help` tells the rest.
+#[derive(Args)]
+#[command(disable_help_flag = true)]
+pub struct Book {
+    /// build or check, and what it is to be told
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+    pub arguments: Vec<OsString>,
 }
 
 /// Grade the grading.

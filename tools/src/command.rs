@@ -1,5 +1,6 @@
 //! One file for each thing the command does.
 
+mod book;
 mod check;
 mod diff;
 mod explain;
@@ -62,6 +63,7 @@ pub fn run(cli: Cli) -> Result<Outcome> {
         Command::Validate(arguments) => validate::run(&checkout, &arguments),
         #[cfg(feature = "study")]
         Command::Study(arguments) => study::run(&checkout, &arguments),
+        Command::Book(arguments) => book::run(&checkout, &arguments),
         #[cfg(target_os = "linux")]
         Command::Confine(_) => unreachable!("it has become another program by now"),
     }

@@ -15,6 +15,7 @@ fn in_house_dependencies(manifest: &str) -> BTreeSet<String> {
         "pinhole",
         "pinhole-study",
         "pinhole-tools",
+        "pinhole-book",
         "ray-casting-reference",
         "ray-casting-handout",
     ];
@@ -32,6 +33,7 @@ fn imports_point_one_way() {
     // The study stands alone; nothing in-house links it, so that students never compile it.
     let study = in_house_dependencies("tools/study/Cargo.toml");
     assert!(study.is_subset(&harness_only), "{study:?}");
+    assert_eq!(in_house_dependencies("tools/book/Cargo.toml"), harness_only);
     for submission in ["reference", "handout"] {
         let manifest = format!("assignments/ray_casting/{submission}/Cargo.toml");
         assert_eq!(in_house_dependencies(&manifest), harness_only);

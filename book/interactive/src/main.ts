@@ -1,0 +1,19 @@
+// Wakes the figures of a page. Without this script their static pictures stay.
+
+import { pixelToRay } from "./pixel_to_ray";
+import { sphereRoots } from "./sphere_roots";
+
+const figures: Readonly<Record<string, (stage: HTMLElement) => void>> = {
+    pixel_to_ray: pixelToRay,
+    sphere_roots: sphereRoots,
+};
+
+for (const figure of document.querySelectorAll<HTMLElement>("figure[data-figure]")) {
+    const stage = figure.querySelector<HTMLElement>(".stage");
+    const wake = figures[figure.dataset["figure"] ?? ""];
+    if (stage !== null && wake !== undefined) {
+        wake(stage);
+        // What the arrow keys move is a slider, and no chapter.
+        figure.addEventListener("keydown", (event) => event.stopPropagation());
+    }
+}

@@ -1,0 +1,86 @@
+//! The book of all pages, one edition at a time.
+
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+
+use mdbook_driver::MDBook;
+use mdbook_driver::config::Config;
+
+use crate::checkout::{Checkout, write};
+use crate::edition::Edition;
+use crate::error::{Problem, Result};
+use crate::expand::{Expand, Sources};
+use crate::interactive;
+
+/// What every page loads besides mdBook's own, whose names are taken (`book.js` is one):
+/// written into the book's top folder.
+const ASSETS: [(&str, &[u8]); 5] = [
+    ("pinhole.css", include_bytes!("../assets/pinhole.css")),
+    ("pinhole.js", include_bytes!("../assets/pinhole.js")),
+    ("interactive.js", interactive::BUNDLE.as_bytes()),
+    (
+        "fonts/stix-two-math.woff2",
+        include_bytes!("../assets/fonts/stix-two-math-latin-400-normal.woff2"),
+    ),
+    (
+        "fonts/STIX-LICENSE.txt",
+        include_bytes!("../assets/fonts/LICENSE"),
+    ),
+];
+
+/// An edition that was built.
+pub struct Built {
+    /// For whom.
+    pub edition: Edition,
+    /// Where its `index.html` lies.
+    pub folder: PathBuf,
+    /// What is wrong in its pages; there they are marked.
+    pub problems: Vec<Problem>,
+}
+
+/// Builds an edition into a folder, which is emptied before.
+pub fn build(
+    sources: &Arc<Sources>,
+    edition: Edition,
+    folder: &Path,
+    checkout: &Checkout,
+) -> Result<Built> {
+    let problems = Arc::new(Mutex::new(Vec::new()));
+    let failed = |error: mdbook_driver::errors::Error| {
+        Problem::of(
+            "book",
+            format!("mdBook: {error:#}"),
+            "see book.toml and SUMMARY.md",
+        )
+    };
+    let own = checkout.book().join("book.toml");
+    let mut config = Config::from_disk(&own).map_err(failed)?;
+    config.build.build_dir = folder.into();
+    config.build.create_missing = false;
+    config.build.use_default_preprocessors = false;
+    if edition == Edition::Instructor {
+        let title = config.book.title.unwrap_or_default();
+        config.book.title = Some(format!("{title} (instructor’s edition)"));
+    }
+    let theme = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/theme");
+    let quiet = [
+        ("output.html.theme", theme.display().to_string().into()),
+        ("output.html.hash-files", false.into()),
+    ];
+    for (key, value) in quiet {
+        let value: toml::Value = value;
+        config.set(key, value).map_err(failed)?;
+    }
+    let mut book = MDBook::load_with_config(checkout.book(), config).map_err(failed)?;
+    book.with_preprocessor(Expand::new(sources.clone(), edition, problems.clone()));
+    book.build().map_err(failed)?;
+    for (name, content) in ASSETS {
+        write(&folder.join(name), content)?;
+    }
+    let problems = std::mem::take(&mut *problems.lock().expect("nobody panics while adding one"));
+    Ok(Built {
+        edition,
+        folder: folder.into(),
+        problems,
+    })
+}

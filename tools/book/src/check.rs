@@ -1,0 +1,87 @@
+//! What would make the book lie, looked for where a reader would find it: in the built
+//! pages.
+
+mod headings;
+mod images;
+mod links;
+mod pages;
+mod solutions;
+mod spelling;
+
+use crate::build::Built;
+use crate::checkout::Checkout;
+use crate::course::{self, Course};
+use crate::edition::Edition;
+use crate::error::{Problem, Result};
+use crate::{figures, gallery, interactive, run};
+pub use pages::files as pages_files;
+
+/// A part of the check.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Part {
+    /// Links, anchors, images, solutions, hints: the built pages
+    Pages,
+    /// What commands print
+    Runs,
+    /// Figures against the programs that make them
+    Figures,
+    /// Galleries against what the mistakes cast
+    Galleries,
+    /// The interactive figures' types and mathematics (needs Node.js)
+    Interactive,
+    /// Words (needs Node.js)
+    Spelling,
+}
+
+impl Part {
+    /// All of them.
+    pub const ALL: [Part; 6] = [
+        Part::Pages,
+        Part::Runs,
+        Part::Figures,
+        Part::Galleries,
+        Part::Interactive,
+        Part::Spelling,
+    ];
+}
+
+/// Everything that is wrong, found by these parts.
+pub fn check(built: &[Built], parts: &[Part], checkout: &Checkout) -> Result<Vec<Problem>> {
+    let mut problems: Vec<Problem> = Vec::new();
+    for part in parts {
+        match part {
+            Part::Pages => {
+                for edition in built {
+                    problems.extend(self::built(edition, checkout)?);
+                }
+            }
+            Part::Runs => problems.extend(run::check(checkout)?),
+            Part::Figures => problems.extend(figures::check(checkout)?),
+            Part::Galleries => problems.extend(gallery::check(checkout)?),
+            Part::Interactive => problems.extend(interactive::check(checkout)?),
+            Part::Spelling => problems.extend(spelling::check(checkout)?),
+        }
+    }
+    // Both editions are made of the same pages.
+    let mut told: Vec<Problem> = Vec::new();
+    for problem in problems {
+        if !told.contains(&problem) {
+            told.push(problem);
+        }
+    }
+    Ok(told)
+}
+
+fn built(built: &Built, checkout: &Checkout) -> Result<Vec<Problem>> {
+    let pages = pages::read(&built.folder)?;
+    let mut problems = built.problems.clone();
+    problems.extend(links::dead(&pages, &built.folder, built.edition));
+    problems.extend(images::silent(&pages));
+    if built.edition == Edition::Student {
+        let (course, mistakes) = (Course::read(checkout)?, course::mistakes(checkout)?);
+        problems.extend(headings::missing(&pages, &course, &mistakes));
+        let answers = solutions::answers(&course, checkout)?;
+        problems.extend(solutions::shown(&answers, &built.folder)?);
+    }
+    Ok(problems)
+}

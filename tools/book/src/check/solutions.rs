@@ -1,0 +1,149 @@
+//! Lines of the reference's answers in what students get, the search index included.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::pages::files;
+use crate::checkout::Checkout;
+use crate::course::Course;
+use crate::error::{Error, Problem, Result};
+use crate::listing::between;
+
+/// Shorter lines, `return None;` or a brace, give nothing away.
+const LEAST: usize = 16;
+
+/// A line of an answer, as it is looked for.
+pub struct Line {
+    task: String,
+    /// As it stands in the answer.
+    text: String,
+    /// Without spaces.
+    bare: String,
+}
+
+/// The lines of all answers that tell something.
+pub fn answers(course: &Course, checkout: &Checkout) -> Result<Vec<Line>> {
+    let mut lines = Vec::new();
+    for task in &course.task {
+        let file = PathBuf::from(format!(
+            "assignments/ray_casting/reference/src/{}.rs",
+            task.name
+        ));
+        let text = checkout.read(&file)?;
+        let body = between(&text, "answer")
+            .map_err(|(problem, remedy)| Problem::of(file, problem, remedy))?;
+        let handout = checkout.read(format!(
+            "assignments/ray_casting/handout/src/{}.rs",
+            task.name
+        ))?;
+        for line in body.lines().map(str::trim) {
+            let bare = bare(line);
+            // Which names there are is no secret: the appendix lists them.
+            let tells = bare.chars().count() >= LEAST && !line.starts_with("use ");
+            if tells && !handout.contains(line) {
+                lines.push(Line {
+                    task: task.name.clone(),
+                    text: line.into(),
+                    bare,
+                });
+            }
+        }
+    }
+    Ok(lines)
+}
+
+/// Where one of these lines stands in a folder's files.
+pub fn shown(lines: &[Line], folder: &Path) -> Result<Vec<Problem>> {
+    let mut problems = Vec::new();
+    for path in files(folder)? {
+        let is_text = path
+            .extension()
+            .and_then(|end| end.to_str())
+            .is_some_and(|end| ["html", "js", "json", "svg", "txt"].contains(&end));
+        if !is_text {
+            continue;
+        }
+        let text = fs::read_to_string(&path).map_err(|error| Error::file(&path, &error))?;
+        let text = bare(&unescaped(&text));
+        for line in lines.iter().filter(|line| text.contains(&line.bare)) {
+            let file = path.strip_prefix(folder).unwrap_or(&path);
+            let problem = format!(
+                "it shows a line of the answer to {}: `{}`",
+                line.task, line.text
+            );
+            let remedy = "put it between {{#instructor}} and {{/instructor}}";
+            problems.push(Problem::of(
+                Path::new("student").join(file),
+                problem,
+                remedy,
+            ));
+        }
+    }
+    Ok(problems)
+}
+
+/// Whatever stands for a character, in HTML or in a script's texts, as that character.
+fn unescaped(text: &str) -> String {
+    [
+        ("\\n", " "),
+        ("\\t", " "),
+        ("\\\"", "\""),
+        ("&lt;", "<"),
+        ("&gt;", ">"),
+        ("&quot;", "\""),
+        ("&#39;", "'"),
+        ("&#x27;", "'"),
+        ("&amp;", "&"),
+    ]
+    .iter()
+    .fold(text.to_owned(), |text, (from, to)| text.replace(from, to))
+}
+
+fn bare(text: &str) -> String {
+    text.chars().filter(|c| !c.is_whitespace()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(file: &str, text: &str) -> usize {
+        let checkout = Checkout::find().unwrap();
+        let course = Course::read(&checkout).unwrap();
+        let lines = answers(&course, &checkout).unwrap();
+        assert!(
+            lines.len() > 20,
+            "only {} lines tell something",
+            lines.len()
+        );
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join(file), text).unwrap();
+        shown(&lines, folder.path()).unwrap().len()
+    }
+
+    #[test]
+    fn a_line_of_an_answer_is_found_in_pages_and_in_the_search_index() {
+        let line = "if discriminant < 0.0 {";
+        assert_eq!(
+            found(
+                "a.html",
+                &format!("<code>{}</code>", line.replace('<', "&lt;"))
+            ),
+            1
+        );
+        assert_eq!(
+            found(
+                "searchindex.js",
+                &format!("{{\"body\":\"x\\n  {line}\\n\"}}")
+            ),
+            1
+        );
+        assert_eq!(
+            found(
+                "a.html",
+                "<p>If the discriminant is negative, nothing is met.</p>"
+            ),
+            0
+        );
+    }
+}

@@ -1,0 +1,57 @@
+//! Words that neither English nor the book's own list, `book/words.txt`, knows.
+
+use std::path::Path;
+
+use crate::checkout::Checkout;
+use crate::error::{Problem, Result};
+use crate::interactive;
+
+/// Unknown words, each in its place.
+pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
+    Ok(
+        match interactive::npm(&["run", "--silent", "spell"], &[], checkout)? {
+            Ok(_) => Vec::new(),
+            Err(said) => {
+                let told: Vec<Problem> = said.lines().filter_map(problem).collect();
+                match told.is_empty() {
+                    true => vec![Problem::of("book/interactive/cspell.json", said, "mend it")],
+                    false => told,
+                }
+            }
+        },
+    )
+}
+
+/// A line of cspell: `FILE:LINE:COLUMN - Unknown word (WORD) Suggestions: [...]`, the file
+/// as from `book`. That cspell does find one is tested beside it, in
+/// `book/interactive/test`.
+fn problem(line: &str) -> Option<Problem> {
+    let (place, told) = line.split_once(" - ")?;
+    let mut place = place.rsplitn(3, ':').skip(1);
+    let number = place.next()?.trim().parse().ok()?;
+    let file = Path::new("book").join(place.next()?.trim());
+    let word = told.split_once('(')?.1.split_once(')')?.0;
+    let remedy = "correct it, or add it to book/words.txt if it is right";
+    Some(Problem::at(
+        file,
+        number,
+        format!("`{word}` is no word we know"),
+        remedy,
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_unknown_word_is_told_with_its_line() {
+        let line = "src/rays.md:7:12 - Unknown word (parametre) Suggestions: [parameter]";
+        let problem = problem(line).unwrap();
+        assert_eq!(
+            (problem.file.to_str(), problem.line),
+            (Some("book/src/rays.md"), Some(7))
+        );
+        assert!(problem.problem.contains("`parametre`"), "{problem}");
+    }
+}

@@ -1,0 +1,184 @@
+//! Every figure of the book, by name: made by a program, kept, compared by every check.
+
+mod camera;
+mod drawing;
+pub mod loops;
+mod pictures;
+mod shapes;
+mod stills;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::PathBuf;
+
+use crate::checkout::{Checkout, write};
+use crate::error::{Problem, Result};
+use crate::html::escaped;
+pub use drawing::colour;
+
+/// A figure's file: what is in it, and how its name ends.
+pub struct Made {
+    /// `svg` or `png`.
+    pub extension: &'static str,
+    /// The file.
+    pub content: Vec<u8>,
+}
+
+/// Makes one figure.
+pub type Maker = fn(&Checkout) -> Result<Made>;
+
+/// All makers by the figure's name.
+pub fn makers() -> BTreeMap<&'static str, Maker> {
+    let makers: [(&'static str, Maker); 28] = [
+        ("camera_obscura", camera::camera_obscura),
+        ("ray_parameter", camera::ray_parameter),
+        ("pinhole_and_image_plane", camera::pinhole_and_image_plane),
+        ("camera_frame", camera::camera_frame),
+        ("projection_rays", camera::projection_rays),
+        ("three_spaces", camera::three_spaces),
+        ("pixel_space", camera::pixel_space),
+        ("viewing_ray", camera::viewing_ray),
+        ("two_loops", shapes::two_loops),
+        ("loops_by_objects", loops::loops_by_objects),
+        ("loops_by_pixels", loops::loops_by_pixels),
+        ("implicit_and_parametric", shapes::implicit_and_parametric),
+        ("plane_and_ray", shapes::plane_and_ray),
+        ("sphere_and_line", shapes::sphere_and_line),
+        ("triangle_alpha_beta", shapes::triangle_alpha_beta),
+        ("soup_of_triangles", shapes::soup_of_triangles),
+        ("first_hit_along_ray", shapes::first_hit_along_ray),
+        ("three_outputs_bunny", pictures::three_outputs_bunny),
+        ("three_outputs_boxes", pictures::three_outputs_boxes),
+        ("image_function", pictures::image_function),
+        (
+            "projections_side_by_side",
+            pictures::projections_side_by_side,
+        ),
+        ("normal_colours", pictures::normal_colours),
+        ("pixel_to_ray", stills::pixel_to_ray),
+        ("sphere_roots", stills::sphere_roots),
+        ("projections", stills::projections),
+        ("triangle_weights", shapes::triangle_alpha_beta),
+        ("breaking_distance", stills::breaking_distance),
+        ("sphere_from_afar", stills::sphere_from_afar),
+    ];
+    makers.into()
+}
+
+/// Where figures are kept.
+pub fn folder(checkout: &Checkout) -> PathBuf {
+    checkout.book().join("src/figures")
+}
+
+/// HTML of a kept figure. A drawing stands in the page itself, so that it takes the
+/// page's colours, light or dark; its file is one line for each element.
+pub fn shown(
+    name: &str,
+    alternative: &str,
+    to_root: &str,
+    checkout: &Checkout,
+) -> std::result::Result<String, (String, String)> {
+    let alternative = escaped(alternative);
+    let file = |extension: &str| folder(checkout).join(format!("{name}.{extension}"));
+    if file("png").is_file() {
+        return Ok(format!(
+            "<img src=\"{to_root}figures/{name}.png\" alt=\"{alternative}\" loading=\"lazy\">"
+        ));
+    }
+    let drawing = fs::read_to_string(file("svg")).map_err(|_| {
+        let remedy = "add its maker to tools/book/src/figures.rs, then: \
+                      cargo run --release -p pinhole-book -- figures";
+        (format!("there is no figure `{name}`"), remedy.to_owned())
+    })?;
+    let named = format!("<svg role=\"img\" aria-label=\"{alternative}\" ");
+    Ok(drawing.trim_end().replacen("<svg ", &named, 1))
+}
+
+/// Makes figures, all or those named, and keeps them.
+pub fn keep(names: &[String], checkout: &Checkout) -> Result<()> {
+    for (name, make) in makers() {
+        if names.is_empty() || names.iter().any(|wanted| wanted == name) {
+            let made = make(checkout)?;
+            write(
+                &folder(checkout).join(format!("{name}.{}", made.extension)),
+                made.content,
+            )?;
+        }
+    }
+    Ok(())
+}
+
+/// Figures that are not as their program makes them, or that no program makes.
+pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
+    let mut kept = BTreeMap::new();
+    for entry in fs::read_dir(folder(checkout))
+        .into_iter()
+        .flatten()
+        .flatten()
+    {
+        let content = fs::read(entry.path()).unwrap_or_default();
+        kept.insert(entry.file_name().to_string_lossy().into_owned(), content);
+    }
+    let mut made = BTreeMap::new();
+    for (name, make) in makers() {
+        let Made { extension, content } = make(checkout)?;
+        made.insert(format!("{name}.{extension}"), content);
+    }
+    Ok(compare(&kept, &made))
+}
+
+type Files = BTreeMap<String, Vec<u8>>;
+
+fn compare(kept: &Files, made: &Files) -> Vec<Problem> {
+    let problem = |name: &String, what: &str, remedy: &str| {
+        Problem::of(PathBuf::from("book/src/figures").join(name), what, remedy)
+    };
+    let again = "make it again and look at it: cargo run --release -p pinhole-book -- figures";
+    let mut problems = Vec::new();
+    for (name, content) in made {
+        match kept.get(name) {
+            None => problems.push(problem(name, "the figure is missing", again)),
+            Some(old) if old != content => {
+                problems.push(problem(
+                    name,
+                    "the figure is not as its program makes it",
+                    again,
+                ));
+            }
+            Some(_) => {}
+        }
+    }
+    for name in kept.keys().filter(|name| !made.contains_key(*name)) {
+        let remedy = "remove it, or add its maker to tools/book/src/figures.rs";
+        problems.push(problem(name, "no program makes this figure", remedy));
+    }
+    problems
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stale_a_missing_and_a_foreign_figure_are_problems() {
+        let files = |files: &[(&str, &str)]| -> Files {
+            let owned = files
+                .iter()
+                .map(|(name, text)| ((*name).into(), (*text).into()));
+            owned.collect()
+        };
+        let made = files(&[("a.svg", "1"), ("b.svg", "2"), ("c.svg", "3")]);
+        let kept = files(&[("a.svg", "1"), ("b.svg", "old"), ("d.svg", "4")]);
+        let problems = compare(&kept, &made);
+        let told: Vec<&str> = problems
+            .iter()
+            .map(|problem| problem.problem.as_str())
+            .collect();
+        let expected = [
+            "the figure is not as its program makes it",
+            "the figure is missing",
+            "no program makes this figure",
+        ];
+        assert_eq!(told, expected);
+    }
+}

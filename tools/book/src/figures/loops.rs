@@ -1,0 +1,123 @@
+//! What the two loops cost, counted: the same triangles drawn by both.
+
+use glam::{DVec2, DVec3, dvec2, dvec3};
+use pinhole::{Camera, Projection, Resolution, Triangle};
+
+use super::Made;
+use super::drawing::{Drawing, Side, Stroke, colour, ink, stroke};
+use crate::checkout::Checkout;
+use crate::error::Result;
+use crate::rasterizer::rasterize;
+
+/// Where the triangles of [`strewn`] are seen from.
+pub fn camera() -> Camera {
+    let projection = Projection::Perspective { focal_length: 1.0 };
+    let size = (1.6, 0.9);
+    Camera::new(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, size, projection).expect("it is a frame")
+}
+
+/// So many triangles of about this size, strewn before the camera, the same each time.
+pub fn strewn(count: usize, size: f64) -> Vec<Triangle> {
+    // The fractions of multiples of three irrational numbers fill a cube evenly.
+    let spread = |number: usize, by: f64| (number as f64 * by).fract() - 0.5;
+    let triangle = |number: usize| {
+        let at = [0.819_172_5, 0.671_043_6, 0.549_700_5].map(|by| spread(number + 1, by));
+        let middle = dvec3(at[0] * 6.0, at[1] * 3.4, at[2] * 2.0 - 4.0);
+        let corner = |k: usize| {
+            let by = [0.754_877_7, 0.569_840_3, 0.618_034];
+            middle + size * DVec3::from(by.map(|by| spread(3 * number + k, by)))
+        };
+        Triangle {
+            corners: [corner(0), corner(1), corner(2)],
+        }
+    };
+    (0..count).map(triangle).collect()
+}
+
+/// Steps of both loops: the rasterizer's, and the brute-force ray caster's, which asks
+/// every triangle for every pixel.
+fn steps(count: usize, resolution: Resolution) -> [f64; 2] {
+    let drawn = rasterize(&camera(), resolution, 1.0, &strewn(count, 0.3));
+    [drawn.steps as f64, (count * resolution.pixels()) as f64]
+}
+
+/// As triangles are added.
+pub fn loops_by_objects(_: &Checkout) -> Result<Made> {
+    let resolution = Resolution { n_x: 160, n_y: 90 };
+    let counts = (0..=10).map(|half| 10f64.powf(f64::from(half) / 2.0).round());
+    let points = counts.map(|count| (count, steps(count as usize, resolution)));
+    Ok(plot("triangles", points.collect()))
+}
+
+/// As pixels are added.
+pub fn loops_by_pixels(_: &Checkout) -> Result<Made> {
+    let sides = [1, 2, 4, 8, 16, 32, 64].map(|n| Resolution {
+        n_x: 16 * n,
+        n_y: 9 * n,
+    });
+    let points = sides.map(|side| (side.pixels() as f64, steps(1000, side)));
+    Ok(plot("pixels", points.into()))
+}
+
+/// Both axes logarithmic, a grid line for each decade.
+fn plot(across: &str, points: Vec<(f64, [f64; 2])>) -> Made {
+    let decade = |value: f64| value.log10();
+    let all = points.iter().flat_map(|(_, both)| both.iter().copied());
+    let (least, most) = all.fold((f64::MAX, 0.0_f64), |(least, most), value| {
+        (least.min(value), most.max(value))
+    });
+    let from = dvec2(decade(points[0].0).floor(), decade(least).floor());
+    let to = dvec2(
+        decade(points[points.len() - 1].0).ceil(),
+        decade(most).ceil(),
+    );
+    // The drawing's unit across is a decade; upward, half of one.
+    let place = |x: f64, y: f64| dvec2(decade(x), 0.5 * decade(y));
+    let corner = |p: DVec2| dvec2(p.x, 0.5 * p.y);
+    let (low, high) = (corner(from), corner(to));
+    let mut drawing = Drawing::new(640.0, low - dvec2(0.7, 0.6), high + dvec2(1.3, 0.15));
+    for x in from.x as i32..=to.x as i32 {
+        let at = f64::from(x);
+        drawing.line(dvec2(at, low.y), dvec2(at, high.y), &ink().thin());
+        drawing.small(dvec2(at, low.y), Side::Below, &power(x));
+    }
+    for y in from.y as i32..=to.y as i32 {
+        let at = 0.5 * f64::from(y);
+        drawing.line(dvec2(low.x, at), dvec2(high.x, at), &ink().thin());
+        drawing.small(dvec2(low.x, at), Side::Left, &power(y));
+    }
+    let middle = dvec2(0.5 * (low.x + high.x), low.y - 0.4);
+    drawing.small(middle, Side::On, across);
+    let looks: [(&str, Stroke); 2] = [
+        ("rasterizer", stroke(colour(1)).thick()),
+        ("ray caster", stroke(colour(5)).thick()),
+    ];
+    for (which, (name, look)) in looks.iter().enumerate() {
+        let line: Vec<DVec2> = points
+            .iter()
+            .map(|(x, both)| place(*x, both[which]))
+            .collect();
+        drawing.path(&line, false, "none", look);
+        for at in &line {
+            drawing.dot(*at, &look.colour);
+        }
+        drawing.small(line[line.len() - 1], Side::Right, name);
+    }
+    drawing.made()
+}
+
+/// A power of ten as it is written.
+fn power(exponent: i32) -> String {
+    match exponent {
+        0 => "1".into(),
+        1 => "10".into(),
+        _ => {
+            let digits = ["⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"];
+            let written = exponent.to_string();
+            let raised = written
+                .bytes()
+                .map(|digit| digits[usize::from(digit - b'0')]);
+            format!("10{}", raised.collect::<String>())
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! Pictures: films in the harness's false colours.
+
+use glam::{DVec3, dvec3};
+use image::imageops::{FilterType, resize};
+use image::{Rgb, RgbImage};
+use pinhole::{Camera, Film, Plane, Projection, Resolution, Scene, Shape, Sphere, false_colour};
+
+use super::Made;
+use super::drawing::{Drawing, Side, ink, stroke};
+use crate::checkout::Checkout;
+use crate::error::{Error, Result};
+use crate::gallery::strip::{beside, png};
+use crate::reference::Reference;
+
+/// Pixels between two pictures.
+pub const GAP: u32 = 8;
+
+/// The figure of a picture.
+pub fn made(picture: &RgbImage) -> Result<Made> {
+    Ok(Made {
+        extension: "png",
+        content: png(picture)?,
+    })
+}
+
+/// A golden film in its three false colours.
+fn three(name: &str, checkout: &Checkout) -> Result<Made> {
+    let film = Film::read(&checkout.golden().join(format!("{name}.exr")))?;
+    let scene = scene(name, checkout)?;
+    let per_t = scene.camera.depth_per_t();
+    let range = false_colour::depth_range(&film, per_t);
+    let pictures = [
+        false_colour::id(&film),
+        false_colour::depth(&film, per_t, range),
+        false_colour::normal(&film),
+    ];
+    let large = pictures.map(|picture| enlarged(&picture, 2));
+    made(&beside(&large, GAP))
+}
+
+fn scene(name: &str, checkout: &Checkout) -> Result<Scene> {
+    Ok(Scene::read(
+        &checkout
+            .assignment()
+            .join("scenes")
+            .join(format!("{name}.toml")),
+    )?)
+}
+
+/// Every pixel so many wide and high.
+pub fn enlarged(picture: &RgbImage, times: u32) -> RgbImage {
+    let (width, height) = (picture.width() * times, picture.height() * times);
+    resize(picture, width, height, FilterType::Nearest)
+}
+
+/// The rabbit.
+pub fn three_outputs_bunny(checkout: &Checkout) -> Result<Made> {
+    three("bunny", checkout)
+}
+
+/// The inside of a box.
+pub fn three_outputs_boxes(checkout: &Checkout) -> Result<Made> {
+    three("inside_a_box", checkout)
+}
+
+/// One function, sampled twice.
+pub fn image_function(checkout: &Checkout) -> Result<Made> {
+    let mut scene = scene("sphere_and_plane", checkout)?;
+    let reference = Reference::build(checkout)?;
+    let fine = false_colour::id(&reference.film(&scene)?);
+    scene.resolution = Resolution { n_x: 16, n_y: 9 };
+    let mut coarse = enlarged(&false_colour::id(&reference.film(&scene)?), 20);
+    for (x, y, pixel) in coarse.enumerate_pixels_mut() {
+        if x % 20 == 0 || y % 20 == 0 {
+            *pixel = Rgb(pixel.0.map(|value| value / 2));
+        }
+    }
+    made(&beside(&[coarse, enlarged(&fine, 2)], GAP))
+}
+
+/// Balls in two rows, in perspective and orthographic.
+pub fn projections_side_by_side(checkout: &Checkout) -> Result<Made> {
+    let reference = Reference::build(checkout)?;
+    let mut objects = vec![Shape::Plane(Plane {
+        point: DVec3::ZERO,
+        normal: DVec3::Y,
+    })];
+    for k in 0..5 {
+        for x in [-1.25, 1.25] {
+            objects.push(Shape::Sphere(Sphere {
+                center: dvec3(x, 0.6, -2.2 * f64::from(k)),
+                radius: 0.6,
+            }));
+        }
+    }
+    let perspective = Projection::Perspective { focal_length: 4.0 };
+    let cameras = [
+        (dvec3(0.0, 3.6, 5.0), (4.8, 3.0), perspective),
+        (dvec3(0.0, 4.4, 5.0), (11.2, 7.0), Projection::Orthographic),
+    ];
+    let mut pictures = Vec::new();
+    for (eye, size, projection) in cameras {
+        let scene = Scene {
+            camera: camera(eye, dvec3(0.0, -0.42, -1.0), size, projection)?,
+            resolution: Resolution { n_x: 320, n_y: 200 },
+            min_t: 0.0,
+            objects: objects.clone(),
+        };
+        pictures.push(false_colour::id(&reference.film(&scene)?));
+    }
+    made(&beside(&pictures, GAP))
+}
+
+fn camera(eye: DVec3, view: DVec3, size: (f64, f64), projection: Projection) -> Result<Camera> {
+    Camera::new(eye, view, DVec3::Y, size, projection)
+        .ok_or_else(|| Error::environment("a figure's camera is none", "report this"))
+}
+
+/// A sphere in the colours of its normals, as discs of one colour each, with the axes.
+pub fn normal_colours(checkout: &Checkout) -> Result<Made> {
+    let reference = Reference::build(checkout)?;
+    let n = 24;
+    let scene = Scene {
+        camera: camera(
+            dvec3(0.0, 0.0, 3.0),
+            -DVec3::Z,
+            (2.0, 2.0),
+            Projection::Orthographic,
+        )?,
+        resolution: Resolution { n_x: n, n_y: n },
+        min_t: 0.0,
+        objects: vec![Shape::Sphere(Sphere {
+            center: DVec3::ZERO,
+            radius: 1.0,
+        })],
+    };
+    let film = reference.film(&scene)?;
+    let picture = false_colour::normal(&film);
+    let ids = film.channel("id").unwrap_or_default();
+    let at = glam::dvec2;
+    let mut drawing = Drawing::new(420.0, at(-1.7, -1.35), at(1.9, 1.6));
+    let pixel = 2.0 / n as f64;
+    for (x, y, Rgb([r, g, b])) in picture.enumerate_pixels() {
+        if ids[y as usize * n + x as usize] >= 0.0 {
+            let (x, y) = (-1.0 + f64::from(x) * pixel, 1.0 - f64::from(y) * pixel);
+            // A little wider than it is, or the page shows through.
+            let (right, below) = (x + 1.04 * pixel, y - 1.04 * pixel);
+            let corners = [at(x, y), at(right, y), at(right, below), at(x, below)];
+            drawing.area(&corners, &format!("#{r:02x}{g:02x}{b:02x}"), 1.0);
+        }
+    }
+    drawing.arrow(at(1.0, 0.0), at(1.5, 0.0), &stroke("#d33").thick());
+    drawing.text(at(1.5, 0.0), Side::Right, "x");
+    drawing.arrow(at(0.0, 1.0), at(0.0, 1.4), &stroke("#2a2").thick());
+    drawing.text(at(0.0, 1.4), Side::Right, "y");
+    drawing.circle(at(0.0, 0.0), 0.09, "none", 1.0, &stroke("#000").thick());
+    drawing.circle(at(0.0, 0.0), 0.025, "#000", 1.0, &stroke("#000"));
+    drawing.line(at(0.1, -0.1), at(1.0, -1.0), &ink().thin());
+    drawing.small(at(1.0, -1.0), Side::Below, "z, towards you");
+    Ok(drawing.made())
+}

@@ -1,0 +1,39 @@
+//! Builds Pinhole's book, and proves what it shows.
+//!
+//! The book's chapters quote: code by its anchors, what a command prints, numbers,
+//! figures, pictures of mistakes. Nothing of that is typed by hand; this package puts it
+//! in, for students (no solutions) and for instructors, and fails where it cannot.
+//! Students never compile it: `pinhole book` starts it when somebody asks.
+//!
+//! Reading order:
+//!
+//! 1. [`error`], [`checkout`], [`edition`]: what can be wrong, where things lie, for whom;
+//! 2. [`scan`], [`directive`]: what a writer's page consists of;
+//! 3. [`program`], [`reference`](mod@reference), [`course`]: whom the book asks instead of claiming;
+//! 4. [`rasterizer`] and [`silhouette`]: what the book computes itself, to compare;
+//! 5. [`listing`], [`formula`], [`run`], [`worked`], [`figures`], [`gallery`],
+//!    [`interactive`]: one file for each thing a page can quote;
+//! 6. [`expand`], [`build`]: a page with everything put in, and the book of all pages;
+//! 7. [`check`]: what would make the book lie, looked for in the built pages.
+
+pub mod build;
+pub mod check;
+pub mod checkout;
+pub mod course;
+pub mod directive;
+pub mod edition;
+pub mod error;
+pub mod expand;
+pub mod figures;
+pub mod formula;
+pub mod gallery;
+pub mod html;
+pub mod interactive;
+pub mod listing;
+pub mod program;
+pub mod rasterizer;
+pub mod reference;
+pub mod run;
+pub mod scan;
+pub mod silhouette;
+pub mod worked;

@@ -1,0 +1,138 @@
+//! `book build` and `book check`; `pinhole book` starts them.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::Arc;
+
+use clap::{Args, Parser, Subcommand};
+use pinhole_book::build::{Built, build};
+use pinhole_book::check::{Part, check};
+use pinhole_book::checkout::Checkout;
+use pinhole_book::edition::Edition;
+use pinhole_book::error::{Error, Problem, Result};
+use pinhole_book::expand::Sources;
+use pinhole_book::{figures, gallery, interactive, run, worked};
+
+/// Pinhole's book: built, and proved.
+///
+/// Exit codes: 0 all well; 1 the check found something; 2 a page is wrong; 3 the machine
+/// or this program is at fault.
+#[derive(Parser)]
+#[command(name = "pinhole book", version, max_term_width = 100)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Build the book
+    Build {
+        #[command(flatten)]
+        which: Which,
+        /// Mark in the pages what is missing or wrong, and build all the same
+        #[arg(long)]
+        draft: bool,
+    },
+    /// Build the book, and look for whatever in it is not so
+    Check {
+        #[command(flatten)]
+        which: Which,
+        /// Only this part; may be given more than once
+        #[arg(long, value_enum, value_name = "PART")]
+        only: Vec<Part>,
+    },
+    /// Run the commands of book/commands.toml, and keep what they print
+    Capture {
+        /// Only these
+        ids: Vec<String>,
+    },
+    /// Cast the mistakes, and keep their pictures
+    Gallery {
+        /// Only these
+        mistakes: Vec<String>,
+    },
+    /// Bundle the script of the interactive figures, and keep it (needs Node.js)
+    Bundle,
+    /// Make the figures, and keep them
+    Figures {
+        /// Only these
+        names: Vec<String>,
+    },
+}
+
+#[derive(Args)]
+struct Which {
+    /// Only this edition
+    #[arg(long, value_enum)]
+    edition: Option<Edition>,
+    /// The folder that gets one for each edition [default: book/build]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+fn main() -> ExitCode {
+    match run_command(Cli::parse().command) {
+        Ok(problems) if problems.is_empty() => ExitCode::SUCCESS,
+        Ok(problems) => {
+            eprintln!("{}", Error::Sources(problems));
+            ExitCode::from(1)
+        }
+        Err(error) => {
+            eprintln!("{error}");
+            match error {
+                Error::Sources(_) => ExitCode::from(2),
+                Error::Environment { .. } => ExitCode::from(3),
+            }
+        }
+    }
+}
+
+fn run_command(command: Command) -> Result<Vec<Problem>> {
+    let checkout = Checkout::find()?;
+    match command {
+        Command::Build { which, draft } => {
+            let built = editions(&which, &checkout)?;
+            let problems: Vec<Problem> =
+                built.into_iter().flat_map(|built| built.problems).collect();
+            match (problems.is_empty(), draft) {
+                (true, _) => Ok(Vec::new()),
+                (false, true) => {
+                    eprintln!("{}", Error::Sources(problems));
+                    Ok(Vec::new())
+                }
+                (false, false) => Err(Error::Sources(problems)),
+            }
+        }
+        Command::Check { which, only } => {
+            let parts = match only.is_empty() {
+                true => Part::ALL.to_vec(),
+                false => only,
+            };
+            check(&editions(&which, &checkout)?, &parts, &checkout)
+        }
+        Command::Capture { ids } => run::capture(&ids, &checkout).map(|()| Vec::new()),
+        Command::Gallery { mistakes } => gallery::keep(&mistakes, &checkout).map(|()| Vec::new()),
+        Command::Bundle => interactive::bundle(&checkout).map(|()| Vec::new()),
+        Command::Figures { names } => figures::keep(&names, &checkout).map(|()| Vec::new()),
+    }
+}
+
+fn editions(which: &Which, checkout: &Checkout) -> Result<Vec<Built>> {
+    let here = std::env::current_dir().unwrap_or_default();
+    let out = match &which.out {
+        Some(out) => here.join(out),
+        None => checkout.book().join("build"),
+    };
+    let sources = Arc::new(Sources::read(worked::values(checkout)?, checkout)?);
+    let wanted = Edition::ALL
+        .into_iter()
+        .filter(|own| which.edition.is_none_or(|one| one == *own));
+    let mut all = Vec::new();
+    for edition in wanted {
+        let built = build(&sources, edition, &out.join(edition.name()), checkout)?;
+        println!("{}", built.folder.join("index.html").display());
+        all.push(built);
+    }
+    Ok(all)
+}

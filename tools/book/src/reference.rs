@@ -1,0 +1,108 @@
+//! The compiled reference, asked as any submission is: over the seam, not linked.
+//!
+//! No tool may import a submission. So a number that the book says "comes from the
+//! reference" comes from the program that is judged against Mitsuba.
+
+use std::process::Command;
+use std::time::Duration;
+
+use pinhole::ask::{Ending, ask};
+use pinhole::job::{Answer, CameraQuestion, Job, ShapeQuestion};
+use pinhole::{Camera, Hit, Intersection, Pixel, Ray, Resolution, Shape, Triangle};
+
+use crate::checkout::Checkout;
+use crate::error::{Error, Result};
+use crate::program;
+
+/// Who answers.
+pub struct Reference {
+    program: std::path::PathBuf,
+}
+
+/// No question of the book takes longer.
+const WALL: Duration = Duration::from_secs(60);
+
+impl Reference {
+    /// Builds it.
+    pub fn build(checkout: &Checkout) -> Result<Reference> {
+        let program = program::build("ray-casting-reference", checkout)?;
+        Ok(Reference { program })
+    }
+
+    /// The ray through the centre of a pixel.
+    pub fn viewing_ray(&self, camera: Camera, pixel: Pixel, resolution: Resolution) -> Result<Ray> {
+        let question = CameraQuestion {
+            camera,
+            pixel,
+            resolution,
+        };
+        match self.ask(&Job::ViewingRay(vec![question]))? {
+            Answer::Ray(ray) => Ok(ray),
+            Answer::Hit(_) => Err(odd()),
+        }
+    }
+
+    /// Where a ray meets a shape, alone.
+    pub fn intersect(&self, shape: &Shape, ray: Ray, min_t: f64) -> Result<Option<Intersection>> {
+        let question = ShapeQuestion {
+            shape: shape.clone(),
+            ray,
+            min_t,
+        };
+        match self.ask(&Job::Intersect(vec![question]))? {
+            Answer::Hit(hit) => Ok(hit.map(|hit| hit.intersection)),
+            Answer::Ray(_) => Err(odd()),
+        }
+    }
+
+    /// Where a ray meets each of these triangles that it meets.
+    pub fn each(&self, triangles: &[Triangle], ray: Ray, min_t: f64) -> Result<Vec<f64>> {
+        let question = |triangle: &Triangle| ShapeQuestion {
+            shape: Shape::Triangle(*triangle),
+            ray,
+            min_t,
+        };
+        let reply = self.reply(&Job::Intersect(triangles.iter().map(question).collect()))?;
+        let t = |answer| match answer {
+            Some(Answer::Hit(hit)) => hit.map(|hit: Hit| hit.intersection.t),
+            _ => None,
+        };
+        Ok(reply.answers.into_iter().filter_map(t).collect())
+    }
+
+    /// What a ray meets first of a list.
+    pub fn first_hit(&self, shapes: &[Shape], ray: Ray, min_t: f64) -> Result<Option<Hit>> {
+        match self.ask(&Job::Cast(ray, min_t, shapes.to_vec()))? {
+            Answer::Hit(hit) => Ok(hit),
+            Answer::Ray(_) => Err(odd()),
+        }
+    }
+
+    /// A scene's film.
+    pub fn film(&self, scene: &pinhole::Scene) -> Result<pinhole::Film> {
+        let resolution = scene.resolution;
+        let reply = self.reply(&Job::Film(scene.clone()))?;
+        Ok(reply.film(resolution))
+    }
+
+    fn ask(&self, job: &Job) -> Result<Answer> {
+        let answers = self.reply(job)?.answers;
+        answers.into_iter().next().flatten().ok_or_else(odd)
+    }
+
+    fn reply(&self, job: &Job) -> Result<pinhole::ask::Reply> {
+        let reply = ask(Command::new(&self.program), job, WALL, &mut |_| {})
+            .map_err(|error| Error::file(&self.program, &error))?;
+        match &reply.ending {
+            Ending::Complete => Ok(reply),
+            other => Err(Error::environment(
+                format!("the reference does not answer: {other:?}"),
+                "run `cargo run --release -- check assignments/ray_casting/reference`",
+            )),
+        }
+    }
+}
+
+fn odd() -> Error {
+    Error::environment("the reference answers another question", "report this")
+}

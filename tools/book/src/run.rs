@@ -1,0 +1,297 @@
+//! Commands and what they print: captured once, shown, run again by every check.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use regex::Regex;
+use serde::Deserialize;
+
+use crate::checkout::{Checkout, write};
+use crate::error::{Error, Problem, Result};
+use crate::listing::fence;
+use crate::program;
+
+/// A command of `book/commands.toml`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Run {
+    /// As a reader types it; `pinhole` stands for this program.
+    pub command: String,
+    /// Whose answers lie in the handout's folder meanwhile: `handout`, `reference`, or
+    /// `mistakes/SLUG`, the reference with that mistake's files over it.
+    #[serde(default = "handout")]
+    pub answers: String,
+    /// First and last line shown, from 1.
+    pub lines: Option<[usize; 2]>,
+    /// Regular expressions, and what stands in their place, for what differs each time.
+    #[serde(default)]
+    pub replace: Vec<[String; 2]>,
+}
+
+fn handout() -> String {
+    "handout".into()
+}
+
+/// All commands by name.
+pub type Runs = BTreeMap<String, Run>;
+
+/// Where the commands are listed.
+const LIST: &str = "book/commands.toml";
+
+/// Where a student's answers lie, and what the output calls them.
+const HANDOUT: &str = "assignments/ray_casting/handout";
+
+/// What is typed for `pinhole`.
+const PINHOLE: &str = "cargo run --release --";
+
+/// Reads the list; without one, there are no commands.
+pub fn read(checkout: &Checkout) -> Result<Runs> {
+    if !checkout.root().join(LIST).is_file() {
+        return Ok(Runs::new());
+    }
+    toml::from_str(&checkout.read(LIST)?).map_err(|error| {
+        let remedy = "each command is a table: [ID] command = \"pinhole …\"";
+        Problem::of(LIST, error.message(), remedy).into()
+    })
+}
+
+/// Where the output of a command is kept.
+pub fn captured(id: &str, checkout: &Checkout) -> PathBuf {
+    checkout.book().join("captured").join(format!("{id}.txt"))
+}
+
+impl Run {
+    /// The command line a reader copies.
+    pub fn typed(&self) -> String {
+        match self.command.strip_prefix("pinhole ") {
+            Some(rest) => format!("{PINHOLE} {rest}"),
+            None => self.command.clone(),
+        }
+    }
+
+    /// Markdown of the command and what it printed.
+    pub fn shown(&self, output: &str) -> String {
+        let lines: Vec<&str> = output.lines().collect();
+        let [first, last] = self.lines.unwrap_or([1, lines.len()]);
+        let (first, last) = (first.clamp(1, lines.len().max(1)), last.min(lines.len()));
+        let mut part: Vec<&str> = lines.get(first - 1..last).unwrap_or_default().to_vec();
+        if first > 1 {
+            part.insert(0, "…");
+        }
+        if last < lines.len() {
+            part.push("…");
+        }
+        let text = part.join("\n");
+        let fence = fence(&text);
+        let typed = self.typed();
+        format!("{fence}sh\n{typed}\n{fence}\n\n{fence}text\n{text}\n{fence}\n")
+    }
+}
+
+/// Runs commands in a folder of their own.
+pub struct Runner<'a> {
+    checkout: &'a Checkout,
+    pinhole: PathBuf,
+}
+
+impl<'a> Runner<'a> {
+    /// Builds the program.
+    pub fn new(checkout: &'a Checkout) -> Result<Runner<'a>> {
+        let pinhole = program::build("pinhole-tools", checkout)?;
+        Ok(Runner { checkout, pinhole })
+    }
+
+    /// What a command prints, standard output alone.
+    pub fn run(&self, id: &str, run: &Run) -> Result<String> {
+        let wrong =
+            |problem: String, remedy: &str| Problem::of(LIST, format!("[{id}]: {problem}"), remedy);
+        let mut words = run.command.split_whitespace();
+        if words.next() != Some("pinhole") {
+            let remedy = "let the command begin with `pinhole`";
+            return Err(wrong(format!("`{}` is not ours", run.command), remedy).into());
+        }
+        let answers = self.answers(&run.answers)?;
+        let named = answers.display().to_string();
+        let mut arguments: Vec<String> = words.map(|word| word.replace(HANDOUT, &named)).collect();
+        // Without a folder `check` takes the handout: the one folder that is not touched.
+        if arguments.first().is_some_and(|word| word == "check") {
+            arguments.push(named.clone());
+        }
+        let here = self.checkout.scratch().join("run");
+        fs::create_dir_all(&here).map_err(|error| Error::file(&here, &error))?;
+        let output = Command::new(&self.pinhole)
+            .args(&arguments)
+            .current_dir(&here)
+            .output()
+            .map_err(|error| Error::file(&self.pinhole, &error))?;
+        // 1 is a verdict, as any other.
+        if !matches!(output.status.code(), Some(0 | 1)) {
+            let said = String::from_utf8_lossy(&output.stderr);
+            return Err(wrong(format!("it fails: {said}"), "mend the command").into());
+        }
+        let mut text = String::from_utf8_lossy(&output.stdout).into_owned();
+        let root = format!("{}/", self.checkout.root().display());
+        let inside = named.replace(&root, "");
+        for (from, to) in [(named.as_str(), HANDOUT), (&inside, HANDOUT), (&root, "")] {
+            text = text.replace(from, to);
+        }
+        for [pattern, with] in &run.replace {
+            let pattern = Regex::new(&format!("(?m){pattern}"))
+                .map_err(|error| wrong(error.to_string(), "write a regular expression"))?;
+            text = pattern.replace_all(&text, with.as_str()).into_owned();
+        }
+        let text: String = text
+            .lines()
+            .map(|line| format!("{}\n", line.trim_end()))
+            .collect();
+        Ok(text.trim_start_matches('\n').to_owned())
+    }
+
+    /// A folder of answers, in the checkout's scratch space, where code is trusted.
+    fn answers(&self, whose: &str) -> Result<PathBuf> {
+        let assignment = self.checkout.assignment();
+        let folder = self
+            .checkout
+            .scratch()
+            .join("answers")
+            .join(whose.replace('/', "-"));
+        let _absent = fs::remove_dir_all(&folder);
+        let mut sources = vec![assignment.join("reference/src")];
+        match whose {
+            "reference" => {}
+            "handout" => sources = vec![assignment.join("handout/src")],
+            other => sources.push(assignment.join(other)),
+        }
+        for source in sources {
+            copy_rust(&source, &folder.join("src"))?;
+        }
+        Ok(folder)
+    }
+}
+
+/// Copies the answer files, and nothing else, from one folder to another.
+pub fn copy_rust(from: &Path, to: &Path) -> Result<()> {
+    let failed = |error: std::io::Error| Error::file(from, &error);
+    fs::create_dir_all(to).map_err(failed)?;
+    for entry in fs::read_dir(from).map_err(failed)?.flatten() {
+        if entry.path().extension().is_some_and(|end| end == "rs") {
+            fs::copy(entry.path(), to.join(entry.file_name())).map_err(failed)?;
+        }
+    }
+    Ok(())
+}
+
+/// Runs commands, all or those named, and keeps what they print.
+pub fn capture(ids: &[String], checkout: &Checkout) -> Result<()> {
+    let runs = read(checkout)?;
+    let runner = Runner::new(checkout)?;
+    if let Some(unknown) = ids.iter().find(|id| !runs.contains_key(*id)) {
+        let remedy = "add it, or name one that is listed";
+        return Err(Problem::of(LIST, format!("there is no command [{unknown}]"), remedy).into());
+    }
+    let mut problems = Vec::new();
+    for (id, run) in runs {
+        if ids.is_empty() || ids.contains(&id) {
+            match runner.run(&id, &run) {
+                Ok(output) => write(&captured(&id, checkout), output)?,
+                Err(Error::Sources(wrong)) => problems.extend(wrong),
+                Err(other) => return Err(other),
+            }
+        }
+    }
+    match problems.is_empty() {
+        true => Ok(()),
+        false => Err(Error::Sources(problems)),
+    }
+}
+
+/// What no longer prints what the book shows.
+pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
+    let runs = read(checkout)?;
+    let runner = Runner::new(checkout)?;
+    let mut problems = Vec::new();
+    for (id, run) in &runs {
+        let path = captured(id, checkout);
+        let kept = fs::read_to_string(&path).ok();
+        match runner.run(id, run) {
+            Ok(output) => {
+                problems.extend(changed(&checkout.inside(&path), kept.as_deref(), &output))
+            }
+            Err(Error::Sources(wrong)) => problems.extend(wrong),
+            Err(other) => return Err(other),
+        }
+    }
+    Ok(problems)
+}
+
+/// Says where the first difference is.
+fn changed(file: &Path, kept: Option<&str>, output: &str) -> Option<Problem> {
+    let remedy =
+        "look whether the change is right, then: cargo run --release -p pinhole-book -- capture";
+    let Some(kept) = kept else {
+        return Some(Problem::of(file, "the command was never captured", remedy));
+    };
+    if kept == output {
+        return None;
+    }
+    let (mut old, mut new) = (kept.lines(), output.lines());
+    for line in 1.. {
+        let (old, new) = (old.next(), new.next());
+        if old != new || old.is_none() {
+            let quoted =
+                |text: Option<&str>| text.map_or("nothing".into(), |text| format!("`{text}`"));
+            let problem = format!(
+                "the command now prints {}, not {}",
+                quoted(new),
+                quoted(old)
+            );
+            return Some(Problem::at(file, line, problem, remedy));
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn run(lines: Option<[usize; 2]>) -> Run {
+        Run {
+            command: "pinhole check".into(),
+            answers: handout(),
+            lines,
+            replace: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn lines_that_are_left_out_leave_dots() {
+        let shown = run(Some([2, 3])).shown("a\nb\nc\nd\n");
+        assert!(shown.contains("```text\n…\nb\nc\n…\n```"), "{shown}");
+        assert!(shown.contains("cargo run --release -- check"), "{shown}");
+        assert!(!run(None).shown("a\nb\n").contains('…'));
+    }
+
+    #[test]
+    fn an_output_that_changed_is_a_problem_at_its_line() {
+        let file = Path::new("captured/x.txt");
+        assert_eq!(changed(file, Some("a\nb\n"), "a\nb\n"), None);
+        let problem = changed(file, Some("a\nb\n"), "a\nc\n").unwrap();
+        assert_eq!(problem.line, Some(2));
+        assert!(problem.problem.contains("`c`, not `b`"), "{problem}");
+        assert!(
+            changed(file, None, "a\n")
+                .unwrap()
+                .problem
+                .contains("never captured")
+        );
+        assert!(
+            changed(file, Some("a\n"), "")
+                .unwrap()
+                .problem
+                .contains("nothing, not `a`")
+        );
+    }
+}

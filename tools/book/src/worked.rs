@@ -1,0 +1,55 @@
+//! The book's numbers: asked of the reference, or computed by the formula of the chapter.
+//!
+//! What the reference does not return, a discriminant say, is computed here, and a test
+//! holds it against what the reference does return.
+
+mod camera;
+mod shapes;
+
+use std::collections::BTreeMap;
+
+use glam::DVec3;
+use pinhole::report::number;
+
+use crate::checkout::Checkout;
+use crate::error::Result;
+use crate::reference::Reference;
+use crate::silhouette::{DISTANCES, WAYS, wrong};
+pub use camera::{PIXEL, on_plane, slide};
+pub use shapes::{PLANE, Quadratic, RAY, SPHERE, TRIANGLE, weights};
+
+/// What is shown, by name.
+pub type Values = BTreeMap<String, String>;
+
+/// Digits of every number shown, as `explain` shows them.
+const DIGITS: usize = 6;
+
+/// All numbers of the book.
+pub fn values(checkout: &Checkout) -> Result<Values> {
+    let reference = Reference::build(checkout)?;
+    let mut values = Values::new();
+    camera::add(&mut values, &reference, checkout)?;
+    shapes::add(&mut values, &reference)?;
+    let colours = pinhole::false_colour::OBJECT_COLOURS;
+    for (name, meets) in WAYS {
+        for far in DISTANCES {
+            let name = format!("afar_{name}_{far:e}");
+            values.insert(name, wrong(meets, far).to_string());
+        }
+    }
+    values.insert("object_colours".into(), colours.to_string());
+    Ok(values)
+}
+
+/// A number as the book shows it.
+fn shown(value: f64) -> String {
+    number(value, DIGITS)
+}
+
+/// A vector as the book shows it.
+fn vector(DVec3 { x, y, z }: DVec3) -> String {
+    format!("({}, {}, {})", shown(x), shown(y), shown(z))
+}
+
+#[cfg(test)]
+mod tests;
