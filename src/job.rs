@@ -34,7 +34,7 @@ pub enum Job {
 }
 
 /// Which ray passes through the centre of `pixel`?
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct CameraQuestion {
     /// Who looks.
     pub camera: Camera,
