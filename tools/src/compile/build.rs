@@ -82,8 +82,9 @@ pub fn build(
                 Ok(Built::Program(executable))
             }
             renamed => {
+                renamed.map_err(failed)?;
                 prune::prune(programs);
-                renamed.map(|()| Built::Program(executable)).map_err(failed)
+                Ok(Built::Program(executable))
             }
         };
     }

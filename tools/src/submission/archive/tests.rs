@@ -210,16 +210,14 @@ fn no_spoilt_archive_harms_its_reader() {
     while start.elapsed().as_secs() < seconds {
         let mut bytes = seed.clone();
         for _ in 0..1 + dice.below(6) {
-            let at = dice
-                .below(bytes.len().max(1))
-                .min(bytes.len().saturating_sub(1));
+            let at = dice.below(bytes.len() + 1);
             match dice.below(5) {
-                0 => bytes[at] ^= 1 << dice.below(8),
-                1 => bytes[at] = dice.below(256) as u8,
+                0 if at < bytes.len() => bytes[at] ^= 1 << dice.below(8),
+                1 if at < bytes.len() => bytes[at] = dice.below(256) as u8,
                 // Lengths, counts and offsets are of two and four bytes.
                 2 => bytes[at..].iter_mut().take(4).for_each(|byte| *byte = 255),
                 3 => drop(bytes.drain(at..(at + dice.below(32)).min(bytes.len()))),
-                _ => bytes.truncate(at.max(30)),
+                _ => bytes.truncate(at),
             }
         }
         fs::write(&path, &bytes).expect("it can be written");
