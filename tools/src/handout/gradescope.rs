@@ -105,7 +105,10 @@ fn course(assignment: &Assignment, checkout: &Checkout) -> Result<Files> {
         add_folder(&mut files, checkout, &folder, &[])?;
     }
     add_folder(&mut files, checkout, &format!("golden/{name}"), &[])?;
-    // Cargo refuses a manifest that names a file which is not there.
+    // Cargo refuses a manifest that names what is not there.
     add_folder(&mut files, checkout, "tools/benches", &["rs"])?;
+    for package in ["tools/book", "tools/study"] {
+        add_folder(&mut files, checkout, package, &["rs", "toml"])?;
+    }
     Ok(files)
 }
