@@ -512,12 +512,19 @@ pub struct Study {
     /// Ask fewer questions: less than a minute
     #[arg(long)]
     pub quick: bool,
+    /// Put these answers among the kernels, by the questions of --quick: their sphere,
+    /// plane and triangle through the extremes, all six through the scenes. Nothing of it
+    /// is graded
+    #[arg(long, value_name = "DIR")]
+    pub submission: Option<PathBuf>,
     /// Where to write
     #[arg(long, value_name = "DIR", default_value = "study")]
     pub out: PathBuf,
     /// Only this family of questions (distance, surface, …), or mesh, scenes, spoilt or speed
     #[arg(long, value_name = "FAMILY")]
     pub only: Option<String>,
+    #[command(flatten)]
+    pub run: Run,
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,

@@ -1,6 +1,7 @@
 //! One file for each thing the command does.
 
 mod book;
+mod built;
 mod check;
 mod diff;
 mod explain;

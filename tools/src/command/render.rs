@@ -11,15 +11,15 @@ use pinhole::{Film, Resolution, Scene, false_colour};
 use serde_json::{Value, json};
 
 use super::Outcome;
+use super::built::built;
 use crate::assignment::Assignment;
 use crate::checkout::Checkout;
 use crate::cli::Render;
-use crate::compile::{Replaced, compile};
-use crate::describe::{printable, printable_coloured};
+use crate::describe::printable;
 use crate::error::{Error, Result};
 use crate::examine;
 use crate::progress::Progress;
-use crate::sandbox::{Limits, Sandbox};
+use crate::sandbox::Limits;
 use crate::{pictures, table};
 
 /// What was cast, by whom.
@@ -103,33 +103,20 @@ fn by_submission(
     arguments: &Render,
     scene: Scene,
 ) -> Result<Cast> {
-    let submission = super::submission(
-        arguments.submission.as_ref(),
+    let built = built(
+        checkout,
         assignment,
-        assignment.own_answers(),
+        arguments.submission.as_ref(),
+        &arguments.run,
     )?;
-    let sandbox = Sandbox::around(&submission.folder, checkout, arguments.run.walls(), &[])?;
-
     let progress = Progress::new();
-    progress.say("building");
-    let program = compile(&submission, assignment, checkout, &sandbox)?;
-    for (task, why) in &program.replaced {
-        if let Replaced::DoesNotCompile(diagnostics) = why {
-            progress.clear();
-            anstream::eprintln!("{}", printable_coloured(diagnostics.trim_end()));
-            return Err(Error::input(
-                format!("{task}.rs does not compile"),
-                "mend it and try again",
-            ));
-        }
-    }
     let resolution = scene.resolution;
     let pixels = resolution.pixels() as f64;
     let wall = Duration::from_secs(arguments.run.timeout);
     let start = Instant::now();
     let reply = examine::run(
-        &program,
-        &sandbox,
+        &built.program,
+        &built.sandbox,
         &Limits::of_answers(wall),
         &Job::Film(scene),
         &mut |done| {
@@ -141,7 +128,7 @@ fn by_submission(
     let problem = examine::failure(&reply.ending, assignment, None);
     Ok(Cast {
         film: reply.film(resolution),
-        by: submission.folder.display().to_string(),
+        by: built.submission.folder.display().to_string(),
         seconds,
         problem: problem.as_ref().map(table::outcome),
         printed: reply.printed,

@@ -1,9 +1,11 @@
 //! `pinhole study` and `pinhole render --exact`: a package of its own, compiled when it is
 //! first asked for.
 
-use std::env;
-use std::path::Path;
+mod submission;
+
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::{env, fs};
 
 use pinhole::Film;
 use serde_json::Value;
@@ -31,13 +33,23 @@ fn cannot_start(error: std::io::Error) -> Error {
 pub fn run(checkout: &Checkout, arguments: &Study) -> Result<Outcome> {
     let mut cargo = program(checkout);
     cargo.arg("--out").arg(&arguments.out);
-    cargo.args(arguments.quick.then_some("--quick"));
+    let is_quick = arguments.quick || arguments.submission.is_some();
+    cargo.args(is_quick.then_some("--quick"));
+    let theirs = arguments.submission.as_ref();
+    let answers = theirs.map(|folder| submission::answers(checkout, arguments, folder));
+    let answers = answers.transpose()?;
+    if let Some(file) = &answers {
+        cargo.arg("--answers").arg(file);
+    }
     cargo.args(arguments.json.then_some("--json"));
     if let Some(family) = &arguments.only {
         cargo.args(["--only", family]);
     }
     // Its progress and its results go where ours would.
     let status = cargo.status().map_err(cannot_start)?;
+    if let Some(file) = answers {
+        let _swept_away_some_day = fs::remove_file(file);
+    }
     match status.code() {
         Some(0) => Ok(Outcome::Well),
         Some(1) => Ok(Outcome::JudgedWrong),
@@ -50,6 +62,31 @@ pub fn run(checkout: &Checkout, arguments: &Study) -> Result<Outcome> {
             "see its message above",
         )),
     }
+}
+
+/// A part of the study's program that writes a file and has nothing to say.
+fn run_quietly(checkout: &Checkout, part: &str, file: &Path) -> Result<()> {
+    let mut cargo = program(checkout);
+    let status = cargo.arg(part).arg(file).status().map_err(cannot_start)?;
+    match status.success() {
+        true => Ok(()),
+        false => Err(Error::environment(
+            "the study has no questions",
+            "see its message above",
+        )),
+    }
+}
+
+/// A file of this process alone.
+fn scratch(checkout: &Checkout, what: &str) -> Result<PathBuf> {
+    let folder = checkout.scratch().join("study");
+    fs::create_dir_all(&folder).map_err(|error| {
+        Error::environment(
+            format!("cannot make {}: {error}", folder.display()),
+            "make room on the disk",
+        )
+    })?;
+    Ok(folder.join(format!("{what}.{}", std::process::id())))
 }
 
 /// A film by the study's exact caster, by way of a file.

@@ -4,7 +4,31 @@ use serde::{Deserialize, Serialize};
 
 use crate::contestant::Contestant;
 use crate::oracle::{Known, Truth};
-use crate::question::Question;
+use crate::question::{Data, Question};
+
+/// Whoever answers questions.
+pub trait Answers<S> {
+    /// The type of numbers that questions are rounded to.
+    fn data(&self) -> Data;
+    /// Where the ray of the question at a place of its list meets the shape.
+    fn answer(&self, at: usize, question: &Question<S>) -> Option<f64>;
+    /// The same of that question scaled to have its numbers near 1.
+    fn answer_near_one(&self, at: usize, question: &Question<S>) -> Option<f64>;
+}
+
+impl<S> Answers<S> for Contestant<S> {
+    fn data(&self) -> Data {
+        self.data
+    }
+
+    fn answer(&self, _: usize, question: &Question<S>) -> Option<f64> {
+        (self.answer)(question)
+    }
+
+    fn answer_near_one(&self, _: usize, question: &Question<S>) -> Option<f64> {
+        (self.answer)(question)
+    }
+}
 
 /// What came of it. Ties are counted, and otherwise left out; so are questions whose t
 /// is larger than the type's largest number.
@@ -64,7 +88,7 @@ enum Verdict {
 }
 
 fn verdict<S: Known>(
-    kernel: &Contestant<S>,
+    data: Data,
     question: &Question<S>,
     truth: &Truth,
     answer: Option<f64>,
@@ -75,9 +99,9 @@ fn verdict<S: Known>(
         (None, Some(_)) => Verdict::FalseHit,
         (Some(_), None) => Verdict::FalseMiss,
         (Some(root), Some(t)) => {
-            let error = root.error_in_ulp(t, kernel.data);
+            let error = root.error_in_ulp(t, data);
             let other = truth.other.as_ref().map(|other| other.value());
-            let apart = other.map_or(0.0, |other| root.error_in_ulp(other, kernel.data));
+            let apart = other.map_or(0.0, |other| root.error_in_ulp(other, data));
             match other.filter(|_| apart > APART) {
                 Some(other) if is_of_other_side(question, root.value(), other, t) => {
                     Verdict::WrongRoot
@@ -102,26 +126,27 @@ fn is_of_other_side<S: Known>(question: &Question<S>, root: f64, other: f64, t: 
     (other - root).abs() > radius / length && (t - other).abs() < (t - root).abs()
 }
 
-/// A kernel's answers to questions whose truths are known.
+/// Somebody's answers to questions whose truths are known.
 pub fn judge<S: Known>(
-    kernel: &Contestant<S>,
+    somebody: &impl Answers<S>,
     questions: &[Question<S>],
     truths: &[Truth],
 ) -> Tally {
+    let data = somebody.data();
     let mut tally = Tally::default();
     let mut errors = Vec::new();
-    for (question, truth) in questions.iter().zip(truths) {
+    for (at, (question, truth)) in questions.iter().zip(truths).enumerate() {
         if truth.is_tie {
             tally.ties += 1;
             continue;
         }
-        if truth.t.as_ref().is_some_and(|t| !t.fits(kernel.data)) {
+        if truth.t.as_ref().is_some_and(|t| !t.fits(data)) {
             continue;
         }
         tally.asked += 1;
         tally.hits += u64::from(truth.t.is_some());
-        let answer = (kernel.answer)(question);
-        let fault = match verdict(kernel, question, truth, answer) {
+        let answer = somebody.answer(at, question);
+        let fault = match verdict(data, question, truth, answer) {
             Verdict::Right(error) => {
                 errors.extend(error);
                 continue;
@@ -132,10 +157,10 @@ pub fn judge<S: Known>(
             Verdict::NotFinite => &mut tally.not_finite,
         };
         *fault += 1;
-        let near_one = question.normalized().rounded(kernel.data);
-        let again = (kernel.answer)(&near_one);
+        let near_one = question.normalized().rounded(data);
+        let again = somebody.answer_near_one(at, &near_one);
         let truth = S::truth(&near_one);
-        if matches!(verdict(kernel, &near_one, &truth, again), Verdict::Right(_)) {
+        if matches!(verdict(data, &near_one, &truth, again), Verdict::Right(_)) {
             tally.out_of_range += 1;
             tally.silent += u64::from(answer.is_none_or(f64::is_finite));
         }

@@ -11,8 +11,9 @@
 //! 4. [`oracle`], [`judge`], [`breaking`]: what is true, what is wrong, what is broken;
 //! 5. [`contestant`], [`contestants`], [`speed`], [`instructions`]: who takes part, and
 //!    what each costs;
-//! 6. [`cast`], [`film`], [`scenes`]: whole scenes;
-//! 7. [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the whole,
+//! 6. [`leaks`]: closed meshes; [`cast`], [`film`], [`scenes`]: whole scenes;
+//! 7. [`theirs`]: a student's answers among them;
+//! 8. [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the whole,
 //!    and how it is told.
 
 pub mod breaking;
@@ -27,6 +28,7 @@ pub mod instructions;
 pub mod judge;
 pub mod kernel;
 pub mod leading;
+pub mod leaks;
 pub mod number;
 pub mod oracle;
 pub mod plots;
@@ -41,4 +43,5 @@ pub mod shape;
 pub mod speed;
 pub mod summary;
 pub mod targets;
+pub mod theirs;
 pub mod vector;

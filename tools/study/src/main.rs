@@ -13,6 +13,7 @@ use pinhole_study::result::{SCHEMA, Study};
 use pinhole_study::run::{Extent, run};
 use pinhole_study::shape::{Plane, Sphere, Triangle};
 use pinhole_study::targets::targets;
+use pinhole_study::theirs::{Theirs, asked};
 use pinhole_study::{film, instructions, plots, summary};
 
 /// Measure the trade between speed and accuracy, and the extremes.
@@ -45,10 +46,16 @@ struct Arguments {
     /// What random questions come from
     #[arg(long, value_name = "N", default_value_t = 20_261_121)]
     seed: u64,
+    /// A student's answers to the questions that `questions` wrote
+    #[arg(long, value_name = "FILE", hide = true)]
+    answers: Option<PathBuf>,
 }
 
 #[derive(Subcommand)]
 enum Part {
+    /// Write down what a student's code is asked: what `pinhole study --submission` runs
+    #[command(hide = true)]
+    Questions { file: PathBuf },
     /// Cast one kernel's workload: what runs under callgrind
     #[command(hide = true)]
     Cast {
@@ -81,6 +88,7 @@ fn main() -> ExitCode {
             instructions::cast(shape, *kernel, *casts, WORKLOAD);
             Ok(true)
         }
+        Some(Part::Questions { file }) => questions(file, arguments.seed).map(|()| true),
         Some(Part::Film {
             scene,
             film,
@@ -111,6 +119,24 @@ fn cast(scene: &Path, resolution: &[usize], to: &Path) -> Result<(), String> {
     Ok(())
 }
 
+/// Writes what a student's code is asked.
+fn questions(file: &Path, seed: u64) -> Result<(), String> {
+    let asked = asked(Extent::QUICK.questions, seed).map_err(|error| error.to_string())?;
+    let bytes = postcard::to_stdvec(&asked).map_err(|error| error.to_string())?;
+    fs::write(file, bytes).map_err(|error| format!("cannot write {}: {error}", file.display()))
+}
+
+/// Reads what it said; nothing, if nobody was asked.
+fn theirs(arguments: &Arguments) -> Result<Theirs, String> {
+    let Some(file) = &arguments.answers else {
+        return Ok(Theirs::default());
+    };
+    let cannot = |error: &dyn std::fmt::Display| format!("cannot read {}: {error}", file.display());
+    let bytes = fs::read(file).map_err(|error| cannot(&error))?;
+    let said = postcard::from_bytes(&bytes).map_err(|error| cannot(&error))?;
+    Ok(Theirs::new(said))
+}
+
 fn studied(arguments: &Arguments) -> Result<bool, String> {
     let extent = if arguments.quick {
         Extent::QUICK
@@ -123,7 +149,9 @@ fn studied(arguments: &Arguments) -> Result<bool, String> {
         true => eprintln!("{what}"),
         false => bar.set_message(what.to_owned()),
     };
-    let findings = run(&extent, arguments.seed, arguments.only.as_deref(), &say);
+    let theirs = theirs(arguments)?;
+    let only = arguments.only.as_deref();
+    let findings = run(&extent, arguments.seed, only, &theirs, &say);
     bar.finish_and_clear();
     let targets = targets(&findings);
     let study = Study {
@@ -135,6 +163,7 @@ fn studied(arguments: &Arguments) -> Result<bool, String> {
         speed: findings.speed,
         breaking: findings.breaking,
         scenes: findings.scenes,
+        problems: theirs.problems(),
         targets,
     };
     if study.families.is_empty()
@@ -184,11 +213,13 @@ fn write(study: &Study, arguments: &Arguments) -> Result<(), String> {
     fs::write(folder.join("summary.md"), &text).map_err(|error| failed(&error))?;
     match arguments.json {
         true => println!("{document}"),
-        false => println!(
-            "{}\nwritten to {}",
-            summary::terminal(study),
-            folder.display()
-        ),
+        false => {
+            let text = match summary::theirs::is_there(study) {
+                true => summary::theirs::terminal(study),
+                false => summary::terminal(study),
+            };
+            println!("{text}\nwritten to {}", folder.display());
+        }
     }
     Ok(())
 }

@@ -27,6 +27,9 @@ pub struct Study {
     pub breaking: Vec<Breaking>,
     /// Whole scenes.
     pub scenes: Vec<SceneTally>,
+    /// Where a student's code, if it takes part, left questions without an answer, and why.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub problems: Vec<String>,
     /// What was promised or measured before, beside what came.
     pub targets: Vec<Target>,
 }

@@ -5,17 +5,18 @@ use rayon::prelude::*;
 use crate::breaking::breaking;
 use crate::contestant::Contestant;
 use crate::contestants::Contested;
-use crate::family::mesh::{Aim, inside};
+use crate::family::mesh::Aim;
 use crate::family::spoilt::{SPOILERS, spoiler, spoilt};
 use crate::family::{Family, Studied, questions};
 use crate::instructions;
 use crate::judge::judge;
+use crate::leaks;
 use crate::question::Data;
-use crate::random::Random;
 use crate::result::{Breaking, Judged, MeshTally, Point, SceneTally, Speed, SpoiltTally, Sweep};
 use crate::scenes::{self, Share};
 use crate::shape::{Plane, Sphere, Triangle};
 use crate::speed::race;
+use crate::theirs::{self, Theirs};
 
 /// How much of everything.
 #[derive(Clone, Debug)]
@@ -81,19 +82,29 @@ pub struct Findings {
 
 /// Does it all, or only the family, `mesh`, `scenes`, `spoilt` or `speed` that is named; `say` is
 /// told what is being done.
-pub fn run(extent: &Extent, seed: u64, only: Option<&str>, say: &dyn Fn(&str)) -> Findings {
+pub fn run(
+    extent: &Extent,
+    seed: u64,
+    only: Option<&str>,
+    theirs: &Theirs,
+    say: &dyn Fn(&str),
+) -> Findings {
     let mut findings = Findings::default();
     let is_wanted = |part: &str| only.is_none_or(|only| only == part);
-    of_shape::<Sphere<f64>>(extent, seed, &is_wanted, say, &mut findings);
-    of_shape::<Plane<f64>>(extent, seed, &is_wanted, say, &mut findings);
-    of_shape::<Triangle<f64>>(extent, seed, &is_wanted, say, &mut findings);
+    of_shape::<Sphere<f64>>(extent, seed, &is_wanted, say, theirs, &mut findings);
+    of_shape::<Plane<f64>>(extent, seed, &is_wanted, say, theirs, &mut findings);
+    of_shape::<Triangle<f64>>(extent, seed, &is_wanted, say, theirs, &mut findings);
     if is_wanted("mesh") {
         say("closed meshes");
         let kernels = Triangle::contestants();
         let tallies = kernels.par_iter().flat_map_iter(|kernel| {
-            [Aim::Edge, Aim::Vertex].map(|aim| on_mesh(kernel, aim, extent.mesh_rays, seed))
+            Aim::BOTH.map(|aim| leaks::of_kernel(kernel, aim, extent.mesh_rays, seed))
         });
         findings.meshes = tallies.collect();
+        let told = Aim::BOTH
+            .into_iter()
+            .filter_map(|aim| leaks::of(theirs, aim, seed));
+        findings.meshes.extend(told);
     }
     if is_wanted("scenes") {
         for file in scenes::files() {
@@ -101,7 +112,8 @@ pub fn run(extent: &Extent, seed: u64, only: Option<&str>, say: &dyn Fn(&str)) -
                 "scene {}",
                 file.file_stem().unwrap_or_default().display()
             ));
-            let tallies = scenes::studied(&file, extent.scenes).expect("the scene is committed");
+            let tallies =
+                scenes::studied(&file, extent.scenes, theirs).expect("the scene is committed");
             findings.scenes.extend(tallies);
         }
     }
@@ -113,6 +125,7 @@ fn of_shape<S: Studied>(
     seed: u64,
     is_wanted: &dyn Fn(&str) -> bool,
     say: &dyn Fn(&str),
+    theirs: &Theirs,
     findings: &mut Findings,
 ) {
     // Before anything else heats the machine.
@@ -123,7 +136,7 @@ fn of_shape<S: Studied>(
     for family in S::families().iter().filter(|family| is_wanted(family.name)) {
         for data in [Data::F64, Data::F32] {
             say(&format!("{}: {} in {}", S::NAME, family.name, data.name()));
-            let sweep = swept(family, data, extent.questions, seed);
+            let sweep = swept(family, data, extent.questions, seed, theirs);
             findings.breaking.extend(breaking(&sweep, data));
             findings.families.push(sweep);
         }
@@ -139,12 +152,22 @@ fn of_shape<S: Studied>(
 }
 
 /// One family in one type of data, every kernel on the same questions.
-pub fn swept<S: Studied>(family: &Family<S>, data: Data, count: usize, seed: u64) -> Sweep {
+pub fn swept<S: Studied>(
+    family: &Family<S>,
+    data: Data,
+    count: usize,
+    seed: u64,
+    theirs: &Theirs,
+) -> Sweep {
+    let mut told = match data {
+        theirs::DATA => theirs.family(S::NAME, family.name),
+        _ => None,
+    };
     let kernels: Vec<_> = S::contestants()
         .into_iter()
         .filter(|k| k.data == data)
         .collect();
-    let point = |exponent| {
+    let mut point = |exponent| {
         let asked = questions(family, exponent, data, count, seed);
         let truths: Vec<_> = asked.par_iter().map(S::truth).collect();
         let judged = kernels.par_iter().map(|kernel| Judged {
@@ -152,10 +175,13 @@ pub fn swept<S: Studied>(family: &Family<S>, data: Data, count: usize, seed: u64
             numbers: kernel.numbers.into(),
             tally: judge(kernel, &asked, &truths),
         });
-        (!asked.is_empty()).then(|| Point {
-            exponent,
-            kernels: judged.collect(),
-        })
+        let mut kernels: Vec<_> = judged.collect();
+        kernels.extend(told.as_mut().map(|told| Judged {
+            kernel: theirs::NAME.into(),
+            numbers: theirs::DATA.name().into(),
+            tally: told.judged(&asked, &truths),
+        }));
+        (!asked.is_empty()).then_some(Point { exponent, kernels })
     };
     Sweep {
         shape: S::NAME.into(),
@@ -166,34 +192,8 @@ pub fn swept<S: Studied>(family: &Family<S>, data: Data, count: usize, seed: u64
         easy: family.easy,
         points: (family.exponents)(data)
             .into_iter()
-            .filter_map(point)
+            .filter_map(&mut point)
             .collect(),
-    }
-}
-
-/// One kernel on rays at edges or vertices of closed meshes, from inside.
-pub fn on_mesh(kernel: &Contestant<Triangle<f64>>, aim: Aim, rays: usize, seed: u64) -> MeshTally {
-    let mut random = Random::new(seed, &format!("mesh {aim:?} {}", kernel.data.name()));
-    let (mut leaks, mut double_hits) = (0, 0);
-    for _ in 0..rays {
-        let inside = inside(&mut random, aim, kernel.data);
-        let answers = inside
-            .triangles
-            .iter()
-            .map(|face| (kernel.answer)(&inside.question(*face)));
-        match answers.flatten().count() {
-            0 => leaks += 1,
-            1 => (),
-            _ => double_hits += 1,
-        }
-    }
-    MeshTally {
-        kernel: kernel.name.into(),
-        numbers: kernel.numbers.into(),
-        aimed_at: if aim == Aim::Edge { "edge" } else { "vertex" }.into(),
-        rays: rays as u64,
-        leaks,
-        double_hits,
     }
 }
 

@@ -4,17 +4,19 @@
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 
-use pinhole::{Film, Scene};
+use pinhole::job::Answer;
+use pinhole::{Film, Intersection, Scene};
 use rayon::prelude::*;
 
 use crate::cast::model::{Exact, Model, Plain};
 use crate::cast::rays::rays;
-use crate::cast::world::World;
+use crate::cast::world::{World, vector};
 use crate::cast::{Caster, Search, Tally};
 use crate::oracle::scene::{Sight, normal, sight};
 use crate::result::SceneTally;
 use crate::shape::Ray;
 use crate::speed::now;
+use crate::theirs::{self, Theirs};
 use crate::vector::Vector;
 
 /// How much of every scene.
@@ -95,8 +97,12 @@ fn golden(name: &str) -> Option<Film> {
     Film::read(&folder.join(format!("{name}.exr"))).ok()
 }
 
-/// Every way on one scene, and Mitsuba's film of it if there is one.
-pub fn studied(file: &Path, share: Share) -> Result<Vec<SceneTally>, pinhole::Error> {
+/// Every way on one scene, Mitsuba's film of it if there is one, and a student's.
+pub fn studied(
+    file: &Path,
+    share: Share,
+    theirs: &Theirs,
+) -> Result<Vec<SceneTally>, pinhole::Error> {
     let scene = Scene::read(file)?;
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
     let caster = Caster::new(World::of(&scene.objects));
@@ -130,10 +136,20 @@ pub fn studied(file: &Path, share: Share) -> Result<Vec<SceneTally>, pinhole::Er
     if let Some(film) = golden(&name) {
         let seen = seen_in(&film).into_iter().step_by(share.step);
         tallies.push(SceneTally {
-            scene: name.into(),
+            scene: name.clone().into(),
             model: "Mitsuba".into(),
             parts: caster.world.parts.len() as u64,
             ..judged(&rays, &truths, seen)
+        });
+    }
+    if let Some(answers) = theirs.scene(&name) {
+        let answers = answers.iter().step_by(share.step);
+        tallies.push(SceneTally {
+            scene: name.into(),
+            model: theirs::NAME.into(),
+            search: Some(Search::BruteForce.name().into()),
+            parts: caster.world.parts.len() as u64,
+            ..judged_of_answers(&rays, &truths, answers)
         });
     }
     Ok(tallies)
@@ -162,6 +178,27 @@ fn seen_in(film: &Film) -> Vec<Seen> {
         (id >= 0.0).then(|| (id as u32, t, Vector::new(x, y, z)))
     };
     (0..film.resolution().pixels()).map(pixel).collect()
+}
+
+/// What was answered; the rest does not count.
+fn judged_of_answers<'a>(
+    rays: &[Ray<f64>],
+    truths: &[Sight],
+    answers: impl Iterator<Item = &'a Option<Answer>>,
+) -> SceneTally {
+    let (mut asked, mut true_of, mut seen) = (Vec::new(), Vec::new(), Vec::new());
+    for ((ray, truth), answer) in rays.iter().zip(truths).zip(answers) {
+        let Some(Answer::Hit(hit)) = answer else {
+            continue;
+        };
+        asked.push(*ray);
+        true_of.push(truth.clone());
+        seen.push(hit.map(|hit| {
+            let Intersection { t, normal } = hit.intersection;
+            (hit.object as u32, t, vector(normal))
+        }));
+    }
+    judged(&asked, &true_of, seen.into_iter())
 }
 
 fn judged(rays: &[Ray<f64>], truths: &[Sight], seen: impl Iterator<Item = Seen>) -> SceneTally {

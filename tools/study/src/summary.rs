@@ -1,6 +1,7 @@
 //! The study in words: a page for the book, and lines for a terminal.
 
 mod scenes;
+pub mod theirs;
 
 use std::fmt::Write;
 
@@ -53,6 +54,9 @@ pub fn summary(study: &Study, plots: &[String]) -> String {
          Made by `{}` on {} ({}; {}; commit {}; seed {}; {} mode).\n\n",
         p.command, p.machine, p.date, p.features, p.commit, p.seed, p.mode
     );
+    if theirs::is_there(study) {
+        theirs::section(&mut text, study);
+    }
     costs(&mut text, &study.speed, &study.breaking);
     if !study.meshes.is_empty() {
         meshes(&mut text, study);
@@ -201,16 +205,7 @@ fn sweeps(text: &mut String, study: &Study, plots: &[String]) {
             b.shape == sweep.shape && b.family == sweep.family && data == sweep.data
         };
         for b in study.breaking.iter().filter(is_of_sweep) {
-            let ends: Vec<String> = [b.below, b.above]
-                .into_iter()
-                .flatten()
-                .map(|x| x.to_string())
-                .collect();
-            let ends = if ends.is_empty() {
-                "never".into()
-            } else {
-                ends.join(" and ")
-            };
+            let ends = ends(b);
             let wrong = match b.wrong {
                 0 => format!("0 of {} (< {:.0e})", b.asked, rule_of_three(b.asked)),
                 wrong => format!("{wrong} of {}", b.asked),
@@ -230,6 +225,18 @@ fn sweeps(text: &mut String, study: &Study, plots: &[String]) {
             );
         }
         text.push('\n');
+    }
+}
+
+/// Where a kernel breaks, in words.
+fn ends(breaking: &Breaking) -> String {
+    let ends = [breaking.below, breaking.above].into_iter().flatten();
+    let mut ends: Vec<String> = ends.map(|x| x.to_string()).collect();
+    // The easy exponent is on both sides.
+    ends.dedup();
+    match ends.is_empty() {
+        true => "never".into(),
+        false => ends.join(" and "),
     }
 }
 

@@ -7,10 +7,12 @@ use pinhole_study::family::spoilt::SPOILERS;
 use pinhole_study::family::{Studied, questions};
 use pinhole_study::judge::{Tally, judge};
 use pinhole_study::kernel::{Kernel, sphere, triangle};
+use pinhole_study::leaks;
 use pinhole_study::question::{Data, Question};
-use pinhole_study::run::{Extent, on_mesh, on_spoilt, run};
+use pinhole_study::run::{Extent, on_spoilt, run};
 use pinhole_study::shape::{Plane, Ray, Sphere, Triangle};
 use pinhole_study::targets::targets;
+use pinhole_study::theirs::Theirs;
 use pinhole_study::vector::Vector;
 
 const SEED: u64 = 7;
@@ -103,7 +105,7 @@ fn a_kernel_that_is_one_ulp_off_is_noticed() {
 #[test]
 fn a_kernel_that_leaves_out_edges_leaks() {
     let broken = Contestant::<Triangle<f64>>::new::<Strict, f64>(Data::F64, "f64");
-    let tally = on_mesh(&broken, Aim::Vertex, 500, SEED);
+    let tally = leaks::of_kernel(&broken, Aim::Vertex, 500, SEED);
     assert!(tally.leaks > 50, "{tally:?}");
 }
 
@@ -178,7 +180,7 @@ fn closed_meshes_of_exact_triangles_are_left_exactly_once() {
         .filter(|kernel| kernel.name == "adaptive exact")
     {
         for aim in [Aim::Edge, Aim::Vertex] {
-            let tally = on_mesh(kernel, aim, 3000, SEED);
+            let tally = leaks::of_kernel(kernel, aim, 3000, SEED);
             assert_eq!((tally.leaks, tally.double_hits), (0, 0), "{tally:?}");
         }
     }
@@ -199,7 +201,7 @@ fn what_was_measured_before_comes_again() {
         "small",
         "mesh",
     ] {
-        let findings = run(&extent, SEED, Some(part), &|_| ());
+        let findings = run(&extent, SEED, Some(part), &Theirs::default(), &|_| ());
         let targets = targets(&findings);
         assert!(!targets.is_empty(), "{part} has no target");
         let missed: Vec<_> = targets.iter().filter(|target| !target.met).collect();
@@ -213,7 +215,7 @@ fn a_study_is_the_same_again() {
         questions: 20,
         ..Extent::QUICK
     };
-    let sweeps = || run(&extent, SEED, Some("sliver"), &|_| ()).families;
+    let sweeps = || run(&extent, SEED, Some("sliver"), &Theirs::default(), &|_| ()).families;
     let [first, second] = [sweeps(), sweeps()].map(|s| serde_json::to_string(&s).expect("JSON"));
     assert!(first.len() > 1000 && first == second);
 }

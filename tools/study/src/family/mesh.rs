@@ -14,6 +14,11 @@ pub enum Aim {
     Vertex,
 }
 
+impl Aim {
+    /// All aims.
+    pub const BOTH: [Aim; 2] = [Aim::Edge, Aim::Vertex];
+}
+
 /// A ray and all triangles around it, numbers rounded to a type.
 pub struct Inside {
     /// A closed, convex mesh.

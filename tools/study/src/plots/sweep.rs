@@ -6,6 +6,7 @@ use plotters::prelude::*;
 use super::paper::{FAINT, GROUND, INK, colour, spread, text};
 use crate::judge::Tally;
 use crate::result::{Point, Sweep};
+use crate::theirs;
 
 const SIZE: (u32, u32) = (900, 640);
 /// Room on the right for labels.
@@ -22,6 +23,8 @@ type Paper<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 struct Line {
     names: Vec<String>,
     colour: RGBColor,
+    /// Of the stroke: a student's line shows through all others.
+    width: u32,
     values: Vec<(f64, f64)>,
 }
 
@@ -139,7 +142,7 @@ fn panel(
     for line in &lines {
         chart.draw_series(LineSeries::new(
             line.values.clone(),
-            line.colour.stroke_width(2),
+            line.colour.stroke_width(line.width),
         ))?;
         chart.draw_series(
             line.values
@@ -185,6 +188,15 @@ fn lines(sweep: &Sweep, panel: &Panel) -> Vec<Line> {
             ))
         };
         let values: Vec<_> = sweep.points.iter().filter_map(value).collect();
+        if kernel.kernel == theirs::NAME {
+            lines.push(Line {
+                names: vec![theirs::NAME.into()],
+                colour: INK,
+                width: 5,
+                values,
+            });
+            continue;
+        }
         let name = match kernel.numbers.as_str() {
             "f64 on f32" => format!("{} (f64)", kernel.kernel),
             _ => kernel.kernel.clone(),
@@ -208,6 +220,7 @@ fn lines(sweep: &Sweep, panel: &Panel) -> Vec<Line> {
                 lines.push(Line {
                     names: vec![name],
                     colour,
+                    width: 2,
                     values,
                 });
             }
