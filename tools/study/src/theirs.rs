@@ -7,7 +7,7 @@
 mod asked;
 mod told;
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use pinhole::job::{Answer, Job};
 use serde::{Deserialize, Serialize};
@@ -72,12 +72,19 @@ impl Theirs {
         self.part(&scene_part(scene))
     }
 
-    /// What went wrong while they were asked, part by part.
+    /// What went wrong while they were asked, and in which parts.
     pub fn problems(&self) -> Vec<String> {
-        let problem = |said: &Said| Some(format!("{}: {}", said.part, said.problem.as_ref()?));
-        let mut problems: Vec<_> = self.0.values().filter_map(problem).collect();
-        problems.sort_unstable();
-        problems
+        let mut parts: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+        for said in self.0.values() {
+            if let Some(problem) = &said.problem {
+                parts.entry(problem).or_default().push(&said.part);
+            }
+        }
+        let lines = parts.into_iter().map(|(problem, mut parts)| {
+            parts.sort_unstable();
+            format!("{problem} ({})", parts.join("; "))
+        });
+        lines.collect()
     }
 
     fn part(&self, part: &str) -> Option<&[Option<Answer>]> {
@@ -86,12 +93,16 @@ impl Theirs {
     }
 }
 
+/// Begins with the task, where there is one.
 fn family_part(shape: &str, family: &str) -> String {
     format!("{shape}, {family}")
 }
 
 fn mesh_part(aim: Aim) -> String {
-    format!("closed meshes, {aim:?}")
+    match aim {
+        Aim::Edge => "triangle, edges of closed meshes".into(),
+        Aim::Vertex => "triangle, corners of closed meshes".into(),
+    }
 }
 
 fn scene_part(scene: &str) -> String {

@@ -16,6 +16,7 @@ mod hostile;
 mod house;
 mod report;
 mod sandbox;
+mod study;
 mod submissions;
 mod validate;
 mod watch;

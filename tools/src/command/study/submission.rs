@@ -86,10 +86,11 @@ impl Built {
             answers: Vec::new(),
             problem: None,
         };
+        let task = asked.part.split(',').next();
         for _ in 0..MOST_PANICS {
             let rest = after(&asked.job, said.answers.len());
             let reply = examine::run(&self.program, &self.sandbox, &limits, &rest, &mut |_| ())?;
-            if let Some(outcome) = examine::failure(&reply.ending, assignment, None) {
+            if let Some(outcome) = examine::failure(&reply.ending, assignment, task) {
                 let problem = printable(&table::outcome(&outcome));
                 said.problem.get_or_insert(problem);
             }

@@ -70,14 +70,22 @@ pub fn terminal(study: &Study) -> String {
         let standing = standing(&place);
         let _ = writeln!(text, "  {family:22} {breaks:24} {wrong:18} {standing}");
     }
-    for mesh in study.meshes.iter().filter(|mesh| mesh.kernel == theirs::NAME) {
+    for mesh in study
+        .meshes
+        .iter()
+        .filter(|mesh| mesh.kernel == theirs::NAME)
+    {
         let _ = writeln!(
             text,
             "  of {} rays at a closed mesh's {}: {} meet nothing, {} meet it twice",
             mesh.rays, mesh.aimed_at, mesh.leaks, mesh.double_hits
         );
     }
-    for scene in study.scenes.iter().filter(|scene| scene.model == theirs::NAME) {
+    for scene in study
+        .scenes
+        .iter()
+        .filter(|scene| scene.model == theirs::NAME)
+    {
         let _ = writeln!(
             text,
             "  {}: {} of {} pixels show another object than is truly seen",
