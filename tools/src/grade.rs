@@ -2,8 +2,8 @@
 //!
 //! Reading order: [`intake`] for what was handed in, [`roster`] for whose it is;
 //! [`desk`] has them graded, several at a time; [`bench`] grades one into a [`record`]
-//! ([`kept`], [`again`]), for as long as [`clock`] allows; [`withheld`] for what may be shown; [`store`] for what lies
-//! on disk; [`class`] for all records together, [`alike`] for answers that are the same;
+//! ([`kept`], [`again`]), for as long as [`clock`] allows; [`withheld`] for what may be
+//! shown; [`store`] for what lies on disk, [`unfinished`] for what is not there yet; [`class`] for all records together, [`alike`] for answers that are the same;
 //! [`finish`] for what is told of them, by [`csv`], [`page`] and [`formats`]; [`fresh`] for
 //! questions that nobody has seen.
 
@@ -26,4 +26,5 @@ pub mod provenance;
 pub mod record;
 pub mod roster;
 pub mod store;
+pub mod unfinished;
 pub mod withheld;

@@ -21,6 +21,7 @@ use crate::grade::finish::{Telling, Told};
 use crate::grade::intake::{self, Entry};
 use crate::grade::provenance::{self, MadeWith, Tool};
 use crate::grade::store::{Store, pretty};
+use crate::grade::unfinished::Unfinished;
 use crate::grade::withheld::Withheld;
 use crate::grade::{fresh, roster};
 use crate::manifest::Manifest;
@@ -124,9 +125,11 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Outcome> {
     };
     store.write(class::ROLL, &pretty(&roll)?)?;
     let mine = intake::shard(roll.entries.clone(), arguments.shard);
+    Unfinished::begin(&mine, &store, &assignment, &made_with)?;
     let start = Instant::now();
     let desk = Desk::new(&bench, &store, arguments.regrade, &progress, mine.len());
     let worked = desk.work(&mine, jobs(arguments));
+    Unfinished::end(&store);
     progress.clear();
     let _left_for_the_next_run = fs::remove_dir_all(&rooms);
 

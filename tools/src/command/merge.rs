@@ -13,6 +13,7 @@ use crate::grade::finish::{Telling, Told};
 use crate::grade::provenance::MadeWith;
 use crate::grade::record::Record;
 use crate::grade::store::{Store, pretty, standing, write};
+use crate::grade::unfinished::Unfinished;
 
 pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Outcome> {
     let assignment = Assignment::around(checkout, &std::env::current_dir().unwrap_or_default())?;
@@ -20,12 +21,16 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Outcome> {
     let store = Store::open(&arguments.out)?;
     let mut records: BTreeMap<String, Record> = BTreeMap::new();
     let mut with: Option<MadeWith> = None;
+    let shards = arguments.shards.iter();
+    let shards = shards.map(|shard| Ok((shard, Unfinished::read(shard)?)));
+    let shards: Vec<_> = shards.collect::<Result<_>>()?;
     for entry in &roll.entries {
-        for shard in &arguments.shards {
+        for (shard, unfinished) in &shards {
             let from = shard.join("submissions").join(&entry.id);
             let Some(record) = standing(&from) else {
                 continue;
             };
+            let record = unfinished.check(record);
             if !record.is_graded() {
                 // Why, if no other shard knows better.
                 records.entry(entry.id.clone()).or_insert(record);

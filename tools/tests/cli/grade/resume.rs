@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-use super::{BROKEN, Class, wrong_plane};
+use super::{BROKEN, Class, answers, wrong_plane};
 use crate::course::{pinhole, root};
 
 #[test]
@@ -116,6 +116,47 @@ fn shards_merge_to_the_grades_of_one_run() {
             .join("merged/submissions/ada/report.html")
             .is_file()
     );
+}
+
+#[test]
+fn a_merge_takes_no_older_mark_for_answers_that_a_stopped_part_did_not_come_to() {
+    let class = Class::new("stopped");
+    class.grade("out", &[]).expect_code(0);
+    let reference = fs::read_to_string(answers().join("plane.rs")).expect("it is there");
+    let endless = "-> Option<Intersection> { while std::hint::black_box(true) {}";
+    let endless = reference.replacen("-> Option<Intersection> {", endless, 1);
+    class.hand_in("ada", &[("plane.rs", &endless)]);
+    class.hand_in("dora", &[]);
+    let (folder, out) = (class.path("class"), class.path("out"));
+    let mut grader = Command::new(env!("CARGO_BIN_EXE_pinhole"))
+        .current_dir(root())
+        .args(["grade", &folder, "--out", &out, "--no-fresh", "--jobs", "1"])
+        .stderr(Stdio::null())
+        .stdout(Stdio::null())
+        .spawn()
+        .expect("pinhole starts");
+    let to_do = class.folder.join("out/unfinished.json");
+    let end = Instant::now() + Duration::from_secs(120);
+    while !to_do.is_file() && Instant::now() < end {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    grader.kill().expect("it can be killed");
+    grader.wait().expect("it is gone");
+
+    let merged = class.path("merged");
+    let told = pinhole(&["merge", &out, "--out", &merged, "--json"]).expect_code(3);
+    let told = told.json();
+    assert_eq!(told["points"]["dora"], Value::Null, "of other answers");
+    assert_eq!(told["points"]["gus"], class.result("out", "gus")["points"]);
+    assert!(
+        told["not_graded"].to_string().contains("was stopped"),
+        "{told}"
+    );
+
+    class.grade("out", &[]).expect_code(0);
+    assert!(!to_do.exists(), "nothing is left to do");
+    let told = pinhole(&["merge", &out, "--out", &merged, "--json"]).expect_code(0);
+    assert_eq!(told.json()["points"]["dora"], 100);
 }
 
 #[test]
