@@ -3,7 +3,7 @@
 // a page wider than the screen, what axe-core finds against WCAG 2.2 AA, and a figure that
 // the keyboard does not move. With --out it leaves screenshots, to be looked at.
 //
-//     node look/look.js ../build/student [--out DIR] [--page NAME]
+//     node look/look.js ../build/student [--out DIR] [--page PATH, or how it begins]
 
 import { existsSync, mkdirSync, readdirSync, statSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -64,7 +64,7 @@ async function look(page, url) {
     }
     await page.evaluate(() => document.querySelectorAll("main details").forEach((one) => (one.open = true)));
     await page.addScriptTag({ path: AXE });
-    const found = await page.evaluate((tags) => window.axe.run(document, { runOnly: tags }), TAGS);
+    const found = await page.evaluate((tags) => window.axe.run(document, { runOnly: tags, preload: false }), TAGS);
     for (const { id, help, nodes } of found.violations) {
         wrong.push(`axe ${id}: ${help}: ${nodes[0].html.slice(0, 120)} (${nodes.length})`);
     }
@@ -87,12 +87,12 @@ async function look(page, url) {
 
 const browser = await puppeteer.launch({
     executablePath: chromium,
-    args: ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"],
+    args: ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"],
 });
 let problems = 0;
 const chosen = pagesOf(folder).filter((path) => {
     const name = relative(folder, path);
-    return !OTHER.includes(name) && (values.page === undefined || name === values.page);
+    return !OTHER.includes(name) && (values.page === undefined || name.startsWith(values.page));
 });
 for (const { name, width, height } of SCREENS) {
     for (const theme of THEMES) {
@@ -106,6 +106,10 @@ for (const { name, width, height } of SCREENS) {
                 console.log(`${inside}, ${name}, ${theme}: ${what}`);
             }
             if (values.out !== undefined) {
+                // What is far down is fetched late; a screenshot sees it all at once.
+                await page.$$eval("img", (all) =>
+                    Promise.all(all.map((one) => ((one.loading = "eager"), one.decode().catch(() => null)))),
+                );
                 mkdirSync(values.out, { recursive: true });
                 const file = `${inside.replaceAll("/", "-").replace(".html", "")}.${name}.${theme}.png`;
                 await page.screenshot({ path: join(values.out, file), fullPage: true });

@@ -12,10 +12,11 @@ use crate::error::{Problem, Result};
 use crate::expand::{Expand, Sources};
 use crate::interactive;
 
-/// What every page loads besides mdBook's own: written into the book's top folder.
+/// What every page loads besides mdBook's own, whose names are taken (`book.js` is one):
+/// written into the book's top folder.
 const ASSETS: [(&str, &[u8]); 5] = [
-    ("book.css", include_bytes!("../assets/book.css")),
-    ("book.js", include_bytes!("../assets/book.js")),
+    ("pinhole.css", include_bytes!("../assets/pinhole.css")),
+    ("pinhole.js", include_bytes!("../assets/pinhole.js")),
     ("interactive.js", interactive::BUNDLE.as_bytes()),
     (
         "fonts/stix-two-math.woff2",

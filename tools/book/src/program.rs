@@ -26,11 +26,11 @@ pub fn build(package: &str, checkout: &Checkout) -> Result<PathBuf> {
         .output()
         .map_err(|error| Error::environment(format!("cargo does not start: {error}"), &remedy))?;
     let said = String::from_utf8_lossy(&output.stdout);
-    let executables = said
+    let mut executables = said
         .lines()
         .filter_map(|line| serde_json::from_str::<Artifact>(line).ok())
         .filter_map(|artifact| artifact.executable);
-    match executables.last().filter(|_| output.status.success()) {
+    match executables.next_back().filter(|_| output.status.success()) {
         Some(path) => Ok(path),
         None => Err(Error::environment(
             format!("{package} does not build"),

@@ -52,8 +52,8 @@ impl<'a> Scan<'a> {
             self.at += fenced(rest, ticks);
         } else if ticks > 0 {
             self.at += span(rest, ticks);
-        } else if rest.starts_with('\\') {
-            let escaped = rest[1..].chars().next().map_or(0, char::len_utf8);
+        } else if let Some(after) = rest.strip_prefix('\\') {
+            let escaped = after.chars().next().map_or(0, char::len_utf8);
             self.at += 1 + escaped;
         } else if let Some(inside) = rest.strip_prefix("{{#") {
             let line = &inside[..inside.find('\n').unwrap_or(inside.len())];

@@ -30,13 +30,15 @@ pub fn strip(scene: &str, golden: &Golden, film: &Film, depth_per_t: f64) -> Res
     let normals = pixels - objects - depths;
     let range = false_colour::depth_range(golden.film(), depth_per_t);
     let most = objects.max(depths).max(normals);
-    let (picture, draw): (&str, Box<dyn Fn(&Film) -> RgbImage>) = match most {
-        most if most == objects => ("id", Box::new(false_colour::id)),
-        most if most == depths => (
-            "depth",
-            Box::new(move |film| false_colour::depth(film, depth_per_t, range.clone())),
-        ),
-        _ => ("normal", Box::new(false_colour::normal)),
+    let picture = match most {
+        most if most == objects => "id",
+        most if most == depths => "depth",
+        _ => "normal",
+    };
+    let draw = |film| match picture {
+        "id" => false_colour::id(film),
+        "depth" => false_colour::depth(film, depth_per_t, range.clone()),
+        _ => false_colour::normal(film),
     };
     let pictures = [
         draw(golden.film()),

@@ -1,0 +1,17 @@
+// What looks at the pages is shown to see: a page on which all of it is wrong.
+
+import { spawnSync } from "node:child_process";
+
+const { status, stdout, stderr } = spawnSync("node", ["look/look.js", "look/broken"], { encoding: "utf8" });
+const expected = [
+    "console: something failed",
+    "wider than the screen",
+    "axe color-contrast",
+    "axe image-alt",
+    "the keyboard does not move the figure still",
+];
+const unseen = expected.filter((what) => !stdout.includes(what));
+if (status !== 1 || unseen.length > 0) {
+    console.error(`look/look.js does not see: ${unseen.join(", ")}\n${stdout}${stderr}`);
+    process.exit(1);
+}

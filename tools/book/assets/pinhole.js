@@ -1,0 +1,26 @@
+// What is wider than the page scrolls on its own; then the keyboard must reach it.
+const reachable = () => {
+    for (const element of document.querySelectorAll(".formula, .table-wrapper, pre code, figure")) {
+        if (element.scrollWidth > element.clientWidth) {
+            element.tabIndex = 0;
+        } else {
+            element.removeAttribute("tabindex");
+        }
+    }
+};
+addEventListener("load", reachable);
+addEventListener("resize", reachable);
+
+// mdBook's switch of the sidebar is a label: for the keyboard, and for who hears the page,
+// it becomes the button that it looks like.
+const sidebarSwitch = document.getElementById("mdbook-sidebar-toggle");
+if (sidebarSwitch !== null) {
+    sidebarSwitch.setAttribute("role", "button");
+    sidebarSwitch.tabIndex = 0;
+    sidebarSwitch.addEventListener("keydown", (event) => {
+        if (event.key === "Enter" || event.key === " ") {
+            event.preventDefault();
+            sidebarSwitch.click();
+        }
+    });
+}
