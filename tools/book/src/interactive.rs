@@ -18,6 +18,7 @@ use crate::checkout::{Checkout, write};
 use crate::error::{Error, Problem, Result};
 use crate::figures;
 use crate::figures::colour;
+use crate::silhouette::{DISTANCES, Meets, WAYS, wrong};
 use crate::worked::{PIXEL, RAY, SPHERE, TRIANGLE, slide};
 
 /// The bundle that pages load.
@@ -66,9 +67,17 @@ fn facts(checkout: &Checkout) -> Result<Value> {
             "objects": objects,
         },
         "worked": { "ray": RAY, "sphere": SPHERE, "triangle": TRIANGLE },
+        "afar": afar(),
         "colours": (0..8).map(colour).collect::<Vec<String>>(),
         "background": format!("#{r:02x}{g:02x}{b:02x}"),
     }))
+}
+
+/// In how many pixels each way is wrong about a sphere from afar.
+fn afar() -> Vec<Value> {
+    let all = WAYS.iter().flat_map(|way| DISTANCES.map(|far| (*way, far)));
+    let one = |((way, meets), far): ((&str, Meets), f64)| json!({ "way": way, "far": far, "wrong": wrong(meets, far) });
+    all.map(one).collect()
 }
 
 fn facts_text(checkout: &Checkout) -> Result<String> {
