@@ -422,6 +422,10 @@ pub struct Handout {
     /// Write a student's repository here; the folder must be new or empty
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Put this built book into the repository, as `book/`: the students' edition that
+    /// `book build` makes in book/build/student
+    #[arg(long, value_name = "DIR", requires = "out")]
+    pub book: Option<PathBuf>,
     /// Replace what an earlier run wrote to DIR; a file that was changed since is never
     /// touched, and then nothing is
     #[arg(long, requires = "out")]

@@ -74,7 +74,7 @@ pub fn run(cli: Cli) -> Result<Outcome> {
 /// told so before it stumbles over the first file that is not there.
 fn refuse_in_a_handout(checkout: &Checkout, command: &Command) -> Result<()> {
     let needs_more = match command {
-        Command::Handout(_) | Command::Grade(_) | Command::Merge(_) => true,
+        Command::Handout(_) | Command::Grade(_) | Command::Merge(_) | Command::Book(_) => true,
         Command::Golden(golden) => !matches!(golden, Golden::Verify(_)),
         _ => false,
     };
@@ -83,7 +83,7 @@ fn refuse_in_a_handout(checkout: &Checkout, command: &Command) -> Result<()> {
     }
     Err(Error::input(
         "this is a student's repository: it holds no answers of ours, no known mistakes, and \
-         nothing that renders goldens",
+         nothing that renders goldens or builds the book",
         "run this in a checkout of the course",
     ))
 }

@@ -1,5 +1,7 @@
 //! One pixel, asked answer by answer, so that one that fails hides no other.
 
+mod fault;
+
 use std::path::PathBuf;
 use std::time::Duration;
 

@@ -37,10 +37,19 @@ pub struct Repository {
 impl Repository {
     /// The repository of an assignment.
     ///
+    /// `book` is a folder with the book that was built for students.
+    ///
     /// # Errors
     /// If something that must not travel would.
-    pub fn of(assignment: &Assignment, checkout: &Checkout) -> Result<Repository> {
+    pub fn of(
+        assignment: &Assignment,
+        checkout: &Checkout,
+        book: Option<&Path>,
+    ) -> Result<Repository> {
         let mut files = sources::shared(checkout)?;
+        if let Some(folder) = book {
+            sources::add_folder_as(&mut files, folder, "book", &[])?;
+        }
         files.extend(course::files(assignment, checkout)?);
         workspace::adapt(&mut files, assignment)?;
         readme::adapt(&mut files, assignment)?;

@@ -32,6 +32,7 @@ mod mistake;
 mod mistake_films;
 mod mitsuba;
 mod overlay;
+mod passage;
 mod pictures;
 mod progress;
 mod questions;

@@ -7,6 +7,7 @@ use crate::compile::Replaced;
 use crate::describe::{printable, printable_coloured};
 use crate::diagnosis::{Diagnosis, Explanation, Reading};
 use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskResult};
+use crate::passage::Passage;
 use crate::shell::in_shell;
 use crate::submission::Unusable;
 
@@ -176,10 +177,9 @@ fn task_rows(text: &mut String, task: &TaskResult, width: usize, extent: Extent)
         }
     }
     if !failing.is_empty() {
-        line(
-            text,
-            format!("    {QUIET}read: the book, \"{}\"{QUIET:#}", task.chapter),
-        );
+        for passage in Passage::against(&task.diagnosis, &task.chapter) {
+            line(text, format!("    {QUIET}read: {passage}{QUIET:#}"));
+        }
     }
 }
 

@@ -1,11 +1,17 @@
 // Wakes the figures of a page. Without this script their static pictures stay.
 
+import { breakingDistance } from "./breaking_distance";
 import { pixelToRay } from "./pixel_to_ray";
+import { projections } from "./projections";
 import { sphereRoots } from "./sphere_roots";
+import { triangleWeights } from "./triangle_weights";
 
 const figures: Readonly<Record<string, (stage: HTMLElement) => void>> = {
     pixel_to_ray: pixelToRay,
     sphere_roots: sphereRoots,
+    projections,
+    triangle_weights: triangleWeights,
+    breaking_distance: breakingDistance,
 };
 
 for (const figure of document.querySelectorAll<HTMLElement>("figure[data-figure]")) {

@@ -126,15 +126,25 @@ function meetPlane(plane: Plane, ray: Ray, minT: number): Intersection | null {
     return step !== 0 && t >= minT ? { t, normal: unit(plane.normal) } : null;
 }
 
-function meetTriangle({ corners: [a, b, c] }: Triangle, ray: Ray, minT: number): Intersection | null {
+// e + t d = a + α t₁ + β t₂, by Cramer's rule.
+export interface Weights {
+    readonly alpha: number;
+    readonly beta: number;
+    readonly t: number;
+}
+
+export function weights({ corners: [a, b, c] }: Triangle, ray: Ray): Weights {
     const [t1, t2, s] = [sub(b, a), sub(c, a), sub(ray.origin, a)];
     const [p, q] = [cross(ray.direction, t2), cross(s, t1)];
     const determinant = dot(t1, p);
-    const alpha = dot(s, p) / determinant;
-    const beta = dot(ray.direction, q) / determinant;
-    const t = dot(t2, q) / determinant;
+    return { alpha: dot(s, p) / determinant, beta: dot(ray.direction, q) / determinant, t: dot(t2, q) / determinant };
+}
+
+function meetTriangle(triangle: Triangle, ray: Ray, minT: number): Intersection | null {
+    const { alpha, beta, t } = weights(triangle, ray);
     const inside = alpha >= 0 && beta >= 0 && alpha + beta <= 1;
-    return inside && t >= minT ? { t, normal: unit(cross(t1, t2)) } : null;
+    const [a, b, c] = triangle.corners;
+    return inside && t >= minT ? { t, normal: unit(cross(sub(b, a), sub(c, a))) } : null;
 }
 
 export function intersect(shape: Shape, ray: Ray, minT: number): Intersection | null {

@@ -14,6 +14,7 @@ use std::path::PathBuf;
 use crate::checkout::{Checkout, write};
 use crate::error::{Problem, Result};
 use crate::html::escaped;
+use crate::record;
 pub use drawing::colour;
 
 /// A figure's file: what is in it, and how its name ends.
@@ -29,7 +30,7 @@ pub type Maker = fn(&Checkout) -> Result<Made>;
 
 /// All makers by the figure's name.
 pub fn makers() -> BTreeMap<&'static str, Maker> {
-    let makers: [(&'static str, Maker); 28] = [
+    let makers: [(&'static str, Maker); 31] = [
         ("camera_obscura", camera::camera_obscura),
         ("ray_parameter", camera::ray_parameter),
         ("pinhole_and_image_plane", camera::pinhole_and_image_plane),
@@ -61,8 +62,19 @@ pub fn makers() -> BTreeMap<&'static str, Maker> {
         ("triangle_weights", shapes::triangle_alpha_beta),
         ("breaking_distance", stills::breaking_distance),
         ("sphere_from_afar", stills::sphere_from_afar),
+        ("study_sphere", |it| plot("trade-sphere", it)),
+        ("study_distance", |it| plot("sphere-distance-f64", it)),
+        ("study_leaks", |it| plot("mesh", it)),
     ];
     makers.into()
+}
+
+/// A plot of the study's record.
+fn plot(name: &str, checkout: &Checkout) -> Result<Made> {
+    Ok(Made {
+        extension: "svg",
+        content: record::plot(&format!("{name}.svg"), checkout)?,
+    })
 }
 
 /// Where figures are kept.

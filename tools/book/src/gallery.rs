@@ -139,8 +139,15 @@ fn one(slug: &str, mistake: &Mistake, told: Option<&Told>, to_root: &str) -> Str
 
 /// Makes strips, of all mistakes or of those named, and keeps them.
 pub fn keep(slugs: &[String], checkout: &Checkout) -> Result<()> {
+    keep_all(made(slugs, checkout)?, checkout)
+}
+
+/// The strip of each mistake; `None` if it shows in no scene.
+type Strips = Vec<(String, Option<Strip>)>;
+
+fn keep_all(strips: Strips, checkout: &Checkout) -> Result<()> {
     let mut list = list(checkout);
-    for (slug, strip) in made(slugs, checkout)? {
+    for (slug, strip) in strips {
         match strip {
             Some(Strip { told, png }) => {
                 write(&strip_path(&slug, checkout), png)?;
@@ -162,24 +169,33 @@ fn write_list(list: &List, checkout: &Checkout) -> Result<()> {
 
 /// Strips that are not what their mistake casts.
 pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
+    Ok(stale(&made(&[], checkout)?, checkout))
+}
+
+fn stale(strips: &Strips, checkout: &Checkout) -> Vec<Problem> {
     let list = list(checkout);
     let remedy = "make it again: cargo run --release -p pinhole-book -- gallery";
     let mut problems = Vec::new();
-    for (slug, strip) in made(&[], checkout)? {
-        let path = strip_path(&slug, checkout);
+    for (slug, strip) in strips {
+        let path = strip_path(slug, checkout);
         let kept = fs::read(&path).ok();
-        let same = match &strip {
-            Some(Strip { told, png }) => {
-                list.get(&slug) == Some(told) && kept.as_ref() == Some(png)
-            }
-            None => kept.is_none() && !list.contains_key(&slug),
+        let same = match strip {
+            Some(Strip { told, png }) => list.get(slug) == Some(told) && kept.as_ref() == Some(png),
+            None => kept.is_none() && !list.contains_key(slug),
         };
         if !same {
             let problem = "the strip is not what this mistake casts";
             problems.push(Problem::of(checkout.inside(&path), problem, remedy));
         }
     }
-    Ok(problems)
+    for slug in list.keys() {
+        if !strips.iter().any(|(made, _)| made == slug) {
+            let path = checkout.inside(&strip_path(slug, checkout));
+            let remedy = "remove it, and its lines in book/gallery.toml";
+            problems.push(Problem::of(path, "there is no such mistake", remedy));
+        }
+    }
+    problems
 }
 
 /// What `pinhole golden` knows of mistakes, as far as galleries read it.
@@ -188,8 +204,8 @@ struct Known {
     films: BTreeMap<String, BTreeMap<String, usize>>,
 }
 
-/// The strip of each mistake; `None` if it shows in no scene.
-fn made(slugs: &[String], checkout: &Checkout) -> Result<Vec<(String, Option<Strip>)>> {
+/// The strips of all mistakes, or of those named.
+fn made(slugs: &[String], checkout: &Checkout) -> Result<Strips> {
     let course = Course::read(checkout)?;
     let known: Known = toml::from_str(&checkout.read("golden/ray_casting/mistakes.toml")?)
         .map_err(|error| {
@@ -310,4 +326,53 @@ fn cast(
         }
     }
     Ok(Film::read(&film)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn strip(pixels: usize, png: &str) -> Strip {
+        let told = Told {
+            scene: "bunny".into(),
+            picture: "id".into(),
+            pixels,
+            of: 100,
+        };
+        let png = png.into();
+        Strip { told, png }
+    }
+
+    #[test]
+    fn a_strip_that_its_mistake_no_longer_casts_is_a_problem() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let checkout = Checkout::at(folder.path());
+        let strips = || {
+            vec![
+                ("seen".to_owned(), Some(strip(7, "a picture"))),
+                ("unseen".to_owned(), None),
+            ]
+        };
+        keep_all(strips(), &checkout).expect("there is room");
+        let told = |strips: &Strips| -> Vec<String> {
+            let problems = stale(strips, &checkout).into_iter();
+            problems.map(|problem| problem.problem).collect()
+        };
+        assert!(told(&strips()).is_empty());
+
+        let changed = ["the strip is not what this mistake casts"];
+        let mut other_picture = strips();
+        other_picture[0].1 = Some(strip(7, "another"));
+        assert_eq!(told(&other_picture), changed);
+        let mut other_count = strips();
+        other_count[0].1 = Some(strip(8, "a picture"));
+        assert_eq!(told(&other_count), changed);
+        let mut shown_now = strips();
+        shown_now[1].1 = Some(strip(1, "a picture"));
+        assert_eq!(told(&shown_now), changed);
+        let mut hidden_now = strips();
+        hidden_now[0].1 = None;
+        assert_eq!(told(&hidden_now), changed);
+        assert_eq!(told(&strips().split_off(1)), ["there is no such mistake"]);
+    }
 }

@@ -18,6 +18,7 @@ use crate::checkout::{Checkout, write};
 use crate::error::{Error, Problem, Result};
 use crate::figures;
 use crate::figures::colour;
+use crate::silhouette::{DISTANCES, Meets, WAYS, wrong};
 use crate::worked::{PIXEL, RAY, SPHERE, TRIANGLE, slide};
 
 /// The bundle that pages load.
@@ -28,6 +29,8 @@ const KEPT: &str = "tools/book/assets/interactive.js";
 
 /// What the script knows of the course.
 const FACTS: &str = "book/interactive/src/facts.json";
+
+const AGAIN: &str = "make them again: cargo run --release -p pinhole-book -- bundle";
 
 /// HTML of a figure: its static picture, which the script replaces if it can.
 pub fn shown(
@@ -66,9 +69,17 @@ fn facts(checkout: &Checkout) -> Result<Value> {
             "objects": objects,
         },
         "worked": { "ray": RAY, "sphere": SPHERE, "triangle": TRIANGLE },
+        "afar": afar(),
         "colours": (0..8).map(colour).collect::<Vec<String>>(),
         "background": format!("#{r:02x}{g:02x}{b:02x}"),
     }))
+}
+
+/// In how many pixels each way is wrong about a sphere from afar.
+fn afar() -> Vec<Value> {
+    let all = WAYS.iter().flat_map(|way| DISTANCES.map(|far| (*way, far)));
+    let one = |((way, meets), far): ((&str, Meets), f64)| json!({ "way": way, "far": far, "wrong": wrong(meets, far) });
+    all.map(one).collect()
 }
 
 fn facts_text(checkout: &Checkout) -> Result<String> {
@@ -85,14 +96,10 @@ pub fn bundle(checkout: &Checkout) -> Result<()> {
 
 /// What is wrong with the figures: stale facts or bundle, types, mathematics.
 pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
-    let again = "make them again: cargo run --release -p pinhole-book -- bundle";
     let mut problems = Vec::new();
     if checkout.read(FACTS).ok() != Some(facts_text(checkout)?) {
-        problems.push(Problem::of(
-            FACTS,
-            "the facts are not those of the course",
-            again,
-        ));
+        let stale = "the facts are not those of the course";
+        problems.push(Problem::of(FACTS, stale, AGAIN));
         return Ok(problems);
     }
     let file = checkout.scratch().join("probes.json");
@@ -108,11 +115,15 @@ pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
         }
     }
     match npm(&["run", "--silent", "bundle"], &[], checkout)? {
-        Ok(bundle) if bundle == BUNDLE => {}
-        Ok(_) => problems.push(Problem::of(KEPT, "the bundle is not of this script", again)),
+        Ok(bundle) => problems.extend(stale(BUNDLE, &bundle)),
         Err(said) => problems.push(Problem::of("book/interactive", said, "mend the script")),
     }
     Ok(problems)
+}
+
+/// The bundle that pages load, if it is not the one that was made now.
+fn stale(kept: &str, made: &str) -> Option<Problem> {
+    (kept != made).then(|| Problem::of(KEPT, "the bundle is not of this script", AGAIN))
 }
 
 /// Runs npm in the script's folder, with what the lock file names installed. Gives what
@@ -156,4 +167,17 @@ fn started(
         true => Ok(out),
         false => Err(format!("{out}{}", String::from_utf8_lossy(&output.stderr))),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bundle_of_another_script_is_a_problem() {
+        assert_eq!(stale(BUNDLE, BUNDLE), None);
+        let newer = format!("{BUNDLE};");
+        let problem = stale(BUNDLE, &newer).expect("it is told");
+        assert_eq!(problem.problem, "the bundle is not of this script");
+    }
 }

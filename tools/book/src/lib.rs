@@ -9,7 +9,8 @@
 //!
 //! 1. [`error`], [`checkout`], [`edition`]: what can be wrong, where things lie, for whom;
 //! 2. [`scan`], [`directive`]: what a writer's page consists of;
-//! 3. [`program`], [`reference`](mod@reference), [`course`]: whom the book asks instead of claiming;
+//! 3. [`program`], [`reference`](mod@reference), [`course`], [`record`]: whom the book asks instead
+//!    of claiming;
 //! 4. [`rasterizer`] and [`silhouette`]: what the book computes itself, to compare;
 //! 5. [`listing`], [`formula`], [`run`], [`worked`], [`figures`], [`gallery`],
 //!    [`interactive`]: one file for each thing a page can quote;
@@ -32,6 +33,7 @@ pub mod interactive;
 pub mod listing;
 pub mod program;
 pub mod rasterizer;
+pub mod record;
 pub mod reference;
 pub mod run;
 pub mod scan;

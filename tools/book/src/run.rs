@@ -99,8 +99,33 @@ pub struct Runner<'a> {
 impl<'a> Runner<'a> {
     /// Builds the program.
     pub fn new(checkout: &'a Checkout) -> Result<Runner<'a>> {
-        let pinhole = program::build("pinhole-tools", checkout)?;
-        Ok(Runner { checkout, pinhole })
+        Ok(Runner::of(
+            program::build("pinhole-tools", checkout)?,
+            checkout,
+        ))
+    }
+
+    /// With this program in the place of `pinhole`.
+    pub fn of(pinhole: PathBuf, checkout: &'a Checkout) -> Runner<'a> {
+        Runner { checkout, pinhole }
+    }
+
+    /// Commands that no longer print what the book shows.
+    pub fn changed(&self) -> Result<Vec<Problem>> {
+        let mut problems = Vec::new();
+        for (id, run) in &read(self.checkout)? {
+            let path = captured(id, self.checkout);
+            let kept = fs::read_to_string(&path).ok();
+            match self.run(id, run) {
+                Ok(output) => {
+                    let file = self.checkout.inside(&path);
+                    problems.extend(changed(&file, kept.as_deref(), &output));
+                }
+                Err(Error::Sources(wrong)) => problems.extend(wrong),
+                Err(other) => return Err(other),
+            }
+        }
+        Ok(problems)
     }
 
     /// What a command prints, standard output alone.
@@ -209,21 +234,7 @@ pub fn capture(ids: &[String], checkout: &Checkout) -> Result<()> {
 
 /// What no longer prints what the book shows.
 pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
-    let runs = read(checkout)?;
-    let runner = Runner::new(checkout)?;
-    let mut problems = Vec::new();
-    for (id, run) in &runs {
-        let path = captured(id, checkout);
-        let kept = fs::read_to_string(&path).ok();
-        match runner.run(id, run) {
-            Ok(output) => {
-                problems.extend(changed(&checkout.inside(&path), kept.as_deref(), &output))
-            }
-            Err(Error::Sources(wrong)) => problems.extend(wrong),
-            Err(other) => return Err(other),
-        }
-    }
-    Ok(problems)
+    Runner::new(checkout)?.changed()
 }
 
 /// Says where the first difference is.

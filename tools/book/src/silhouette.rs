@@ -1,10 +1,18 @@
 //! The silhouette of one sphere from far away, decided in three ways.
 //!
-//! The unit sphere stands at distance `far` on the axis; a ray leaves the origin through
-//! (x, y, far). However far it is, the picture should stay the same. These are no
-//! solutions of the sphere's task: the ray is given, and nobody asks for t.
+//! The unit sphere stands at distance `far` from the origin, where rays begin; each leads
+//! to a point (x, y) of the plane through the centre. However far that is, the picture
+//! should stay the same. These are no solutions of the sphere's task: nobody asks for t.
 
-/// Whether the ray through (x, y, far) meets the sphere.
+use glam::{DVec3, dvec3};
+
+/// From the origin to the sphere, and the two axes of the picture: no axis of space, for
+/// along those many roundings happen to be exact.
+const AXIS: DVec3 = dvec3(0.36, 0.48, 0.8);
+const RIGHT: DVec3 = dvec3(0.8, -0.6, 0.0);
+const UP: DVec3 = dvec3(0.48, 0.64, -0.6);
+
+/// Whether the ray to (x, y) meets the sphere at distance `far`.
 pub type Meets = fn(f64, f64, f64) -> bool;
 
 /// The ways, by the names that values have.
@@ -23,7 +31,7 @@ pub fn on(k: u32) -> f64 {
 
 /// In how many pixels a way is wrong.
 ///
-/// The truth is that the ray passes the centre at most a radius away: far² (x² + y²) ≤
+/// The truth is that the line passes the centre at most a radius away: far² (x² + y²) ≤
 /// x² + y² + far². No two of these sums are near each other, for no pixel's middle lies
 /// near the outline, so that an `f64` decides it.
 pub fn wrong(meets: Meets, far: f64) -> usize {
@@ -37,25 +45,32 @@ pub fn wrong(meets: Meets, far: f64) -> usize {
         .count()
 }
 
+fn ray_to(x: f64, y: f64, center: DVec3) -> DVec3 {
+    center + x * RIGHT + y * UP
+}
+
 /// The textbook's discriminant.
 fn in_f64(x: f64, y: f64, far: f64) -> bool {
-    let (a, h, k) = (x * x + y * y + far * far, -far * far, far * far - 1.0);
+    let center = far * AXIS;
+    let (d, m) = (ray_to(x, y, center), -center);
+    let (a, h, k) = (d.dot(d), d.dot(m), m.dot(m) - 1.0);
     h * h - a * k >= 0.0
 }
 
-/// The same in single precision.
+/// The same in single precision, the data included.
 fn in_f32(x: f64, y: f64, far: f64) -> bool {
-    let (x, y, far) = (x as f32, y as f32, far as f32);
-    let (a, h, k) = (x * x + y * y + far * far, -far * far, far * far - 1.0);
+    let center = (far * AXIS).as_vec3();
+    let (d, m) = (ray_to(x, y, center.as_dvec3()).as_vec3(), -center);
+    let (a, h, k) = (d.dot(d), d.dot(m), m.dot(m) - 1.0);
     h * h - a * k >= 0.0
 }
 
 /// From the foot of the perpendicular (Haines, Günther & Akenine-Möller 2019).
 fn from_the_foot(x: f64, y: f64, far: f64) -> bool {
-    let a = x * x + y * y + far * far;
-    let t = far * far / a;
-    let foot = [t * x, t * y, t * far - far];
-    1.0 - foot.iter().map(|part| part * part).sum::<f64>() >= 0.0
+    let center = far * AXIS;
+    let (d, m) = (ray_to(x, y, center), -center);
+    let foot = m - d.dot(m) / d.dot(d) * d;
+    1.0 - foot.dot(foot) >= 0.0
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ use pinhole::report::number;
 
 use crate::checkout::Checkout;
 use crate::error::Result;
+use crate::record;
 use crate::reference::Reference;
 use crate::silhouette::{DISTANCES, WAYS, wrong};
 pub use camera::{PIXEL, on_plane, slide};
@@ -38,6 +39,7 @@ pub fn values(checkout: &Checkout) -> Result<Values> {
         }
     }
     values.insert("object_colours".into(), colours.to_string());
+    record::add(&mut values, checkout)?;
     Ok(values)
 }
 

@@ -9,6 +9,7 @@ use pinhole_book::check::{Part, check};
 use pinhole_book::checkout::Checkout;
 use pinhole_book::edition::Edition;
 use pinhole_book::expand::Sources;
+use pinhole_book::run::Runner;
 use pinhole_book::worked::Values;
 use tempfile::TempDir;
 
@@ -143,4 +144,51 @@ fn students_see_no_solution_and_instructors_do() {
     let built = built(Edition::Instructor, &checkout);
     let html = fs::read_to_string(built.folder.join(Path::new("dot.html"))).expect("it is built");
     assert!(html.contains("product"), "{html}");
+}
+
+#[test]
+#[cfg(unix)]
+fn a_command_that_prints_something_else_now_is_a_problem_at_its_line() {
+    let (_folder, checkout) = checkout("# Dot\n");
+    // It prints its arguments: the command, and the folder of answers by its name here.
+    let runner = Runner::of("/bin/echo".into(), &checkout);
+    let told = || -> Vec<(Option<usize>, String)> {
+        let problems = runner.changed().expect("it runs").into_iter();
+        problems
+            .map(|problem| (problem.line, problem.problem))
+            .collect()
+    };
+    let keep = |text: &str| {
+        let captured = checkout.book().join("captured");
+        fs::create_dir_all(&captured).expect("there is room");
+        fs::write(captured.join("told.txt"), text).expect("there is room");
+    };
+    let one = |line: Option<usize>, text: &str| vec![(line, text.to_owned())];
+    assert_eq!(told(), one(None, "the command was never captured"));
+    keep("check assignments/ray_casting/handout\n");
+    assert!(told().is_empty());
+    keep("grade assignments/ray_casting/handout\n");
+    let changed = "the command now prints `check assignments/ray_casting/handout`, not \
+                   `grade assignments/ray_casting/handout`";
+    assert_eq!(told(), one(Some(1), changed));
+}
+
+#[test]
+fn facts_that_are_not_the_courses_are_a_problem() {
+    let (_folder, checkout) = checkout("# Dot\n");
+    let slide = "scenes/slide_example.toml";
+    let course = Checkout::find().expect("tests run in a checkout");
+    let scene = fs::read(course.assignment().join(slide)).expect("it is there");
+    let copy = checkout.assignment().join(slide);
+    fs::create_dir_all(copy.parent().expect("it lies in a folder")).expect("there is room");
+    fs::write(copy, scene).expect("there is room");
+    let script = checkout.book().join("interactive/src");
+    fs::create_dir_all(&script).expect("there is room");
+    fs::write(script.join("facts.json"), "{}\n").expect("there is room");
+    let problems = check(&[], &[Part::Interactive], &checkout).expect("it reads them");
+    let told: Vec<&str> = problems
+        .iter()
+        .map(|problem| problem.problem.as_str())
+        .collect();
+    assert_eq!(told, ["the facts are not those of the course"]);
 }

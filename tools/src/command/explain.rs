@@ -14,6 +14,7 @@ use crate::compile::compile;
 use crate::describe::{self, intersection, ray};
 use crate::error::{Error, Result};
 use crate::explanation::{Explanation, Mitsuba, Said, Witness};
+use crate::passage::Passage;
 use crate::progress::Progress;
 use crate::sandbox::Sandbox;
 
@@ -71,6 +72,11 @@ pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Outcome> {
         );
     } else {
         print(&explanation, &scene, pixel, arguments, &whose);
+        let at_fault = explanation.task_at_fault(&scene.objects);
+        let mut tasks = assignment.tasks.iter();
+        if let Some(task) = tasks.find(|task| at_fault == Some(&task.name)) {
+            anstream::println!("\nread: {}", Passage::chapter(&task.chapter));
+        }
     }
     Ok(Outcome::Well)
 }

@@ -27,7 +27,8 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
     let mut document = json!({ "assignment": assignment.name });
     let mut words = String::new();
     if let Some(out) = &arguments.out {
-        let written = Repository::of(assignment, checkout)?.write(out, arguments.force)?;
+        let repository = Repository::of(assignment, checkout, arguments.book.as_deref())?;
+        let written = repository.write(out, arguments.force)?;
         let withheld: Vec<&str> = assignment
             .withheld_scenes()
             .map(|scene| scene.name.as_str())

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::diagnosis::{Diagnosis, Explanation, Reading};
+use crate::passage::Passage;
 use crate::table::percent;
 
 /// What somebody may believe, with hints.
@@ -35,13 +36,6 @@ pub struct Told {
     slug: String,
     task: String,
     id: String,
-}
-
-/// A place in the book: in words, and as the page it will have.
-#[derive(Debug, PartialEq, Serialize)]
-pub struct Passage {
-    pub words: String,
-    pub page: String,
 }
 
 impl Beliefs {
@@ -85,35 +79,6 @@ impl Told {
             id: format!("task-{k}"),
         })
     }
-}
-
-impl Passage {
-    /// A whole chapter.
-    pub fn chapter(title: &str) -> Passage {
-        Passage {
-            words: format!("the book, “{title}”"),
-            page: format!("book/{}.html", anchor(title)),
-        }
-    }
-
-    /// A section of a chapter.
-    pub fn section(chapter: &str, section: &str) -> Passage {
-        let Passage { words, page } = Passage::chapter(chapter);
-        Passage {
-            words: format!("{words}, section “{section}”"),
-            page: format!("{page}#{}", anchor(section)),
-        }
-    }
-}
-
-/// A title as mdBook makes an address of it.
-fn anchor(title: &str) -> String {
-    let letter = |c: char| match c {
-        c if c.is_whitespace() => Some('-'),
-        c if c.is_alphanumeric() || c == '-' || c == '_' => Some(c),
-        _ => None,
-    };
-    title.to_lowercase().chars().filter_map(letter).collect()
 }
 
 #[cfg(test)]
@@ -168,15 +133,5 @@ mod tests {
     #[test]
     fn without_a_diagnosis_nothing_is_named() {
         assert_eq!(Beliefs::of(&Diagnosis::default(), &[]), None);
-    }
-
-    #[test]
-    fn a_passage_has_the_page_it_will_have() {
-        let passage = Passage::section("Viewing rays", "Which root counts?");
-        assert_eq!(passage.page, "book/viewing-rays.html#which-root-counts");
-        assert_eq!(
-            passage.words,
-            "the book, “Viewing rays”, section “Which root counts?”"
-        );
     }
 }

@@ -2,10 +2,11 @@
 
 use serde::Serialize;
 
-use super::belief::{Beliefs, Passage};
+use super::belief::Beliefs;
 use crate::compile::Replaced;
 use crate::describe::printable;
 use crate::examination::{GroupResult, TaskResult};
+use crate::passage::Passage;
 use crate::table;
 
 /// One answer, judged alone.

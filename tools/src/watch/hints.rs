@@ -5,6 +5,7 @@ use super::state::State;
 use crate::diagnosis::Diagnosis;
 use crate::examination::TaskResult;
 use crate::mistake::Mistake;
+use crate::passage::Passage;
 
 /// The hints on what is shown, each deeper than the one before; none where nothing is
 /// wrong.
@@ -26,7 +27,7 @@ fn on_task(task: &TaskResult) -> Vec<String> {
     if !task.diagnosis.is_empty() {
         return known(&task.diagnosis);
     }
-    let read = format!("read: the book, \"{}\"", task.chapter);
+    let read = format!("read: {}", Passage::chapter(&task.chapter));
     if task.replaced.is_some() {
         let look = "look: at the first of the compiler's messages; others may follow from it";
         return vec![look.into(), read];
@@ -69,7 +70,7 @@ fn known(diagnosis: &Diagnosis) -> Vec<String> {
         depth(|mistake| format!("think: {}", mistake.hint.think)),
         depth(|mistake| {
             let Mistake { chapter, hint, .. } = mistake;
-            format!("read: the book, \"{chapter}\", \"{}\"", hint.read)
+            format!("read: {}", Passage::section(chapter, &hint.read))
         }),
     ]
 }

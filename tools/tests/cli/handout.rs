@@ -2,6 +2,7 @@
 //! that works on a machine with Rust alone.
 
 mod beside;
+mod book;
 #[cfg(target_os = "linux")]
 mod fresh_machine;
 mod secrets;

@@ -104,9 +104,9 @@ pub fn projections(_: &Checkout) -> Result<Made> {
     Ok(drawing.made())
 }
 
-/// The silhouettes of one sphere at ten million radii, by three computations.
+/// The silhouettes of one sphere at a hundred million radii, by three computations.
 pub fn breaking_distance(_: &Checkout) -> Result<Made> {
-    made(&row(&WAYS.map(|(_, meets)| (meets, 1e7)), 5))
+    made(&row(&WAYS.map(|(_, meets)| (meets, 1e8)), 5))
 }
 
 /// One sphere from farther and farther away: by the textbook's discriminant above, from

@@ -1,0 +1,110 @@
+//! A place in the book, for whoever is sent there.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use crate::diagnosis::Diagnosis;
+
+/// A chapter or a section of it: in words, and as its page, from the top of a student's
+/// repository. In the course's checkout, pages lie in `book/build/student`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Passage {
+    /// In prose.
+    pub words: String,
+    /// The page, and the place on it.
+    pub page: String,
+}
+
+impl Passage {
+    /// A whole chapter.
+    pub fn chapter(title: &str) -> Passage {
+        Passage {
+            words: format!("the book, “{title}”"),
+            // Its file is named as everything here is, with `_` for a space.
+            page: format!("book/{}.html", anchor(title).replace('-', "_")),
+        }
+    }
+
+    /// A section of a chapter.
+    pub fn section(chapter: &str, section: &str) -> Passage {
+        let Passage { words, page } = Passage::chapter(chapter);
+        Passage {
+            words: format!("{words}, section “{section}”"),
+            page: format!("{page}#{}", anchor(section)),
+        }
+    }
+
+    /// What helps against beliefs, each place once; without any, the chapter.
+    pub fn against(diagnosis: &Diagnosis, chapter: &str) -> Vec<Passage> {
+        let mut passages: Vec<Passage> = Vec::new();
+        for held in &diagnosis.beliefs {
+            let passage = Passage::section(&held.mistake.chapter, &held.mistake.hint.read);
+            if !passages.contains(&passage) {
+                passages.push(passage);
+            }
+        }
+        match passages.is_empty() {
+            true => vec![Passage::chapter(chapter)],
+            false => passages,
+        }
+    }
+}
+
+impl fmt::Display for Passage {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} ({})", self.words, self.page)
+    }
+}
+
+/// A title as mdBook makes an address of it.
+fn anchor(title: &str) -> String {
+    let letter = |c: char| match c {
+        c if c.is_whitespace() => Some('-'),
+        c if c.is_alphanumeric() || c == '-' || c == '_' => Some(c),
+        _ => None,
+    };
+    title.to_lowercase().chars().filter_map(letter).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::assignment::Assignment;
+    use crate::checkout::Checkout;
+    use crate::diagnosis::known::Known;
+
+    #[test]
+    fn a_passage_names_the_page_and_the_place_on_it() {
+        let passage = Passage::section("Viewing rays", "Which root counts?");
+        let told = "the book, “Viewing rays”, section “Which root counts?” \
+                    (book/viewing_rays.html#which-root-counts)";
+        assert_eq!(passage.to_string(), told);
+    }
+
+    #[test]
+    fn every_task_and_every_known_mistake_sends_to_a_page_and_a_heading_of_the_book() {
+        let checkout = Checkout::find().expect("tests run in a checkout");
+        let chapters = checkout.root().join("book/src");
+        if !chapters.is_dir() {
+            return; // A student's repository has the built book at most.
+        }
+        let assignment = Assignment::read(&checkout, "ray_casting").expect("it is there");
+        let known = Known::read(&checkout.golden("ray_casting")).expect("it is there");
+        let tasks = assignment.tasks.iter().map(|task| (&task.chapter, None));
+        let mistakes = known.mistake.values();
+        let mistakes = mistakes.map(|mistake| (&mistake.chapter, Some(&mistake.hint.read)));
+        for (chapter, section) in tasks.chain(mistakes) {
+            let page = Passage::chapter(chapter).page;
+            let page = page.replace("book/", "").replace(".html", ".md");
+            let text = std::fs::read_to_string(chapters.join(&page)).expect(&page);
+            assert!(text.starts_with(&format!("# {chapter}\n")), "{page}");
+            if let Some(section) = section {
+                assert!(
+                    text.contains(&format!("\n## {section}\n")),
+                    "{page}: {section}"
+                );
+            }
+        }
+    }
+}
