@@ -1,10 +1,14 @@
 //! Casting whole scenes: from a scene's file to a film, by kernels of one's choice.
 //!
 //! [`world`] is the scene as parts that a ray can meet, [`tree`] what spares most of
-//! them, [`model`] with which numbers and kernels they are met, [`rays`] where rays come
-//! from.
+//! them, [`model`] with which numbers and kernels they are met, [`kernels`] and [`chosen`]
+//! which kernels there are to choose from, [`narrow`] the same in `f32`, [`rays`] where
+//! rays come from.
 
+pub mod chosen;
+pub mod kernels;
 pub mod model;
+pub mod narrow;
 pub mod rays;
 pub mod tree;
 pub mod world;

@@ -180,8 +180,11 @@ pub struct Breaking {
 pub struct SceneTally {
     /// Its name.
     pub scene: String,
-    /// `f64`, `exact`, or `Mitsuba` (the golden film, by rays of its own in `f32`).
+    /// `f32`, `f64 on f32`, `f64`, `exact`, or `Mitsuba` (the golden film, by rays of its
+    /// own in `f32`).
     pub model: String,
+    /// The set: `fastest`, `usual`, `steadiest`, or `adaptive`.
+    pub kernels: Option<String>,
     /// `brute force` or `boxes`.
     pub search: Option<String>,
     /// Spheres, planes and triangles in the scene.
@@ -204,6 +207,9 @@ pub struct SceneTally {
     pub fallbacks: u64,
     /// Comparisons of t that were decided exactly.
     pub close_calls: u64,
+    /// Whether no other way is as good in time, wrong objects, t and normal, and better in
+    /// one of them.
+    pub on_front: bool,
 }
 
 /// A figure that was promised or measured before, and the one measured now.

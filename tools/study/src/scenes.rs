@@ -1,23 +1,29 @@
-//! Whole scenes: every model and every search on every scene's own rays, judged pixel by
-//! pixel, and timed in turns.
+//! Whole scenes: every set of kernels, type of numbers and search on every scene's own
+//! rays, judged pixel by pixel, and timed in turns.
+//!
+//! Whoever casts in `f32` rounds the ray and the shapes first, and is judged all the same
+//! by what the ray in `f64` truly meets: that error is what a user of `f32` gets. (The
+//! extremes are judged otherwise: there the question itself is rounded first, so that
+//! the kernel alone is judged.)
 
-use std::hint::black_box;
+mod front;
+mod ways;
+
 use std::path::{Path, PathBuf};
 
 use pinhole::job::Answer;
 use pinhole::{Film, Intersection, Scene};
 use rayon::prelude::*;
 
-use crate::cast::model::{Exact, Model, Plain};
 use crate::cast::rays::rays;
 use crate::cast::world::{World, vector};
-use crate::cast::{Caster, Search, Tally};
+use crate::cast::{Search, Tally};
 use crate::oracle::scene::{Sight, normal, sight};
 use crate::result::SceneTally;
 use crate::shape::Ray;
-use crate::speed::now;
 use crate::theirs::{self, Theirs};
 use crate::vector::Vector;
+use ways::{Seen, Stage, race, ways};
 
 /// How much of every scene.
 #[derive(Clone, Copy, Debug)]
@@ -26,59 +32,6 @@ pub struct Share {
     pub step: usize,
     /// Films by each model and search.
     pub rounds: usize,
-}
-
-/// What somebody says is seen: object, t and normal.
-type Seen = Option<(u32, f64, Vector<f64>)>;
-
-/// One way to cast a scene.
-struct Way {
-    model: &'static str,
-    search: Search,
-    see: fn(&Caster, Search, &Ray<f64>, f64, &mut Tally) -> Seen,
-    time: fn(&Caster, Search, &[Ray<f64>], f64) -> f64,
-}
-
-impl Way {
-    fn of<M: Model>(search: Search) -> Way {
-        Way {
-            model: M::NAME,
-            search,
-            see: see::<M>,
-            time: time::<M>,
-        }
-    }
-}
-
-fn see<M: Model>(
-    caster: &Caster,
-    search: Search,
-    ray: &Ray<f64>,
-    min_t: f64,
-    tally: &mut Tally,
-) -> Seen {
-    let found = caster.first::<M>(search, ray, min_t, tally)?;
-    let point = ray.origin + ray.direction * found.t;
-    Some((found.part.object, found.t, found.part.shape.normal(point)))
-}
-
-/// CPU time of this thread for all rays, in nanoseconds for each.
-#[inline(never)]
-fn time<M: Model>(caster: &Caster, search: Search, rays: &[Ray<f64>], min_t: f64) -> f64 {
-    let start = now();
-    for ray in black_box(rays) {
-        black_box(caster.first::<M>(search, ray, min_t, &mut Tally::default()));
-    }
-    (now() - start).as_secs_f64() * 1e9 / rays.len() as f64
-}
-
-fn ways() -> [Way; 4] {
-    [
-        Way::of::<Plain>(Search::BruteForce),
-        Way::of::<Exact>(Search::BruteForce),
-        Way::of::<Plain>(Search::Boxes),
-        Way::of::<Exact>(Search::Boxes),
-    ]
 }
 
 /// The assignment's scenes, in order of their names.
@@ -105,32 +58,30 @@ pub fn studied(
 ) -> Result<Vec<SceneTally>, pinhole::Error> {
     let scene = Scene::read(file)?;
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
-    let caster = Caster::new(World::of(&scene.objects));
     let rays: Vec<_> = rays(&scene).into_iter().step_by(share.step).collect();
+    let stage = Stage::new(World::of(&scene.objects), rays, scene.min_t);
+    let (parts, rays) = (&stage.caster.world.parts, &stage.rays);
     let truths: Vec<_> = rays
         .par_iter()
-        .map(|ray| sight(&caster.world.parts, ray, scene.min_t))
+        .map(|ray| sight(parts, ray, scene.min_t))
         .collect();
     let mut tallies = Vec::new();
-    for (way, nanoseconds) in ways()
-        .iter()
-        .zip(race(&caster, &rays, scene.min_t, share.rounds))
-    {
+    let ways = ways();
+    for (way, nanoseconds) in ways.iter().zip(race(&stage, &ways, share.rounds)) {
         let mut tally = Tally::default();
-        let seen = rays
-            .iter()
-            .map(|ray| (way.see)(&caster, way.search, ray, scene.min_t, &mut tally));
-        let judged = judged(&rays, &truths, seen);
+        let seen = (way.see)(&stage, way.search, &mut tally);
+        let is_counted = tally.tests > 0;
         tallies.push(SceneTally {
             scene: name.clone().into(),
-            model: way.model.into(),
+            model: way.numbers.into(),
+            kernels: Some(way.kernels.into()),
             search: Some(way.search.name().into()),
-            parts: caster.world.parts.len() as u64,
+            parts: parts.len() as u64,
             nanoseconds: Some(nanoseconds),
-            tests: Some(tally.tests as f64 / rays.len() as f64),
+            tests: is_counted.then(|| tally.tests as f64 / rays.len() as f64),
             fallbacks: tally.fallbacks,
             close_calls: tally.close_calls,
-            ..judged
+            ..judged(rays, &truths, seen.into_iter())
         });
     }
     if let Some(film) = golden(&name) {
@@ -138,8 +89,8 @@ pub fn studied(
         tallies.push(SceneTally {
             scene: name.clone().into(),
             model: "Mitsuba".into(),
-            parts: caster.world.parts.len() as u64,
-            ..judged(&rays, &truths, seen)
+            parts: parts.len() as u64,
+            ..judged(rays, &truths, seen)
         });
     }
     if let Some(answers) = theirs.scene(&name) {
@@ -148,26 +99,12 @@ pub fn studied(
             scene: name.into(),
             model: theirs::NAME.into(),
             search: Some(Search::BruteForce.name().into()),
-            parts: caster.world.parts.len() as u64,
-            ..judged_of_answers(&rays, &truths, answers)
+            parts: parts.len() as u64,
+            ..judged_of_answers(rays, &truths, answers)
         });
     }
+    front::mark(&mut tallies);
     Ok(tallies)
-}
-
-/// Nanoseconds for a ray by each of the [`ways`], which take turns: medians.
-fn race(caster: &Caster, rays: &[Ray<f64>], min_t: f64, rounds: usize) -> Vec<f64> {
-    let mut times = vec![Vec::new(); ways().len()];
-    for _ in 0..rounds {
-        for (way, times) in ways().iter().zip(&mut times) {
-            times.push((way.time)(caster, way.search, rays, min_t));
-        }
-    }
-    let median = |mut times: Vec<f64>| {
-        times.sort_by(f64::total_cmp);
-        times[times.len() / 2]
-    };
-    times.into_iter().map(median).collect()
 }
 
 /// What a film of hits says, pixel by pixel.

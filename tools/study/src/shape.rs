@@ -37,6 +37,21 @@ pub struct Triangle<F> {
     pub corners: [Vector<F>; 3],
 }
 
+impl<F: Real> Sphere<F> {
+    /// Along the outward normal at a point of it; not unit.
+    pub fn outward(&self, point: Vector<F>) -> Vector<F> {
+        point - self.center
+    }
+}
+
+impl<F: Real> Triangle<F> {
+    /// Along its normal; not unit.
+    pub fn outward(&self) -> Vector<F> {
+        let [a, b, c] = self.corners;
+        (b - a).cross(c - a)
+    }
+}
+
 /// What can be asked about a shape of either type of number: all that the instrument
 /// needs to round a question, to scale it and to spoil it.
 pub trait Shape: Copy + Send + Sync + 'static {

@@ -55,6 +55,14 @@ impl<F: Real> Vector<F> {
         }
     }
 
+    /// The unit vector along it. It is brought near 1 before it is squared: a normal of a
+    /// small triangle may be as short as 1e-160.
+    #[inline(always)]
+    pub fn unit(self) -> Vector<F> {
+        let near_one = self * (F::ONE / self.largest());
+        near_one * (F::ONE / near_one.dot(near_one).sqrt())
+    }
+
     /// The magnitude of its largest component.
     #[inline(always)]
     pub fn largest(self) -> F {

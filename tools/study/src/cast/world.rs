@@ -135,13 +135,10 @@ impl Primitive {
 
     /// The unit outward normal at a point of it.
     pub fn normal(&self, point: Vector<f64>) -> Vector<f64> {
-        let along = match self {
-            Primitive::Sphere(sphere) => point - sphere.center,
-            Primitive::Plane(plane) => plane.normal,
-            Primitive::Triangle(Triangle { corners: [a, b, c] }) => (*b - *a).cross(*c - *a),
-        };
-        // Near 1 before it is squared: a triangle may be as small as 1e-160.
-        let near_one = along * (1.0 / along.largest());
-        near_one * (1.0 / near_one.dot(near_one).sqrt())
+        match self {
+            Primitive::Sphere(sphere) => sphere.outward(point).unit(),
+            Primitive::Plane(plane) => plane.normal.unit(),
+            Primitive::Triangle(triangle) => triangle.outward().unit(),
+        }
     }
 }

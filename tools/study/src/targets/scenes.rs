@@ -21,7 +21,10 @@ pub fn targets(scenes: &[SceneTally]) -> Vec<Target> {
         is_time: false,
     }];
     let in_boxes = |model: &'static str| {
-        let is_it = move |t: &&SceneTally| t.model == model && t.search.as_deref() == Some("boxes");
+        let is_it = move |t: &&SceneTally| {
+            let is_plain = matches!(t.kernels.as_deref(), Some("usual" | "adaptive"));
+            t.model == model && is_plain && t.search.as_deref() == Some("boxes")
+        };
         scenes
             .iter()
             .filter(is_it)
