@@ -23,7 +23,7 @@ const FEATURES: [&str; 2] = ["validate", "study"];
 /// Where their modules are declared; rustfmt looks for them whatever the features are.
 const PARENTS: [&str; 2] = ["tools/src/main.rs", "tools/src/command.rs"];
 /// Whose profiles only such a package needs: cargo warns of profiles for nobody.
-const AT_HOME: &str = "dashu-";
+const AT_HOME: [&str; 4] = ["bvh", "dashu-", "obvhs", "parry3d"];
 
 /// Whether a source belongs to one of [`FEATURES`].
 fn stays(path: &str) -> bool {
@@ -54,7 +54,9 @@ pub fn adapt(files: &mut Files, assignment: &Assignment) -> Result<()> {
             .iter_mut()
             .filter(|table| table.header == "[profile.release.package]")
         {
-            keep_lines(&mut table.text, |line| !line.starts_with(AT_HOME));
+            keep_lines(&mut table.text, |line| {
+                !AT_HOME.iter().any(|package| line.starts_with(package))
+            });
         }
         tables::join(tables)
     })?;

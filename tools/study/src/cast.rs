@@ -1,20 +1,26 @@
 //! Casting whole scenes: from a scene's file to a film, by kernels of one's choice.
 //!
 //! [`world`] is the scene as parts that a ray can meet, [`tree`] what spares most of
-//! them, [`model`] with which numbers and kernels they are met, [`kernels`] and [`chosen`]
-//! which kernels there are to choose from, [`narrow`] the same in `f32`, [`rays`] where
-//! rays come from.
+//! them ([`frame`] and [`slabs`] are its boxes), [`model`] with which numbers and kernels
+//! they are met, [`kernels`] and [`chosen`] which kernels there are to choose from,
+//! [`narrow`] the same in `f32`, [`rays`] and [`reach`] where rays come from.
 
 pub mod chosen;
+pub mod frame;
 pub mod kernels;
 pub mod model;
 pub mod narrow;
 pub mod rays;
+pub mod reach;
+pub mod slabs;
 pub mod tree;
 pub mod world;
 
 use rayon::prelude::*;
 
+use crate::kernel::Limits;
+use crate::kernel::sphere::Scaled;
+use crate::kernel::triangle::Four;
 use crate::shape::Ray;
 use model::Model;
 use tree::Tree;
@@ -78,8 +84,9 @@ pub struct Caster {
 }
 
 impl Caster {
-    /// Builds the tree.
+    /// Works out what is known of all rays, and builds the tree.
     pub fn new(mut world: World) -> Caster {
+        world.settle();
         let tree = Tree::over(&mut world);
         Caster { world, tree }
     }
@@ -127,6 +134,7 @@ impl Caster {
 /// The search for what one ray meets first.
 pub struct Nearest<'a, 'r, M: Model> {
     ray: &'r Ray<f64>,
+    scaled: Scaled<f64>,
     prepared: M::Ray,
     min_t: f64,
     tally: &'r mut Tally,
@@ -140,9 +148,11 @@ impl<'a, 'r, M: Model> Nearest<'a, 'r, M> {
         min_t: f64,
         tally: &'r mut Tally,
     ) -> Nearest<'a, 'r, M> {
+        let scaled = Scaled::new(ray);
         Nearest {
             ray,
-            prepared: M::prepare(ray, world),
+            scaled,
+            prepared: M::prepare_scaled(ray, &scaled, min_t, world),
             min_t,
             tally,
             found: None,
@@ -152,18 +162,52 @@ impl<'a, 'r, M: Model> Nearest<'a, 'r, M> {
     /// Tests these parts too.
     #[inline(always)]
     fn consider(&mut self, parts: &'a [Part]) {
+        self.tally.tests += parts.len() as u64;
         for part in parts {
-            self.tally.tests += 1;
-            let t = M::meet(&part.shape, &self.prepared, self.min_t, self.tally);
-            let Some(found) = t.map(|t| Found { part, t }) else {
-                continue;
-            };
-            let is_first = self
-                .found
-                .is_none_or(|best| M::comes_first(&found, &best, self.ray, self.min_t, self.tally));
-            if is_first {
-                self.found = Some(found);
+            if let Some(t) = M::meet_part(part, &self.prepared, self.min_t, self.tally) {
+                self.keep(Found { part, t });
             }
+        }
+    }
+
+    /// The same of four triangles, which these parts are.
+    #[inline(always)]
+    fn consider_four(&mut self, four: &Four, limits: &Limits<f64>, parts: &'a [Part]) {
+        self.tally.tests += parts.len() as u64;
+        let met = M::meet_four(four, limits, &self.prepared, self.min_t);
+        let mut open = met.open;
+        for (lane, part) in parts.iter().enumerate() {
+            if met.hits >> lane & 1 == 1 {
+                match M::given(met.t[lane], &self.prepared) {
+                    t if t.is_finite() => self.keep(Found { part, t }),
+                    _ => open |= 1 << lane,
+                }
+            }
+        }
+        if open != 0 {
+            self.consider_open(open, parts);
+        }
+    }
+
+    #[cold]
+    fn consider_open(&mut self, open: u32, parts: &'a [Part]) {
+        for (lane, part) in parts.iter().enumerate() {
+            if open >> lane & 1 == 0 {
+                continue;
+            }
+            if let Some(t) = M::meet_part(part, &self.prepared, self.min_t, self.tally) {
+                self.keep(Found { part, t });
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn keep(&mut self, found: Found<'a>) {
+        let is_first = self
+            .found
+            .is_none_or(|best| M::comes_first(&found, &best, self.ray, self.min_t, self.tally));
+        if is_first {
+            self.found = Some(found);
         }
     }
 

@@ -8,12 +8,16 @@
 //! costs what its formula costs. What depends on the ray alone is worked out once for a
 //! ray, by [`Kernel::prepare`], and not again at every shape.
 
+mod limits;
 pub mod plane;
 pub mod sphere;
 pub mod triangle;
 mod widened;
+mod window;
 
+pub use limits::Limits;
 pub use widened::Widened;
+pub use window::Window;
 
 use crate::number::Real;
 use crate::shape::Ray;

@@ -11,7 +11,8 @@
 //! 4. [`oracle`], [`judge`], [`breaking`]: what is true, what is wrong, what is broken;
 //! 5. [`contestant`], [`contestants`], [`speed`], [`instructions`]: who takes part, and
 //!    what each costs;
-//! 6. [`leaks`]: closed meshes; [`cast`], [`film`], [`scenes`]: whole scenes;
+//! 6. [`leaks`]: closed meshes; [`cast`], [`film`], [`scenes`]: whole scenes; [`record`]:
+//!    the long runs;
 //! 7. [`theirs`]: a student's answers among them;
 //! 8. [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the whole,
 //!    and how it is told.
@@ -35,6 +36,7 @@ pub mod plots;
 pub mod provenance;
 pub mod question;
 pub mod random;
+pub mod record;
 pub mod result;
 pub mod root;
 pub mod run;

@@ -8,7 +8,9 @@ use clap::{Parser, Subcommand};
 use indicatif::ProgressBar;
 use pinhole::Resolution;
 use pinhole_study::family::Studied;
+use pinhole_study::judge::rule_of_three;
 use pinhole_study::provenance::provenance;
+use pinhole_study::record::{self, Count, Hardness, Leaks};
 use pinhole_study::result::{SCHEMA, Study};
 use pinhole_study::run::{Extent, run};
 use pinhole_study::shape::{Plane, Sphere, Triangle};
@@ -63,6 +65,24 @@ enum Part {
         kernel: usize,
         casts: u32,
     },
+    /// Ask exact casting as many questions as there is time for, and print what came
+    ///
+    /// The promise is for 100 million random and 10 million adversarial questions, and
+    /// a billion rays at edges and vertices: many hours, so choose.
+    Record {
+        /// Everyday questions
+        #[arg(long, value_name = "N", default_value_t = 1_000_000)]
+        random: u64,
+        /// Questions at the extremes
+        #[arg(long, value_name = "N", default_value_t = 1_000_000)]
+        adversarial: u64,
+        /// Rays at edges, and as many at vertices, of closed meshes
+        #[arg(long, value_name = "N", default_value_t = 1_000_000)]
+        edges: u64,
+        /// What random questions come from
+        #[arg(long, value_name = "N", default_value_t = 20_261_121)]
+        seed: u64,
+    },
     /// Cast a scene exactly into a film: what `pinhole render --exact` runs
     #[command(hide = true)]
     Film {
@@ -89,6 +109,12 @@ fn main() -> ExitCode {
             Ok(true)
         }
         Some(Part::Questions { file }) => questions(file, arguments.seed).map(|()| true),
+        Some(Part::Record {
+            random,
+            adversarial,
+            edges,
+            seed,
+        }) => Ok(record(*random, *adversarial, *edges, *seed)),
         Some(Part::Film {
             scene,
             film,
@@ -135,6 +161,50 @@ fn theirs(arguments: &Arguments) -> Result<Theirs, String> {
     let bytes = fs::read(file).map_err(|error| cannot(&error))?;
     let said = postcard::from_bytes(&bytes).map_err(|error| cannot(&error))?;
     Ok(Theirs::new(said))
+}
+
+/// The long runs; whether nothing was wrong.
+fn record(random: u64, adversarial: u64, edges: u64, seed: u64) -> bool {
+    let mut is_well = true;
+    for (name, hardness, count) in [
+        ("random", Hardness::Random, random),
+        ("adversarial", Hardness::Adversarial, adversarial),
+    ] {
+        let Count { asked, wrong } = record::decisions(hardness, count, seed);
+        println!(
+            "{name}: {wrong} wrong decisions in {asked}{}",
+            bound(wrong, asked)
+        );
+        is_well &= wrong == 0;
+    }
+    let Leaks {
+        rays,
+        leaks,
+        double_hits,
+        lost_in_boxes,
+    } = record::leaks(edges, seed);
+    println!(
+        "edges and vertices: {leaks} leaks, {double_hits} double hits, {lost_in_boxes} lost in \
+         boxes, in {rays} rays{}",
+        bound(leaks + double_hits + lost_in_boxes, rays)
+    );
+    is_well &= leaks + double_hits + lost_in_boxes == 0;
+    println!("camera rays, as computed and as rounded once (apart from all above):");
+    for camera in record::cameras() {
+        println!(
+            "{}: up to {:.1e} rad and {:.1e} of the origin apart; {} of {} pixels change",
+            camera.scene, camera.angle, camera.origin, camera.changed, camera.pixels
+        );
+    }
+    is_well
+}
+
+/// What a count of 0 says of the rate.
+fn bound(wrong: u64, asked: u64) -> String {
+    match wrong {
+        0 => format!(" (below {:.1e} with 95 % confidence)", rule_of_three(asked)),
+        _ => String::new(),
+    }
 }
 
 fn studied(arguments: &Arguments) -> Result<bool, String> {

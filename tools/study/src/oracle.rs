@@ -4,6 +4,7 @@
 //! arithmetic is dashu's; nothing here is shared with the kernels, and the tests hold
 //! it against Python's fractions.
 
+pub mod camera;
 mod plane;
 pub mod scene;
 mod sphere;

@@ -5,8 +5,13 @@ use std::ops::{Add, Mul, Sub};
 
 use crate::number::Real;
 
+/// What can be added and multiplied: a number, or several side by side.
+pub trait Ring: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {}
+
+impl<F: Copy + Add<Output = F> + Sub<Output = F> + Mul<Output = F>> Ring for F {}
+
 /// A point, or a direction.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vector<F> {
     /// The first component.
     pub x: F,
@@ -16,7 +21,7 @@ pub struct Vector<F> {
     pub z: F,
 }
 
-impl<F: Real> Vector<F> {
+impl<F: Ring> Vector<F> {
     /// From its components.
     #[inline(always)]
     pub fn new(x: F, y: F, z: F) -> Vector<F> {
@@ -54,7 +59,9 @@ impl<F: Real> Vector<F> {
             z: self.x * other.y - other.x * self.y,
         }
     }
+}
 
+impl<F: Real> Vector<F> {
     /// The unit vector along it. It is brought near 1 before it is squared: a normal of a
     /// small triangle may be as short as 1e-160.
     #[inline(always)]
@@ -70,7 +77,7 @@ impl<F: Real> Vector<F> {
     }
 }
 
-impl<F: Real> Add for Vector<F> {
+impl<F: Ring> Add for Vector<F> {
     type Output = Vector<F>;
     #[inline(always)]
     fn add(self, other: Vector<F>) -> Vector<F> {
@@ -78,7 +85,7 @@ impl<F: Real> Add for Vector<F> {
     }
 }
 
-impl<F: Real> Sub for Vector<F> {
+impl<F: Ring> Sub for Vector<F> {
     type Output = Vector<F>;
     #[inline(always)]
     fn sub(self, other: Vector<F>) -> Vector<F> {
@@ -86,7 +93,7 @@ impl<F: Real> Sub for Vector<F> {
     }
 }
 
-impl<F: Real> Mul<F> for Vector<F> {
+impl<F: Ring> Mul<F> for Vector<F> {
     type Output = Vector<F>;
     #[inline(always)]
     fn mul(self, factor: F) -> Vector<F> {

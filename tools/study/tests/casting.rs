@@ -78,6 +78,29 @@ fn boxes_lose_no_hit() {
     assert!(hits > 10_000, "{hits}");
 }
 
+#[test]
+fn boxes_lose_no_hit_of_rays_from_far_away() {
+    let mut random = Random::new(3, "far");
+    let mut hits = 0;
+    for exponent in 1..=14 {
+        let caster = Caster::new(crowd(&mut random, 1.0, Vector::default()));
+        for _ in 0..500 {
+            let target = random.unit() * random.within(0.0, 9.0);
+            let direction = random.unit() * random.within(0.1, 10.0);
+            let origin = target - direction * 10f64.powi(exponent);
+            let ray = Ray { origin, direction };
+            let by = |search| {
+                let first = caster.first::<Exact>(search, &ray, 0.0, &mut Tally::default());
+                first.map(|found| (found.part.place, found.t))
+            };
+            let all = by(Search::BruteForce);
+            assert_eq!(by(Search::Boxes), all, "{ray:?}");
+            hits += usize::from(all.is_some());
+        }
+    }
+    assert!(hits > 1_000, "{hits}");
+}
+
 /// Rays at shapes that lie within a few last digits of each other.
 fn wrong_objects<M: Model>() -> usize {
     let mut random = Random::new(2, "close");

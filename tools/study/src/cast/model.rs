@@ -3,7 +3,8 @@
 use super::world::{Part, Primitive, World};
 use super::{Found, Tally};
 use crate::kernel::sphere::Scaled;
-use crate::kernel::{Kernel, plane, sphere, triangle};
+use crate::kernel::triangle::{Four, Met};
+use crate::kernel::{Kernel, Limits, Window, plane, sphere, triangle};
 use crate::root::{Root, rounded};
 use crate::shape::Ray;
 
@@ -18,8 +19,34 @@ pub trait Model: Sync + 'static {
 
     /// Once for a ray.
     fn prepare(ray: &Ray<f64>, world: &World) -> Self::Ray;
+    /// The same, by a model that uses the scaled ray, which boxes need as well, and `min_t`.
+    #[inline(always)]
+    fn prepare_scaled(
+        ray: &Ray<f64>,
+        _scaled: &Scaled<f64>,
+        _min_t: f64,
+        world: &World,
+    ) -> Self::Ray {
+        Self::prepare(ray, world)
+    }
     /// The smallest t ≥ `min_t` at which a ray meets a part.
     fn meet(shape: &Primitive, ray: &Self::Ray, min_t: f64, tally: &mut Tally) -> Option<f64>;
+    /// The same of a part, by a model that uses what is known of it.
+    #[inline(always)]
+    fn meet_part(part: &Part, ray: &Self::Ray, min_t: f64, tally: &mut Tally) -> Option<f64> {
+        Self::meet(&part.shape, ray, min_t, tally)
+    }
+    /// Which of four triangles it meets, by a model that can tell of four at a time. What is
+    /// left open is asked again, part by part.
+    #[inline(always)]
+    fn meet_four(four: &Four, _limits: &Limits<f64>, _ray: &Self::Ray, _min_t: f64) -> Met {
+        four.left_open()
+    }
+    /// A t of that, in multiples of the ray's direction.
+    #[inline(always)]
+    fn given(t: f64, _ray: &Self::Ray) -> f64 {
+        t
+    }
     /// Whether a ray meets `one` before `other`, both from `min_t` on.
     fn comes_first(
         one: &Found,
@@ -55,6 +82,11 @@ impl Model for Plain {
     }
 
     #[inline(always)]
+    fn meet_four(four: &Four, _: &Limits<f64>, ray: &Ray<f64>, min_t: f64) -> Met {
+        four.plainly(ray, min_t)
+    }
+
+    #[inline(always)]
     fn comes_first(one: &Found, other: &Found, _: &Ray<f64>, _: f64, _: &mut Tally) -> bool {
         (one.t, one.part.place) < (other.t, other.part.place)
     }
@@ -63,13 +95,13 @@ impl Model for Plain {
 /// The adaptive kernels: hit or miss is never wrong, and neither is which part is first.
 pub struct Exact;
 
-/// A ray scaled for filters, and as it was given.
+/// A ray scaled for filters.
 pub struct Prepared {
     scaled: Scaled<f64>,
-    given: Ray<f64>,
-    /// For all triangles of the scene: what this leaves open is filtered again, with the
-    /// triangle's own, before it is decided exactly.
-    budget: triangle::Budget<f64>,
+    /// By what the parts' limits must be multiplied.
+    stretch: f64,
+    /// Around `min_t`, as the scaled ray counts.
+    window: Window<f64>,
 }
 
 /// The kernels' t are good to √u = 2⁻²⁶·⁵ of themselves; t as different as this are in
@@ -83,26 +115,47 @@ impl Model for Exact {
 
     #[inline(always)]
     fn prepare(ray: &Ray<f64>, world: &World) -> Prepared {
+        // Without min_t, nothing is sure of t: all hits are left open.
+        Exact::prepare_scaled(ray, &Scaled::new(ray), f64::NAN, world)
+    }
+
+    #[inline(always)]
+    fn prepare_scaled(ray: &Ray<f64>, scaled: &Scaled<f64>, min_t: f64, world: &World) -> Prepared {
         Prepared {
-            scaled: Scaled::new(ray),
-            given: *ray,
-            budget: triangle::Budget::new(world.edges(), world.away(ray.origin)),
+            scaled: *scaled,
+            stretch: world.reach.stretch(ray.origin),
+            window: Window::new(scaled.scale(min_t)),
         }
     }
 
     #[inline(always)]
     fn meet(shape: &Primitive, ray: &Prepared, min_t: f64, tally: &mut Tally) -> Option<f64> {
-        let filtered = match shape {
-            Primitive::Sphere(shape) => sphere::filtered(shape, &ray.scaled, min_t),
-            Primitive::Plane(shape) => plane::filtered(shape, &ray.given, min_t),
-            Primitive::Triangle(shape) => {
-                triangle::filtered_within(shape, &ray.scaled, min_t, &ray.budget)
-            }
+        left_open(shape, ray, min_t, tally)
+    }
+
+    #[inline(always)]
+    fn meet_part(part: &Part, ray: &Prepared, min_t: f64, tally: &mut Tally) -> Option<f64> {
+        let (scaled, limits) = (&ray.scaled, part.limits.times(ray.stretch));
+        let window = &ray.window;
+        let filtered = match &part.shape {
+            Primitive::Sphere(shape) => sphere::bounded(shape, scaled, window, &limits),
+            Primitive::Plane(shape) => plane::bounded(shape, scaled, window, &limits),
+            Primitive::Triangle(shape) => triangle::bounded(shape, scaled, window, &limits),
         };
         match filtered {
             Some(answer) => answer,
-            None => left_open(shape, ray, min_t, tally),
+            None => left_open(&part.shape, ray, min_t, tally),
         }
+    }
+
+    #[inline(always)]
+    fn meet_four(four: &Four, limits: &Limits<f64>, ray: &Prepared, _: f64) -> Met {
+        four.bounded(&ray.scaled, &ray.window, &limits.times(ray.stretch))
+    }
+
+    #[inline(always)]
+    fn given(t: f64, ray: &Prepared) -> f64 {
+        ray.scaled.unscale(t)
     }
 
     #[inline(always)]
@@ -124,17 +177,22 @@ impl Model for Exact {
     }
 }
 
-/// What the first filter leaves open. Out of the way of what it does not.
+/// What the first filter leaves open is filtered again, with bounds of this ray and this
+/// shape, and then decided exactly. Out of the way of what it does not leave open.
 #[cold]
 #[inline(never)]
 fn left_open(shape: &Primitive, ray: &Prepared, min_t: f64, tally: &mut Tally) -> Option<f64> {
-    if let Primitive::Triangle(triangle) = shape
-        && let Some(answer) = triangle::filtered(triangle, &ray.scaled, min_t)
-    {
+    let given = ray.scaled.given();
+    let filtered = match shape {
+        Primitive::Sphere(shape) => sphere::filtered(shape, &ray.scaled, min_t),
+        Primitive::Plane(shape) => plane::filtered(shape, &given, min_t),
+        Primitive::Triangle(shape) => triangle::filtered(shape, &ray.scaled, min_t),
+    };
+    if let Some(answer) = filtered {
         return answer;
     }
     tally.fallbacks += 1;
-    rounded(exact(shape, &ray.given, min_t))
+    rounded(exact(shape, &given, min_t))
 }
 
 fn exact(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> Option<Root> {

@@ -1,19 +1,14 @@
 //! Boxes within boxes, so that a ray is tested against few parts.
 //!
-//! obvhs builds the tree (Meister & Bittner's PLOC, then reinsertion): of the crates that
-//! are kept up it builds best, and gives its nodes away. Its own search is in `f32` and
-//! promises nothing; ours loses no hit:
+//! obvhs builds the tree (Meister & Bittner's PLOC, then reinsertion), two boxes to a
+//! node; here they are taken together to four, and the triangles of a small box to four
+//! that are met at once. The search loses no hit:
 //!
-//! 1. A box holds its parts with room to spare: each of its numbers is rounded to `f32`
-//!    and then moved outwards to the next.
-//! 2. Where a ray crosses a side is off by 3u of itself at most (a difference, a
-//!    reciprocal and a product; Ize, "Robust BVH Ray Traversal", *JCGT* 2(2), 2013, §3).
-//!    So a ray that enters at most 8u of its way after it leaves still counts as inside.
-//! 3. A direction whose component is 0, or as good as that, crosses no side: its
-//!    reciprocal is replaced by the largest number. That sends both sides beyond any t in
-//!    opposite directions if the ray runs between them. It cannot run *in* a side, for
-//!    the spare room is larger than nothing.
-//! 4. Parts without a finite box, planes above all, are tested always.
+//! 1. A box holds its parts with room to spare: see [`Frame::boxed`].
+//! 2. A ray that meets something in a box is not taken to miss the box: see
+//!    [`super::slabs`].
+//! 3. Parts without a finite box, planes above all, are tested always; and all of them
+//!    are, for a ray that comes from too far away to tell.
 
 use std::time::Duration;
 
@@ -21,109 +16,151 @@ use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2;
-use obvhs::bvh2::node::Bvh2Node;
 use smallvec::SmallVec;
+use wide::f32x4;
 
 use super::Nearest;
+use super::frame::Frame;
 use super::model::Model;
+use super::slabs::{Boxes, Slabs};
 use super::world::{Part, Primitive, World};
-use crate::kernel::sphere::Scaled;
-use crate::shape::Ray;
+use crate::kernel::Limits;
+use crate::kernel::triangle::{self, Four};
+use crate::shape::Triangle;
 use crate::vector::Vector;
 
-/// A box, and what is in it: two boxes, or some parts.
+/// Four boxes, and what is in them.
 #[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
 struct Node {
-    low: [f32; 3],
-    high: [f32; 3],
-    /// The first of two nodes, or of `count` parts.
+    boxes: Boxes,
+    /// Another node; or [`LEAF`] and some triangles, or [`LEAF`], [`LONE`] and a part.
+    inside: [u32; 4],
+}
+
+const LEAF: u32 = 1 << 31;
+const LONE: u32 = 1 << 30;
+
+/// Some triangles of one box.
+#[derive(Clone, Copy, Debug)]
+struct Leaf {
+    four: Four,
+    limits: Limits<f64>,
+    /// The first of the parts that they are.
     first: u32,
-    /// 0 for boxes.
     count: u32,
 }
 
 /// A tree over the parts of a world.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Tree {
+    frame: Frame,
     /// The root first; none if no part has a finite box.
     nodes: Vec<Node>,
+    leaves: Vec<Leaf>,
     /// Parts from here on are in no box.
     boundless: usize,
+}
+
+/// Larger numbers are in no box: their differences might overflow.
+const LARGE: f64 = 1e300;
+
+/// A box's corners, where they are finite and more.
+fn bounds(part: &Part) -> Option<[Vector<f64>; 2]> {
+    let bounds = part.shape.bounds()?;
+    let is_small = |corner: &Vector<f64>| corner.array().into_iter().all(|x| x.abs() < LARGE);
+    bounds.iter().all(is_small).then_some(bounds)
 }
 
 impl Tree {
     /// Builds it, and puts the world's parts in its order.
     pub fn over(world: &mut World) -> Tree {
+        let boxed = |part: &Part| bounds(part).is_some();
         let parts = std::mem::take(&mut world.parts);
-        let boxed = |part: &Part| bounds(&part.shape).is_some();
         let (inside, outside): (Vec<_>, Vec<_>) = parts.into_iter().partition(boxed);
-        let boxes = inside.iter().filter_map(|part| bounds(&part.shape));
-        let built = match inside.is_empty() {
-            true => Bvh2::default(),
-            false => build_bvh2(
-                &boxes.collect::<Vec<_>>(),
-                BvhBuildParams::medium_build(),
-                &mut Duration::default(),
-            ),
+        let boxes: Vec<_> = inside.iter().filter_map(bounds).collect();
+        let wider = |[low, high]: [Vector<f64>; 2], [l, h]: [Vector<f64>; 2]| {
+            let by = |pick: fn(f64, f64) -> f64, p: Vector<f64>, q: Vector<f64>| {
+                Vector::new(pick(p.x, q.x), pick(p.y, q.y), pick(p.z, q.z))
+            };
+            [by(f64::min, low, l), by(f64::max, high, h)]
         };
-        let node = |node: &Bvh2Node| Node {
-            low: node.aabb().min.to_array(),
-            high: node.aabb().max.to_array(),
-            first: node.first_index,
-            count: node.prim_count,
-        };
-        let ordered = built
-            .primitive_indices
-            .iter()
-            .map(|at| inside[*at as usize]);
-        world.parts.extend(ordered);
-        world.parts.extend(outside);
-        Tree {
-            nodes: built.nodes.iter().map(node).collect(),
-            boundless: inside.len(),
+        let mut tree = Tree::default();
+        if let Some(all) = boxes.iter().copied().reduce(wider) {
+            tree.frame = Frame::around(all);
+            let boxes = boxes.into_iter().map(|bounds| {
+                let [low, high] = tree.frame.boxed(bounds);
+                Aabb::new(low.into(), high.into())
+            });
+            let one_each = BvhBuildParams {
+                max_prims_per_leaf: 1,
+                ..BvhBuildParams::medium_build()
+            };
+            let boxes: Vec<_> = boxes.collect();
+            let twos = build_bvh2(&boxes, one_each, &mut Duration::default());
+            let mut fours = Fours {
+                sizes: sizes(&twos, &inside),
+                twos,
+                parts: &inside,
+                ordered: &mut world.parts,
+                tree: &mut tree,
+                reach: world.reach,
+            };
+            fours.root();
         }
+        tree.boundless = world.parts.len();
+        world.parts.extend(outside);
+        tree
     }
 
     /// Considers all parts that a ray may meet first.
     #[inline(always)]
     pub(super) fn search<'a, M: Model>(&self, world: &'a World, nearest: &mut Nearest<'a, '_, M>) {
         nearest.consider(&world.parts[self.boundless..]);
-        let slabs = Slabs::of(nearest.ray, nearest.min_t);
-        let horizon = |nearest: &Nearest<M>| slabs.scaled.scale(nearest.horizon()).min(f64::MAX);
-        let mut beyond = horizon(nearest);
-        let enters = |at: u32, beyond| slabs.enters(&self.nodes[at as usize], beyond);
-        if self.nodes.is_empty() || enters(0, beyond) > beyond {
+        if self.nodes.is_empty() {
             return;
         }
-        let mut waiting: SmallVec<[(u32, f64); 64]> = SmallVec::new();
+        let Some(slabs) = Slabs::of(&self.frame, &nearest.scaled, nearest.min_t) else {
+            return nearest.consider(&world.parts[..self.boundless]);
+        };
+        let mut horizon = slabs.horizon(nearest.horizon());
+        let mut waiting: SmallVec<[(f32, u32); 64]> = SmallVec::new();
         let mut at = 0;
         loop {
-            let node = &self.nodes[at as usize];
-            let first = node.first as usize;
-            if node.count > 0 {
-                nearest.consider(&world.parts[first..first + node.count as usize]);
-                beyond = horizon(nearest);
+            if at & LEAF == 0 {
+                let node = &self.nodes[at as usize];
+                let (mut met, entries) = slabs.enter(&node.boxes, horizon);
+                // The nearest comes last, and is next.
+                let before = waiting.len();
+                while met != 0 {
+                    let one = met.trailing_zeros() as usize & 3;
+                    met &= met - 1;
+                    waiting.push((entries[one], node.inside[one]));
+                    let mut last = waiting.len() - 1;
+                    while last > before && waiting[last - 1].0 < waiting[last].0 {
+                        waiting.swap(last - 1, last);
+                        last -= 1;
+                    }
+                }
             } else {
-                let one = (node.first, enters(node.first, beyond));
-                let other = (node.first + 1, enters(node.first + 1, beyond));
-                let is_other_far = one.1 <= other.1;
-                let (near, far) = if is_other_far {
-                    (one, other)
-                } else {
-                    (other, one)
-                };
-                if far.1 <= beyond {
-                    waiting.push(far);
+                match at & LONE {
+                    0 => {
+                        let leaf = &self.leaves[(at & !LEAF) as usize];
+                        let first = leaf.first as usize;
+                        let parts = &world.parts[first..first + leaf.count as usize];
+                        nearest.consider_four(&leaf.four, &leaf.limits, parts);
+                    }
+                    _ => {
+                        let part = (at & !(LEAF | LONE)) as usize;
+                        nearest.consider(&world.parts[part..=part]);
+                    }
                 }
-                if near.1 <= beyond {
-                    at = near.0;
-                    continue;
-                }
+                horizon = slabs.horizon(nearest.horizon());
             }
             at = loop {
                 match waiting.pop() {
                     None => return,
-                    Some((next, entry)) if entry <= beyond => break next,
+                    Some((entry, next)) if entry <= horizon => break next,
                     Some(_) => (),
                 }
             };
@@ -131,60 +168,132 @@ impl Tree {
     }
 }
 
-/// A box with room to spare, where that is finite.
-fn bounds(shape: &Primitive) -> Option<Aabb> {
-    let [low, high] = shape.bounds()?;
-    let low = low.map(|x| (x as f32).next_down()).array();
-    let high = high.map(|x| (x as f32).next_up()).array();
-    let is_finite = low.iter().chain(&high).all(|x| x.abs() < f32::MAX);
-    is_finite.then(|| Aabb::new(low.into(), high.into()))
+/// Takes nodes of two together to nodes of four.
+struct Fours<'a> {
+    twos: Bvh2,
+    /// How many parts are below each node of two, and whether all are triangles.
+    sizes: Vec<(u32, bool)>,
+    parts: &'a [Part],
+    ordered: &'a mut Vec<Part>,
+    tree: &'a mut Tree,
+    reach: super::reach::Reach,
 }
 
-/// What is needed of a ray to say which boxes it meets: see the head of this file.
-struct Slabs {
-    scaled: Scaled<f64>,
-    inverse: Vector<f64>,
-    /// `min_t` as the scaled ray counts.
-    from: f64,
+fn sizes(twos: &Bvh2, parts: &[Part]) -> Vec<(u32, bool)> {
+    let mut sizes = vec![(0, false); twos.nodes.len()];
+    let mut waiting = vec![0];
+    let mut order = Vec::with_capacity(twos.nodes.len());
+    while let Some(at) = waiting.pop() {
+        order.push(at);
+        let node = &twos.nodes[at];
+        if node.prim_count == 0 {
+            waiting.extend([node.first_index as usize, node.first_index as usize + 1]);
+        }
+    }
+    for at in order.into_iter().rev() {
+        let (node, first) = (&twos.nodes[at], twos.nodes[at].first_index as usize);
+        sizes[at] = match node.prim_count {
+            0 => {
+                let [one, other] = [sizes[first], sizes[first + 1]];
+                (one.0 + other.0, one.1 && other.1)
+            }
+            count => {
+                let of = &twos.primitive_indices[first..first + count as usize];
+                let is_triangle =
+                    |at: &u32| matches!(parts[*at as usize].shape, Primitive::Triangle(_));
+                (count, of.iter().all(is_triangle))
+            }
+        };
+    }
+    sizes
 }
 
-/// 1 + 8u.
-const ROOM: f64 = 1.0 + 4.0 * f64::EPSILON;
-/// A smaller component of a direction crosses nothing within an `f32`'s range.
-const PARALLEL: f64 = 1e-270;
-
-impl Slabs {
-    fn of(ray: &Ray<f64>, min_t: f64) -> Slabs {
-        let scaled = Scaled::new(ray);
-        let inverse = scaled.ray.direction.map(|d| match d.abs() < PARALLEL {
-            true => f64::MAX,
-            false => 1.0 / d,
-        });
-        let from = scaled.scale(min_t);
-        Slabs {
-            scaled,
-            inverse,
-            from,
+impl Fours<'_> {
+    fn root(&mut self) {
+        let nowhere = [[f32x4::splat(f32::MAX); 3], [f32x4::splat(f32::MIN); 3]];
+        let empty = Node {
+            boxes: nowhere,
+            inside: [0; 4],
+        };
+        let mut waiting = vec![(0, 0)];
+        self.tree.nodes.push(empty);
+        while let Some((node, two)) = waiting.pop() {
+            for (lane, two) in self.children(two).into_iter().enumerate() {
+                let bounds = self.twos.nodes[two].aabb();
+                let sides = [bounds.min.to_array(), bounds.max.to_array()];
+                let inside = match self.is_leaf(two) {
+                    true => self.leaf(two),
+                    false => {
+                        self.tree.nodes.push(empty);
+                        let new = self.tree.nodes.len() - 1;
+                        waiting.push((new, two));
+                        new as u32
+                    }
+                };
+                let node = &mut self.tree.nodes[node];
+                for (boxes, side) in node.boxes.iter_mut().zip(sides) {
+                    for (lanes, number) in boxes.iter_mut().zip(side) {
+                        lanes.as_mut_array()[lane] = number;
+                    }
+                }
+                node.inside[lane] = inside;
+            }
         }
     }
 
-    /// Where a ray enters a box, if that is not after it leaves it or after `beyond`;
-    /// else infinitely far away.
-    #[inline(always)]
-    fn enters(&self, node: &Node, beyond: f64) -> f64 {
-        let (origin, inverse) = (self.scaled.ray.origin.array(), self.inverse.array());
-        let (mut near, mut far) = (self.from, beyond);
-        for axis in 0..3 {
-            let low = (f64::from(node.low[axis]) - origin[axis]) * inverse[axis];
-            let high = (f64::from(node.high[axis]) - origin[axis]) * inverse[axis];
-            let (enter, leave) = if low < high { (low, high) } else { (high, low) };
-            let leave = leave * ROOM;
-            near = if enter > near { enter } else { near };
-            far = if leave < far { leave } else { far };
+    fn is_leaf(&self, two: usize) -> bool {
+        let (count, are_triangles) = self.sizes[two];
+        count == 1 || are_triangles && count <= 4
+    }
+
+    /// Two to four nodes of two, the largest opened first; or the root, if that is a leaf.
+    fn children(&self, two: usize) -> Vec<usize> {
+        let mut children = vec![two];
+        while children.len() < 4 {
+            let area = |two: &usize| self.twos.nodes[*two].aabb().half_area();
+            let open = (0..children.len()).filter(|at| !self.is_leaf(children[*at]));
+            let widest = open.max_by(|p, q| area(&children[*p]).total_cmp(&area(&children[*q])));
+            let Some(widest) = widest else { break };
+            let opened = children.remove(widest);
+            let first = self.twos.nodes[opened].first_index as usize;
+            children.extend([first, first + 1]);
         }
-        match near <= far {
-            true => near,
-            false => f64::INFINITY,
+        children
+    }
+
+    fn leaf(&mut self, two: usize) -> u32 {
+        let (mut waiting, first) = (vec![two], self.ordered.len());
+        while let Some(two) = waiting.pop() {
+            let node = &self.twos.nodes[two];
+            let at = node.first_index as usize;
+            match node.prim_count {
+                0 => waiting.extend([at, at + 1]),
+                count => {
+                    let of = &self.twos.primitive_indices[at..at + count as usize];
+                    self.ordered
+                        .extend(of.iter().map(|at| self.parts[*at as usize]));
+                }
+            }
         }
+        let triangle = |part: &Part| match part.shape {
+            Primitive::Triangle(triangle) => Some(triangle),
+            _ => None,
+        };
+        let triangles: Vec<Triangle<f64>> =
+            self.ordered[first..].iter().filter_map(triangle).collect();
+        let Some(count @ 1..) = u32::try_from(triangles.len()).ok() else {
+            return LEAF | LONE | first as u32;
+        };
+        let most =
+            |of: &dyn Fn(&Triangle<f64>) -> f64| triangles.iter().map(of).fold(0.0, f64::max);
+        let size = most(&triangle::size);
+        let away = most(&|triangle| self.reach.away(triangle.corners[0]));
+        self.tree.leaves.push(Leaf {
+            four: Four::new(&triangles),
+            limits: triangle::limits(size, away),
+            first: first as u32,
+            count,
+        });
+        LEAF | (self.tree.leaves.len() - 1) as u32
     }
 }

@@ -1,5 +1,7 @@
 //! A scene as a list of parts, each of which a kernel can meet.
 
+use super::reach::Reach;
+use crate::kernel::{Limits, plane, sphere, triangle};
 use crate::shape::{Plane, Sphere, Triangle};
 use crate::vector::Vector;
 
@@ -14,6 +16,24 @@ pub enum Primitive {
     Triangle(Triangle<f64>),
 }
 
+impl From<Sphere<f64>> for Primitive {
+    fn from(sphere: Sphere<f64>) -> Primitive {
+        Primitive::Sphere(sphere)
+    }
+}
+
+impl From<Plane<f64>> for Primitive {
+    fn from(plane: Plane<f64>) -> Primitive {
+        Primitive::Plane(plane)
+    }
+}
+
+impl From<Triangle<f64>> for Primitive {
+    fn from(triangle: Triangle<f64>) -> Primitive {
+        Primitive::Triangle(triangle)
+    }
+}
+
 /// One primitive of a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Part {
@@ -24,6 +44,8 @@ pub struct Part {
     pub place: u32,
     /// What is met.
     pub shape: Primitive,
+    /// For rays from within [`World::reach`].
+    pub limits: Limits<f64>,
 }
 
 /// All parts of a scene.
@@ -31,16 +53,8 @@ pub struct Part {
 pub struct World {
     /// A tree may change their order; [`Part::place`] remembers it.
     pub parts: Vec<Part>,
-    corners: Corners,
-}
-
-/// What is known of all triangles of a scene.
-#[derive(Clone, Copy, Debug, Default)]
-struct Corners {
-    /// Of a box around all corners, where there are any.
-    bounds: Option<[Vector<f64>; 2]>,
-    /// The largest component of an edge from a first corner.
-    edges: f64,
+    /// Where most rays are taken to come from.
+    pub reach: Reach,
 }
 
 /// The same numbers in this package's vector.
@@ -48,7 +62,7 @@ pub fn vector(v: glam::DVec3) -> Vector<f64> {
     Vector::new(v.x, v.y, v.z)
 }
 
-fn triangle(triangle: &pinhole::Triangle) -> Primitive {
+fn corners_of(triangle: &pinhole::Triangle) -> Primitive {
     Primitive::Triangle(Triangle {
         corners: triangle.corners.map(vector),
     })
@@ -68,10 +82,10 @@ impl World {
                     let (point, normal) = (vector(plane.point), vector(plane.normal));
                     world.add(object, Primitive::Plane(Plane { point, normal }));
                 }
-                pinhole::Shape::Triangle(corners) => world.add(object, triangle(corners)),
+                pinhole::Shape::Triangle(corners) => world.add(object, corners_of(corners)),
                 pinhole::Shape::Soup(soup) => {
                     for corners in &soup.triangles {
-                        world.add(object, triangle(corners));
+                        world.add(object, corners_of(corners));
                     }
                 }
             }
@@ -79,49 +93,49 @@ impl World {
         world
     }
 
-    /// The largest component of an edge that leaves a triangle's first corner.
-    pub fn edges(&self) -> f64 {
-        self.corners.edges
-    }
-
-    /// The largest component that leads from a point to a triangle's corner, rounded as
-    /// that difference is: rounding keeps order.
-    #[inline]
-    pub fn away(&self, point: Vector<f64>) -> f64 {
-        let corners = self.corners.bounds.into_iter().flatten();
-        let away = corners.map(|corner| (point - corner).largest());
-        away.fold(0.0, f64::max)
+    /// Works out the limits of all parts, once all are there.
+    pub fn settle(&mut self) {
+        self.reach = Reach::around(&self.parts);
+        for part in &mut self.parts {
+            let away = self.reach.away(part.shape.anchor());
+            part.limits = match &part.shape {
+                Primitive::Sphere(shape) => sphere::limits(shape, away),
+                Primitive::Plane(shape) => plane::limits(shape, away),
+                Primitive::Triangle(shape) => triangle::limits(triangle::size(shape), away),
+            };
+        }
     }
 
     /// One more part, of an object.
     pub fn add(&mut self, object: usize, shape: Primitive) {
-        if let (Primitive::Triangle(triangle), Some(bounds)) = (&shape, shape.bounds()) {
-            let [a, b, c] = triangle.corners;
-            let edges = (b - a).largest().max((c - a).largest());
-            self.corners.edges = self.corners.edges.max(edges);
-            let [low, high] = self.corners.bounds.unwrap_or(bounds);
-            let by = |pick: fn(f64, f64) -> f64, p: Vector<f64>, q: Vector<f64>| {
-                Vector::new(pick(p.x, q.x), pick(p.y, q.y), pick(p.z, q.z))
-            };
-            let wider = [by(f64::min, low, bounds[0]), by(f64::max, high, bounds[1])];
-            self.corners.bounds = Some(wider);
-        }
         self.parts.push(Part {
             object: object as u32,
             place: self.parts.len() as u32,
             shape,
+            limits: Limits::none(),
         });
     }
 }
 
 impl Primitive {
+    /// A point of it, or its middle: what a kernel first takes from a ray's origin.
+    pub fn anchor(&self) -> Vector<f64> {
+        match self {
+            Primitive::Sphere(sphere) => sphere.center,
+            Primitive::Plane(plane) => plane.point,
+            Primitive::Triangle(triangle) => triangle.corners[0],
+        }
+    }
+
     /// The corners of a box around it; none around a plane.
     pub fn bounds(&self) -> Option<[Vector<f64>; 2]> {
         match self {
             Primitive::Plane(_) => None,
             Primitive::Sphere(Sphere { center, radius }) => {
                 let r = Vector::new(*radius, *radius, *radius);
-                Some([*center - r, *center + r])
+                let [low, high] = [*center - r, *center + r];
+                // What was rounded away from, added again.
+                Some([low.map(f64::next_down), high.map(f64::next_up)])
             }
             Primitive::Triangle(Triangle { corners: [a, b, c] }) => {
                 let of = |pick: fn(f64, f64) -> f64| {

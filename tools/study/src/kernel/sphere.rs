@@ -1,6 +1,7 @@
 //! Spheres: |e + t d − c|² = r².
 
 mod adaptive;
+mod bounded;
 mod double_double;
 mod fma;
 mod haines;
@@ -10,6 +11,7 @@ mod stable_q;
 mod textbook;
 
 pub use adaptive::{Adaptive, exact, filtered};
+pub use bounded::{bounded, limits};
 pub use double_double::DoubleDouble;
 pub use fma::Fma;
 pub use haines::Haines;

@@ -30,6 +30,15 @@ impl<F: Real> Scaled<F> {
         Scaled { ray, exponent }
     }
 
+    /// The ray as it was given, digit for digit.
+    pub fn given(&self) -> Ray<F> {
+        let direction = self.ray.direction;
+        Ray {
+            direction: direction.map(|d| d.times_power_of_two(self.exponent)),
+            ..self.ray
+        }
+    }
+
     /// A t of the given ray as one of the scaled.
     #[inline(always)]
     pub fn scale(&self, t: F) -> F {

@@ -57,13 +57,13 @@ impl<F: Real> Kernel<Triangle<F>, F> for Adaptive {
 
 /// How far rounding may have moved what decides: see the head of [`Adaptive`].
 #[derive(Clone, Copy, Debug)]
-pub struct Budget<F> {
+pub(super) struct Budget<F> {
     /// Of each of the three volumes, and of their sum.
-    of_volumes: F,
+    pub of_volumes: F,
     /// Of the determinant alone.
-    of_determinant: F,
+    pub of_determinant: F,
     /// Of t times the determinant.
-    of_t: F,
+    pub of_t: F,
 }
 
 impl<F: Real> Budget<F> {
@@ -88,23 +88,9 @@ pub fn filtered<F: Real>(
     scaled: &Scaled<F>,
     min_t: F,
 ) -> Option<Option<F>> {
-    let [a, b, c] = triangle.corners;
-    let size = (b - a).largest().max((c - a).largest());
-    let away = (scaled.ray.origin - a).largest();
-    filtered_within(triangle, scaled, min_t, &Budget::new(size, away))
-}
-
-/// The same with a budget that is known already: a scene's, which costs its triangles
-/// nothing, and leaves more open.
-#[inline(always)]
-pub fn filtered_within<F: Real>(
-    triangle: &Triangle<F>,
-    scaled: &Scaled<F>,
-    min_t: F,
-    budget: &Budget<F>,
-) -> Option<Option<F>> {
     let ([a, b, c], d) = (triangle.corners, scaled.ray.direction);
     let (e1, e2, s) = (b - a, c - a, scaled.ray.origin - a);
+    let budget = Budget::new(e1.largest().max(e2.largest()), s.largest());
     let bound = budget.of_volumes;
     let p = d.cross(e2);
     let determinant = e1.dot(p);

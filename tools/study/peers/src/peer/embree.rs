@@ -1,0 +1,82 @@
+//! Embree, one ray at a time (`rtcIntersect1`).
+
+#![expect(
+    unsafe_code,
+    reason = "Embree is a C library, and no crate for Debian's version is kept up"
+)]
+
+use std::ffi::{c_float, c_int, c_uint, c_void};
+
+use super::Peer;
+use crate::mesh::Mesh;
+use crate::rays::Ray;
+
+/// As in `embree.c`, which alone looks inside.
+#[repr(C)]
+struct Handles {
+    device: *mut c_void,
+    scene: *mut c_void,
+}
+
+unsafe extern "C" {
+    fn pinhole_embree_build(
+        mesh: *mut Handles,
+        corners: *const [c_float; 3],
+        corner_count: c_uint,
+        triangles: *const [c_uint; 3],
+        triangle_count: c_uint,
+        robust: c_int,
+    );
+    fn pinhole_embree_cast(
+        mesh: *const Handles,
+        rays: *const [c_float; 6],
+        count: c_uint,
+        t: *mut c_float,
+    );
+    fn pinhole_embree_release(mesh: *mut Handles);
+}
+
+struct Scene {
+    handles: Handles,
+    t: Vec<f32>,
+}
+
+/// With or without RTC_SCENE_FLAG_ROBUST.
+pub fn peer(name: &'static str, is_robust: bool, mesh: &Mesh, rays: &[Ray]) -> Peer {
+    let mut scene = Scene {
+        handles: Handles {
+            device: std::ptr::null_mut(),
+            scene: std::ptr::null_mut(),
+        },
+        t: vec![0.0; rays.len()],
+    };
+    let lengths = [mesh.corners.len(), mesh.triangles.len()];
+    let [corners, triangles] = lengths.map(|length| c_uint::try_from(length).expect("it is small"));
+    // SAFETY: both buffers are as long as is said, and are copied before the call returns.
+    unsafe {
+        pinhole_embree_build(
+            &mut scene.handles,
+            mesh.corners.as_ptr(),
+            corners,
+            mesh.triangles.as_ptr(),
+            triangles,
+            c_int::from(is_robust),
+        );
+    }
+    let rays: Vec<[f32; 6]> = rays.iter().map(Ray::numbers).collect();
+    Peer::new(name, move || {
+        let count = c_uint::try_from(rays.len()).expect("they are few");
+        // SAFETY: the scene is built, and as many t are written as there are rays.
+        unsafe {
+            pinhole_embree_cast(&scene.handles, rays.as_ptr(), count, scene.t.as_mut_ptr());
+        }
+        scene.t.iter().map(|t| f64::from(*t)).collect()
+    })
+}
+
+impl Drop for Scene {
+    fn drop(&mut self) {
+        // SAFETY: it was built, and is released once.
+        unsafe { pinhole_embree_release(&mut self.handles) }
+    }
+}

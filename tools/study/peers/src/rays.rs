@@ -1,0 +1,56 @@
+//! Primary rays, and incoherent ones: from where those hit, anywhere.
+
+use pinhole_study::random::Random;
+
+use crate::mesh::Mesh;
+use crate::peer;
+
+/// With numbers that are `f32`; the direction is not unit length.
+#[derive(Clone, Copy, Debug)]
+pub struct Ray {
+    /// Where t = 0.
+    pub origin: [f32; 3],
+    /// From t = 0 to t = 1.
+    pub direction: [f32; 3],
+}
+
+impl Ray {
+    /// Origin, then direction.
+    pub fn numbers(&self) -> [f32; 6] {
+        let ([a, b, c], [x, y, z]) = (self.origin, self.direction);
+        [a, b, c, x, y, z]
+    }
+}
+
+/// Pixels in a row and in a column.
+const SIDE: u32 = 256;
+
+/// From a camera at three times the radius, of a film that the mesh fills.
+pub fn primary() -> Vec<Ray> {
+    let at = |pixel: u32| (f64::from(pixel) + 0.5) / f64::from(SIDE) * 0.8 - 0.4;
+    let ray = |index: u32| {
+        let (x, y) = (at(index % SIDE), at(index / SIDE));
+        Ray {
+            origin: [2.0, 1.0, 2.0],
+            direction: [-2.0 / 3.0 + 0.6 * x, -1.0 / 3.0 + y, -2.0 / 3.0 - 0.6 * x]
+                .map(|number| number as f32),
+        }
+    };
+    (0..SIDE * SIDE).map(ray).collect()
+}
+
+/// As many, from points a little before what primary rays hit, in all directions.
+pub fn incoherent(mesh: &Mesh, primary: &[Ray]) -> Vec<Ray> {
+    let mut exact = peer::exact(mesh, primary);
+    let met: Vec<_> = (exact.cast)().into_iter().zip(primary).collect();
+    let mut random = Random::new(1, "incoherent");
+    let hits = met.iter().filter(|(t, _)| t.is_finite()).cycle();
+    let bounce = |(t, ray): &(f64, &Ray)| Ray {
+        origin: [0, 1, 2].map(|axis| {
+            let (e, d) = (f64::from(ray.origin[axis]), f64::from(ray.direction[axis]));
+            (e + d * t * (1.0 - 1e-4)) as f32
+        }),
+        direction: random.unit().array().map(|number| number as f32),
+    };
+    hits.map(bounce).take(primary.len()).collect()
+}

@@ -1,0 +1,74 @@
+//! From where rays come, so that what bounds rounding need not be worked out for each.
+
+use super::world::{Part, Primitive};
+use crate::vector::Vector;
+
+/// A cube around a scene, a few times as large.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Reach {
+    center: Vector<f64>,
+    /// Half the cube's side.
+    radius: f64,
+}
+
+/// A camera is seldom further away than so many times the size of what it sees.
+const SIZES: f64 = 8.0;
+
+impl Reach {
+    /// Around all that is finite.
+    pub fn around(parts: &[Part]) -> Reach {
+        let ends = |part: &Part| {
+            let anchor = part.shape.anchor();
+            part.shape.bounds().unwrap_or([anchor, anchor])
+        };
+        let wider = |[low, high]: [Vector<f64>; 2], [l, h]: [Vector<f64>; 2]| {
+            let by = |pick: fn(f64, f64) -> f64, p: Vector<f64>, q: Vector<f64>| {
+                Vector::new(pick(p.x, q.x), pick(p.y, q.y), pick(p.z, q.z))
+            };
+            [by(f64::min, low, l), by(f64::max, high, h)]
+        };
+        let Some([low, high]) = parts.iter().map(ends).reduce(wider) else {
+            return Reach::default();
+        };
+        let center = low * 0.5 + high * 0.5;
+        let size = (high - center).largest();
+        // A lone plane has no size.
+        let is_flat = parts
+            .iter()
+            .all(|part| matches!(part.shape, Primitive::Plane(_)));
+        let size = if is_flat {
+            size.max(center.largest()).max(1.0)
+        } else {
+            size
+        };
+        Reach {
+            center,
+            radius: SIZES * size,
+        }
+    }
+
+    /// How far a point of a part is, in each component, from a ray's origin at most. What
+    /// is rounded here is less than the room that every bound has.
+    pub fn away(&self, anchor: Vector<f64>) -> f64 {
+        (anchor - self.center).largest() + self.radius
+    }
+
+    /// By how much a bound must be multiplied for a ray from here: 1 within reach.
+    ///
+    /// From k times the radius, k > 1, no part is further than k times [`Reach::away`], and
+    /// no bound grows faster than the square of that.
+    #[inline(always)]
+    pub fn stretch(&self, origin: Vector<f64>) -> f64 {
+        let from_center = (origin - self.center).largest();
+        match from_center <= self.radius {
+            true => 1.0,
+            false => self.beyond(from_center),
+        }
+    }
+
+    #[cold]
+    fn beyond(&self, from_center: f64) -> f64 {
+        let times = from_center / self.radius * (1.0 + 4.0 * f64::EPSILON);
+        times * times
+    }
+}

@@ -1,0 +1,148 @@
+use wide::f64x4;
+
+use crate::kernel::sphere::Scaled;
+use crate::kernel::{Limits, Window};
+use crate::shape::{Ray, Triangle};
+use crate::vector::Vector;
+
+/// Up to four triangles side by side: a first corner and the two edges that leave it,
+/// rounded once instead of at every test.
+///
+/// What is computed is what [`super::MollerTrumbore`] and [`super::bounded`] compute of
+/// one triangle, operation by operation, and so are the bits.
+#[derive(Clone, Copy, Debug)]
+pub struct Four {
+    corner: Vector<f64x4>,
+    edges: [Vector<f64x4>; 2],
+    /// A bit for each triangle that is there.
+    all: u32,
+}
+
+/// What came of four tests.
+#[derive(Clone, Copy, Debug)]
+pub struct Met {
+    /// A bit for each triangle that is surely met.
+    pub hits: u32,
+    /// A bit for each of which rounding might change the answer.
+    pub open: u32,
+    /// Where; for triangles that are met.
+    pub t: [f64; 4],
+}
+
+impl Met {
+    const NOTHING: Met = Met {
+        hits: 0,
+        open: 0,
+        t: [0.0; 4],
+    };
+}
+
+impl Four {
+    /// Of one to four triangles.
+    pub fn new(triangles: &[Triangle<f64>]) -> Four {
+        let each = |of: fn(&Triangle<f64>) -> Vector<f64>| {
+            let lane = |at: usize| triangles.get(at).or(triangles.first()).map(of);
+            let lanes = [0, 1, 2, 3].map(|at| lane(at).expect("there is one at least"));
+            let component = |of: fn(Vector<f64>) -> f64| f64x4::new(lanes.map(of));
+            Vector::new(component(|v| v.x), component(|v| v.y), component(|v| v.z))
+        };
+        Four {
+            corner: each(|triangle| triangle.corners[0]),
+            edges: [
+                each(|triangle| triangle.corners[1] - triangle.corners[0]),
+                each(|triangle| triangle.corners[2] - triangle.corners[0]),
+            ],
+            all: (1 << triangles.len()) - 1,
+        }
+    }
+
+    /// Nothing is known of any of them.
+    #[inline(always)]
+    pub fn left_open(&self) -> Met {
+        Met {
+            open: self.all,
+            ..Met::NOTHING
+        }
+    }
+
+    /// As [`super::MollerTrumbore`].
+    #[inline(always)]
+    pub fn plainly(&self, ray: &Ray<f64>, min_t: f64) -> Met {
+        let (origin, d) = (
+            ray.origin.map(f64x4::splat),
+            ray.direction.map(f64x4::splat),
+        );
+        let (zero, one) = (f64x4::splat(0.0), f64x4::splat(1.0));
+        let [e1, e2] = self.edges;
+        let p = d.cross(e2);
+        let inverse = one / e1.dot(p);
+        let s = origin - self.corner;
+        let u = s.dot(p) * inverse;
+        // A determinant of 0 makes u infinite or NaN.
+        let inside = u.simd_ge(zero) & u.simd_le(one);
+        if inside.to_bitmask() & self.all == 0 {
+            return Met::NOTHING;
+        }
+        let q = s.cross(e1);
+        let v = d.dot(q) * inverse;
+        let inside = inside & v.simd_ge(zero) & (u + v).simd_le(one);
+        let hits = inside.to_bitmask() & self.all;
+        if hits == 0 {
+            return Met::NOTHING;
+        }
+        let t = e2.dot(q) * inverse;
+        Met {
+            hits: hits & t.simd_ge(f64x4::splat(min_t)).to_bitmask(),
+            open: 0,
+            t: t.to_array(),
+        }
+    }
+
+    /// As [`super::bounded`].
+    #[inline(always)]
+    pub fn bounded(&self, scaled: &Scaled<f64>, window: &Window<f64>, limits: &Limits<f64>) -> Met {
+        let ray = &scaled.ray;
+        let (origin, d) = (
+            ray.origin.map(f64x4::splat),
+            ray.direction.map(f64x4::splat),
+        );
+        let minus_zero = f64x4::splat(-0.0);
+        let bound = f64x4::splat(limits.sign);
+        let [e1, e2] = self.edges;
+        let p = d.cross(e2);
+        let determinant = e1.dot(p);
+        let side = determinant & minus_zero;
+        let determinant = determinant ^ side;
+        let is_sure = determinant.simd_gt(bound);
+        let s = origin - self.corner;
+        let u = s.dot(p) ^ side;
+        let below = bound ^ minus_zero;
+        let missed = is_sure & (u.simd_lt(below) | (u - determinant).simd_gt(bound));
+        if !missed.to_bitmask() & self.all == 0 {
+            return Met::NOTHING;
+        }
+        let q = s.cross(e1);
+        let v = d.dot(q) ^ side;
+        let w = determinant - u - v;
+        let missed = missed | is_sure & (v.simd_lt(below) | w.simd_lt(below));
+        let left = !missed.to_bitmask() & self.all;
+        if left == 0 {
+            return Met::NOTHING;
+        }
+        let volume = e2.dot(q) ^ side;
+        let is_good = u.simd_gt(bound)
+            & v.simd_gt(bound)
+            & w.simd_gt(bound)
+            & determinant.simd_gt(f64x4::splat(limits.divisor))
+            & volume.abs().simd_gt(f64x4::splat(limits.dividend));
+        let t = volume / determinant;
+        let is_after = t.simd_gt(f64x4::splat(window.after));
+        let is_before = t.simd_lt(f64x4::splat(window.before));
+        let hits = (is_good & is_after).to_bitmask() & left;
+        Met {
+            hits,
+            open: left & !hits & !(is_good & is_before).to_bitmask(),
+            t: t.to_array(),
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! The long runs: whether exact casting is ever wrong, in as many rays as one has time
+//! for. `study record` prints what came as rows for `tools/RECORDS.md`.
+//!
+//! Every answer is judged by the oracle, in fractions; that is what takes the time, about
+//! ten times as much as is judged. A tie (tangent, on an edge, t = `min_t`) has no wrong
+//! answer here: closed meshes ask those apart, for of all triangles at an edge one alone
+//! may answer.
+
+mod cameras;
+
+pub use cameras::{Camera, cameras};
+
+use rayon::prelude::*;
+
+use crate::cast::model::Exact;
+use crate::cast::world::{Primitive, World};
+use crate::cast::{Caster, Search, Tally};
+use crate::contestant::Contestant;
+use crate::contestants::Contested;
+use crate::family::mesh::{Aim, inside};
+use crate::family::{Studied, questions};
+use crate::judge::judge;
+use crate::kernel::Kernel;
+use crate::kernel::triangle::Adaptive;
+use crate::question::{Data, Question};
+use crate::random::Random;
+use crate::shape::{Plane, Ray, Sphere, Triangle};
+
+/// Questions asked, and decisions that were wrong.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Count {
+    /// Ties left out.
+    pub asked: u64,
+    /// By the kernel, or by the caster in boxes.
+    pub wrong: u64,
+}
+
+impl Count {
+    fn plus(self, other: Count) -> Count {
+        Count {
+            asked: self.asked + other.asked,
+            wrong: self.wrong + other.wrong,
+        }
+    }
+}
+
+/// How hard questions are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Hardness {
+    /// Everyday ones: each family where it is easy.
+    Random,
+    /// Each family everywhere else.
+    Adversarial,
+}
+
+/// Asked at a time, of one family at one exponent.
+const BATCH: usize = 500;
+
+/// At least so many questions of all shapes and families in `f64`, to the adaptive kernels
+/// and to the exact caster.
+pub fn decisions(hardness: Hardness, at_least: u64, seed: u64) -> Count {
+    let batches = batches::<Sphere<f64>>(hardness).len()
+        + batches::<Plane<f64>>(hardness).len()
+        + batches::<Triangle<f64>>(hardness).len();
+    let rounds = at_least.div_ceil((batches * BATCH) as u64);
+    of_shape::<Sphere<f64>>(hardness, rounds, seed)
+        .plus(of_shape::<Plane<f64>>(hardness, rounds, seed))
+        .plus(of_shape::<Triangle<f64>>(hardness, rounds, seed))
+}
+
+/// The families, by their place, and exponents.
+fn batches<S: Studied>(hardness: Hardness) -> Vec<(usize, i32)> {
+    let of_family = |(at, family): (usize, &crate::family::Family<S>)| {
+        let is_wanted = |x: &i32| (*x == family.easy) == (hardness == Hardness::Random);
+        let mut exponents = (family.exponents)(Data::F64);
+        exponents.retain(is_wanted);
+        exponents
+            .into_iter()
+            .map(move |x| (at, x))
+            .collect::<Vec<_>>()
+    };
+    S::families()
+        .iter()
+        .enumerate()
+        .flat_map(of_family)
+        .collect()
+}
+
+fn of_shape<S: Studied + Into<Primitive>>(hardness: Hardness, rounds: u64, seed: u64) -> Count {
+    let kernels = judged::<S>();
+    let families = S::families();
+    let batches = batches::<S>(hardness);
+    let of_round = |round: u64| {
+        let of_batch = |(family, exponent): &(usize, i32)| {
+            let seed = seed.wrapping_add(round.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+            let asked = questions(&families[*family], *exponent, Data::F64, BATCH, seed);
+            let truths: Vec<_> = asked.iter().map(S::truth).collect();
+            let tallies = kernels.iter().map(|kernel| judge(kernel, &asked, &truths));
+            let tallies: Vec<_> = tallies.collect();
+            Count {
+                asked: tallies[0].asked,
+                wrong: tallies
+                    .iter()
+                    .map(|tally| tally.wrong() + tally.not_finite)
+                    .sum(),
+            }
+        };
+        batches
+            .iter()
+            .map(of_batch)
+            .fold(Count::default(), Count::plus)
+    };
+    (0..rounds)
+        .into_par_iter()
+        .map(of_round)
+        .reduce(Count::default, Count::plus)
+}
+
+/// The adaptive kernel, and the caster around it.
+fn judged<S: Contested + Into<Primitive>>() -> [Contestant<S>; 2] {
+    let kernels = S::contestants();
+    let is_it = |k: &&Contestant<S>| k.name == "adaptive exact" && k.numbers == "f64";
+    let kernel = *kernels.iter().find(is_it).expect("every shape has it");
+    let answer = |question: &Question<S>| {
+        let mut world = World::default();
+        world.add(0, question.shape.into());
+        let (caster, mut tally) = (Caster::new(world), Tally::default());
+        let found = caster.first::<Exact>(Search::Boxes, &question.ray, question.min_t, &mut tally);
+        found.map(|found| found.t)
+    };
+    let caster = Contestant {
+        name: "exact caster",
+        answer,
+        ..kernel
+    };
+    [kernel, caster]
+}
+
+/// Rays from inside closed meshes.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Leaks {
+    /// Cast.
+    pub rays: u64,
+    /// Met no triangle.
+    pub leaks: u64,
+    /// Met more than one.
+    pub double_hits: u64,
+    /// Of whom the caster in boxes found nothing.
+    pub lost_in_boxes: u64,
+}
+
+/// So many rays at edges and as many at vertices, a new mesh for each.
+pub fn leaks(rays: u64, seed: u64) -> Leaks {
+    let of_chunk = |chunk: u64| {
+        let mut counted = Leaks::default();
+        for aim in [Aim::Edge, Aim::Vertex] {
+            let mut random =
+                Random::new(seed ^ chunk.wrapping_mul(0x9e37_79b9), &format!("{aim:?}"));
+            for _ in 0..CHUNK {
+                one_mesh(&mut random, aim, &mut counted);
+            }
+        }
+        counted
+    };
+    let add = |one: Leaks, other: Leaks| Leaks {
+        rays: one.rays + other.rays,
+        leaks: one.leaks + other.leaks,
+        double_hits: one.double_hits + other.double_hits,
+        lost_in_boxes: one.lost_in_boxes + other.lost_in_boxes,
+    };
+    (0..rays.div_ceil(CHUNK))
+        .into_par_iter()
+        .map(of_chunk)
+        .reduce(Leaks::default, add)
+}
+
+/// Meshes in a row.
+const CHUNK: u64 = 1000;
+
+fn one_mesh(random: &mut Random, aim: Aim, counted: &mut Leaks) {
+    let inside = inside(random, aim, Data::F64);
+    let prepared = <Adaptive as Kernel<Triangle<f64>, f64>>::prepare(&inside.ray);
+    let meets = |face: &&Triangle<f64>| Adaptive::intersect(face, &prepared, 0.0).is_some();
+    counted.rays += 1;
+    match inside.triangles.iter().filter(meets).count() {
+        0 => counted.leaks += 1,
+        1 => (),
+        _ => counted.double_hits += 1,
+    }
+    let mut world = World::default();
+    for face in &inside.triangles {
+        world.add(0, Primitive::Triangle(*face));
+    }
+    let caster = Caster::new(world);
+    let ray: &Ray<f64> = &inside.ray;
+    let found = caster.first::<Exact>(Search::Boxes, ray, 0.0, &mut Tally::default());
+    counted.lost_in_boxes += u64::from(found.is_none());
+}
