@@ -131,6 +131,9 @@ pub struct Check {
     /// Write no report
     #[arg(long, conflicts_with = "report")]
     pub no_report: bool,
+    /// Open the page of the book that helps with the first thing that is wrong
+    #[arg(long, conflicts_with_all = ["json", "watch"])]
+    pub read: bool,
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,
@@ -220,6 +223,9 @@ pub struct Explain {
     pub submission: Option<PathBuf>,
     #[command(flatten)]
     pub run: Run,
+    /// Open the page of the book on the answer that is wrong first
+    #[arg(long, conflicts_with = "json")]
+    pub read: bool,
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,

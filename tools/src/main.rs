@@ -16,6 +16,7 @@ mod cli;
 mod command;
 mod compile;
 mod describe;
+mod desktop;
 mod diagnose;
 mod diagnosis;
 mod error;

@@ -1,9 +1,11 @@
 //! A place in the book, for whoever is sent there.
 
 use std::fmt;
+use std::path::Path;
 
 use serde::Serialize;
 
+use crate::desktop;
 use crate::diagnosis::Diagnosis;
 
 /// A chapter or a section of it: in words, and as its page, from the top of a student's
@@ -35,6 +37,19 @@ impl Passage {
         }
     }
 
+    /// Opens it where there is a desktop, and says what came of that; `root` is the top
+    /// of the checkout, or of a student's repository.
+    pub fn open(&self, root: &Path) -> String {
+        let Some(book) = built(root) else {
+            return "the book is not built in this folder".into();
+        };
+        let address = format!("{book}{}", self.page.trim_start_matches("book"));
+        match desktop::open(&address) {
+            true => format!("opened {address}"),
+            false => format!("open {address} in a browser"),
+        }
+    }
+
     /// What helps against beliefs, each place once; without any, the chapter.
     pub fn against(diagnosis: &Diagnosis, chapter: &str) -> Vec<Passage> {
         let mut passages: Vec<Passage> = Vec::new();
@@ -55,6 +70,17 @@ impl fmt::Display for Passage {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} ({})", self.words, self.page)
     }
+}
+
+/// Where the book lies, as a browser's address: as a student's repository has it, or as
+/// `book build` leaves it.
+pub fn built(root: &Path) -> Option<String> {
+    let folders = [root.join("book"), root.join("book/build/student")];
+    let has_pages = |folder: &&std::path::PathBuf| folder.join("index.html").is_file();
+    folders
+        .iter()
+        .find(has_pages)
+        .map(|it| desktop::address(it))
 }
 
 /// A title as mdBook makes an address of it.
@@ -80,6 +106,18 @@ mod tests {
         let told = "the book, “Viewing rays”, section “Which root counts?” \
                     (book/viewing_rays.html#which-root-counts)";
         assert_eq!(passage.to_string(), told);
+    }
+
+    #[test]
+    fn a_built_book_has_an_address_and_one_that_is_not_there_has_none() {
+        let folder = tempfile::tempdir().expect("there is room");
+        assert_eq!(built(folder.path()), None);
+        for book in ["book/build/student", "book"] {
+            let book = folder.path().join(book);
+            std::fs::create_dir_all(&book).expect("there is room");
+            std::fs::write(book.join("index.html"), "").expect("there is room");
+            assert_eq!(built(folder.path()), Some(desktop::address(&book)));
+        }
     }
 
     #[test]

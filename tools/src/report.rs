@@ -58,6 +58,8 @@ pub struct Report {
     pub more_printed: usize,
     /// What does it all again.
     pub command: String,
+    /// Where the book lies on the machine that will show this, as an address.
+    pub book: Option<String>,
 }
 
 /// Commands that repeat an examination.
@@ -118,6 +120,7 @@ impl Report {
             more_printed: lines.len().saturating_sub(MOST_PRINTED_LINES),
             printed: lines.into_iter().take(MOST_PRINTED_LINES).collect(),
             command: again.whole.clone(),
+            book: None,
         })
     }
 
@@ -138,6 +141,7 @@ impl Report {
             printed: Vec::new(),
             more_printed: 0,
             command: section.command.clone(),
+            book: None,
             scenes: vec![section],
         }
     }

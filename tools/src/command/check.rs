@@ -11,8 +11,10 @@ use crate::cli::{Check, Run};
 use crate::compile::compile;
 use crate::describe::printable;
 use crate::error::{Error, Result};
+use crate::examination::Examination;
 use crate::examine::{Examiner, Selection};
 use crate::goldens::Goldens;
+use crate::passage::{self, Passage};
 use crate::progress::Progress;
 use crate::report::{Again, Report};
 use crate::sandbox::{Choice, Sandbox};
@@ -82,7 +84,8 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
     // The verdict is worth more than its report: it is shown before anything is said of
     // a report that could not be written.
     let written = path.map(|path| {
-        let report = Report::of_examination(&examination, &goldens.folder, &again(arguments))?;
+        let mut report = Report::of_examination(&examination, &goldens.folder, &again(arguments))?;
+        report.book = passage::built(checkout.root());
         report.write(&path).map(|()| path)
     });
     let path = match &written {
@@ -100,6 +103,13 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
         if let Some(path) = path {
             anstream::println!("\nreport: {}", printable(&path));
         }
+        if let Some(passage) = arguments
+            .read
+            .then(|| worth_reading(&examination))
+            .flatten()
+        {
+            anstream::println!("\n{}", printable(&passage.open(checkout.root())));
+        }
     }
     written.transpose()?;
     Ok(if examination.passes() {
@@ -107,6 +117,21 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Outcome> {
     } else {
         Outcome::JudgedWrong
     })
+}
+
+/// What helps with the first task that fails, or with the first scene.
+fn worth_reading(examination: &Examination) -> Option<Passage> {
+    let mut tasks = examination.tasks.iter();
+    let task = tasks.find(|task| task.groups.iter().any(|group| !group.outcome.passes()));
+    let scenes = examination.scenes.iter();
+    let mut scenes = scenes.filter(|scene| !scene.diagnosis.is_empty());
+    match (task, scenes.next()) {
+        (Some(task), _) => Passage::against(&task.diagnosis, &task.chapter),
+        (None, Some(scene)) => Passage::against(&scene.diagnosis, ""),
+        (None, None) => Vec::new(),
+    }
+    .into_iter()
+    .next()
 }
 
 /// The command that does the same again.

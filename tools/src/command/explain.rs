@@ -75,7 +75,11 @@ pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Outcome> {
         let at_fault = explanation.task_at_fault(&scene.objects);
         let mut tasks = assignment.tasks.iter();
         if let Some(task) = tasks.find(|task| at_fault == Some(&task.name)) {
-            anstream::println!("\nread: {}", Passage::chapter(&task.chapter));
+            let passage = Passage::chapter(&task.chapter);
+            anstream::println!("\nread: {passage}");
+            if arguments.read {
+                anstream::println!("{}", describe::printable(&passage.open(checkout.root())));
+            }
         }
     }
     Ok(Outcome::Well)

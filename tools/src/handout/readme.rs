@@ -16,16 +16,25 @@ const QUOTED: &str = "<!-- quoted: ";
 const POINTS: &str = "<!-- points -->";
 const ANSWERS: &str = "<!-- answers -->";
 
+/// In the template, a line that is for those who get the book: this, and the line.
+const BOOK: &str = "<!-- book -->";
+
 /// Replaces the course's README by a student's.
 pub fn adapt(files: &mut Files, assignment: &Assignment) -> Result<()> {
     let answers: Vec<String> = assignment.tasks.iter().map(|task| task.file()).collect();
     let template = TEMPLATE
         .replace(POINTS, points(assignment).trim_end())
         .replace(ANSWERS, &answers.join(" "));
+    let has_book = files.keys().any(|path| path == "book/index.html");
     let mut missing = None;
     change(files, "README.md", |readme| {
         let mut text = String::new();
         for line in template.lines() {
+            let line = match line.strip_prefix(BOOK) {
+                Some(_) if !has_book => continue,
+                Some(rest) => rest,
+                None => line,
+            };
             let heading = line
                 .strip_prefix(QUOTED)
                 .and_then(|rest| rest.strip_suffix(" -->"));

@@ -9,7 +9,7 @@ use sha2::{Digest, Sha256};
 const EVIL: &str = "</script><img src=x onerror=alert(1)>";
 
 /// A report of one task whose answers are explained so, by somebody of an evil name.
-fn html(diagnosis: Diagnosis) -> String {
+fn report(diagnosis: Diagnosis) -> Report {
     let group = GroupResult {
         name: "inside".into(),
         about: "the ray starts inside the sphere".into(),
@@ -37,7 +37,11 @@ fn html(diagnosis: Diagnosis) -> String {
         part: EVIL.into(),
     };
     let report = Report::of_examination(&examination, Path::new(""), &again);
-    report.expect("no scene needs to be read").html()
+    report.expect("no scene needs to be read")
+}
+
+fn html(diagnosis: Diagnosis) -> String {
+    report(diagnosis).html()
 }
 
 #[test]
@@ -65,6 +69,19 @@ fn without_a_diagnosis_the_chapter_is_named_and_no_belief() {
     let page = html(Diagnosis::default());
     assert!(!page.contains("believe"));
     assert!(page.contains("the book, “Sphere” <small>(book&#x2f;sphere.html)</small>"));
+}
+
+#[test]
+fn a_book_on_this_machine_is_one_click_away() {
+    let beliefs = vec![belief("A belief.", 1.0)];
+    let reading = Reading::OneOf;
+    let mut report = report(Diagnosis { beliefs, reading });
+    report.book = Some("file:///course/book".into());
+    let page = report.html().replace("&#x2f;", "/");
+    for place in ["sphere.html", "sphere.html#which-root-counts"] {
+        let link = format!("<a href=\"file:///course/book/{place}\">book/{place}</a>");
+        assert!(page.contains(&link), "{link}");
+    }
 }
 
 #[test]

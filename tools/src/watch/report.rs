@@ -4,8 +4,10 @@ use std::path::Path;
 
 use super::Course;
 use crate::describe::printable;
+use crate::desktop;
 use crate::error::Result;
 use crate::examination::Examination;
+use crate::passage;
 use crate::report::Report;
 use crate::shell::in_shell;
 
@@ -18,7 +20,9 @@ pub fn show(course: &Course, known: &Examination) -> String {
 }
 
 fn write(course: &Course, known: &Examination) -> Result<()> {
-    Report::of_examination(known, &course.goldens.folder, &course.again)?.write(&course.report)
+    let mut report = Report::of_examination(known, &course.goldens.folder, &course.again)?;
+    report.book = passage::built(course.checkout.root());
+    report.write(&course.report)
 }
 
 /// Opens a file in the desktop's program for it, or says how to get at it.
@@ -27,7 +31,7 @@ fn open(path: &Path) -> String {
     if let Some(copy) = copy_command(path) {
         return format!("the report is {shown}; from your own machine:\n{copy}");
     }
-    match has_desktop() && open::that_detached(path).is_ok() {
+    match desktop::open(path) {
         true => format!("opened {shown}"),
         false => format!("the report is {shown}; open it in a browser"),
     }
@@ -56,10 +60,4 @@ fn copy_command(path: &Path) -> Option<String> {
     let path = path.strip_prefix(home).unwrap_or(&path);
     let path = in_shell(&path.display().to_string());
     Some(printable(&format!("scp {port}{user}{server}:{path} .")))
-}
-
-fn has_desktop() -> bool {
-    let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
-    let needs_display = cfg!(all(unix, not(target_os = "macos")));
-    !needs_display || is_set("DISPLAY") || is_set("WAYLAND_DISPLAY")
 }

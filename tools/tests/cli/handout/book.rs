@@ -19,7 +19,11 @@ fn a_built_book_travels_and_one_that_shows_an_answer_does_not() {
         .expect_code(2)
         .expect_err("book/sphere.html would give away a line of the reference");
     fs::write(book.join("sphere.html"), "<h1>Sphere</h1>").expect("there is room");
+    fs::write(book.join("index.html"), "<h1>Begin</h1>").expect("there is room");
     hand_out().expect_code(0);
     let page = fs::read_to_string(out.join("book/sphere.html")).expect("it came along");
     assert_eq!(page, "<h1>Sphere</h1>");
+    let readme = fs::read_to_string(out.join("README.md")).expect("it has one");
+    assert!(readme.contains("open\n`book/index.html`"), "{readme}");
+    assert!(!readme.contains("<!--"), "{readme}");
 }
