@@ -2,10 +2,12 @@
 //!
 //! [`world`] is the scene as parts that a ray can meet, [`tree`] what spares most of
 //! them, [`model`] with which numbers and kernels they are met, [`kernels`] and [`chosen`]
-//! which kernels there are to choose from, [`narrow`] the same in `f32`, [`rays`] where
+//! which kernels there are to choose from, [`narrow`] the same in `f32`, [`eight`] many
+//! at a time, [`rays`] where
 //! rays come from.
 
 pub mod chosen;
+pub mod eight;
 pub mod kernels;
 pub mod model;
 pub mod narrow;

@@ -12,7 +12,9 @@
 //! 5. [`contestant`], [`contestants`], [`speed`], [`instructions`]: who takes part, and
 //!    what each costs;
 //! 6. [`cast`], [`film`], [`scenes`]: whole scenes;
-//! 7. [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the whole,
+//! 7. [`plan`]: the cheapest way to cast a scene that is accurate enough, and [`plans`],
+//!    whether it is;
+//! 8. [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the whole,
 //!    and how it is told.
 
 pub mod breaking;
@@ -29,6 +31,8 @@ pub mod kernel;
 pub mod leading;
 pub mod number;
 pub mod oracle;
+pub mod plan;
+pub mod plans;
 pub mod plots;
 pub mod provenance;
 pub mod question;

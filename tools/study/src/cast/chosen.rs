@@ -23,12 +23,7 @@ impl<K: Kernels<f64>> Model for Chosen<K> {
     }
 
     #[inline(always)]
-    fn meet(
-        shape: &Primitive,
-        ray: &Prepared<f64, K>,
-        min_t: f64,
-        _: &mut Tally,
-    ) -> Option<f64> {
+    fn meet(shape: &Primitive, ray: &Prepared<f64, K>, min_t: f64, _: &mut Tally) -> Option<f64> {
         match shape {
             Primitive::Sphere(shape) => K::Sphere::intersect(shape, &ray.sphere, min_t),
             Primitive::Plane(shape) => K::Plane::intersect(shape, &ray.plane, min_t),
