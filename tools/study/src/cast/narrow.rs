@@ -71,6 +71,9 @@ impl Near<'_> {
     }
 }
 
+/// Fewer than this are sooner asked one by one than eight at a time.
+const FEW: usize = 4;
+
 /// A ray in `f32`.
 pub fn rounded(ray: &Ray<f64>) -> Ray<f32> {
     ray.map(f32::of, f32::of)
@@ -192,6 +195,11 @@ impl<S: Sifted> Kind<S> {
         met: fn(&'a S) -> Met<'a>,
         near: &mut Option<Near<'a>>,
     ) {
+        if self.shapes.len() < FEW {
+            return (0..self.shapes.len()).for_each(|at| {
+                self.meet::<K>(at, prepared, min_t, met, near);
+            });
+        }
         for (chunk, rows) in self.rows.iter().enumerate() {
             let margins = S::margins(rows, ray);
             if !margins.iter().any(|margin| *margin >= 0.0) {

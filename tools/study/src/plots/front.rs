@@ -74,6 +74,17 @@ fn place(tally: &SceneTally) -> (f64, f64) {
     (time.log10(), error.log10().max(FLOOR))
 }
 
+/// As it is printed: 10⁻⁵.
+fn power_of_ten(power: f64) -> String {
+    let raised = |letter: char| match letter {
+        '-' => '⁻',
+        digit => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹']
+            [digit.to_digit(10).unwrap_or_default() as usize],
+    };
+    let power = format!("{power:.0}");
+    format!("10{}", power.chars().map(raised).collect::<String>())
+}
+
 fn one(panel: &[&SceneTally], paper: &Paper) -> Result<(), Box<dyn std::error::Error>> {
     let (left, right) = panel
         .iter()
@@ -107,7 +118,7 @@ fn one(panel: &[&SceneTally], paper: &Paper) -> Result<(), Box<dyn std::error::E
             t if t < 1e3 => format!("{t:.0} ns"),
             t => format!("{:.1} µs", t / 1e3),
         })
-        .y_label_formatter(&|y| format!("10^{y:.0}"))
+        .y_label_formatter(&|y| power_of_ten(*y))
         .draw()?;
     let mut front: Vec<&SceneTally> = panel.iter().copied().filter(|t| t.on_front).collect();
     front.sort_by(|one, other| place(one).0.total_cmp(&place(other).0));
