@@ -54,6 +54,9 @@ pub enum Command {
     /// Measure the trade between speed and accuracy, and the extremes
     #[cfg(feature = "study")]
     Study(Study),
+    /// The cheapest way to cast a scene that is as accurate as you wish, and why
+    #[cfg(feature = "study")]
+    Plan(Plan),
     /// Build the book, or prove it
     Book(Book),
     /// Give up all rights and become a program: what sandboxes start first
@@ -75,6 +78,8 @@ impl Command {
             Command::Validate(arguments) => arguments.json,
             #[cfg(feature = "study")]
             Command::Study(arguments) => arguments.json,
+            #[cfg(feature = "study")]
+            Command::Plan(arguments) => arguments.json,
             Command::Grade(arguments) => arguments.json,
             Command::Merge(arguments) => arguments.json,
             Command::Handout(arguments) => arguments.json,
@@ -194,6 +199,14 @@ pub struct Render {
     #[cfg(feature = "study")]
     #[arg(long, conflicts_with = "submission")]
     pub exact: bool,
+    /// Cast by the cheapest way that keeps t and normals to this accuracy, as `pinhole plan`
+    /// chooses it. The first run compiles the study
+    #[cfg(feature = "study")]
+    #[arg(long, value_name = "X", value_parser = accuracy, conflicts_with_all = ["submission", "exact"])]
+    pub plan: Option<f64>,
+    #[cfg(feature = "study")]
+    #[command(flatten)]
+    pub wanted: Wanted,
     /// Where to write
     #[arg(long, value_name = "DIR", default_value = "render")]
     pub out: PathBuf,
@@ -530,7 +543,8 @@ pub struct Study {
     /// Where to write
     #[arg(long, value_name = "DIR", default_value = "study")]
     pub out: PathBuf,
-    /// Only this family of questions (distance, surface, …), or mesh, scenes, spoilt or speed
+    /// Only this family of questions (distance, surface, …), or crossover, mesh, plans, scenes,
+    /// spoilt or speed
     #[arg(long, value_name = "FAMILY")]
     pub only: Option<String>,
     #[command(flatten)]
@@ -538,6 +552,73 @@ pub struct Study {
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,
+}
+
+/// The cheapest way to cast a scene that is as accurate as you wish, and why.
+///
+/// Says for spheres, planes and triangles whether f32 will do, or f64, or exact arithmetic,
+/// from bounds of what rounding does in this very scene, and whether boxes around the
+/// parts pay. Then it casts some of the rays so and judges them by exact arithmetic: what
+/// that refuses is planned anew. Try: cargo run --release -- plan bunny --accuracy 1e-6
+#[cfg(feature = "study")]
+#[derive(Args)]
+pub struct Plan {
+    /// A scene file, or the name of one of the assignment's scenes
+    pub scene: String,
+    /// The largest relative error of t, and the largest angle between a normal and the true
+    /// one, in radians
+    #[arg(long, value_name = "X", value_parser = accuracy)]
+    pub accuracy: f64,
+    #[command(flatten)]
+    pub wanted: Wanted,
+    /// Plan for this many pixels instead of the scene's own
+    #[arg(long, value_name = "NXxNY", value_parser = resolution)]
+    pub resolution: Option<Resolution>,
+    /// Print one JSON document on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What is wanted of a planned film.
+#[cfg(feature = "study")]
+#[derive(Args)]
+pub struct Wanted {
+    /// With a plan: whether a pixel may show another object where rounding decides
+    /// [default: rounded]
+    #[arg(long, value_enum, value_name = "IDS")]
+    pub ids: Option<Ids>,
+    /// With a plan: what is worked out for a pixel; the rest is 0 in the film [default:
+    /// id,depth,normal]
+    #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',')]
+    pub outputs: Vec<Output>,
+}
+
+/// Which objects a planned film shows.
+#[cfg(feature = "study")]
+#[derive(Clone, Copy, clap::ValueEnum)]
+pub enum Ids {
+    /// As rounding has them
+    Rounded,
+    /// As they truly are, at every pixel
+    Exact,
+}
+
+/// What is worked out for a pixel.
+#[cfg(feature = "study")]
+#[derive(Clone, Copy, clap::ValueEnum)]
+pub enum Output {
+    /// The object
+    Id,
+    /// t
+    Depth,
+    /// The unit normal
+    Normal,
+}
+
+#[cfg(feature = "study")]
+fn accuracy(text: &str) -> Result<f64, String> {
+    let accuracy = text.parse().ok().filter(|x| (1e-15..=1.0).contains(x));
+    accuracy.ok_or_else(|| format!("`{text}` is no accuracy between 1e-15 and 1, like 1e-6"))
 }
 
 /// Part K of N, from 1.

@@ -9,6 +9,8 @@ pub mod golden;
 mod grade;
 mod handout;
 mod merge;
+#[cfg(feature = "study")]
+mod plan;
 mod render;
 #[cfg(feature = "study")]
 mod study;
@@ -64,6 +66,8 @@ pub fn run(cli: Cli) -> Result<Outcome> {
         Command::Validate(arguments) => validate::run(&checkout, &arguments),
         #[cfg(feature = "study")]
         Command::Study(arguments) => study::run(&checkout, &arguments),
+        #[cfg(feature = "study")]
+        Command::Plan(arguments) => plan::run(&checkout, &arguments),
         Command::Book(arguments) => book::run(&checkout, &arguments),
         #[cfg(target_os = "linux")]
         Command::Confine(_) => unreachable!("it has become another program by now"),

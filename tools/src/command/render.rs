@@ -33,6 +33,14 @@ pub struct Cast {
     pub printed: String,
     /// What exact casting took, as the study tells it.
     pub exact: Option<Value>,
+    /// What planned casting took, and the plan.
+    pub planned: Option<Value>,
+}
+
+impl Cast {
+    fn is_by_submission(&self) -> bool {
+        self.exact.is_none() && self.planned.is_none()
+    }
 }
 
 pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Outcome> {
@@ -71,7 +79,7 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Outcome> {
     })
 }
 
-/// By the study's exact caster, if that is wanted.
+/// By the study's caster, exactly or as planned, if that is wanted.
 #[cfg(feature = "study")]
 fn cast(
     checkout: &Checkout,
@@ -80,7 +88,14 @@ fn cast(
     scene: Scene,
     path: &Path,
 ) -> Result<Cast> {
-    match arguments.exact {
+    let is_planned = arguments.plan.is_some();
+    if !is_planned && !arguments.wanted.is_empty() {
+        return Err(Error::input(
+            "--ids and --outputs say what a plan is for",
+            "say how accurate it is to be with --plan X",
+        ));
+    }
+    match arguments.exact || is_planned {
         true => super::study::film(checkout, assignment, arguments, path),
         false => by_submission(checkout, assignment, arguments, scene),
     }
@@ -133,6 +148,7 @@ fn by_submission(
         problem: problem.as_ref().map(table::outcome),
         printed: reply.printed,
         exact: None,
+        planned: None,
     })
 }
 
@@ -156,8 +172,9 @@ fn tell(
             "{:#}",
             json!({
                 "scene": arguments.scene,
-                "submission": cast.exact.is_none().then_some(&cast.by),
+                "submission": cast.is_by_submission().then_some(&cast.by),
                 "exact": cast.exact,
+                "planned": cast.planned,
                 "resolution": [resolution.n_x, resolution.n_y],
                 "hits": hits,
                 "depth_range": [range.start, range.end],

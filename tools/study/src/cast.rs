@@ -3,9 +3,11 @@
 //! [`world`] is the scene as parts that a ray can meet, [`tree`] what spares most of
 //! them ([`frame`] and [`slabs`] are its boxes), [`model`] with which numbers and kernels
 //! they are met, [`kernels`] and [`chosen`] which kernels there are to choose from,
-//! [`narrow`] the same in `f32`, [`rays`] and [`reach`] where rays come from.
+//! [`narrow`] the same in `f32`, [`eight`] many at a time, [`rays`] and [`reach`] where
+//! rays come from.
 
 pub mod chosen;
+pub mod eight;
 pub mod frame;
 pub mod kernels;
 pub mod model;

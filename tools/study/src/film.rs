@@ -1,16 +1,19 @@
-//! A film cast exactly: what `pinhole render --exact` writes.
+//! Films: cast exactly, what `pinhole render --exact` writes, or as planned.
 
 use std::path::Path;
 use std::time::Instant;
 
-use pinhole::{Error, Film, Hit, Intersection, Resolution, Scene};
+use pinhole::{Error, Film, Hit, Intersection, Scene};
 use serde::Serialize;
 
 use crate::cast::model::Exact;
 use crate::cast::rays::rays;
 use crate::cast::world::World;
 use crate::cast::{Caster, Found, Search};
+use crate::plan::casting::Spent;
+use crate::plan::{Plan, Wish, plan};
 use crate::shape::Ray;
+use crate::vector::Vector;
 
 /// What casting a film took.
 #[derive(Clone, Debug, Serialize)]
@@ -25,11 +28,22 @@ pub struct Report {
     pub close_calls: u64,
 }
 
-/// Casts a scene file exactly and writes its film.
-pub fn write(file: &Path, resolution: Option<Resolution>, to: &Path) -> Result<Report, Error> {
-    let mut scene = Scene::read(file)?;
-    scene.resolution = resolution.unwrap_or(scene.resolution);
-    let rays = rays(&scene);
+/// What casting a planned film took.
+#[derive(Clone, Debug, Serialize)]
+pub struct Planned {
+    /// Wall time of casting.
+    pub seconds: f64,
+    /// Wall time of planning, trees included.
+    pub planning_seconds: f64,
+    /// Who had the last word at how many pixels.
+    pub spent: Spent,
+    /// The plan, with its reasons.
+    pub plan: Plan,
+}
+
+/// Casts a scene exactly and writes its film.
+pub fn exact(scene: &Scene, to: &Path) -> Result<Report, Error> {
+    let rays = rays(scene);
     let start = Instant::now();
     let caster = Caster::new(World::of(&scene.objects));
     let (found, tally) = caster.film::<Exact>(Search::Boxes, &rays, scene.min_t);
@@ -44,14 +58,40 @@ pub fn write(file: &Path, resolution: Option<Resolution>, to: &Path) -> Result<R
     })
 }
 
-fn hit((found, ray): (&Option<Found>, &Ray<f64>)) -> Option<Hit> {
-    let Found { part, t } = (*found)?;
-    let normal = part.shape.normal(ray.origin + ray.direction * t);
-    Some(Hit {
-        object: part.object as usize,
+/// Plans a scene, casts it so and writes its film.
+pub fn planned(scene: &Scene, wish: Wish, to: &Path) -> Result<Planned, String> {
+    let start = Instant::now();
+    let (plan, casting) = plan(scene, wish)?;
+    let planning_seconds = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    let (seen, spent) = casting.film(&rays(scene));
+    let seconds = start.elapsed().as_secs_f64();
+    let hits: Vec<_> = seen
+        .into_iter()
+        .map(|seen| seen.map(|(object, t, normal)| at(object, t, normal)))
+        .collect();
+    let film = Film::of_hits(scene.resolution, &hits);
+    film.write(to).map_err(|error| error.to_string())?;
+    Ok(Planned {
+        seconds,
+        planning_seconds,
+        spent,
+        plan,
+    })
+}
+
+fn at(object: u32, t: f64, normal: Vector<f64>) -> Hit {
+    Hit {
+        object: object as usize,
         intersection: Intersection {
             t,
             normal: normal.array().into(),
         },
-    })
+    }
+}
+
+fn hit((found, ray): (&Option<Found>, &Ray<f64>)) -> Option<Hit> {
+    let Found { part, t } = (*found)?;
+    let normal = part.shape.normal(ray.origin + ray.direction * t);
+    Some(at(part.object, t, normal))
 }

@@ -13,7 +13,8 @@
 //!    what each costs;
 //! 6. [`leaks`]: closed meshes; [`cast`], [`film`], [`scenes`]: whole scenes; [`record`]:
 //!    the long runs;
-//! 7. [`theirs`]: a student's answers among them;
+//! 7. [`plan`]: the cheapest way to cast a scene that is accurate enough, and [`plans`],
+//!    whether it is; [`theirs`]: a student's answers among the kernels;
 //! 8. [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the whole,
 //!    and how it is told.
 
@@ -32,6 +33,8 @@ pub mod leading;
 pub mod leaks;
 pub mod number;
 pub mod oracle;
+pub mod plan;
+pub mod plans;
 pub mod plots;
 pub mod provenance;
 pub mod question;

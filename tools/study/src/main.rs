@@ -4,11 +4,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{Parser, Subcommand, ValueEnum};
 use indicatif::ProgressBar;
-use pinhole::Resolution;
+use pinhole::{Resolution, Scene};
 use pinhole_study::family::Studied;
 use pinhole_study::judge::rule_of_three;
+use pinhole_study::plan::told::told;
+use pinhole_study::plan::{Wish, plan};
 use pinhole_study::provenance::provenance;
 use pinhole_study::record::{self, Count, Hardness, Leaks};
 use pinhole_study::result::{SCHEMA, Study};
@@ -17,6 +19,7 @@ use pinhole_study::shape::{Plane, Sphere, Triangle};
 use pinhole_study::targets::targets;
 use pinhole_study::theirs::{Theirs, asked};
 use pinhole_study::{film, instructions, plots, summary};
+use serde_json::json;
 
 /// Measure the trade between speed and accuracy, and the extremes.
 ///
@@ -42,7 +45,8 @@ struct Arguments {
     /// Print the document on standard output too
     #[arg(long)]
     json: bool,
-    /// Only this family of questions (distance, surface, …), or mesh, scenes, spoilt or speed
+    /// Only this family of questions (distance, surface, …), or crossover, mesh, plans, scenes,
+    /// spoilt or speed
     #[arg(long, value_name = "FAMILY")]
     only: Option<String>,
     /// What random questions come from
@@ -90,7 +94,58 @@ enum Part {
         film: PathBuf,
         #[arg(long, num_args = 2, value_names = ["NX", "NY"])]
         resolution: Vec<usize>,
+        /// Cast as planned for this accuracy instead
+        #[arg(long, value_name = "X")]
+        plan: Option<f64>,
+        #[command(flatten)]
+        wanted: Wanted,
     },
+    /// The cheapest way to cast a scene accurately enough: what `pinhole plan` runs
+    #[command(hide = true)]
+    Plan {
+        scene: PathBuf,
+        #[arg(long, value_name = "X")]
+        accuracy: f64,
+        #[arg(long, num_args = 2, value_names = ["NX", "NY"])]
+        resolution: Vec<usize>,
+        #[command(flatten)]
+        wanted: Wanted,
+        #[arg(long)]
+        json: bool,
+    },
+}
+
+/// What is wanted of a planned film.
+#[derive(clap::Args)]
+struct Wanted {
+    #[arg(long, value_enum, default_value_t = Ids::Rounded)]
+    ids: Ids,
+    #[arg(long, value_enum, value_delimiter = ',', default_values = ["id", "depth", "normal"])]
+    outputs: Vec<Output>,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Ids {
+    Rounded,
+    Exact,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Output {
+    Id,
+    Depth,
+    Normal,
+}
+
+impl Wanted {
+    fn wish(&self, accuracy: f64) -> Wish {
+        Wish {
+            accuracy,
+            exact_ids: self.ids == Ids::Exact,
+            depth: self.outputs.contains(&Output::Depth),
+            normal: self.outputs.contains(&Output::Normal),
+        }
+    }
 }
 
 /// The seed of workloads whose instructions are counted.
@@ -119,7 +174,19 @@ fn main() -> ExitCode {
             scene,
             film,
             resolution,
-        }) => cast(scene, resolution, film).map(|()| true),
+            plan,
+            wanted,
+        }) => {
+            let wish = plan.map(|accuracy| wanted.wish(accuracy));
+            cast(scene, resolution, wish, film).map(|()| true)
+        }
+        Some(Part::Plan {
+            scene,
+            accuracy,
+            resolution,
+            wanted,
+            json,
+        }) => tell(scene, resolution, wanted.wish(*accuracy), *json).map(|()| true),
     };
     match done {
         Ok(true) => ExitCode::SUCCESS,
@@ -131,17 +198,36 @@ fn main() -> ExitCode {
     }
 }
 
-/// Casts a film, and says on standard output what that took, as JSON.
-fn cast(scene: &Path, resolution: &[usize], to: &Path) -> Result<(), String> {
-    let resolution = match resolution {
-        [n_x, n_y] => Some(Resolution {
-            n_x: *n_x,
-            n_y: *n_y,
-        }),
-        _ => None,
+/// A scene file, at another resolution if one is given.
+fn read(file: &Path, resolution: &[usize]) -> Result<Scene, String> {
+    let mut scene = Scene::read(file).map_err(|error| error.to_string())?;
+    if let [n_x, n_y] = *resolution {
+        scene.resolution = Resolution { n_x, n_y };
+    }
+    Ok(scene)
+}
+
+/// Casts a film, exactly or as planned, and says on standard output what that took, as
+/// JSON.
+fn cast(file: &Path, resolution: &[usize], wish: Option<Wish>, to: &Path) -> Result<(), String> {
+    let scene = read(file, resolution)?;
+    let report = match wish {
+        None => json!(film::exact(&scene, to).map_err(|error| error.to_string())?),
+        Some(wish) => json!(film::planned(&scene, wish, to)?),
     };
-    let report = film::write(scene, resolution, to).map_err(|error| error.to_string())?;
-    println!("{}", serde_json::json!(report));
+    println!("{report}");
+    Ok(())
+}
+
+/// Plans, and says what and why.
+fn tell(file: &Path, resolution: &[usize], wish: Wish, is_json: bool) -> Result<(), String> {
+    let scene = read(file, resolution)?;
+    let (plan, _) = plan(&scene, wish)?;
+    let name = file.file_stem().unwrap_or_default().to_string_lossy();
+    match is_json {
+        true => println!("{:#}", json!(plan)),
+        false => print!("{}", told(&plan, &name)),
+    }
     Ok(())
 }
 
@@ -234,6 +320,8 @@ fn studied(arguments: &Arguments) -> Result<bool, String> {
         breaking: findings.breaking,
         scenes: findings.scenes,
         problems: theirs.problems(),
+        plans: findings.plans,
+        crossovers: findings.crossovers,
         targets,
     };
     if study.families.is_empty()
@@ -241,6 +329,8 @@ fn studied(arguments: &Arguments) -> Result<bool, String> {
         && study.spoilt.is_empty()
         && study.speed.is_empty()
         && study.scenes.is_empty()
+        && study.plans.is_empty()
+        && study.crossovers.is_empty()
     {
         let only = arguments.only.as_deref().unwrap_or_default();
         return Err(format!(
@@ -257,7 +347,7 @@ fn studied(arguments: &Arguments) -> Result<bool, String> {
 
 /// What `--only` understands.
 fn names() -> Vec<&'static str> {
-    let mut names = vec!["mesh", "scenes", "spoilt", "speed"];
+    let mut names = vec!["crossover", "mesh", "plans", "scenes", "spoilt", "speed"];
     names.extend(Sphere::families().iter().map(|family| family.name));
     names.extend(Plane::families().iter().map(|family| family.name));
     names.extend(Triangle::families().iter().map(|family| family.name));

@@ -1,6 +1,7 @@
 //! Plots as SVG: colours that colour-blind people can tell apart, a label on each line,
 //! and a light ground of their own, so that they read the same on a dark page.
 
+mod front;
 mod leaks;
 mod paper;
 mod sweep;
@@ -25,6 +26,9 @@ pub fn draw(study: &Study, folder: &Path) -> Result<Vec<String>, String> {
     }
     if !study.meshes.is_empty() {
         plots.push(("mesh.svg".into(), leaks::svg(&study.meshes)?));
+    }
+    if !study.scenes.is_empty() {
+        plots.push(("front.svg".into(), front::svg(&study.scenes)?));
     }
     for (name, svg) in &plots {
         fs::write(folder.join(name), svg).map_err(|error| error.to_string())?;

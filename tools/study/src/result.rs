@@ -30,6 +30,10 @@ pub struct Study {
     /// Where a student's code, if it takes part, left questions without an answer, and why.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub problems: Vec<String>,
+    /// What plans come to.
+    pub plans: Vec<PlanTally>,
+    /// What makes one way cheaper than another.
+    pub crossovers: Vec<CrossoverTally>,
     /// What was promised or measured before, beside what came.
     pub targets: Vec<Target>,
 }
@@ -210,6 +214,54 @@ pub struct SceneTally {
     /// Whether no other way is as good in time, wrong objects, t and normal, and better in
     /// one of them.
     pub on_front: bool,
+}
+
+/// What so many parts of a kind cost, in nanoseconds of CPU time for a ray.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct CrossoverTally {
+    /// `spheres` or `triangles`.
+    pub shape: String,
+    /// `f32` (eight at a time), `f64` or `exact`.
+    pub numbers: String,
+    /// How many.
+    pub parts: u64,
+    /// If each is asked.
+    pub brute_force: f64,
+    /// If boxes are searched.
+    pub boxes: f64,
+}
+
+/// One plan, and what came of it at the pixels of its scene.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct PlanTally {
+    /// The scene's name.
+    pub scene: String,
+    /// The accuracy that was wished.
+    pub accuracy: f64,
+    /// Whether exact ids were wished.
+    pub exact_ids: bool,
+    /// What was chosen, in a few words.
+    pub choice: String,
+    /// Pixels that were judged.
+    pub rays: u64,
+    /// Of them, where t or the normal is off by more than was wished.
+    pub violations: u64,
+    /// Where another object is seen.
+    pub wrong_ids: u64,
+    /// The largest relative error of t.
+    pub worst_t: f64,
+    /// The largest angle between a normal and the true one, in radians.
+    pub worst_normal: f64,
+    /// Pixels that were uncertain in `f32` and cast again in `f64`.
+    pub again_in_f64: u64,
+    /// Pixels that were cast again exactly.
+    pub again_exactly: u64,
+    /// CPU time for a ray: the median film.
+    pub nanoseconds: f64,
+    /// The same for the most accurate way: every decision exact, and every t.
+    pub most_accurate: f64,
+    /// And for the least: the fastest kernels in `f32`, in the cheaper search.
+    pub least_accurate: f64,
 }
 
 /// A figure that was promised or measured before, and the one measured now.

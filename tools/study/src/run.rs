@@ -11,8 +11,13 @@ use crate::family::{Family, Studied, questions};
 use crate::instructions;
 use crate::judge::judge;
 use crate::leaks;
+use crate::plan::crossover;
+use crate::plans;
 use crate::question::Data;
-use crate::result::{Breaking, Judged, MeshTally, Point, SceneTally, Speed, SpoiltTally, Sweep};
+use crate::result::{
+    Breaking, CrossoverTally, Judged, MeshTally, PlanTally, Point, SceneTally, Speed, SpoiltTally,
+    Sweep,
+};
 use crate::scenes::{self, Share};
 use crate::shape::{Plane, Sphere, Triangle};
 use crate::speed::race;
@@ -35,6 +40,8 @@ pub struct Extent {
     pub instructions: bool,
     /// How much of every scene.
     pub scenes: Share,
+    /// What is wished of plans.
+    pub accuracies: &'static [f64],
 }
 
 impl Extent {
@@ -47,6 +54,7 @@ impl Extent {
         rounds: 60,
         instructions: false,
         scenes: Share { step: 7, rounds: 3 },
+        accuracies: &[1e-2, 1e-6, 1e-12],
     };
     /// For the record.
     pub const FULL: Extent = Extent {
@@ -60,6 +68,7 @@ impl Extent {
             step: 1,
             rounds: 15,
         },
+        accuracies: &plans::ACCURACIES,
     };
 }
 
@@ -78,10 +87,14 @@ pub struct Findings {
     pub breaking: Vec<Breaking>,
     /// Whole scenes.
     pub scenes: Vec<SceneTally>,
+    /// Plans.
+    pub plans: Vec<PlanTally>,
+    /// From where on boxes pay.
+    pub crossovers: Vec<CrossoverTally>,
 }
 
-/// Does it all, or only the family, `mesh`, `scenes`, `spoilt` or `speed` that is named; `say` is
-/// told what is being done.
+/// Does it all, or only the family, `crossover`, `mesh`, `plans`, `scenes`, `spoilt` or
+/// `speed` that is named; `say` is told what is being done.
 pub fn run(
     extent: &Extent,
     seed: u64,
@@ -91,6 +104,10 @@ pub fn run(
 ) -> Findings {
     let mut findings = Findings::default();
     let is_wanted = |part: &str| only.is_none_or(|only| only == part);
+    if is_wanted("crossover") {
+        say("from where on boxes pay");
+        findings.crossovers = crossover::measured(extent.scenes.rounds);
+    }
     of_shape::<Sphere<f64>>(extent, seed, &is_wanted, say, theirs, &mut findings);
     of_shape::<Plane<f64>>(extent, seed, &is_wanted, say, theirs, &mut findings);
     of_shape::<Triangle<f64>>(extent, seed, &is_wanted, say, theirs, &mut findings);
@@ -106,12 +123,16 @@ pub fn run(
             .filter_map(|aim| leaks::of(theirs, aim, seed));
         findings.meshes.extend(told);
     }
-    if is_wanted("scenes") {
-        for file in scenes::files() {
-            say(&format!(
-                "scene {}",
-                file.file_stem().unwrap_or_default().display()
-            ));
+    for file in scenes::files() {
+        let name = file.file_stem().unwrap_or_default().display();
+        if is_wanted("plans") {
+            say(&format!("plans for {name}"));
+            let tallies = plans::studied(&file, extent.scenes, extent.accuracies);
+            let tallies = tallies.expect("the scene is committed and can be planned");
+            findings.plans.extend(tallies);
+        }
+        if is_wanted("scenes") {
+            say(&format!("scene {name}"));
             let tallies =
                 scenes::studied(&file, extent.scenes, theirs).expect("the scene is committed");
             findings.scenes.extend(tallies);

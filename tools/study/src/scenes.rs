@@ -18,7 +18,7 @@ use rayon::prelude::*;
 use crate::cast::rays::rays;
 use crate::cast::world::{World, vector};
 use crate::cast::{Search, Tally};
-use crate::oracle::scene::{Sight, normal, sight};
+use crate::oracle::scene::{Compared, Sight, sight};
 use crate::result::SceneTally;
 use crate::shape::Ray;
 use crate::theirs::{self, Theirs};
@@ -145,20 +145,14 @@ fn judged(rays: &[Ray<f64>], truths: &[Sight], seen: impl Iterator<Item = Seen>)
     };
     let mut errors = Vec::new();
     for ((ray, truth), seen) in rays.iter().zip(truths).zip(seen) {
-        if !truth.allows(seen.map(|(object, ..)| object)) {
-            tally.wrong_ids += 1;
-            continue;
+        match truth.compared(ray, seen) {
+            Compared::Alike => (),
+            Compared::AnotherObject => tally.wrong_ids += 1,
+            Compared::Off { t, normal, .. } => {
+                errors.push(t);
+                tally.worst_normal = Some(tally.worst_normal.unwrap_or(0.0).max(normal));
+            }
         }
-        let Some(((part, met), (object, t, direction))) = truth.first.as_ref().zip(seen) else {
-            continue;
-        };
-        let Some(root) = met.t.as_ref().filter(|_| part.object == object) else {
-            continue;
-        };
-        errors.push(root.relative_error(t));
-        let off = normal(&part.shape, ray, root).cross(direction);
-        let angle = off.dot(off).sqrt().min(1.0).asin();
-        tally.worst_normal = Some(tally.worst_normal.unwrap_or(0.0).max(angle));
     }
     errors.sort_by(f64::total_cmp);
     tally.median_t = errors.get(errors.len() / 2).copied();

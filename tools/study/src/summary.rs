@@ -1,5 +1,6 @@
 //! The study in words: a page for the book, and lines for a terminal.
 
+mod plans;
 mod scenes;
 pub mod theirs;
 
@@ -62,8 +63,9 @@ pub fn summary(study: &Study, plots: &[String]) -> String {
         meshes(&mut text, study);
     }
     if !study.scenes.is_empty() {
-        scenes::section(&mut text, study);
+        scenes::section(&mut text, study, plots);
     }
+    plans::section(&mut text, study);
     sweeps(&mut text, study, plots);
     if !study.spoilt.is_empty() {
         spoilt(&mut text, study);

@@ -3,7 +3,9 @@
 //! factor of what random questions and another machine explain; 0 agrees with 0 only.
 
 mod before;
+mod crossovers;
 mod meshes;
+mod plans;
 mod scenes;
 mod times;
 
@@ -91,6 +93,8 @@ pub fn targets(findings: &Findings) -> Vec<Target> {
     targets.extend(meshes::targets(&findings.meshes));
     targets.extend(times::targets(&findings.speed));
     targets.extend(scenes::targets(&findings.scenes));
+    targets.extend(plans::targets(&findings.plans));
+    targets.extend(crossovers::targets(&findings.crossovers));
     targets
 }
 

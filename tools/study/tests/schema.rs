@@ -100,13 +100,29 @@ fn studied(part: &str) -> (Option<i32>, String, std::path::PathBuf) {
 
 #[test]
 fn a_document_follows_its_schema_and_a_spoilt_one_does_not() {
-    for part in ["flat", "mesh", "scenes", "spoilt", "speed"] {
+    for part in [
+        "flat",
+        "mesh",
+        "scenes",
+        "plans",
+        "crossover",
+        "spoilt",
+        "speed",
+    ] {
         let (_, said, folder) = studied(part);
         let document: Value = serde_json::from_str(&said).expect("one JSON document");
         assert_eq!(all_faults(&document), Vec::<String>::new());
         let written = fs::read_to_string(folder.join("study.json")).expect("it was written");
         assert_eq!(written, said);
-        for list in ["families", "meshes", "scenes", "spoilt", "speed"] {
+        for list in [
+            "families",
+            "meshes",
+            "scenes",
+            "plans",
+            "crossovers",
+            "spoilt",
+            "speed",
+        ] {
             let Some(first) = document[list].get(0) else {
                 continue;
             };

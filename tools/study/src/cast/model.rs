@@ -195,7 +195,8 @@ fn left_open(shape: &Primitive, ray: &Prepared, min_t: f64, tally: &mut Tally) -
     rounded(exact(shape, &given, min_t))
 }
 
-fn exact(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
+/// Where a ray truly meets a part.
+pub fn exact(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
     match shape {
         Primitive::Sphere(shape) => sphere::exact(shape, ray, min_t),
         Primitive::Plane(shape) => plane::exact(shape, ray, min_t),

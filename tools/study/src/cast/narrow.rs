@@ -2,18 +2,20 @@
 //! what a renderer in `f32` does.
 //!
 //! The shapes of a kind lie side by side, half as large as in `f64`, under a tree of their
-//! own, which obvhs searches too: its search is in `f32` as well and promises no more than
-//! the kernels do. Boxes are a little too large, so that what it loses is little.
+//! own. Its search is in `f32` too, and promises no more than the kernels do: boxes are
+//! a little too large, so that what it loses is little.
 
 use std::time::Duration;
 
+use glam::Vec3A;
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2;
-use obvhs::ray::{Ray as BoxRay, RayHit};
+use smallvec::SmallVec;
 
 use super::Search;
+use super::eight::{EIGHT, Sifted};
 use super::kernels::{Kernels, Prepared};
 use super::world::{Part, Primitive};
 use crate::kernel::Kernel;
@@ -23,7 +25,7 @@ use crate::shape::{Plane, Ray, Shape, Sphere, Triangle};
 use crate::vector::Vector;
 
 /// A scene in `f32`.
-#[derive(Clone, Default)]
+#[derive(Default)]
 pub struct Narrow {
     spheres: Kind<Sphere<f32>>,
     planes: Kind<Plane<f32>>,
@@ -31,10 +33,11 @@ pub struct Narrow {
 }
 
 /// All shapes of a kind.
-#[derive(Clone)]
-struct Kind<S> {
+struct Kind<S: Sifted> {
     /// In the order of the tree.
     shapes: Vec<S>,
+    /// The same, eight in a row.
+    rows: Vec<S::Rows>,
     /// Of each, [`Part::place`].
     places: Vec<u32>,
     tree: Bvh2,
@@ -68,6 +71,9 @@ impl Near<'_> {
     }
 }
 
+/// Fewer than this are sooner asked one by one than eight at a time.
+const FEW: usize = 4;
+
 /// A ray in `f32`.
 pub fn rounded(ray: &Ray<f64>) -> Ray<f32> {
     ray.map(f32::of, f32::of)
@@ -99,46 +105,40 @@ impl Narrow {
         ray: &Ray<f32>,
         min_t: f32,
     ) -> Option<Near<'_>> {
-        let prepared = Prepared::<f32, K>::new(ray);
-        let (sphere, triangle) = (&prepared.sphere, &prepared.triangle);
+        let Prepared {
+            sphere,
+            plane,
+            triangle,
+        } = &Prepared::<f32, K>::new(ray);
+        let (spheres, planes, triangles) = (&self.spheres, &self.planes, &self.triangles);
         let mut near = None;
-        self.planes
-            .all::<K::Plane>(&prepared.plane, min_t, Met::Plane, &mut near);
+        planes.all::<K::Plane>(ray, plane, min_t, Met::Plane, &mut near);
         match search {
             Search::BruteForce => {
-                self.spheres
-                    .all::<K::Sphere>(sphere, min_t, Met::Sphere, &mut near);
-                self.triangles
-                    .all::<K::Triangle>(triangle, min_t, Met::Triangle, &mut near);
+                spheres.all::<K::Sphere>(ray, sphere, min_t, Met::Sphere, &mut near);
+                triangles.all::<K::Triangle>(ray, triangle, min_t, Met::Triangle, &mut near);
             }
             Search::Boxes => {
-                let scaled = Scaled::new(ray);
-                self.spheres
-                    .boxed::<K::Sphere>(sphere, &scaled, min_t, Met::Sphere, &mut near);
-                self.triangles.boxed::<K::Triangle>(
-                    triangle,
-                    &scaled,
-                    min_t,
-                    Met::Triangle,
-                    &mut near,
-                );
+                spheres.boxed::<K::Sphere>(ray, sphere, min_t, Met::Sphere, &mut near);
+                triangles.boxed::<K::Triangle>(ray, triangle, min_t, Met::Triangle, &mut near);
             }
         }
         near
     }
 }
 
-impl<S> Default for Kind<S> {
+impl<S: Sifted> Default for Kind<S> {
     fn default() -> Kind<S> {
         Kind {
             shapes: Vec::new(),
+            rows: Vec::new(),
             places: Vec::new(),
             tree: Bvh2::default(),
         }
     }
 }
 
-impl<S> Kind<S> {
+impl<S: Sifted> Kind<S> {
     fn new<W>(parts: &[(u32, W)], primitive: fn(W) -> Primitive) -> Kind<S>
     where
         W: Shape<With<f32> = S>,
@@ -157,8 +157,10 @@ impl<S> Kind<S> {
             false => tree.primitive_indices.clone(),
         };
         let ordered = || order.iter().map(|at| &parts[*at as usize]);
+        let shapes: Vec<S> = ordered().map(|part| part.1.map(f32::of, f32::of)).collect();
         Kind {
-            shapes: ordered().map(|part| part.1.map(f32::of, f32::of)).collect(),
+            rows: shapes.chunks(EIGHT).map(S::rows).collect(),
+            shapes,
             places: ordered().map(|part| part.0).collect(),
             tree,
         }
@@ -187,38 +189,122 @@ impl<S> Kind<S> {
     #[inline(always)]
     fn all<'a, K: Kernel<S, f32>>(
         &'a self,
-        ray: &K::Prepared,
+        ray: &Ray<f32>,
+        prepared: &K::Prepared,
         min_t: f32,
         met: fn(&'a S) -> Met<'a>,
         near: &mut Option<Near<'a>>,
     ) {
-        for at in 0..self.shapes.len() {
-            self.meet::<K>(at, ray, min_t, met, near);
+        if self.shapes.len() < FEW {
+            return (0..self.shapes.len()).for_each(|at| {
+                self.meet::<K>(at, prepared, min_t, met, near);
+            });
+        }
+        for (chunk, rows) in self.rows.iter().enumerate() {
+            let margins = S::margins(rows, ray);
+            if !margins.iter().any(|margin| *margin >= 0.0) {
+                continue;
+            }
+            for (lane, margin) in margins.into_iter().enumerate() {
+                let at = chunk * EIGHT + lane;
+                if margin >= 0.0 && at < self.shapes.len() {
+                    self.meet::<K>(at, prepared, min_t, met, near);
+                }
+            }
         }
     }
 
     #[inline(always)]
     fn boxed<'a, K: Kernel<S, f32>>(
         &'a self,
-        ray: &K::Prepared,
-        scaled: &Scaled<f32>,
+        ray: &Ray<f32>,
+        prepared: &K::Prepared,
         min_t: f32,
         met: fn(&'a S) -> Met<'a>,
         near: &mut Option<Near<'a>>,
     ) {
-        if self.tree.nodes.is_empty() {
-            return self.all::<K>(ray, min_t, met, near);
+        if self.shapes.len() <= EIGHT || self.tree.nodes.is_empty() {
+            return self.all::<K>(ray, prepared, min_t, met, near);
         }
-        let horizon = |near: &Option<Near>| {
-            let beyond = near.map_or(f32::MAX, |near| scaled.scale(near.t.next_up()));
-            beyond.min(f32::MAX)
-        };
-        let [origin, direction] = [scaled.ray.origin, scaled.ray.direction].map(Vector::array);
-        let line = BoxRay::new(origin.into(), direction.into(), 0.0, horizon(near));
-        self.tree.ray_traverse(line, &mut RayHit::none(), |_, at| {
-            self.meet::<K>(at, ray, min_t, met, near);
-            horizon(near)
-        });
+        let slabs = Slabs::of(ray, min_t);
+        let nodes = &self.tree.nodes;
+        let mut waiting: SmallVec<[(u32, f32); 64]> = SmallVec::new();
+        let mut beyond = slabs.horizon(near);
+        let mut next = (0, slabs.enters(nodes[0].aabb(), beyond));
+        loop {
+            let (at, entry) = next;
+            let node = &nodes[at as usize];
+            if entry <= beyond {
+                let first = node.first_index;
+                if node.prim_count == 0 {
+                    let [one, other] = [first, first + 1]
+                        .map(|at| (at, slabs.enters(nodes[at as usize].aabb(), beyond)));
+                    let (nearer, further) = match one.1 <= other.1 {
+                        true => (one, other),
+                        false => (other, one),
+                    };
+                    if further.1 <= beyond {
+                        waiting.push(further);
+                    }
+                    next = nearer;
+                    continue;
+                }
+                for at in first..first + node.prim_count {
+                    self.meet::<K>(at as usize, prepared, min_t, met, near);
+                }
+                beyond = slabs.horizon(near);
+            }
+            match waiting.pop() {
+                None => return,
+                Some(one) => next = one,
+            }
+        }
+    }
+}
+
+/// What is needed of a ray to say which boxes it meets.
+struct Slabs {
+    scaled: Scaled<f32>,
+    origin: Vec3A,
+    inverse: Vec3A,
+    from: f32,
+}
+
+/// Both ends of a slab are off by 3u of themselves at most.
+const ROOM: f32 = 1.0 + 4.0 * f32::EPSILON;
+
+impl Slabs {
+    #[inline(always)]
+    fn of(ray: &Ray<f32>, min_t: f32) -> Slabs {
+        let scaled = Scaled::new(ray);
+        let inverse = |d: f32| if d == 0.0 { f32::MAX } else { 1.0 / d };
+        Slabs {
+            origin: scaled.ray.origin.array().into(),
+            inverse: scaled.ray.direction.map(inverse).array().into(),
+            from: scaled.scale(min_t),
+            scaled,
+        }
+    }
+
+    /// What lies beyond it cannot be first.
+    #[inline(always)]
+    fn horizon(&self, near: &Option<Near>) -> f32 {
+        let beyond = near.map_or(f32::MAX, |near| self.scaled.scale(near.t) * ROOM);
+        beyond.min(f32::MAX)
+    }
+
+    /// Where a ray enters a box, or infinity.
+    #[inline(always)]
+    fn enters(&self, room: &Aabb, beyond: f32) -> f32 {
+        let low = (room.min - self.origin) * self.inverse;
+        let high = (room.max - self.origin) * self.inverse;
+        let near = low.min(high).max_element();
+        let near = if near > self.from { near } else { self.from };
+        let far = low.max(high).min_element() * ROOM;
+        match near <= far && near <= beyond {
+            true => near,
+            false => f32::INFINITY,
+        }
     }
 }
 

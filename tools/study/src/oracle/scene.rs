@@ -32,6 +32,47 @@ impl Sight<'_> {
     }
 }
 
+/// What somebody sees, beside what is true.
+#[derive(Clone, Copy, Debug)]
+pub enum Compared<'a> {
+    /// Both see nothing, or an exact equality decides and any answer is as good.
+    Alike,
+    /// Another object, or none, or one where there is none.
+    AnotherObject,
+    /// The right object.
+    Off {
+        /// What is truly met.
+        part: &'a Part,
+        /// The error of t, relative to the true one.
+        t: f64,
+        /// The angle between the normals, in radians.
+        normal: f64,
+    },
+}
+
+impl<'a> Sight<'a> {
+    /// What is seen along this ray: object, t and normal.
+    pub fn compared(&self, ray: &Ray<f64>, seen: Option<(u32, f64, Vector<f64>)>) -> Compared<'a> {
+        if !self.allows(seen.map(|(object, ..)| object)) {
+            return Compared::AnotherObject;
+        }
+        let (Some((part, met)), Some((object, t, direction))) = (&self.first, seen) else {
+            return Compared::Alike;
+        };
+        let Some(root) = met.t.as_ref().filter(|_| part.object == object) else {
+            return Compared::Alike;
+        };
+        // The sine and the cosine: near π the sine alone is small too.
+        let truth = normal(&part.shape, ray, root);
+        let off = truth.cross(direction);
+        Compared::Off {
+            part,
+            t: root.relative_error(t),
+            normal: off.dot(off).sqrt().atan2(truth.dot(direction)),
+        }
+    }
+}
+
 /// What a ray meets first, from `min_t` on.
 pub fn sight<'a>(parts: &'a [Part], ray: &Ray<f64>, min_t: f64) -> Sight<'a> {
     let near = parts
