@@ -3,6 +3,7 @@
 
 mod headings;
 mod images;
+mod left_over;
 mod links;
 mod pages;
 mod solutions;
@@ -77,6 +78,7 @@ fn built(built: &Built, checkout: &Checkout) -> Result<Vec<Problem>> {
     let mut problems = built.problems.clone();
     problems.extend(links::dead(&pages, &built.folder, built.edition));
     problems.extend(images::silent(&pages));
+    problems.extend(left_over::left_over(&pages));
     if built.edition == Edition::Student {
         let (course, mistakes) = (Course::read(checkout)?, course::mistakes(checkout)?);
         problems.extend(headings::missing(&pages, &course, &mistakes));

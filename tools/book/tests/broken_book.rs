@@ -115,6 +115,11 @@ fn runs_values_and_figures_must_be_there() {
 }
 
 #[test]
+fn no_directive_is_left_as_it_was_written() {
+    assert_told("`{{#value slide_u}}`", "stands in code");
+}
+
+#[test]
 fn links_and_anchors_must_lead_somewhere() {
     assert_told("[gone](gone.md)", "there is no such page or file");
     assert_told("[gone](#gone)", "the page has no anchor `gone`");

@@ -23,6 +23,8 @@ pub struct Page {
     pub headings: Vec<String>,
     /// For each image, drawing and canvas: how it is named, and its alternative text.
     pub images: Vec<(String, Option<String>)>,
+    /// Directives that stand in it as they were written.
+    pub directives: Vec<String>,
 }
 
 /// Files made by mdBook that hold no page of their own.
@@ -86,6 +88,10 @@ impl Page {
                 let text = element.attr("alt").or(element.attr("aria-label"));
                 page.images.push((named.into(), text.map(str::to_owned)));
             }
+        }
+        for begun in text.split("{{#").skip(1) {
+            let directive = begun.split("}}").next().unwrap_or_default();
+            page.directives.push(directive.into());
         }
         page
     }
