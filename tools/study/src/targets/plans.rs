@@ -4,6 +4,8 @@
 use super::counted;
 use crate::result::{PlanTally, Target};
 
+type Ratio = fn(&PlanTally) -> f64;
+
 pub fn targets(plans: &[PlanTally]) -> Vec<Target> {
     if plans.is_empty() {
         return Vec::new();
@@ -28,7 +30,7 @@ pub fn targets(plans: &[PlanTally]) -> Vec<Target> {
             is_time: false,
         },
     ];
-    let times: [(&str, &str, fn(&PlanTally) -> f64, f64); 2] = [
+    let times: [(&str, &str, Ratio, f64); 2] = [
         (
             "plans: time over the most accurate way",
             "below 1",
