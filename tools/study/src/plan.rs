@@ -4,10 +4,11 @@
 //!    worst of that for all rays that a scene's camera can send, before any is cast.
 //! 2. Where the worst is too much, [`watch`] tells it of each hit from its own numbers, and
 //!    [`casting`] casts again, in better numbers, what is uncertain.
-//! 3. [`crossover`] says, from measured times, what is cheaper: `f32` or `f64`, boxes or
-//!    every part.
-//! 4. [`sample`] casts some of the scene's rays as planned and lets the oracle judge; what
-//!    it refuses is planned anew.
+//! 3. [`crossover`] says, from measured times, which search is cheaper: boxes or every
+//!    part.
+//! 4. [`sample`] casts some of the scene's rays: in `f32` and in `f64`, if either would do,
+//!    to see which is faster; and as planned, to let the oracle judge. What it refuses is
+//!    planned anew.
 //! 5. [`told`] puts it in words.
 //!
 //! Bounds are about t and normals, wherever the right thing is met. Whether it is, at a
@@ -163,6 +164,10 @@ pub fn plan(scene: &Scene, wish: Wish) -> Result<(Plan, Casting), String> {
     planned(scene, &world, &sample, rays.len(), wish)
 }
 
+/// `f32` is chosen if it takes less than this part of what `f64` takes: what differs less
+/// would be decided by chance.
+const WORTH: f64 = 0.9;
+
 /// The same for a scene whose sample is known already.
 pub fn planned(
     scene: &Scene,
@@ -172,9 +177,23 @@ pub fn planned(
     wish: Wish,
 ) -> Result<(Plan, Casting), String> {
     let mut chooser = Chooser::new(scene, world, wish, sample)?;
+    let casting = |chooser: &Chooser| Casting::new(world, scene.min_t, chooser.how());
+    if chooser.uses_f32() {
+        let without = chooser.without_f32();
+        let [narrow, wide] = sample.race([&casting(&chooser), &casting(&without)]);
+        let times = format!("{narrow:.0} ns in f32, {wide:.0} ns in f64");
+        let is_worth_it = narrow < wide * WORTH;
+        let (best, loser) = match is_worth_it {
+            true => (chooser, "f64"),
+            false => (without, "f32"),
+        };
+        chooser = best;
+        chooser.leave_out(format!(
+            "{loser}, which would do: a ray of this scene takes {times}, measured"
+        ));
+    }
     loop {
-        let how = chooser.how();
-        let casting = Casting::new(world, scene.min_t, how.clone());
+        let (how, casting) = (chooser.how(), casting(&chooser));
         let confirmed = sample.confirm(&casting, &wish);
         let refused = Kind::ALL
             .into_iter()

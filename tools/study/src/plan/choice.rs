@@ -4,7 +4,7 @@ use pinhole::Scene;
 
 use super::bounds::{Bound, Rounding};
 use super::casting::How;
-use super::crossover::{MIXED_WORTH, boxes_from, narrow_worth, search};
+use super::crossover::{boxes_from, search};
 use super::extent::Extent;
 use super::sample::{Confirmed, Sample};
 use super::told::{angle, bounded, count, percent};
@@ -16,12 +16,13 @@ use crate::cast::{Caster, Search, Tally};
 use crate::number::Real;
 
 /// Where more hits than this are uncertain in `f32`, casting them again in `f64` takes
-/// what `f32` has spared (see [`super::crossover`]).
+/// what `f32` can spare.
 const MOST_AGAIN_IN_F64: f64 = 0.2;
 /// Where more are uncertain in `f64`, watching them is spared, and all are exact.
 const MOST_AGAIN_EXACTLY: f64 = 0.5;
 
 /// What is known of one kind, and chosen for it.
+#[derive(Clone)]
 struct Chosen {
     parts: usize,
     /// For all rays, in `f32` and in `f64`.
@@ -34,6 +35,7 @@ struct Chosen {
 }
 
 /// A plan in the making.
+#[derive(Clone)]
 pub struct Chooser {
     wish: Wish,
     kinds: [Option<Chosen>; 3],
@@ -90,69 +92,41 @@ impl Chooser {
                 });
             }
         }
-        let worth = narrow_worth(chooser.parts(Kind::Sphere), chooser.parts(Kind::Triangle));
-        let why_not = match (wish.exact_ids, worth < 1.0) {
-            (true, _) => Some("exact ids are filtered in f64".into()),
-            (false, true) => Some(format!("measured, it is no faster {}", chooser.for_parts())),
-            (false, false) => None,
+        let cheapest = match wish.exact_ids {
+            true => Numbers::F64,
+            false => Numbers::F32,
         };
-        let cheapest = why_not.as_ref().map_or(Numbers::F32, |_| Numbers::F64);
-        chooser
-            .left_out
-            .extend(why_not.map(|why| format!("f32: {why}")));
+        let why_not = wish
+            .exact_ids
+            .then(|| "f32: exact ids are filtered in f64".into());
+        chooser.left_out.extend(why_not);
         for kind in Kind::ALL {
             chooser.choose(kind, cheapest);
         }
-        chooser.unmix();
         Ok(chooser)
     }
 
-    /// How many there are.
-    fn parts(&self, kind: Kind) -> usize {
-        let chosen = self.kinds[kind as usize].as_ref();
-        chosen.map_or(0, |chosen| chosen.parts)
+    /// Whether anything is to be cast in `f32`.
+    pub fn uses_f32(&self) -> bool {
+        let mut chosen = self.kinds.iter().flatten();
+        chosen.any(|chosen| chosen.numbers == Numbers::F32)
     }
 
-    /// In words, but for planes, of which no scene has many.
-    fn for_parts(&self) -> String {
-        let kinds = [Kind::Sphere, Kind::Triangle].into_iter();
-        let there = kinds.filter(|kind| self.parts(*kind) > 0);
-        let told: Vec<String> = there
-            .map(|kind| count(self.parts(kind), kind.name()))
-            .collect();
-        match told.is_empty() {
-            true => "for planes".into(),
-            false => format!("for {}", told.join(" and ")),
+    /// The same without `f32`.
+    pub fn without_f32(&self) -> Chooser {
+        let mut without = self.clone();
+        for kind in Kind::ALL {
+            let chosen = self.kinds[kind as usize].as_ref();
+            if chosen.is_some_and(|chosen| chosen.numbers == Numbers::F32) {
+                without.choose(kind, Numbers::F64);
+            }
         }
+        without
     }
 
-    /// Gives up `f32` for some kinds if other kinds cannot have it and that is not worth it.
-    fn unmix(&mut self) {
-        let is_narrow = |chosen: &Option<Chosen>| {
-            chosen
-                .as_ref()
-                .is_some_and(|chosen| chosen.numbers == Numbers::F32)
-        };
-        let narrow: Vec<Kind> = Kind::ALL
-            .into_iter()
-            .filter(|kind| is_narrow(&self.kinds[*kind as usize]))
-            .collect();
-        let of = |kind| match narrow.contains(&kind) {
-            true => self.parts(kind),
-            false => 0,
-        };
-        let worth = narrow_worth(of(Kind::Sphere), of(Kind::Triangle));
-        let is_mixed = narrow.len() < self.kinds.iter().flatten().count();
-        if narrow.is_empty() || !is_mixed || worth >= MIXED_WORTH {
-            return;
-        }
-        for kind in narrow {
-            self.left_out.push(format!(
-                "f32 for {}: measured, two types in one scene cost more than it spares",
-                kind.name()
-            ));
-            self.choose(kind, Numbers::F64);
-        }
+    /// One more thing that is left out.
+    pub fn leave_out(&mut self, what: String) {
+        self.left_out.push(what);
     }
 
     /// The cheapest numbers that are no worse than `from` and serve.
@@ -219,7 +193,6 @@ impl Chooser {
             kind.name()
         ));
         self.choose(kind, next);
-        self.unmix();
         Ok(())
     }
 
@@ -256,7 +229,7 @@ impl Chooser {
     pub fn plan(self, how: &How, confirmed: Confirmed, pixels: usize) -> Plan {
         let wish = self.wish;
         let is_narrow = |chosen: &&Chosen| chosen.numbers == Numbers::F32;
-        let uses_f32 = self.kinds.iter().flatten().any(|chosen| is_narrow(&chosen));
+        let uses_f32 = self.uses_f32();
         let (search, numbers) = match (uses_f32, wish.exact_ids) {
             (true, _) => (how.narrow, Numbers::F32),
             (false, true) => (how.wide, Numbers::Exact),

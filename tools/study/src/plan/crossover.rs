@@ -1,4 +1,5 @@
-//! What is cheaper: measured, and kept here.
+//! Which search is cheaper: measured, and kept here. (Whether `f32` is cheaper depends on
+//! more than a count, and is raced on a scene's own rays: [`super::sample`].)
 //!
 //! Made scenes of 1 to 128 balls or triangles that fill the same ball are cast in every
 //! way. `cargo run --release -- study --only crossover` measures again and prints the
@@ -30,16 +31,6 @@ pub fn boxes_from(kind: Kind, numbers: Numbers) -> usize {
         (Kind::Triangle, Numbers::Exact) => 14,
     }
 }
-
-/// How often a scene of so many spheres and triangles holds the parts that make `f32`,
-/// eight at a time, cheaper than `f64`: from 1 on it is.
-pub fn narrow_worth(spheres: usize, triangles: usize) -> f64 {
-    spheres as f64 / 12.0 + triangles as f64 / 6.0
-}
-
-/// Where only some kinds of shapes can be in `f32`, each ray is asked twice, and so much of
-/// [`narrow_worth`] is needed to make up for that.
-pub const MIXED_WORTH: f64 = 4.0;
 
 /// The cheaper search for so many spheres and triangles: both take their share of what a
 /// tree costs.

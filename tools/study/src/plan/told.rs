@@ -10,8 +10,8 @@ pub fn percent(share: f64) -> String {
     match share * 100.0 {
         0.0 => "none".into(),
         100.0 => "all".into(),
-        p if !(10.0..=99.0).contains(&p) => format!("{p:.1} %"),
-        p => format!("{p:.0} %"),
+        p if (10.0..=99.0).contains(&p) => format!("{p:.0} %"),
+        p => format!("{p:.1} %"),
     }
 }
 
