@@ -1,0 +1,103 @@
+//! Parts that are asked for by themselves.
+
+use std::fs;
+use std::path::Path;
+
+use pinhole::{Resolution, Scene};
+use pinhole_study::film;
+use pinhole_study::judge::rule_of_three;
+use pinhole_study::plan::told::told;
+use pinhole_study::plan::{Wish, plan};
+use pinhole_study::record::{self, Count, Hardness, Leaks};
+use pinhole_study::run::Extent;
+use pinhole_study::theirs::asked;
+use serde_json::json;
+
+/// A scene file, at another resolution if one is given.
+fn read(file: &Path, resolution: &[usize]) -> Result<Scene, String> {
+    let mut scene = Scene::read(file).map_err(|error| error.to_string())?;
+    if let [n_x, n_y] = *resolution {
+        scene.resolution = Resolution { n_x, n_y };
+    }
+    Ok(scene)
+}
+
+/// Casts a film, exactly or as planned, and says on standard output what that took, as
+/// JSON.
+pub fn cast(
+    file: &Path,
+    resolution: &[usize],
+    wish: Option<Wish>,
+    to: &Path,
+) -> Result<(), String> {
+    let scene = read(file, resolution)?;
+    let report = match wish {
+        None => json!(film::exact(&scene, to).map_err(|error| error.to_string())?),
+        Some(wish) => json!(film::planned(&scene, wish, to)?),
+    };
+    println!("{report}");
+    Ok(())
+}
+
+/// Plans, and says what and why.
+pub fn tell(file: &Path, resolution: &[usize], wish: Wish, is_json: bool) -> Result<(), String> {
+    let scene = read(file, resolution)?;
+    let (plan, _) = plan(&scene, wish)?;
+    let name = file.file_stem().unwrap_or_default().to_string_lossy();
+    match is_json {
+        true => println!("{:#}", json!(plan)),
+        false => print!("{}", told(&plan, &name)),
+    }
+    Ok(())
+}
+
+/// Writes what a student's code is asked.
+pub fn questions(file: &Path, seed: u64) -> Result<(), String> {
+    let asked = asked(Extent::QUICK.questions, seed).map_err(|error| error.to_string())?;
+    let bytes = postcard::to_stdvec(&asked).map_err(|error| error.to_string())?;
+    fs::write(file, bytes).map_err(|error| format!("cannot write {}: {error}", file.display()))
+}
+
+/// The long runs; whether nothing was wrong.
+pub fn record(random: u64, adversarial: u64, edges: u64, seed: u64) -> bool {
+    let mut is_well = true;
+    for (name, hardness, count) in [
+        ("random", Hardness::Random, random),
+        ("adversarial", Hardness::Adversarial, adversarial),
+    ] {
+        let Count { asked, wrong } = record::decisions(hardness, count, seed);
+        println!(
+            "{name}: {wrong} wrong decisions in {asked}{}",
+            bound(wrong, asked)
+        );
+        is_well &= wrong == 0;
+    }
+    let Leaks {
+        rays,
+        leaks,
+        double_hits,
+        lost_in_boxes,
+    } = record::leaks(edges, seed);
+    println!(
+        "edges and vertices: {leaks} leaks, {double_hits} double hits, {lost_in_boxes} lost in \
+         boxes, in {rays} rays{}",
+        bound(leaks + double_hits + lost_in_boxes, rays)
+    );
+    is_well &= leaks + double_hits + lost_in_boxes == 0;
+    println!("camera rays, as computed and as rounded once (apart from all above):");
+    for camera in record::cameras() {
+        println!(
+            "{}: up to {:.1e} rad and {:.1e} of the origin apart; {} of {} pixels change",
+            camera.scene, camera.angle, camera.origin, camera.changed, camera.pixels
+        );
+    }
+    is_well
+}
+
+/// What a count of 0 says of the rate.
+fn bound(wrong: u64, asked: u64) -> String {
+    match wrong {
+        0 => format!(" (below {:.1e} with 95 % confidence)", rule_of_three(asked)),
+        _ => String::new(),
+    }
+}
