@@ -172,28 +172,29 @@ impl<'a, 'r, M: Model> Nearest<'a, 'r, M> {
         }
     }
 
-    /// The same of four triangles, which these parts are.
+    /// The same of four triangles, which are the parts from `first` on.
     #[inline(always)]
-    fn consider_four(&mut self, four: &Four, limits: &Limits<f64>, parts: &'a [Part]) {
-        self.tally.tests += parts.len() as u64;
+    fn consider_four(&mut self, four: &Four, limits: &Limits<f64>, parts: &'a [Part], first: u32) {
+        self.tally.tests += u64::from(four.count());
         let met = M::meet_four(four, limits, &self.prepared, self.min_t);
-        let mut open = met.open;
-        for (lane, part) in parts.iter().enumerate() {
-            if met.hits >> lane & 1 == 1 {
-                match M::given(met.t[lane], &self.prepared) {
-                    t if t.is_finite() => self.keep(Found { part, t }),
-                    _ => open |= 1 << lane,
-                }
+        let (mut hits, mut open) = (met.hits, met.open);
+        while hits != 0 {
+            let lane = hits.trailing_zeros();
+            hits &= hits - 1;
+            let part = &parts[(first + lane) as usize];
+            match M::given(met.t[lane as usize & 3], &self.prepared) {
+                t if t.is_finite() => self.keep(Found { part, t }),
+                _ => open |= 1 << lane,
             }
         }
         if open != 0 {
-            self.consider_open(open, parts);
+            self.consider_open(open, &parts[first as usize..]);
         }
     }
 
     #[cold]
     fn consider_open(&mut self, open: u32, parts: &'a [Part]) {
-        for (lane, part) in parts.iter().enumerate() {
+        for (lane, part) in parts.iter().take(4).enumerate() {
             if open >> lane & 1 == 0 {
                 continue;
             }

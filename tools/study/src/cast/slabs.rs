@@ -5,9 +5,9 @@
 //! a ray: a near side is taken for nearer, a far side for further. In the scene's own
 //! [`Frame`], with u = 2⁻²⁴, |p| ≤ 1.001 and, where anything is met, |e| ≤ [`NEAR`]:
 //!
-//! 1. e is the origin, moved along the ray to where it passes the middle of the scene if
-//!    it is far away. In `f64`, from a distance A, that is off by 2⁻⁴⁸ A at most (five
-//!    roundings of numbers up to 4A).
+//! 1. e is the origin; if that is far away, moved along the ray to a little before it
+//!    passes the middle of the scene, which leaves it within 6 of that. In `f64`, from a
+//!    distance A, it is off by 2⁻⁴⁸ A at most (five roundings of numbers up to 4A).
 //! 2. The inverse is off by u of itself, p × inverse by one more u, what is left when the
 //!    offset is taken from it by u (|p| + |e|) |inverse|, and the offset, rounded, by
 //!    u |e| |inverse|. Together that is below u (3.1 + 2.1 |e|) |inverse|; the spare is
@@ -46,8 +46,8 @@ pub struct Slabs {
     inverse: [f32x4; 3],
     /// What to take from a near side's product, and from a far side's.
     offset: [[f32x4; 3]; 2],
-    /// Which of a box's two sides is the near one.
-    near: [usize; 3],
+    /// Which of a box's two sides is the near one, and which the far.
+    order: [[usize; 3]; 2],
     from: f32x4,
     /// t as given times 2^`exponent`, minus `moved`, is t here.
     exponent: i32,
@@ -68,7 +68,7 @@ impl Slabs {
             if !(away < TOO_FAR) {
                 return None;
             }
-            moved = -origin.dot(d) / d.dot(d);
+            moved = -origin.dot(d) / d.dot(d) - 2.0;
             origin = origin + d * moved;
         }
         let slack = 4.0 * UNIT * (1.0 + origin.largest()) + away * f64::EPSILON * 32.0;
@@ -96,7 +96,10 @@ impl Slabs {
         Some(Slabs {
             inverse: [x.0, y.0, z.0].map(f32x4::splat),
             offset: [[x.1, y.1, z.1], [x.2, y.2, z.2]].map(|side| side.map(f32x4::splat)),
-            near: [x.0, y.0, z.0].map(|inverse| usize::from(inverse < 0.0)),
+            order: [
+                [x.0, y.0, z.0].map(|inverse| usize::from(inverse < 0.0)),
+                [x.0, y.0, z.0].map(|inverse| usize::from(inverse >= 0.0)),
+            ],
             from: f32x4::splat(from.max(-BEYOND).next_down()),
             exponent,
             moved,
@@ -114,7 +117,7 @@ impl Slabs {
     #[inline(always)]
     pub fn enter(&self, boxes: &Boxes, horizon: f32) -> (u32, [f32; 4]) {
         let side = |axis: usize, far: usize| {
-            boxes[(self.near[axis] ^ far) & 1][axis] * self.inverse[axis] - self.offset[far][axis]
+            boxes[self.order[far][axis] & 1][axis] * self.inverse[axis] - self.offset[far][axis]
         };
         let near = side(0, 0)
             .fast_max(side(1, 0))

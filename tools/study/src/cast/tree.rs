@@ -12,11 +12,11 @@
 
 use std::time::Duration;
 
+use arrayvec::ArrayVec;
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2;
-use smallvec::SmallVec;
 use wide::f32x4;
 
 use super::Nearest;
@@ -48,7 +48,6 @@ struct Leaf {
     limits: Limits<f64>,
     /// The first of the parts that they are.
     first: u32,
-    count: u32,
 }
 
 /// A tree over the parts of a world.
@@ -124,31 +123,34 @@ impl Tree {
             return nearest.consider(&world.parts[..self.boundless]);
         };
         let mut horizon = slabs.horizon(nearest.horizon());
-        let mut waiting: SmallVec<[(f32, u32); 64]> = SmallVec::new();
+        let mut waiting = Waiting::default();
         let mut at = 0;
         loop {
             if at & LEAF == 0 {
                 let node = &self.nodes[at as usize];
                 let (mut met, entries) = slabs.enter(&node.boxes, horizon);
-                // The nearest comes last, and is next.
-                let before = waiting.len();
-                while met != 0 {
-                    let one = met.trailing_zeros() as usize & 3;
-                    met &= met - 1;
-                    waiting.push((entries[one], node.inside[one]));
-                    let mut last = waiting.len() - 1;
-                    while last > before && waiting[last - 1].0 < waiting[last].0 {
-                        waiting.swap(last - 1, last);
-                        last -= 1;
+                if met != 0 {
+                    let take = |met: &mut u32| {
+                        let lane = met.trailing_zeros() as usize & 3;
+                        *met &= *met - 1;
+                        Waiting::ticket(entries[lane], node.inside[lane])
+                    };
+                    let before = waiting.tickets.len();
+                    let mut near = take(&mut met);
+                    while met != 0 {
+                        let other = take(&mut met);
+                        waiting.add(near.max(other));
+                        near = near.min(other);
                     }
+                    waiting.order_from(before);
+                    at = near as u32;
+                    continue;
                 }
             } else {
                 match at & LONE {
                     0 => {
                         let leaf = &self.leaves[(at & !LEAF) as usize];
-                        let first = leaf.first as usize;
-                        let parts = &world.parts[first..first + leaf.count as usize];
-                        nearest.consider_four(&leaf.four, &leaf.limits, parts);
+                        nearest.consider_four(&leaf.four, &leaf.limits, &world.parts, leaf.first);
                     }
                     _ => {
                         let part = (at & !(LEAF | LONE)) as usize;
@@ -157,13 +159,61 @@ impl Tree {
                 }
                 horizon = slabs.horizon(nearest.horizon());
             }
-            at = loop {
-                match waiting.pop() {
-                    None => return,
-                    Some((entry, next)) if entry <= horizon => break next,
-                    Some(_) => (),
+            match waiting.next(horizon) {
+                None => return,
+                Some(next) => at = next,
+            }
+        }
+    }
+}
+
+/// What a search has still to look into, as tickets: where the ray enters, in the upper
+/// half, for the bits of floats that are not negative are in the floats' own order; and
+/// what it enters.
+#[derive(Default)]
+struct Waiting {
+    tickets: ArrayVec<u64, 128>,
+    /// For trees that are deeper than any seen.
+    more: Vec<u64>,
+}
+
+impl Waiting {
+    #[inline(always)]
+    fn ticket(entry: f32, inside: u32) -> u64 {
+        u64::from(entry.max(0.0).to_bits()) << 32 | u64::from(inside)
+    }
+
+    #[inline(always)]
+    fn add(&mut self, ticket: u64) {
+        if self.tickets.try_push(ticket).is_err() {
+            self.more.push(ticket);
+        }
+    }
+
+    /// The nearest of what came last is to be next.
+    #[inline(always)]
+    fn order_from(&mut self, before: usize) {
+        for end in before + 1..self.tickets.len() {
+            for at in (before..end).rev() {
+                if self.tickets[at] < self.tickets[at + 1] {
+                    self.tickets.swap(at, at + 1);
                 }
+            }
+        }
+    }
+
+    /// What is entered before the horizon.
+    #[inline(always)]
+    fn next(&mut self, horizon: f32) -> Option<u32> {
+        let beyond = Waiting::ticket(horizon, u32::MAX);
+        loop {
+            let ticket = match self.tickets.pop() {
+                Some(ticket) => ticket,
+                None => self.more.pop()?,
             };
+            if ticket <= beyond {
+                return Some(ticket as u32);
+            }
         }
     }
 }
@@ -281,9 +331,9 @@ impl Fours<'_> {
         };
         let triangles: Vec<Triangle<f64>> =
             self.ordered[first..].iter().filter_map(triangle).collect();
-        let Some(count @ 1..) = u32::try_from(triangles.len()).ok() else {
+        if triangles.is_empty() {
             return LEAF | LONE | first as u32;
-        };
+        }
         let most =
             |of: &dyn Fn(&Triangle<f64>) -> f64| triangles.iter().map(of).fold(0.0, f64::max);
         let size = most(&triangle::size);
@@ -292,7 +342,6 @@ impl Fours<'_> {
             four: Four::new(&triangles),
             limits: triangle::limits(size, away),
             first: first as u32,
-            count,
         });
         LEAF | (self.tree.leaves.len() - 1) as u32
     }

@@ -56,6 +56,12 @@ impl Four {
         }
     }
 
+    /// How many there are.
+    #[inline(always)]
+    pub fn count(&self) -> u32 {
+        self.all.count_ones()
+    }
+
     /// Nothing is known of any of them.
     #[inline(always)]
     pub fn left_open(&self) -> Met {
