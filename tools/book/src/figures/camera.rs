@@ -276,7 +276,7 @@ pub fn pixel_space(_: &Checkout) -> Result<Made> {
 
 /// The eye, the image plane with a coarse grid, and the ray of pixel (2, 3).
 pub fn viewing_ray(_: &Checkout) -> Result<Made> {
-    let mut drawing = Drawing::new(680.0, dvec2(-4.4, -2.1), dvec2(4.9, 2.6));
+    let mut drawing = Drawing::new(680.0, dvec2(-4.4, -2.3), dvec2(4.9, 2.9));
     let space = Space {
         axes: [dvec2(0.42, -0.36), dvec2(0.0, 1.0), dvec2(-1.0, -0.08)],
     };
@@ -316,6 +316,6 @@ pub fn viewing_ray(_: &Checkout) -> Result<Made> {
     drawing.text(at(eye), Side::Below, "*e*, t = 0");
     drawing.text(at(on(0.0, 5.0)), Side::Above, "*s*, t = 1");
     drawing.line(at(on(0.0, 5.0)), at(s), &ink().dashed());
-    drawing.small(at(on(5.0, 0.0)), Side::Below, "image plane");
+    drawing.small(at(on(10.0, 0.0)), Side::Below, "image plane");
     Ok(drawing.made())
 }
