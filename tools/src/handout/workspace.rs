@@ -21,14 +21,19 @@ fn members(assignment: &str) -> String {
 /// them: they hold formulas which students are to find, or belong to a package that does.
 const FEATURES: [&str; 2] = ["validate", "study"];
 /// Where their modules are declared; rustfmt looks for them whatever the features are.
-const PARENTS: [&str; 2] = ["tools/src/main.rs", "tools/src/command.rs"];
+const PARENTS: [&str; 3] = [
+    "tools/src/main.rs",
+    "tools/src/cli.rs",
+    "tools/src/command.rs",
+];
 /// Whose profiles only such a package needs: cargo warns of profiles for nobody.
 const AT_HOME: [&str; 4] = ["bvh", "dashu-", "obvhs", "parry3d"];
 
 /// Whether a source belongs to one of [`FEATURES`].
 fn stays(path: &str) -> bool {
     FEATURES.iter().any(|feature| {
-        let own = ["tools/src/", "tools/src/command/"].map(|folder| format!("{folder}{feature}"));
+        let own = ["tools/src/", "tools/src/cli/", "tools/src/command/"]
+            .map(|folder| format!("{folder}{feature}"));
         own.iter().any(|own| {
             let rest = path.strip_prefix(own.as_str());
             rest.is_some_and(|rest| rest == ".rs" || rest.starts_with('/'))
