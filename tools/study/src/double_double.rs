@@ -135,6 +135,13 @@ impl<F: Real> DoubleVector<F> {
         DoubleVector(vector.array().map(DoubleDouble::from))
     }
 
+    /// The largest component's magnitude, rounded.
+    #[inline(always)]
+    pub fn largest(self) -> F {
+        let [x, y, z] = self.0.map(|component| component.high.abs());
+        x.max(y).max(z)
+    }
+
     /// The dot product.
     #[inline(always)]
     pub fn dot(self, other: DoubleVector<F>) -> DoubleDouble<F> {

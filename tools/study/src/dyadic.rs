@@ -18,8 +18,9 @@ use smallvec::SmallVec;
 use crate::double_double::DoubleDouble;
 use crate::number::Real;
 
-/// As many bits as everyday numbers need are kept in place; more go to the heap.
-type Limbs = SmallVec<[u64; 8]>;
+/// As many limbs as everyday numbers need are kept in place; more go to the heap.
+const IN_PLACE: usize = 8;
+type Limbs = SmallVec<[u64; IN_PLACE]>;
 
 /// ±`limbs` × 2^`exponent`.
 #[derive(Clone, Debug)]
@@ -57,18 +58,50 @@ impl Dyadic {
         }
     }
 
-    /// The limbs, as they are with a smaller exponent.
+    /// The limbs, as they are with an exponent that is smaller or the same.
+    #[inline]
     fn limbs_at(&self, exponent: i64) -> Limbs {
         let shift = (self.exponent - exponent) as usize;
         let (whole, part) = (shift / 64, shift % 64);
-        let mut limbs = Limbs::from_elem(0, whole);
-        let mut carry = 0;
-        for limb in &self.limbs {
-            limbs.push(limb << part | carry);
-            carry = (limb >> 1) >> (63 - part);
+        limbs(whole + self.limbs.len() + 1, |to| {
+            let mut carry = 0;
+            for (limb, place) in self.limbs.iter().zip(&mut to[whole..]) {
+                *place = limb << part | carry;
+                carry = (limb >> 1) >> (63 - part);
+            }
+            to[whole + self.limbs.len()] = carry;
+        })
+    }
+
+    /// `self` + `other`, or − `other`.
+    #[inline]
+    fn plus(&self, other: &Dyadic, is_less: bool) -> Dyadic {
+        let other_negative = other.negative != is_less;
+        match (self.sign(), other.sign()) {
+            (_, 0) => return self.clone(),
+            (0, _) if is_less => return -other.clone(),
+            (0, _) => return other.clone(),
+            _ => (),
         }
-        limbs.push(carry);
-        trimmed(limbs)
+        let exponent = self.exponent.min(other.exponent);
+        let (a, b) = (self, other);
+        let (negative, limbs) = match self.negative == other_negative {
+            // Of the two, one is as it is.
+            true if a.exponent == exponent => (a.negative, sum(&b.limbs_at(exponent), &a.limbs)),
+            true => (a.negative, sum(&a.limbs_at(exponent), &b.limbs)),
+            false => {
+                let (a, b) = (a.limbs_at(exponent), b.limbs_at(exponent));
+                match compared(&a, &b) {
+                    Ordering::Less => (other_negative, difference(b, &a)),
+                    _ => (self.negative, difference(a, &b)),
+                }
+            }
+        };
+        Dyadic {
+            negative,
+            limbs,
+            exponent,
+        }
     }
 
     /// The first 106 bits and where they stand: `value` × 2^`exponent`, `value.high` in
@@ -94,10 +127,28 @@ impl Dyadic {
     }
 }
 
+/// So many limbs, which are 0 before they are filled in.
+#[inline(always)]
+fn limbs(count: usize, fill: impl FnOnce(&mut [u64])) -> Limbs {
+    let mut in_place = [0; IN_PLACE];
+    let limbs = match in_place.get_mut(..count) {
+        Some(few) => {
+            fill(few);
+            Limbs::from_buf_and_len(in_place, count)
+        }
+        None => {
+            let mut many = vec![0; count];
+            fill(&mut many);
+            Limbs::from_vec(many)
+        }
+    };
+    trimmed(limbs)
+}
+
+#[inline(always)]
 fn trimmed(mut limbs: Limbs) -> Limbs {
-    while limbs.last() == Some(&0) {
-        limbs.pop();
-    }
+    let zeros = limbs.iter().rev().take_while(|limb| **limb == 0).count();
+    limbs.truncate(limbs.len() - zeros);
     limbs
 }
 
@@ -106,17 +157,22 @@ fn compared(a: &[u64], b: &[u64]) -> Ordering {
     longer.then_with(|| a.iter().rev().cmp(b.iter().rev()))
 }
 
-fn sum(mut a: Limbs, b: &[u64]) -> Limbs {
-    a.resize(a.len().max(b.len()) + 1, 0);
-    let mut carry = 0;
-    for (at, limb) in a.iter_mut().enumerate() {
-        let total = u128::from(*limb) + u128::from(b.get(at).copied().unwrap_or(0)) + carry;
-        (*limb, carry) = (total as u64, total >> 64);
-    }
-    trimmed(a)
+#[inline]
+fn sum(a: &[u64], b: &[u64]) -> Limbs {
+    let (longer, shorter) = if a.len() < b.len() { (b, a) } else { (a, b) };
+    limbs(longer.len() + 1, |to| {
+        let mut carry = 0;
+        for (at, limb) in longer.iter().enumerate() {
+            let total =
+                u128::from(*limb) + u128::from(shorter.get(at).copied().unwrap_or(0)) + carry;
+            (to[at], carry) = (total as u64, total >> 64);
+        }
+        to[longer.len()] = carry as u64;
+    })
 }
 
 /// `a` − `b`, where a ≥ b.
+#[inline]
 fn difference(mut a: Limbs, b: &[u64]) -> Limbs {
     let mut borrow = false;
     for (at, limb) in a.iter_mut().enumerate() {
@@ -130,22 +186,7 @@ fn difference(mut a: Limbs, b: &[u64]) -> Limbs {
 impl Add for &Dyadic {
     type Output = Dyadic;
     fn add(self, other: &Dyadic) -> Dyadic {
-        let exponent = match (self.sign(), other.sign()) {
-            (0, _) => return other.clone(),
-            (_, 0) => return self.clone(),
-            _ => self.exponent.min(other.exponent),
-        };
-        let (a, b) = (self.limbs_at(exponent), other.limbs_at(exponent));
-        let (negative, limbs) = match (self.negative == other.negative, compared(&a, &b)) {
-            (true, _) => (self.negative, sum(a, &b)),
-            (false, Ordering::Less) => (other.negative, difference(b, &a)),
-            (false, _) => (self.negative, difference(a, &b)),
-        };
-        Dyadic {
-            negative,
-            limbs,
-            exponent,
-        }
+        self.plus(other, false)
     }
 }
 
@@ -162,25 +203,26 @@ impl Neg for Dyadic {
 impl Sub for &Dyadic {
     type Output = Dyadic;
     fn sub(self, other: &Dyadic) -> Dyadic {
-        self + &-other.clone()
+        self.plus(other, true)
     }
 }
 
 impl Mul for &Dyadic {
     type Output = Dyadic;
     fn mul(self, other: &Dyadic) -> Dyadic {
-        let mut limbs = Limbs::from_elem(0, self.limbs.len() + other.limbs.len());
-        for (at, a) in self.limbs.iter().enumerate() {
-            let mut carry = 0;
-            for (b, place) in other.limbs.iter().zip(&mut limbs[at..]) {
-                let total = u128::from(*a) * u128::from(*b) + u128::from(*place) + carry;
-                (*place, carry) = (total as u64, total >> 64);
+        let limbs = limbs(self.limbs.len() + other.limbs.len(), |to| {
+            for (at, a) in self.limbs.iter().enumerate() {
+                let mut carry = 0;
+                for (b, place) in other.limbs.iter().zip(&mut to[at..]) {
+                    let total = u128::from(*a) * u128::from(*b) + u128::from(*place) + carry;
+                    (*place, carry) = (total as u64, total >> 64);
+                }
+                to[at + other.limbs.len()] = carry as u64;
             }
-            limbs[at + other.limbs.len()] = carry as u64;
-        }
+        });
         Dyadic {
             negative: self.negative != other.negative,
-            limbs: trimmed(limbs),
+            limbs,
             exponent: self.exponent + other.exponent,
         }
     }

@@ -7,8 +7,10 @@
 //! may answer.
 
 mod cameras;
+mod leaks;
 
 pub use cameras::{Camera, cameras};
+pub use leaks::{Leaks, leaks};
 
 use rayon::prelude::*;
 
@@ -17,14 +19,10 @@ use crate::cast::world::{Primitive, World};
 use crate::cast::{Caster, Search, Tally};
 use crate::contestant::Contestant;
 use crate::contestants::Contested;
-use crate::family::mesh::{Aim, inside};
 use crate::family::{Studied, questions};
 use crate::judge::judge;
-use crate::kernel::Kernel;
-use crate::kernel::triangle::Adaptive;
 use crate::question::{Data, Question};
-use crate::random::Random;
-use crate::shape::{Plane, Ray, Sphere, Triangle};
+use crate::shape::{Plane, Sphere, Triangle};
 
 /// Questions asked, and decisions that were wrong.
 #[derive(Clone, Copy, Debug, Default)]
@@ -53,19 +51,24 @@ pub enum Hardness {
     Adversarial,
 }
 
+/// Told how many questions or rays more are done, by any thread.
+pub trait Progress: Fn(u64) + Sync {}
+
+impl<F: Fn(u64) + Sync> Progress for F {}
+
 /// Asked at a time, of one family at one exponent.
 const BATCH: usize = 500;
 
 /// At least so many questions of all shapes and families in `f64`, to the adaptive kernels
 /// and to the exact caster.
-pub fn decisions(hardness: Hardness, at_least: u64, seed: u64) -> Count {
+pub fn decisions(hardness: Hardness, at_least: u64, seed: u64, done: &impl Progress) -> Count {
     let batches = batches::<Sphere<f64>>(hardness).len()
         + batches::<Plane<f64>>(hardness).len()
         + batches::<Triangle<f64>>(hardness).len();
     let rounds = at_least.div_ceil((batches * BATCH) as u64);
-    of_shape::<Sphere<f64>>(hardness, rounds, seed)
-        .plus(of_shape::<Plane<f64>>(hardness, rounds, seed))
-        .plus(of_shape::<Triangle<f64>>(hardness, rounds, seed))
+    of_shape::<Sphere<f64>>(hardness, rounds, seed, done)
+        .plus(of_shape::<Plane<f64>>(hardness, rounds, seed, done))
+        .plus(of_shape::<Triangle<f64>>(hardness, rounds, seed, done))
 }
 
 /// The families, by their place, and exponents.
@@ -86,7 +89,12 @@ fn batches<S: Studied>(hardness: Hardness) -> Vec<(usize, i32)> {
         .collect()
 }
 
-fn of_shape<S: Studied + Into<Primitive>>(hardness: Hardness, rounds: u64, seed: u64) -> Count {
+fn of_shape<S: Studied + Into<Primitive>>(
+    hardness: Hardness,
+    rounds: u64,
+    seed: u64,
+    done: &impl Progress,
+) -> Count {
     let kernels = judged::<S>();
     let families = S::families();
     let batches = batches::<S>(hardness);
@@ -97,6 +105,7 @@ fn of_shape<S: Studied + Into<Primitive>>(hardness: Hardness, rounds: u64, seed:
             let truths: Vec<_> = asked.iter().map(S::truth).collect();
             let tallies = kernels.iter().map(|kernel| judge(kernel, &asked, &truths));
             let tallies: Vec<_> = tallies.collect();
+            done(BATCH as u64);
             Count {
                 asked: tallies[0].asked,
                 wrong: tallies
@@ -134,65 +143,4 @@ fn judged<S: Contested + Into<Primitive>>() -> [Contestant<S>; 2] {
         ..kernel
     };
     [kernel, caster]
-}
-
-/// Rays from inside closed meshes.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Leaks {
-    /// Cast.
-    pub rays: u64,
-    /// Met no triangle.
-    pub leaks: u64,
-    /// Met more than one.
-    pub double_hits: u64,
-    /// Of whom the caster in boxes found nothing.
-    pub lost_in_boxes: u64,
-}
-
-/// So many rays at edges and as many at vertices, a new mesh for each.
-pub fn leaks(rays: u64, seed: u64) -> Leaks {
-    let of_chunk = |chunk: u64| {
-        let mut counted = Leaks::default();
-        for aim in [Aim::Edge, Aim::Vertex] {
-            let mut random =
-                Random::new(seed ^ chunk.wrapping_mul(0x9e37_79b9), &format!("{aim:?}"));
-            for _ in 0..CHUNK {
-                one_mesh(&mut random, aim, &mut counted);
-            }
-        }
-        counted
-    };
-    let add = |one: Leaks, other: Leaks| Leaks {
-        rays: one.rays + other.rays,
-        leaks: one.leaks + other.leaks,
-        double_hits: one.double_hits + other.double_hits,
-        lost_in_boxes: one.lost_in_boxes + other.lost_in_boxes,
-    };
-    (0..rays.div_ceil(CHUNK))
-        .into_par_iter()
-        .map(of_chunk)
-        .reduce(Leaks::default, add)
-}
-
-/// Meshes in a row.
-const CHUNK: u64 = 1000;
-
-fn one_mesh(random: &mut Random, aim: Aim, counted: &mut Leaks) {
-    let inside = inside(random, aim, Data::F64);
-    let prepared = <Adaptive as Kernel<Triangle<f64>, f64>>::prepare(&inside.ray);
-    let meets = |face: &&Triangle<f64>| Adaptive::intersect(face, &prepared, 0.0).is_some();
-    counted.rays += 1;
-    match inside.triangles.iter().filter(meets).count() {
-        0 => counted.leaks += 1,
-        1 => (),
-        _ => counted.double_hits += 1,
-    }
-    let mut world = World::default();
-    for face in &inside.triangles {
-        world.add(0, Primitive::Triangle(*face));
-    }
-    let caster = Caster::new(world);
-    let ray: &Ray<f64> = &inside.ray;
-    let found = caster.first::<Exact>(Search::Boxes, ray, 0.0, &mut Tally::default());
-    counted.lost_in_boxes += u64::from(found.is_none());
 }

@@ -186,7 +186,8 @@ fn left_open(shape: &Primitive, ray: &Prepared, min_t: f64, tally: &mut Tally) -
     let filtered = match shape {
         Primitive::Sphere(shape) => sphere::filtered(shape, &ray.scaled, min_t),
         Primitive::Plane(shape) => plane::filtered(shape, &given, min_t),
-        Primitive::Triangle(shape) => triangle::filtered(shape, &ray.scaled, min_t),
+        Primitive::Triangle(shape) => triangle::filtered(shape, &ray.scaled, min_t)
+            .or_else(|| triangle::twice(shape, &ray.scaled, min_t)),
     };
     if let Some(answer) = filtered {
         return answer;

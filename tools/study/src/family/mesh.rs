@@ -79,29 +79,57 @@ fn sphere() -> Vec<[Vector<f64>; 3]> {
 /// corners of most meshes.
 const AMONG_SIX: (usize, usize) = (4, 3);
 
-/// A ray inside a ball of random shape and place, aimed at an edge or a corner.
-pub fn inside(random: &mut Random, aim: Aim, data: Data) -> Inside {
-    let round = |vector: Vector<f64>| vector.map(|x| data.round(x));
-    let (x, middle) = (random.unit(), random.unit());
-    let y = random.unit_across(x);
-    let [x, y, z] = [x, y, x.cross(y)].map(|axis| axis * random.within(0.5, 2.0));
-    let place = |p: Vector<f64>| round(middle + x * p.x + y * p.y + z * p.z);
-    let triangles: Vec<_> = sphere()
-        .into_iter()
-        .map(|face| Triangle {
+/// A closed, convex mesh, numbers rounded to a type.
+pub struct Ball {
+    /// Its faces.
+    pub triangles: Vec<Triangle<f64>>,
+    middle: Vector<f64>,
+    data: Data,
+}
+
+impl Ball {
+    /// Of random shape and place.
+    pub fn new(random: &mut Random, data: Data) -> Ball {
+        let (x, middle) = (random.unit(), random.unit());
+        let y = random.unit_across(x);
+        let [x, y, z] = [x, y, x.cross(y)].map(|axis| axis * random.within(0.5, 2.0));
+        let place = |p: Vector<f64>| rounded(middle + x * p.x + y * p.y + z * p.z, data);
+        let triangles = sphere().into_iter().map(|face| Triangle {
             corners: face.map(place),
-        })
-        .collect();
-    let origin = round(middle + random.unit() * random.within(0.0, 0.2));
-    let (step, first) = AMONG_SIX;
-    let [a, b, _] = triangles[random.below(triangles.len() / step) * step + first].corners;
-    let target = match aim {
-        Aim::Edge => round(a + (b - a) * random.within(0.0, 1.0)),
-        Aim::Vertex => a,
-    };
-    let direction = round(target - origin);
+        });
+        Ball {
+            triangles: triangles.collect(),
+            middle,
+            data,
+        }
+    }
+
+    /// A ray from inside it, aimed at an edge or a corner.
+    pub fn ray(&self, random: &mut Random, aim: Aim) -> Ray<f64> {
+        let round = |vector| rounded(vector, self.data);
+        let origin = round(self.middle + random.unit() * random.within(0.0, 0.2));
+        let (step, first) = AMONG_SIX;
+        let at = random.below(self.triangles.len() / step) * step + first;
+        let [a, b, _] = self.triangles[at].corners;
+        let target = match aim {
+            Aim::Edge => round(a + (b - a) * random.within(0.0, 1.0)),
+            Aim::Vertex => a,
+        };
+        let direction = round(target - origin);
+        Ray { origin, direction }
+    }
+}
+
+fn rounded(vector: Vector<f64>, data: Data) -> Vector<f64> {
+    vector.map(|x| data.round(x))
+}
+
+/// A ray inside a ball of its own.
+pub fn inside(random: &mut Random, aim: Aim, data: Data) -> Inside {
+    let ball = Ball::new(random, data);
+    let ray = ball.ray(random, aim);
     Inside {
-        triangles,
-        ray: Ray { origin, direction },
+        triangles: ball.triangles,
+        ray,
     }
 }

@@ -9,6 +9,7 @@ mod exact;
 mod four;
 mod moller_trumbore;
 mod moller_trumbore_epsilon;
+mod twice;
 mod woop;
 mod woop_once;
 
@@ -21,5 +22,6 @@ pub use exact::exact;
 pub use four::{Four, Met};
 pub use moller_trumbore::MollerTrumbore;
 pub use moller_trumbore_epsilon::MollerTrumboreEpsilon;
+pub use twice::twice;
 pub use woop::Woop;
 pub use woop_once::WoopOnce;

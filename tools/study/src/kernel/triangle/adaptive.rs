@@ -1,14 +1,15 @@
 use super::exact::exact;
+use super::twice::twice;
 use crate::kernel::Kernel;
 use crate::kernel::sphere::Scaled;
 use crate::number::Real;
 use crate::root::rounded;
 use crate::shape::{Ray, Triangle};
 
-/// Möller–Trumbore by signs, with one error bound; what it leaves open is decided
-/// exactly, and an exact tie by a rule all triangles share: a ray through an edge or a
-/// vertex of a closed mesh enters it once. t is good to √u of itself at least, mostly to
-/// an ulp.
+/// Möller–Trumbore by signs, with one error bound; what it leaves open is decided in twice
+/// the digits or else exactly, and an exact tie by a rule all triangles share: a ray
+/// through an edge or a vertex of a closed mesh enters it once. t is good to √u of itself
+/// at least, mostly to an ulp.
 ///
 /// # Why the filter is right
 ///
@@ -50,9 +51,17 @@ impl<F: Real> Kernel<Triangle<F>, F> for Adaptive {
     fn intersect(triangle: &Triangle<F>, ray: &Prepared<F>, min_t: F) -> Option<F> {
         match filtered(triangle, &ray.scaled, min_t) {
             Some(answer) => answer,
-            None => rounded(exact(triangle, &ray.given, min_t)),
+            None => left_open(triangle, ray, min_t),
         }
     }
+}
+
+/// What the filter leaves open: in twice the digits, and only then in all.
+#[cold]
+#[inline(never)]
+fn left_open<F: Real>(triangle: &Triangle<F>, ray: &Prepared<F>, min_t: F) -> Option<F> {
+    twice(triangle, &ray.scaled, min_t)
+        .unwrap_or_else(|| rounded(exact(triangle, &ray.given, min_t)))
 }
 
 /// How far rounding may have moved what decides: see the head of [`Adaptive`].
