@@ -98,8 +98,8 @@ pub struct Exact;
 /// A ray scaled for filters.
 pub struct Prepared {
     scaled: Scaled<f64>,
-    /// By what the parts' limits must be multiplied.
-    stretch: f64,
+    /// From where the parts' limits hold.
+    is_near: bool,
     /// Around `min_t`, as the scaled ray counts.
     window: Window<f64>,
 }
@@ -123,7 +123,7 @@ impl Model for Exact {
     fn prepare_scaled(ray: &Ray<f64>, scaled: &Scaled<f64>, min_t: f64, world: &World) -> Prepared {
         Prepared {
             scaled: *scaled,
-            stretch: world.reach.stretch(ray.origin),
+            is_near: world.reach.holds(ray.origin),
             window: Window::new(scaled.scale(min_t)),
         }
     }
@@ -135,12 +135,14 @@ impl Model for Exact {
 
     #[inline(always)]
     fn meet_part(part: &Part, ray: &Prepared, min_t: f64, tally: &mut Tally) -> Option<f64> {
-        let (scaled, limits) = (&ray.scaled, part.limits.times(ray.stretch));
-        let window = &ray.window;
+        if !ray.is_near {
+            return left_open(&part.shape, ray, min_t, tally);
+        }
+        let (scaled, window, limits) = (&ray.scaled, &ray.window, &part.limits);
         let filtered = match &part.shape {
-            Primitive::Sphere(shape) => sphere::bounded(shape, scaled, window, &limits),
-            Primitive::Plane(shape) => plane::bounded(shape, scaled, window, &limits),
-            Primitive::Triangle(shape) => triangle::bounded(shape, scaled, window, &limits),
+            Primitive::Sphere(shape) => sphere::bounded(shape, scaled, window, limits),
+            Primitive::Plane(shape) => plane::bounded(shape, scaled, window, limits),
+            Primitive::Triangle(shape) => triangle::bounded(shape, scaled, window, limits),
         };
         match filtered {
             Some(answer) => answer,
@@ -150,7 +152,10 @@ impl Model for Exact {
 
     #[inline(always)]
     fn meet_four(four: &Four, limits: &Limits<f64>, ray: &Prepared, _: f64) -> Met {
-        four.bounded(&ray.scaled, &ray.window, &limits.times(ray.stretch))
+        match ray.is_near {
+            true => four.bounded(&ray.scaled, &ray.window, limits),
+            false => four.left_open(),
+        }
     }
 
     #[inline(always)]

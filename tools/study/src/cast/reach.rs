@@ -53,22 +53,10 @@ impl Reach {
         (anchor - self.center).largest() + self.radius
     }
 
-    /// By how much a bound must be multiplied for a ray from here: 1 within reach.
-    ///
-    /// From k times the radius, k > 1, no part is further than k times [`Reach::away`], and
-    /// no bound grows faster than the square of that.
+    /// Whether a ray from here is within reach. Others are asked with bounds of their own,
+    /// which takes longer.
     #[inline(always)]
-    pub fn stretch(&self, origin: Vector<f64>) -> f64 {
-        let from_center = (origin - self.center).largest();
-        match from_center <= self.radius {
-            true => 1.0,
-            false => self.beyond(from_center),
-        }
-    }
-
-    #[cold]
-    fn beyond(&self, from_center: f64) -> f64 {
-        let times = from_center / self.radius * (1.0 + 4.0 * f64::EPSILON);
-        times * times
+    pub fn holds(&self, origin: Vector<f64>) -> bool {
+        (origin - self.center).largest() <= self.radius
     }
 }

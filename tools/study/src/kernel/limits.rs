@@ -22,14 +22,4 @@ impl<F: Real> Limits<F> {
             dividend,
         }
     }
-
-    /// For rays from further away.
-    #[inline(always)]
-    pub fn times(&self, stretch: F) -> Limits<F> {
-        Limits {
-            sign: self.sign * stretch,
-            divisor: self.divisor * stretch,
-            dividend: self.dividend * stretch,
-        }
-    }
 }

@@ -135,20 +135,25 @@ impl Four {
         if left == 0 {
             return Met::NOTHING;
         }
-        let volume = e2.dot(q) ^ side;
-        let is_good = u.simd_gt(bound)
-            & v.simd_gt(bound)
-            & w.simd_gt(bound)
-            & determinant.simd_gt(f64x4::splat(limits.divisor))
-            & volume.abs().simd_gt(f64x4::splat(limits.dividend));
-        let t = volume / determinant;
-        let is_after = t.simd_gt(f64x4::splat(window.after));
-        let is_before = t.simd_lt(f64x4::splat(window.before));
-        let hits = (is_good & is_after).to_bitmask() & left;
-        Met {
-            hits,
-            open: left & !hits & !(is_good & is_before).to_bitmask(),
-            t: t.to_array(),
+        let inside = u.simd_gt(bound) & v.simd_gt(bound) & w.simd_gt(bound);
+        let volumes = (e2.dot(q) ^ side).to_array();
+        let determinants = determinant.to_array();
+        let (mut met, mut inside) = (Met::NOTHING, inside.to_bitmask() & left);
+        met.open = left & !inside;
+        // Mostly one, if any.
+        while inside != 0 {
+            let lane = inside.trailing_zeros() as usize & 3;
+            inside &= inside - 1;
+            let (volume, determinant) = (volumes[lane], determinants[lane]);
+            let is_good = determinant > limits.divisor && volume.abs() > limits.dividend;
+            let t = volume / determinant;
+            if is_good && t > window.after {
+                met.hits |= 1 << lane;
+                met.t[lane] = t;
+            } else if !(is_good && t < window.before) {
+                met.open |= 1 << lane;
+            }
         }
+        met
     }
 }
