@@ -23,12 +23,12 @@ use super::{Kind, Numbers};
 pub fn boxes_from(kind: Kind, numbers: Numbers) -> usize {
     match (kind, numbers) {
         (Kind::Plane, _) => usize::MAX,
-        (Kind::Sphere, Numbers::F32) => 40,
-        (Kind::Sphere, Numbers::F64) => 16,
+        (Kind::Sphere, Numbers::F32) => 28,
+        (Kind::Sphere, Numbers::F64) => 9,
         (Kind::Sphere, Numbers::Exact) => 8,
-        (Kind::Triangle, Numbers::F32) => 112,
-        (Kind::Triangle, Numbers::F64) => 14,
-        (Kind::Triangle, Numbers::Exact) => 14,
+        (Kind::Triangle, Numbers::F32) => 80,
+        (Kind::Triangle, Numbers::F64) => 5,
+        (Kind::Triangle, Numbers::Exact) => 6,
     }
 }
 
