@@ -9,7 +9,7 @@ mod plans;
 mod scenes;
 mod times;
 
-use before::SPHERE_WRONG;
+use before::{HITS_LOST, MEDIAN_ULP, SPHERE_WRONG, WRONG};
 
 use crate::judge::rule_of_three;
 use crate::result::{Judged, Target};
@@ -18,72 +18,25 @@ use crate::run::Findings;
 /// Shares and errors may differ by this factor: the questions are others, and how exactly
 /// the older ones were aimed was not written down.
 const OF_SHARES: f64 = 4.0;
+
 /// Every figure that the run allows to compare.
 pub fn targets(findings: &Findings) -> Vec<Target> {
     let mut targets = Vec::new();
     for (kernel, shares) in SPHERE_WRONG {
         for (exponent, share) in [6, 7, 8].into_iter().zip(shares) {
-            targets.extend(wrong(
-                findings,
-                ("sphere", "distance", exponent),
-                (kernel, "f64"),
-                share,
-            ));
+            let place = ("sphere", "distance", exponent);
+            targets.extend(wrong(findings, place, (kernel, "f64"), share));
         }
     }
-    for (exponent, share) in [2, 3, 4].into_iter().zip([0.0005, 0.16, 0.52]) {
-        targets.extend(wrong(
-            findings,
-            ("sphere", "distance", exponent),
-            ("textbook", "f32"),
-            share,
-        ));
+    for (place, kernel, share) in WRONG {
+        targets.extend(wrong(findings, place, kernel, share));
     }
-    for (exponent, share) in [4, 5].into_iter().zip([0.63, 1.0]) {
-        let place = ("triangle", "small", exponent);
-        targets.extend(wrong_of_hits(
-            findings,
-            place,
-            ("M–T with epsilon", "f64"),
-            share,
-        ));
+    for (place, kernel, share) in HITS_LOST {
+        targets.extend(hits_lost(findings, place, kernel, share));
     }
-    targets.extend(wrong_of_hits(
-        findings,
-        ("plane", "parallel", 6),
-        ("epsilon cut", "f64"),
-        0.49,
-    ));
-    targets.extend(median(
-        findings,
-        ("sphere", "distance", 8),
-        ("textbook", "f64"),
-        3e7,
-    ));
-    targets.extend(median(
-        findings,
-        ("sphere", "distance", 8),
-        ("fma discriminant", "f64"),
-        7e7,
-    ));
-    targets.extend(median(
-        findings,
-        ("sphere", "distance", 9),
-        ("Haines et al.", "f64"),
-        0.65,
-    ));
-    targets.extend(median(
-        findings,
-        ("plane", "offset", 9),
-        ("shifted origin", "f64"),
-        0.6,
-    ));
-    targets.extend(median(
-        findings,
-        ("plane", "offset", 9),
-        ("plain", "f64"),
-        2e8,
-    ));
+    for (place, kernel, ulp) in MEDIAN_ULP {
+        targets.extend(median(findings, place, kernel, ulp));
+    }
     targets.extend(never_wrong(findings, "distance", "Haines et al.", "f64"));
     targets.extend(never_wrong(findings, "direction", "Haines scaled", "f64"));
     for numbers in ["f64", "f32", "f64 on f32"] {
@@ -98,7 +51,10 @@ pub fn targets(findings: &Findings) -> Vec<Target> {
     targets
 }
 
+/// A shape, one of its families, and the exponent.
 type Place = (&'static str, &'static str, i32);
+
+/// A kernel, and the numbers it computes with.
 type Kernel = (&'static str, &'static str);
 
 fn judged(
@@ -151,7 +107,7 @@ fn wrong(findings: &Findings, place: Place, kernel: Kernel, share: f64) -> Optio
 }
 
 /// Of the true hits alone, which is what the older figures count.
-fn wrong_of_hits(findings: &Findings, place: Place, kernel: Kernel, share: f64) -> Option<Target> {
+fn hits_lost(findings: &Findings, place: Place, kernel: Kernel, share: f64) -> Option<Target> {
     let tally = &judged(findings, place, kernel)?.tally;
     Some(Target {
         about: format!(
