@@ -1,6 +1,6 @@
 //! The older figures: field notes, section 5.
 
-use super::{Kernel, Place};
+use super::sweeps::{Kernel, Place};
 
 /// Wrong decisions of `f64` kernels on spheres, at distance/radius 1e6, 1e7 and 1e8.
 pub const SPHERE_WRONG: [(&str, [f64; 3]); 4] = [
