@@ -1,5 +1,7 @@
 //! Objects as a scene file describes them.
 
+use std::fs;
+
 use super::*;
 
 #[test]

@@ -1,5 +1,7 @@
 //! What a writer asks for between `{{#` and `}}`.
 
+use crate::error::Wrong;
+
 /// Something to be put in.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Directive {
@@ -49,7 +51,7 @@ const USES: [(&str, &str); 6] = [
 
 impl Directive {
     /// Reads what stands between `{{#` and `}}`; otherwise what is wrong, and a remedy.
-    pub fn parse(inside: &str) -> Result<Directive, (String, String)> {
+    pub fn parse(inside: &str) -> Result<Directive, Wrong> {
         let mut words = words(inside).into_iter();
         let kind = words.next().unwrap_or_default();
         let Some((_, usage)) = USES.iter().find(|(name, _)| *name == kind.as_str()) else {

@@ -71,6 +71,10 @@ pub enum Error {
     },
 }
 
+/// The problem and the remedy, said by what does not know which line of which page it is
+/// put into.
+pub type Wrong = (String, String);
+
 /// The result of everything here that can fail.
 pub type Result<T> = std::result::Result<T, Error>;
 

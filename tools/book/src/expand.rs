@@ -13,7 +13,7 @@ use crate::checkout::Checkout;
 use crate::course::Course;
 use crate::directive::Directive;
 use crate::edition::Edition;
-use crate::error::{Problem, Result};
+use crate::error::{Problem, Result, Wrong};
 use crate::formula::Formulas;
 use crate::html::{escaped, figure};
 use crate::run::{self, Runs};
@@ -49,9 +49,6 @@ pub struct Expand {
     edition: Edition,
     problems: Arc<Mutex<Vec<Problem>>>,
 }
-
-/// What is wrong, and what to do about it.
-type Wrong = (String, String);
 
 impl Expand {
     /// For this edition. What is wrong in the pages is added to `problems`.

@@ -12,7 +12,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use crate::checkout::{Checkout, write};
-use crate::error::{Problem, Result};
+use crate::error::{Problem, Result, Wrong};
 use crate::html::escaped;
 use crate::record;
 pub use drawing::colour;
@@ -89,7 +89,7 @@ pub fn shown(
     alternative: &str,
     to_root: &str,
     checkout: &Checkout,
-) -> std::result::Result<String, (String, String)> {
+) -> std::result::Result<String, Wrong> {
     let alternative = escaped(alternative);
     let file = |extension: &str| folder(checkout).join(format!("{name}.{extension}"));
     if file("png").is_file() {

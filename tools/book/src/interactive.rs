@@ -15,7 +15,7 @@ use pinhole::{Projection, Resolution, Scene};
 use serde_json::{Value, json};
 
 use crate::checkout::{Checkout, write};
-use crate::error::{Error, Problem, Result};
+use crate::error::{Error, Problem, Result, Wrong};
 use crate::figures;
 use crate::figures::colour;
 use crate::silhouette::{DISTANCES, Meets, WAYS, wrong};
@@ -38,7 +38,7 @@ pub fn shown(
     alternative: &str,
     to_root: &str,
     checkout: &Checkout,
-) -> std::result::Result<String, (String, String)> {
+) -> std::result::Result<String, Wrong> {
     let still = figures::shown(name, alternative, to_root, checkout)?;
     Ok(format!(
         "<figure class=\"interactive\" data-figure=\"{name}\">\n<div class=\"stage\">\n{still}\n</div>\n</figure>\n"

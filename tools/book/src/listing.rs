@@ -4,9 +4,7 @@ use std::path::Path;
 
 use crate::checkout::Checkout;
 use crate::edition::Edition;
-
-/// What is wrong, and what to do about it.
-type Wrong = (String, String);
+use crate::error::Wrong;
 
 /// Folders whose code gives an answer away, or a wrong one.
 const SOLUTIONS: [&str; 3] = ["/reference/", "/variants/", "/mistakes/"];

@@ -5,12 +5,13 @@ pub mod mesh;
 mod plane;
 mod sphere;
 pub mod spoilt;
-mod threshold;
 mod triangle;
+mod varied;
 
 use crate::contestants::Contested;
 use crate::question::{Data, Question};
 use crate::random::Random;
+use crate::vector::Vector;
 
 /// Questions that get harder, or smaller, or larger, with an exponent.
 pub struct Family<S> {
@@ -32,6 +33,12 @@ pub struct Family<S> {
 pub trait Studied: Contested {
     /// All of them.
     fn families() -> Vec<Family<Self>>;
+
+    /// A question without anything that is hard about it.
+    fn plain(random: &mut Random) -> Question<Self>;
+
+    /// The same shape elsewhere.
+    fn moved(self, by: Vector<f64>) -> Self;
 }
 
 /// 0, 1, …, `last`, in steps of one decade.

@@ -8,6 +8,7 @@
 //! costs what its formula costs. What depends on the ray alone is worked out once for a
 //! ray, by [`Kernel::prepare`], and not again at every shape.
 
+mod adaptive;
 mod limits;
 pub mod plane;
 pub mod sphere;

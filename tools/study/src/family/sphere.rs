@@ -1,6 +1,7 @@
-use super::threshold::at_threshold;
-use super::{Family, Studied, decades, scales};
-use crate::question::{Data, Question, ten_to};
+//! What is hard about spheres: far away, far too large, barely touched, or left.
+
+use super::{Family, Studied, decades, varied};
+use crate::question::{Question, ten_to};
 use crate::random::Random;
 use crate::shape::{Ray, Sphere};
 use crate::vector::Vector;
@@ -54,61 +55,27 @@ impl Studied for Sphere<f64> {
                     asked(center, radius, origin, direction)
                 },
             },
-            Family {
-                name: "direction",
-                axis: "length of the direction = 10^x",
-                meaning: "the same ray with a longer or a shorter direction: t alone should change",
-                exponents: scales,
-                easy: 0,
-                ask: |random, x, data| {
-                    // So small that t can be told for every length.
-                    let size = if data == Data::F64 { 1e-13 } else { 1e-6 };
-                    let question = plain(random).map(|l| l * size, |n| n, |d| d, |t| t);
-                    question.map(|l| l, |n| n, |d| d * ten_to(x), |t| t)
-                },
-            },
-            Family {
-                name: "offset",
-                axis: "distance of the scene from the world's origin = 10^x",
-                meaning: "the same scene moved away from the origin of the world",
-                exponents: |_| decades(12),
-                easy: 0,
-                ask: |random, x, _| {
-                    let mut question = plain(random);
-                    let offset = random.unit() * ten_to(x);
-                    question.shape.center = question.shape.center + offset;
-                    question.ray.origin = question.ray.origin + offset;
-                    question
-                },
-            },
-            Family {
-                name: "scale",
-                axis: "size of the scene = 10^x",
-                meaning: "the same scene in other units, direction included: t should not change",
-                exponents: scales,
-                easy: 0,
-                ask: |random, x, _| {
-                    let scale = ten_to(x);
-                    plain(random).map(|l| l * scale, |n| n, |d| d * scale, |t| t)
-                },
-            },
-            Family {
-                name: "threshold",
-                axis: "distance of min_t from the near root = 10^−x of it",
-                meaning: "rays that may begin just before or just behind the near side",
-                exponents: |_| (1..=17).collect(),
-                easy: 1,
-                ask: |random, x, _| at_threshold(random, x, plain),
-            },
+            varied::direction(),
+            varied::offset(),
+            varied::scale(),
+            varied::threshold(
+                "distance of min_t from the near root = 10^−x of it",
+                "rays that may begin just before or just behind the near side",
+            ),
         ]
     }
-}
 
-/// A few radii away, with a direction that is not unit; half of the rays hit.
-fn plain(random: &mut Random) -> Question<Sphere<f64>> {
-    let (radius, away) = (random.within(0.5, 2.0), random.within(1.0, 5.0));
-    let squared = random.within(0.0, 2.0);
-    aimed(random, radius, away, squared.sqrt())
+    /// A few radii away, with a direction that is not unit; half of the rays hit.
+    fn plain(random: &mut Random) -> Question<Sphere<f64>> {
+        let (radius, away) = (random.within(0.5, 2.0), random.within(1.0, 5.0));
+        let squared = random.within(0.0, 2.0);
+        aimed(random, radius, away, squared.sqrt())
+    }
+
+    fn moved(self, by: Vector<f64>) -> Sphere<f64> {
+        let center = self.center + by;
+        Sphere { center, ..self }
+    }
 }
 
 /// From `away` radii outside the surface, past the centre at `impact` radii.

@@ -1,6 +1,7 @@
-use super::threshold::at_threshold;
-use super::{Family, Studied, decades, scales};
-use crate::question::{Data, Question, ten_to};
+//! What is hard about triangles: far away, thin, seen from the side, or without an area.
+
+use super::{Family, Studied, decades, scales, varied};
+use crate::question::{Question, ten_to};
 use crate::random::Random;
 use crate::shape::{Ray, Triangle};
 use crate::vector::Vector;
@@ -58,39 +59,15 @@ impl Studied for Triangle<f64> {
                 easy: 0,
                 ask: |random, x, _| flat(random, x),
             },
-            Family {
-                name: "direction",
-                axis: "length of the direction = 10^x",
-                meaning: "the same ray with a longer or a shorter direction: t alone should change",
-                exponents: scales,
-                easy: 0,
-                ask: |random, x, data| {
-                    let size = if data == Data::F64 { 1e-13 } else { 1e-6 };
-                    let question = plain(random).map(|l| l * size, |n| n, |d| d, |t| t);
-                    question.map(|l| l, |n| n, |d| d * ten_to(x), |t| t)
-                },
-            },
-            Family {
-                name: "offset",
-                axis: "distance of the scene from the world's origin = 10^x",
-                meaning: "the same scene moved away from the origin of the world",
-                exponents: |_| decades(12),
-                easy: 0,
-                ask: |random, x, _| {
-                    let mut question = plain(random);
-                    let offset = random.unit() * ten_to(x);
-                    question.shape.corners = question.shape.corners.map(|corner| corner + offset);
-                    question.ray.origin = question.ray.origin + offset;
-                    question
-                },
-            },
+            varied::direction(),
+            varied::offset(),
             Family {
                 name: "scale",
                 axis: "size of the scene = 10^x",
                 meaning: "the same scene in other units: t should grow with it",
                 exponents: scales,
                 easy: 0,
-                ask: |random, x, _| plain(random).map(|l| l * ten_to(x), |n| n, |d| d, |t| t),
+                ask: |random, x, _| Self::plain(random).map(|l| l * ten_to(x), |n| n, |d| d, |t| t),
             },
             Family {
                 name: "small",
@@ -98,17 +75,27 @@ impl Studied for Triangle<f64> {
                 meaning: "the same scene in larger units, decade by decade",
                 exponents: |_| decades(9),
                 easy: 0,
-                ask: |random, x, _| plain(random).map(|l| l * ten_to(-x), |n| n, |d| d, |t| t),
+                ask: |random, x, _| {
+                    Self::plain(random).map(|l| l * ten_to(-x), |n| n, |d| d, |t| t)
+                },
             },
-            Family {
-                name: "threshold",
-                axis: "distance of min_t from t = 10^−x of it",
-                meaning: "rays that may begin just before or just behind the triangle",
-                exponents: |_| (1..=17).collect(),
-                easy: 1,
-                ask: |random, x, _| at_threshold(random, x, plain),
-            },
+            varied::threshold(
+                "distance of min_t from t = 10^−x of it",
+                "rays that may begin just before or just behind the triangle",
+            ),
         ]
+    }
+
+    /// A few sizes away, from any side.
+    fn plain(random: &mut Random) -> Question<Triangle<f64>> {
+        let corners = well_shaped(random);
+        let (from, away) = (random.unit(), random.within(1.0, 5.0));
+        aimed(random, corners, from, away)
+    }
+
+    fn moved(self, by: Vector<f64>) -> Triangle<f64> {
+        let corners = self.corners.map(|corner| corner + by);
+        Triangle { corners }
     }
 }
 
@@ -122,13 +109,6 @@ fn well_shaped(random: &mut Random) -> [Vector<f64>; 3] {
             return corners;
         }
     }
-}
-
-/// A few sizes away, from any side.
-fn plain(random: &mut Random) -> Question<Triangle<f64>> {
-    let corners = well_shaped(random);
-    let (from, away) = (random.unit(), random.within(1.0, 5.0));
-    aimed(random, corners, from, away)
 }
 
 /// From a direction, at a point of the triangle's plane in or around it.

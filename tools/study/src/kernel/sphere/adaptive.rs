@@ -1,6 +1,7 @@
 use super::haines_scaled::Scaled;
 use crate::dyadic::{Dyadic, DyadicVector};
 use crate::kernel::Kernel;
+use crate::kernel::adaptive::Prepared;
 use crate::number::Real;
 use crate::root::{Root, rounded};
 use crate::shape::{Ray, Sphere};
@@ -30,21 +31,13 @@ use crate::vector::Vector;
 ///    open.
 pub struct Adaptive;
 
-/// A ray scaled for the filter, and as it was given, for exact decisions.
-#[derive(Clone, Copy, Debug)]
-pub struct Prepared<F> {
-    scaled: Scaled<F>,
-    given: Ray<F>,
-}
-
 impl<F: Real> Kernel<Sphere<F>, F> for Adaptive {
     const NAME: &'static str = "adaptive exact";
     type Prepared = Prepared<F>;
 
     #[inline(always)]
     fn prepare(ray: &Ray<F>) -> Prepared<F> {
-        let (scaled, given) = (Scaled::new(ray), *ray);
-        Prepared { scaled, given }
+        Prepared::new(ray)
     }
 
     #[inline(always)]

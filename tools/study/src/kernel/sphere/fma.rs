@@ -1,3 +1,4 @@
+use super::half_b::coefficients;
 use super::stable_q::roots_of_q;
 use crate::kernel::Kernel;
 use crate::number::Real;
@@ -23,10 +24,7 @@ impl<F: Real> Kernel<Sphere<F>, F> for Fma {
 
     #[inline(always)]
     fn intersect(sphere: &Sphere<F>, ray: &Ray<F>, min_t: F) -> Option<F> {
-        let f = ray.origin - sphere.center;
-        let a = ray.direction.dot(ray.direction);
-        let h = ray.direction.dot(f);
-        let c = f.dot(f) - sphere.radius * sphere.radius;
+        let [a, h, c] = coefficients(sphere, ray);
         let product = a * c;
         let lost = (-a).mul_add(c, product);
         let discriminant = h.mul_add(h, -product) + lost;

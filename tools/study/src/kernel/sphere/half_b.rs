@@ -19,10 +19,7 @@ impl<F: Real> Kernel<Sphere<F>, F> for HalfB {
 
     #[inline(always)]
     fn intersect(sphere: &Sphere<F>, ray: &Ray<F>, min_t: F) -> Option<F> {
-        let f = ray.origin - sphere.center;
-        let a = ray.direction.dot(ray.direction);
-        let h = ray.direction.dot(f);
-        let c = f.dot(f) - sphere.radius * sphere.radius;
+        let [a, h, c] = coefficients(sphere, ray);
         let discriminant = h * h - a * c;
         if discriminant < F::ZERO {
             return None;
@@ -30,4 +27,14 @@ impl<F: Real> Kernel<Sphere<F>, F> for HalfB {
         let root = discriminant.sqrt();
         first_from(min_t, (-h - root) / a, (-h + root) / a)
     }
+}
+
+/// The a, h and c of a t² + 2 h t + c = 0.
+#[inline(always)]
+pub fn coefficients<F: Real>(sphere: &Sphere<F>, ray: &Ray<F>) -> [F; 3] {
+    let f = ray.origin - sphere.center;
+    let a = ray.direction.dot(ray.direction);
+    let h = ray.direction.dot(f);
+    let c = f.dot(f) - sphere.radius * sphere.radius;
+    [a, h, c]
 }

@@ -1,4 +1,5 @@
 use super::first_from;
+use super::half_b::coefficients;
 use crate::kernel::Kernel;
 use crate::number::Real;
 use crate::shape::{Ray, Sphere};
@@ -19,10 +20,7 @@ impl<F: Real> Kernel<Sphere<F>, F> for StableQ {
 
     #[inline(always)]
     fn intersect(sphere: &Sphere<F>, ray: &Ray<F>, min_t: F) -> Option<F> {
-        let f = ray.origin - sphere.center;
-        let a = ray.direction.dot(ray.direction);
-        let h = ray.direction.dot(f);
-        let c = f.dot(f) - sphere.radius * sphere.radius;
+        let [a, h, c] = coefficients(sphere, ray);
         let discriminant = h * h - a * c;
         if discriminant < F::ZERO {
             return None;

@@ -1,0 +1,131 @@
+//! Questions are asked as they were written.
+
+use super::*;
+
+#[track_caller]
+fn only_shape(task: &str, question: Question<'_>) -> Shape {
+    let Job::Intersect(questions) = ask(task, &question).unwrap() else {
+        panic!("`{task}` is asked with one shape alone");
+    };
+    let [asked] = questions.as_slice() else {
+        panic!("one pixel is one question");
+    };
+    assert_eq!(asked.min_t, 0.125);
+    assert_eq!(asked.ray.origin, dvec3(1.0, 2.0, 3.0));
+    assert_eq!(asked.ray.direction, dvec3(0.5, 0.25, -2.0));
+    asked.shape.clone()
+}
+
+#[test]
+fn a_sphere_is_asked_about_as_it_was_written() {
+    let expected = Sphere {
+        center: dvec3(4.0, 5.0, 6.0),
+        radius: 0.75,
+    };
+    assert_eq!(only_shape("sphere", sphere()), Shape::Sphere(expected));
+}
+
+#[test]
+fn a_plane_keeps_the_length_of_its_normal() {
+    let expected = Plane {
+        point: dvec3(4.0, 5.0, 6.0),
+        normal: dvec3(0.0, 2.0, 1.0),
+    };
+    assert_eq!(only_shape("plane", plane()), Shape::Plane(expected));
+}
+
+#[test]
+fn a_triangle_keeps_the_order_of_its_corners() {
+    let corners = [
+        dvec3(1.0, 2.0, 3.0),
+        dvec3(4.0, 5.0, 6.0),
+        dvec3(7.0, 8.0, 0.0),
+    ];
+    let expected = Shape::Triangle(Triangle { corners });
+    assert_eq!(only_shape("triangle", triangle()), expected);
+}
+
+#[test]
+fn canned_objects_know_their_intersections() {
+    for task in ["first_hit", "triangle_soup"] {
+        let questions = match ask(task, &canned()).unwrap() {
+            Job::FirstHit(questions) if task == "first_hit" => questions,
+            Job::TriangleSoup(questions) if task == "triangle_soup" => questions,
+            other => panic!("`{task}` is asked by {other:?}"),
+        };
+        let at = |t, normal| Intersection { t, normal };
+        let [twice, never] = questions[0].objects.triangles.as_slice() else {
+            panic!("there are two objects");
+        };
+        assert_eq!(
+            twice.intersections,
+            [at(1.5, DVec3::X), at(2.5, DVec3::NEG_Y)]
+        );
+        assert_eq!(never.intersections, []);
+        assert_eq!(questions[0].min_t, 0.125);
+        assert_eq!(questions[0].ray.origin, dvec3(1.0, 2.0, 3.0));
+    }
+}
+
+#[test]
+fn there_may_be_no_object_at_all() {
+    let question = [ray(), vec![("count", 0.0)]].concat();
+    let Job::FirstHit(questions) = ask("first_hit", &question).unwrap() else {
+        panic!("it is asked with canned objects");
+    };
+    assert!(questions[0].objects.triangles.is_empty());
+}
+
+#[test]
+fn a_camera_is_asked_about_one_of_its_pixels() {
+    let Job::ViewingRay(questions) = ask("viewing_ray", &camera()).unwrap() else {
+        panic!("it is asked with cameras");
+    };
+    let CameraQuestion {
+        camera,
+        pixel,
+        resolution,
+    } = questions[0];
+    assert_eq!(camera.eye, dvec3(1.0, 2.0, 3.0));
+    assert_eq!(
+        [camera.u, camera.v, camera.w],
+        [DVec3::X, DVec3::Y, DVec3::Z]
+    );
+    assert_eq!((camera.width, camera.height), (2.0, 1.0));
+    let projection = Projection::Perspective { focal_length: 1.5 };
+    assert_eq!(camera.projection, projection);
+    assert_eq!(pixel, Pixel { i: 7, j: 1 });
+    assert_eq!(resolution, Resolution { n_x: 8, n_y: 4 });
+}
+
+#[test]
+fn a_camera_without_focal_length_is_orthographic() {
+    let question = with(camera(), "focal_length", 0.0);
+    let Job::ViewingRay(questions) = ask("viewing_ray", &question).unwrap() else {
+        panic!("it is asked with cameras");
+    };
+    assert_eq!(questions[0].camera.projection, Projection::Orthographic);
+}
+
+#[test]
+fn questions_stand_in_the_order_of_the_film() {
+    let radii = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
+    let repeated: Vec<(&str, [f32; 6])> = sphere()
+        .into_iter()
+        .map(|(name, value)| (name, if name == "radius" { radii } else { [value; 6] }))
+        .collect();
+    let channels: Vec<(&str, &[f32])> = repeated.iter().map(|(n, x)| (*n, &x[..])).collect();
+    let (job, resolution) = read_film(&testing::grid(3, &channels), "sphere").unwrap();
+    assert_eq!(resolution, Resolution { n_x: 3, n_y: 2 });
+    let Job::Intersect(questions) = job else {
+        panic!("it is asked with one shape alone");
+    };
+    let read: Vec<f64> = questions
+        .iter()
+        .map(|question| match question.shape {
+            Shape::Sphere(sphere) => sphere.radius,
+            _ => f64::NAN,
+        })
+        .collect();
+    assert_eq!(read, radii.map(f64::from));
+}

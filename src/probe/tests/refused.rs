@@ -1,0 +1,128 @@
+//! What is no question is refused, and why.
+
+use super::*;
+
+/// Makes a question afresh.
+type Ask = fn() -> Question<'static>;
+
+const TASKS: [(&str, Ask); 6] = [
+    ("viewing_ray", camera),
+    ("first_hit", canned),
+    ("sphere", sphere),
+    ("plane", plane),
+    ("triangle", triangle),
+    ("triangle_soup", canned),
+];
+
+#[track_caller]
+fn refused(task: &str, question: &[(&str, f32)], problem: &str) {
+    let error = ask(task, question).expect_err("this should be no question");
+    let start = format!("this is no question film for `{task}`: ");
+    assert!(error.problem.starts_with(&start), "{error}");
+    assert!(error.problem.contains(problem), "{error}");
+    assert!(error.remedy.contains("golden render"), "{error}");
+}
+
+#[test]
+fn every_channel_of_a_question_is_needed() {
+    for (task, question) in TASKS {
+        assert!(ask(task, &question()).is_ok());
+        for (missing, _) in question() {
+            let mut rest = question();
+            rest.retain(|(name, _)| *name != missing);
+            refused(task, &rest, &format!("it has no channel `{missing}`"));
+        }
+    }
+}
+
+#[test]
+fn every_channel_of_a_question_is_finite() {
+    for (task, question) in TASKS {
+        for (name, _) in question() {
+            for value in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+                let problem = format!("channel `{name}` is not finite at (0, 0)");
+                refused(task, &with(question(), name, value), &problem);
+            }
+        }
+    }
+}
+
+#[test]
+fn counts_are_whole_and_not_negative() {
+    for (task, question, name) in [
+        ("first_hit", canned as Ask, "count"),
+        ("triangle_soup", canned, "1.hits"),
+        ("viewing_ray", camera, "n_x"),
+        ("viewing_ray", camera, "j"),
+    ] {
+        for value in [-1.0, 0.5, 1e-20] {
+            let shown = f64::from(value);
+            let problem = format!("channel `{name}` holds {shown}, which counts nothing");
+            refused(task, &with(question(), name, value), &problem);
+        }
+    }
+}
+
+#[test]
+fn a_count_of_more_than_there_is_misses_a_channel() {
+    refused(
+        "first_hit",
+        &with(canned(), "count", 3.0),
+        "no channel `2.hits`",
+    );
+    for hits in [3.0, 1e30] {
+        let question = with(canned(), "0.hits", hits);
+        refused("first_hit", &question, "no channel `0.2.t`");
+    }
+}
+
+#[test]
+fn nothing_behind_the_origin_is_asked_about() {
+    for task in ["first_hit", "triangle_soup"] {
+        let question = with(canned(), "min_t", -0.25);
+        refused(
+            task,
+            &question,
+            "`min_t` holds -0.25, behind the ray's origin",
+        );
+    }
+    let question = with(sphere(), "min_t", -0.25);
+    refused("sphere", &question, "`min_t` holds -0.25");
+}
+
+#[test]
+fn too_many_objects_are_not_quietly_dropped() {
+    for count in [7.0, 1e30] {
+        let question = with(canned(), "count", count);
+        refused("first_hit", &question, "more than 6 objects");
+    }
+}
+
+#[test]
+fn a_pixel_lies_in_its_picture() {
+    for (name, value) in [("i", 8.0), ("j", 4.0), ("n_x", 0.0), ("n_y", 0.0)] {
+        let question = with(camera(), name, value);
+        refused("viewing_ray", &question, "no pixel of");
+    }
+}
+
+#[test]
+fn a_camera_without_a_frame_is_no_question() {
+    let question = with(with(camera(), "up.Y", 0.0), "up.Z", 3.0);
+    refused("viewing_ray", &question, "its view and up are parallel");
+}
+
+#[test]
+fn an_unknown_task_has_no_questions() {
+    refused("intersect", &sphere(), "no such task");
+}
+
+#[test]
+fn a_question_film_that_is_not_there_is_told_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let error = read(&folder.path().join("absent.ask.exr"), "sphere").unwrap_err();
+    assert!(
+        error.problem.starts_with("cannot read this film"),
+        "{error}"
+    );
+}

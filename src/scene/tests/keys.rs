@@ -1,0 +1,93 @@
+//! Keys that are unknown, missing, or hold something of the wrong kind.
+
+use super::*;
+
+#[test]
+fn an_unknown_key_is_pointed_at() {
+    refused(
+        "radius = 0.75",
+        "radius = 0.75\n▶radios = 1.0",
+        "unknown field `radios`",
+        "correct its spelling",
+    );
+    refused(
+        "width = 2.0",
+        "▶widht = 2.0\nwidth = 2.0",
+        "unknown field `widht`",
+        "correct its spelling",
+    );
+    refused(
+        "# One of each shape that needs no file.",
+        "▶title = \"shapes\"",
+        "unknown field `title`",
+        "remove the key",
+    );
+}
+
+#[test]
+fn who_adds_a_light_learns_why_there_is_none() {
+    let why = "scenes have no lights, materials or lenses";
+    refused(
+        "[[object]]\ntype = \"plane\"",
+        "[[▶light]]\nposition = [0.0, 9.0, 0.0]\n\n[[object]]\ntype = \"plane\"",
+        why,
+        "remove `light`",
+    );
+    refused(
+        "radius = 0.75",
+        "radius = 0.75\n▶material = \"glass\"",
+        why,
+        "remove `material`",
+    );
+    refused(
+        "width = 2.0",
+        "width = 2.0\n▶lens = 0.1",
+        why,
+        "remove `lens`",
+    );
+}
+
+#[test]
+fn a_missing_key_is_missed_where_its_table_begins() {
+    let object = "[[object]]\ntype = \"sphere\"\ncenter = [0.0, 1.0, -1.0]\nradius = 0.75";
+    refused(
+        object,
+        "▶[[object]]\ntype = \"sphere\"\ncenter = [0.0, 1.0, -1.0]",
+        "this sphere has no `radius`",
+        "a sphere needs: center, radius",
+    );
+    refused(
+        object,
+        "▶[[object]]\ncenter = [0.0, 1.0, -1.0]\nradius = 0.75",
+        "missing field `type`",
+        "README.md",
+    );
+    refused(
+        "[camera]\nprojection = \"perspective\"\neye = [0.0, 1.0, 5.0]",
+        "▶[camera]\nprojection = \"perspective\"",
+        "missing field `eye`",
+        "README.md",
+    );
+}
+
+#[test]
+fn a_scene_without_a_camera_is_told_so() {
+    let objects = &GOOD[GOOD.find("[[object]]").unwrap()..];
+    refused_text(&format!("▶{objects}"), "missing field `camera`", "README");
+}
+
+#[test]
+fn a_value_of_the_wrong_kind_is_pointed_at() {
+    refused(
+        "radius = 0.75",
+        "radius = ▶\"big\"",
+        "invalid type: string \"big\", expected f64",
+        "README.md",
+    );
+    refused(
+        "center = [0.0, 1.0, -1.0]",
+        "center = ▶[0.0, 1.0]",
+        "invalid length 2",
+        "README.md",
+    );
+}

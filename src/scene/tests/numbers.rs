@@ -1,0 +1,83 @@
+//! Numbers that no scene can be made of.
+
+use super::*;
+
+#[test]
+fn nan_and_inf_are_no_numbers() {
+    let remedy = "replace nan or inf by a number";
+    refused(
+        "radius = 0.75",
+        "radius = ▶nan",
+        "`radius` is not a finite",
+        remedy,
+    );
+    refused(
+        "width = 2.0",
+        "width = ▶inf",
+        "`width` is not a finite",
+        remedy,
+    );
+    refused(
+        "eye = [0.0, 1.0, 5.0]",
+        "eye = ▶[0.0, nan, 5.0]",
+        "`eye` is not a finite",
+        remedy,
+    );
+    refused(
+        "[[0.0, 0.0, 0.0], [1.0,",
+        "▶[[0.0, 0.0, 0.0], [-inf,",
+        "`corners` is not a finite",
+        remedy,
+    );
+    refused(
+        "width = 2.0",
+        "width = 2.0\nmin_t = ▶nan",
+        "`min_t` is not a finite",
+        remedy,
+    );
+}
+
+#[test]
+fn a_vector_of_length_zero_has_no_direction() {
+    for (key, value) in [
+        ("view", "[0.0, 0.0, -2.0]"),
+        ("up", "[0.0, 3.0, 1.0]"),
+        ("normal", "[0.0, 4.0, 0.0]"),
+    ] {
+        refused(
+            &format!("{key} = {value}"),
+            &format!("{key} = ▶[0.0, 0.0, 0.0]"),
+            &format!("`{key}` has no direction: its length is 0"),
+            "it need not be unit",
+        );
+    }
+}
+
+#[test]
+fn a_length_is_more_than_nothing() {
+    for (key, value) in [
+        ("width", "2.0"),
+        ("height", "1.25"),
+        ("radius", "0.75"),
+        ("focal_length", "1.5"),
+    ] {
+        for bad in ["0", "-0", "-2"] {
+            refused(
+                &format!("{key} = {value}"),
+                &format!("{key} = ▶{bad}.0"),
+                &format!("`{key}` is {bad}"),
+                "greater than 0",
+            );
+        }
+    }
+}
+
+#[test]
+fn nothing_behind_the_eye_is_seen() {
+    refused(
+        "width = 2.0",
+        "width = 2.0\nmin_t = ▶-0.5",
+        "`min_t` is -0.5, behind the eye",
+        "give 0 (the eye) or more",
+    );
+}

@@ -1,0 +1,106 @@
+//! Texts and files that hold no scene, whoever wrote them.
+
+use std::fs;
+
+use super::*;
+
+#[test]
+fn what_is_no_toml_is_pointed_at() {
+    refused("width = 2.0", "width = ▶two", "invalid", "README.md");
+    refused(
+        "eye = [0.0, 1.0, 5.0]",
+        "eye = [0.0, ▶1.0 5.0]",
+        "",
+        "README.md",
+    );
+    refused(
+        "width = 2.0",
+        "width = 2.0\n▶width = 3.0",
+        "duplicate key",
+        "README.md",
+    );
+}
+
+#[test]
+fn columns_count_characters_and_not_bytes() {
+    refused(
+        "[[object]]\ntype = \"sphere\"\ncenter = [0.0, 1.0, -1.0]\nradius = 0.75",
+        "[[object]]\ntype = \"soup\"\nobj = \"größte.obj\" ▶oops",
+        "",
+        "README.md",
+    );
+}
+
+#[test]
+fn a_scene_that_is_not_there_is_told_so() {
+    let folder = tempfile::tempdir().unwrap();
+    for path in [folder.path().join("absent.toml"), folder.path().into()] {
+        let error = Scene::read(&path).unwrap_err();
+        assert_eq!(error.path, path);
+        assert!(
+            error.problem.starts_with("cannot read this scene"),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn no_text_makes_the_reader_panic() {
+    let mut random = testing::Random(1);
+    let signs: Vec<char> = "[]{}=\"'.,#\n -0123e nan inf é\u{2028}\0".chars().collect();
+    let path = Path::new("a scene.toml");
+    for _ in 0..2000 {
+        let mut text: Vec<char> = GOOD.chars().collect();
+        for _ in 0..1 + random.below(4) {
+            let place = random.below(text.len());
+            match random.below(3) {
+                0 => text[place] = *random.one_of(&signs),
+                1 => text.insert(place, *random.one_of(&signs)),
+                _ => drop(text.remove(place)),
+            }
+        }
+        let text = String::from_iter(text);
+        let read = Document::parse(&text, path).and_then(Document::into_scene);
+        if let Err(error) = read {
+            assert!(error.position.is_some(), "{error}");
+        }
+    }
+}
+
+#[test]
+fn no_spoilt_scene_harms_its_reader() {
+    let folder = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/assignments/ray_casting/scenes"
+    );
+    let files = fs::read_dir(folder)
+        .unwrap()
+        .flatten()
+        .map(|entry| entry.path());
+    let scenes = files.filter(|path| path.extension().is_some_and(|end| end == "toml"));
+    let seeds: Vec<Vec<u8>> = scenes.map(|path| fs::read(path).unwrap()).collect();
+    let words: [&[u8]; 14] = [
+        b"[[object]]",
+        b"[camera]",
+        b"type = ",
+        b"nan",
+        b"inf",
+        b"-",
+        b"1e999",
+        b"[",
+        b"]",
+        b"\"",
+        b"resolution = [1, 1]",
+        b"99999999999999999999",
+        b"\n",
+        b"obj = \"/dev/zero\"",
+    ];
+    // One file for all: a folder for each would fill the disk's list of changes.
+    let (_folder, path) = testing::file("scene.toml", "");
+    testing::fuzz::fuzz("scene", &seeds, &words, |bytes| {
+        fs::write(&path, bytes).unwrap();
+        if let Ok(scene) = Scene::read(&path) {
+            assert!(scene.resolution.pixels() <= MOST_PIXELS);
+        }
+    });
+}

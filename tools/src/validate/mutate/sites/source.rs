@@ -1,0 +1,63 @@
+//! Writes changes down: the source of what stays, with parentheses where they are needed.
+
+use std::ops::Range;
+
+use syn::Expr;
+use syn::spanned::Spanned;
+
+use super::{Sites, range};
+use crate::validate::mutate::{Edit, Operator};
+
+impl Sites<'_> {
+    /// As the reference has it.
+    pub fn source(&self, node: &impl Spanned) -> &str {
+        &self.text[range(node)]
+    }
+
+    /// A mutant with `text` in place of a piece of syntax.
+    pub fn put(&mut self, node: &impl Spanned, text: impl Into<String>, operator: Operator) {
+        self.replace(range(node), text, operator);
+    }
+
+    /// A mutant with `text` in place of these bytes.
+    pub fn replace(&mut self, range: Range<usize>, text: impl Into<String>, operator: Operator) {
+        self.edits.push(Edit {
+            range,
+            text: text.into(),
+            operator,
+        });
+    }
+
+    /// It stands inside a closer-binding expression.
+    pub fn hold(&mut self, node: &impl Spanned) {
+        let Range { start, end } = range(node);
+        self.inside.insert((start, end));
+    }
+
+    /// As it is, or in parentheses if it stands inside a closer-binding expression.
+    pub fn closed(&self, node: &impl Spanned, text: String) -> String {
+        let Range { start, end } = range(node);
+        match self.inside.contains(&(start, end)) {
+            true => format!("({text})"),
+            false => text,
+        }
+    }
+
+    /// The source of what is to be part of a closer-binding expression.
+    pub fn operand(&self, expression: &Expr) -> String {
+        match expression {
+            Expr::Binary(_) | Expr::Range(_) | Expr::Cast(_) => {
+                format!("({})", self.source(expression))
+            }
+            _ => self.source(expression).to_owned(),
+        }
+    }
+
+    /// The source of what is to be asked for a method.
+    pub fn receiver(&self, expression: &Expr) -> String {
+        match expression {
+            Expr::Unary(_) => format!("({})", self.source(expression)),
+            _ => self.operand(expression),
+        }
+    }
+}

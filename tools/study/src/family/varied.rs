@@ -1,0 +1,78 @@
+//! Families that shapes have in common: a plain question, with one thing about it varied.
+
+use super::{Family, Studied, decades, scales};
+use crate::question::{Data, Question, ten_to};
+use crate::shape::Ray;
+
+/// By the length of the ray's direction.
+pub fn direction<S: Studied>() -> Family<S> {
+    Family {
+        name: "direction",
+        axis: "length of the direction = 10^x",
+        meaning: "the same ray with a longer or a shorter direction: t alone should change",
+        exponents: scales,
+        easy: 0,
+        ask: |random, x, data| {
+            // So small that t can be told for every length.
+            let size = if data == Data::F64 { 1e-13 } else { 1e-6 };
+            let question = S::plain(random).map(|l| l * size, |n| n, |d| d, |t| t);
+            question.map(|l| l, |n| n, |d| d * ten_to(x), |t| t)
+        },
+    }
+}
+
+/// By its place in the world.
+pub fn offset<S: Studied>() -> Family<S> {
+    Family {
+        name: "offset",
+        axis: "distance of the scene from the world's origin = 10^x",
+        meaning: "the same scene moved away from the origin of the world",
+        exponents: |_| decades(12),
+        easy: 0,
+        ask: |random, x, _| {
+            let Question { shape, ray, min_t } = S::plain(random);
+            let offset = random.unit() * ten_to(x);
+            let origin = ray.origin + offset;
+            Question {
+                shape: shape.moved(offset),
+                ray: Ray { origin, ..ray },
+                min_t,
+            }
+        },
+    }
+}
+
+/// By the unit that shape, place and direction are measured in.
+pub fn scale<S: Studied>() -> Family<S> {
+    Family {
+        name: "scale",
+        axis: "size of the scene = 10^x",
+        meaning: "the same scene in other units, direction included: t should not change",
+        exponents: scales,
+        easy: 0,
+        ask: |random, x, _| {
+            let scale = ten_to(x);
+            S::plain(random).map(|l| l * scale, |n| n, |d| d * scale, |t| t)
+        },
+    }
+}
+
+/// By where the ray begins: just before what it meets, or just behind.
+pub fn threshold<S: Studied>(axis: &'static str, meaning: &'static str) -> Family<S> {
+    Family {
+        name: "threshold",
+        axis,
+        meaning,
+        exponents: |_| (1..=17).collect(),
+        easy: 1,
+        ask: |random, x, _| {
+            loop {
+                let question = S::plain(random);
+                if let Some(root) = S::truth(&question).t {
+                    let min_t = root.value() * (1.0 + random.sign() * ten_to(-x));
+                    return Question { min_t, ..question };
+                }
+            }
+        },
+    }
+}
