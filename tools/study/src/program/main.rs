@@ -61,7 +61,7 @@ enum Part {
     /// Ask exact casting as many questions as there is time for, and print what came
     ///
     /// The promise is for 100 million random and 10 million adversarial questions, and
-    /// a billion rays at edges and vertices: many hours of a core, so choose.
+    /// 500 million rays at edges and as many at vertices: about two hours of a core.
     Record {
         /// Everyday questions
         #[arg(long, value_name = "N", default_value_t = 1_000_000)]
