@@ -158,3 +158,48 @@ fn of_two_surfaces_an_ulp_apart_the_nearer_is_seen() {
     let plain = wrong_objects::<Plain>();
     assert!(plain > 100, "{plain}");
 }
+
+/// Scaled to a length of about 1, such a direction runs parallel to the plane.
+#[test]
+fn a_slope_too_small_to_scale_is_seen() {
+    let mut world = World::default();
+    world.add(
+        0,
+        Primitive::Plane(Plane {
+            point: Vector::new(0.0, 5e-301, 0.0),
+            normal: Vector::new(0.0, 1.0, 0.0),
+        }),
+    );
+    let ray = Ray {
+        origin: Vector::default(),
+        direction: Vector::new(1e300, 1e-300, 0.0),
+    };
+    let caster = Caster::new(world);
+    let seen = caster.first::<Exact>(Search::Boxes, &ray, 0.0, &mut Tally::default());
+    assert_eq!(seen.map(|found| found.t), Some(0.5));
+}
+
+/// The further ball's box is entered first, and its t, 1.45 times the smallest float, is
+/// rounded to once that: before the nearer ball, at 1.3.
+#[test]
+fn boxes_lose_no_hit_where_t_has_lost_its_digits() {
+    let unit = 2f64.powi(-51);
+    let ball = |x: f64, z: f64, radius: f64| {
+        Primitive::Sphere(Sphere {
+            center: Vector::new(x, 0.0, z) * unit,
+            radius: radius * unit,
+        })
+    };
+    let mut world = World::default();
+    world.add(0, ball(8.0, 7.45, 10.0));
+    world.add(1, ball(0.0, 2.3, 1.0));
+    let ray = Ray {
+        origin: Vector::default(),
+        direction: Vector::new(0.0, 0.0, 2f64.powi(1023)),
+    };
+    let caster = Caster::new(world);
+    for search in [Search::BruteForce, Search::Boxes] {
+        let seen = caster.first::<Exact>(search, &ray, 0.0, &mut Tally::default());
+        assert_eq!(seen.map(|found| found.part.object), Some(1), "{search:?}");
+    }
+}
