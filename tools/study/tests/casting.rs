@@ -1,6 +1,6 @@
 //! Whole scenes: is no hit lost, and is the nearer of two always first?
 
-use pinhole_study::cast::model::{Exact, Model, Plain};
+use pinhole_study::cast::model::{Exact, Model, Plain, exact};
 use pinhole_study::cast::world::{Primitive, World};
 use pinhole_study::cast::{Caster, Search, Tally};
 use pinhole_study::oracle::scene::sight;
@@ -99,6 +99,38 @@ fn boxes_lose_no_hit_of_rays_from_far_away() {
         }
     }
     assert!(hits > 1_000, "{hits}");
+}
+
+#[test]
+fn what_lies_an_ulp_before_min_t_is_not_seen() {
+    let mut random = Random::new(4, "min_t");
+    let mut met = 0;
+    for _ in 0..20 {
+        let caster = Caster::new(crowd(&mut random, 1.0, Vector::default()));
+        for _ in 0..200 {
+            let ray = Ray {
+                origin: random.unit() * random.within(0.0, 9.0),
+                direction: random.unit(),
+            };
+            let from = |min_t| {
+                let first =
+                    caster.first::<Exact>(Search::Boxes, &ray, min_t, &mut Tally::default());
+                first.map(|found| (found.part, found.t))
+            };
+            let Some((_, t)) = from(0.0) else { continue };
+            met += 1;
+            for min_t in [t.next_down().max(0.0), t, t.next_up()] {
+                let roots = caster.world.parts.iter().filter_map(|part| {
+                    let root = exact(&part.shape, &ray, min_t)?;
+                    Some((root, part.place))
+                });
+                let first = roots.min_by(|(p, at), (q, other)| p.compare(q).then(at.cmp(other)));
+                let seen = from(min_t).map(|(part, _)| part.place);
+                assert_eq!(seen, first.map(|(_, place)| place), "{ray:?} {min_t:e}");
+            }
+        }
+    }
+    assert!(met > 1_000, "{met}");
 }
 
 /// Rays at shapes that lie within a few last digits of each other.
