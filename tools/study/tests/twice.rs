@@ -82,3 +82,17 @@ fn what_underflows_or_lies_about_min_t_is_left_open() {
     }
     assert!(met > 1_000 && decided > 100, "{met}, {decided}");
 }
+
+/// An edge is met exactly, and products have digits below the smallest float.
+#[test]
+fn what_products_lose_by_underflow_is_left_open() {
+    let mut random = Random::new(3, "twice");
+    for power in -530..-470 {
+        for _ in 0..20 {
+            let (triangle, ray) = beside_an_edge(&mut random, 0.0);
+            let corners = triangle.corners.map(|corner| corner * 2f64.powi(power));
+            let answer = twice(&Triangle { corners }, &Scaled::new(&ray), 0.0);
+            assert_eq!(answer, None, "{corners:?} {ray:?}");
+        }
+    }
+}
