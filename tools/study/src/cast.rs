@@ -214,10 +214,11 @@ impl<'a, 'r, M: Model> Nearest<'a, 'r, M> {
         }
     }
 
-    /// What lies further away cannot be first.
+    /// What lies further away cannot be first. A t below the smallest number with all its
+    /// digits is off by as much as that.
     #[inline(always)]
     fn horizon(&self) -> f64 {
-        self.found
-            .map_or(f64::INFINITY, |found| found.t + found.t.abs() * M::SLACK)
+        let beyond = |t: f64| t + t.abs() * M::SLACK + f64::MIN_POSITIVE;
+        self.found.map_or(f64::INFINITY, |found| beyond(found.t))
     }
 }

@@ -1,6 +1,6 @@
 //! Whole scenes: is no hit lost, and is the nearer of two always first?
 
-use pinhole_study::cast::model::{Exact, Model, Plain};
+use pinhole_study::cast::model::{Exact, Model, Plain, exact};
 use pinhole_study::cast::world::{Primitive, World};
 use pinhole_study::cast::{Caster, Search, Tally};
 use pinhole_study::oracle::scene::sight;
@@ -101,6 +101,38 @@ fn boxes_lose_no_hit_of_rays_from_far_away() {
     assert!(hits > 1_000, "{hits}");
 }
 
+#[test]
+fn what_lies_an_ulp_before_min_t_is_not_seen() {
+    let mut random = Random::new(4, "min_t");
+    let mut met = 0;
+    for _ in 0..20 {
+        let caster = Caster::new(crowd(&mut random, 1.0, Vector::default()));
+        for _ in 0..200 {
+            let ray = Ray {
+                origin: random.unit() * random.within(0.0, 9.0),
+                direction: random.unit(),
+            };
+            let from = |min_t| {
+                let first =
+                    caster.first::<Exact>(Search::Boxes, &ray, min_t, &mut Tally::default());
+                first.map(|found| (found.part, found.t))
+            };
+            let Some((_, t)) = from(0.0) else { continue };
+            met += 1;
+            for min_t in [t.next_down().max(0.0), t, t.next_up()] {
+                let roots = caster.world.parts.iter().filter_map(|part| {
+                    let root = exact(&part.shape, &ray, min_t)?;
+                    Some((root, part.place))
+                });
+                let first = roots.min_by(|(p, at), (q, other)| p.compare(q).then(at.cmp(other)));
+                let seen = from(min_t).map(|(part, _)| part.place);
+                assert_eq!(seen, first.map(|(_, place)| place), "{ray:?} {min_t:e}");
+            }
+        }
+    }
+    assert!(met > 1_000, "{met}");
+}
+
 /// Rays at shapes that lie within a few last digits of each other.
 fn wrong_objects<M: Model>() -> usize {
     let mut random = Random::new(2, "close");
@@ -157,4 +189,49 @@ fn of_two_surfaces_an_ulp_apart_the_nearer_is_seen() {
     // And the judge notices a caster that compares rounded t.
     let plain = wrong_objects::<Plain>();
     assert!(plain > 100, "{plain}");
+}
+
+/// Scaled to a length of about 1, such a direction runs parallel to the plane.
+#[test]
+fn a_slope_too_small_to_scale_is_seen() {
+    let mut world = World::default();
+    world.add(
+        0,
+        Primitive::Plane(Plane {
+            point: Vector::new(0.0, 5e-301, 0.0),
+            normal: Vector::new(0.0, 1.0, 0.0),
+        }),
+    );
+    let ray = Ray {
+        origin: Vector::default(),
+        direction: Vector::new(1e300, 1e-300, 0.0),
+    };
+    let caster = Caster::new(world);
+    let seen = caster.first::<Exact>(Search::Boxes, &ray, 0.0, &mut Tally::default());
+    assert_eq!(seen.map(|found| found.t), Some(0.5));
+}
+
+/// The further ball's box is entered first, and its t, 1.45 times the smallest float, is
+/// rounded to once that: before the nearer ball, at 1.3.
+#[test]
+fn boxes_lose_no_hit_where_t_has_lost_its_digits() {
+    let unit = 2f64.powi(-51);
+    let ball = |x: f64, z: f64, radius: f64| {
+        Primitive::Sphere(Sphere {
+            center: Vector::new(x, 0.0, z) * unit,
+            radius: radius * unit,
+        })
+    };
+    let mut world = World::default();
+    world.add(0, ball(8.0, 7.45, 10.0));
+    world.add(1, ball(0.0, 2.3, 1.0));
+    let ray = Ray {
+        origin: Vector::default(),
+        direction: Vector::new(0.0, 0.0, 2f64.powi(1023)),
+    };
+    let caster = Caster::new(world);
+    for search in [Search::BruteForce, Search::Boxes] {
+        let seen = caster.first::<Exact>(search, &ray, 0.0, &mut Tally::default());
+        assert_eq!(seen.map(|found| found.part.object), Some(1), "{search:?}");
+    }
 }

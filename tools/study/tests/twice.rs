@@ -4,6 +4,7 @@ use pinhole_study::kernel::sphere::Scaled;
 use pinhole_study::kernel::triangle::{exact, twice};
 use pinhole_study::random::Random;
 use pinhole_study::shape::{Ray, Triangle};
+use pinhole_study::vector::Vector;
 
 /// A ray from a hair beside the world's origin at the middle of an edge. Without the hair
 /// that is met exactly: corners are multiples of 2^−50, and their sum is not rounded.
@@ -41,4 +42,57 @@ fn what_twice_the_digits_decide_is_true() {
         }
     }
     assert!(decided > 20_000 && open > 10_000, "{decided}, {open}");
+}
+
+/// Small whole numbers, of which two are often the same: so much is decided by a last
+/// digit, and of such small ones products have none.
+fn in_units_of(random: &mut Random, unit: f64) -> (Triangle<f64>, Ray<f64>) {
+    let mut point = || {
+        let mut number = || random.within(-4.0, 4.0).round() * unit;
+        Vector::new(number(), number(), number())
+    };
+    let corners = [point(), point(), point()];
+    let (origin, target) = (point(), point());
+    let direction = (target - origin) * (1.0 / unit);
+    (Triangle { corners }, Ray { origin, direction })
+}
+
+#[test]
+fn what_underflows_or_lies_about_min_t_is_left_open() {
+    let mut random = Random::new(2, "twice");
+    let (mut decided, mut met) = (0, 0);
+    for power in [0, -300, -340, -360, -500, -530, -1000] {
+        for _ in 0..5_000 {
+            let (triangle, ray) = in_units_of(&mut random, 2f64.powi(power));
+            let Some(root) = exact(&triangle, &ray, 0.0) else {
+                continue;
+            };
+            met += 1;
+            let t = root.rounded::<f64>();
+            for min_t in [0.0, t.next_down().max(0.0), t, t.next_up()] {
+                let Some(answer) = twice(&triangle, &Scaled::new(&ray), min_t) else {
+                    continue;
+                };
+                decided += 1;
+                let truth = exact(&triangle, &ray, min_t);
+                let alike = answer.is_some() == truth.is_some();
+                assert!(alike, "{answer:?} from {min_t:e} on: {triangle:?} {ray:?}");
+            }
+        }
+    }
+    assert!(met > 1_000 && decided > 100, "{met}, {decided}");
+}
+
+/// An edge is met exactly, and products have digits below the smallest float.
+#[test]
+fn what_products_lose_by_underflow_is_left_open() {
+    let mut random = Random::new(3, "twice");
+    for power in -530..-470 {
+        for _ in 0..20 {
+            let (triangle, ray) = beside_an_edge(&mut random, 0.0);
+            let corners = triangle.corners.map(|corner| corner * 2f64.powi(power));
+            let answer = twice(&Triangle { corners }, &Scaled::new(&ray), 0.0);
+            assert_eq!(answer, None, "{corners:?} {ray:?}");
+        }
+    }
 }

@@ -7,6 +7,7 @@ use crate::kernel::triangle::{Four, Met};
 use crate::kernel::{Kernel, Limits, Window, plane, sphere, triangle};
 use crate::root::{Root, rounded};
 use crate::shape::Ray;
+use crate::vector::Vector;
 
 /// A choice of kernels.
 pub trait Model: Sync + 'static {
@@ -98,6 +99,8 @@ pub struct Exact;
 /// A ray scaled for filters.
 pub struct Prepared {
     scaled: Scaled<f64>,
+    /// As it was given, for exact decisions.
+    direction: Vector<f64>,
     /// From where the parts' limits hold.
     is_near: bool,
     /// Around `min_t`, as the scaled ray counts.
@@ -123,6 +126,7 @@ impl Model for Exact {
     fn prepare_scaled(ray: &Ray<f64>, scaled: &Scaled<f64>, min_t: f64, world: &World) -> Prepared {
         Prepared {
             scaled: *scaled,
+            direction: ray.direction,
             is_near: world.reach.holds(ray.origin),
             window: Window::new(scaled.scale(min_t)),
         }
@@ -187,7 +191,8 @@ impl Model for Exact {
 #[cold]
 #[inline(never)]
 fn left_open(shape: &Primitive, ray: &Prepared, min_t: f64, tally: &mut Tally) -> Option<f64> {
-    let given = ray.scaled.given();
+    let (origin, direction) = (ray.scaled.ray.origin, ray.direction);
+    let given = Ray { origin, direction };
     let filtered = match shape {
         Primitive::Sphere(shape) => sphere::filtered(shape, &ray.scaled, min_t),
         Primitive::Plane(shape) => plane::filtered(shape, &given, min_t),

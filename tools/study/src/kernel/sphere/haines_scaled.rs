@@ -11,7 +11,8 @@ use crate::shape::{Ray, Sphere};
 /// Without it a direction of length 1e-162 or 1e154 has a square that is 0 or infinite.
 pub struct HainesScaled;
 
-/// A ray with its direction scaled by 2^−`exponent`.
+/// A ray with its direction scaled by 2^−`exponent`. A component that is more than 1e300
+/// times smaller than another may lose digits by it, and cannot be had back.
 #[derive(Clone, Copy, Debug)]
 pub struct Scaled<F> {
     /// The same line.
@@ -28,15 +29,6 @@ impl<F: Real> Scaled<F> {
         let direction = ray.direction.map(|d| d.times_power_of_two(-exponent));
         let ray = Ray { direction, ..*ray };
         Scaled { ray, exponent }
-    }
-
-    /// The ray as it was given, digit for digit.
-    pub fn given(&self) -> Ray<F> {
-        let direction = self.ray.direction;
-        Ray {
-            direction: direction.map(|d| d.times_power_of_two(self.exponent)),
-            ..self.ray
-        }
     }
 
     /// A t of the given ray as one of the scaled.

@@ -24,8 +24,10 @@ use crate::shape::{Ray, Triangle};
 ///    roundings: 108u M² + 216u S M. So 256u M (M + S) bounds every volume's error, with
 ///    its own roundings, and 256u S M² that of t times the determinant.
 /// 3. What underflows, in products of components below 1/u of the smallest normal
-///    number, adds less than 64 [`Real::TINY`] times (1 + M + S). What overflows makes
-///    the bound infinite or a volume NaN: comparisons are written so that both are open.
+///    number, adds less than 64 [`Real::TINY`] times (1 + M + S). Where a sum or a
+///    product overflows, a volume may be infinite with the wrong sign. Those of M (M + S)
+///    are at most 24 of it, and those of S M² 6: if 32 times as much is finite, nothing
+///    has; if not, the bound is infinite. Comparisons are written so that this is open.
 ///
 /// The ray's line misses if two of the three volumes have certain opposite signs, and
 /// hits if all three have one certain sign; their sum, the determinant, has it too.
@@ -74,11 +76,13 @@ impl<F: Real> Budget<F> {
     #[inline(always)]
     pub fn new(size: F, away: F) -> Budget<F> {
         let underflow = F::of(64.0) * F::TINY;
-        let of_size = F::of(256.0) * F::UNIT_ROUNDOFF * size + underflow;
+        // The 256u in two steps: no sum or product that is bounded exceeds 32 times these.
+        let (of_size, share) = (F::of(32.0) * size, F::of(8.0) * F::UNIT_ROUNDOFF);
+        let error = |product: F, lost: F| share * product + underflow * (F::ONE + lost);
         Budget {
-            of_volumes: of_size * (size + away) + underflow,
-            of_determinant: of_size * size + underflow,
-            of_t: (of_size * away + underflow) * size + underflow,
+            of_volumes: error(of_size * (size + away), size + away),
+            of_determinant: error(of_size * size, size),
+            of_t: error(of_size * away * size, size + size * away),
         }
     }
 }
@@ -119,7 +123,7 @@ pub fn filtered<F: Real>(
     let (volume, m) = (e2.dot(q) * side, scaled.scale(min_t));
     let beyond = volume - m * determinant;
     let beyond_error = budget.of_t + F::of(2.0) * m.abs() * bound;
-    if !(beyond.abs() > beyond_error) {
+    if !(beyond.abs() > beyond_error && beyond.is_finite()) {
         return None;
     }
     if beyond < F::ZERO {
