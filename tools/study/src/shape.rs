@@ -1,6 +1,6 @@
 //! The harness's ray and shapes, with numbers of either type.
 
-use crate::number::Real;
+use crate::number::{Real, exponent};
 use crate::vector::Vector;
 
 /// p(t) = origin + t direction; the direction is not unit length.
@@ -45,10 +45,21 @@ impl<F: Real> Sphere<F> {
 }
 
 impl<F: Real> Triangle<F> {
-    /// Along its normal; not unit.
+    /// Along its normal; not unit: twice the area.
     pub fn outward(&self) -> Vector<F> {
         let [a, b, c] = self.corners;
         (b - a).cross(c - a)
+    }
+
+    /// Its unit normal. Edges are brought near 1 by powers of two before they are
+    /// multiplied: the area of a triangle with edges of 1e-160 is no `f64`.
+    pub fn normal(&self) -> Vector<F> {
+        let [a, b, c] = self.corners;
+        let near_one = |edge: Vector<F>| {
+            let power = -exponent(edge.largest().wide());
+            edge.map(|x| x.times_power_of_two(power))
+        };
+        near_one(b - a).cross(near_one(c - a)).unit()
     }
 }
 

@@ -235,3 +235,40 @@ fn boxes_lose_no_hit_where_t_has_lost_its_digits() {
         assert_eq!(seen.map(|found| found.part.object), Some(1), "{search:?}");
     }
 }
+
+/// Its area, 1e-320, has three digits, and that of the next none.
+#[test]
+fn the_normal_of_a_tiny_or_a_huge_triangle_is_a_number() {
+    for size in [1e-160, 1e-170, 1e160] {
+        let corner = |x: f64, y: f64| Vector::new(x, y, 0.5 * x) * size;
+        let triangle = Triangle {
+            corners: [corner(0.0, 0.0), corner(1.0, 0.25), corner(0.0, 1.0)],
+        };
+        let normal = Primitive::Triangle(triangle).normal(Vector::default());
+        let off = normal - Vector::new(-0.5, 0.0, 1.0).unit();
+        assert!(off.largest() < 1e-15, "{size}: {normal:?}");
+    }
+}
+
+/// The square of such a direction is 0.
+#[test]
+fn the_judge_sees_along_a_direction_that_is_hardly_there() {
+    let mut world = World::default();
+    world.add(
+        0,
+        Primitive::Sphere(Sphere {
+            center: Vector::new(0.0, 0.0, -1e10),
+            radius: 9e9,
+        }),
+    );
+    let ray = Ray {
+        origin: Vector::new(5e9, 0.0, 0.0),
+        direction: Vector::new(0.0, 0.0, -1e-163),
+    };
+    let caster = Caster::new(world);
+    let seen = caster.first::<Exact>(Search::Boxes, &ray, 0.0, &mut Tally::default());
+    let seen = seen.map(|found| found.part.object);
+    assert_eq!(seen, Some(0));
+    assert!(sight(&caster.world.parts, &ray, 0.0).allows(seen));
+    assert!(!sight(&caster.world.parts, &ray, 0.0).allows(None));
+}

@@ -47,7 +47,7 @@ impl Near<'_> {
         match self.shape {
             Met::Sphere(shape) => shape.outward(ray.origin + ray.direction * self.t).unit(),
             Met::Plane(shape) => shape.normal.unit(),
-            Met::Triangle(shape) => shape.outward().unit(),
+            Met::Triangle(shape) => shape.normal(),
         }
     }
 }

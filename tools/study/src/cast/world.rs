@@ -152,7 +152,7 @@ impl Primitive {
         match self {
             Primitive::Sphere(sphere) => sphere.outward(point).unit(),
             Primitive::Plane(plane) => plane.normal.unit(),
-            Primitive::Triangle(triangle) => triangle.outward().unit(),
+            Primitive::Triangle(triangle) => triangle.normal(),
         }
     }
 }

@@ -20,7 +20,7 @@ impl<F: Real> Window<F> {
     pub fn new(min_t: F) -> Window<F> {
         let room = F::of(8.0) * F::ROOT_OF_UNIT;
         let hair = F::TINY + F::TINY;
-        let is_known = min_t >= F::ZERO;
+        let is_known = min_t >= F::ZERO && min_t.is_finite();
         let or_never = |t, never: f64| if is_known { t } else { F::of(never) };
         Window {
             after: or_never(min_t * (F::ONE + room) + hair, f64::INFINITY),

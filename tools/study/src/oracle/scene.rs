@@ -3,6 +3,8 @@
 
 use std::cmp::Ordering;
 
+use dashu_ratio::Relaxed;
+
 use super::{Exact, Known, Root, Truth, sign};
 use crate::cast::world::{Part, Primitive};
 use crate::question::Question;
@@ -126,7 +128,16 @@ pub fn normal(shape: &Primitive, ray: &Ray<f64>, t: &Root) -> Vector<f64> {
             Exact(at.collect::<Vec<_>>().try_into().expect("three of them"))
         }
     };
-    let [x, y, z] = along.0.map(|number| number.to_f64().value());
+    // Over the largest, so that none is rounded to 0 or to infinity.
+    let magnitude = |number: &Relaxed| match sign(number) < 0 {
+        true => -number.clone(),
+        false => number.clone(),
+    };
+    let larger = |p: Relaxed, q: Relaxed| if p < q { q } else { p };
+    let largest = along.0.iter().map(magnitude).reduce(larger);
+    let largest = largest.filter(|number| sign(number) > 0);
+    let largest = largest.unwrap_or(super::fraction(1.0));
+    let [x, y, z] = along.0.map(|number| (number / &largest).to_f64().value());
     let along = Vector::new(x, y, z);
     along * (1.0 / along.dot(along).sqrt())
 }
@@ -161,5 +172,7 @@ fn is_passed_by_far(shape: &Primitive, ray: &Ray<f64>) -> bool {
     let across = to.cross(ray.direction);
     let (length, distance) = (ray.direction.dot(ray.direction), to.dot(to));
     let size = radius + 1e-6 * (radius + distance.sqrt());
-    across.dot(across) > size * size * length * (1.0 + 1e-6)
+    let (across, bound) = (across.dot(across), size * size * length * (1.0 + 1e-6));
+    // Smaller squares may have lost their digits, and larger ones are none.
+    bound > 1e-250 && length > 1e-250 && across.is_finite() && across > bound
 }

@@ -232,8 +232,16 @@ fn exact_normal(shape: &Primitive, ray: &Ray<f64>, t: f64) -> Vector<f64> {
             DyadicVector(at.collect::<Vec<_>>().try_into().expect("three of them"))
         }
     };
+    // Over the largest, so that none is rounded to 0 or to infinity.
+    let is_less = |p: &Dyadic, q: &Dyadic| (&(p * p) - &(q * q)).sign() < 0;
+    let larger = |p, q| if is_less(&p, &q) { q } else { p };
+    let largest = match along.0.clone().into_iter().reduce(larger) {
+        Some(number) if number.sign() < 0 => -number,
+        Some(number) if number.sign() > 0 => number,
+        _ => Dyadic::of(1.0),
+    };
     let [x, y, z] = along
         .0
-        .map(|number| Root::fraction(number, Dyadic::of(1.0)).rounded());
+        .map(|number| Root::fraction(number, largest.clone()).rounded());
     Vector::new(x, y, z).unit()
 }

@@ -101,8 +101,9 @@ impl Extent {
             }
         };
         let nearest = nearest.min(furthest);
-        // A near root about min_t may be taken or not, and another is then seen.
-        let plane = self.min_t * self.most(|ray| length(ray.direction));
+        // A near root about min_t may be taken or not, and another is then seen: about, by
+        // more than any rounding.
+        let plane = 1.001 * self.min_t * self.most(|ray| length(ray.direction)) + 1e-6 * nearest;
         if nearest <= radius && furthest >= radius || self.min_t > 0.0 && nearest - radius <= plane
         {
             return Bound::NONE;
