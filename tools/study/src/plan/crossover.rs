@@ -1,7 +1,7 @@
 //! Which search is cheaper: measured, and kept here. (Whether `f32` is cheaper depends on
 //! more than a count, and is raced on a scene's own rays: [`super::sample`].)
 //!
-//! Made scenes of 1 to 128 balls or triangles that fill the same ball are cast in every
+//! Made scenes of 1 to 512 balls or triangles that fill the same ball are cast in every
 //! way. `cargo run --release -- study --only crossover` measures again and prints the
 //! figures below beside its own.
 
@@ -23,10 +23,10 @@ use super::{Kind, Numbers};
 pub fn boxes_from(kind: Kind, numbers: Numbers) -> usize {
     match (kind, numbers) {
         (Kind::Plane, _) => usize::MAX,
-        (Kind::Sphere, Numbers::F32) => 28,
+        (Kind::Sphere, Numbers::F32) => 350,
         (Kind::Sphere, Numbers::F64) => 9,
         (Kind::Sphere, Numbers::Exact) => 8,
-        (Kind::Triangle, Numbers::F32) => 80,
+        (Kind::Triangle, Numbers::F32) => 250,
         (Kind::Triangle, Numbers::F64) => 5,
         (Kind::Triangle, Numbers::Exact) => 6,
     }
@@ -43,7 +43,9 @@ pub fn search(spheres: usize, triangles: usize, numbers: Numbers) -> Search {
 }
 
 /// How many parts the made scenes have.
-pub const COUNTS: [usize; 12] = [1, 2, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96];
+pub const COUNTS: [usize; 17] = [
+    1, 2, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 144, 192, 256, 384, 512,
+];
 
 /// Nanoseconds for a ray in made scenes, by both searches in all numbers.
 pub fn measured(rounds: usize) -> Vec<CrossoverTally> {

@@ -106,13 +106,11 @@ impl<S: Sifted> Kind<S> {
             });
         }
         for (chunk, rows) in self.rows.iter().enumerate() {
-            let margins = S::margins(rows, ray);
-            if !margins.iter().any(|margin| *margin >= 0.0) {
-                continue;
-            }
-            for (lane, margin) in margins.into_iter().enumerate() {
-                let at = chunk * EIGHT + lane;
-                if margin >= 0.0 && at < self.shapes.len() {
+            let mut passed = S::passed(rows, ray);
+            while passed != 0 {
+                let at = chunk * EIGHT + passed.trailing_zeros() as usize;
+                passed &= passed - 1;
+                if at < self.shapes.len() {
                     self.meet::<K>(at, prepared, min_t, met, near);
                 }
             }
