@@ -36,6 +36,12 @@ fn vectors<S>(shapes: &[S], vector: impl Fn(&S) -> Vector<f32>) -> Vector<f32x8>
     Vector::new(axis(0), axis(1), axis(2))
 }
 
+/// A bit for each that is not below 0. What overflowed is NaN, of which nothing is sure.
+#[inline(always)]
+fn not_negative(margins: f32x8) -> u32 {
+    !margins.simd_lt(f32x8::splat(0.0)).to_bitmask() & ((1 << EIGHT) - 1)
+}
+
 /// Centres and squares of radii.
 #[derive(Clone)]
 pub struct Spheres {
@@ -64,7 +70,7 @@ impl Sifted for Sphere<f32> {
         let l = f - d * (d.dot(f) * by_square);
         let spare = f32x8::splat(1e-9) * f.dot(f);
         let margin = f32x8::splat(1.001) * rows.squares + spare - l.dot(l);
-        margin.simd_ge(f32x8::splat(0.0)).to_bitmask()
+        not_negative(margin)
     }
 }
 
@@ -106,7 +112,7 @@ impl Sifted for Triangle<f32> {
         let [x, y, z] = s.map(f32x8::abs).array();
         let spare = slack * rows.sizes * (rows.sizes + x.fast_max(y).fast_max(z));
         let least = u.fast_min(v).fast_min(determinant.abs() - u - v);
-        (least + spare).simd_ge(f32x8::splat(0.0)).to_bitmask()
+        not_negative(least + spare)
     }
 }
 

@@ -66,15 +66,31 @@ pub fn record(random: u64, adversarial: u64, edges: u64, seed: u64) -> bool {
         ("random", Hardness::Random, random),
         ("adversarial", Hardness::Adversarial, adversarial),
     ] {
-        let bar = bar(name, count);
-        let Count { asked, wrong } = record::decisions(hardness, count, seed, &|n| bar.inc(n));
-        bar.finish_and_clear();
-        println!(
-            "{name}: {wrong} wrong decisions in {asked}{}",
-            bound(wrong, asked)
-        );
-        is_well &= wrong == 0;
+        is_well &= count == 0 || decisions(name, hardness, count, seed);
     }
+    is_well &= edges == 0 || leaks(edges, seed);
+    println!("camera rays, as computed and as rounded once (apart from all above):");
+    for camera in record::cameras() {
+        println!(
+            "{}: up to {:.1e} rad and {:.1e} of the origin apart; {} of {} pixels change",
+            camera.scene, camera.angle, camera.origin, camera.changed, camera.pixels
+        );
+    }
+    is_well
+}
+
+fn decisions(name: &str, hardness: Hardness, count: u64, seed: u64) -> bool {
+    let bar = bar(name, count);
+    let Count { asked, wrong } = record::decisions(hardness, count, seed, &|n| bar.inc(n));
+    bar.finish_and_clear();
+    println!(
+        "{name}: {wrong} wrong decisions in {asked}{}",
+        bound(wrong, asked)
+    );
+    wrong == 0
+}
+
+fn leaks(edges: u64, seed: u64) -> bool {
     let bar = bar("edges and vertices", 2 * edges);
     let Leaks {
         rays,
@@ -88,18 +104,9 @@ pub fn record(random: u64, adversarial: u64, edges: u64, seed: u64) -> bool {
          {fallbacks} tests were decided in exact numbers",
         bound(leaks + double_hits, rays)
     );
-    is_well &= leaks + double_hits == 0;
-    println!("camera rays, as computed and as rounded once (apart from all above):");
-    for camera in record::cameras() {
-        println!(
-            "{}: up to {:.1e} rad and {:.1e} of the origin apart; {} of {} pixels change",
-            camera.scene, camera.angle, camera.origin, camera.changed, camera.pixels
-        );
-    }
-    is_well
+    leaks + double_hits == 0
 }
 
-/// What a count of 0 says of the rate.
 /// How far a long run is, for who looks at it.
 fn bar(name: &str, count: u64) -> ProgressBar {
     let style = "{msg}: {human_pos} of {human_len}, {eta} to go";
@@ -109,6 +116,7 @@ fn bar(name: &str, count: u64) -> ProgressBar {
         .with_message(name.to_owned())
 }
 
+/// What a count of 0 says of the rate.
 fn bound(wrong: u64, asked: u64) -> String {
     match wrong {
         0 => format!(" (below {:.1e} with 95 % confidence)", rule_of_three(asked)),
