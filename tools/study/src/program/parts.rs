@@ -1,6 +1,7 @@
 //! Parts that are asked for by themselves.
 
 use std::fs;
+use std::io::Write;
 use std::path::Path;
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -69,12 +70,12 @@ pub fn record(random: u64, adversarial: u64, edges: u64, seed: u64) -> bool {
         is_well &= count == 0 || decisions(name, hardness, count, seed);
     }
     is_well &= edges == 0 || leaks(edges, seed);
-    println!("camera rays, as computed and as rounded once (apart from all above):");
+    say("camera rays, as computed and as rounded once (apart from all above):");
     for camera in record::cameras() {
-        println!(
+        say(&format!(
             "{}: up to {:.1e} rad and {:.1e} of the origin apart; {} of {} pixels change",
             camera.scene, camera.angle, camera.origin, camera.changed, camera.pixels
-        );
+        ));
     }
     is_well
 }
@@ -83,10 +84,10 @@ fn decisions(name: &str, hardness: Hardness, count: u64, seed: u64) -> bool {
     let bar = bar(name, count);
     let Count { asked, wrong } = record::decisions(hardness, count, seed, &|n| bar.inc(n));
     bar.finish_and_clear();
-    println!(
+    say(&format!(
         "{name}: {wrong} wrong decisions in {asked}{}",
         bound(wrong, asked)
-    );
+    ));
     wrong == 0
 }
 
@@ -99,12 +100,18 @@ fn leaks(edges: u64, seed: u64) -> bool {
         fallbacks,
     } = record::leaks(edges, seed, &|n| bar.inc(n));
     bar.finish_and_clear();
-    println!(
+    say(&format!(
         "edges and vertices: {leaks} leaks, {double_hits} double hits in {rays} rays{}; \
          {fallbacks} tests were decided in exact numbers",
         bound(leaks + double_hits, rays)
-    );
+    ));
     leaks + double_hits == 0
+}
+
+/// A line as soon as it is known. Whoever stops reading wants no more, and a long run does
+/// not end for that.
+fn say(line: &str) {
+    let _ = writeln!(std::io::stdout(), "{line}");
 }
 
 /// How far a long run is, for who looks at it.
