@@ -51,7 +51,7 @@ fn hand_on() -> ExitCode {
     let cargo = std::env::var_os("CARGO").filter(|_| !words.is_empty());
     let status = cargo.and_then(|cargo| {
         let mut command = std::process::Command::new(cargo);
-        command.args(["run", "--release", "--package", "pinhole-tools", "--"]);
+        command.args(["run", "--release", "--package", "pinhole-cli", "--"]);
         command.args(words).status().ok()
     });
     if let Some(status) = status {

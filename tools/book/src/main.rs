@@ -1,4 +1,4 @@
-//! `book build` and `book check`; `pinhole book` starts them.
+//! `pinhole book`: builds or checks the book.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -13,15 +13,21 @@ use pinhole_book::error::{Error, Problem, Result};
 use pinhole_book::expand::Sources;
 use pinhole_book::{figures, gallery, interactive, run, worked};
 
-/// Pinhole's book: built, and proved.
-///
-/// Exit codes: 0 all well; 1 the check found something; 2 a page is wrong; 3 the machine
-/// or this program is at fault.
 #[derive(Parser)]
-#[command(name = "pinhole book", version, max_term_width = 100)]
+#[command(name = "pinhole", version, max_term_width = 100)]
 struct Cli {
     #[command(subcommand)]
-    command: Command,
+    program: Program,
+}
+
+#[derive(Subcommand)]
+enum Program {
+    /// Build or check the book
+    ///
+    /// Exit codes: 0 all well; 1 the check found something; 2 a page is wrong; 3 the machine
+    /// or this program is at fault.
+    #[command(subcommand)]
+    Book(Command),
 }
 
 #[derive(Subcommand)]
@@ -72,7 +78,8 @@ struct Which {
 }
 
 fn main() -> ExitCode {
-    match run_command(Cli::parse().command) {
+    let Program::Book(command) = Cli::parse().program;
+    match run_command(command) {
         Ok(problems) if problems.is_empty() => ExitCode::SUCCESS,
         Ok(problems) => {
             eprintln!("{}", Error::Sources(problems));

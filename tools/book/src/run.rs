@@ -100,7 +100,7 @@ impl<'a> Runner<'a> {
     /// Builds the program.
     pub fn new(checkout: &'a Checkout) -> Result<Runner<'a>> {
         Ok(Runner::of(
-            program::build("pinhole-tools", checkout)?,
+            program::build("pinhole-cli", checkout)?,
             checkout,
         ))
     }

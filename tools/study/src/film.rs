@@ -1,9 +1,8 @@
 //! Films: cast exactly, what `pinhole render --exact` writes, or as planned.
 
-use std::path::Path;
 use std::time::Instant;
 
-use pinhole::{Error, Film, Hit, Intersection, Scene};
+use pinhole::{Film, Hit, Intersection, Scene};
 use serde::Serialize;
 
 use crate::cast::model::Exact;
@@ -41,25 +40,25 @@ pub struct Planned {
     pub plan: Plan,
 }
 
-/// Casts a scene exactly and writes its film.
-pub fn exact(scene: &Scene, to: &Path) -> Result<Report, Error> {
+/// Casts a scene exactly.
+pub fn exact(scene: &Scene) -> (Film, Report) {
     let rays = rays(scene);
     let start = Instant::now();
     let caster = Caster::new(World::of(&scene.objects));
     let (found, tally) = caster.film::<Exact>(Search::Boxes, &rays, scene.min_t);
     let seconds = start.elapsed().as_secs_f64();
     let hits: Vec<_> = found.iter().zip(&rays).map(hit).collect();
-    Film::of_hits(scene.resolution, &hits).write(to)?;
-    Ok(Report {
+    let report = Report {
         seconds,
         tests: tally.tests,
         fallbacks: tally.fallbacks,
         close_calls: tally.close_calls,
-    })
+    };
+    (Film::of_hits(scene.resolution, &hits), report)
 }
 
-/// Plans a scene, casts it so and writes its film.
-pub fn planned(scene: &Scene, wish: Wish, to: &Path) -> Result<Planned, String> {
+/// Plans a scene and casts it so.
+pub fn planned(scene: &Scene, wish: Wish) -> Result<(Film, Planned), String> {
     let start = Instant::now();
     let (plan, casting) = plan(scene, wish)?;
     let planning_seconds = start.elapsed().as_secs_f64();
@@ -70,14 +69,13 @@ pub fn planned(scene: &Scene, wish: Wish, to: &Path) -> Result<Planned, String> 
         .into_iter()
         .map(|seen| seen.map(|(object, t, normal)| at(object, t, normal)))
         .collect();
-    let film = Film::of_hits(scene.resolution, &hits);
-    film.write(to).map_err(|error| error.to_string())?;
-    Ok(Planned {
+    let planned = Planned {
         seconds,
         planning_seconds,
         spent,
         plan,
-    })
+    };
+    Ok((Film::of_hits(scene.resolution, &hits), planned))
 }
 
 fn at(object: u32, t: f64, normal: Vector<f64>) -> Hit {

@@ -89,8 +89,8 @@ fn all_faults(document: &Value) -> Vec<String> {
 /// The real program, on one small part.
 fn studied(part: &str) -> (Option<i32>, String, std::path::PathBuf) {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(part);
-    let output = Command::new(env!("CARGO_BIN_EXE_study"))
-        .args(["--quick", "--json", "--only", part, "--out"])
+    let output = Command::new(env!("CARGO_BIN_EXE_pinhole-study"))
+        .args(["study", "--quick", "--json", "--only", part, "--out"])
         .arg(&folder)
         .output()
         .expect("it runs");

@@ -26,7 +26,7 @@ pub struct Caster<'a> {
 impl Caster<'_> {
     /// Builds what casts.
     pub fn new(checkout: &Checkout) -> Result<Caster<'_>> {
-        let pinhole = program::build("pinhole-tools", checkout)?;
+        let pinhole = program::build("pinhole-cli", checkout)?;
         let mut state = Sha256::new();
         let assignment = checkout.assignment();
         for folder in [

@@ -1,0 +1,199 @@
+//! `pinhole check`: a student's loop.
+
+use clap::ValueEnum;
+
+use crate::cli::Check;
+use crate::watch::{self, Course};
+use pinhole_course::assignment::Assignment;
+use pinhole_course::checkout::Checkout;
+use pinhole_course::compile::compile;
+use pinhole_course::describe::printable;
+use pinhole_course::error::{Error, Result};
+use pinhole_course::examination::Examination;
+use pinhole_course::examine::{Examiner, Selection};
+use pinhole_course::goldens::Goldens;
+use pinhole_course::progress::Progress;
+use pinhole_course::run_options::RunOptions;
+use pinhole_course::sandbox::{Choice, Sandbox};
+use pinhole_course::second_judge::SecondJudge;
+use pinhole_course::shell::{PINHOLE, in_shell};
+use pinhole_course::submission::Submission;
+use pinhole_course::submission::flags::flags;
+use pinhole_report::html::{Again, Report};
+use pinhole_report::passage::{self, Passage};
+use pinhole_report::program::Status;
+use pinhole_report::{json, terminal};
+
+pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
+    let here = std::env::current_dir().unwrap_or_default();
+    let assignment = Assignment::around(checkout, arguments.dir.as_ref().unwrap_or(&here))?;
+    let goldens = match &arguments.golden {
+        Some(folder) => Goldens::find(folder, &assignment, checkout)?,
+        None => Goldens::read(&checkout.golden(&assignment.name), &assignment)?,
+    };
+    let selection = selection(arguments, &assignment, &goldens)?;
+    let submission =
+        Submission::named_or(arguments.dir.as_deref(), &assignment, &assignment.handout())?;
+    let sandbox = Sandbox::around(
+        &submission.folder,
+        checkout,
+        arguments.run.sandbox.choice(),
+        &arguments.golden.iter().cloned().collect::<Vec<_>>(),
+    )?;
+
+    let default_report = checkout.scratch().join("report.html");
+    if arguments.watch {
+        let course = Course {
+            assignment,
+            goldens,
+            checkout: checkout.clone(),
+            sandbox,
+            wall: arguments.run.wall(),
+            submission,
+            tasks: selection.tasks,
+            report: arguments.report.clone().unwrap_or(default_report),
+            again: again(arguments),
+        };
+        // However it ends: the student has seen the verdicts.
+        return watch::run(course, arguments.json).map(|()| Status::Well);
+    }
+    let second_judge = arguments
+        .oiiotool
+        .then(|| SecondJudge::find(checkout))
+        .transpose()?;
+    let progress = Progress::new();
+    progress.say("building");
+    let program = compile(&submission, &assignment, checkout, &sandbox)?;
+    let examiner = Examiner {
+        assignment: &assignment,
+        goldens: &goldens,
+        program: &program,
+        sandbox: &sandbox,
+        wall: arguments.run.wall(),
+        second_judge: second_judge.as_ref(),
+        clock: None,
+        progress: &|what, share| progress.show(what, share),
+    };
+    let examination = examiner.examine(&submission, &selection)?;
+    progress.clear();
+
+    let path = match &arguments.report {
+        Some(path) => Some(path.clone()),
+        None if arguments.no_report => None,
+        None => Some(default_report),
+    };
+    // The verdict is worth more than its report: it is shown before anything is said of
+    // a report that could not be written.
+    let written = path.map(|path| {
+        let mut report = Report::of_examination(&examination, &goldens.folder, &again(arguments))?;
+        report.book = passage::built(checkout.root());
+        report.write(&path).map(|()| path)
+    });
+    let path = match &written {
+        Some(Ok(path)) => Some(path.display().to_string()),
+        _ => None,
+    };
+    if arguments.json {
+        let mut document = json::examination(&examination);
+        document["report"] = path.into();
+        document["sandbox"] = sandbox.name().into();
+        document["flags"] = json::flags(&flags(&submission));
+        anstream::println!("{document:#}");
+    } else {
+        anstream::print!("{}", terminal::examination(&examination));
+        if let Some(path) = path {
+            anstream::println!("\nreport: {}", printable(&path));
+        }
+        if let Some(passage) = arguments
+            .read
+            .then(|| worth_reading(&examination))
+            .flatten()
+        {
+            anstream::println!("\n{}", printable(&passage.open(checkout.root())));
+        }
+    }
+    written.transpose()?;
+    Ok(if examination.passes() {
+        Status::Well
+    } else {
+        Status::JudgedWrong
+    })
+}
+
+/// What helps with the first task that fails, or with the first scene.
+fn worth_reading(examination: &Examination) -> Option<Passage> {
+    let mut tasks = examination.tasks.iter();
+    let task = tasks.find(|task| task.groups.iter().any(|group| !group.outcome.passes()));
+    let scenes = examination.scenes.iter();
+    let mut scenes = scenes.filter(|scene| !scene.diagnosis.is_empty());
+    match (task, scenes.next()) {
+        (Some(task), _) => Passage::against(&task.diagnosis, &task.chapter),
+        (None, Some(scene)) => Passage::against(&scene.diagnosis, ""),
+        (None, None) => Vec::new(),
+    }
+    .into_iter()
+    .next()
+}
+
+/// The command that does the same again.
+fn again(arguments: &Check) -> Again {
+    let mut part = format!("{PINHOLE} check");
+    let add = |words: &mut String, word: &str| {
+        words.push(' ');
+        words.push_str(&in_shell(word));
+    };
+    if let Some(dir) = &arguments.dir {
+        add(&mut part, &dir.display().to_string());
+    }
+    if let Some(golden) = &arguments.golden {
+        add(&mut part, "--golden");
+        add(&mut part, &golden.display().to_string());
+    }
+    if arguments.run.timeout != RunOptions::TIMEOUT {
+        add(&mut part, "--timeout");
+        add(&mut part, &arguments.run.timeout.to_string());
+    }
+    if let Some(walls) = arguments.run.sandbox.choice().to_possible_value()
+        && arguments.run.sandbox.choice() != Choice::Auto
+    {
+        add(&mut part, "--sandbox");
+        add(&mut part, walls.get_name());
+    }
+    let mut whole = part.clone();
+    for (option, names) in [("--task", &arguments.task), ("--scene", &arguments.scene)] {
+        for name in names {
+            add(&mut whole, option);
+            add(&mut whole, name);
+        }
+    }
+    Again { whole, part }
+}
+
+fn selection(arguments: &Check, assignment: &Assignment, goldens: &Goldens) -> Result<Selection> {
+    let known = |what: &str, named: &[String], names: Vec<&str>| match named
+        .iter()
+        .find(|name| !names.contains(&name.as_str()))
+    {
+        Some(name) => Err(Error::input(
+            format!("there is no {what} `{name}`"),
+            format!("name one of: {}", names.join(", ")),
+        )),
+        None => Ok(()),
+    };
+    let tasks = assignment
+        .tasks
+        .iter()
+        .map(|task| task.name.as_str())
+        .collect();
+    known("task", &arguments.task, tasks)?;
+    let scenes = goldens
+        .scenes
+        .iter()
+        .map(|scene| scene.name.as_str())
+        .collect();
+    known("scene", &arguments.scene, scenes)?;
+    Ok(Selection {
+        tasks: arguments.task.clone(),
+        scenes: arguments.scene.clone(),
+    })
+}

@@ -1,0 +1,254 @@
+//! `pinhole diff`: both judges on any renderer's film.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use pinhole::film::HIT_CHANNELS;
+use pinhole::judge::{Golden, Refusal, Verdict, judge};
+use pinhole::oiiotool::{Oiiotool, SecondVerdict};
+use pinhole::{Film, Scene, false_colour};
+use serde_json::json;
+
+use crate::cli::Diff;
+use pinhole_course::assignment::{Assignment, ScenePoints};
+use pinhole_course::checkout::Checkout;
+use pinhole_course::diagnosis::Diagnosis;
+use pinhole_course::error::{Error, Result};
+use pinhole_course::goldens::Goldens;
+use pinhole_course::shell::{PINHOLE, in_shell};
+use pinhole_course::{describe, mitsuba};
+use pinhole_report::html::{self, Beliefs, Evidence, Report};
+use pinhole_report::program::Status;
+use pinhole_report::{json, pictures, terminal};
+
+pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Status> {
+    let golden = Golden::read(&arguments.golden)?;
+    // An unreadable film is refused like one of the wrong size: it is what was judged.
+    if !arguments.film.is_file() {
+        let problem = format!("there is no film file {}", arguments.film.display());
+        return Err(Error::input(problem, "name the film to judge"));
+    }
+    let film = Film::read(&arguments.film);
+    let verdict = film.as_ref().map(|film| judge(&golden, film));
+    let second = match Oiiotool::find(&mitsuba::environment(checkout)) {
+        Some(tool) => Some(
+            tool.judge(&arguments.golden, &arguments.film)
+                .map_err(|problem| {
+                    Error::environment(
+                        problem,
+                        "make the environment again: cargo run --release -- golden setup",
+                    )
+                })?,
+        ),
+        None => None,
+    };
+    let passes = matches!(&verdict, Ok(Ok(verdict)) if verdict.passes());
+    if let Some(second) = &second
+        && second.passes != passes
+    {
+        return Err(disagreement(passes, second));
+    }
+
+    let diagnosis = match &film {
+        Ok(film) if !passes => {
+            let goldens = Goldens::around(&arguments.golden)?;
+            let name = goldens.film_name(&arguments.golden);
+            goldens.diagnose_film(&name, &golden, film)?
+        }
+        _ => Diagnosis::default(),
+    };
+    let mut written = Vec::new();
+    if let (Some(folder), Ok(film)) = (&arguments.out, &film) {
+        written = draw(folder, &golden, film)?;
+    }
+    let mut report = None;
+    if let Some(path) = report_path(arguments) {
+        film_report(checkout, arguments, &golden, &film, &verdict, &diagnosis)?.write(&path)?;
+        report = Some(path.display().to_string());
+    }
+    if arguments.json {
+        let judged = match &verdict {
+            Ok(verdict) => json::verdict(verdict),
+            Err(error) => json!({ "kind": "refused", "why": error.problem }),
+        };
+        let second = second.map(|second| json!({ "passes": second.passes, "said": second.said }));
+        anstream::println!(
+            "{:#}",
+            json!({
+                "passes": passes,
+                "verdict": judged,
+                "diagnosis": json::diagnosis(&diagnosis),
+                "oiiotool": second,
+                "pictures": written,
+                "report": report,
+            })
+        );
+    } else {
+        match &verdict {
+            Ok(verdict) => print(verdict),
+            Err(error) => anstream::println!("refused: {}", describe::printable(&error.problem)),
+        }
+        if !diagnosis.is_empty() {
+            anstream::println!("{}", terminal::diagnosis(&diagnosis));
+        }
+        match second {
+            Some(second) => anstream::println!("oiiotool agrees{}", said(&second)),
+            None => anstream::println!(
+                "oiiotool was not asked: it is not installed (cargo run --release -- golden setup installs it)"
+            ),
+        }
+        for line in written.iter().map(|file| format!("wrote {file}")) {
+            anstream::println!("{line}");
+        }
+        if let Some(report) = &report {
+            anstream::println!("report: {}", describe::printable(report));
+        }
+        if !written.is_empty() && !passes {
+            for (_, words) in false_colour::Difference::LEGEND {
+                anstream::println!("  difference.png, {words}");
+            }
+        }
+    }
+    Ok(if passes {
+        Status::Well
+    } else {
+        Status::JudgedWrong
+    })
+}
+
+fn said(second: &SecondVerdict) -> String {
+    match second.said.as_str() {
+        "" => String::new(),
+        words => format!(" ({})", describe::printable(words)),
+    }
+}
+
+fn print(verdict: &std::result::Result<Verdict, Refusal>) {
+    match verdict {
+        Err(refusal) => anstream::println!("refused: {refusal}"),
+        Ok(verdict) => anstream::println!("{verdict}\n  {} pixels are exempt", verdict.exempt),
+    }
+}
+
+fn report_path(arguments: &Diff) -> Option<PathBuf> {
+    let in_folder = |folder: &PathBuf| folder.join("report.html");
+    arguments
+        .report
+        .clone()
+        .or(arguments.out.as_ref().map(in_folder))
+}
+
+/// What a judged film comes to on a page.
+fn film_report(
+    checkout: &Checkout,
+    arguments: &Diff,
+    golden: &Golden,
+    film: &std::result::Result<Film, pinhole::Error>,
+    verdict: &std::result::Result<std::result::Result<Verdict, Refusal>, &pinhole::Error>,
+    diagnosis: &Diagnosis,
+) -> Result<Report> {
+    let [golden_path, film_path] =
+        [&arguments.golden, &arguments.film].map(|path| path.display().to_string());
+    let scene = scene(checkout, arguments)?;
+    let (said, verdict) = match verdict {
+        Ok(Ok(verdict)) => (terminal::verdict_in_words(verdict, "pixels"), Some(verdict)),
+        Ok(Err(refusal)) => (format!("refused: {refusal}"), None),
+        Err(error) => (
+            format!("refused: {}", describe::printable(&error.problem)),
+            None,
+        ),
+    };
+    let name = arguments.golden.file_stem().unwrap_or_default();
+    let command = format!(
+        "{PINHOLE} diff {} {}",
+        in_shell(&golden_path),
+        in_shell(&film_path)
+    );
+    Ok(Report::of_film(
+        Evidence {
+            name: describe::printable(&name.to_string_lossy()),
+            passes: verdict.is_some_and(Verdict::passes),
+            said,
+            attempted: true,
+            points: None,
+            verdict,
+            golden,
+            film: film.as_ref().ok(),
+            scene: scene.as_ref(),
+            rays: html::rays_beside(&arguments.golden),
+            beliefs: Beliefs::of(diagnosis, &[]),
+            command,
+            explain: None,
+        },
+        &golden_path,
+        &film_path,
+    ))
+}
+
+/// The scene that both films show, as far as that is known.
+fn scene(checkout: &Checkout, arguments: &Diff) -> Result<Option<Scene>> {
+    let assignment = Assignment::around(checkout, &arguments.golden)?;
+    if let Some(named) = &arguments.scene {
+        return Ok(Some(assignment.find_scene(named, checkout)?.0));
+    }
+    let is_own = |scene: &&ScenePoints| {
+        let golden = checkout
+            .golden(&assignment.name)
+            .join(&scene.name)
+            .with_extension("exr");
+        match (golden.canonicalize(), arguments.golden.canonicalize()) {
+            (Ok(own), Ok(given)) => own == given,
+            _ => false,
+        }
+    };
+    match assignment.scenes.iter().find(is_own) {
+        Some(scene) => Ok(Some(Scene::read(&assignment.scene(&scene.name))?)),
+        None => Ok(None),
+    }
+}
+
+/// Pictures of golden, film and difference; none for a film that shows no hits.
+fn draw(folder: &Path, golden: &Golden, film: &Film) -> Result<Vec<String>> {
+    let drawable = |film: &Film| HIT_CHANNELS.iter().all(|name| film.channel(name).is_some());
+    if !drawable(golden.film()) || !drawable(film) {
+        return Ok(Vec::new());
+    }
+    let cannot = |error: std::io::Error| {
+        Error::input(
+            format!("cannot write to {}: {error}", folder.display()),
+            "name a folder you may write to",
+        )
+    };
+    fs::create_dir_all(folder).map_err(cannot)?;
+    // t, not depth: a film alone does not know its camera, and the two are proportional.
+    let range = false_colour::depth_range(golden.film(), 1.0);
+    let mut written = Vec::new();
+    for (prefix, film) in [("expected", golden.film()), ("got", film)] {
+        written.extend(pictures::write(
+            folder,
+            &format!("{prefix}-"),
+            film,
+            1.0,
+            range.clone(),
+        )?);
+    }
+    if film.resolution() == golden.film().resolution() {
+        let path = folder.join("difference.png");
+        pictures::save(&false_colour::difference(golden, film), &path)?;
+        written.push(path.display().to_string());
+    }
+    Ok(written)
+}
+
+fn disagreement(passes: bool, second: &SecondVerdict) -> Error {
+    let word = |passes: bool| if passes { "passes" } else { "fails" };
+    Error::environment(
+        format!(
+            "the two judges disagree: the film {} in Rust and {} in oiiotool{}",
+            word(passes),
+            word(second.passes),
+            said(second)
+        ),
+        "this is a fault of Pinhole's, not of the film: report it with both films",
+    )
+}

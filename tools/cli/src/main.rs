@@ -1,0 +1,28 @@
+//! The `pinhole` command: what a student has.
+//!
+//! Reading order: [`cli`] for what can be asked; one file in `command` for each thing it
+//! does; [`watch`] for doing it at every save; [`programs`] for the subcommands that other
+//! programs of the course have.
+
+mod cli;
+mod command;
+mod programs;
+mod watch;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+use pinhole_course::sandbox;
+use pinhole_report::program;
+
+fn main() -> ExitCode {
+    // Before anything else: inside a sandbox there is no checkout.
+    if let Some(code) = sandbox::become_confined() {
+        return code;
+    }
+    if let Some(code) = programs::pass_on() {
+        return code;
+    }
+    let cli = cli::Cli::parse();
+    program::run(cli.command.wants_json(), || command::run(cli))
+}

@@ -1,0 +1,172 @@
+//! `pinhole check --watch`: a student's loop, one answer at a time.
+//!
+//! Whatever happens is an [`Event`] in one channel: a save ([`saves`]), a verdict
+//! ([`judge`]), a key ([`keys`]). [`state`] alone decides what follows from it and
+//! knows no terminal; [`screen`] and [`hints`] say what there is to see, [`terminal`]
+//! shows it, and [`plain`] does so where there is no terminal.
+
+mod hints;
+mod judge;
+mod keys;
+mod order;
+mod plain;
+mod report;
+mod saves;
+mod screen;
+mod signals;
+mod state;
+mod terminal;
+
+use std::io::{IsTerminal, stdin, stdout};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::mpsc;
+use std::time::{Duration, Instant};
+
+use judge::Judge;
+use keys::Key;
+use pinhole_course::assignment::Assignment;
+use pinhole_course::checkout::Checkout;
+use pinhole_course::error::{Error, Result};
+use pinhole_course::examination::Examination;
+use pinhole_course::goldens::Goldens;
+use pinhole_course::sandbox::Sandbox;
+use pinhole_course::submission::Submission;
+use pinhole_report::html::Again;
+use plain::Plain;
+use state::{Act, State};
+use terminal::Terminal;
+
+/// What is watched, and what it is judged by.
+pub struct Course {
+    pub assignment: Assignment,
+    pub goldens: Goldens,
+    pub checkout: Checkout,
+    pub sandbox: Sandbox,
+    /// How long each process may take.
+    pub wall: Duration,
+    /// The answers to begin with.
+    pub submission: Submission,
+    /// Only these tasks and no scenes; empty for everything.
+    pub tasks: Vec<String>,
+    /// Where the report is written when somebody asks for it.
+    pub report: PathBuf,
+    /// What repeats the examination, for the report.
+    pub again: Again,
+}
+
+/// Whatever can happen.
+#[derive(Debug)]
+pub enum Event {
+    /// The answers are other ones now.
+    Saved {
+        /// All of them.
+        submission: Submission,
+        /// The tasks whose files differ.
+        tasks: Vec<String>,
+        /// When they were written.
+        at: Instant,
+    },
+    /// The answers cannot be read any more.
+    Lost(Error),
+    /// The judge began with a part of an order.
+    Asking {
+        order: u64,
+        what: String,
+        at: Instant,
+    },
+    /// Part of an order is judged.
+    Judged {
+        order: u64,
+        examination: Box<Examination>,
+        at: Instant,
+    },
+    /// All of an order is judged.
+    Finished { order: u64 },
+    /// An order cannot be judged.
+    Failed { order: u64, error: Error },
+    /// A key was pressed.
+    Key(Key),
+    /// The terminal has another size.
+    Resized,
+    /// Nobody is there to save anything more: end when all is told.
+    Closed,
+    /// End now.
+    Quit,
+    /// A thread of ours has panicked; its message is printed already.
+    Broken,
+}
+
+/// While something is asked the screen says for how long.
+const TICK: Duration = Duration::from_millis(250);
+
+/// Watches until somebody quits.
+pub fn run(course: Course, json: bool) -> Result<()> {
+    let (send, events) = mpsc::channel();
+    let course = Arc::new(course);
+    let mut judge = Judge::prepare(Arc::clone(&course), send.clone())?;
+    signals::listen(&send)?;
+    saves::listen(&course, send.clone());
+    let mut state = State::new(&course);
+    let on_screen = !json && stdin().is_terminal() && stdout().is_terminal();
+    let mut view = match on_screen && !terminal::is_dumb() {
+        true => View::Screen(Terminal::enter(send)?),
+        false => {
+            plain::listen(send);
+            View::Plain(Plain::begin(&course, json))
+        }
+    };
+    let mut acts = state.begin();
+    loop {
+        for act in acts {
+            match act {
+                Act::Ask(order) => judge.ask(order),
+                Act::Report => state.say(report::show(&course, &state.known)),
+                Act::Quit => return view.leave(&mut state),
+            }
+        }
+        view.show(&mut state)?;
+        let event = match events.recv_timeout(TICK) {
+            Ok(Event::Broken) => return Err(Error::environment("a fault of its own", "report it")),
+            Ok(event) => event,
+            Err(_) => {
+                acts = Vec::new();
+                continue;
+            }
+        };
+        match &mut view {
+            View::Plain(plain) => plain.tell(&event, &state),
+            View::Screen(terminal) if matches!(event, Event::Resized) => terminal.forget(),
+            View::Screen(_) => {}
+        }
+        acts = state.step(event);
+    }
+}
+
+/// Who is told.
+enum View {
+    Screen(Terminal),
+    Plain(Plain),
+}
+
+impl View {
+    fn show(&mut self, state: &mut State) -> Result<()> {
+        match self {
+            View::Screen(terminal) => terminal.show(state),
+            View::Plain(_) => Ok(()),
+        }
+    }
+
+    fn leave(self, state: &mut State) -> Result<()> {
+        match self {
+            View::Screen(terminal) => terminal.leave(state),
+            View::Plain(_) => Ok(()),
+        }
+    }
+}
+
+/// A path as short as it can be from where the user stands.
+fn from_here(path: &Path) -> &Path {
+    let here = std::env::current_dir().unwrap_or_default();
+    path.strip_prefix(here).unwrap_or(path)
+}

@@ -1,0 +1,76 @@
+//! What helps, from a look to a chapter; each press of a key tells one thing more.
+
+use super::order::Item;
+use super::state::State;
+use pinhole_course::diagnosis::Diagnosis;
+use pinhole_course::examination::TaskResult;
+use pinhole_course::mistake::Mistake;
+use pinhole_report::passage::Passage;
+
+/// The hints on what is shown, each deeper than the one before; none where nothing is
+/// wrong.
+pub fn of(state: &State) -> Vec<String> {
+    match state.item() {
+        Some(Item::Task(_)) => state
+            .item()
+            .and_then(|item| state.task(item))
+            .map_or(Vec::new(), on_task),
+        Some(Item::Scenes) => on_scenes(state),
+        None => Vec::new(),
+    }
+}
+
+fn on_task(task: &TaskResult) -> Vec<String> {
+    let Some(failing) = task.groups.iter().find(|group| !group.outcome.passes()) else {
+        return Vec::new();
+    };
+    if !task.diagnosis.is_empty() {
+        return known(&task.diagnosis);
+    }
+    let read = format!("read: {}", Passage::chapter(&task.chapter));
+    if task.replaced.is_some() {
+        let look = "look: at the first of the compiler's messages; others may follow from it";
+        return vec![look.into(), read];
+    }
+    if task.is_unanswered() {
+        let look = "look: the comment above the function says what comes in and what goes out";
+        return vec![look.into(), read];
+    }
+    let look = format!("look: `{}` asks about {}", failing.name, failing.about);
+    let think = "think: take the question above and a pencil; which step of yours is the first \
+                 to give something else than you expect?";
+    vec![look, think.into(), read]
+}
+
+fn on_scenes(state: &State) -> Vec<String> {
+    let failing = state
+        .known
+        .scenes
+        .iter()
+        .find(|scene| !scene.outcome.passes());
+    match failing {
+        None => Vec::new(),
+        Some(scene) if !scene.diagnosis.is_empty() => known(&scene.diagnosis),
+        Some(_) => vec![
+            "look: `explain` says what each of your answers makes of one pixel".into(),
+            "think: which of them is the first to say something else than you expect there?".into(),
+        ],
+    }
+}
+
+/// The hints of the mistakes behind a diagnosis, depth by depth.
+fn known(diagnosis: &Diagnosis) -> Vec<String> {
+    let beliefs = diagnosis.beliefs.iter().map(|belief| &belief.mistake);
+    let depth = |tell: fn(&Mistake) -> String| {
+        let told: Vec<String> = beliefs.clone().map(tell).collect();
+        told.join("\n")
+    };
+    vec![
+        depth(|mistake| format!("look: {}", mistake.hint.look)),
+        depth(|mistake| format!("think: {}", mistake.hint.think)),
+        depth(|mistake| {
+            let Mistake { chapter, hint, .. } = mistake;
+            format!("read: {}", Passage::section(chapter, &hint.read))
+        }),
+    ]
+}

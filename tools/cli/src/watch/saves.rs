@@ -1,0 +1,145 @@
+//! Notices saves.
+//!
+//! The system's notices only wake us up: what is true are the six files, which are
+//! read and compared with what they were. So it does not matter whether an editor
+//! writes in place, renames or deletes, and where there are no notices, on a network
+//! folder say, a look every now and then finds the save a little later.
+
+use std::sync::Arc;
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::thread;
+use std::time::{Duration, Instant, SystemTime};
+
+use notify::event::{AccessKind, AccessMode};
+use notify::{EventKind, RecommendedWatcher, RecursiveMode, Watcher};
+
+use super::{Course, Event};
+use pinhole_course::error::Result;
+use pinhole_course::submission::{Answer, Submission};
+
+/// How often we look without a notice.
+const PATROL: Duration = Duration::from_millis(500);
+
+/// A save is over when nothing has happened for this long.
+const QUIET: Duration = Duration::from_millis(20);
+
+/// A file that is empty or gone may be in the middle of a save: it gets so long.
+const GRACE: Duration = Duration::from_millis(250);
+
+/// Tells of every change of the answers, from a thread of its own.
+pub fn listen(course: &Arc<Course>, events: Sender<Event>) {
+    let course = Arc::clone(course);
+    thread::spawn(move || watch(&course, &events));
+}
+
+fn watch(course: &Course, events: &Sender<Event>) {
+    let mut seen = course.submission.clone();
+    let mut lost = false;
+    let (wake, woken) = mpsc::channel();
+    let mut watcher = notices(&seen, &wake);
+    loop {
+        let notice = wait(&woken);
+        let event = match look(course, &seen) {
+            Ok(now) => {
+                let tasks = changed(&seen, &now);
+                let found = !tasks.is_empty() || lost;
+                // A change that no notice told of: the folder may be another one now.
+                if found && (notice.is_none() || lost) || now.place != seen.place {
+                    watcher = notices(&now, &wake);
+                }
+                seen = now;
+                lost = false;
+                found.then(|| Event::Saved {
+                    submission: seen.clone(),
+                    at: written(&seen, &tasks, notice.unwrap_or_else(Instant::now)),
+                    tasks,
+                })
+            }
+            Err(error) => (!std::mem::replace(&mut lost, true)).then_some(Event::Lost(error)),
+        };
+        if event.is_some_and(|event| events.send(event).is_err()) {
+            break;
+        }
+    }
+    drop(watcher);
+}
+
+/// Waits for a notice and for the quiet after it; when it came, or `None` if it is
+/// time for a look all the same.
+fn wait(woken: &Receiver<Instant>) -> Option<Instant> {
+    match woken.recv_timeout(PATROL) {
+        Ok(at) => {
+            let most = Instant::now() + GRACE;
+            while Instant::now() < most && woken.recv_timeout(QUIET).is_ok() {}
+            Some(at)
+        }
+        Err(RecvTimeoutError::Timeout) => None,
+        // There are no notices here.
+        Err(RecvTimeoutError::Disconnected) => {
+            thread::sleep(PATROL);
+            None
+        }
+    }
+}
+
+/// Asks the system for notices of the folder; `None` if it has none.
+fn notices(submission: &Submission, wake: &Sender<Instant>) -> Option<RecommendedWatcher> {
+    let wake = wake.clone();
+    let wake = move |event: notify::Result<notify::Event>| {
+        let is_reading = |kind: &EventKind| {
+            matches!(kind, EventKind::Access(access)
+                if *access != AccessKind::Close(AccessMode::Write))
+        };
+        // Our own looks must not wake us.
+        if event.is_ok_and(|event| !is_reading(&event.kind)) {
+            let _ = wake.send(Instant::now());
+        }
+    };
+    let mut watcher = notify::recommended_watcher(wake).ok()?;
+    // The folder, not the files: a file that is renamed over is another file.
+    watcher
+        .watch(&submission.place, RecursiveMode::NonRecursive)
+        .ok()?;
+    Some(watcher)
+}
+
+/// The answers as they are now, after another look if a save seems to be under way.
+fn look(course: &Course, seen: &Submission) -> Result<Submission> {
+    let end = Instant::now() + GRACE;
+    loop {
+        let found = Submission::find(&seen.folder, &course.assignment);
+        let is_whole = |now: &Submission| !now.answers.iter().any(|now| is_half_saved(now, seen));
+        if found.as_ref().is_ok_and(is_whole) || Instant::now() > end {
+            return found;
+        }
+        thread::sleep(QUIET);
+    }
+}
+
+/// Whether a file is empty or gone that was not.
+fn is_half_saved(answer: &Answer, seen: &Submission) -> bool {
+    let is_blank = |answer: &Answer| answer.text.as_ref().map_or(true, |text| text.is_empty());
+    is_blank(answer) && !seen.answer(&answer.task).is_some_and(is_blank)
+}
+
+/// The tasks whose answers differ.
+fn changed(seen: &Submission, now: &Submission) -> Vec<String> {
+    let differs = |answer: &&Answer| seen.answer(&answer.task) != Some(answer);
+    let answers = now.answers.iter().filter(differs);
+    answers.map(|answer| answer.task.clone()).collect()
+}
+
+/// When the files say that they were written, if that can be believed: a copied file
+/// may keep an old date, and a network folder has a clock of its own.
+fn written(submission: &Submission, tasks: &[String], noticed: Instant) -> Instant {
+    let age = |task: &String| {
+        let file = submission.place.join(task).with_extension("rs");
+        let modified = file.symlink_metadata().ok()?.modified().ok()?;
+        SystemTime::now().duration_since(modified).ok()
+    };
+    let age = tasks.iter().filter_map(age).min();
+    let believed = age.filter(|age| *age < 2 * (PATROL + GRACE));
+    believed
+        .and_then(|age| Instant::now().checked_sub(age))
+        .unwrap_or(noticed)
+}

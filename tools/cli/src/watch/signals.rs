@@ -1,0 +1,36 @@
+//! Being asked to end by a signal: an interrupt, a hang-up of the terminal.
+
+use std::sync::mpsc::Sender;
+
+use super::Event;
+use pinhole_course::error::Result;
+
+/// Turns the signals that end a program into an orderly end.
+#[cfg(unix)]
+pub fn listen(events: &Sender<Event>) -> Result<()> {
+    use pinhole_course::error::Error;
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+
+    let signals = signal_hook::iterator::Signals::new([SIGHUP, SIGINT, SIGTERM]);
+    let mut signals = signals.map_err(|error| {
+        Error::environment(
+            format!("cannot listen for signals: {error}"),
+            "run this command again",
+        )
+    })?;
+    let events = events.clone();
+    std::thread::spawn(move || {
+        for _ in signals.forever() {
+            if events.send(Event::Quit).is_err() {
+                break;
+            }
+        }
+    });
+    Ok(())
+}
+
+/// There are none.
+#[cfg(not(unix))]
+pub fn listen(_: &Sender<Event>) -> Result<()> {
+    Ok(())
+}

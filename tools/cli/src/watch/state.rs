@@ -1,0 +1,308 @@
+//! What is known, what is shown, and what follows from an event.
+//!
+//! Nothing here reads a file, a clock or a terminal. [`verdicts`] has what follows from
+//! saves and from what the judge says, [`walk`] what follows from keys.
+
+mod verdicts;
+mod walk;
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use super::order::{Item, Order};
+use super::{Course, Event};
+use pinhole_course::assignment::Task;
+use pinhole_course::error::Error;
+use pinhole_course::examination::{Examination, TaskResult};
+use pinhole_course::submission::Submission;
+
+/// The whole watch.
+pub struct State {
+    /// What there is to do, in the assignment's order; the scenes come last.
+    pub items: Vec<Item>,
+    /// Which of them is shown; `None` for all in a table.
+    pub shown: Option<usize>,
+    /// The newest verdict on everything that has one.
+    pub known: Examination,
+    stamps: BTreeMap<Item, Stamp>,
+    /// Since when saved answers wait for their verdict.
+    saved: BTreeMap<Item, Instant>,
+    pub submission: Arc<Submission>,
+    /// Counts the changes of the answers.
+    generation: u64,
+    /// What the judge is working on.
+    order: Option<Order>,
+    orders: u64,
+    /// What the judge is asking just now, and since when.
+    pub asking: Option<(String, Instant)>,
+    /// Whether there is a task to stay at: before, we are looking for the first one
+    /// with missing points.
+    settled: bool,
+    /// Why nothing can be judged.
+    pub problem: Option<Error>,
+    /// What has happened, in few words.
+    pub notice: Option<String>,
+    /// How many hints are shown.
+    pub hints: usize,
+    /// Lines of the verdict above the first that is shown.
+    pub scroll: usize,
+    pub help: bool,
+    /// Whether the report is to be shown once everything is judged.
+    report_wanted: bool,
+    closing: bool,
+    /// How many scenes there are.
+    pub scenes: usize,
+    /// All points that can be earned.
+    possible: u32,
+}
+
+/// What belongs to a verdict.
+struct Stamp {
+    /// Of which answers it is.
+    generation: u64,
+    /// How long after their save it came.
+    after_save: Option<Duration>,
+    /// What the student's code printed meanwhile.
+    printed: String,
+}
+
+/// What is to be done outside.
+#[derive(Debug)]
+pub enum Act {
+    /// Judge these; call off whatever is being judged.
+    Ask(Order),
+    /// Show the report.
+    Report,
+    /// End.
+    Quit,
+}
+
+impl State {
+    pub fn new(course: &Course) -> State {
+        let tasks = course.assignment.tasks.iter().map(|task| &task.name);
+        let wanted = |name: &&String| course.tasks.is_empty() || course.tasks.contains(name);
+        let mut items: Vec<Item> = tasks.filter(wanted).cloned().map(Item::Task).collect();
+        if course.tasks.is_empty() {
+            items.push(Item::Scenes);
+        }
+        State {
+            items,
+            shown: Some(0),
+            known: Examination {
+                submission: course.submission.folder.display().to_string(),
+                title: course.assignment.title.clone(),
+                tasks: Vec::new(),
+                scenes: Vec::new(),
+                withheld: course.assignment.withheld,
+                printed: String::new(),
+            },
+            stamps: BTreeMap::new(),
+            saved: BTreeMap::new(),
+            submission: Arc::new(course.submission.clone()),
+            generation: 0,
+            order: None,
+            orders: 0,
+            asking: None,
+            settled: false,
+            problem: None,
+            notice: None,
+            hints: 0,
+            scroll: 0,
+            help: false,
+            report_wanted: false,
+            closing: false,
+            scenes: course.goldens.scenes.len(),
+            possible: possible(course),
+        }
+    }
+
+    /// The first thing to do: every task.
+    pub fn begin(&mut self) -> Vec<Act> {
+        self.ask(Vec::new())
+    }
+
+    /// What follows from an event.
+    pub fn step(&mut self, event: Event) -> Vec<Act> {
+        match event {
+            Event::Saved {
+                submission,
+                tasks,
+                at,
+            } => self.saved(submission, &tasks, at),
+            Event::Lost(error) => {
+                self.problem = Some(error);
+                Vec::new()
+            }
+            Event::Asking { order, what, at } => {
+                if self.awaits(order) {
+                    self.asking = Some((what, at));
+                }
+                Vec::new()
+            }
+            Event::Judged {
+                order,
+                examination,
+                at,
+            } => {
+                if self.awaits(order) {
+                    self.judged(*examination, at);
+                }
+                Vec::new()
+            }
+            Event::Finished { order } if self.awaits(order) => self.finished(),
+            Event::Failed { order, error } if self.awaits(order) => {
+                self.rest();
+                self.problem = Some(error);
+                self.quit_if_closing()
+            }
+            Event::Finished { .. } | Event::Failed { .. } | Event::Resized => Vec::new(),
+            Event::Key(key) => self.pressed(key),
+            Event::Closed => {
+                self.closing = true;
+                self.quit_if_closing()
+            }
+            Event::Quit | Event::Broken => vec![Act::Quit],
+        }
+    }
+
+    /// Whether what comes of this order is about the present answers.
+    pub fn awaits(&self, order: u64) -> bool {
+        let awaited = self.order.as_ref().map(|order| order.number);
+        awaited == Some(order)
+    }
+
+    /// What is shown, if it is not the table of everything.
+    pub fn item(&self) -> Option<&Item> {
+        self.shown.map(|at| &self.items[at])
+    }
+
+    /// Whether an item has a verdict.
+    pub fn has_verdict(&self, item: &Item) -> bool {
+        self.stamps.contains_key(item)
+    }
+
+    /// How long after its save an item was judged.
+    pub fn after_save(&self, item: &Item) -> Option<Duration> {
+        self.stamps.get(item)?.after_save
+    }
+
+    /// What the student's code printed when an item was judged.
+    pub fn printed(&self, item: &Item) -> &str {
+        let stamp = self.stamps.get(item);
+        stamp.map_or("", |stamp| &stamp.printed)
+    }
+
+    /// An item's verdict, if it is a task that has one.
+    pub fn task(&self, item: &Item) -> Option<&TaskResult> {
+        let is_it = |task: &&TaskResult| matches!(item, Item::Task(name) if *name == task.name);
+        self.known.tasks.iter().find(is_it)
+    }
+
+    /// Whether the judge is at work.
+    pub fn is_judging(&self) -> bool {
+        self.order.is_some()
+    }
+
+    /// Whether an item has all its points.
+    pub fn is_full(&self, item: &Item) -> bool {
+        let all = |task: &TaskResult| task.groups.iter().all(|group| group.outcome.passes());
+        match item {
+            Item::Task(_) => self.task(item).is_some_and(all),
+            Item::Scenes => {
+                let mut scenes = self.known.scenes.iter();
+                self.has_verdict(item) && scenes.all(|scene| scene.outcome.passes())
+            }
+        }
+    }
+
+    /// How long the answer that is judged just now has waited since it was saved.
+    pub fn waiting(&self, examination: &Examination, at: Instant) -> Option<Duration> {
+        let task = examination.tasks.first()?;
+        let saved = self.saved.get(&Item::Task(task.name.clone()))?;
+        Some(at.saturating_duration_since(*saved))
+    }
+
+    /// Points earned, of all that can be earned.
+    pub fn points(&self) -> (u32, u32) {
+        (self.known.points().0, self.possible)
+    }
+
+    /// Tells what has happened.
+    pub fn say(&mut self, what: String) {
+        self.notice = Some(what);
+    }
+
+    /// To the beginning of the verdict, without hints.
+    fn top(&mut self) {
+        self.hints = 0;
+        self.scroll = 0;
+        self.help = false;
+    }
+
+    /// Whether an item's verdict is on the present answers, all of them.
+    fn is_current(&self, item: &Item) -> bool {
+        let stamp = self.stamps.get(item);
+        stamp.is_some_and(|stamp| stamp.generation == self.generation)
+    }
+
+    fn not_current(&self) -> Vec<Item> {
+        let items = self.items.iter();
+        let stale = items.filter(|item| !self.is_current(item));
+        stale.cloned().collect()
+    }
+
+    fn forget(&mut self, item: &Item) {
+        self.stamps.remove(item);
+        match item {
+            Item::Task(name) => self.known.tasks.retain(|task| task.name != *name),
+            Item::Scenes => self.known.scenes.clear(),
+        }
+    }
+
+    fn ask_again(&mut self, items: Vec<Item>) -> Vec<Act> {
+        items.iter().for_each(|item| self.forget(item));
+        self.problem = None;
+        self.ask(items)
+    }
+
+    /// Orders these first, and then every task that has no verdict.
+    fn ask(&mut self, first: Vec<Item>) -> Vec<Act> {
+        let mut items = first;
+        for item in &self.items {
+            let is_open = *item != Item::Scenes && !self.has_verdict(item);
+            if is_open && !items.contains(item) {
+                items.push(item.clone());
+            }
+        }
+        if items.is_empty() {
+            return Vec::new();
+        }
+        self.orders += 1;
+        let order = Order {
+            number: self.orders,
+            items,
+            submission: Arc::clone(&self.submission),
+        };
+        self.order = Some(order.clone());
+        self.asking = None;
+        vec![Act::Ask(order)]
+    }
+}
+
+/// The points of the tasks that are watched, and of the scenes if they are.
+fn possible(course: &Course) -> u32 {
+    let is_watched = |task: &&Task| course.tasks.is_empty() || course.tasks.contains(&task.name);
+    let tasks = course.assignment.tasks.iter().filter(is_watched);
+    let groups = tasks.flat_map(|task| &task.points);
+    let scenes = course.goldens.scenes.iter().map(|scene| scene.worth);
+    let scenes: u32 = if course.tasks.is_empty() {
+        scenes.sum()
+    } else {
+        0
+    };
+    groups.map(|points| points.worth).sum::<u32>() + scenes
+}
+
+#[cfg(test)]
+pub(in crate::watch) mod tests;

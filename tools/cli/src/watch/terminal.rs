@@ -1,0 +1,118 @@
+//! The terminal: raw while we are watching, and as it was whatever happens.
+
+use std::io::{self, Write, stdout};
+use std::panic;
+use std::sync::mpsc::Sender;
+
+use anstream::{AutoStream, ColorChoice};
+use anstyle::Reset;
+use crossterm::cursor::MoveTo;
+use crossterm::queue;
+use crossterm::terminal::{self, Clear, ClearType};
+
+use super::state::State;
+use super::{Event, keys, screen};
+use pinhole_course::error::{Error, Result};
+
+/// A raw terminal; dropping it gives the terminal back.
+pub struct Terminal {
+    shown: Vec<String>,
+}
+
+/// Where the cursor cannot be moved.
+pub fn is_dumb() -> bool {
+    std::env::var_os("TERM").is_some_and(|term| term == "dumb")
+}
+
+impl Terminal {
+    /// Takes the terminal.
+    pub fn enter(events: Sender<Event>) -> Result<Terminal> {
+        terminal::enable_raw_mode().map_err(broken)?;
+        let terminal = Terminal { shown: Vec::new() };
+        // A message that is printed in raw mode would not be readable.
+        let hook = panic::take_hook();
+        panic::set_hook(Box::new(move |info| {
+            give_back();
+            eprintln!();
+            hook(info);
+        }));
+        // What stands on the screen moves up, to where scrolling back finds it.
+        let (_, rows) = size();
+        write!(stdout(), "{}", "\r\n".repeat(rows)).map_err(broken)?;
+        keys::listen(events);
+        Ok(terminal)
+    }
+
+    /// Shows the present state.
+    pub fn show(&mut self, state: &mut State) -> Result<()> {
+        let (columns, rows) = size();
+        let frame = screen::frame(state, columns, rows);
+        state.scroll = frame.scroll;
+        if frame.lines != self.shown {
+            self.shown = frame.lines;
+            self.draw().map_err(broken)?;
+        }
+        Ok(())
+    }
+
+    /// A terminal that changed its size may have moved what stood there.
+    pub fn forget(&mut self) {
+        self.shown.clear();
+    }
+
+    /// Leaves the last screen standing, and the shell's prompt below it.
+    pub fn leave(mut self, state: &mut State) -> Result<()> {
+        self.show(state)?;
+        drop(self);
+        writeln!(stdout()).map_err(broken)
+    }
+
+    /// All lines in one write, each over what stood there before, so that nothing
+    /// flickers.
+    fn draw(&self) -> io::Result<()> {
+        let mut bytes = Vec::new();
+        let coloured = AutoStream::choice(&stdout()) != ColorChoice::Never;
+        queue!(bytes, MoveTo(0, 0))?;
+        for (row, line) in self.shown.iter().enumerate() {
+            if row > 0 {
+                write!(bytes, "\r\n")?;
+            }
+            match coloured {
+                true => write!(bytes, "{line}")?,
+                false => write!(bytes, "{}", anstream::adapter::strip_str(line))?,
+            }
+            // A style that goes on in a line below may have been cut off with it.
+            write!(bytes, "{Reset}")?;
+            queue!(bytes, Clear(ClearType::UntilNewLine))?;
+        }
+        queue!(bytes, Clear(ClearType::FromCursorDown))?;
+        stdout().write_all(&bytes)?;
+        stdout().flush()
+    }
+}
+
+impl Drop for Terminal {
+    fn drop(&mut self) {
+        give_back();
+    }
+}
+
+fn give_back() {
+    // There is nobody to tell: the terminal is what we would tell it on.
+    let _ = terminal::disable_raw_mode();
+}
+
+/// Columns and rows.
+fn size() -> (usize, usize) {
+    match terminal::size() {
+        Ok((columns, rows)) if columns > 0 && rows > 0 => (columns.into(), rows.into()),
+        _ => (80, 24),
+    }
+}
+
+fn broken(error: io::Error) -> Error {
+    Error::environment(
+        format!("cannot use the terminal: {error}"),
+        "run this in another terminal, or in a pipe: … check --watch | cat",
+    )
+}

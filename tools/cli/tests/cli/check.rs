@@ -1,0 +1,294 @@
+//! `pinhole check`, as students meet it.
+
+use pinhole_testing::{Ran, TASKS, fresh, pinhole, pinhole_in, root, submission, trusted};
+use serde_json::Value;
+
+/// `check --json` of a folder; tasks only, which is quick, unless `more` says else.
+pub fn check(folder: &std::path::Path, more: &[&str]) -> Ran {
+    let folder = folder.to_str().expect("test folders have plain names");
+    let tasks = TASKS.iter().flat_map(|task| ["--task", task]);
+    let tasks: Vec<&str> = if more.contains(&"--scene") {
+        Vec::new()
+    } else {
+        tasks.collect()
+    };
+    pinhole(&[&["check", folder, "--json"], tasks.as_slice(), more].concat())
+}
+
+pub fn task<'a>(examination: &'a Value, name: &str) -> &'a Value {
+    let tasks = examination["tasks"].as_array().expect("tasks are a list");
+    tasks
+        .iter()
+        .find(|task| task["name"] == name)
+        .expect("the task was asked")
+}
+
+pub fn lost(examination: &Value, name: &str) -> i64 {
+    let task = task(examination, name);
+    task["possible"].as_i64().expect("a number") - task["points"].as_i64().expect("a number")
+}
+
+#[test]
+fn reference_earns_every_point_from_both_judges() {
+    let ran = pinhole(&[
+        "check",
+        "assignments/ray_casting/reference",
+        "--json",
+        "--oiiotool",
+    ]);
+    let examination = ran.expect_code(0).json();
+    assert_eq!(examination["points"], 100, "{examination:#}");
+    assert_eq!(examination["possible"], 100);
+    assert_eq!(examination["passes"], true);
+}
+
+#[test]
+fn handout_is_six_times_unanswered_without_a_wall_of_panics() {
+    let ran = pinhole(&["check"]).expect_code(1).expect_out(" 0 / 100");
+    assert_eq!(ran.out.matches("unanswered").count(), 6, "{}", ran.out);
+    assert!(
+        !ran.out.contains("panicked") && !ran.err.contains("panicked"),
+        "{}",
+        ran.err
+    );
+    assert!(ran.out.lines().count() < 45, "{}", ran.out);
+}
+
+#[test]
+fn current_folder_is_checked_when_it_is_a_submission() {
+    let ran = pinhole_in(
+        &root().join("assignments/ray_casting/reference"),
+        &["check", "--task", "plane", "--json"],
+    );
+    assert_eq!(ran.expect_code(0).json()["submission"], ".");
+}
+
+#[test]
+fn a_stub_in_place_of_one_answer_costs_that_task_alone() {
+    for stubbed in TASKS {
+        let file = format!("{stubbed}.rs");
+        let handout = root()
+            .join("assignments/ray_casting/handout/src")
+            .join(&file);
+        let stub = std::fs::read_to_string(handout).expect("the handout has every stub");
+        let folder = submission(&trusted(), &format!("stub-{stubbed}"), &[(&file, &stub)]);
+        let examination = check(&folder, &[]).expect_code(1).json();
+        for name in TASKS {
+            let all = task(&examination, name)["possible"]
+                .as_i64()
+                .expect("a number");
+            let expected = if name == stubbed { all } else { 0 };
+            assert_eq!(
+                lost(&examination, name),
+                expected,
+                "{name} beside a stub of {stubbed}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_compile_error_shows_the_compilers_words_on_that_file_and_nothing_else() {
+    let folder = submission(&trusted(), "compile-error", &[("plane.rs", "fn broken( {")]);
+    let folder = folder.to_str().expect("a plain name");
+    let ran = pinhole(&["check", folder, "--task", "plane", "--task", "sphere"]).expect_code(1);
+    let ran = ran
+        .expect_out("does not compile")
+        .expect_out("src/plane.rs:1:13");
+    let ran = ran.expect_out("✓ sphere").expect_out("✗ plane");
+    for alien in ["src/main.rs", "aborting", "intersect_ray.rs"] {
+        assert!(!ran.out.contains(alien), "{alien} in:\n{}", ran.out);
+    }
+}
+
+#[test]
+fn a_deleted_impl_is_blamed_on_its_own_file() {
+    let folder = submission(&trusted(), "deleted-impl", &[("plane.rs", "")]);
+    let examination = check(&folder, &[]).expect_code(1).json();
+    assert_eq!(
+        task(&examination, "plane")["file"]["state"],
+        "does not compile"
+    );
+    for name in TASKS.into_iter().filter(|name| *name != "plane") {
+        assert_eq!(lost(&examination, name), 0, "{name}");
+    }
+}
+
+#[test]
+fn a_missing_file_costs_its_own_task() {
+    let folder = submission(&trusted(), "missing-file", &[]);
+    std::fs::remove_file(folder.join("sphere.rs")).expect("the copy has it");
+    let examination = check(&folder, &[]).expect_code(1).json();
+    assert_eq!(task(&examination, "sphere")["file"]["state"], "missing");
+    assert_eq!(lost(&examination, "plane"), 0);
+}
+
+#[test]
+fn a_panic_is_told_with_file_and_line() {
+    let text = with_body(
+        "plane",
+        "let none: Vec<f64> = Vec::new();\n        let _ = none[3];",
+    );
+    let folder = submission(&trusted(), "panic", &[("plane.rs", &text)]);
+    let folder = folder.to_str().expect("a plain name");
+    let ran = pinhole(&["check", folder, "--task", "plane"]).expect_code(1);
+    let line = text
+        .lines()
+        .position(|line| line.contains("none[3]"))
+        .expect("it is there")
+        + 1;
+    ran.expect_out(&format!(
+        "your code panicked at src/plane.rs:{line}: index out of bounds"
+    ));
+}
+
+#[test]
+fn an_endless_loop_costs_its_own_task() {
+    let text = with_body("plane", "loop { std::hint::black_box(0); }");
+    let folder = submission(&trusted(), "endless", &[("plane.rs", &text)]);
+    let examination = check(&folder, &["--timeout", "2"]).expect_code(1).json();
+    let groups = task(&examination, "plane")["groups"]
+        .as_array()
+        .expect("a list")
+        .clone();
+    assert!(
+        groups
+            .iter()
+            .all(|group| group["outcome"]["kind"] == "timed out"),
+        "{groups:?}"
+    );
+    for name in TASKS.into_iter().filter(|name| *name != "plane") {
+        assert_eq!(lost(&examination, name), 0, "{name}");
+    }
+}
+
+#[test]
+fn exiting_early_and_printing_earn_nothing_and_spoil_nothing() {
+    let text = with_body(
+        "plane",
+        "println!(\"all tests passed\"); std::process::exit(0);",
+    );
+    let folder = submission(&trusted(), "exit", &[("plane.rs", &text)]);
+    let examination = check(&folder, &[]).expect_code(1).json();
+    assert_eq!(task(&examination, "plane")["points"], 0);
+    assert_eq!(lost(&examination, "sphere"), 0);
+}
+
+#[test]
+fn endless_recursion_is_called_a_stack_overflow() {
+    let text = with_body(
+        "plane",
+        "return self.intersect_ray(ray, min_t).map(|at| Intersection { t: at.t + 1.0, ..at });",
+    );
+    let folder = submission(&trusted(), "recursion", &[("plane.rs", &text)]);
+    let folder = folder.to_str().expect("a plain name");
+    let ran = pinhole(&["check", folder, "--task", "plane"]).expect_code(1);
+    ran.expect_out("its stack overflowed");
+}
+
+#[test]
+fn wrong_arguments_are_errors_that_teach() {
+    pinhole(&["check", "--task", "cube"])
+        .expect_code(2)
+        .expect_err("name one of: viewing_ray");
+    pinhole(&["check", "--scene", "moon"])
+        .expect_code(2)
+        .expect_err("sphere_and_plane");
+    pinhole(&["check", "nowhere"])
+        .expect_code(2)
+        .expect_err("there is no folder nowhere");
+    let empty = fresh(&trusted(), "empty");
+    let empty = empty.to_str().expect("a plain name");
+    pinhole(&["check", empty])
+        .expect_code(2)
+        .expect_err("viewing_ray.rs");
+}
+
+#[test]
+fn a_wrong_scene_names_the_worst_pixel_and_how_to_look_at_it() {
+    let folder = submission(
+        &trusted(),
+        "wrong-scene",
+        &[(
+            "plane.rs",
+            &with_body("plane", "if min_t == 1.0 { return None; }"),
+        )],
+    );
+    let folder = folder.to_str().expect("a plain name");
+    let ran = pinhole(&["check", folder, "--scene", "sphere_and_plane"]).expect_code(1);
+    ran.expect_out("expected object 1")
+        .expect_out("explain sphere_and_plane ");
+}
+
+/// The reference's answer with some statements before its own.
+pub fn with_body(task: &str, statements: &str) -> String {
+    let path = root()
+        .join("assignments/ray_casting/reference/src")
+        .join(format!("{task}.rs"));
+    let text = std::fs::read_to_string(path).expect("the reference has it");
+    text.replace("// ANCHOR: answer\n", &format!("{statements}\n"))
+}
+
+#[test]
+fn a_broken_file_in_the_handout_itself_costs_its_own_task() {
+    // The stubs come from the reference, not from the folder that students fill.
+    let handout = root().join("assignments/ray_casting/handout/src");
+    let folder = fresh(&trusted(), "handout");
+    for entry in std::fs::read_dir(handout)
+        .expect("the handout is there")
+        .flatten()
+    {
+        std::fs::copy(entry.path(), folder.join(entry.file_name())).expect("it can be copied");
+    }
+    std::fs::write(folder.join("sphere.rs"), "fn broken( {").expect("it can be written");
+    std::fs::write(folder.join("main.rs"), "not ours").expect("it can be written");
+    let examination = check(&folder, &[]).expect_code(1).json();
+    assert_eq!(
+        task(&examination, "sphere")["file"]["state"],
+        "does not compile"
+    );
+    assert_eq!(
+        task(&examination, "plane")["groups"][0]["outcome"]["kind"],
+        "unanswered"
+    );
+}
+
+#[test]
+fn many_checks_of_the_same_answers_at_once_do_not_disturb_each_other() {
+    let text = with_body("plane", &format!("let _ = {};", std::process::id()));
+    let folder = submission(&trusted(), "at-once", &[("plane.rs", &text)]);
+    let run = || check(&folder, &["--task", "plane"]).expect_code(0);
+    std::thread::scope(|scope| {
+        let runs: Vec<_> = (0..6).map(|_| scope.spawn(run)).collect();
+        for run in runs {
+            run.join().expect("every check ends well");
+        }
+    });
+}
+
+#[test]
+fn a_file_that_the_compiler_does_not_survive_costs_its_own_task() {
+    let text = format!("const N: i32 = {}1;", "-".repeat(120_000));
+    let folder = submission(&trusted(), "dead-compiler", &[("plane.rs", &text)]);
+    let examination = check(&folder, &[]).expect_code(1).json();
+    assert_eq!(
+        task(&examination, "plane")["file"]["state"],
+        "does not compile"
+    );
+    assert_eq!(lost(&examination, "sphere"), 0);
+}
+
+#[test]
+fn a_loop_in_one_group_costs_that_group() {
+    let slow = "if ray.direction.dot(self.normal) == 0.0 { loop { std::hint::black_box(0); } }";
+    let folder = submission(
+        &trusted(),
+        "loop-in-group",
+        &[("plane.rs", &with_body("plane", slow))],
+    );
+    let examination = check(&folder, &["--task", "plane", "--timeout", "3"])
+        .expect_code(1)
+        .json();
+    // Only the group `parallel`, worth a point, asks rays that never meet the plane.
+    assert_eq!(lost(&examination, "plane"), 1, "{examination:#}");
+}

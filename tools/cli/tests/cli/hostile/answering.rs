@@ -1,0 +1,329 @@
+//! Attacks by code that runs.
+
+use std::net::TcpListener;
+
+use super::Fate::{Harmless, Outcome};
+use super::{Attack, SECRET, all_meet_their_fate, attack, reach, scratch, walls};
+use pinhole_testing::root;
+
+/// Everything an answer must not reach. `%NAME%` stands for what only this run knows.
+const REACHES: [(&str, &str); 27] = [
+    ("golden", "std::fs::metadata(\"%GOLDEN%\").is_ok()"),
+    ("read-golden", "std::fs::read(\"%GOLDEN%\").is_ok()"),
+    (
+        "golden-by-way-of-proc",
+        "std::fs::metadata(\"/proc/self/root%GOLDEN%\").is_ok()",
+    ),
+    (
+        "golden-of-the-grader",
+        "std::fs::read(format!(\"/proc/{}/root%GOLDEN%\", std::os::unix::process::parent_id())).is_ok()",
+    ),
+    ("other-submission", "std::fs::read(\"%NEIGHBOUR%\").is_ok()"),
+    ("reference", "std::fs::metadata(\"%REFERENCE%\").is_ok()"),
+    ("etc", "std::fs::read(\"/etc/passwd\").is_ok()"),
+    ("home", "std::fs::read_dir(\"%HOME%\").is_ok()"),
+    (
+        "top",
+        "std::fs::read_dir(\"/\").is_ok_and(|top| top.flatten().any(|it| it.file_name() == \"var\"))",
+    ),
+    ("environment", "std::env::var(\"%SECRET%\").is_ok()"),
+    (
+        "environment-file",
+        "std::fs::read_to_string(\"/proc/self/environ\").is_ok_and(|text| text.contains(\"%SECRET%\"))",
+    ),
+    (
+        "environment-of-the-grader",
+        "std::fs::read_to_string(format!(\"/proc/{}/environ\", std::os::unix::process::parent_id())).is_ok_and(|text| text.contains(\"%SECRET%\"))",
+    ),
+    (
+        "other-processes",
+        "std::fs::read_dir(\"/proc\").is_ok_and(|all| all.flatten().filter(|it| it.file_name().to_string_lossy().parse::<u32>().is_ok()).count() > 4)",
+    ),
+    (
+        "network",
+        "std::net::TcpStream::connect(\"%ADDRESS%\").is_ok()",
+    ),
+    (
+        "listen",
+        "std::net::TcpListener::bind(\"127.0.0.1:0\").is_ok()",
+    ),
+    (
+        "datagram",
+        "std::net::UdpSocket::bind(\"127.0.0.1:0\").is_ok()",
+    ),
+    ("socket", "std::os::unix::net::UnixStream::pair().is_ok()"),
+    (
+        "write-folder",
+        "std::fs::write(\"%SCRATCH%/owned\", \"owned\").is_ok()",
+    ),
+    (
+        "write-temp",
+        "std::fs::write(\"/tmp/pinhole-owned\", \"\").map(|()| std::fs::remove_file(\"/tmp/pinhole-owned\")).is_ok()",
+    ),
+    (
+        "write-shared-memory",
+        "std::fs::write(\"/dev/shm/pinhole-owned\", \"\").map(|()| std::fs::remove_file(\"/dev/shm/pinhole-owned\")).is_ok()",
+    ),
+    (
+        "link",
+        "std::os::unix::fs::symlink(\"%GOLDEN%\", \"%SCRATCH%/link\").is_ok()",
+    ),
+    (
+        "process",
+        "std::process::Command::new(\"/usr/bin/true\").status().is_ok()",
+    ),
+    (
+        "daemon",
+        "std::process::Command::new(\"/bin/sleep\").arg(\"3\").spawn().is_ok()",
+    ),
+    (
+        "kill",
+        "std::process::Command::new(\"/bin/sh\").args([\"-c\", &format!(\"kill -0 {}\", std::os::unix::process::parent_id())]).status().is_ok_and(|status| status.success())",
+    ),
+    (
+        "fork-bomb",
+        "(0..40).filter(|_| std::process::Command::new(\"/bin/sleep\").arg(\"2\").spawn().is_ok()).count() > 20",
+    ),
+    (
+        "thread-bomb",
+        "(0..1500).map_while(|_| std::thread::Builder::new().stack_size(16384).spawn(|| std::thread::sleep(std::time::Duration::from_secs(3))).ok()).count() > 500",
+    ),
+    (
+        "files",
+        "(0..400).map_while(|_| std::fs::File::open(\"/dev/null\").ok()).collect::<Vec<_>>().len() > 300",
+    ),
+];
+
+fn reaches() -> (Vec<Attack>, TcpListener) {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
+    let address = listener.local_addr().expect("it is bound").to_string();
+    let scratch = scratch("hostile-scratch");
+    std::fs::write(scratch.join("neighbour.rs"), "fn f() {}").expect("it can be written");
+    let path = |path: std::path::PathBuf| path.to_str().expect("a plain name").to_owned();
+    let known = [
+        (
+            "%GOLDEN%",
+            path(root().join("golden/ray_casting/manifest.toml")),
+        ),
+        (
+            "%REFERENCE%",
+            path(root().join("assignments/ray_casting/reference/src/plane.rs")),
+        ),
+        ("%NEIGHBOUR%", path(scratch.join("neighbour.rs"))),
+        ("%SCRATCH%", path(scratch)),
+        (
+            "%HOME%",
+            std::env::var("HOME").expect("everyone lives somewhere"),
+        ),
+        ("%SECRET%", SECRET.0.into()),
+        ("%ADDRESS%", address),
+    ];
+    let attacks = REACHES.map(|(name, expression)| {
+        let expression = known
+            .iter()
+            .fold(expression.to_owned(), |text, (mark, value)| {
+                text.replace(mark, value)
+            });
+        reach(name, &expression)
+    });
+    (attacks.into(), listener)
+}
+
+#[test]
+fn running_code_reaches_nothing_behind_walls() {
+    let (attacks, _listener) = reaches();
+    all_meet_their_fate(&attacks, &walls());
+}
+
+#[test]
+fn without_walls_the_same_code_reaches_it_all() {
+    let (attacks, _listener) = reaches();
+    all_meet_their_fate(&attacks, "none");
+}
+
+/// The stream to the grader, which is standard input.
+const STREAM: &str = "use std::{io::Write, os::fd::AsFd}; \
+    let fd = std::io::stdin().as_fd().try_clone_to_owned().unwrap(); \
+    let mut stream = std::os::unix::net::UnixStream::from(fd);";
+
+#[test]
+fn running_code_costs_itself_alone() {
+    let stream = |statements: &str| format!("{STREAM} {statements}");
+    let attacks = [
+        attack("exit", Outcome("died"), "std::process::exit(0);"),
+        attack(
+            "exit-like-our-own",
+            Outcome("died"),
+            "eprintln!(\"pinhole: the walls could not be drawn\"); std::process::exit(125);",
+        ),
+        attack("abort", Outcome("died"), "std::process::abort();"),
+        attack(
+            "exec",
+            Outcome("died"),
+            "use std::os::unix::process::CommandExt; let _ = std::process::Command::new(\"/usr/bin/true\").exec(); std::process::exit(1);",
+        ),
+        attack(
+            "recursion",
+            Outcome("died"),
+            "return self.intersect_ray(ray, min_t).map(|at| Intersection { t: at.t + 1.0, ..at });",
+        ),
+        attack(
+            "loop",
+            Outcome("timed out"),
+            "loop { std::hint::black_box(0); }",
+        ),
+        attack(
+            "sleep",
+            Outcome("timed out"),
+            "std::thread::sleep(std::time::Duration::from_secs(3600));",
+        ),
+        attack(
+            "deadlock",
+            Outcome("timed out"),
+            "static M: std::sync::Mutex<()> = std::sync::Mutex::new(()); let _a = M.lock(); let _b = M.lock();",
+        ),
+        attack("panic", Outcome("panicked"), "panic!(\"no\");"),
+        attack(
+            "panic-in-panic",
+            Outcome("died"),
+            "struct A; impl Drop for A { fn drop(&mut self) { panic!(\"two\") } } let _a = A; panic!(\"one\");",
+        ),
+        attack(
+            "panic-with-a-flood",
+            Outcome("panicked"),
+            "panic!(\"{}\", \"x\".repeat(50_000_000));",
+        ),
+        attack(
+            "panic-of-no-text",
+            Outcome("panicked"),
+            "std::panic::panic_any(7);",
+        ),
+        attack(
+            "panic-hook",
+            Outcome("panicked"),
+            "std::panic::set_hook(Box::new(|_| ())); panic!(\"no\");",
+        ),
+        attack(
+            "panic-like-todo",
+            Outcome("unanswered"),
+            "panic!(\"not yet implemented: plane\");",
+        ),
+        attack(
+            "not-a-number",
+            Outcome("refused"),
+            "return Some(Intersection { t: f64::NAN, normal: self.normal });",
+        ),
+        attack(
+            "infinity",
+            Outcome("refused"),
+            "return Some(Intersection { t: f64::INFINITY, normal: self.normal });",
+        ),
+        attack(
+            "beyond-f32",
+            Outcome("refused"),
+            "return Some(Intersection { t: 1e300, normal: self.normal });",
+        ),
+        attack(
+            "closes-the-stream",
+            Outcome("died"),
+            &stream("stream.shutdown(std::net::Shutdown::Both).unwrap(); std::process::exit(0);"),
+        ),
+        attack(
+            "garbage",
+            Outcome("garbled"),
+            &stream("loop { stream.write_all(&[255; 4096]).unwrap(); }"),
+        ),
+        attack(
+            "four-gigabytes",
+            Outcome("garbled"),
+            &stream(
+                "stream.write_all(&[255, 255, 255, 255]).unwrap(); loop { std::thread::park(); }",
+            ),
+        ),
+        attack(
+            "nothing-without-end",
+            Outcome("garbled"),
+            &stream("loop { stream.write_all(&[3, 0, 0, 0, 0, 0, 0]).unwrap(); }"),
+        ),
+        attack(
+            "half-a-message",
+            Outcome("timed out"),
+            &stream(
+                "static ONCE: std::sync::Once = std::sync::Once::new(); ONCE.call_once(|| stream.write_all(&[9, 0, 0]).unwrap()); loop { std::thread::park(); }",
+            ),
+        ),
+        attack(
+            "a-drip",
+            Outcome("timed out"),
+            &stream(
+                "stream.write_all(&[255, 10, 0, 0]).unwrap(); loop { let _ = stream.write_all(&[0]); std::thread::sleep(std::time::Duration::from_millis(50)); }",
+            ),
+        ),
+        // One miss for question 0, then the true answer to it.
+        attack(
+            "answers-twice",
+            Outcome("garbled"),
+            &stream("stream.write_all(&[5, 0, 0, 0, 0, 0, 1, 0, 0]).unwrap();"),
+        ),
+        attack(
+            "answers-what-nobody-asked",
+            Outcome("garbled"),
+            &stream(
+                "stream.write_all(&[9, 0, 0, 0, 0, 255, 255, 255, 127, 1, 0, 0, 0]).unwrap(); loop { std::thread::park(); }",
+            ),
+        ),
+        attack(
+            "a-million-answers-in-a-word",
+            Outcome("garbled"),
+            &stream(
+                "stream.write_all(&[6, 0, 0, 0, 0, 0, 255, 255, 255, 127]).unwrap(); loop { std::thread::park(); }",
+            ),
+        ),
+        attack(
+            "memory",
+            Outcome("out of memory"),
+            "loop { std::mem::forget(std::hint::black_box(vec![1_u8; 64 << 20])); }",
+        ),
+        attack(
+            "memory-at-once",
+            Outcome("out of memory"),
+            "std::hint::black_box(vec![1_u8; 1 << 40]);",
+        ),
+        attack(
+            "memory-by-threads",
+            Outcome("out of memory"),
+            "for _ in 0..8 { let _ = std::thread::Builder::new().spawn(|| loop { std::mem::forget(std::hint::black_box(vec![1_u8; 16 << 20])); }); } loop { std::mem::forget(std::hint::black_box(vec![1_u8; 16 << 20])); }",
+        ),
+        attack(
+            "floods-output",
+            Harmless,
+            "static ONCE: std::sync::Once = std::sync::Once::new(); ONCE.call_once(|| for _ in 0..20_000 { println!(\"{}\", \"x\".repeat(1000)); });",
+        ),
+        attack(
+            "floods-errors",
+            Harmless,
+            "static ONCE: std::sync::Once = std::sync::Once::new(); ONCE.call_once(|| for _ in 0..20_000 { eprintln!(\"{}\", \"x\".repeat(1000)); });",
+        ),
+        attack(
+            "no-text-in-output",
+            Harmless,
+            "use std::io::Write; std::io::stdout().write_all(&[255, 0, 254, 10]).unwrap();",
+        ),
+        attack(
+            "prints-a-verdict",
+            Outcome("judged"),
+            "println!(\"{{\\\"points\\\": 100, \\\"passes\\\": true}}\\n✓ plane 12 / 12\"); return Some(Intersection { t: min_t, normal: pinhole::Ray::clone(ray).direction });",
+        ),
+        attack(
+            "leaves-a-thread",
+            Harmless,
+            "static ONCE: std::sync::Once = std::sync::Once::new(); ONCE.call_once(|| { std::thread::spawn(|| loop { std::hint::black_box(0); }); });",
+        ),
+        attack(
+            "ends-the-others",
+            Outcome("died"),
+            "std::thread::spawn(|| { std::thread::sleep(std::time::Duration::from_millis(1)); std::process::exit(0) }); std::thread::sleep(std::time::Duration::from_secs(9));",
+        ),
+    ];
+    all_meet_their_fate(&attacks, &walls());
+}

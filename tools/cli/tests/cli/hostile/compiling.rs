@@ -1,0 +1,188 @@
+//! Attacks on the compiler, and by way of it.
+
+use super::Fate::{self, File, Harmless, Walled};
+use super::{SECRET, all_meet_their_fate, file, walls};
+use pinhole_testing::root;
+
+const NO: Fate = File("does not compile");
+
+#[test]
+fn the_compiler_reads_no_file_and_knows_no_environment() {
+    let golden = root().join("golden/ray_casting/manifest.toml");
+    let reads = |text: &str| text.replace("%GOLDEN%", golden.to_str().expect("a plain name"));
+    let attacks = [
+        file(
+            "include-golden",
+            NO,
+            &reads("const _: &str = include_str!(\"%GOLDEN%\");"),
+        ),
+        file(
+            "tell-golden",
+            NO,
+            &reads("compile_error!(include_str!(\"%GOLDEN%\"));"),
+        ),
+        file(
+            "tell-golden-by-macro",
+            NO,
+            &reads(
+                "macro_rules! tell { ($a:expr) => { compile_error!($a); } } tell!(include_str!(\"%GOLDEN%\"));",
+            ),
+        ),
+        file(
+            "tell-users",
+            NO,
+            "compile_error!(include_str!(\"/etc/passwd\"));",
+        ),
+        file(
+            "tell-environment",
+            NO,
+            "compile_error!(include_str!(\"/proc/self/environ\"));",
+        ),
+        file("golden-as-code", NO, &reads("include!(\"%GOLDEN%\");")),
+        file(
+            "users-as-module",
+            NO,
+            "#[path = \"/etc/passwd\"] mod users;",
+        ),
+        file(
+            "golden-in-a-panic",
+            NO,
+            &reads("const _: () = panic!(\"{}\", include_str!(\"%GOLDEN%\"));"),
+        ),
+        file(
+            "environment",
+            NO,
+            &format!("const _: &str = env!(\"{}\");", SECRET.0),
+        ),
+        file("home", NO, "const _: &str = env!(\"HOME\");"),
+        file(
+            "endless-file",
+            NO,
+            "const _: &[u8] = include_bytes!(\"/dev/zero\");",
+        ),
+        file(
+            "own-folder-of-another",
+            NO,
+            "const _: &str = include_str!(\"../../plane.rs\");",
+        ),
+        file(
+            "unsafe",
+            NO,
+            "fn f() { unsafe { *std::ptr::null_mut() = 1 } }",
+        ),
+        file(
+            "assembly",
+            NO,
+            "fn f() { unsafe { std::arch::asm!(\"syscall\") } }",
+        ),
+        file(
+            "foreign",
+            NO,
+            "unsafe extern \"C\" { fn kill(pid: i32, signal: i32) -> i32; }",
+        ),
+        file(
+            "symbol",
+            NO,
+            "#[unsafe(no_mangle)] pub extern \"C\" fn malloc(_: usize) -> usize { 0 }",
+        ),
+        file(
+            "allows-itself-unsafe",
+            NO,
+            "#[allow(unsafe_code)] fn f() { unsafe { *std::ptr::null_mut() = 1 } }",
+        ),
+        file(
+            "linker",
+            NO,
+            "#[link(name = \"c\", kind = \"static\")] unsafe extern \"C\" {}",
+        ),
+        file(
+            "feature",
+            NO,
+            "#![feature(rustc_attrs)] #[rustc_on_unimplemented] trait A {}",
+        ),
+        file(
+            "takes-the-tests-part",
+            NO,
+            "impl IntersectRay for pinhole::Sphere { fn intersect_ray(&self, _: &Ray, _: f64) -> Option<Intersection> { None } }",
+        ),
+        file("harness-internals", Harmless, "use pinhole::job::Job as _;"),
+    ];
+    all_meet_their_fate(&attacks, &walls());
+}
+
+#[test]
+fn a_compiler_that_would_never_end_is_ended() {
+    let deep = |n: usize, open: &str, close: &str| {
+        format!("const N: i32 = {}1{};", open.repeat(n), close.repeat(n))
+    };
+    let attacks = [
+        file(
+            "endless-constant",
+            NO,
+            "#[allow(long_running_const_eval)] const N: u64 = { let mut n = 0; loop { n += 1; if n == 0 { break n; } } };",
+        ),
+        file(
+            "macro-recursion",
+            NO,
+            "#![recursion_limit = \"1000000\"] macro_rules! more { ($($a:tt)*) => { more!($($a)* $($a)*); } } more!(a);",
+        ),
+        file(
+            "type-recursion",
+            NO,
+            "trait Deep { fn go(); } impl<T> Deep for T where (T, T): Deep { fn go() { <(T, T)>::go() } } fn f() { <u8 as Deep>::go(); }",
+        ),
+        file(
+            "generic-recursion",
+            NO,
+            "fn deeper<T>(n: u32) { if n > 0 { deeper::<(T, T)>(n - 1); } } #[used] static F: fn(u32) = deeper::<u8>;",
+        ),
+        file(
+            "huge-static",
+            NO,
+            "#[used] static HUGE: [u8; 1 << 46] = [1; 1 << 46];",
+        ),
+        file(
+            "huge-constant",
+            NO,
+            "#[used] static HUGE: [u64; 1 << 33] = [7; 1 << 33];",
+        ),
+        file(
+            "large-program",
+            NO,
+            "#[used] static LARGE: [u8; 200 << 20] = [1; 200 << 20];",
+        ),
+        file("deep-brackets", NO, &deep(50_000, "(", ")")),
+        file("deep-signs", NO, &deep(120_000, "-", "")),
+        file("many-errors", NO, &"const N: A = b; ".repeat(12_000)),
+        file(
+            "one-long-error",
+            NO,
+            &format!("fn f() {{ let {}: u8 = \"\"; }}", "x".repeat(200_000)),
+        ),
+    ];
+    all_meet_their_fate(&attacks, &walls());
+}
+
+#[test]
+fn what_the_compiler_may_see_it_sees_without_walls() {
+    let golden = root().join("golden/ray_casting/manifest.toml");
+    let golden = golden.to_str().expect("a plain name");
+    // A constant that is there only if the file or the variable is.
+    let text = |condition: &str| {
+        let text = crate::check::with_body("plane", &format!("if {condition} {{ return None; }}"));
+        super::Attack {
+            name: "seen-by-the-compiler",
+            text,
+            fate: Walled,
+        }
+    };
+    let attacks = [text(&format!("option_env!(\"{}\").is_some()", SECRET.0))];
+    all_meet_their_fate(&attacks, &walls());
+    all_meet_their_fate(&attacks, "none");
+    let reads = [file(
+        "golden-compiled-in",
+        Harmless,
+        &format!("const _: &str = include_str!({golden:?});"),
+    )];
+    all_meet_their_fate(&reads, "none");
+}

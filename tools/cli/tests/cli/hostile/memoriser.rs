@@ -1,0 +1,85 @@
+//! An answer that has learnt the public goldens by heart.
+
+use std::collections::BTreeSet;
+
+use super::{examine, scratch, walls};
+use crate::check::{lost, task, with_body};
+use pinhole_testing::{pinhole, submission};
+
+/// What an answer can learn of a question: one short number of its ray tells it from
+/// others, so that all of them fit into what is kept of its words.
+const NUMBER: &str = "pinhole_short(ray.origin + ray.direction * 1.7 + self.point * 0.3)";
+const SHORT: &str = "fn pinhole_short(at: glam::DVec3) -> u32 { \
+     let bits = at.dot(glam::DVec3::new(0.31, 0.77, 1.13)).to_bits(); (bits ^ (bits >> 29)) as u32 }";
+
+#[test]
+fn what_was_learnt_by_heart_is_worth_nothing_on_fresh_questions() {
+    // The first hand-in says what it is asked; a course that shows its output is an oracle.
+    let listens = with_body("plane", &format!("eprintln!(\"?{{:x}}\", {NUMBER});"));
+    let folder = submission(
+        &std::env::temp_dir(),
+        "listener",
+        &[("plane.rs", &(listens + SHORT))],
+    );
+    let heard = examine(&folder, &walls());
+    let printed = heard["printed"].as_str().expect("text");
+    let numbers = printed
+        .lines()
+        .filter_map(|line| u32::from_str_radix(line.strip_prefix('?')?, 16).ok());
+    let known: BTreeSet<u32> = numbers.collect();
+    assert!(known.len() > 20, "it heard only {} questions", known.len());
+
+    // The second is right where it knows the question, and nowhere else.
+    let table: Vec<String> = known.iter().map(u32::to_string).collect();
+    let knows = with_body(
+        "plane",
+        &format!(
+            "const KNOWN: [u32; {}] = [{}]; if KNOWN.binary_search(&{NUMBER}).is_err() {{ return None; }}",
+            known.len(),
+            table.join(", ")
+        ),
+    );
+    let folder = submission(
+        &std::env::temp_dir(),
+        "memoriser",
+        &[("plane.rs", &(knows + SHORT))],
+    );
+    let public = examine(&folder, &walls());
+    assert_eq!(
+        lost(&public, "plane"),
+        0,
+        "it has not learnt all: {public:#}"
+    );
+
+    let fresh = scratch("fresh-goldens");
+    let fresh = fresh.to_str().expect("a plain name");
+    pinhole(&[
+        "golden",
+        "render",
+        "--seed",
+        "4711",
+        "--out",
+        fresh,
+        "--no-mistakes",
+    ])
+    .expect_code(0);
+    let name = folder.to_str().expect("a plain name");
+    let judged = pinhole(&[
+        "check",
+        name,
+        "--task",
+        "plane",
+        "--golden",
+        fresh,
+        "--json",
+        "--no-report",
+        "--sandbox",
+        &walls(),
+    ]);
+    let judged = judged.expect_code(1).json();
+    let plane = task(&judged, "plane");
+    let earned = plane["points"].as_i64().expect("a number");
+    let possible = plane["possible"].as_i64().expect("a number");
+    // A group whose right answers are all misses asks nothing that must be known.
+    assert!(earned * 4 <= possible, "{plane:#}");
+}

@@ -1,0 +1,15 @@
+//! The real command on the real course: real oiiotool, compiler, sandbox, browser.
+
+mod browser;
+mod check;
+#[cfg(target_os = "linux")]
+mod container;
+mod diff;
+mod explain;
+#[cfg(target_os = "linux")]
+mod hostile;
+mod report;
+mod sandbox;
+mod watch;
+#[cfg(unix)]
+mod watch_screen;

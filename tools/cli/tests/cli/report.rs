@@ -1,0 +1,261 @@
+//! The report, in a real browser.
+
+mod access;
+mod reading;
+
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use crate::browser::Browser;
+use crate::check::with_body;
+use pinhole_testing::{TASKS, fresh, pinhole, root, submission, trusted};
+
+/// Scene of the tests: small, and with a sphere in front of a plane.
+pub const SCENE: &str = "sphere_and_plane";
+
+/// The answer files of a known mistake over the reference's.
+pub fn mistaken(name: &str, slug: &str, file: &str) -> PathBuf {
+    let wrong = root().join("assignments/ray_casting/mistakes").join(slug);
+    let text = std::fs::read_to_string(wrong.join(file)).expect("the mistake has it");
+    submission(&trusted(), name, &[(file, &text)])
+}
+
+/// Checks a folder and gives its report.
+#[track_caller]
+pub fn report(folder: &Path, arguments: &[&str]) -> PathBuf {
+    let page = folder.join("report.html");
+    let [folder, path] = [folder, &page].map(|path| path.to_str().expect("plain"));
+    let all = [&["check", folder, "--report", path], arguments].concat();
+    pinhole(&all)
+        .expect_code(1)
+        .expect_out(&format!("report: {path}"));
+    page
+}
+
+/// A report of a scene whose rays are all half a pixel off.
+pub fn half_a_pixel_off(name: &str) -> (PathBuf, PathBuf) {
+    let folder = mistaken(name, "viewing_ray_half_pixel_sign", "viewing_ray.rs");
+    let page = report(&folder, &["--scene", SCENE]);
+    (folder, page)
+}
+
+/// The numbers in a text, in order.
+pub fn numbers(text: &str) -> Vec<f64> {
+    let text = text.replace('−', "-");
+    let pieces = text.split(|c: char| !(c.is_ascii_digit() || "-.e".contains(c)));
+    pieces.filter_map(|piece| piece.parse().ok()).collect()
+}
+
+#[track_caller]
+pub fn assert_near(shown: &str, values: &[&Value]) {
+    let flat = values.iter().flat_map(|value| match value {
+        Value::Array(axes) => axes.clone(),
+        other => vec![(*other).clone()],
+    });
+    let values: Vec<f64> = flat
+        .map(|value| value.as_f64().expect("a number"))
+        .collect();
+    let shown = numbers(shown);
+    assert_eq!(shown.len(), values.len(), "{shown:?} {values:?}");
+    for (shown, value) in shown.iter().zip(&values) {
+        assert!(
+            (shown - value).abs() <= 2e-5 * value.abs() + 1e-6,
+            "{shown} is not {value}"
+        );
+    }
+}
+
+/// Checks that what the page says of a pixel is what `explain` says.
+#[track_caller]
+pub fn assert_as_explained(browser: &Browser, folder: &Path, i: usize, j: usize) {
+    let folder = folder.to_str().expect("plain");
+    let [i, j] = [i, j].map(|k| k.to_string());
+    let explained = pinhole(&["explain", SCENE, &i, &j, "--submission", folder, "--json"]).json();
+    let cell = |row: usize, column: usize| {
+        browser.text(&format!(
+            "document.querySelectorAll('.pixel tbody tr')[{row}].children[{column}].textContent"
+        ))
+    };
+    assert!(
+        browser
+            .text("document.querySelector('.reading .cause').textContent")
+            .contains(&format!("({i}, {j})"))
+    );
+    let ray = &explained["expected"]["ray"];
+    let shown = |k: usize| {
+        browser.text(&format!(
+            "document.querySelectorAll('.ray dd')[{k}].textContent"
+        ))
+    };
+    assert_near(&shown(0), &[&ray["origin"]]);
+    assert_near(&shown(1), &[&ray["direction"]]);
+    assert_near(&shown(2), &[&explained["min_t"]]);
+    for (column, hit) in [
+        (1, &explained["expected"]["first_hit"]),
+        (2, &explained["first_hit"]),
+    ] {
+        if hit.is_null() {
+            assert_eq!(cell(0, column), "no hit");
+            continue;
+        }
+        let at = &hit["intersection"];
+        assert_near(&cell(0, column), &[&hit["object"]]);
+        assert_near(&cell(1, column), &[&at["t"]]);
+        for axis in 0..3 {
+            assert_near(&cell(2 + axis, column), &[&at["normal"][axis]]);
+        }
+    }
+}
+
+#[test]
+fn what_a_student_prints_or_names_is_text_and_nothing_else() {
+    let evil =
+        "</script><img src=x onerror='document.title=666'><script>document.title=666</script>";
+    let panic = format!("println!(\"{evil}\"); panic!(\"{evil}\");");
+    let folder = submission(
+        &trusted(),
+        "report-evil<img src=x onerror='document.title=666'>",
+        &[("plane.rs", &with_body("plane", &panic))],
+    );
+    std::fs::write(
+        folder.join("triangle.rs"),
+        format!("compile_error!(\"{evil}\");"),
+    )
+    .expect("it can be written");
+    let page = report(
+        &folder,
+        &["--task", "plane", "--task", "triangle", "--scene", SCENE],
+    );
+    let browser = Browser::open(&page);
+    assert!(browser.text("document.title").contains("Ray casting"));
+    assert_eq!(
+        browser.value("document.querySelectorAll('img[src=x]').length"),
+        0
+    );
+    let seen = browser.text("document.body.innerText");
+    // Folder, panics, compiler and output: all four are shown as they are.
+    assert!(
+        seen.matches("<img src=x onerror='document.title=666'>")
+            .count()
+            >= 4,
+        "{seen}"
+    );
+    browser.expect_quiet();
+
+    // Were something to slip through, the policy would still not let it run.
+    browser.value("document.body.insertAdjacentHTML('beforeend', \"<img src='x' onerror='document.title=666'>\")");
+    browser.value("document.body.append(Object.assign(document.createElement('script'), { textContent: 'document.title=666' }))");
+    std::thread::sleep(std::time::Duration::from_millis(200));
+    assert!(browser.text("document.title").contains("Ray casting"));
+}
+
+#[test]
+fn diff_writes_a_report_beside_its_pictures() {
+    let (folder, _) = half_a_pixel_off("report-diff");
+    let out = folder.join("out");
+    let [folder, out_name] = [&folder, &out].map(|path| path.to_str().expect("plain"));
+    pinhole(&["render", SCENE, "--submission", folder, "--out", out_name]).expect_code(0);
+    let film = out.join("film.exr");
+    let golden = format!("golden/ray_casting/{SCENE}.exr");
+    let ran = pinhole(&[
+        "diff",
+        &golden,
+        film.to_str().expect("plain"),
+        "--out",
+        out_name,
+    ]);
+    ran.expect_code(1).expect_out("report.html");
+    let browser = Browser::open(&out.join("report.html"));
+    browser.wait_for("document.querySelector('.viewer').hidden === false");
+    // The golden is the assignment's, so the scene is known, and the rays lie beside it.
+    let reading = browser.text("document.querySelector('.reading').innerText");
+    assert!(
+        reading.contains("(plane)") && reading.contains("min_t"),
+        "{reading}"
+    );
+    browser.expect_quiet();
+}
+
+#[test]
+fn every_scene_failing_everywhere_is_still_less_than_two_megabytes() {
+    let folder = mistaken(
+        "report-size",
+        "viewing_ray_half_pixel_sign",
+        "viewing_ray.rs",
+    );
+    let page = report(&folder, &[]);
+    let size = page.metadata().expect("it was written").len();
+    assert!(size < 2_000_000, "{size}");
+    let browser = Browser::open(&page);
+    browser.value(
+        "document.querySelectorAll('details.scene').forEach((card) => { card.open = true; })",
+    );
+    browser.wait_for("[...document.querySelectorAll('.viewer')].every((viewer) => !viewer.hidden)");
+    assert_eq!(
+        browser.value("document.querySelectorAll('.viewer').length"),
+        12
+    );
+    browser.expect_quiet();
+}
+
+#[test]
+fn check_writes_a_report_unless_told_not_to_and_says_where() {
+    let reference = "assignments/ray_casting/reference";
+    let default = root().join("target/pinhole/report.html").canonicalize();
+    let json = |arguments: &[&str]| {
+        let all = [
+            &["check", reference, "--task", "plane", "--json"],
+            arguments,
+        ]
+        .concat();
+        pinhole(&all).expect_code(0).json()["report"].clone()
+    };
+    let said = json(&[]);
+    let said = Path::new(said.as_str().expect("a path"))
+        .canonicalize()
+        .expect("it is there");
+    assert_eq!(said, default.expect("it is there"));
+    assert_eq!(json(&["--no-report"]), Value::Null);
+    let own = fresh(&trusted(), "report-own").join("deep/mine.html");
+    let own = own.to_str().expect("plain");
+    assert_eq!(json(&["--report", own]), own);
+    assert!(Path::new(own).is_file());
+    pinhole(&[
+        "check",
+        reference,
+        "--task",
+        "plane",
+        "--report",
+        "/dev/null/report.html",
+    ])
+    .expect_code(2)
+    .expect_out("12 / 12")
+    .expect_err("cannot write the report");
+}
+
+#[test]
+fn a_scene_that_was_not_cast_shows_what_was_expected_and_why() {
+    let page = trusted().join("report-unanswered.html");
+    let path = page.to_str().expect("plain");
+    pinhole(&["check", "assignments/ray_casting/handout", "--report", path]).expect_code(1);
+    let browser = Browser::open(&page);
+    assert_eq!(
+        browser.value("document.querySelectorAll('.viewer').length"),
+        0
+    );
+    let seen = browser.text("document.body.innerText");
+    assert!(
+        seen.contains("0 of 100 points") && seen.contains("unanswered"),
+        "{seen}"
+    );
+    for name in TASKS.into_iter().chain(["in_front_of_the_image_plane"]) {
+        let shown = "[...document.querySelectorAll('.tables a')].map((a) => a.innerText).join(' ')";
+        assert!(browser.text(shown).split(' ').any(|shown| shown == name));
+    }
+    assert_eq!(
+        browser.value("document.querySelectorAll('.gallery img').length"),
+        12
+    );
+    browser.expect_quiet();
+}

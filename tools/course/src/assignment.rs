@@ -1,0 +1,274 @@
+//! An assignment: its tasks, scenes and points, read from `assignment.toml`.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use pinhole::Scene;
+use serde::Deserialize;
+
+use crate::checkout::Checkout;
+use crate::error::{Error, Result};
+
+/// What students are asked, and where it lies.
+#[derive(Clone, Debug)]
+pub struct Assignment {
+    /// The folder's name, `ray_casting`.
+    pub name: String,
+    /// The folder.
+    pub folder: PathBuf,
+    /// As people say it.
+    pub title: String,
+    /// In the order students meet them.
+    pub tasks: Vec<Task>,
+    /// In the order they are cast.
+    pub scenes: Vec<ScenePoints>,
+    /// Points of scenes that students do not have here.
+    pub withheld: u32,
+}
+
+/// One answer file and what it is worth.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Task {
+    /// The file is `NAME.rs`.
+    pub name: String,
+    /// The chapter of the book that teaches it.
+    pub chapter: String,
+    /// Groups of questions and their points, in the order they are shown.
+    pub points: Vec<GroupPoints>,
+}
+
+/// A group of questions and what it is worth: `["inside", 3, "what is asked"]`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(from = "(String, u32, String)")]
+pub struct GroupPoints {
+    /// Its name.
+    pub group: String,
+    /// Points for a group without a wrong answer.
+    pub worth: u32,
+    /// What it asks, in words for somebody who fails it.
+    pub about: String,
+}
+
+impl From<(String, u32, String)> for GroupPoints {
+    fn from((group, worth, about): (String, u32, String)) -> GroupPoints {
+        GroupPoints {
+            group,
+            worth,
+            about,
+        }
+    }
+}
+
+/// A scene and what casting it right is worth.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ScenePoints {
+    /// The file is `scenes/NAME.toml`.
+    pub name: String,
+    /// Points for a film that passes.
+    pub points: u32,
+    /// Whether students get it; a withheld scene is cast when it is graded only.
+    #[serde(default = "is_public")]
+    pub public: bool,
+}
+
+fn is_public() -> bool {
+    true
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    title: String,
+    #[serde(default)]
+    withheld: u32,
+    task: Vec<Task>,
+    scene: Vec<ScenePoints>,
+}
+
+impl Assignment {
+    /// The assignment of this name, or else in the folder of this name.
+    pub fn named(checkout: &Checkout, name: &str) -> Result<Assignment> {
+        let folder = Path::new(name);
+        match folder
+            .join("assignment.toml")
+            .is_file()
+            .then(|| folder.file_name())
+            .flatten()
+        {
+            Some(own) => Assignment::in_folder(checkout, folder, &own.to_string_lossy()),
+            None => Assignment::read(checkout, name),
+        }
+    }
+
+    /// The assignment of this name.
+    pub fn read(checkout: &Checkout, name: &str) -> Result<Assignment> {
+        Assignment::in_folder(checkout, &checkout.assignments().join(name), name)
+    }
+
+    fn in_folder(checkout: &Checkout, folder: &Path, name: &str) -> Result<Assignment> {
+        let path = folder.join("assignment.toml");
+        let text = fs::read_to_string(&path).map_err(|error| {
+            Error::input(
+                format!("cannot read {}: {error}", path.display()),
+                format!(
+                    "name an assignment of this checkout: {}",
+                    names(checkout).join(", ")
+                ),
+            )
+        })?;
+        let file: File = toml::from_str(&text).map_err(|error| {
+            Error::input(
+                format!("{}: {error}", path.display()),
+                "correct the assignment file",
+            )
+        })?;
+        Ok(Assignment {
+            name: name.into(),
+            folder: folder.into(),
+            title: file.title,
+            tasks: file.task,
+            scenes: file.scene,
+            withheld: file.withheld,
+        })
+    }
+
+    /// The assignment a folder belongs to: the one it lies in, or else the first.
+    pub fn around(checkout: &Checkout, folder: &Path) -> Result<Assignment> {
+        let names = names(checkout);
+        let holds = |name: &&String| {
+            let own = checkout.assignments().join(name).canonicalize();
+            own.is_ok_and(|own| {
+                folder
+                    .canonicalize()
+                    .is_ok_and(|folder| folder.starts_with(own))
+            })
+        };
+        match names.iter().find(holds).or(names.first()) {
+            Some(name) => Assignment::read(checkout, name),
+            None => Err(Error::environment(
+                "this checkout has no assignment",
+                "restore the folder `assignments`",
+            )),
+        }
+    }
+
+    /// The folder of stubs that students start from.
+    pub fn handout(&self) -> PathBuf {
+        self.folder.join("handout")
+    }
+
+    /// The folder of our own answers.
+    pub fn reference(&self) -> PathBuf {
+        self.folder.join("reference")
+    }
+
+    /// The answers that cast when nobody says whose: our own, or, in a student's
+    /// repository, which has none of ours, the student's.
+    pub fn own_answers(&self) -> PathBuf {
+        match self.reference().is_dir() {
+            true => self.reference(),
+            false => self.handout(),
+        }
+    }
+
+    /// The stubs as they were handed out, in a student's repository: the handout's
+    /// folder is where students write.
+    pub fn pristine(&self) -> PathBuf {
+        self.folder.join("stubs")
+    }
+
+    /// The files around the answers, which are the same in every submission.
+    pub fn fixed_files(&self) -> Vec<String> {
+        let entries = fs::read_dir(self.reference().join("src"))
+            .into_iter()
+            .flatten()
+            .flatten();
+        let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+        let is_answer = |name: &String| self.tasks.iter().any(|task| task.file() == *name);
+        let mut fixed: Vec<String> = names
+            .filter(|name| name.ends_with(".rs") && !is_answer(name))
+            .collect();
+        fixed.sort();
+        fixed
+    }
+
+    /// The file of one of its scenes.
+    pub fn scene(&self, name: &str) -> PathBuf {
+        self.folder.join("scenes").join(name).with_extension("toml")
+    }
+
+    /// The scene a user means: a file, or one of the assignment's by name. With it comes
+    /// its golden film's path, if one is committed.
+    pub fn find_scene(&self, named: &str, checkout: &Checkout) -> Result<(Scene, Option<PathBuf>)> {
+        let path = self.find_scene_file(named)?;
+        let golden = path.file_stem().map(|stem| {
+            let golden = checkout.golden(&self.name).join(stem);
+            golden.with_extension("exr")
+        });
+        let folder = path.canonicalize().ok();
+        let folder = folder.and_then(|path| Some(path.parent()?.to_owned()));
+        let is_own = folder == self.folder.join("scenes").canonicalize().ok();
+        Ok((
+            Scene::read(&path)?,
+            golden.filter(|golden| is_own && golden.is_file()),
+        ))
+    }
+
+    /// Where the scene lies that a user means.
+    pub fn find_scene_file(&self, named: &str) -> Result<PathBuf> {
+        let file = Path::new(named);
+        let own = self.scene(named);
+        match (file.is_file(), own.is_file()) {
+            (true, _) => Ok(file.into()),
+            (false, true) => Ok(own),
+            (false, false) => {
+                let scenes = self.scenes.iter();
+                let names: Vec<&str> = scenes.map(|scene| scene.name.as_str()).collect();
+                Err(Error::input(
+                    format!("there is no scene {named}"),
+                    format!("name a TOML file, or one of: {}", names.join(", ")),
+                ))
+            }
+        }
+    }
+
+    /// The scenes that students do not get.
+    pub fn withheld_scenes(&self) -> impl Iterator<Item = &ScenePoints> {
+        self.scenes.iter().filter(|scene| !scene.public)
+    }
+
+    /// Whether a film, by its name without `.exr`, or a file of it shows a withheld scene.
+    pub fn withholds(&self, film: &str) -> bool {
+        let scene = film.split('.').next().unwrap_or(film);
+        self.withheld_scenes()
+            .any(|withheld| withheld.name == scene)
+    }
+
+    /// The task of this name.
+    pub fn task(&self, name: &str) -> Option<&Task> {
+        self.tasks.iter().find(|task| task.name == name)
+    }
+}
+
+impl Task {
+    /// Its answer file's name.
+    pub fn file(&self) -> String {
+        format!("{}.rs", self.name)
+    }
+}
+
+/// The assignments of a checkout, by name.
+fn names(checkout: &Checkout) -> Vec<String> {
+    let entries = fs::read_dir(checkout.assignments())
+        .into_iter()
+        .flatten()
+        .flatten();
+    let mut names: Vec<String> = entries
+        .filter(|entry| entry.path().join("assignment.toml").is_file())
+        .filter_map(|entry| entry.file_name().into_string().ok())
+        .collect();
+    names.sort();
+    names
+}

@@ -1,0 +1,60 @@
+//! A submission for a command that lets its code run but judges nothing: every file must
+//! compile.
+
+use std::path::Path;
+
+use super::{Program, Replaced, compile};
+use crate::assignment::Assignment;
+use crate::checkout::Checkout;
+use crate::describe::printable_coloured;
+use crate::error::{Error, Result};
+use crate::progress::Progress;
+use crate::run_options::RunOptions;
+use crate::sandbox::Sandbox;
+use crate::submission::Submission;
+
+/// A submission that compiles as a whole.
+pub struct Whole {
+    /// Whose answers.
+    pub submission: Submission,
+    /// Where they run.
+    pub sandbox: Sandbox,
+    /// What runs.
+    pub program: Program,
+}
+
+impl Whole {
+    /// Builds the submission in the folder that was named, or else in the current one, or
+    /// else the assignment's own.
+    ///
+    /// # Errors
+    /// Also if one of its files does not compile.
+    pub fn build(
+        checkout: &Checkout,
+        assignment: &Assignment,
+        named: Option<&Path>,
+        options: &RunOptions,
+    ) -> Result<Whole> {
+        let submission = Submission::named_or(named, assignment, &assignment.own_answers())?;
+        let choice = options.sandbox.choice();
+        let sandbox = Sandbox::around(&submission.folder, checkout, choice, &[])?;
+        let progress = Progress::new();
+        progress.say("building");
+        let program = compile(&submission, assignment, checkout, &sandbox)?;
+        progress.clear();
+        for (task, why) in &program.replaced {
+            if let Replaced::DoesNotCompile(diagnostics) = why {
+                let words = printable_coloured(diagnostics.trim_end());
+                return Err(Error::input(
+                    format!("{words}\n{task}.rs does not compile"),
+                    "mend it and try again",
+                ));
+            }
+        }
+        Ok(Whole {
+            submission,
+            sandbox,
+            program,
+        })
+    }
+}

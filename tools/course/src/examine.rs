@@ -1,0 +1,308 @@
+//! Runs a submission through every group of questions and every scene.
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use pinhole::Film;
+use pinhole::ask::{Ending, MOST_PRINTED, Reply};
+use pinhole::job::{Job, Panic};
+use pinhole::judge::judge;
+
+use crate::assignment::{Assignment, Task};
+use crate::compile::Program;
+use crate::describe;
+use crate::diagnose::Cast;
+use crate::diagnosis::Diagnosis;
+use crate::error::{Error, Result};
+use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskResult};
+use crate::goldens::{GoldenScene, Goldens};
+use crate::questions::{Group, QuestionFilm, Questions};
+use crate::sandbox::{Limits, Sandbox};
+use crate::second_judge::SecondJudge;
+use crate::submission::Submission;
+
+/// A built submission and what it is measured against.
+pub struct Examiner<'a> {
+    /// Whose tasks.
+    pub assignment: &'a Assignment,
+    /// The golden films, and the scenes they show.
+    pub goldens: &'a Goldens,
+    /// What runs.
+    pub program: &'a Program,
+    /// Where it runs.
+    pub sandbox: &'a Sandbox,
+    /// How long each process may take.
+    pub wall: Duration,
+    /// Asked about every film too, if there is one; a disagreement is an error.
+    pub second_judge: Option<&'a SecondJudge>,
+    /// What says how long each process may take instead, if anything does.
+    pub clock: Option<&'a dyn Clock>,
+    /// Told what is being asked, and the share of its answers so far, 0 to 1.
+    pub progress: &'a dyn Fn(&str, f64),
+}
+
+/// Limits that differ from one task or scene to another.
+pub trait Clock {
+    /// What the process may take that is asked about `what`, a task or a scene.
+    fn limits(&self, what: &str) -> Limits;
+
+    /// Sees every reply; an error ends the examination.
+    fn check(&self, reply: &Reply) -> Result<()>;
+}
+
+/// What to examine; empty lists mean everything.
+#[derive(Clone, Debug, Default)]
+pub struct Selection {
+    /// Only these tasks.
+    pub tasks: Vec<String>,
+    /// Only these scenes.
+    pub scenes: Vec<String>,
+}
+
+impl Selection {
+    /// Whether nothing is left out.
+    pub fn is_everything(&self) -> bool {
+        self.tasks.is_empty() && self.scenes.is_empty()
+    }
+}
+
+/// A group asked alone has at least this long: starting a process is no student's fault.
+const LEAST_WALL: Duration = Duration::from_secs(2);
+
+impl Examiner<'_> {
+    /// Asks everything that is selected.
+    ///
+    /// # Errors
+    /// If a golden or a scene cannot be read, or the program cannot be started;
+    /// whatever the submission does wrong is in the examination.
+    pub fn examine(&self, submission: &Submission, selection: &Selection) -> Result<Examination> {
+        let mut printed = String::new();
+        let mut tasks = Vec::new();
+        let wants_task = |task: &&Task| match selection {
+            Selection { tasks, scenes } if tasks.is_empty() => scenes.is_empty(),
+            Selection { tasks, .. } => tasks.contains(&task.name),
+        };
+        for task in self.assignment.tasks.iter().filter(wants_task) {
+            tasks.push(self.task(task, &mut printed)?);
+        }
+        let mut scenes = Vec::new();
+        for scene in &self.goldens.scenes {
+            let wanted = match selection {
+                Selection { tasks, scenes } if scenes.is_empty() => tasks.is_empty(),
+                Selection { scenes, .. } => scenes.contains(&scene.name),
+            };
+            if wanted {
+                scenes.push(self.scene(scene, &mut printed)?);
+            }
+        }
+        // Each process may say so much; nobody reads more of them all together.
+        printed.truncate(printed.floor_char_boundary(MOST_PRINTED));
+        let mut examination = Examination {
+            submission: submission.folder.display().to_string(),
+            title: self.assignment.title.clone(),
+            tasks,
+            scenes,
+            withheld: match selection.is_everything() {
+                true => self.assignment.withheld,
+                false => 0,
+            },
+            printed,
+        };
+        self.goldens.diagnose_scenes(&mut examination)?;
+        Ok(examination)
+    }
+
+    fn task(&self, task: &Task, printed: &mut String) -> Result<TaskResult> {
+        let questions = self.goldens.kept_questions(task)?;
+        let together = self.ask_together(task, &questions, printed)?;
+        let mut together = together.map(Vec::into_iter);
+        // An endless loop shall cost no more than twice the limit, whichever group it is in.
+        let films = questions
+            .groups
+            .iter()
+            .map(|group| group.films.len())
+            .sum::<usize>()
+            .max(1);
+        let share = (self.wall / films as u32).max(LEAST_WALL);
+        let mut results = Vec::new();
+        let mut casts = Vec::new();
+        for Group {
+            name,
+            worth,
+            about,
+            films,
+        } in &questions.groups
+        {
+            let mut result = None;
+            for film in films {
+                let reply = match &mut together {
+                    Some(replies) => replies.next().expect("a reply was split off for each film"),
+                    None => self.ask(&task.name, &film.job, share)?,
+                };
+                printed.push_str(&reply.printed);
+                let (outcome, cast) = self.judge(&reply, film, Some(&task.name))?;
+                let worst = match &outcome {
+                    Outcome::Judged(verdict) => describe::worst(verdict, film, &reply),
+                    _ => None,
+                };
+                casts.push(Cast {
+                    asked: film,
+                    film: cast,
+                    end: outcome.clone(),
+                });
+                // The first film that fails speaks for its group.
+                if result
+                    .as_ref()
+                    .is_none_or(|(earlier, _): &(Outcome, _)| earlier.passes())
+                {
+                    result = Some((outcome, worst));
+                }
+            }
+            let (outcome, worst) = result.ok_or_else(|| {
+                Error::environment(
+                    format!("group `{name}` of task `{}` has no questions", task.name),
+                    "make the goldens again: cargo run --release -- golden render",
+                )
+            })?;
+            results.push(GroupResult {
+                name: name.clone(),
+                worth: *worth,
+                about: about.clone(),
+                outcome,
+                worst,
+            });
+        }
+        let passes = results.iter().all(|group| group.outcome.passes());
+        let diagnosis = match passes {
+            true => Diagnosis::default(),
+            false => self.goldens.diagnose_task(&task.name, &casts)?,
+        };
+        Ok(TaskResult {
+            name: task.name.clone(),
+            chapter: task.chapter.clone(),
+            replaced: self.program.replaced.get(&task.name).cloned(),
+            groups: results,
+            diagnosis,
+        })
+    }
+
+    /// All groups of a task in one process; `None` if some answer fails in a way that
+    /// could hide the others. Then each is to be asked alone, so that it costs its own
+    /// group only.
+    fn ask_together(
+        &self,
+        task: &Task,
+        questions: &Questions,
+        printed: &mut String,
+    ) -> Result<Option<Vec<Reply>>> {
+        let Some(job) = &questions.together else {
+            return Ok(None);
+        };
+        let mut reply = self.ask(&task.name, job, self.wall)?;
+        if reply.ending != Ending::Complete {
+            return Ok(None);
+        }
+        printed.push_str(&std::mem::take(&mut reply.printed));
+        let films = questions.groups.iter().flat_map(|group| &group.films);
+        Ok(Some(reply.split(films.map(|film| film.job.len()))))
+    }
+
+    fn scene(&self, scene: &GoldenScene, printed: &mut String) -> Result<SceneResult> {
+        let film = self.goldens.kept_scene(scene)?;
+        let start = Instant::now();
+        let reply = self.ask(&scene.name, &film.job, self.wall)?;
+        let seconds = start.elapsed().as_secs_f64();
+        printed.push_str(&reply.printed);
+        let (outcome, cast) = self.judge(&reply, &film, None)?;
+        Ok(SceneResult {
+            name: scene.name.clone(),
+            argument: scene.argument.clone(),
+            worth: scene.worth,
+            outcome,
+            seconds,
+            file: scene.file.clone(),
+            film: cast,
+            golden: film.golden.clone(),
+            diagnosis: Diagnosis::default(),
+        })
+    }
+
+    fn ask(&self, what: &str, job: &Job, wall: Duration) -> Result<Reply> {
+        let limits = match self.clock {
+            Some(clock) => clock.limits(what),
+            None => Limits::of_answers(wall),
+        };
+        let reply = run(self.program, self.sandbox, &limits, job, &mut |done| {
+            (self.progress)(what, done as f64 / job.len().max(1) as f64);
+        })?;
+        if let Some(clock) = self.clock {
+            clock.check(&reply)?;
+        }
+        Ok(reply)
+    }
+
+    /// An outcome from a reply, with the film if it is whole; `task` if one answer was
+    /// asked alone.
+    fn judge(
+        &self,
+        reply: &Reply,
+        asked: &QuestionFilm,
+        task: Option<&str>,
+    ) -> Result<(Outcome, Option<Film>)> {
+        let complete = reply.answers.iter().all(Option::is_some);
+        if let Some(failure) = failure(&reply.ending, self.assignment, task).filter(|_| !complete) {
+            return Ok((failure, None));
+        }
+        let film = reply.film(asked.resolution);
+        let outcome = match judge(&asked.golden, &film) {
+            Ok(verdict) => Outcome::Judged(verdict),
+            Err(refusal) => Outcome::Refused(refusal),
+        };
+        if let Some(second) = self.second_judge {
+            second.confirm(&film, &asked.golden_path, outcome.passes())?;
+        }
+        Ok((outcome, Some(film)))
+    }
+}
+
+/// What an ending means for whoever was asked; `None` if all is well so far.
+pub fn failure(ending: &Ending, assignment: &Assignment, task: Option<&str>) -> Option<Outcome> {
+    Some(match ending {
+        Ending::Complete => return None,
+        Ending::Panicked(panic) if panic.is_unanswered() => match task_of(panic, assignment) {
+            Some(other) if Some(other) != task => Outcome::BlockedBy(other.into()),
+            _ => Outcome::Unanswered,
+        },
+        Ending::Panicked(panic) => Outcome::Panicked(panic.clone()),
+        Ending::TimedOut(limit) => Outcome::TimedOut {
+            seconds: limit.as_secs_f64(),
+        },
+        Ending::OutOfMemory(most) => Outcome::OutOfMemory { most: *most },
+        Ending::Died(how) => Outcome::Died(how.clone()),
+        Ending::Garbled(why) => Outcome::Garbled(why.clone()),
+    })
+}
+
+/// The task in whose file a panic happened.
+fn task_of<'a>(panic: &Panic, assignment: &'a Assignment) -> Option<&'a str> {
+    let stem = Path::new(&panic.file).file_stem()?.to_str()?;
+    assignment.task(stem).map(|task| task.name.as_str())
+}
+
+/// Runs a program on one job.
+pub fn run(
+    program: &Program,
+    sandbox: &Sandbox,
+    limits: &Limits,
+    job: &Job,
+    progress: &mut dyn FnMut(usize),
+) -> Result<Reply> {
+    let stop = program.stop.clone();
+    let asked = sandbox.ask(&program.executable, job, limits, stop, progress);
+    asked.map_err(|error| {
+        Error::environment(
+            format!("cannot ask {}: {error}", program.executable.display()),
+            "run this command again; if it persists, remove target/pinhole",
+        )
+    })
+}

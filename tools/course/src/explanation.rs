@@ -1,0 +1,173 @@
+//! One pixel, asked answer by answer, so that one that fails hides no other.
+
+mod fault;
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use pinhole::job::{Answer, CameraQuestion, Job, ShapeQuestion};
+use pinhole::{Film, Hit, Pixel, Ray, Scene};
+
+use crate::assignment::Assignment;
+use crate::compile::{Program, Replaced};
+use crate::describe::{self, hit_in_film, ray_in_film};
+use crate::error::Result;
+use crate::examination::Outcome;
+use crate::examine;
+use crate::sandbox::{Limits, Sandbox};
+
+/// What Mitsuba found at a pixel, where a golden is committed.
+pub struct Mitsuba {
+    /// Its sensor's ray.
+    pub ray: Ray,
+    /// Its first hit.
+    pub hit: Option<Hit>,
+}
+
+impl Mitsuba {
+    /// Reads both at `index` of the golden films, if there are any.
+    pub fn read(golden: Option<PathBuf>, index: usize) -> Result<Option<Mitsuba>> {
+        let Some(path) = golden else { return Ok(None) };
+        let hits = Film::read(&path)?;
+        let rays = Film::read(&path.with_extension("rays.exr"))?;
+        Ok(Some(Mitsuba {
+            ray: ray_in_film(&rays, index),
+            hit: hit_in_film(&hits, index),
+        }))
+    }
+}
+
+/// What an answer said, or why it said nothing.
+pub type Said<T> = std::result::Result<T, NoAnswer>;
+
+/// Why there is no answer.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoAnswer {
+    /// There is no ray to ask about.
+    NoRay,
+    /// There is no usable file for this task.
+    NoFile(String),
+    /// This task's file does not compile.
+    DoesNotCompile(String),
+    /// It was asked, and failed.
+    Failed(Outcome),
+    /// It was asked, and said nothing.
+    Nothing,
+}
+
+/// One pixel, answer by answer.
+pub struct Explanation {
+    /// `viewing_ray`'s answer.
+    pub ray: Said<Ray>,
+    /// The ray the rest was asked about: the submission's, or else Mitsuba's.
+    pub asked: Option<Ray>,
+    /// Every object's own answer, in the scene's order.
+    pub candidates: Vec<Said<Option<Hit>>>,
+    /// `first_hit`'s answer.
+    pub first_hit: Said<Option<Hit>>,
+    /// What it should all come to.
+    pub mitsuba: Option<Mitsuba>,
+}
+
+/// A built submission that can be asked about one pixel.
+pub struct Witness<'a> {
+    /// What runs.
+    pub program: &'a Program,
+    /// Where it runs.
+    pub sandbox: &'a Sandbox,
+    /// Whose tasks it answers.
+    pub assignment: &'a Assignment,
+    /// How long each answer may take.
+    pub wall: Duration,
+}
+
+impl Witness<'_> {
+    /// Asks every answer that has to do with `pixel`, each alone.
+    pub fn explain(
+        &self,
+        scene: &Scene,
+        pixel: Pixel,
+        mitsuba: Option<Mitsuba>,
+    ) -> Result<Explanation> {
+        let Scene {
+            camera,
+            resolution,
+            min_t,
+            ref objects,
+        } = *scene;
+        let question = CameraQuestion {
+            camera,
+            pixel,
+            resolution,
+        };
+        let ray = self.ask(
+            "viewing_ray",
+            &Job::ViewingRay(vec![question]),
+            |answer| match answer {
+                Answer::Ray(ray) => Some(ray),
+                Answer::Hit(_) => None,
+            },
+        )?;
+        let asked = ray
+            .as_ref()
+            .ok()
+            .copied()
+            .or(mitsuba.as_ref().map(|mitsuba| mitsuba.ray));
+        let mut candidates = Vec::new();
+        let mut first_hit = Err(NoAnswer::NoRay);
+        if let Some(ray) = asked {
+            let hit = |answer| match answer {
+                Answer::Hit(hit) => Some(hit),
+                Answer::Ray(_) => None,
+            };
+            // A loop in one answer would cost its time again for every object.
+            let mut endless = None;
+            for shape in objects {
+                let question = ShapeQuestion {
+                    shape: shape.clone(),
+                    ray,
+                    min_t,
+                };
+                let task = describe::kind(shape);
+                let said = match &endless {
+                    Some((known, why)) if *known == task => Err(NoAnswer::clone(why)),
+                    _ => self.ask(task, &Job::Intersect(vec![question]), hit)?,
+                };
+                if let Err(why @ NoAnswer::Failed(Outcome::TimedOut { .. })) = &said {
+                    endless = Some((task, why.clone()));
+                }
+                candidates.push(said);
+            }
+            first_hit = self.ask("first_hit", &Job::Cast(ray, min_t, objects.clone()), hit)?;
+        }
+        Ok(Explanation {
+            ray,
+            asked,
+            candidates,
+            first_hit,
+            mitsuba,
+        })
+    }
+
+    /// One question to one answer, which may fail without hiding the others.
+    fn ask<T>(&self, task: &str, job: &Job, pick: impl Fn(Answer) -> Option<T>) -> Result<Said<T>> {
+        if let Some(replaced) = self.program.replaced.get(task) {
+            return Ok(Err(match replaced {
+                Replaced::Unusable(_) => NoAnswer::NoFile(task.into()),
+                Replaced::DoesNotCompile(_) => NoAnswer::DoesNotCompile(task.into()),
+            }));
+        }
+        let reply = examine::run(
+            self.program,
+            self.sandbox,
+            &Limits::of_answers(self.wall),
+            job,
+            &mut |_| {},
+        )?;
+        let answer = reply.answers.first().copied().flatten().and_then(pick);
+        Ok(answer.ok_or_else(|| {
+            examine::failure(&reply.ending, self.assignment, Some(task))
+                .map_or(NoAnswer::Nothing, NoAnswer::Failed)
+        }))
+    }
+}

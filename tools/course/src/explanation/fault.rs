@@ -1,0 +1,148 @@
+//! Which task to read about, where a pixel is not what Mitsuba found.
+
+use pinhole::{Hit, Intersection, Ray, Shape};
+
+use super::Explanation;
+use crate::describe;
+
+/// A page to read is no verdict: what differs by less than this share of itself, or of 1,
+/// is told apart by goldens with their tolerances alone.
+const CLEAR: f64 = 1e-3;
+
+impl Explanation {
+    /// The first task whose answer is missing or clearly not Mitsuba's.
+    pub fn task_at_fault(&self, objects: &[Shape]) -> Option<&'static str> {
+        let mitsuba = self.mitsuba.as_ref()?;
+        match &self.ray {
+            Ok(ray) if same_ray(ray, &mitsuba.ray) => {}
+            _ => return Some("viewing_ray"),
+        }
+        let Ok(found) = &self.first_hit else {
+            let silent = self.candidates.iter().position(Result::is_err);
+            return Some(silent.map_or("first_hit", |k| describe::kind(&objects[k])));
+        };
+        if same_hit(found, &mitsuba.hit) {
+            return None;
+        }
+        // The object that should be seen says so itself, or else it is at fault; if it does,
+        // another one that says it is nearer.
+        let wrong = match (mitsuba.hit, found) {
+            (Some(expected), _) if !self.says(expected) => Some(expected.object),
+            (Some(expected), Some(found)) => {
+                let nearer = found.intersection.t < expected.intersection.t;
+                (nearer && self.says(*found)).then_some(found.object)
+            }
+            (Some(_), None) => None,
+            (None, found) => found.filter(|found| self.says(*found)).map(|it| it.object),
+        };
+        Some(wrong.map_or("first_hit", |k| describe::kind(&objects[k])))
+    }
+
+    /// Whether the object of this hit answers the same when it is asked alone.
+    fn says(&self, hit: Hit) -> bool {
+        let Some(Ok(Some(said))) = self.candidates.get(hit.object) else {
+            return false;
+        };
+        same_intersection(&said.intersection, &hit.intersection)
+    }
+}
+
+fn near(one: f64, other: f64) -> bool {
+    (one - other).abs() <= CLEAR * one.abs().max(1.0)
+}
+
+fn same_ray(one: &Ray, other: &Ray) -> bool {
+    let length = one.direction.length();
+    (one.origin - other.origin).length() <= CLEAR * one.origin.length().max(1.0)
+        && (one.direction - other.direction).length() <= CLEAR * length
+}
+
+fn same_intersection(one: &Intersection, other: &Intersection) -> bool {
+    near(one.t, other.t) && (one.normal - other.normal).length() <= CLEAR
+}
+
+fn same_hit(one: &Option<Hit>, other: &Option<Hit>) -> bool {
+    match (one, other) {
+        (Some(one), Some(other)) => {
+            one.object == other.object && same_intersection(&one.intersection, &other.intersection)
+        }
+        (one, other) => one.is_none() && other.is_none(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::examination::Outcome;
+    use crate::explanation::{Mitsuba, NoAnswer, Said};
+    use glam::DVec3;
+    use pinhole::{Plane, Sphere};
+
+    const RAY: Ray = Ray {
+        origin: DVec3::ZERO,
+        direction: DVec3::NEG_Z,
+    };
+
+    fn hit(object: usize, t: f64) -> Option<Hit> {
+        let normal = DVec3::Z;
+        let intersection = Intersection { t, normal };
+        Some(Hit {
+            object,
+            intersection,
+        })
+    }
+
+    /// A sphere at 2 and a plane at 5, and these answers.
+    fn at_fault(
+        ray: Said<Ray>,
+        sphere: Option<Hit>,
+        first: Said<Option<Hit>>,
+    ) -> Option<&'static str> {
+        let objects = [
+            Shape::Sphere(Sphere {
+                center: DVec3::NEG_Z * 3.0,
+                radius: 1.0,
+            }),
+            Shape::Plane(Plane {
+                point: DVec3::NEG_Z * 5.0,
+                normal: DVec3::Z,
+            }),
+        ];
+        let explanation = Explanation {
+            ray,
+            asked: Some(RAY),
+            candidates: vec![Ok(sphere), Ok(hit(1, 5.0))],
+            first_hit: first,
+            mitsuba: Some(Mitsuba {
+                ray: RAY,
+                hit: hit(0, 2.0),
+            }),
+        };
+        explanation.task_at_fault(&objects)
+    }
+
+    #[test]
+    fn who_is_sent_to_read_is_whose_answer_is_wrong_first() {
+        let tilted = Ray {
+            direction: DVec3::new(0.1, 0.0, -1.0),
+            ..RAY
+        };
+        let right = Ok(hit(0, 2.0));
+        assert_eq!(at_fault(Ok(RAY), hit(0, 2.0), right.clone()), None);
+        assert_eq!(
+            at_fault(Ok(tilted), hit(0, 2.0), right),
+            Some("viewing_ray")
+        );
+        assert_eq!(at_fault(Ok(RAY), None, Ok(hit(1, 5.0))), Some("sphere"));
+        assert_eq!(
+            at_fault(Ok(RAY), hit(0, 2.0), Ok(hit(1, 5.0))),
+            Some("first_hit")
+        );
+        assert_eq!(at_fault(Ok(RAY), hit(0, 2.0), Ok(None)), Some("first_hit"));
+        let unanswered = Err(NoAnswer::Failed(Outcome::Unanswered));
+        assert_eq!(
+            at_fault(Ok(RAY), hit(0, 2.0), unanswered),
+            Some("first_hit")
+        );
+    }
+}

@@ -1,0 +1,90 @@
+//! `handout.toml`: what `pinhole handout` wrote to a student's repository.
+//!
+//! By it a repository is known as a student's, its stubs are known to be unchanged, and
+//! a later handout knows which files are its own to replace.
+
+use std::fs;
+use std::path::{Component, Path};
+
+use serde::{Deserialize, Serialize};
+
+use crate::checkout::Checkout;
+use crate::error::{Error, Result};
+use crate::manifest::{self, Hashes};
+use crate::stubs::Package;
+
+/// The file's name, at the top.
+pub const FILE: &str = "handout.toml";
+
+/// A student's repository as it was written.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct HandoutRecord {
+    /// Whose assignment.
+    pub assignment: String,
+    /// Every other file, relative to this one.
+    pub files: Hashes,
+}
+
+impl HandoutRecord {
+    /// The record of the repository at `root`; `None` if it is not a student's.
+    pub fn read(root: &Path) -> Result<Option<HandoutRecord>> {
+        let path = root.join(FILE);
+        if !path.is_file() {
+            return Ok(None);
+        }
+        let wrong = |problem: String| {
+            let problem = format!("{}: {problem}", path.display());
+            Error::input(problem, "restore the file: git checkout handout.toml")
+        };
+        let text = fs::read_to_string(&path).map_err(|error| wrong(error.to_string()))?;
+        let record: HandoutRecord =
+            toml::from_str(&text).map_err(|error| wrong(error.message().into()))?;
+        // Files are replaced and removed by this list.
+        let is_inside = |path: &&String| {
+            let mut parts = Path::new(path).components();
+            parts.all(|part| matches!(part, Component::Normal(_)))
+        };
+        match record.files.keys().find(|path| !is_inside(path)) {
+            Some(path) => Err(wrong(format!("{path} lies outside the repository"))),
+            None => Ok(Some(record)),
+        }
+    }
+
+    /// What stands in the file.
+    pub fn text(&self) -> Result<String> {
+        let text = toml::to_string(self).map_err(|error| {
+            Error::environment(format!("cannot write {FILE}: {error}"), "report this")
+        })?;
+        let head = "# Written by `pinhole handout`: the files that are not yours to change.\n\n";
+        Ok(format!("{head}{text}"))
+    }
+
+    /// The files of a folder as they were handed out.
+    ///
+    /// # Errors
+    /// If one of them has changed.
+    pub fn package(&self, folder: &Path, checkout: &Checkout) -> Result<Package> {
+        let inside = folder.strip_prefix(checkout.root()).unwrap_or(folder);
+        let inside = inside.to_string_lossy().replace('\\', "/");
+        let mut package = Package::new();
+        for (path, recorded) in &self.files {
+            let name = path.strip_prefix(&inside);
+            let Some(name) = name.and_then(|name| name.strip_prefix('/')) else {
+                continue;
+            };
+            let file = checkout.root().join(path);
+            let text = fs::read_to_string(&file).ok();
+            let is_as_it_came =
+                |text: &String| manifest::hash_of(&file, text.clone().into()) == *recorded;
+            let text = text.filter(is_as_it_came).ok_or_else(|| {
+                Error::input(
+                    format!("{path} is not as it was handed out"),
+                    format!("restore it: git checkout {path}"),
+                )
+            })?;
+            package.insert(name.into(), text);
+        }
+        Ok(package)
+    }
+}

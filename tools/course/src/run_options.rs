@@ -1,0 +1,69 @@
+//! Command-line options about how a submission's program is run.
+
+use std::time::Duration;
+
+use clap::Args;
+use pinhole::Resolution;
+use pinhole::scene::MOST_PIXELS;
+
+use crate::sandbox::Choice;
+
+/// Which sandbox untrusted code runs in.
+#[derive(Args)]
+pub struct SandboxOptions {
+    /// Which walls the code runs behind
+    #[arg(long, value_enum, value_name = "WALLS", default_value_t)]
+    pub sandbox: Choice,
+    /// Run a folder outside this checkout without a sandbox: your own code only
+    /// (--sandbox none)
+    #[arg(long, conflicts_with = "sandbox")]
+    pub trust: bool,
+}
+
+impl SandboxOptions {
+    /// The sandbox that the user has chosen.
+    pub fn choice(&self) -> Choice {
+        match self.trust {
+            true => Choice::None,
+            false => self.sandbox,
+        }
+    }
+}
+
+/// How a submission's program is run.
+#[derive(Args)]
+pub struct RunOptions {
+    /// Seconds after which an answer no longer counts
+    #[arg(long, value_name = "SECONDS", default_value_t = RunOptions::TIMEOUT,
+          value_parser = clap::value_parser!(u64).range(1..=86_400))]
+    pub timeout: u64,
+    /// Which sandbox it runs in.
+    #[command(flatten)]
+    pub sandbox: SandboxOptions,
+}
+
+impl RunOptions {
+    /// Seconds, unless the user says otherwise.
+    pub const TIMEOUT: u64 = 30;
+
+    /// How long an answer may take.
+    pub fn wall(&self) -> Duration {
+        Duration::from_secs(self.timeout)
+    }
+}
+
+/// A film's size as a user types it, `640x360`.
+pub fn resolution(text: &str) -> Result<Resolution, String> {
+    let wrong = || format!("`{text}` is no size like 640x360");
+    let (n_x, n_y) = text.split_once('x').ok_or_else(wrong)?;
+    let count = |text: &str| {
+        text.parse::<usize>()
+            .ok()
+            .filter(|n| (1..=20_000).contains(n))
+    };
+    match (count(n_x), count(n_y)) {
+        (Some(n_x), Some(n_y)) if n_x * n_y <= MOST_PIXELS => Ok(Resolution { n_x, n_y }),
+        (Some(_), Some(_)) => Err(format!("more than {MOST_PIXELS} pixels cannot be cast")),
+        _ => Err(wrong()),
+    }
+}

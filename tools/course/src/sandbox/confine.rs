@@ -1,0 +1,172 @@
+//! The inner wall: this program, started anew, gives up everything that foreign code
+//! has no need of, and then becomes that code.
+//!
+//! It is what both sandboxes end in. Bubblewrap has drawn its walls by then; in a
+//! container, where it cannot, another user id and Landlock take their place.
+
+use std::os::unix::process::CommandExt;
+use std::path::PathBuf;
+use std::process::{Command, ExitCode};
+
+use clap::Parser;
+use landlock::{
+    ABI, Access, AccessFs, CompatLevel, Compatible, Ruleset, RulesetAttr, RulesetCreatedAttr,
+    RulesetStatus, Scope, path_beneath_rules,
+};
+use rustix::process::{Resource, Rlimit, Signal, getrlimit, setrlimit};
+use rustix::thread;
+
+use super::Limits;
+use super::syscalls::{self, Purpose};
+
+/// The hidden command's name.
+const CONFINE: &str = "confine";
+
+/// What is left to the code; see [`Limits`].
+#[derive(Parser)]
+struct Confine {
+    /// The user and group to become.
+    #[arg(long)]
+    uid: Option<u32>,
+    /// Compiling may start other programs and write; answering may not.
+    #[arg(long)]
+    compiles: bool,
+    #[arg(long)]
+    cpu: u64,
+    #[arg(long)]
+    memory: u64,
+    #[arg(long)]
+    processes: u64,
+    #[arg(long)]
+    file_size: u64,
+    #[arg(long)]
+    open_files: u64,
+    /// Refuse to run where Landlock is not in force.
+    #[arg(long)]
+    landlocked: bool,
+    /// What may be read and executed.
+    #[arg(long)]
+    read: Vec<PathBuf>,
+    /// What may be written.
+    #[arg(long)]
+    write: Vec<PathBuf>,
+    /// The program and its arguments.
+    #[arg(last = true, required = true)]
+    command: Vec<std::ffi::OsString>,
+}
+
+/// The command line of a confined program, which is to follow.
+pub fn arguments(command: &mut Command, limits: &Limits, purpose: Purpose, uid: Option<u32>) {
+    command.arg(CONFINE);
+    if purpose == Purpose::Compile {
+        command.arg("--compiles");
+    }
+    // The kernel counts whole seconds of one process; the tree is watched from outside. On
+    // a busy machine that takes a while, and the same loop must not end now so, now so.
+    let cpu = limits.cpu.as_secs() + 5;
+    for (name, value) in [
+        ("--cpu", cpu),
+        ("--memory", limits.memory),
+        ("--processes", limits.processes),
+        ("--file-size", limits.file_size),
+        ("--open-files", limits.open_files),
+    ] {
+        command.args([name, &value.to_string()]);
+    }
+    if let Some(uid) = uid {
+        command.args(["--uid", &uid.to_string()]);
+    }
+}
+
+/// Becomes the confined program if the arguments say so; returns only if they do not, or
+/// that fails.
+pub fn become_confined() -> Option<ExitCode> {
+    let mut arguments = std::env::args_os().skip(1).peekable();
+    arguments
+        .next_if(|word| word == CONFINE)
+        .map(|word| run(&Confine::parse_from(std::iter::once(word).chain(arguments))))
+}
+
+fn run(confine: &Confine) -> ExitCode {
+    let Err(what) = give_up(confine) else {
+        let error = Command::new(&confine.command[0])
+            .args(&confine.command[1..])
+            .exec();
+        eprintln!("pinhole: the confined program cannot be started: {error}");
+        return ExitCode::from(NOT_CONFINED);
+    };
+    eprintln!("pinhole: the walls could not be drawn: {what}");
+    ExitCode::from(NOT_CONFINED)
+}
+
+/// The exit code where code was not run because it could not be confined.
+pub const NOT_CONFINED: u8 = 125;
+
+fn give_up(confine: &Confine) -> Result<(), String> {
+    let failed = |what: &str| {
+        let what = what.to_owned();
+        move |error: rustix::io::Errno| format!("{what}: {error}")
+    };
+    if let Some(uid) = confine.uid {
+        let (user, group) = (thread::Uid::from_raw(uid), thread::Gid::from_raw(uid));
+        thread::set_thread_groups(&[]).map_err(failed("groups"))?;
+        thread::set_thread_res_gid(group, group, group).map_err(failed("group"))?;
+        thread::set_thread_res_uid(user, user, user).map_err(failed("user"))?;
+    }
+    // After the user has changed: the change would undo it.
+    rustix::process::set_parent_process_death_signal(Some(Signal::KILL))
+        .map_err(failed("end with the parent"))?;
+    for (resource, most) in [
+        (Resource::Cpu, confine.cpu),
+        (Resource::As, confine.memory),
+        (Resource::Nproc, confine.processes),
+        (Resource::Fsize, confine.file_size),
+        (Resource::Nofile, confine.open_files),
+        (Resource::Core, 0),
+        (Resource::Memlock, 0),
+        (Resource::Msgqueue, 0),
+    ] {
+        // Who is bounded more tightly already may not be able to undo that.
+        let most = getrlimit(resource)
+            .maximum
+            .map_or(most, |least| least.min(most));
+        // Time that is up is told by a signal of its own; a second later all is over.
+        let current = match resource {
+            Resource::Cpu => most.saturating_sub(1),
+            _ => most,
+        };
+        let limit = Rlimit {
+            current: Some(current),
+            maximum: Some(most),
+        };
+        setrlimit(resource, limit).map_err(failed("limits"))?;
+    }
+    thread::set_no_new_privs(true).map_err(failed("no new privileges"))?;
+    fence_files(confine)?;
+    let purpose = match confine.compiles {
+        true => Purpose::Compile,
+        false => Purpose::Answer,
+    };
+    syscalls::deny(purpose)
+}
+
+/// Landlock: files and signals outside are out of reach, as far as this kernel knows how.
+fn fence_files(confine: &Confine) -> Result<(), String> {
+    let abi = ABI::V6;
+    let fence = || {
+        Ruleset::default()
+            .set_compatibility(CompatLevel::BestEffort)
+            .handle_access(AccessFs::from_all(abi))?
+            .handle_access(landlock::AccessNet::from_all(abi))?
+            .scope(Scope::from_all(abi))?
+            .create()?
+            .add_rules(path_beneath_rules(&confine.read, AccessFs::from_read(abi)))?
+            .add_rules(path_beneath_rules(&confine.write, AccessFs::from_all(abi)))?
+            .restrict_self()
+    };
+    let status = fence().map_err(|error| format!("Landlock: {error}"))?;
+    if confine.landlocked && status.ruleset == RulesetStatus::NotEnforced {
+        return Err("this kernel has no Landlock".into());
+    }
+    Ok(())
+}

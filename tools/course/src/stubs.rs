@@ -1,0 +1,127 @@
+//! The handout, generated from the reference: one truth, so that a stub's
+//! documentation and signature cannot drift from the answer's.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::assignment::Assignment;
+use crate::checkout::Checkout;
+use crate::error::{Error, Result};
+use crate::handout_record::HandoutRecord;
+
+/// What the handout should hold: paths inside its folder, and texts.
+pub type Package = BTreeMap<PathBuf, String>;
+
+const ANSWER: &str = "// ANCHOR: answer";
+const ANSWER_END: &str = "// ANCHOR_END: answer";
+
+/// Generates the handout of an assignment.
+///
+/// # Errors
+/// If a file of the reference cannot be read, or an answer is not enclosed by one
+/// pair of anchors: then it might leak.
+pub fn generate(assignment: &Assignment) -> Result<Package> {
+    let reference = assignment.reference();
+    let mut package = Package::new();
+    for file in assignment.fixed_files() {
+        let text = read(&reference.join("src").join(&file))?;
+        package.insert(Path::new("src").join(file), text);
+    }
+    for task in &assignment.tasks {
+        let path = reference.join("src").join(task.file());
+        let stub = stub(&read(&path)?, &task.name).map_err(|problem| {
+            Error::environment(
+                format!("{}: {problem}", path.display()),
+                format!("enclose the answer's whole body by one `{ANSWER}` and one `{ANSWER_END}`"),
+            )
+        })?;
+        package.insert(Path::new("src").join(task.file()), stub);
+    }
+    Ok(package)
+}
+
+/// The stubs as students got them: generated, or, where there is no reference, as they
+/// came beside the handout.
+pub fn pristine(assignment: &Assignment, checkout: &Checkout) -> Result<Package> {
+    match HandoutRecord::read(checkout.root())? {
+        None => generate(assignment),
+        Some(record) => record.package(&assignment.pristine(), checkout),
+    }
+}
+
+/// Replaces the answer between its anchors by `todo!`.
+fn stub(text: &str, task: &str) -> std::result::Result<String, String> {
+    let mut stub = String::new();
+    let mut inside = false;
+    let mut answers = 0;
+    for line in text.lines() {
+        match line.trim() {
+            ANSWER if inside => return Err("an answer begins inside another".into()),
+            ANSWER => {
+                inside = true;
+                answers += 1;
+                let indent = &line[..line.len() - line.trim_start().len()];
+                stub.push_str(&format!("{indent}todo!(\"{task}\")\n"));
+            }
+            ANSWER_END if !inside => return Err("an answer ends that never began".into()),
+            ANSWER_END => inside = false,
+            _ if inside => {}
+            _ => {
+                stub.push_str(line);
+                stub.push('\n');
+            }
+        }
+    }
+    match (answers, inside) {
+        (1, false) => Ok(stub),
+        (_, true) => Err("the answer has no end".into()),
+        (count, _) => Err(format!("there are {count} answers")),
+    }
+}
+
+/// Writes the package to `folder`.
+pub fn write(package: &Package, folder: &Path) -> Result<()> {
+    for (path, text) in package {
+        let path = folder.join(path);
+        let parent = path.parent().unwrap_or(folder);
+        fs::create_dir_all(parent)
+            .and_then(|()| fs::write(&path, text))
+            .map_err(|error| {
+                Error::input(
+                    format!("cannot write {}: {error}", path.display()),
+                    "check that the folder can be written",
+                )
+            })?;
+    }
+    Ok(())
+}
+
+/// The files of `folder` that are not as the package has them.
+pub fn out_of_step(package: &Package, folder: &Path) -> Vec<PathBuf> {
+    let differs = |(path, text): &(&PathBuf, &String)| {
+        fs::read_to_string(folder.join(path)).map_or(true, |found| found != **text)
+    };
+    let mut paths: Vec<PathBuf> = package
+        .iter()
+        .filter(differs)
+        .map(|(path, _)| path.clone())
+        .collect();
+    let entries = fs::read_dir(folder.join("src"))
+        .into_iter()
+        .flatten()
+        .flatten();
+    let extra = entries.map(|entry| Path::new("src").join(entry.file_name()));
+    let is_source = |path: &PathBuf| path.extension().is_some_and(|end| end == "rs");
+    paths.extend(extra.filter(|path| is_source(path) && !package.contains_key(path)));
+    paths
+}
+
+fn read(path: &Path) -> Result<String> {
+    fs::read_to_string(path).map_err(|error| {
+        Error::environment(
+            format!("cannot read {}: {error}", path.display()),
+            "restore the assignment's `reference` folder",
+        )
+    })
+}

@@ -1,0 +1,165 @@
+//! A submission as it comes from a student: six named files in a folder or a ZIP file,
+//! and nothing else.
+
+mod archive;
+pub mod flags;
+mod text;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::assignment::Assignment;
+use crate::error::{Error, Result};
+use archive::Archive;
+use text::Text;
+
+/// The answers found in a folder or a ZIP file.
+#[derive(Clone, Debug)]
+pub struct Submission {
+    /// The folder or ZIP file as the user named it.
+    pub folder: PathBuf,
+    /// Where in it the answer files lie.
+    pub place: PathBuf,
+    /// One for each task, in the assignment's order.
+    pub answers: Vec<Answer>,
+}
+
+/// One task's answer file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// The task, which is also the file's name without `.rs`.
+    pub task: String,
+    /// Its text, or why there is none.
+    pub text: Text,
+}
+
+/// Why an answer file does not count.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Unusable {
+    /// It is not there.
+    Missing,
+    /// It is no regular UTF-8 file of ordinary size; why, in words.
+    Refused(String),
+}
+
+impl Submission {
+    /// Finds the answer files of `assignment` in `folder`, in its `src`, or in the
+    /// same two places of the only folder inside. A ZIP file counts as a folder.
+    ///
+    /// # Errors
+    /// If there is none, or the machine cannot read what is there.
+    pub fn find(folder: &Path, assignment: &Assignment) -> Result<Submission> {
+        Submission::find_any(folder, assignment)?.ok_or_else(|| empty(folder, assignment))
+    }
+
+    /// The same; `None` if there is no answer file.
+    pub fn find_any(folder: &Path, assignment: &Assignment) -> Result<Option<Submission>> {
+        if folder.is_file() {
+            return Submission::unpack(folder, assignment);
+        }
+        if !folder.is_dir() {
+            return Err(Error::input(
+                format!("there is no folder {}", folder.display()),
+                "name the folder or ZIP file that holds the answer files",
+            ));
+        }
+        let holds_any = |place: &PathBuf| {
+            assignment
+                .tasks
+                .iter()
+                .any(|task| place.join(task.file()).symlink_metadata().is_ok())
+        };
+        let Some(place) = places(folder)?.into_iter().find(holds_any) else {
+            return Ok(None);
+        };
+        let answers = assignment.tasks.iter().map(|task| {
+            Ok(Answer {
+                task: task.name.clone(),
+                text: text::read(&place.join(task.file()))?,
+            })
+        });
+        Ok(Some(Submission {
+            folder: folder.into(),
+            answers: answers.collect::<Result<_>>()?,
+            place,
+        }))
+    }
+
+    /// The submission in the folder a user named, or else in the current one, or else in
+    /// `fallback`.
+    ///
+    /// # Errors
+    /// See [`Submission::find`].
+    pub fn named_or(
+        named: Option<&Path>,
+        assignment: &Assignment,
+        fallback: &Path,
+    ) -> Result<Submission> {
+        match named {
+            Some(folder) => Submission::find(folder, assignment),
+            None => Submission::find(Path::new("."), assignment)
+                .or_else(|_| Submission::find(fallback, assignment)),
+        }
+    }
+
+    fn unpack(path: &Path, assignment: &Assignment) -> Result<Option<Submission>> {
+        let mut archive = Archive::open(path)?;
+        let holds_any = |place: &Vec<String>| {
+            let mut tasks = assignment.tasks.iter();
+            tasks.any(|task| archive.holds(place, &task.file()))
+        };
+        let Some(place) = archive.places().into_iter().find(holds_any) else {
+            return Ok(None);
+        };
+        let answers = assignment.tasks.iter().map(|task| Answer {
+            task: task.name.clone(),
+            text: archive.text(&place, &task.file()),
+        });
+        Ok(Some(Submission {
+            answers: answers.collect(),
+            folder: path.into(),
+            place: path.into(),
+        }))
+    }
+
+    /// The answer to this task.
+    pub fn answer(&self, task: &str) -> Option<&Answer> {
+        self.answers.iter().find(|answer| answer.task == task)
+    }
+}
+
+fn empty(folder: &Path, assignment: &Assignment) -> Error {
+    let files: Vec<String> = assignment.tasks.iter().map(|task| task.file()).collect();
+    Error::input(
+        format!("{} holds no answer file", folder.display()),
+        format!(
+            "name a folder or ZIP file that holds (itself or in `src`): {}",
+            files.join(", ")
+        ),
+    )
+}
+
+/// What archives and version control leave beside the answers' folder is not.
+fn is_ordinary(name: &str) -> bool {
+    !name.starts_with('.') && !name.starts_with("__")
+}
+
+fn places(folder: &Path) -> Result<Vec<PathBuf>> {
+    // A link could lead into somebody else's answers.
+    let is_own = |place: &PathBuf| !place.is_symlink();
+    let mut places = vec![folder.into()];
+    places.extend(Some(folder.join("src")).filter(is_own));
+    let inside = fs::read_dir(folder).map_err(|error| text::unreadable(folder, &error))?;
+    let folders: Vec<PathBuf> = inside
+        .flatten()
+        .filter(|entry| entry.file_name().to_str().is_some_and(is_ordinary))
+        .map(|entry| entry.path())
+        .filter(|path| path.is_dir() && !path.is_symlink())
+        .filter(|path| *path != folder.join("src"))
+        .collect();
+    if let [only] = folders.as_slice() {
+        places.push(only.clone());
+        places.extend(Some(only.join("src")).filter(is_own));
+    }
+    Ok(places)
+}

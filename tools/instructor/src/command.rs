@@ -1,0 +1,33 @@
+//! One file for each thing the program does.
+
+pub mod golden;
+mod grade;
+mod handout;
+mod merge;
+mod validate;
+
+use pinhole_course::checkout::Checkout;
+use pinhole_course::error::Result;
+use pinhole_report::program::Status;
+
+use crate::cli::{Cli, Command};
+
+/// Does what was asked.
+pub fn run(cli: Cli) -> Result<Status> {
+    let checkout = Checkout::find()?;
+    match cli.command {
+        Command::Golden(arguments) => golden::run(&checkout, &arguments),
+        Command::Grade(arguments) => grade::run(&checkout, &arguments),
+        Command::Merge(arguments) => merge::run(&checkout, &arguments),
+        Command::Handout(arguments) => handout::run(&checkout, &arguments),
+        Command::Validate(arguments) => validate::run(&checkout, &arguments),
+    }
+}
+
+/// How a class ended, of which every submission has its mark or not.
+fn of_class(complete: bool) -> Status {
+    match complete {
+        true => Status::Well,
+        false => Status::Incomplete,
+    }
+}

@@ -1,0 +1,100 @@
+//! `pinhole merge`: the shards of a class, graded anywhere, as one class.
+
+use std::collections::BTreeMap;
+use std::fs;
+
+use crate::cli::Merge;
+use crate::grade::class::{ROLL, Roll};
+use crate::grade::finish::{Telling, Told};
+use crate::grade::provenance::MadeWith;
+use crate::grade::record::Record;
+use crate::grade::store::{Store, pretty, standing, write};
+use crate::grade::unfinished::Unfinished;
+use pinhole_course::assignment::Assignment;
+use pinhole_course::checkout::Checkout;
+use pinhole_course::error::{Error, Result};
+use pinhole_report::program::Status;
+
+pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
+    let assignment = Assignment::around(checkout, &std::env::current_dir().unwrap_or_default())?;
+    let roll = common_roll(arguments)?;
+    let store = Store::open(&arguments.out)?;
+    let mut records: BTreeMap<String, Record> = BTreeMap::new();
+    let mut with: Option<MadeWith> = None;
+    let shards = arguments.shards.iter();
+    let shards = shards.map(|shard| Ok((shard, Unfinished::read(shard)?)));
+    let shards: Vec<_> = shards.collect::<Result<_>>()?;
+    for entry in &roll.entries {
+        for (shard, unfinished) in &shards {
+            let from = shard.join("submissions").join(&entry.id);
+            let Some(record) = standing(&from) else {
+                continue;
+            };
+            let record = unfinished.check(record);
+            if !record.is_graded() {
+                // Why, if no other shard knows better.
+                records.entry(entry.id.clone()).or_insert(record);
+                continue;
+            }
+            let made_with = &record.provenance.made_with;
+            let with = with.get_or_insert_with(|| made_with.clone());
+            // The program may have been built on each machine anew.
+            if with.goldens != made_with.goldens
+                || with.fresh != made_with.fresh
+                || with.assignment != made_with.assignment
+            {
+                return Err(Error::input(
+                    format!("{} was judged by other goldens", shard.display()),
+                    "grade all shards by the same: with the same --golden, --fresh or --seed",
+                ));
+            }
+            let report = fs::read(from.join("report.html")).map_err(|error| {
+                let problem = format!("cannot read the report in {}: {error}", from.display());
+                Error::input(problem, "grade that shard again")
+            })?;
+            let to = store.of(&entry.id);
+            write(&to.join("report.html"), &report)?;
+            write(&to.join("result.json"), pretty(&record)?.as_bytes())?;
+            records.insert(entry.id.clone(), record);
+            break;
+        }
+    }
+    store.write(ROLL, &pretty(&roll)?)?;
+    let telling = Telling {
+        store: &store,
+        assignment: &assignment,
+        formats: &arguments.format,
+        as_json: arguments.json,
+    };
+    Ok(super::of_class(telling.finish(
+        &roll,
+        &records,
+        &Told::default(),
+    )?))
+}
+
+/// What was handed in, on which all shards must agree.
+fn common_roll(arguments: &Merge) -> Result<Roll> {
+    let mut common: Option<Roll> = None;
+    for shard in &arguments.shards {
+        let path = shard.join(ROLL);
+        let text = fs::read_to_string(&path).map_err(|error| {
+            let problem = format!("cannot read {}: {error}", path.display());
+            Error::input(problem, "name the --out folders of `pinhole grade --shard`")
+        })?;
+        let roll: Roll = serde_json::from_str(&text).map_err(|error| {
+            let problem = format!("{}: {error}", path.display());
+            Error::input(problem, "grade that shard again with this version")
+        })?;
+        match &common {
+            Some(common) if *common != roll => {
+                return Err(Error::input(
+                    format!("{} is a shard of another class", shard.display()),
+                    "grade all shards with the same paths and the same roster",
+                ));
+            }
+            _ => common = Some(roll),
+        }
+    }
+    common.ok_or_else(|| Error::input("there is nothing to merge", "name the shards' folders"))
+}

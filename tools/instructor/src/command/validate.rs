@@ -1,0 +1,65 @@
+//! `pinhole validate`: the grading graded.
+
+use crate::cli::Validate;
+use crate::validate::bench::Bench;
+use crate::validate::{Part, Plan, table, validate};
+use pinhole_course::assignment::Assignment;
+use pinhole_course::checkout::Checkout;
+use pinhole_course::compile::Compiler;
+use pinhole_course::error::{Error, Result};
+use pinhole_course::goldens::Goldens;
+use pinhole_course::progress::Progress;
+use pinhole_course::sandbox::{Choice, Sandbox};
+use pinhole_course::second_judge::SecondJudge;
+use pinhole_report::program::Status;
+
+pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Status> {
+    let assignment = Assignment::named(checkout, &arguments.assignment)?;
+    let goldens = Goldens::read(&checkout.golden(&assignment.name), &assignment)?;
+    let sandbox = Sandbox::around(&assignment.folder, checkout, Choice::Auto, &[])?;
+    let second_judge = arguments
+        .oiiotool
+        .then(|| SecondJudge::find(checkout))
+        .transpose()?;
+    let progress = Progress::new();
+    progress.say("building");
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(arguments.jobs.map_or(0, usize::from))
+        .build()
+        .map_err(|error| Error::environment(error.to_string(), "ask for fewer jobs with --jobs"))?;
+    let bench = Bench {
+        assignment: &assignment,
+        goldens: &goldens,
+        compiler: &Compiler::new(&assignment, checkout, &sandbox)?,
+        sandbox: &sandbox,
+        second_judge: second_judge.as_ref(),
+        pool: &pool,
+        progress: &progress,
+    };
+    let validation = validate(&bench, &plan(arguments))?;
+    progress.clear();
+
+    if arguments.json {
+        let document = serde_json::to_string_pretty(&validation)
+            .map_err(|error| Error::environment(error.to_string(), "report this"))?;
+        anstream::println!("{document}");
+    } else {
+        anstream::print!("{}", table(&validation));
+    }
+    Ok(match validation.faults.is_empty() {
+        true => Status::Well,
+        false => Status::JudgedWrong,
+    })
+}
+
+fn plan(arguments: &Validate) -> Plan {
+    let mut parts = match arguments.only.is_empty() {
+        true => vec![Part::Mistakes, Part::Variants, Part::Sensitivity],
+        false => arguments.only.clone(),
+    };
+    parts.extend(arguments.mutants.then_some(Part::Mutants));
+    Plan {
+        parts,
+        named: arguments.named.clone().unwrap_or_default(),
+    }
+}

@@ -1,0 +1,175 @@
+//! How long an answer may take: seconds of the processor, never less than a hundred times
+//! what the reference took for the same questions in the same run.
+//!
+//! Jobs run side by side, and a loaded machine is no student's fault. So an answer that
+//! comes too late beside others costs nothing yet: its whole submission is put back, and
+//! graded again when all others are done and it has the machine to itself. What is late
+//! then is late.
+
+use std::cell::Cell;
+use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
+
+use pinhole::ask::{Ending, Reply};
+use pinhole::job::Job;
+
+use pinhole_course::assignment::Assignment;
+use pinhole_course::checkout::Checkout;
+use pinhole_course::compile::compile;
+use pinhole_course::error::{Error, Result};
+use pinhole_course::examine::{self, Clock};
+use pinhole_course::goldens::Goldens;
+use pinhole_course::overlay;
+use pinhole_course::sandbox::{Limits, Sandbox, time_of_children};
+
+/// So many times the reference's own time a right answer may take.
+const TIMES: u32 = 100;
+
+/// Two clocks, of user and system, each a tick behind.
+const TICKS: Duration = Duration::from_millis(20);
+
+/// The reference's own limit.
+const WALL: Duration = Duration::from_secs(60);
+
+/// What the reference takes, by task and scene.
+pub struct Pace {
+    /// No limit is shorter.
+    least: Duration,
+    took: BTreeMap<String, Duration>,
+}
+
+impl Pace {
+    /// Asks the reference everything that submissions will be asked. It is our own code and
+    /// runs without walls, so that the system tells what it took. Nothing else may run.
+    pub fn measure(
+        assignment: &Assignment,
+        goldens: &[&Goldens],
+        checkout: &Checkout,
+        least: Duration,
+    ) -> Result<Pace> {
+        let sandbox = Sandbox::Trusted;
+        let program = compile(
+            &overlay::reference(assignment)?,
+            assignment,
+            checkout,
+            &sandbox,
+        )?;
+        let mut took: BTreeMap<String, Duration> = BTreeMap::new();
+        let mut measure = |what: &str, job: &Job| {
+            let (start, before) = (Instant::now(), time_of_children());
+            let reply = examine::run(
+                &program,
+                &sandbox,
+                &Limits::of_answers(WALL),
+                job,
+                &mut |_| {},
+            )?;
+            if reply.ending != Ending::Complete {
+                let problem = format!("the reference does not answer {what}: {:?}", reply.ending);
+                return Err(Error::environment(
+                    problem,
+                    "run: cargo run --release -- validate",
+                ));
+            }
+            // What it took at most: the system counts in hundredths of a second, and who
+            // has nobody to ask takes all cores for all the time.
+            let counted = before.zip(time_of_children());
+            let counted = counted.map(|(before, after)| after.saturating_sub(before) + TICKS);
+            let all = start.elapsed() * cores();
+            let most = counted.map_or(all, |counted| counted.min(all));
+            let kept = took.entry(what.into()).or_default();
+            *kept = most.max(*kept);
+            Ok(())
+        };
+        for goldens in goldens {
+            for task in &assignment.tasks {
+                if let Some(job) = &goldens.kept_questions(task)?.together {
+                    measure(&task.name, job)?;
+                }
+            }
+            for scene in &goldens.scenes {
+                measure(&scene.name, &goldens.kept_scene(scene)?.job)?;
+            }
+        }
+        Ok(Pace { least, took })
+    }
+
+    /// What a submission may take for a task or a scene.
+    fn limits(&self, what: &str) -> Limits {
+        let fair = self.took.get(what).copied().unwrap_or_default() * TIMES;
+        Limits::of_processor(self.least.max(rounded(fair)), fair)
+    }
+}
+
+/// The next power of two, in seconds: the same in most runs, however the clock jitters.
+fn rounded(time: Duration) -> Duration {
+    let seconds = time.as_secs_f64().ceil() as u64;
+    Duration::from_secs(seconds.next_power_of_two())
+}
+
+fn cores() -> u32 {
+    std::thread::available_parallelism().map_or(1, |cores| cores.get() as u32)
+}
+
+/// The clock of one submission.
+pub struct SubmissionClock<'a> {
+    pace: &'a Pace,
+    /// Whether nothing else is graded meanwhile.
+    alone: bool,
+    late: Cell<bool>,
+}
+
+impl<'a> SubmissionClock<'a> {
+    /// Nothing was late so far.
+    pub fn new(pace: &'a Pace, alone: bool) -> SubmissionClock<'a> {
+        SubmissionClock {
+            pace,
+            alone,
+            late: Cell::new(false),
+        }
+    }
+
+    /// Whether it is to be graded again, alone.
+    pub fn was_late(&self) -> bool {
+        self.late.get()
+    }
+}
+
+impl Clock for SubmissionClock<'_> {
+    fn limits(&self, what: &str) -> Limits {
+        self.pace.limits(what)
+    }
+
+    /// Ends the examination if an answer was late beside others;
+    /// [`was_late`](SubmissionClock::was_late) says so then.
+    fn check(&self, reply: &Reply) -> Result<()> {
+        if self.alone || !matches!(reply.ending, Ending::TimedOut(_)) {
+            return Ok(());
+        }
+        self.late.set(true);
+        Err(Error::environment(
+            "an answer came too late, beside others",
+            "grade the submission again, alone",
+        ))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_limit_is_below_a_hundred_times_the_references_time() {
+        let took = [("quick", 12), ("bunny", 560)];
+        let took = took.map(|(what, millis)| (what.to_owned(), Duration::from_millis(millis)));
+        let pace = Pace {
+            least: Duration::from_secs(5),
+            took: took.into(),
+        };
+        assert_eq!(pace.limits("quick").cpu, Duration::from_secs(5));
+        assert_eq!(pace.limits("bunny").cpu, Duration::from_secs(64));
+        for (what, took) in &pace.took {
+            assert!(pace.limits(what).shortest >= *took * TIMES);
+        }
+    }
+}

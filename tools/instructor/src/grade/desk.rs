@@ -1,0 +1,177 @@
+//! A class is worked off, several submissions at a time, each only if there is no grade
+//! of the same answers judged by the same.
+
+use std::io::IsTerminal;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use super::bench::{Bench, Graded};
+use super::changes::Change;
+use super::intake::{self, Entry};
+use super::provenance::Provenance;
+use super::record::Record;
+use super::store::Store;
+use pinhole_course::describe::printable;
+use pinhole_course::progress::Progress;
+use pinhole_course::submission::Unusable;
+
+/// Where entries are worked off.
+pub struct Desk<'a> {
+    bench: &'a Bench<'a>,
+    store: &'a Store,
+    /// Whether what is graded already is graded again.
+    regrade: bool,
+    progress: &'a Progress,
+    /// How many there are, and are done.
+    of: usize,
+    done: AtomicUsize,
+}
+
+/// What came of one.
+pub struct Done {
+    pub record: Record,
+    /// Whether it was graded in this run.
+    pub anew: bool,
+    pub change: Option<Change>,
+    /// Whose grading failed now, and why.
+    pub fault: Option<(String, String)>,
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl<'a> Desk<'a> {
+    /// A desk for so many entries.
+    pub fn new(
+        bench: &'a Bench<'a>,
+        store: &'a Store,
+        regrade: bool,
+        progress: &'a Progress,
+        of: usize,
+    ) -> Desk<'a> {
+        Desk {
+            bench,
+            store,
+            regrade,
+            progress,
+            of,
+            done: AtomicUsize::new(0),
+        }
+    }
+
+    /// Grades all entries, `jobs` at a time. One that is late beside others is graded
+    /// again when all others are done.
+    pub fn work(&self, entries: &[Entry], jobs: usize) -> Vec<Done> {
+        let next = AtomicUsize::new(0);
+        let all = Mutex::new(Vec::new());
+        let late = Mutex::new(Vec::new());
+        std::thread::scope(|scope| {
+            for _ in 0..jobs.clamp(1, entries.len().max(1)) {
+                scope.spawn(|| {
+                    while let Some(entry) = entries.get(next.fetch_add(1, Ordering::Relaxed)) {
+                        match self.one(entry, false) {
+                            Some(done) => locked(&all).push(done),
+                            None => locked(&late).push(entry),
+                        }
+                    }
+                });
+            }
+        });
+        let mut all = all.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let late = late.into_inner().unwrap_or_else(PoisonError::into_inner);
+        for entry in &late {
+            let name = printable(&entry.id);
+            self.progress
+                .say(&format!("{name} again, alone: an answer came too late"));
+            all.extend(self.one(entry, true));
+        }
+        all
+    }
+
+    /// `None` if it is to be graded again, `alone`.
+    fn one(&self, entry: &Entry, alone: bool) -> Option<Done> {
+        let done = self.grade(entry, alone)?;
+        self.tell(&done);
+        Some(done)
+    }
+
+    fn grade(&self, entry: &Entry, alone: bool) -> Option<Done> {
+        let Bench {
+            assignment,
+            made_with,
+            ..
+        } = self.bench;
+        let before = self.store.record(&entry.id);
+        let submission = match intake::open(entry, assignment) {
+            Ok(submission) => submission,
+            Err(error) => {
+                let missing = Unusable::Missing;
+                let nothing = intake::without_answers(entry, assignment, &missing);
+                let record = self.bench.blank(entry, &nothing);
+                return Some(self.faulty(record.not_graded(error.to_string()), None));
+            }
+        };
+        if let Some(before) = &before
+            && !self.regrade
+            && before.provenance == Provenance::of(&submission, made_with)
+            && before.name == entry.name
+        {
+            return Some(Done {
+                record: before.clone(),
+                anew: false,
+                change: None,
+                fault: None,
+            });
+        }
+        let Graded { record, report } = self.bench.grade(entry, &submission, alone)?;
+        let Some(report) = report else {
+            return Some(self.faulty(record, before));
+        };
+        if let Err(error) = self.store.keep(&record, &report) {
+            return Some(self.faulty(record.not_graded(error.to_string()), before));
+        }
+        let change = before.and_then(|before| Change::between(&before, &record));
+        Some(Done {
+            record,
+            anew: true,
+            change,
+            fault: None,
+        })
+    }
+
+    /// A fault of ours: told, and kept beside the grade from `before` if there is one,
+    /// which stands if it is of the same answers, judged by the same.
+    fn faulty(&self, mut record: Record, before: Option<Record>) -> Done {
+        if let Err(error) = self.store.keep_fault(&record) {
+            record.explanation.push_str(&format!("; {}", error.problem));
+        }
+        let fault = Some((record.id.clone(), record.explanation.clone()));
+        let stands = before.filter(|before| before.provenance == record.provenance);
+        Done {
+            anew: stands.is_none(),
+            record: stands.unwrap_or(record),
+            change: None,
+            fault,
+        }
+    }
+
+    fn tell(&self, done: &Done) {
+        let count = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        let Record {
+            id,
+            points,
+            possible,
+            outcome,
+            ..
+        } = &done.record;
+        let id = printable(id);
+        self.progress
+            .show(&id, count as f64 / self.of.max(1) as f64);
+        if !std::io::stderr().is_terminal() && done.anew {
+            let points =
+                points.map_or("no mark".into(), |points| format!("{points} of {possible}"));
+            anstream::eprintln!("[{count}/{}] {id}: {points}, {}", self.of, outcome.word());
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! What of an assignment travels: its stubs, tests, public scenes and their goldens.
+
+use std::path::Path;
+
+use super::Files;
+use super::leak::holds_word;
+use super::sources::{read, read_text};
+use pinhole_course::assignment::Assignment;
+use pinhole_course::checkout::Checkout;
+use pinhole_course::diagnosis::known::{self, Known};
+use pinhole_course::error::{Error, Result};
+use pinhole_course::manifest::{self, Manifest};
+use pinhole_course::stubs;
+use toml_edit::{DocumentMut, value};
+
+/// Stands for a hint that points at a withheld scene.
+const ELSEWHERE: &str =
+    "Look at the first thing that is wrong here, and follow it through your code by hand.";
+
+/// The files of the assignment and of its goldens.
+pub fn files(assignment: &Assignment, checkout: &Checkout) -> Result<Files> {
+    let folder = format!("assignments/{}", assignment.name);
+    let mut files = Files::new();
+    let text = read_text(&assignment.folder.join("assignment.toml"))?;
+    let text = without_withheld(&text, assignment)?;
+    files.insert(format!("{folder}/assignment.toml"), text.into());
+    let manifest = assignment.handout().join("Cargo.toml");
+    files.insert(format!("{folder}/handout/Cargo.toml"), read(&manifest)?);
+    for (path, text) in stubs::generate(assignment)? {
+        let path = path.to_string_lossy().replace('\\', "/");
+        // Once to be filled, and once to stand in for an answer that does not compile.
+        files.insert(format!("{folder}/stubs/{path}"), text.clone().into());
+        files.insert(format!("{folder}/handout/{path}"), text.into());
+    }
+    add_scenes(&mut files, assignment, &folder)?;
+    add_tests(&mut files, assignment, &folder)?;
+    add_goldens(&mut files, assignment, checkout)?;
+    Ok(files)
+}
+
+/// `assignment.toml` with the points of withheld scenes instead of the scenes.
+fn without_withheld(text: &str, assignment: &Assignment) -> Result<String> {
+    let withheld: u32 = assignment.withheld_scenes().map(|scene| scene.points).sum();
+    if assignment.withheld_scenes().next().is_none() {
+        return Ok(text.into());
+    }
+    let parsed: std::result::Result<DocumentMut, toml_edit::TomlError> = text.parse();
+    let mut document = parsed.map_err(|error| {
+        Error::input(
+            format!("assignment.toml: {error}"),
+            "correct the assignment file",
+        )
+    })?;
+    let mut points = value(i64::from(withheld));
+    if let Some(scenes) = document["scene"].as_array_of_tables_mut() {
+        scenes.retain(|scene| {
+            !scene["name"]
+                .as_str()
+                .is_some_and(|name| assignment.withholds(name))
+        });
+    }
+    if let Some(points) = points.as_value_mut() {
+        points
+            .decor_mut()
+            .set_suffix(" # of scenes that come with grading");
+    }
+    document.insert("withheld", points);
+    Ok(document.to_string())
+}
+
+fn public(assignment: &Assignment) -> impl Iterator<Item = &str> {
+    let public = assignment.scenes.iter().filter(|scene| scene.public);
+    public.map(|scene| scene.name.as_str())
+}
+
+/// The public scenes, the meshes they name, and the meshes' terms.
+fn add_scenes(files: &mut Files, assignment: &Assignment, folder: &str) -> Result<()> {
+    let scenes = assignment.folder.join("scenes");
+    let mut add = |path: &Path| {
+        let inside = path.strip_prefix(&assignment.folder).map_err(|_| {
+            Error::input(
+                format!("{} lies outside the assignment", path.display()),
+                "put meshes of public scenes into the folder `scenes/meshes`",
+            )
+        })?;
+        let inside = inside.to_string_lossy().replace('\\', "/");
+        files.insert(format!("{folder}/{inside}"), read(path)?);
+        Ok::<(), Error>(())
+    };
+    for name in public(assignment) {
+        let scene = assignment.scene(name);
+        add(&scene)?;
+        manifest::meshes_of(&scene)
+            .iter()
+            .try_for_each(|mesh| add(mesh))?;
+    }
+    let terms = scenes.join("meshes").join("README.md");
+    match terms.is_file() {
+        true => add(&terms),
+        false => Ok(()),
+    }
+}
+
+/// The snapshot tests, without those of withheld scenes.
+fn add_tests(files: &mut Files, assignment: &Assignment, folder: &str) -> Result<()> {
+    let tests = assignment.folder.join("tests");
+    let text = read_text(&tests.join("golden_films.rs"))?;
+    let asserts = |part: &str, scene: &str| part.contains(&format!("assert_scene(\"{scene}\")"));
+    let is_public = |part: &&str| {
+        !assignment
+            .withheld_scenes()
+            .any(|scene| asserts(part, &scene.name))
+    };
+    let kept: Vec<&str> = text.split("\n\n").filter(is_public).collect();
+    files.insert(
+        format!("{folder}/tests/golden_films.rs"),
+        kept.join("\n\n").into(),
+    );
+    let snapshots = tests.join("snapshots");
+    let of_tasks = assignment.tasks.iter().map(|task| task.name.as_str());
+    let names = of_tasks.chain(public(assignment));
+    for name in names.chain(["viewing_ray_in_scenes"]) {
+        let text = read_text(&snapshots.join(format!("{name}.snap")))?;
+        // The viewing rays of all scenes share a snapshot, a line for each.
+        let is_public = |line: &&str| {
+            let scene = line.split(' ').next().unwrap_or(line);
+            !assignment.withholds(scene)
+        };
+        let kept: Vec<&str> = text.lines().filter(is_public).collect();
+        let text = format!("{}\n", kept.join("\n"));
+        files.insert(format!("{folder}/tests/snapshots/{name}.snap"), text.into());
+    }
+    Ok(())
+}
+
+/// The goldens, as their manifest lists them, without what is withheld.
+fn add_goldens(files: &mut Files, assignment: &Assignment, checkout: &Checkout) -> Result<()> {
+    let folder = checkout.golden(&assignment.name);
+    let to = format!("golden/{}", assignment.name);
+    let mut known = Known::read(&folder)?;
+    known.films.retain(|film, _| !assignment.withholds(film));
+    known.panics.retain(|film, _| !assignment.withholds(film));
+    for mistake in known.mistake.values_mut() {
+        let look = &mut mistake.hint.look;
+        if assignment
+            .withheld_scenes()
+            .any(|scene| holds_word(look.as_bytes(), &scene.name))
+        {
+            *look = ELSEWHERE.into();
+        }
+    }
+
+    let mut manifest = Manifest::read(&folder)?;
+    manifest.films.retain(|film, _| !assignment.withholds(film));
+    for film in manifest.films.keys().filter(|film| *film != known::FILE) {
+        files.insert(format!("{to}/{film}"), read(&folder.join(film))?);
+    }
+    if manifest.films.contains_key(known::FILE) {
+        let words = known.text()?.into_bytes();
+        let hash = manifest::hash_of(Path::new(known::FILE), words.clone());
+        manifest.films.insert(known::FILE.into(), hash);
+        files.insert(format!("{to}/{}", known::FILE), words);
+    }
+    let is_here = |path: &String| files.contains_key(path);
+    manifest.sources.retain(|path, _| is_here(path));
+    manifest.mistakes.clear();
+    files.insert(format!("{to}/{}", manifest::FILE), manifest.text()?.into());
+    Ok(())
+}

@@ -1,0 +1,116 @@
+//! An autograder for Gradescope: the course, and the two scripts that Gradescope runs.
+//!
+//! It holds every golden and our answers, and is for instructors alone: that is why it
+//! is no part of a student's repository.
+
+use std::fs::File;
+use std::io::Write;
+use std::path::Path;
+
+use clap::ValueEnum;
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipWriter};
+
+use super::sources::{add, add_folder, add_folder_as, add_top};
+use super::workspace::{CLI, INSTRUCTOR, Workspace};
+use super::{Files, Written};
+use crate::grade::withheld::Reveal;
+use pinhole_course::assignment::Assignment;
+use pinhole_course::checkout::Checkout;
+use pinhole_course::error::{Error, Result};
+use pinhole_course::manifest::Manifest;
+
+/// Gradescope runs the first when it builds the container's image, the second for each
+/// submission; the third is for whoever unpacks the archive.
+const RECIPE: [(&str, &str, u32); 3] = [
+    (
+        "setup.sh",
+        include_str!("../../templates/handout/gradescope/setup.sh"),
+        0o755,
+    ),
+    (
+        "run_autograder",
+        include_str!("../../templates/handout/gradescope/run_autograder.sh"),
+        0o755,
+    ),
+    (
+        "README.md",
+        include_str!("../../templates/handout/gradescope/README.md"),
+        0o644,
+    ),
+];
+
+/// Where the course lies in the archive.
+const COURSE: &str = "pinhole";
+
+/// Writes the archive; it appears at `path` only when it is complete.
+pub fn write(
+    assignment: &Assignment,
+    checkout: &Checkout,
+    fresh: Option<&Path>,
+    reveal: Reveal,
+    path: &Path,
+) -> Result<Written> {
+    let mut course = course(assignment, checkout)?;
+    let word = reveal.to_possible_value();
+    let word = word.map_or(String::new(), |word| word.get_name().to_owned());
+    course.insert("reveal".into(), word.into_bytes());
+    if let Some(folder) = fresh {
+        // Read first: a folder that is none of goldens should be refused here, not there.
+        Manifest::read(folder)?;
+        add_folder_as(&mut course, folder, "fresh", &[])?;
+    }
+    let recipe = RECIPE.map(|(name, text, mode)| (name.to_owned(), text.as_bytes(), mode));
+    let course = course.iter();
+    let course = course.map(|(name, bytes)| (format!("{COURSE}/{name}"), bytes.as_slice(), 0o644));
+    let failed = |error: std::io::Error| {
+        Error::input(
+            format!("cannot write {}: {error}", path.display()),
+            "name a file in a folder you may write to",
+        )
+    };
+    let mut name = path.as_os_str().to_owned();
+    name.push(format!(".new{}", std::process::id()));
+    let fresh = Path::new(&name);
+    let mut archive = ZipWriter::new(File::create(fresh).map_err(failed)?);
+    let mut files = 0;
+    for (name, bytes, mode) in recipe.into_iter().chain(course) {
+        // Films are packed already, and sources are small.
+        let options = SimpleFileOptions::default()
+            .compression_method(CompressionMethod::Stored)
+            .unix_permissions(mode);
+        archive
+            .start_file(name, options)
+            .map_err(std::io::Error::from)
+            .and_then(|()| archive.write_all(bytes))
+            .map_err(failed)?;
+        files += 1;
+    }
+    let file = archive.finish().map_err(|error| failed(error.into()))?;
+    let bytes = file.metadata().map_err(failed)?.len();
+    std::fs::rename(fresh, path).map_err(failed)?;
+    Ok(Written { files, bytes })
+}
+
+/// What grades: the checkout without mistakes, variants, and what renders goldens.
+fn course(assignment: &Assignment, checkout: &Checkout) -> Result<Files> {
+    let mut files = Files::new();
+    add_top(&mut files, checkout)?;
+    let folder = format!("assignments/{}", assignment.name);
+    let mut packages = ["handout", "reference"]
+        .map(|part| format!("{folder}/{part}"))
+        .to_vec();
+    packages.extend([CLI.to_owned(), INSTRUCTOR.to_owned()]);
+    let workspace = Workspace {
+        packages: &packages,
+        default: &packages[2..],
+    };
+    workspace.add(&mut files, checkout)?;
+    add(&mut files, checkout, &format!("{folder}/assignment.toml"))?;
+    for part in ["handout", "reference", "tests", "scenes"] {
+        add_folder(&mut files, checkout, &format!("{folder}/{part}"), &[])?;
+    }
+    let golden = format!("golden/{}", assignment.name);
+    add_folder(&mut files, checkout, &golden, &[])?;
+    Ok(files)
+}

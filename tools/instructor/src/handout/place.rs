@@ -1,0 +1,216 @@
+//! Writing a student's repository: whole or not at all, and never over anybody's work.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use super::{Files, Repository};
+use pinhole_course::error::{Error, Result};
+use pinhole_course::handout_record::{self, HandoutRecord};
+use pinhole_course::manifest::{Hashes, hash, hash_of};
+
+/// What a repository came to.
+pub struct Written {
+    /// Files.
+    pub files: usize,
+    /// Their bytes together.
+    pub bytes: u64,
+}
+
+/// A repository that students fetch again and again is no larger.
+const MOST_BYTES: u64 = 20_000_000;
+
+/// Files that are named in an error.
+const MOST_NAMED: usize = 10;
+
+/// Writes the repository beside `out`, then moves it there.
+pub fn write(repository: Repository, out: &Path, force: bool) -> Result<Written> {
+    let name = out
+        .file_name()
+        .map(|name| name.to_string_lossy().into_owned());
+    let name = name.ok_or_else(|| {
+        let problem = format!("{} names no folder that can be made", out.display());
+        Error::input(problem, "name a new folder with --out")
+    })?;
+    let old = before(out, &repository.assignment, force)?;
+    let fresh = Fresh(out.with_file_name(format!(".{name}.new{}", std::process::id())));
+    let Repository {
+        assignment,
+        mut files,
+    } = repository;
+    for (path, bytes) in &files {
+        put(&fresh.0.join(path), bytes)?;
+    }
+    prune_lock(&fresh.0)?;
+    let lock = fresh.0.join("Cargo.lock");
+    files.insert("Cargo.lock".into(), fs::read(&lock).map_err(cannot(&lock))?);
+    let record = HandoutRecord {
+        assignment,
+        files: hashes(&files),
+    };
+    let text = record.text()?;
+    put(&fresh.0.join(handout_record::FILE), text.as_bytes())?;
+    let bytes = files.values().map(Vec::len).sum::<usize>() + text.len();
+    let written = Written {
+        files: files.len() + 1,
+        bytes: bytes as u64,
+    };
+    if written.bytes > MOST_BYTES {
+        return Err(Error::input(
+            format!("the repository would be {} MB", written.bytes / 1_000_000),
+            "withhold the scene with the largest mesh, or render its golden with fewer pixels",
+        ));
+    }
+    match old {
+        None => {
+            // An empty folder; if it is there and not empty, `before` has refused.
+            let _absent = fs::remove_dir(out);
+            fs::rename(&fresh.0, out).map_err(cannot(out))?;
+        }
+        Some(old) => replace(&fresh.0, out, &old, &record)?,
+    }
+    Ok(written)
+}
+
+/// What lies at `out`: nothing, or what an earlier handout wrote and may be replaced.
+fn before(out: &Path, assignment: &str, force: bool) -> Result<Option<HandoutRecord>> {
+    let is_free = match fs::read_dir(out) {
+        Ok(mut entries) => entries.next().is_none(),
+        Err(error) => error.kind() == io::ErrorKind::NotFound && !out.is_symlink(),
+    };
+    if is_free {
+        return Ok(None);
+    }
+    let taken = |problem: &str, remedy: &str| {
+        Err(Error::input(format!("{} {problem}", out.display()), remedy))
+    };
+    if !force {
+        return taken(
+            "is there already and not empty",
+            "name a new folder, or pass --force to replace what an earlier handout wrote there",
+        );
+    }
+    match HandoutRecord::read(out)? {
+        Some(record) if record.assignment == assignment => Ok(Some(record)),
+        _ => taken(
+            "holds files that no handout of this assignment wrote",
+            "name a new folder: --force replaces an earlier handout only",
+        ),
+    }
+}
+
+/// Replaces the files of an earlier handout, if nobody has changed one since. Everything
+/// else in the folder stays.
+fn replace(fresh: &Path, out: &Path, old: &HandoutRecord, new: &HandoutRecord) -> Result<()> {
+    let is_changed = |path: &&String| {
+        let now = hash(&out.join(path)).ok();
+        // A run that was stopped has left some files new.
+        let expected = [old.files.get(*path), new.files.get(*path)];
+        now.is_some_and(|now| !expected.contains(&Some(&now)))
+    };
+    let paths = old.files.keys().chain(new.files.keys());
+    let mut changed: Vec<&String> = paths.filter(is_changed).collect();
+    changed.sort();
+    changed.dedup();
+    if !changed.is_empty() {
+        let named = changed.iter().take(MOST_NAMED).map(|path| path.as_str());
+        return Err(Error::input(
+            format!(
+                "{} files in {} are somebody's own work: {}",
+                changed.len(),
+                out.display(),
+                named.collect::<Vec<_>>().join(", ")
+            ),
+            "nothing was replaced; name a new folder, or move these away first",
+        ));
+    }
+    for path in new
+        .files
+        .keys()
+        .map(String::as_str)
+        .chain([handout_record::FILE])
+    {
+        let to = out.join(path);
+        let parent = to.parent().unwrap_or(out);
+        fs::create_dir_all(parent)
+            .and_then(|()| fs::rename(fresh.join(path), &to))
+            .map_err(cannot(&to))?;
+    }
+    for path in old
+        .files
+        .keys()
+        .filter(|path| !new.files.contains_key(*path))
+    {
+        let stale = out.join(path);
+        match fs::remove_file(&stale) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                return Err(cannot(&stale)(error));
+            }
+            _ => {}
+        }
+        // Folders go as well, up to the first that holds something.
+        let folders = stale
+            .ancestors()
+            .skip(1)
+            .take_while(|folder| *folder != out);
+        for folder in folders {
+            if fs::remove_dir(folder).is_err() {
+                break;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A folder that is gone again unless it was moved to its place.
+struct Fresh(PathBuf);
+
+impl Drop for Fresh {
+    fn drop(&mut self) {
+        let _moved = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// Has cargo drop from the lock file what a student's workspace does not need: with
+/// `--locked`, as in CI, it would refuse to do so later.
+fn prune_lock(folder: &Path) -> Result<()> {
+    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
+    cargo
+        .current_dir(folder)
+        .args(["update", "--workspace", "--offline", "--quiet"]);
+    let failed = |why: &str| {
+        Error::environment(
+            format!("cargo cannot prune the lock file: {}", why.trim()),
+            "run `cargo fetch` in the checkout, then this again",
+        )
+    };
+    let output = cargo.output().map_err(|error| failed(&error.to_string()))?;
+    match output.status.success() {
+        true => Ok(()),
+        false => Err(failed(&String::from_utf8_lossy(&output.stderr))),
+    }
+}
+
+fn hashes(files: &Files) -> Hashes {
+    let hash = |(path, bytes): (&String, &Vec<u8>)| {
+        (path.clone(), hash_of(Path::new(path), bytes.clone()))
+    };
+    files.iter().map(hash).collect()
+}
+
+fn put(path: &Path, bytes: &[u8]) -> Result<()> {
+    fs::create_dir_all(path.parent().unwrap_or(Path::new("")))
+        .and_then(|()| fs::write(path, bytes))
+        .map_err(cannot(path))
+}
+
+fn cannot(path: &Path) -> impl Fn(io::Error) -> Error {
+    let path = path.display().to_string();
+    move |error| {
+        Error::input(
+            format!("cannot write {path}: {error}"),
+            "name a folder you may write to, on a disk with some space",
+        )
+    }
+}

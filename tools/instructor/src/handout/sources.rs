@@ -1,0 +1,89 @@
+//! The files that travel as they are.
+//!
+//! They are listed by folder and kind rather than asked of git: a course may have come
+//! as an archive, and what lies beside the sources, as editors leave it, must not travel.
+
+use std::fs;
+use std::path::Path;
+
+use super::Files;
+use pinhole_course::checkout::Checkout;
+use pinhole_course::error::{Error, Result};
+
+/// At the top of the checkout, beside its manifest.
+const TOP: [&str; 5] = [
+    "Cargo.lock",
+    "LICENSE",
+    "README.md",
+    ".gitignore",
+    ".gitattributes",
+];
+
+/// What stands at the top of every workspace that is handed out.
+pub fn add_top(files: &mut Files, checkout: &Checkout) -> Result<()> {
+    TOP.iter().try_for_each(|name| add(files, checkout, name))?;
+    add_folder(files, checkout, "book/figures", &["png"])
+}
+
+/// Adds one file of the checkout under its own path.
+pub fn add(files: &mut Files, checkout: &Checkout, path: &str) -> Result<()> {
+    files.insert(path.into(), read(&checkout.root().join(path))?);
+    Ok(())
+}
+
+/// Adds the files of these kinds in a folder and below; no kinds, all files. Links stay,
+/// and so do hidden files: what they lead to is nobody's to hand out.
+pub fn add_folder(
+    files: &mut Files,
+    checkout: &Checkout,
+    folder: &str,
+    kinds: &[&str],
+) -> Result<()> {
+    add_folder_as(files, &checkout.root().join(folder), folder, kinds)
+}
+
+/// The same of any folder, under another path.
+pub fn add_folder_as(files: &mut Files, path: &Path, folder: &str, kinds: &[&str]) -> Result<()> {
+    let entries = fs::read_dir(path).map_err(|error| unreadable(path, &error))?;
+    for entry in entries.flatten() {
+        let Ok(name) = entry.file_name().into_string() else {
+            continue;
+        };
+        let inside = format!("{folder}/{name}");
+        let kind = entry
+            .file_type()
+            .map_err(|error| unreadable(path, &error))?;
+        let wanted = |kind: &&str| name.ends_with(&format!(".{kind}"));
+        if name.starts_with('.') {
+            continue;
+        } else if kind.is_dir() {
+            add_folder_as(files, &entry.path(), &inside, kinds)?;
+        } else if kind.is_file() && (kinds.is_empty() || kinds.iter().any(wanted)) {
+            files.insert(inside, read(&entry.path())?);
+        }
+    }
+    Ok(())
+}
+
+/// What a file holds.
+pub fn read(path: &Path) -> Result<Vec<u8>> {
+    fs::read(path).map_err(|error| unreadable(path, &error))
+}
+
+/// What a text file holds, with `\n` line ends.
+pub fn read_text(path: &Path) -> Result<String> {
+    match String::from_utf8(read(path)?) {
+        Ok(text) => Ok(text.replace("\r\n", "\n")),
+        Err(_) => Err(Error::input(
+            format!("{} is no UTF-8 text", path.display()),
+            "restore the file",
+        )),
+    }
+}
+
+fn unreadable(path: &Path, error: &std::io::Error) -> Error {
+    Error::input(
+        format!("cannot read {}: {error}", path.display()),
+        "restore it; a checkout of the course has it",
+    )
+}

@@ -1,0 +1,138 @@
+//! Casts the films of all known mistakes, and keeps their fingerprints beside the goldens.
+
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
+
+use pinhole::Film;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+
+use pinhole_course::assignment::Assignment;
+use pinhole_course::checkout::Checkout;
+use pinhole_course::compile::{Program, compile};
+use pinhole_course::diagnosis::known::Known;
+use pinhole_course::error::Result;
+use pinhole_course::examine;
+use pinhole_course::goldens::Goldens;
+use pinhole_course::mistake::{self, MistakeFolder};
+use pinhole_course::overlay;
+use pinhole_course::progress::Progress;
+use pinhole_course::questions::QuestionFilm;
+use pinhole_course::sandbox::{Limits, Sandbox};
+
+/// No mistake takes longer over a film.
+const WALL: Duration = Duration::from_secs(60);
+
+/// Films to fingerprint, each with the task it tests alone, if it does.
+type Asked = Vec<(Option<String>, QuestionFilm)>;
+
+/// Fingerprints the mistakes on scenes and, with `probes`, on every group of questions;
+/// what was known of other films stays. Gives the files written, inside the folder.
+pub fn make(
+    assignment: &Assignment,
+    goldens: &Goldens,
+    probes: bool,
+    checkout: &Checkout,
+    progress: &Progress,
+) -> Result<Vec<PathBuf>> {
+    let mut mistakes = mistake::read_all(assignment)?;
+    mistakes.retain(|folder| folder.mistake.is_single());
+    if mistakes.is_empty() {
+        return Ok(Vec::new());
+    }
+    let build = |folder: &MistakeFolder| {
+        let submission = overlay::reference(assignment)?.overlaid(&folder.folder)?;
+        compile(&submission, assignment, checkout, &Sandbox::Trusted)
+    };
+    let told = Told::new("building the mistakes", mistakes.len(), progress);
+    let programs = mistakes.par_iter().map(|folder| told.after(build(folder)));
+    let programs: Vec<Program> = programs.collect::<Result<_>>()?;
+
+    let mut known = Known::read(&goldens.folder)?;
+    let words = |folder: &MistakeFolder| (folder.slug.clone(), folder.mistake.clone());
+    known.mistake = mistakes.iter().map(words).collect();
+    let asked = asked(assignment, goldens, probes)?;
+    let cast_all = |(task, film): &(Option<String>, QuestionFilm)| {
+        let shows = |folder: &MistakeFolder| match task {
+            Some(task) => folder.mistake.fails.contains(task),
+            None => true,
+        };
+        let mut casts = Vec::new();
+        for (folder, program) in mistakes.iter().zip(&programs) {
+            if shows(folder) {
+                casts.push((folder.slug.clone(), cast(program, film)?));
+            }
+        }
+        Ok(casts)
+    };
+    let told = Told::new("casting the mistakes", asked.len(), progress);
+    let films = asked.par_iter().map(|film| told.after(cast_all(film)));
+    let casts: Vec<Vec<(String, Option<Film>)>> = films.collect::<Result<_>>()?;
+    let mut written = Vec::new();
+    for ((_, film), casts) in asked.iter().zip(casts) {
+        let name = goldens.film_name(&film.golden_path);
+        written.extend(known.add(&name, &film.golden, casts, &goldens.folder)?);
+    }
+    let is_there = |name: &String| goldens.folder.join(format!("{name}.exr")).is_file();
+    known.films.retain(|name, _| is_there(name));
+    known.panics.retain(|name, _| is_there(name));
+    known.write(&goldens.folder)?;
+    progress.clear();
+    Ok(written)
+}
+
+fn asked(assignment: &Assignment, goldens: &Goldens, probes: bool) -> Result<Asked> {
+    let mut asked = Asked::new();
+    for scene in &goldens.scenes {
+        asked.push((None, goldens.scene_film(scene)?));
+    }
+    for task in &assignment.tasks {
+        let groups = match probes {
+            true => goldens.groups(task)?,
+            false => goldens.scene_groups(task)?,
+        };
+        for film in groups.into_iter().flat_map(|group| group.films) {
+            asked.push((Some(task.name.clone()), film));
+        }
+    }
+    Ok(asked)
+}
+
+/// The film of a mistake; `None` if it panics.
+fn cast(program: &Program, film: &QuestionFilm) -> Result<Option<Film>> {
+    let reply = examine::run(
+        program,
+        &Sandbox::Trusted,
+        &Limits::of_answers(WALL),
+        &film.job,
+        &mut |_| {},
+    )?;
+    let complete = reply.answers.iter().all(Option::is_some);
+    Ok(complete.then(|| reply.film(film.resolution)))
+}
+
+/// Counts what is done, for the progress line.
+struct Told<'a> {
+    what: &'a str,
+    all: usize,
+    done: AtomicUsize,
+    progress: &'a Progress,
+}
+
+impl<'a> Told<'a> {
+    fn new(what: &'a str, all: usize, progress: &'a Progress) -> Told<'a> {
+        let done = AtomicUsize::new(0);
+        Told {
+            what,
+            all,
+            done,
+            progress,
+        }
+    }
+
+    fn after<T>(&self, result: T) -> T {
+        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        self.progress.show(self.what, done as f64 / self.all as f64);
+        result
+    }
+}

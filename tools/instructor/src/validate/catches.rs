@@ -1,0 +1,88 @@
+//! How much each group of questions and each scene catches, and what only it catches.
+
+use serde::Serialize;
+
+use super::bench::Bench;
+use super::mutants::Mutants;
+use super::submissions::Judged;
+use pinhole_course::assignment::GroupPoints;
+
+/// One row for each film, probes and scenes apart.
+#[derive(Debug, Serialize)]
+pub struct Catches {
+    /// How many single mistakes were judged.
+    pub mistakes: usize,
+    /// How many mutants were caught by their own task's questions; `None` if none were
+    /// judged.
+    pub mutants: Option<usize>,
+    /// Groups of questions, in the assignment's order.
+    pub probes: Vec<Catch>,
+    /// Scenes, in the assignment's order.
+    pub scenes: Vec<Catch>,
+}
+
+/// What one group of questions or one scene catches. Of mistakes only single ones count:
+/// one that holds two beliefs fails wherever either does.
+#[derive(Debug, Default, Serialize)]
+pub struct Catch {
+    /// `task.group`, or the scene.
+    pub name: String,
+    /// How many mistakes fail here.
+    pub mistakes: usize,
+    /// Mistakes that fail in no other group, or in no other scene.
+    pub only_of_its_kind: Vec<String>,
+    /// Mistakes that fail nowhere else at all.
+    pub only: Vec<String>,
+    /// How many mutants fail in this group.
+    pub mutants: usize,
+    /// How many of them fail in no other group.
+    pub mutants_only: usize,
+}
+
+impl Catches {
+    /// Counts over single mistakes and mutants.
+    pub fn count(bench: &Bench, judged: &[Judged], mutants: Option<&Mutants>) -> Catches {
+        let single: Vec<&Judged> = judged.iter().filter(|judged| judged.single).collect();
+        let by_group = mutants.map(Mutants::by_group).unwrap_or_default();
+        let groups = bench.assignment.tasks.iter().flat_map(|task| {
+            let named = |points: &GroupPoints| format!("{}.{}", task.name, points.group);
+            task.points.iter().map(named)
+        });
+        let group = |name: String| {
+            let (mutants, mutants_only) = by_group.get(name.as_str()).copied().unwrap_or((0, 0));
+            Catch {
+                mutants,
+                mutants_only,
+                ..Catch::count(name, &single, |judged| &judged.groups)
+            }
+        };
+        let scenes = bench.goldens.scenes.iter();
+        let scene = |name| Catch::count(name, &single, |judged| &judged.scenes);
+        Catches {
+            mistakes: single.len(),
+            mutants: mutants.map(|mutants| mutants.count(|judged| judged.groups().is_some())),
+            probes: groups.map(group).collect(),
+            scenes: scenes.map(|golden| scene(golden.name.clone())).collect(),
+        }
+    }
+}
+
+impl Catch {
+    fn count(name: String, judged: &[&Judged], kind: impl Fn(&Judged) -> &Vec<String>) -> Catch {
+        let here: Vec<&&Judged> = judged
+            .iter()
+            .filter(|judged| kind(judged).contains(&name))
+            .collect();
+        let names = |keep: &dyn Fn(&Judged) -> bool| {
+            let kept = here.iter().filter(|judged| keep(judged));
+            kept.map(|judged| judged.name.clone()).collect()
+        };
+        Catch {
+            mistakes: here.len(),
+            only_of_its_kind: names(&|judged| kind(judged).len() == 1),
+            only: names(&|judged| judged.groups.len() + judged.scenes.len() == 1),
+            name,
+            ..Catch::default()
+        }
+    }
+}

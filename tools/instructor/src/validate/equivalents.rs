@@ -1,0 +1,96 @@
+//! Mutants that are known to be no mistakes, each with what it differs in and why.
+//!
+//! The list proves nothing: every entry is held against a search for differences each
+//! time the mutants are judged.
+
+use std::fs;
+
+use serde::Deserialize;
+
+use super::difference::Difference;
+use super::mutate::Mutant;
+use pinhole_course::assignment::Assignment;
+use pinhole_course::error::{Error, Result};
+
+/// The file's name in an assignment.
+pub const FILE: &str = "equivalent.toml";
+
+/// One entry.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Listed {
+    /// Whose answer it changes.
+    pub task: String,
+    /// The changed line as the reference has it, without indentation.
+    pub was: String,
+    /// The same as the mutant has it.
+    pub becomes: String,
+    /// Where it differs from the reference.
+    #[serde(rename = "differs")]
+    pub claim: Claim,
+    /// Why it does not elsewhere.
+    pub why: String,
+}
+
+/// Where a mutant differs from the reference.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
+#[serde(rename_all = "lowercase")]
+pub enum Claim {
+    /// On no question at all.
+    Nowhere,
+    /// Only where exact arithmetic says that a question is a tie.
+    Ties,
+}
+
+impl Claim {
+    /// Whether the search found what is claimed.
+    pub fn agrees(self, found: &Difference) -> bool {
+        match self {
+            Claim::Nowhere => found.elsewhere == 0 && found.on_ties == 0,
+            Claim::Ties => found.elsewhere == 0 && found.on_ties > 0,
+        }
+    }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    #[serde(default)]
+    mutant: Vec<Listed>,
+}
+
+impl Listed {
+    /// Whether this entry speaks of `mutant`.
+    pub fn is(&self, mutant: &Mutant) -> bool {
+        self.task == mutant.task && self.was == mutant.was && self.becomes == mutant.becomes
+    }
+}
+
+/// The list of an assignment; empty if it has none.
+pub fn read(assignment: &Assignment) -> Result<Vec<Listed>> {
+    let path = assignment.folder.join(FILE);
+    if !path.is_file() {
+        return Ok(Vec::new());
+    }
+    let wrong = |problem: String| {
+        Error::input(
+            format!("{}: {problem}", path.display()),
+            "correct the file; its first lines say how",
+        )
+    };
+    let text = fs::read_to_string(&path).map_err(|error| wrong(error.to_string()))?;
+    let file: File = toml::from_str(&text).map_err(|error| wrong(error.to_string()))?;
+    Ok(file.mutant)
+}
+
+/// Entries for which no mutant is written any more.
+pub fn without_mutant(listed: &[Listed], mutants: &[Mutant]) -> Vec<String> {
+    let gone = listed
+        .iter()
+        .filter(|listed| !mutants.iter().any(|mutant| listed.is(mutant)));
+    gone.map(|listed| {
+        let Listed { task, becomes, .. } = listed;
+        format!("listed, but no longer a mutant of {task}: {becomes}")
+    })
+    .collect()
+}

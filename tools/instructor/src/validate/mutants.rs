@@ -1,0 +1,245 @@
+//! Every mutant down the one path: caught by its own task's probes, or by a scene, or
+//! known to be no mistake.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::time::Duration;
+
+use serde::Serialize;
+
+use super::bench::Bench;
+use super::difference::{Difference, Oracle};
+use super::equivalents::{self, Listed};
+use super::mutate::{self, Mutant};
+use pinhole_course::compile::{Attempt, Program, Replacements};
+use pinhole_course::error::{Error, Result};
+use pinhole_course::examine::Selection;
+use pinhole_course::overlay;
+use pinhole_course::submission::Submission;
+
+/// What came of the mutants.
+#[derive(Debug, Serialize)]
+pub struct Mutants {
+    /// One for each, in the order of tasks and lines.
+    pub judged: Vec<Judged>,
+    /// Of the list of those that are no mistakes, what is not as it says.
+    pub faults: Vec<String>,
+}
+
+/// One mutant and what came of it.
+#[derive(Debug, Serialize)]
+pub struct Judged {
+    /// The mutant.
+    pub mutant: Mutant,
+    /// What came of it.
+    pub fate: Fate,
+}
+
+/// What comes of a mutant.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Fate {
+    /// It does not compile.
+    NotViable,
+    /// These groups of its own task's questions fail.
+    Probes(Vec<String>),
+    /// Its own task's questions all pass, and this scene fails.
+    Scene(String),
+    /// Nothing fails.
+    Escaped {
+        /// Where it answers other than the reference.
+        difference: Difference,
+        /// Why it is no mistake, if the list says so and the difference agrees.
+        why: Option<String>,
+    },
+}
+
+/// A mutant that takes longer over a task or a scene has lost itself in a loop; the
+/// reference takes less than a second.
+const WALL: Duration = Duration::from_secs(10);
+
+/// Judges the mutants of every answer whose names contain `named`.
+pub fn judge(bench: &Bench, named: &str) -> Result<Mutants> {
+    // Nobody believes a mutant, so no belief need be sought for it.
+    let goldens = bench.goldens.without_known();
+    let bench = &Bench {
+        goldens: &goldens,
+        ..*bench
+    };
+    let reference = overlay::reference(bench.assignment)?;
+    let all = generate(&reference)?;
+    let listed = equivalents::read(bench.assignment)?;
+    let mut faults = equivalents::without_mutant(&listed, &all);
+    let wanted = all
+        .into_iter()
+        .filter(|mutant| mutant.name().contains(named));
+    let wanted: Vec<Mutant> = wanted.collect();
+
+    let oracle = Oracle::new(bench, bench.compiler.compile(&reference)?);
+    let judge = |mutant: &Mutant| {
+        let fate = fate(bench, &reference, mutant, &oracle, &listed)?;
+        let mutant = mutant.clone();
+        Ok(Judged { mutant, fate })
+    };
+    let judged = bench.all("mutants", &wanted, judge)?;
+    faults.extend(judged.iter().filter_map(|judged| judged.fault(&listed)));
+    Ok(Mutants { judged, faults })
+}
+
+fn generate(reference: &Submission) -> Result<Vec<Mutant>> {
+    let mut all = Vec::new();
+    for answer in &reference.answers {
+        let text = answer.text.as_deref().unwrap_or_default();
+        let mutants = mutate::mutants(&answer.task, text).map_err(|error| {
+            Error::environment(
+                format!("the reference's {}.rs is no Rust: {error}", answer.task),
+                "restore the assignment's `reference` folder",
+            )
+        })?;
+        all.extend(mutants);
+    }
+    Ok(all)
+}
+
+fn fate(
+    bench: &Bench,
+    reference: &Submission,
+    mutant: &Mutant,
+    oracle: &Oracle,
+    listed: &[Listed],
+) -> Result<Fate> {
+    let submission = reference
+        .clone()
+        .with_answer(&mutant.task, mutant.text.clone());
+    let is_not_viable = &mut |replaced: &Replacements| replaced.contains_key(&mutant.task);
+    let Attempt::Program(program) = bench.compiler.compile_until(&submission, is_not_viable)?
+    else {
+        return Ok(Fate::NotViable);
+    };
+    let fate = fate_of_program(bench, &submission, &program, mutant, oracle, listed);
+    discard(&program);
+    fate
+}
+
+fn fate_of_program(
+    bench: &Bench,
+    submission: &Submission,
+    program: &Program,
+    mutant: &Mutant,
+    oracle: &Oracle,
+    listed: &[Listed],
+) -> Result<Fate> {
+    let ask = |selection: Selection| bench.examine_built(program, submission, &selection, WALL);
+    // A task is asked alone, so no other task's questions can show the mutant.
+    let alone = ask(Selection {
+        tasks: vec![mutant.task.clone()],
+        scenes: Vec::new(),
+    })?;
+    let groups = alone.tasks.iter().flat_map(|task| &task.groups);
+    let failing = groups.filter(|group| !group.outcome.passes());
+    let failing: Vec<String> = failing
+        .map(|group| format!("{}.{}", mutant.task, group.name))
+        .collect();
+    if !failing.is_empty() {
+        return Ok(Fate::Probes(failing));
+    }
+    for scene in &bench.goldens.scenes {
+        let examined = ask(Selection {
+            tasks: Vec::new(),
+            scenes: vec![scene.name.clone()],
+        })?;
+        if !examined.passes() {
+            return Ok(Fate::Scene(scene.name.clone()));
+        }
+    }
+    let difference = oracle.compare(&mutant.task, program)?;
+    let listed = listed.iter().find(|listed| listed.is(mutant));
+    let why = listed.filter(|listed| listed.claim.agrees(&difference));
+    Ok(Fate::Escaped {
+        why: why.map(|listed| listed.why.clone()),
+        difference,
+    })
+}
+
+impl Judged {
+    /// Whether it compiles.
+    pub fn is_viable(&self) -> bool {
+        !matches!(self.fate, Fate::NotViable)
+    }
+
+    /// The groups of its own task's questions that catch it, if any do.
+    pub fn groups(&self) -> Option<&[String]> {
+        match &self.fate {
+            Fate::Probes(groups) => Some(groups),
+            _ => None,
+        }
+    }
+
+    /// Whether it is listed as no mistake, and is none.
+    pub fn is_equivalent(&self) -> bool {
+        matches!(self.fate, Fate::Escaped { why: Some(_), .. })
+    }
+
+    /// Whether it is a fault that nothing catches.
+    pub fn is_missed(&self) -> bool {
+        matches!(self.fate, Fate::Escaped { why: None, .. })
+    }
+
+    fn fault(&self, listed: &[Listed]) -> Option<String> {
+        let name = self.mutant.name();
+        let diff = self.mutant.diff();
+        let is_listed = listed.iter().any(|listed| listed.is(&self.mutant));
+        match &self.fate {
+            Fate::NotViable if is_listed => {
+                Some(format!("listed, but does not compile: {name}\n{diff}"))
+            }
+            Fate::Probes(by) if is_listed => Some(format!(
+                "listed, but caught by {}: {name}\n{diff}",
+                by.join(", ")
+            )),
+            Fate::Scene(by) if is_listed => {
+                Some(format!("listed, but caught by {by}: {name}\n{diff}"))
+            }
+            Fate::Escaped {
+                why: None,
+                difference,
+            } => {
+                let word = if is_listed {
+                    "listed otherwise"
+                } else {
+                    "missed"
+                };
+                Some(format!("{word}: {name}\n{diff}\n  {difference}"))
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Mutants {
+    /// How many are such.
+    pub fn count(&self, such: impl Fn(&Judged) -> bool) -> usize {
+        self.judged.iter().filter(|judged| such(judged)).count()
+    }
+
+    /// How many mutants fail in each group of questions, and how many of them in no
+    /// other group.
+    pub fn by_group(&self) -> BTreeMap<&str, (usize, usize)> {
+        let mut counts = BTreeMap::new();
+        for groups in self.judged.iter().filter_map(Judged::groups) {
+            for group in groups {
+                let (all, only) = counts.entry(group.as_str()).or_insert((0, 0));
+                *all += 1;
+                *only += usize::from(groups.len() == 1);
+            }
+        }
+        counts
+    }
+}
+
+/// Removes a program from disk: hundreds of mutants are not worth keeping.
+fn discard(program: &Program) {
+    if let Some(folder) = program.executable.parent().and_then(|out| out.parent()) {
+        let _another_run_may_have = fs::remove_dir_all(folder);
+    }
+}

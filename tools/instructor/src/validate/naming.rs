@@ -1,0 +1,160 @@
+//! Whether diagnoses give the right name: of beliefs written anew, never of the folders
+//! whose films are stored, since matching a film with itself proves nothing.
+
+use serde::Serialize;
+
+use super::bench::Bench;
+use super::submissions::Known;
+use pinhole_course::diagnosis::{Diagnosis, Reading};
+use pinhole_course::error::Result;
+use pinhole_course::examination::{Examination, SceneResult};
+
+/// Diagnoses of wrong films, counted.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Names {
+    /// The belief alone; of a compound, none but its own.
+    pub right: usize,
+    /// The belief among two or three that the film cannot tell apart.
+    pub among: usize,
+    /// No name.
+    pub none: usize,
+    /// Another name, or another beside the right one: which film got which.
+    pub wrong: Vec<String>,
+}
+
+/// The diagnoses of one submission, or of many.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Naming {
+    /// Of tasks, by their questions.
+    pub tasks: Names,
+    /// Of scenes, as `check` diagnoses them after the tasks.
+    pub scenes: Names,
+    /// Of single pictures, as `diff` does, of which nothing else is known.
+    pub pictures: Names,
+    /// Films that no diagnosis can look at, because the code panicked.
+    pub without_film: usize,
+}
+
+impl Names {
+    /// How many films were diagnosed.
+    pub fn all(&self) -> usize {
+        self.right + self.among + self.none + self.wrong.len()
+    }
+
+    /// The share that got the right name alone.
+    pub fn share_right(&self) -> f64 {
+        self.right as f64 / self.all().max(1) as f64
+    }
+
+    fn count(&mut self, film: &str, diagnosis: &Diagnosis, beliefs: &[String]) {
+        let names: Vec<&String> = diagnosis.beliefs.iter().map(|named| &named.slug).collect();
+        let held = |name: &&String| beliefs.contains(name);
+        match diagnosis.reading {
+            _ if names.is_empty() => self.none += 1,
+            Reading::Together if names.iter().all(held) => self.right += 1,
+            Reading::OneOf if names.iter().any(held) => self.among += 1,
+            _ => self.wrong.push(format!("{film} is called {names:?}")),
+        }
+    }
+
+    fn add(&mut self, other: &Names) {
+        self.right += other.right;
+        self.among += other.among;
+        self.none += other.none;
+        self.wrong.extend_from_slice(&other.wrong);
+    }
+}
+
+impl Naming {
+    /// The diagnoses of an examination of somebody who holds these beliefs.
+    pub fn of(
+        bench: &Bench,
+        name: &str,
+        examination: &Examination,
+        beliefs: &[String],
+    ) -> Result<Naming> {
+        let mut naming = Naming::default();
+        for task in examination.tasks.iter().filter(|task| !task.passes()) {
+            let film = format!("{name}: {}", task.name);
+            naming.tasks.count(&film, &task.diagnosis, beliefs);
+        }
+        let wrong = |scene: &&SceneResult| !scene.outcome.passes();
+        for scene in examination.scenes.iter().filter(wrong) {
+            let film = format!("{name}: {}", scene.name);
+            let Some(cast) = &scene.film else {
+                naming.without_film += 1;
+                continue;
+            };
+            naming.scenes.count(&film, &scene.diagnosis, beliefs);
+            let alone = bench
+                .goldens
+                .diagnose_film(&scene.name, &scene.golden, cast)?;
+            naming.pictures.count(&film, &alone, beliefs);
+        }
+        Ok(naming)
+    }
+
+    /// All of these together.
+    pub fn sum<'a>(all: impl Iterator<Item = &'a Naming>) -> Naming {
+        let mut sum = Naming::default();
+        for naming in all {
+            sum.tasks.add(&naming.tasks);
+            sum.scenes.add(&naming.scenes);
+            sum.pictures.add(&naming.pictures);
+            sum.without_film += naming.without_film;
+        }
+        sum
+    }
+}
+
+/// The share of a single belief's films that must get its name.
+const ENOUGH: f64 = 0.95;
+
+/// How often diagnoses give the right name.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Diagnoses {
+    /// Of single beliefs written anew.
+    pub anew: Naming,
+    /// Of two beliefs at once.
+    pub compounds: Naming,
+    /// Of single beliefs as if each had never been met before: any name is false.
+    pub unmet: Naming,
+}
+
+impl Diagnoses {
+    /// Counts the names of everything that was judged.
+    pub fn of(mistakes: &Known, rewrites: &Known) -> Diagnoses {
+        let of = |single: bool| {
+            let judged = mistakes.judged.iter();
+            let judged = judged.filter(move |judged| judged.single == single);
+            Naming::sum(judged.map(|judged| &judged.naming))
+        };
+        Diagnoses {
+            anew: Naming::sum(rewrites.judged.iter().map(|judged| &judged.naming)),
+            compounds: of(false),
+            unmet: of(true),
+        }
+    }
+
+    /// What misses a target.
+    pub fn faults(&self) -> Vec<String> {
+        let Diagnoses {
+            anew, compounds, ..
+        } = self;
+        let mut faults = Vec::new();
+        for (films, names) in [("tasks", &anew.tasks), ("scenes", &anew.scenes)] {
+            if names.all() > 0 && names.share_right() < ENOUGH {
+                let share = 100.0 * names.share_right();
+                faults.push(format!(
+                    "of {films} spoilt by one belief only {share:.1} % get its name"
+                ));
+            }
+        }
+        // Of a single belief a false name counts against its share above. A single picture
+        // of two beliefs can be the very picture of a third: nothing could tell.
+        for names in [&compounds.tasks, &compounds.scenes] {
+            faults.extend(names.wrong.iter().map(|film| format!("false name: {film}")));
+        }
+        faults
+    }
+}

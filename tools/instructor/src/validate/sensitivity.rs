@@ -1,0 +1,324 @@
+//! The smallest error that each scene detects, by our rule and by those of other
+//! renderers' test suites.
+//!
+//! Camera errors are cast anew by the reference's own program, with the camera
+//! disturbed; errors of t and of normals are put into the reference's film.
+
+use std::collections::BTreeMap;
+
+use glam::{DVec3, Vec3};
+use pinhole::film::{Channel, MISS};
+use pinhole::job::Job;
+use pinhole::judge::{Golden, judge};
+use pinhole::{Camera, Film, Projection, Scene, false_colour};
+use serde::Serialize;
+
+use super::bench::{Bench, WALL};
+use super::suites::{Pictures, SUITES};
+use pinhole_course::compile::Program;
+use pinhole_course::error::{Error, Result};
+use pinhole_course::examine;
+use pinhole_course::overlay;
+use pinhole_course::sandbox::Limits;
+
+/// What one scene detects.
+#[derive(Debug, Serialize)]
+pub struct Sensitivity {
+    /// The scene.
+    pub scene: String,
+    /// For each kind of error that this scene can have.
+    pub least: BTreeMap<Kind, Least>,
+}
+
+/// Kinds of error.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// Every ray passes so many pixels beside its pixel's centre, along the rows or
+    /// along the columns, whichever is detected later.
+    CameraShift,
+    /// The image plane is this share of its distance too far away.
+    FocalLength,
+    /// Every t is this share of itself too large.
+    T,
+    /// Every normal is tilted by so many radians.
+    NormalTilt,
+}
+
+/// The smallest error of one kind that each rule detects; `None` if not even the largest
+/// that was tried, [`Kind::most`].
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Least {
+    /// Our one rule.
+    pub ours: Option<f64>,
+    /// The other suites', in the order of [`SUITES`].
+    pub suites: [Option<f64>; SUITES.len()],
+}
+
+impl Kind {
+    /// All of them.
+    pub const ALL: [Kind; 4] = [
+        Kind::CameraShift,
+        Kind::FocalLength,
+        Kind::T,
+        Kind::NormalTilt,
+    ];
+
+    /// The largest step that is tried: 32 pixels, ten times, 1.3 radians.
+    fn last_step(self) -> i32 {
+        match self {
+            Kind::CameraShift => 15,
+            Kind::FocalLength | Kind::T => 10,
+            Kind::NormalTilt => 1,
+        }
+    }
+
+    /// The largest error that is tried.
+    pub fn most(self) -> f64 {
+        size(self.last_step())
+    }
+}
+
+/// Errors are tried in steps of a tenth of a decade.
+fn size(step: i32) -> f64 {
+    10_f64.powf(f64::from(step) / 10.0)
+}
+
+/// No error smaller than this step is tried: 1e-9.
+const FIRST_STEP: i32 = -90;
+
+/// Measures the scenes whose names contain `named`.
+pub fn measure(bench: &Bench, named: &str) -> Result<Vec<Sensitivity>> {
+    let program = bench
+        .compiler
+        .compile(&overlay::reference(bench.assignment)?)?;
+    let scenes = bench.goldens.scenes.iter();
+    let scenes: Vec<_> = scenes.filter(|scene| scene.name.contains(named)).collect();
+    let mut subjects = Vec::new();
+    for golden_scene in &scenes {
+        let asked = bench.goldens.scene_film(golden_scene)?;
+        let scene = Scene::read(&golden_scene.file)?;
+        let film = cast(bench, &program, &scene)?;
+        subjects.push(Subject {
+            depths: false_colour::depth_range(&film, scene.camera.depth_per_t()),
+            scene,
+            film,
+            golden: asked.golden,
+        });
+    }
+    let kinds = subjects.iter().enumerate().flat_map(|(place, subject)| {
+        let is_perspective = matches!(
+            subject.scene.camera.projection,
+            Projection::Perspective { .. }
+        );
+        let can_have = move |kind: &&Kind| is_perspective || **kind != Kind::FocalLength;
+        let kinds = Kind::ALL.iter().filter(can_have);
+        kinds.map(move |kind| (place, *kind))
+    });
+    let kinds: Vec<(usize, Kind)> = kinds.collect();
+    let least = bench.all("sensitivity", &kinds, |(place, kind)| {
+        subjects[*place].least(bench, &program, *kind)
+    })?;
+    let mut measured: Vec<Sensitivity> = scenes
+        .iter()
+        .map(|scene| Sensitivity {
+            scene: scene.name.clone(),
+            least: BTreeMap::new(),
+        })
+        .collect();
+    for ((place, kind), least) in kinds.into_iter().zip(least) {
+        measured[place].least.insert(kind, least);
+    }
+    Ok(measured)
+}
+
+fn cast(bench: &Bench, program: &Program, scene: &Scene) -> Result<Film> {
+    let job = Job::Film(scene.clone());
+    let reply = examine::run(
+        program,
+        bench.sandbox,
+        &Limits::of_answers(WALL),
+        &job,
+        &mut |_| {},
+    )?;
+    match reply.answers.iter().all(Option::is_some) {
+        true => Ok(reply.film(scene.resolution)),
+        false => Err(Error::environment(
+            format!(
+                "the reference does not cast a disturbed camera: {:?}",
+                reply.ending
+            ),
+            "restore the assignment's `reference` folder",
+        )),
+    }
+}
+
+/// A scene, and what the reference and Mitsuba see of it.
+struct Subject {
+    scene: Scene,
+    film: Film,
+    golden: Golden,
+    /// What depth pictures span.
+    depths: std::ops::Range<f64>,
+}
+
+/// A way to disturb a film.
+type Disturb<'a> = dyn Fn(f64) -> Result<Film> + 'a;
+
+impl Subject {
+    fn least(&self, bench: &Bench, program: &Program, kind: Kind) -> Result<Least> {
+        let with_camera = |camera| {
+            let scene = Scene {
+                camera,
+                ..self.scene.clone()
+            };
+            cast(bench, program, &scene)
+        };
+        let search = |disturb: &Disturb| self.search(kind, disturb);
+        Ok(match kind {
+            Kind::CameraShift => {
+                let across = search(&|pixels| with_camera(self.shifted(pixels, 0.0)))?;
+                let upward = search(&|pixels| with_camera(self.shifted(0.0, pixels)))?;
+                across.later(&upward)
+            }
+            Kind::FocalLength => search(&|share| with_camera(self.farther(share)))?,
+            Kind::T => search(&|share| Ok(self.with_t(share)))?,
+            Kind::NormalTilt => search(&|angle| Ok(self.tilted(angle)))?,
+        })
+    }
+
+    /// By bisection: between the steps that are tried, larger errors are taken to be
+    /// seen where smaller ones are.
+    fn search(&self, kind: Kind, disturb: &Disturb) -> Result<Least> {
+        let mut films: BTreeMap<i32, Film> = BTreeMap::new();
+        let mut least = |detects: &dyn Fn(&Film) -> bool| -> Result<Option<f64>> {
+            let mut at = |step: i32| -> Result<bool> {
+                if let Some(film) = films.get(&step) {
+                    return Ok(detects(film));
+                }
+                let film = disturb(size(step))?;
+                let detected = detects(&film);
+                films.insert(step, film);
+                Ok(detected)
+            };
+            let (mut unseen, mut seen) = (FIRST_STEP, kind.last_step());
+            if !at(seen)? {
+                return Ok(None);
+            }
+            while seen - unseen > 1 {
+                let middle = (seen + unseen).div_euclid(2);
+                match at(middle)? {
+                    true => seen = middle,
+                    false => unseen = middle,
+                }
+            }
+            Ok(Some(size(seen)))
+        };
+        let ours = least(&|film| !judge(&self.golden, film).is_ok_and(|verdict| verdict.passes()))?;
+        // The reference's film and not Mitsuba's: a single pixel of which the two are of
+        // two minds would fail a suite before anything is disturbed.
+        let expected = self.pictures(&self.film);
+        let mut suites = [None; SUITES.len()];
+        for (suite, place) in SUITES.iter().zip(&mut suites) {
+            *place = least(&|film| suite.detects(&expected, &self.pictures(film)))?;
+        }
+        Ok(Least { ours, suites })
+    }
+
+    fn pictures(&self, film: &Film) -> Pictures {
+        Pictures::of(film, self.scene.camera.depth_per_t(), &self.depths)
+    }
+
+    /// Every ray passes beside its pixel's centre by these.
+    fn shifted(&self, across: f64, upward: f64) -> Camera {
+        let camera = self.scene.camera;
+        let resolution = self.scene.resolution;
+        let aside = across * camera.width / resolution.n_x as f64 * camera.u
+            + upward * camera.height / resolution.n_y as f64 * camera.v;
+        match camera.projection {
+            // No longer a frame of unit vectors, but d = … − focal_length w then leads
+            // to the shifted point of the image plane, eye and t staying as they are.
+            Projection::Perspective { focal_length } => Camera {
+                w: camera.w - aside / focal_length,
+                ..camera
+            },
+            Projection::Orthographic => Camera {
+                eye: camera.eye + aside,
+                ..camera
+            },
+        }
+    }
+
+    fn farther(&self, share: f64) -> Camera {
+        let mut camera = self.scene.camera;
+        if let Projection::Perspective { focal_length } = &mut camera.projection {
+            *focal_length *= 1.0 + share;
+        }
+        camera
+    }
+
+    fn with_t(&self, share: f64) -> Film {
+        self.changed(|sample| {
+            sample.t = (f64::from(sample.t) * (1.0 + share)) as f32;
+        })
+    }
+
+    fn tilted(&self, angle: f64) -> Film {
+        self.changed(|sample| {
+            let normal = sample.normal.as_dvec3();
+            let aside = normal
+                .try_normalize()
+                .unwrap_or(DVec3::X)
+                .any_orthonormal_vector();
+            sample.normal = (angle.cos() * normal + angle.sin() * aside).as_vec3();
+        })
+    }
+
+    /// The reference's film with every hit changed.
+    fn changed(&self, change: impl Fn(&mut Sample)) -> Film {
+        let channel = |name| self.film.channel(name).unwrap_or_default().to_vec();
+        let [ids, mut ts, mut xs, mut ys, mut zs] = ["id", "t", "N.X", "N.Y", "N.Z"].map(channel);
+        for index in (0..ids.len()).filter(|index| ids[*index] != MISS) {
+            let mut sample = Sample {
+                t: ts[index],
+                normal: Vec3::new(xs[index], ys[index], zs[index]),
+            };
+            change(&mut sample);
+            ts[index] = sample.t;
+            [xs[index], ys[index], zs[index]] = sample.normal.to_array();
+        }
+        let channels = [
+            ("id", ids),
+            ("t", ts),
+            ("N.X", xs),
+            ("N.Y", ys),
+            ("N.Z", zs),
+        ];
+        let channels = channels.map(|(name, samples)| Channel {
+            name: name.into(),
+            samples,
+        });
+        Film::new(self.scene.resolution, channels.into())
+    }
+}
+
+/// A pixel that hits something.
+struct Sample {
+    t: f32,
+    normal: Vec3,
+}
+
+impl Least {
+    /// The larger of the two for each rule; never, if one of them is never detected.
+    fn later(&self, other: &Least) -> Least {
+        let later = |a: Option<f64>, b: Option<f64>| Some(a?.max(b?));
+        let mut suites = self.suites;
+        for (own, other) in suites.iter_mut().zip(other.suites) {
+            *own = later(*own, other);
+        }
+        Least {
+            ours: later(self.ours, other.ours),
+            suites,
+        }
+    }
+}

@@ -1,0 +1,339 @@
+//! Submissions that people wrote and whose verdict is known: the stub, the reference,
+//! mistakes, the same beliefs written anew, and variants.
+
+use std::fs;
+use std::path::PathBuf;
+
+use serde::Serialize;
+
+use super::bench::Bench;
+use super::naming::Naming;
+use pinhole_course::assignment::Task;
+use pinhole_course::error::{Error, Result};
+use pinhole_course::examination::{Examination, Outcome};
+use pinhole_course::examine::Selection;
+use pinhole_course::mistake;
+use pinhole_course::overlay;
+use pinhole_course::stubs;
+use pinhole_course::submission::{Answer, Submission};
+
+/// What came of the stub and the reference.
+#[derive(Debug, Serialize)]
+pub struct Pristine {
+    /// Points of the reference, and all there are.
+    pub reference: (u32, u32),
+    /// Points of the stub.
+    pub stub: u32,
+    /// Where a verdict is not as it must be.
+    pub faults: Vec<String>,
+}
+
+/// Submissions of one kind.
+#[derive(Debug, Serialize)]
+pub struct Known {
+    /// One for each, by name.
+    pub judged: Vec<Judged>,
+}
+
+/// One submission's verdict.
+#[derive(Clone, Debug, Serialize)]
+pub struct Judged {
+    /// Its folder inside the assignment.
+    pub name: String,
+    /// Whether it holds one belief alone, and no rewrite of it.
+    pub single: bool,
+    /// What it was judged by.
+    pub by: By,
+    /// Tasks that must lose points, sorted; none if it must pass.
+    pub declared: Vec<String>,
+    /// Tasks that lose points, sorted.
+    pub tasks: Vec<String>,
+    /// Groups of questions that fail, as `task.group`.
+    pub groups: Vec<String>,
+    /// Scenes that fail.
+    pub scenes: Vec<String>,
+    /// Answers that do not compile: then nothing is shown by their failing.
+    pub not_compiled: Vec<String>,
+    /// What its diagnoses name.
+    pub naming: Naming,
+}
+
+/// Judges the stub and the reference by everything.
+pub fn pristine(bench: &Bench) -> Result<Pristine> {
+    let all = [stub(bench)?, overlay::reference(bench.assignment)?];
+    let examined = bench.all("stub and reference", &all, |submission| {
+        bench.examine(submission, &Selection::default())
+    })?;
+    let [stub, reference] = &examined[..] else {
+        unreachable!("two go in, two come out");
+    };
+    let mut faults = Vec::new();
+    let is_empty =
+        |outcome: &Outcome| matches!(outcome, Outcome::Unanswered | Outcome::BlockedBy(_));
+    let answered = outcomes(stub).filter(|(_, outcome)| !is_empty(outcome));
+    faults.extend(answered.map(|(name, _)| format!("the stub is not unanswered in {name}")));
+    let wrong = outcomes(reference).filter(|(_, outcome)| !outcome.passes());
+    faults.extend(wrong.map(|(name, _)| format!("false fail: the reference fails {name}")));
+    Ok(Pristine {
+        reference: reference.points(),
+        stub: stub.points().0,
+        faults,
+    })
+}
+
+/// The handout as it is generated, whatever a student has made of the committed one.
+fn stub(bench: &Bench) -> Result<Submission> {
+    let package = stubs::generate(bench.assignment)?;
+    let text = |file: String| package.get(&PathBuf::from("src").join(file)).cloned();
+    let answers = bench.assignment.tasks.iter().map(|task| Answer {
+        task: task.name.clone(),
+        text: Ok(text(task.file()).unwrap_or_default()),
+    });
+    Ok(Submission {
+        folder: bench.assignment.handout(),
+        place: bench.assignment.handout().join("src"),
+        answers: answers.collect(),
+    })
+}
+
+/// Everything that was asked, by name.
+fn outcomes(examination: &Examination) -> impl Iterator<Item = (String, &Outcome)> {
+    let groups = examination.tasks.iter().flat_map(|task| {
+        let named = |group: &str| format!("{}.{group}", task.name);
+        task.groups
+            .iter()
+            .map(move |group| (named(&group.name), &group.outcome))
+    });
+    let scenes = examination.scenes.iter();
+    groups.chain(scenes.map(|scene| (scene.name.clone(), &scene.outcome)))
+}
+
+/// A folder to lay over other answers, and what must come of it.
+struct Overlay {
+    name: String,
+    folder: PathBuf,
+    single: bool,
+    declared: Vec<String>,
+    by: By,
+    beliefs: Vec<String>,
+    base: Base,
+}
+
+/// Whose answers lie under an overlay.
+#[derive(Clone, Copy)]
+enum Base {
+    /// The reference's.
+    Reference,
+    /// The reference's, and its belief is diagnosed as if nobody had met it before: its
+    /// own films are those that are stored.
+    ReferenceUnaware,
+    /// Variants', each task's by another route; the number turns them over. So the
+    /// program has nothing in common with the films' but the belief.
+    Variants(usize),
+}
+
+/// What something is judged by.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum By {
+    /// Every group of questions of every task, and every scene.
+    Everything,
+    /// The questions of the tasks whose answers differ from the reference's. A task is
+    /// asked alone, so no other task's could show the difference.
+    OwnTasks,
+}
+
+/// Judges the mistakes, and the same beliefs written anew, whose names contain `named`.
+pub fn mistakes(bench: &Bench, named: &str) -> Result<(Known, Known)> {
+    let mut mistakes = Vec::new();
+    let mut rewrites = Vec::new();
+    for found in mistake::read_all(bench.assignment)? {
+        let mut declared = found.mistake.fails.clone();
+        declared.sort();
+        let beliefs = match found.mistake.is_single() {
+            true => vec![found.slug.clone()],
+            false => found.mistake.beliefs.clone(),
+        };
+        let routes = mistake::folders(&found.folder.join("anew"));
+        for (turn, (route, folder)) in routes.into_iter().enumerate() {
+            rewrites.push(Overlay {
+                name: format!("mistakes/{}/anew/{route}", found.slug),
+                folder,
+                single: false,
+                declared: declared.clone(),
+                // Scenes take the longest by far, and one of the three shows them.
+                by: if turn == 0 {
+                    By::Everything
+                } else {
+                    By::OwnTasks
+                },
+                beliefs: beliefs.clone(),
+                base: Base::Variants(rewrites.len()),
+            });
+        }
+        mistakes.push(Overlay {
+            name: format!("mistakes/{}", found.slug),
+            single: found.mistake.is_single(),
+            folder: found.folder,
+            declared,
+            by: By::Everything,
+            beliefs,
+            base: match found.mistake.is_single() {
+                true => Base::ReferenceUnaware,
+                false => Base::Reference,
+            },
+        });
+    }
+    let mistakes = judge_all(bench, "mistakes", mistakes, named)?;
+    let rewrites = judge_all(bench, "mistakes, written anew", rewrites, named)?;
+    Ok((mistakes, rewrites))
+}
+
+/// Judges the variants whose names contain `named`.
+pub fn variants(bench: &Bench, named: &str) -> Result<Known> {
+    let found = mistake::folders(&bench.assignment.folder.join("variants"));
+    let overlay = |(slug, folder)| Overlay {
+        name: format!("variants/{slug}"),
+        folder,
+        single: false,
+        declared: Vec::new(),
+        by: By::Everything,
+        beliefs: Vec::new(),
+        base: Base::Reference,
+    };
+    let overlays = found.into_iter().map(overlay).collect();
+    judge_all(bench, "variants", overlays, named)
+}
+
+fn judge_all(bench: &Bench, what: &str, all: Vec<Overlay>, named: &str) -> Result<Known> {
+    let wanted = |overlay: &Overlay| overlay.name.contains(named);
+    let wanted: Vec<Overlay> = all.into_iter().filter(wanted).collect();
+    let judged = bench.all(what, &wanted, |overlay| {
+        let replaces = |task: &&Task| overlay.folder.join(task.file()).is_file();
+        let own = bench.assignment.tasks.iter().filter(replaces);
+        let own: Vec<String> = own.map(|task| task.name.clone()).collect();
+        if own.is_empty() {
+            return Err(Error::input(
+                format!("{} holds no answer file", overlay.folder.display()),
+                "put the file that differs from the reference there, or remove the folder",
+            ));
+        }
+        let mut base = overlay::reference(bench.assignment)?;
+        let mut goldens = None;
+        match overlay.base {
+            Base::Reference => {}
+            Base::ReferenceUnaware => {
+                let own = overlay.beliefs.first().map_or("", String::as_str);
+                goldens = Some(bench.goldens.unaware_of(own));
+            }
+            Base::Variants(turn) => base = variants_mixed(bench, base, turn)?,
+        }
+        let bench = Bench {
+            goldens: goldens.as_ref().unwrap_or(bench.goldens),
+            ..*bench
+        };
+        let submission = base.overlaid(&overlay.folder)?;
+        let selection = match overlay.by {
+            By::Everything => Selection::default(),
+            By::OwnTasks => Selection {
+                tasks: own,
+                scenes: Vec::new(),
+            },
+        };
+        let examination = bench.examine(&submission, &selection)?;
+        let naming = Naming::of(&bench, &overlay.name, &examination, &overlay.beliefs)?;
+        Ok(Judged::of(&examination, overlay, naming))
+    })?;
+    Ok(Known { judged })
+}
+
+/// Every task's answer by some variant's route, if there is one.
+fn variants_mixed(bench: &Bench, base: Submission, turn: usize) -> Result<Submission> {
+    let variants = mistake::folders(&bench.assignment.folder.join("variants"));
+    let mut mixed = base;
+    for task in &bench.assignment.tasks {
+        let mut files = variants.iter().map(|(_, folder)| folder.join(task.file()));
+        let files: Vec<PathBuf> = files.by_ref().filter(|file| file.is_file()).collect();
+        let Some(file) = files.get(turn % files.len().max(1)) else {
+            continue;
+        };
+        let text = fs::read_to_string(file).map_err(|error| {
+            let problem = format!("cannot read {}: {error}", file.display());
+            Error::input(problem, "restore the file")
+        })?;
+        mixed = mixed.with_answer(&task.name, text);
+    }
+    Ok(mixed)
+}
+
+impl Judged {
+    fn of(examination: &Examination, overlay: &Overlay, naming: Naming) -> Judged {
+        let mut tasks = Vec::new();
+        let mut groups = Vec::new();
+        for task in &examination.tasks {
+            let failing = task.groups.iter().filter(|group| !group.outcome.passes());
+            let names: Vec<String> = failing
+                .map(|group| format!("{}.{}", task.name, group.name))
+                .collect();
+            tasks.extend((!names.is_empty()).then(|| task.name.clone()));
+            groups.extend(names);
+        }
+        tasks.sort();
+        let scenes = examination.scenes.iter();
+        let scenes = scenes.filter(|scene| !scene.outcome.passes());
+        let replaced = examination
+            .tasks
+            .iter()
+            .filter(|task| task.replaced.is_some());
+        Judged {
+            name: overlay.name.clone(),
+            single: overlay.single,
+            by: overlay.by,
+            declared: overlay.declared.clone(),
+            tasks,
+            groups,
+            scenes: scenes.map(|scene| scene.name.clone()).collect(),
+            not_compiled: replaced.map(|task| task.name.clone()).collect(),
+            naming,
+        }
+    }
+
+    /// Whether something fails.
+    pub fn is_caught(&self) -> bool {
+        !(self.groups.is_empty() && self.scenes.is_empty())
+    }
+
+    /// Whether it fails in exactly the tasks it declares, or passes if it must.
+    pub fn is_as_declared(&self) -> bool {
+        let passes = self.declared.is_empty() && self.is_caught();
+        self.not_compiled.is_empty() && self.tasks == self.declared && !passes
+    }
+
+    /// What is not as it must be.
+    pub fn faults(&self) -> Option<String> {
+        let Judged { name, .. } = self;
+        let listed = |names: &[String]| match names {
+            [] => "no task".into(),
+            names => names.join(", "),
+        };
+        if !self.not_compiled.is_empty() {
+            let files = listed(&self.not_compiled);
+            return Some(format!("{name} does not compile: {files}"));
+        }
+        if self.is_as_declared() {
+            return None;
+        }
+        Some(match (self.declared.as_slice(), self.is_caught()) {
+            ([], _) => {
+                let films: Vec<String> = self.groups.iter().chain(&self.scenes).cloned().collect();
+                format!("false fail: {name} fails {}", films.join(", "))
+            }
+            (_, false) => format!("missed: {name} passes everything"),
+            (declared, true) => format!(
+                "{name} is declared to fail in {}, and fails in {}",
+                listed(declared),
+                listed(&self.tasks)
+            ),
+        })
+    }
+}

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Gradescope runs this for each submission, as root, in a container that is used once.
+set -uo pipefail
+
+export RUSTUP_HOME=/opt/rust/rustup CARGO_HOME=/opt/rust/cargo CARGO_NET_OFFLINE=true
+export PATH="/opt/rust/cargo/bin:$PATH"
+cd /autograder/source/pinhole || exit
+
+# Another user's code runs in this container: what is graded is root's alone.
+graded=/autograder/graded
+rm -rf "$graded"
+mkdir -m 700 "$graded"
+
+# A folder of one submission: whatever is missing in it is the student's to know.
+class=/autograder/class
+rm -rf "$class"
+mkdir -m 700 "$class"
+cp -a /autograder/submission "$class/submission"
+
+fresh=(--no-fresh)
+if [ -d fresh ]; then fresh=(--fresh fresh); fi
+target/release/pinhole-instructor grade "$class" --out "$graded" \
+    --sandbox container --format gradescope --reveal "$(cat reveal)" "${fresh[@]}"
+
+results=/autograder/results/results.json
+if ! cp "$graded"/submissions/*/gradescope.json "$results"; then
+    # Without a score: a fault of the grader is no student's zero.
+    echo '{"output": "The grader failed, not your answers. Your instructor can run it again.", "stdout_visibility": "hidden"}' >"$results"
+fi

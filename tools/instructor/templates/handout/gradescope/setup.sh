@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Gradescope runs this once, as root and with a network, when it builds the container's
+# image: so the whole class is graded by one compiler and one build.
+set -euo pipefail
+
+apt-get update
+apt-get install -y --no-install-recommends ca-certificates curl gcc libc6-dev
+
+# Not in root's home, which students' code, run as another user, could not reach.
+export RUSTUP_HOME=/opt/rust/rustup CARGO_HOME=/opt/rust/cargo
+mkdir -p /opt/rust
+curl --proto '=https' --tlsv1.2 -sSf https://sh.rustup.rs |
+    sh -s -- -y --profile minimal --no-modify-path
+chmod -R a+rX /opt/rust
+
+cd /autograder/source/pinhole
+/opt/rust/cargo/bin/cargo build --release -p pinhole -p pinhole-cli -p pinhole-instructor
+
+# Goldens and answers are the grader's alone; what submissions are linked against is not.
+chmod 755 . target
+chmod -R go-rwx golden assignments
+if [ -d fresh ]; then chmod -R go-rwx fresh; fi

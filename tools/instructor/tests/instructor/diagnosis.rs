@@ -1,0 +1,167 @@
+//! A wrong film is told which belief explains it, or nothing at all.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use pinhole_testing::{fresh, pinhole, root, submission, trusted};
+
+fn plain(path: &Path) -> &str {
+    path.to_str().expect("test folders have plain names")
+}
+
+/// A student who holds the belief of `slug`, in code that nobody took films of.
+fn student(name: &str, slug: &str, route: &str) -> PathBuf {
+    let anew = root()
+        .join("assignments/ray_casting/mistakes")
+        .join(slug)
+        .join("anew")
+        .join(route);
+    let entries = fs::read_dir(anew).expect("the belief was written anew");
+    let files: Vec<(String, String)> = entries
+        .flatten()
+        .map(|entry| {
+            let name = entry.file_name().into_string().expect("plain names");
+            (
+                name,
+                fs::read_to_string(entry.path()).expect("answers are text"),
+            )
+        })
+        .collect();
+    let overlay: Vec<(&str, &str)> = files
+        .iter()
+        .map(|(name, text)| (name.as_str(), text.as_str()))
+        .collect();
+    submission(&trusted(), name, &overlay)
+}
+
+fn named(diagnosis: &Value) -> Vec<&str> {
+    let beliefs = diagnosis["beliefs"].as_array().into_iter().flatten();
+    beliefs
+        .map(|belief| belief["mistake"].as_str().expect("a name"))
+        .collect()
+}
+
+/// The rows of `kind` that do not pass.
+fn failing<'a>(examination: &'a Value, kind: &str) -> Vec<&'a Value> {
+    let rows = examination[kind].as_array().expect("a list").iter();
+    rows.filter(|row| row["points"] != row["possible"])
+        .collect()
+}
+
+#[test]
+fn a_belief_in_code_never_seen_is_named_in_its_task_and_in_every_scene_it_spoils() {
+    let folder = student("diagnosed", "sphere_near_root_only", "unit_sphere");
+    let ran = pinhole(&["check", plain(&folder), "--json"]).expect_code(1);
+    let examination = ran.json();
+    let [sphere] = failing(&examination, "tasks")[..] else {
+        panic!("only the sphere is wrong: {examination:#}")
+    };
+    assert_eq!(named(&sphere["diagnosis"]), ["sphere_near_root_only"]);
+    assert_eq!(sphere["diagnosis"]["beliefs"][0]["explained"], 1.0);
+    let scenes = failing(&examination, "scenes");
+    assert!(scenes.len() >= 3, "{examination:#}");
+    for scene in scenes {
+        assert_eq!(named(&scene["diagnosis"]), ["sphere_near_root_only"]);
+    }
+}
+
+#[test]
+fn the_table_says_what_is_believed_and_where_to_look_but_not_yet_more() {
+    let folder = student("told", "sphere_near_root_only", "unit_sphere");
+    let sphere = ["check", plain(&folder), "--task", "sphere"];
+    let hint = &pinhole(&[&sphere[..], &["--json"]].concat()).json()["tasks"][0]["diagnosis"]["beliefs"]
+        [0]["hint"];
+    let text = |depth: &str| hint[depth].as_str().expect("a text").to_owned();
+    let ran = pinhole(&sphere)
+        .expect_code(1)
+        .expect_out("You may believe: “I only need the smaller root")
+        .expect_out(&text("look"));
+    assert!(!ran.out.contains(&text("think")), "{}", ran.out);
+}
+
+#[test]
+fn scenes_asked_alone_are_diagnosed_together() {
+    let folder = student("scenes", "sphere_near_root_only", "unit_sphere");
+    let scenes = ["inside_a_sphere", "inside_a_box", "teapot_orthographic"];
+    let mut line = vec!["check", plain(&folder), "--json"];
+    for scene in scenes {
+        line.extend(["--scene", scene]);
+    }
+    let examination = pinhole(&line).expect_code(1).json();
+    for scene in examination["scenes"].as_array().expect("a list") {
+        let names = named(&scene["diagnosis"]);
+        assert!(names.contains(&"sphere_near_root_only"), "{scene:#}");
+    }
+}
+
+#[test]
+fn an_answer_that_no_known_belief_explains_gets_no_name() {
+    let never = "use pinhole::{Intersection, Ray, Sphere};\nuse crate::intersect_ray::IntersectRay;\n\
+                 impl IntersectRay for Sphere {\n    fn intersect_ray(&self, _: &Ray, _: f64) -> \
+                 Option<Intersection> {\n        None\n    }\n}\n";
+    let folder = submission(&trusted(), "never", &[("sphere.rs", never)]);
+    let examination = pinhole(&["check", plain(&folder), "--json"])
+        .expect_code(1)
+        .json();
+    for kind in ["tasks", "scenes"] {
+        let failing = failing(&examination, kind);
+        assert!(!failing.is_empty());
+        for row in failing {
+            assert_eq!(row["diagnosis"], Value::Null, "{row:#}");
+        }
+    }
+}
+
+#[test]
+fn a_film_of_an_instructors_own_scene_is_diagnosed_by_diff() {
+    let folder = fresh(&trusted(), "own-scene");
+    let scene = folder.join("ball.toml");
+    let text = "[camera]\nprojection = \"perspective\"\neye = [0.1, 0.2, 0.3]\nview = [0.2, 0.1, \
+                -1.0]\nup = [0.0, 1.0, 0.0]\nfocal_length = 1.0\nwidth = 2.0\nheight = \
+                1.5\nresolution = [32, 24]\n\n[[object]]\ntype = \"sphere\"\ncenter = [0.5, 0.0, \
+                -1.0]\nradius = 3.0\n\n[[object]]\ntype = \"plane\"\npoint = [0.0, -0.5, \
+                0.0]\nnormal = [0.0, 3.0, 0.0]\n";
+    fs::write(&scene, text).expect("it can be written");
+    let (mine, films) = (folder.join("mine"), folder.join("films"));
+    pinhole(&["golden", "render", plain(&scene), "--out", plain(&mine)])
+        .expect_code(0)
+        .expect_out("mistakes show in");
+    pinhole(&["golden", "verify", plain(&mine)]).expect_code(0);
+
+    let wrong = student("own-scene-wrong", "plane_normal_not_unit", "homogeneous");
+    let line = [
+        "render",
+        plain(&scene),
+        "--submission",
+        plain(&wrong),
+        "--out",
+        plain(&films),
+    ];
+    pinhole(&line).expect_code(0);
+    let (golden, film) = (mine.join("ball.exr"), films.join("film.exr"));
+    let line = ["diff", plain(&golden), plain(&film), "--json"];
+    let verdict = pinhole(&line).expect_code(1).json();
+    assert_eq!(named(&verdict["diagnosis"]), ["plane_normal_not_unit"]);
+    pinhole(&["diff", plain(&golden), plain(&film)])
+        .expect_code(1)
+        .expect_out("You may believe: “");
+}
+
+#[test]
+fn mistakes_that_changed_since_they_were_fingerprinted_are_noticed() {
+    let folder = fresh(&trusted(), "stale-mistakes");
+    let own = root().join("golden/ray_casting");
+    let manifest = fs::read_to_string(own.join("manifest.toml")).expect("it is committed");
+    let line = manifest
+        .lines()
+        .find(|line| line.contains("sphere_near_root_only/sphere.rs"))
+        .expect("the mistakes are in the manifest");
+    let (name, _hash) = line.split_once(" = ").expect("a key and a value");
+    let stale = manifest.replace(line, &format!("{name} = \"0\""));
+    fs::write(folder.join("manifest.toml"), stale).expect("it can be written");
+    pinhole(&["golden", "verify", plain(&folder)])
+        .expect_code(1)
+        .expect_out("the mistakes are not those that were fingerprinted");
+}

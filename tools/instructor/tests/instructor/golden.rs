@@ -1,0 +1,181 @@
+//! Goldens: made by Mitsuba, reproducible, and in step with what they were made from.
+
+use std::fs;
+use std::path::Path;
+
+use pinhole_testing::{Ran, TASKS, fresh, pinhole, root, trusted};
+
+fn plain(path: &Path) -> &str {
+    path.to_str().expect("test folders have plain names")
+}
+
+fn verify(folder: &Path) -> Ran {
+    pinhole(&["golden", "verify", plain(folder)])
+}
+
+/// A copy of the committed goldens that may be spoilt.
+fn copy(name: &str) -> std::path::PathBuf {
+    let folder = fresh(&trusted(), name);
+    let own = root().join("golden/ray_casting");
+    fs::create_dir_all(folder.join("probes")).expect("a folder can be made");
+    for place in ["", "probes"] {
+        for entry in fs::read_dir(own.join(place))
+            .expect("goldens are committed")
+            .flatten()
+        {
+            if entry.path().is_file() {
+                let to = folder.join(place).join(entry.file_name());
+                fs::copy(entry.path(), to).expect("a golden can be copied");
+            }
+        }
+    }
+    folder
+}
+
+#[test]
+fn committed_goldens_are_in_step_and_a_changed_byte_is_noticed() {
+    pinhole(&["golden", "verify"])
+        .expect_code(0)
+        .expect_out("are in step");
+
+    let folder = copy("golden-changed");
+    verify(&folder).expect_code(0);
+    let film = folder.join("sphere_and_plane.exr");
+    let mut bytes = fs::read(&film).expect("it was copied");
+    *bytes.last_mut().expect("it is not empty") ^= 1;
+    fs::write(&film, bytes).expect("it can be written");
+    verify(&folder)
+        .expect_code(1)
+        .expect_out("sphere_and_plane.exr has changed");
+}
+
+#[test]
+fn a_missing_film_and_a_film_nobody_made_are_noticed() {
+    let folder = copy("golden-strays");
+    fs::remove_file(folder.join("bunny.tol.exr")).expect("it was copied");
+    fs::copy(folder.join("bunny.exr"), folder.join("hare.exr")).expect("it can be copied");
+    let ran = verify(&folder).expect_code(1);
+    ran.expect_out("bunny.tol.exr is missing")
+        .expect_out("hare.exr is not in the manifest");
+}
+
+#[test]
+fn a_scene_renders_to_the_same_bytes_twice_and_passes_against_the_committed() {
+    let (first, second) = (fresh(&trusted(), "render-1"), fresh(&trusted(), "render-2"));
+    for folder in [&first, &second] {
+        pinhole(&[
+            "golden",
+            "render",
+            "slide_example",
+            "--no-mistakes",
+            "--out",
+            plain(folder),
+        ])
+        .expect_code(0);
+        verify(folder).expect_code(0);
+    }
+    for film in ["", ".tol", ".rays", ".rays.tol"] {
+        let name = format!("slide_example{film}.exr");
+        let bytes = |folder: &Path| fs::read(folder.join(&name)).expect("it was rendered");
+        assert!(
+            bytes(&first) == bytes(&second),
+            "{name} differs between two renders"
+        );
+    }
+    // On another machine the bytes may differ from the committed; the rule must hold.
+    for name in ["slide_example.exr", "slide_example.rays.exr"] {
+        let committed = root().join("golden/ray_casting").join(name);
+        let again = first.join(name);
+        pinhole(&["diff", plain(&committed), plain(&again)]).expect_code(0);
+    }
+}
+
+#[test]
+fn a_pixel_centre_on_an_edge_is_refused() {
+    let folder = fresh(&trusted(), "edge");
+    let scene = folder.join("edge.toml");
+    // The edge from (0, −1, −2) to (0, 1, −2) passes through the middle column's centres.
+    let text = r#"
+[camera]
+projection = "perspective"
+eye = [0, 0, 0]
+view = [0, 0, -1]
+up = [0, 1, 0]
+focal_length = 1
+width = 2
+height = 2
+resolution = [5, 5]
+
+[[object]]
+type = "soup"
+obj = "edge.obj"
+"#;
+    let mesh = "v 0 -1 -2\nv 0 1 -2\nv -2 0 -2\nv 2 0 -2\nf 1 2 3\nf 2 1 4\n";
+    fs::write(&scene, text).expect("it can be written");
+    fs::write(folder.join("edge.obj"), mesh).expect("it can be written");
+    let out = folder.join("out");
+    // A good scene beside it is made all the same, and its goldens are whole.
+    let good = root().join("assignments/ray_casting/scenes/slide_example.toml");
+    let line = [
+        "golden",
+        "render",
+        plain(&good),
+        plain(&scene),
+        "--out",
+        plain(&out),
+    ];
+    let ran = pinhole(&line).expect_code(2);
+    verify(&out).expect_code(0).expect_out("4 films");
+    ran.expect_err("edge.toml")
+        .expect_err("pixel (2, ")
+        .expect_err("shift the camera a little");
+}
+
+#[test]
+fn fresh_probes_and_scenes_are_a_whole_set_of_goldens() {
+    let folder = fresh(&trusted(), "fresh");
+    pinhole(&[
+        "golden",
+        "render",
+        "--seed",
+        "7",
+        "--no-mistakes",
+        "--out",
+        plain(&folder),
+    ])
+    .expect_code(0);
+    verify(&folder).expect_code(0);
+    let tasks = TASKS
+        .iter()
+        .flat_map(|task| ["--task", task])
+        .collect::<Vec<_>>();
+    let reference = "assignments/ray_casting/reference";
+    let line = ["check", reference, "--golden", plain(&folder), "--json"];
+    let examination = pinhole(&[&line, tasks.as_slice()].concat())
+        .expect_code(0)
+        .json();
+    assert_eq!(examination["passes"], true);
+    let same = |name: &str| {
+        let bytes =
+            |folder: &Path| fs::read(folder.join("probes").join(name)).expect("it is there");
+        bytes(&folder) == bytes(&root().join("golden/ray_casting"))
+    };
+    assert!(
+        !same("sphere.outside.ask.exr"),
+        "another seed asks the same questions"
+    );
+}
+
+#[test]
+fn goldens_of_other_scenes_need_a_folder_of_their_own() {
+    let folder = fresh(&trusted(), "own-folder");
+    let scene = folder.join("mine.toml");
+    let text = root().join("assignments/ray_casting/scenes/slide_example.toml");
+    fs::copy(text, &scene).expect("it can be copied");
+    pinhole(&["golden", "render", plain(&scene)])
+        .expect_code(2)
+        .expect_err("--out DIR");
+    pinhole(&["golden", "render", "no_such_scene"])
+        .expect_code(2)
+        .expect_err("there is no scene");
+}

@@ -1,0 +1,289 @@
+//! A small class, graded by the real command: the same marks whatever happens meanwhile.
+
+mod fresh;
+mod resume;
+mod withheld;
+
+use std::fs;
+use std::path::PathBuf;
+
+use serde_json::Value;
+
+use pinhole_testing::{Ran, fresh, pinhole, root, submission};
+
+const BROKEN: &str = "fn oops( {";
+
+/// Submissions in a folder outside the checkout: right, wrong twice, not compiling,
+/// panicking, incomplete, and a copy with noise.
+struct Class {
+    folder: PathBuf,
+}
+
+impl Class {
+    fn new(name: &str) -> Class {
+        let folder = fresh(&std::env::temp_dir(), &format!("class-{name}"));
+        let class = Class { folder };
+        let (sphere, plane) = (mistake("sphere_near_root_only", "sphere"), wrong_plane());
+        let noisy = format!("// mine, all mine\n\n{sphere}");
+        let reference = fs::read_to_string(answers().join("triangle.rs")).expect("it is there");
+        let panicking = reference.replacen(
+            "-> Option<Intersection> {",
+            "-> Option<Intersection> { panic!(\"</pre><script>alert(1)</script>\");",
+            1,
+        );
+        assert_ne!(panicking, reference, "the panic went in");
+        class.hand_in("ada", &[]);
+        class.hand_in("bob", &[("sphere.rs", &sphere)]);
+        class.hand_in("copy", &[("sphere.rs", &noisy)]);
+        class.hand_in("dora", &[("plane.rs", &plane)]);
+        class.hand_in("emil", &[("plane.rs", BROKEN)]);
+        class.hand_in("=frida<b>", &[("triangle.rs", &panicking)]);
+        class.hand_in("gus", &[]);
+        fs::remove_file(class.folder.join("class/gus/plane.rs")).expect("it was there");
+        fs::write(class.folder.join("class/notes.txt"), "not a submission").expect("writable");
+        class
+    }
+
+    fn hand_in(&self, name: &str, overlay: &[(&str, &str)]) {
+        let made = submission(&self.folder, "one", overlay);
+        let to = self.folder.join("class").join(name);
+        fs::create_dir_all(self.folder.join("class")).expect("a folder can be made");
+        let _replaced = fs::remove_dir_all(&to);
+        fs::rename(made, to).expect("a folder can be moved");
+    }
+
+    fn path(&self, name: &str) -> String {
+        self.folder.join(name).to_str().expect("plain").to_owned()
+    }
+
+    fn grade(&self, out: &str, more: &[&str]) -> Ran {
+        let (class, out) = (self.path("class"), self.path(out));
+        let fixed = ["grade", &class, "--out", &out, "--no-fresh"];
+        pinhole(&[&fixed[..], more].concat())
+    }
+
+    fn read(&self, path: &str) -> String {
+        let path = self.folder.join(path);
+        fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+    }
+
+    fn result(&self, out: &str, id: &str) -> Value {
+        let text = self.read(&format!("{out}/submissions/{id}/result.json"));
+        serde_json::from_str(&text).expect("a result is JSON")
+    }
+}
+
+impl Drop for Class {
+    fn drop(&mut self) {
+        let _left_for_the_system = fs::remove_dir_all(&self.folder);
+    }
+}
+
+fn answers() -> PathBuf {
+    root().join("assignments/ray_casting/reference/src")
+}
+
+fn mistake(slug: &str, task: &str) -> String {
+    let folder = root().join("assignments/ray_casting/mistakes").join(slug);
+    fs::read_to_string(folder.join(task).with_extension("rs")).expect("the mistake is there")
+}
+
+/// The first mistake in `plane` alone.
+fn wrong_plane() -> String {
+    let folder = root().join("assignments/ray_casting/mistakes");
+    let entries = fs::read_dir(folder).expect("it is there").flatten();
+    let mut slugs: Vec<String> = entries
+        .filter_map(|entry| entry.file_name().into_string().ok())
+        .collect();
+    slugs.sort();
+    let slug = slugs
+        .iter()
+        .find(|slug| slug.starts_with("plane_"))
+        .expect("there are some");
+    mistake(slug, "plane")
+}
+
+/// Lines of `grades.csv` by submission: points and outcome.
+fn marks(csv: &str) -> Vec<(String, String, String)> {
+    let mut reader = csv::Reader::from_reader(csv.as_bytes());
+    let rows = reader.records().map(|row| row.expect("it is CSV"));
+    rows.map(|row| (row[3].to_owned(), row[4].to_owned(), row[6].to_owned()))
+        .collect()
+}
+
+#[test]
+fn a_class_is_graded_alike_at_any_number_of_jobs_and_everything_in_it_is_told() {
+    let class = Class::new("jobs");
+    let roster = "id,name,section\nada,Ada Lovelace,A\nbob,Bob,B\nzoe,\"Zoe, =1+1\",B\n";
+    fs::write(class.folder.join("roster.csv"), roster).expect("writable");
+    let roster = class.path("roster.csv");
+    let formats = ["gradescope", "junit", "prairielearn", "csv"];
+    let formats: Vec<&str> = formats.iter().flat_map(|name| ["--format", name]).collect();
+    let options = [
+        &["--roster", &roster, "--json", "--jobs", "1"][..],
+        &formats,
+    ]
+    .concat();
+    let told = class.grade("one", &options).expect_code(0).json();
+    class
+        .grade("two", &["--roster", &roster, "--jobs", "2"])
+        .expect_code(0);
+    let csv = class.read("one/grades.csv");
+    assert_eq!(csv, class.read("two/grades.csv"));
+
+    let marks = marks(&csv);
+    let of = |name: &str| marks.iter().find(|(who, ..)| who == name).expect("a line");
+    assert_eq!(of("ada").1, "100");
+    assert_eq!(of("bob").1, of("copy").1);
+    assert_eq!(of("emil").2, "does not compile");
+    assert_eq!(of("'=frida<b>").2, "panicked");
+    assert_eq!(of("gus").2, "missing file");
+    assert!(
+        of("gus").1.parse::<u32>().is_ok_and(|points| points > 50),
+        "{csv}"
+    );
+
+    assert_eq!(told["roster"]["missing"][0]["id"], "zoe");
+    assert_eq!(told["roster"]["unknown"].as_array().map(Vec::len), Some(5));
+    assert_eq!(told["ignored"][0], "notes.txt");
+    let same = told["alike"].as_array().expect("a list");
+    let copied = same
+        .iter()
+        .find(|same| same["task"] == "sphere" && same["to"] == "each other");
+    assert_eq!(
+        copied.expect("copies are seen")["who"],
+        serde_json::json!(["bob", "copy"])
+    );
+    assert!(
+        told["mistakes"][0]["who"]
+            .as_array()
+            .is_some_and(|who| who.len() == 2),
+        "{told:#}"
+    );
+
+    let page = class.read("one/class.html");
+    assert!(page.contains("frida&lt;b&gt;") && !page.contains("frida<b>"));
+    let frida = told["points"]
+        .as_object()
+        .expect("by id")
+        .keys()
+        .find(|id| id.contains("frida"));
+    let frida = frida.expect("she is there").clone();
+    let report = class.read(&format!("one/submissions/{frida}/report.html"));
+    assert!(report.contains("alert(1)") && !report.contains("<script>alert"));
+
+    for id in ["ada", "emil", "gus", &frida] {
+        every_format_is_valid(&class, id);
+    }
+}
+
+/// Each file against its schema, or read by a parser of others.
+#[track_caller]
+fn every_format_is_valid(class: &Class, id: &str) {
+    let schemas = root().join("tools/schema");
+    let documents = [
+        ("result.json", "result.schema.json"),
+        ("gradescope.json", "gradescope.schema.json"),
+        ("prairielearn.json", "prairielearn.schema.json"),
+    ];
+    let result = class.result("one", id);
+    for (file, schema) in documents {
+        let schema = fs::read_to_string(schemas.join(schema)).expect("the schema is there");
+        let schema: Value = serde_json::from_str(&schema).expect("it is JSON");
+        let document = class.read(&format!("one/submissions/{id}/{file}"));
+        let document: Value = serde_json::from_str(&document).expect("it is JSON");
+        let validator = jsonschema::validator_for(&schema).expect("it is a schema");
+        let errors: Vec<String> = validator
+            .iter_errors(&document)
+            .map(|error| error.to_string())
+            .collect();
+        assert!(errors.is_empty(), "{id}/{file}: {errors:?}");
+        if file == "gradescope.json" {
+            let tests = document["tests"].as_array().expect("tests");
+            let sum: u64 = tests.iter().filter_map(|test| test["score"].as_u64()).sum();
+            assert_eq!(
+                Some(sum),
+                result["points"].as_u64(),
+                "the tests' scores add up"
+            );
+        }
+    }
+    let xml = class.read(&format!("one/submissions/{id}/junit.xml"));
+    let suites = junit_parser::from_reader(xml.as_bytes()).expect("it is JUnit's XML");
+    let cases: usize = suites.suites.iter().map(|suite| suite.cases.len()).sum();
+    assert_eq!(cases as u64, suites.tests, "{id}");
+}
+
+#[test]
+fn an_archive_without_answers_misses_them_and_one_that_makes_no_sense_is_refused() {
+    let class = Class::new("archives");
+    let folder = class.folder.join("archives");
+    fs::create_dir_all(folder.join("empty")).expect("a folder can be made");
+    let archive = fs::File::create(folder.join("without.zip")).expect("writable");
+    let mut archive = zip::ZipWriter::new(archive);
+    let options = zip::write::SimpleFileOptions::default();
+    archive.start_file("notes.txt", options).expect("writable");
+    archive.finish().expect("writable");
+    fs::write(folder.join("broken.zip"), "PK no archive").expect("writable");
+    let (folder, out) = (class.path("archives"), class.path("out"));
+    pinhole(&["grade", &folder, "--out", &out, "--no-fresh"]).expect_code(0);
+    for (id, outcome) in [
+        ("without", "missing file"),
+        ("broken", "refused file"),
+        ("empty", "missing file"),
+    ] {
+        let result = class.result("out", id);
+        assert_eq!(
+            (&result["outcome"], &result["points"]),
+            (&outcome.into(), &0.into()),
+            "{id}"
+        );
+    }
+}
+
+#[test]
+fn an_endless_answer_is_asked_again_alone_and_costs_its_own_points_only() {
+    let class = Class::new("endless");
+    let entry = class.path("class/endless");
+    let reference = fs::read_to_string(answers().join("plane.rs")).expect("it is there");
+    let endless = reference.replacen(
+        "-> Option<Intersection> {",
+        "-> Option<Intersection> { while std::hint::black_box(true) {}",
+        1,
+    );
+    class.hand_in("endless", &[("plane.rs", &endless)]);
+    let out = class.path("out");
+    let more = ["--no-fresh", "--timeout", "1"];
+    pinhole(&[&["grade", &entry, "--out", &out][..], &more].concat()).expect_code(0);
+    let result = class.result("out", "endless");
+    assert_eq!(result["outcome"], "timed out");
+    assert_eq!(result["timings"]["second_runs"], 1);
+    for task in result["tasks"].as_array().expect("tasks") {
+        let lost = task["points"] != task["possible"];
+        assert_eq!(lost, task["name"] == "plane", "{task:#}");
+    }
+}
+
+#[test]
+fn nobody_is_graded_without_walls_unless_the_instructor_says_so() {
+    let class = Class::new("trusted");
+    let (entry, out) = (class.path("class/ada"), class.path("out"));
+    let fixed = ["grade", &entry, "--out", &out, "--no-fresh"];
+    pinhole(&[&fixed[..], &["--trust"]].concat()).expect_code(0);
+    let result = class.result("out", "ada");
+    assert_eq!(result["provenance"]["sandbox"], "none");
+    assert!(
+        class
+            .read("out/submissions/ada/report.html")
+            .contains("none")
+    );
+    // That mark does not pass for one made behind walls.
+    let again = pinhole(&[&fixed[..], &["--json"]].concat())
+        .expect_code(0)
+        .json();
+    assert_eq!(again["graded_now"], 1);
+    assert_eq!(
+        class.result("out", "ada")["provenance"]["sandbox"],
+        "bubblewrap"
+    );
+}

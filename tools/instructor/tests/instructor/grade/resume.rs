@@ -1,0 +1,207 @@
+//! Nothing is lost: graders are killed, locked out, stopped by faults and run in parts.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use serde_json::Value;
+
+use super::{BROKEN, Class, answers, wrong_plane};
+use pinhole_testing::{pinhole, root};
+
+#[test]
+fn killed_grader_resumes_without_losing_a_grade() {
+    let class = Class::new("killed");
+    let undisturbed = class.grade("whole", &[]).expect_code(0);
+    drop(undisturbed);
+    let (folder, out) = (class.path("class"), class.path("killed"));
+    let mut graded = 0;
+    for least in [1, 3] {
+        let mut grader = Command::new(env!("CARGO_BIN_EXE_pinhole-instructor"))
+            .current_dir(root())
+            .args(["grade", &folder, "--out", &out, "--no-fresh", "--jobs", "1"])
+            .stderr(Stdio::null())
+            .stdout(Stdio::null())
+            .spawn()
+            .expect("pinhole starts");
+        let end = Instant::now() + Duration::from_secs(120);
+        while finished(Path::new(&out)).len() < least && Instant::now() < end {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        grader.kill().expect("it can be killed");
+        grader.wait().expect("it is gone");
+        let now = finished(Path::new(&out)).len();
+        assert!(now >= graded.max(least) && now < 7, "{now} were graded");
+        graded = now;
+    }
+    let before = finished(Path::new(&out));
+    let told = class.grade("killed", &["--json"]).expect_code(0).json();
+    assert_eq!(told["graded_now"], 7 - graded);
+    assert_eq!(
+        class.read("killed/grades.csv"),
+        class.read("whole/grades.csv")
+    );
+    for (path, modified) in before {
+        let now = path
+            .metadata()
+            .and_then(|metadata| metadata.modified())
+            .expect("it is there");
+        assert_eq!(now, modified, "{} was not touched", path.display());
+    }
+}
+
+/// Results and when they were written.
+fn finished(out: &Path) -> Vec<(PathBuf, std::time::SystemTime)> {
+    let entries = fs::read_dir(out.join("submissions"))
+        .into_iter()
+        .flatten()
+        .flatten();
+    let results = entries.map(|entry| entry.path().join("result.json"));
+    results
+        .filter_map(|path| {
+            let modified = path
+                .metadata()
+                .and_then(|metadata| metadata.modified())
+                .ok()?;
+            Some((path, modified))
+        })
+        .collect()
+}
+
+#[test]
+fn only_what_changed_is_graded_again_and_drops_are_listed_first() {
+    let class = Class::new("changed");
+    class.grade("out", &[]).expect_code(0);
+    class.hand_in("emil", &[]);
+    class.hand_in("ada", &[("plane.rs", BROKEN)]);
+    let told = class.grade("out", &["--json"]).expect_code(0).json();
+    assert_eq!(told["graded_now"], 2);
+    let changes = told["changes"].as_array().expect("a list");
+    assert_eq!(
+        (&changes[0]["id"], &changes[1]["id"]),
+        (&"ada".into(), &"emil".into())
+    );
+    let again = class
+        .grade("out", &["--json", "--regrade"])
+        .expect_code(0)
+        .json();
+    assert_eq!(
+        (&again["graded_now"], &again["changes"]),
+        (&7.into(), &serde_json::json!([]))
+    );
+}
+
+#[test]
+fn shards_merge_to_the_grades_of_one_run() {
+    let class = Class::new("shards");
+    class.grade("whole", &[]).expect_code(0);
+    for shard in ["1/2", "2/2"] {
+        class
+            .grade(&shard.replace('/', "-"), &["--shard", shard])
+            .expect_code(0);
+    }
+    let (one, two, merged) = (class.path("1-2"), class.path("2-2"), class.path("merged"));
+    pinhole(&["merge", &one, "--out", &merged])
+        .expect_code(3)
+        .expect_out("not graded");
+    pinhole(&["merge", &two, &one, "--out", &merged]).expect_code(0);
+    assert_eq!(
+        class.read("merged/grades.csv"),
+        class.read("whole/grades.csv")
+    );
+    assert!(
+        class
+            .folder
+            .join("merged/submissions/ada/report.html")
+            .is_file()
+    );
+}
+
+#[test]
+fn a_merge_takes_no_older_mark_for_answers_that_a_stopped_part_did_not_come_to() {
+    let class = Class::new("stopped");
+    class.grade("out", &[]).expect_code(0);
+    let reference = fs::read_to_string(answers().join("plane.rs")).expect("it is there");
+    let endless = "-> Option<Intersection> { while std::hint::black_box(true) {}";
+    let endless = reference.replacen("-> Option<Intersection> {", endless, 1);
+    class.hand_in("ada", &[("plane.rs", &endless)]);
+    class.hand_in("dora", &[]);
+    let (folder, out) = (class.path("class"), class.path("out"));
+    let mut grader = Command::new(env!("CARGO_BIN_EXE_pinhole-instructor"))
+        .current_dir(root())
+        .args(["grade", &folder, "--out", &out, "--no-fresh", "--jobs", "1"])
+        .stderr(Stdio::null())
+        .stdout(Stdio::null())
+        .spawn()
+        .expect("pinhole starts");
+    let to_do = class.folder.join("out/unfinished.json");
+    let end = Instant::now() + Duration::from_secs(120);
+    while !to_do.is_file() && Instant::now() < end {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    grader.kill().expect("it can be killed");
+    grader.wait().expect("it is gone");
+
+    let merged = class.path("merged");
+    let told = pinhole(&["merge", &out, "--out", &merged, "--json"]).expect_code(3);
+    let told = told.json();
+    assert_eq!(told["points"]["dora"], Value::Null, "of other answers");
+    assert_eq!(told["points"]["gus"], class.result("out", "gus")["points"]);
+    assert!(
+        told["not_graded"].to_string().contains("was stopped"),
+        "{told}"
+    );
+
+    class.grade("out", &[]).expect_code(0);
+    assert!(!to_do.exists(), "nothing is left to do");
+    let told = pinhole(&["merge", &out, "--out", &merged, "--json"]).expect_code(0);
+    assert_eq!(told.json()["points"]["dora"], 100);
+}
+
+#[test]
+fn two_graders_do_not_write_into_one_folder() {
+    let class = Class::new("locked");
+    fs::create_dir_all(class.folder.join("out")).expect("a folder can be made");
+    let lock = fs::File::create(class.folder.join("out/.lock")).expect("writable");
+    lock.lock().expect("nobody else has it");
+    class
+        .grade("out", &[])
+        .expect_code(2)
+        .expect_err("somebody else is grading");
+    drop(lock);
+    class.grade("out", &[]).expect_code(0);
+}
+
+#[test]
+fn a_fault_of_the_graders_is_no_zero_and_spares_the_finished_grade() {
+    let class = Class::new("fault");
+    // The first run may build this program anew, and then the second is another's.
+    for _ in 0..2 {
+        class.grade("out", &[]).expect_code(0);
+    }
+    let before = class.read("out/submissions/ada/result.json");
+    let marks = class.read("out/grades.csv");
+    // Nobody can write a report where a folder lies.
+    let report = class.folder.join("out/submissions/ada/report.html");
+    fs::remove_file(&report).expect("it was there");
+    fs::create_dir(&report).expect("a folder can be made");
+    let told = class
+        .grade("out", &["--regrade", "--json"])
+        .expect_code(3)
+        .json();
+    assert_eq!(told["faults"][0][0], "ada");
+    assert_eq!(told["points"]["ada"], 100, "the old mark stands");
+    assert_eq!(class.read("out/submissions/ada/result.json"), before);
+    assert_eq!(class.read("out/grades.csv"), marks);
+
+    // Of other answers the old mark says nothing.
+    class.hand_in("ada", &[("plane.rs", &wrong_plane())]);
+    let told = class.grade("out", &["--json"]).expect_code(3).json();
+    assert_eq!(told["not_graded"][0][0], "ada");
+    assert_eq!(told["points"]["ada"], Value::Null);
+    let (out, merged) = (class.path("out"), class.path("merged"));
+    pinhole(&["merge", &out, "--out", &merged])
+        .expect_code(3)
+        .expect_out("not graded: ada: cannot write");
+}

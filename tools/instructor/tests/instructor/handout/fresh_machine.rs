@@ -1,0 +1,130 @@
+//! A student's repository on a machine that has Rust alone.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use super::{handed_out, plain};
+use pinhole_testing::{Ran, TASKS, root};
+
+/// Runs a command line in a student's repository, on a machine that has Rust, a linker and
+/// cargo's cache of the registry, and neither a network nor this checkout.
+fn on_a_fresh_machine(repository: &Path, command_line: &str) -> Ran {
+    let home = std::env::var("HOME").expect("there is a home");
+    let folder = |variable: &str, default: &str| {
+        let default = format!("{home}/{default}");
+        std::env::var(variable).unwrap_or(default)
+    };
+    let registry = format!("{}/registry", folder("CARGO_HOME", ".cargo"));
+    let asked = Command::new("rustc").args(["--print", "sysroot"]).output();
+    let asked = asked.expect("rustc starts").stdout;
+    let sysroot = String::from_utf8(asked).expect("a plain path");
+    let sysroot = sysroot.trim();
+    let place = "/home/student/pinhole";
+    let cache = repository.with_file_name("cargo-home");
+    fs::create_dir_all(&cache).expect("it can be made");
+    let mut walled = Command::new("bwrap");
+    walled.args(["--unshare-all", "--die-with-parent", "--clearenv"]);
+    walled.args("--ro-bind /usr /usr --symlink usr/lib /lib --symlink usr/lib64 /lib64".split(' '));
+    walled.args("--symlink usr/bin /bin --proc /proc --dev /dev --tmpfs /tmp".split(' '));
+    walled.args("--ro-bind-try /etc/alternatives /etc/alternatives".split(' '));
+    walled.args(["--ro-bind", sysroot, sysroot]);
+    walled.args([
+        "--bind",
+        plain(&cache),
+        "/cargo",
+        "--ro-bind",
+        &registry,
+        "/cargo/registry",
+    ]);
+    walled.args(["--bind", plain(repository), place, "--chdir", place]);
+    walled.args("--setenv HOME /home/student --setenv CARGO_HOME /cargo".split(' '));
+    walled.args([
+        "--setenv",
+        "CARGO_NET_OFFLINE",
+        "true",
+        "--setenv",
+        "CI",
+        "true",
+    ]);
+    walled.args(["--setenv", "PATH", &format!("{sysroot}/bin:/usr/bin")]);
+    walled.args(["--", "sh", "-c", command_line]);
+    pinhole_testing::ran(walled.output().expect("bubblewrap is installed"))
+}
+
+/// The commands that the README tells students to run.
+fn commands(readme: &str) -> Vec<String> {
+    let mut commands = Vec::new();
+    for block in readme.split("```sh\n").skip(1) {
+        let block = block.split("```").next().unwrap_or_default();
+        let lines = block
+            .lines()
+            .map(|line| line.split('#').next().unwrap_or_default());
+        commands.extend(lines.map(|line| line.trim().to_owned()));
+    }
+    commands.retain(|command| !command.is_empty());
+    commands
+}
+
+#[test]
+fn a_machine_with_rust_alone_runs_every_command_red_until_filled_and_green_when_filled() {
+    let out = handed_out("handout-fresh");
+    let run = |command: &str| on_a_fresh_machine(&out, command);
+    run("cargo run --release --locked -- check")
+        .expect_code(1)
+        .expect_out("unanswered");
+    let red = run("cargo test --locked").expect_code(101);
+    red.expect_out("is unanswered").expect_out("0 passed");
+
+    // What students do not have is said, not stumbled over.
+    for command in [
+        "golden render bunny",
+        "golden mistakes",
+        "golden setup",
+        "handout --check",
+    ] {
+        run(&format!("cargo run --release -- {command}"))
+            .expect_code(2)
+            .expect_err("this is a student's repository");
+    }
+    let course = "assignments/ray_casting";
+    let stub = out.join(course).join("stubs/src/sphere.rs");
+    let text = fs::read_to_string(&stub).expect("it came along");
+    fs::write(&stub, text.replace("todo!", "panic!")).expect("it can be written");
+    run("cargo run --release -- check --task sphere")
+        .expect_code(2)
+        .expect_err("stubs/src/sphere.rs is not as it was handed out");
+    fs::write(&stub, text).expect("it can be written");
+
+    // An answer that does not compile stops neither the command nor the other answers.
+    let answers = out.join(course).join("handout/src");
+    let reference = root().join(course).join("reference/src");
+    for task in TASKS {
+        let name = format!("{task}.rs");
+        fs::copy(reference.join(&name), answers.join(&name)).expect("it can be copied");
+    }
+    let sphere = fs::read_to_string(answers.join("sphere.rs")).expect("it was copied");
+    fs::write(answers.join("sphere.rs"), "fn fails(").expect("it can be written");
+    run("cargo run --release -- check")
+        .expect_code(1)
+        .expect_out("does not compile")
+        .expect_out("✓ plane");
+    fs::write(answers.join("sphere.rs"), sphere).expect("it can be written");
+
+    run("cargo test --locked").expect_code(0);
+    let readme = fs::read_to_string(out.join("README.md")).expect("it came along");
+    let commands = commands(&readme);
+    assert!(commands.len() >= 6, "{commands:?}");
+    // `film.exr` is whatever program's: here, our own.
+    run("cargo run --release -- render bunny && cp render/film.exr film.exr").expect_code(0);
+    for command in commands
+        .iter()
+        .filter(|command| !command.contains("--watch"))
+    {
+        run(command).expect_code(0);
+    }
+    run("cargo run --release -- golden verify").expect_code(0);
+    run("cd assignments/ray_casting/handout && cargo run --release -- check")
+        .expect_code(0)
+        .expect_out("100 / 100");
+}

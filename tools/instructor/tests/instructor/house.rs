@@ -1,0 +1,108 @@
+//! The house rules that a compiler does not know.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use pinhole_testing::{TASKS, fresh, pinhole, root, trusted};
+
+#[test]
+fn the_handout_is_in_step_with_the_reference_and_holds_no_answer() {
+    pinhole(&["handout", "--check"]).expect_code(0);
+    let course = root().join("assignments/ray_casting");
+    for task in TASKS {
+        let read = |package: &str| {
+            let path = course.join(package).join("src").join(format!("{task}.rs"));
+            fs::read_to_string(path).expect("both packages have every answer")
+        };
+        let (reference, handout) = (read("reference"), read("handout"));
+        let answer = reference
+            .split("// ANCHOR: answer")
+            .nth(1)
+            .expect("it has an answer");
+        let answer = answer
+            .split("// ANCHOR_END: answer")
+            .next()
+            .expect("the answer ends");
+        for line in answer.lines().map(str::trim).filter(|line| line.len() > 20) {
+            assert!(
+                !handout.contains(line),
+                "{task}: the handout holds {line:?}"
+            );
+        }
+        assert!(handout.contains(&format!("todo!(\"{task}\")")), "{task}");
+    }
+}
+
+#[test]
+fn every_task_and_scene_has_a_snapshot_test() {
+    let course = root().join("assignments/ray_casting");
+    let tests = fs::read_to_string(course.join("tests/golden_films.rs")).expect("it is there");
+    let text = fs::read_to_string(course.join("assignment.toml")).expect("it is there");
+    let table: toml::Table = text.parse().expect("it is TOML");
+    for (kind, assertion) in [("task", "assert_task"), ("scene", "assert_scene")] {
+        for entry in table[kind].as_array().expect("a list") {
+            let name = entry["name"].as_str().expect("a name");
+            assert!(
+                tests.contains(&format!("{assertion}(\"{name}\")")),
+                "{kind} {name}"
+            );
+        }
+    }
+}
+
+/// Runs the handout's snapshot tests, built already, in a copy of their folder.
+fn handout_tests(settings: &[(&str, &str)], workspace: &Path) -> (bool, String) {
+    let cargo = std::env::var("CARGO").unwrap_or("cargo".into());
+    let mut command = Command::new(cargo);
+    command
+        .current_dir(root())
+        .args(["test", "--release", "-p", "ray-casting-handout"]);
+    command.args(["--test", "golden_films", "--", "sphere_agrees_with_mitsuba"]);
+    command.env("INSTA_WORKSPACE_ROOT", workspace);
+    command.env_remove("INSTA_UPDATE");
+    command.envs(settings.iter().copied());
+    let output = command.output().expect("cargo runs");
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    (
+        output.status.success(),
+        said + &String::from_utf8_lossy(&output.stderr),
+    )
+}
+
+#[test]
+fn no_setting_of_insta_turns_a_wrong_film_green_or_touches_a_golden() {
+    let workspace = fresh(&trusted(), "insta");
+    let snapshots = "assignments/ray_casting/tests/snapshots";
+    let copy = workspace.join(snapshots);
+    // insta names the folder by way of the package, which must exist as well.
+    fs::create_dir_all(workspace.join("assignments/ray_casting/handout")).expect("it can be made");
+    fs::create_dir_all(&copy).expect("it can be made");
+    for entry in fs::read_dir(root().join(snapshots))
+        .expect("they are committed")
+        .flatten()
+    {
+        fs::copy(entry.path(), copy.join(entry.file_name())).expect("it can be copied");
+    }
+    let perfect = fs::read_to_string(copy.join("sphere.snap")).expect("it was copied");
+
+    let (green, said) = handout_tests(&[], &workspace);
+    assert!(
+        !green && said.contains("+is unanswered"),
+        "no readable diff in:\n{said}"
+    );
+    for setting in [
+        ("INSTA_UPDATE", "always"),
+        ("INSTA_FORCE_PASS", "1"),
+        ("INSTA_UPDATE", "no"),
+    ] {
+        let (green, said) = handout_tests(&[setting], &workspace);
+        assert!(
+            !green && said.contains("is unanswered"),
+            "{setting:?} turned it green:\n{said}"
+        );
+    }
+    let accepted = fs::read_to_string(copy.join("sphere.snap")).expect("it is still there");
+    assert!(accepted != perfect, "INSTA_UPDATE=always was not in force");
+    pinhole(&["golden", "verify"]).expect_code(0);
+}

@@ -1,0 +1,9 @@
+//! The real program on the real course: real Mitsuba, oiiotool, compiler, sandbox.
+
+mod diagnosis;
+mod golden;
+mod grade;
+mod handout;
+mod house;
+mod submissions;
+mod validate;

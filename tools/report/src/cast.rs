@@ -1,0 +1,126 @@
+//! A film that was cast: written with its pictures, and what there is to say of it.
+
+use std::fs;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use pinhole::report::number;
+use pinhole::{Film, false_colour};
+use pinhole_course::describe::printable;
+use pinhole_course::error::{Error, Result};
+use serde_json::{Value, json};
+
+use crate::pictures;
+use crate::program::Status;
+
+/// What was cast, by whom.
+pub struct Cast {
+    /// The scene, as the user named it.
+    pub scene: String,
+    /// What was cast.
+    pub film: Film,
+    /// Who cast it: a submission's folder, or how the study did.
+    pub by: String,
+    /// How long that took.
+    pub seconds: f64,
+    /// Why the film is not complete.
+    pub problem: Option<String>,
+    /// What a student's code printed.
+    pub printed: String,
+    /// What exact casting took.
+    pub exact: Option<Value>,
+    /// What planned casting took, and the plan.
+    pub planned: Option<Value>,
+}
+
+impl Cast {
+    fn is_by_submission(&self) -> bool {
+        self.exact.is_none() && self.planned.is_none()
+    }
+
+    /// Writes film.exr and its pictures into `out`, and prints what there is to say.
+    /// Depths are in scene units, `depth_per_t` of them for each t; the picture of depths
+    /// spans those of `golden`, if there is one.
+    pub fn deliver(
+        &self,
+        out: &Path,
+        golden: Option<PathBuf>,
+        depth_per_t: f64,
+        json: bool,
+    ) -> Result<Status> {
+        let path = out.join("film.exr");
+        fs::create_dir_all(out).map_err(|error| {
+            let problem = format!("cannot write to {}: {error}", out.display());
+            Error::input(problem, "name a folder you may write to with --out")
+        })?;
+        self.film.write(&path)?;
+        let range = match &golden {
+            Some(golden) => false_colour::depth_range(&Film::read(golden)?, depth_per_t),
+            None => false_colour::depth_range(&self.film, depth_per_t),
+        };
+        let mut written = vec![path.display().to_string()];
+        let pictures = pictures::write(out, "", &self.film, depth_per_t, range.clone())?;
+        written.extend(pictures);
+        self.show(&range, &written, json);
+        Ok(match self.problem {
+            None => Status::Well,
+            Some(_) => Status::JudgedWrong,
+        })
+    }
+
+    fn show(&self, range: &Range<f64>, written: &[String], json: bool) {
+        let resolution = self.film.resolution();
+        let hits = self
+            .film
+            .channel("id")
+            .unwrap_or_default()
+            .iter()
+            .filter(|id| **id >= 0.0)
+            .count();
+        if json {
+            anstream::println!(
+                "{:#}",
+                json!({
+                    "scene": self.scene,
+                    "submission": self.is_by_submission().then_some(&self.by),
+                    "exact": self.exact,
+                    "planned": self.planned,
+                    "resolution": [resolution.n_x, resolution.n_y],
+                    "hits": hits,
+                    "depth_range": [range.start, range.end],
+                    "seconds": self.seconds,
+                    "files": written,
+                    "problem": self.problem,
+                })
+            );
+        } else {
+            anstream::println!(
+                "{resolution} pixels in {:.2} s, {hits} of them hit something, by {}",
+                self.seconds,
+                printable(&self.by)
+            );
+            if hits == 0 && self.problem.is_none() {
+                anstream::println!(
+                    "every ray missed; see one of them: cargo run --release -- explain {} {} {}",
+                    self.scene,
+                    resolution.n_x / 2,
+                    resolution.n_y / 2
+                );
+            }
+            let (near, far) = (number(range.start, 4), number(range.end, 4));
+            anstream::println!("depth.png spans {near} (bright) to {far} (dark) scene units");
+            for file in written {
+                anstream::println!("wrote {file}");
+            }
+            if !self.printed.is_empty() {
+                anstream::eprintln!("your code printed:");
+                for line in self.printed.lines() {
+                    anstream::eprintln!("  {}", printable(line));
+                }
+            }
+            if let Some(problem) = &self.problem {
+                anstream::println!("the film is not complete: {problem}");
+            }
+        }
+    }
+}

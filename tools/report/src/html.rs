@@ -1,0 +1,228 @@
+//! The report: one HTML file that opens from disk and asks nobody for anything.
+//!
+//! Reading order: [`task`] and [`scene`] for what stands on the page; [`cause`] for
+//! why a pixel is wrong; [`belief`] for diagnoses; [`pixels`], [`window`], [`rays`] for
+//! how films travel; [`page`] for how it becomes HTML; then `templates`, and `viewer.js` there.
+
+mod belief;
+mod cause;
+mod page;
+mod picture;
+mod pixels;
+mod rays;
+mod scene;
+mod task;
+#[cfg(test)]
+mod testing;
+#[cfg(test)]
+mod tests;
+mod window;
+
+use std::path::Path;
+
+use pinhole::{Film, Scene};
+use rayon::prelude::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use serde::Serialize;
+
+use crate::terminal;
+pub use belief::Beliefs;
+use belief::Told;
+pub use page::{PAGE_CSS, policy};
+use pinhole_course::describe::printable;
+use pinhole_course::error::{Error, Result};
+use pinhole_course::examination::{Examination, Outcome, SceneResult};
+use pinhole_course::shell::{PINHOLE, in_shell};
+pub use rays::RayGrid;
+pub use scene::{Evidence, SceneSection};
+use task::TaskSection;
+
+/// Lines of a student's own output that are kept.
+const MOST_PRINTED_LINES: usize = 200;
+
+/// What stands on the page.
+#[derive(Debug, Serialize)]
+pub struct Report {
+    /// What was judged: the assignment's title, or the film's name.
+    pub title: String,
+    /// Whose it is, word by word: what it is, and its path.
+    pub of: Vec<(&'static str, String)>,
+    pub passes: bool,
+    /// The whole verdict in a sentence.
+    pub said: String,
+    /// Points earned and possible, if there are any.
+    pub points: Option<(u32, u32)>,
+    pub tasks: Vec<TaskSection>,
+    pub scenes: Vec<SceneSection>,
+    /// What the student's code printed.
+    pub printed: Vec<String>,
+    pub more_printed: usize,
+    /// What does it all again.
+    pub command: String,
+    /// Where the book lies on the machine that will show this, as an address.
+    pub book: Option<String>,
+}
+
+/// Commands that repeat an examination.
+#[derive(Clone, Debug)]
+pub struct Again {
+    /// As it was asked for.
+    pub whole: String,
+    /// Before a task or a scene of its own is named.
+    pub part: String,
+}
+
+impl Report {
+    /// The report of an examination by the golden films in a folder, which `again`
+    /// repeats.
+    ///
+    /// # Errors
+    /// If a scene file cannot be read any more.
+    pub fn of_examination(
+        examination: &Examination,
+        goldens: &Path,
+        again: &Again,
+    ) -> Result<Report> {
+        let tasks = examination.tasks.iter().enumerate();
+        let told: Vec<Told> = tasks
+            .clone()
+            .flat_map(|(k, task)| Told::by_task(k, &task.name, &task.diagnosis))
+            .collect();
+        let failing = examination
+            .scenes
+            .iter()
+            .filter(|scene| !scene.outcome.passes());
+        let share = window::share(failing.map(|scene| scene.golden.film().resolution().pixels()));
+        let scenes = examination.scenes.par_iter().enumerate().map(|(k, scene)| {
+            let evidence = Shown {
+                scene,
+                submission: &examination.submission,
+                goldens,
+                again,
+                told: &told,
+            };
+            evidence.section(k, share)
+        });
+        let lines: Vec<String> = examination.printed.lines().map(printable).collect();
+        Ok(Report {
+            title: examination.title.clone(),
+            of: vec![("submission", printable(&examination.submission))],
+            passes: examination.passes(),
+            said: [Some(summary(examination)), examination.withheld_in_words()]
+                .into_iter()
+                .flatten()
+                .collect::<Vec<_>>()
+                .join(" "),
+            points: Some(examination.points()),
+            tasks: tasks
+                .map(|(k, task)| TaskSection::of(k, task, &again.part))
+                .collect(),
+            scenes: scenes.collect::<Result<_>>()?,
+            more_printed: lines.len().saturating_sub(MOST_PRINTED_LINES),
+            printed: lines.into_iter().take(MOST_PRINTED_LINES).collect(),
+            command: again.whole.clone(),
+            book: None,
+        })
+    }
+
+    /// The report of one film; `golden` and `film` are where they lie.
+    pub fn of_film(evidence: Evidence, golden: &str, film: &str) -> Report {
+        let share = window::share([evidence.golden.film().resolution().pixels()]);
+        let section = SceneSection::of(0, evidence, share);
+        Report {
+            title: section.name.clone(),
+            of: vec![("film", printable(film)), ("golden", printable(golden))],
+            passes: section.passes,
+            said: match section.passes {
+                true => "The film agrees with its golden at every pixel.".into(),
+                false => "The film is not as its golden.".into(),
+            },
+            points: None,
+            tasks: Vec::new(),
+            printed: Vec::new(),
+            more_printed: 0,
+            command: section.command.clone(),
+            book: None,
+            scenes: vec![section],
+        }
+    }
+
+    /// Writes the page; folders are made.
+    pub fn write(&self, path: &Path) -> Result<()> {
+        page::write(path, &self.html()).map_err(|error| {
+            Error::input(
+                format!("cannot write the report {}: {error}", path.display()),
+                "name a file you may write with --report, or pass --no-report",
+            )
+        })
+    }
+}
+
+fn summary(examination: &Examination) -> String {
+    if examination.passes() {
+        return "Everything that was asked passes.".into();
+    }
+    let passing = |what: &str, all: Vec<bool>| {
+        let good = all.iter().filter(|passes| **passes).count();
+        (!all.is_empty()).then(|| format!("{good} of {} {what}", all.len()))
+    };
+    let tasks = examination.tasks.iter().map(|task| task.points());
+    let tasks = tasks.map(|(earned, possible)| earned == possible).collect();
+    let scenes = examination
+        .scenes
+        .iter()
+        .map(|scene| scene.outcome.passes());
+    let parts = [passing("tasks", tasks), passing("scenes", scenes.collect())];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    format!("{} pass.", parts.join(" and "))
+}
+
+/// A scene's result, and what the page says beside it.
+struct Shown<'a> {
+    scene: &'a SceneResult,
+    submission: &'a str,
+    goldens: &'a Path,
+    again: &'a Again,
+    told: &'a [Told],
+}
+
+impl Shown<'_> {
+    fn section(&self, k: usize, share: f64) -> Result<SceneSection> {
+        let result = self.scene;
+        let passes = result.outcome.passes();
+        let scene = match passes {
+            true => None,
+            false => Some(Scene::read(&result.file)?),
+        };
+        let rays = match passes || result.film.is_none() {
+            true => None,
+            false => rays_beside(&self.goldens.join(&result.name)),
+        };
+        let evidence = Evidence {
+            name: result.name.clone(),
+            passes,
+            said: terminal::scene_in_words(result),
+            attempted: !matches!(result.outcome, Outcome::Unanswered | Outcome::BlockedBy(_)),
+            points: Some((if passes { result.worth } else { 0 }, result.worth)),
+            verdict: match &result.outcome {
+                Outcome::Judged(verdict) => Some(verdict),
+                _ => None,
+            },
+            golden: &result.golden,
+            film: result.film.as_ref(),
+            scene: scene.as_ref(),
+            rays,
+            beliefs: Beliefs::of(&result.diagnosis, self.told),
+            command: format!("{} --scene {}", self.again.part, in_shell(&result.name)),
+            explain: Some([
+                format!("{PINHOLE} explain {}", in_shell(&result.argument)),
+                format!(" --submission {}", in_shell(self.submission)),
+            ]),
+        };
+        Ok(SceneSection::of(k, evidence, share))
+    }
+}
+
+/// The rays of a golden's pixels, if their film lies beside it as `NAME.rays.exr`.
+pub fn rays_beside(golden: &Path) -> Option<RayGrid> {
+    RayGrid::of(&Film::read(&golden.with_extension("rays.exr")).ok()?)
+}

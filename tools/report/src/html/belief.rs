@@ -1,0 +1,137 @@
+//! A diagnosis in the words a student reads, and where the book helps.
+
+use serde::Serialize;
+
+use crate::passage::Passage;
+use crate::terminal::percent;
+use pinhole_course::diagnosis::{Diagnosis, Explanation, Reading};
+
+/// What somebody may believe, with hints.
+#[derive(Debug, PartialEq, Serialize)]
+pub struct Beliefs {
+    /// How several of them are meant; none for a single one.
+    pub reading: Option<String>,
+    /// Each with its hints.
+    pub beliefs: Vec<Belief>,
+}
+
+/// One belief and its hints.
+#[derive(Debug, PartialEq, Serialize)]
+pub struct Belief {
+    /// Where on the page it stands already.
+    pub told: Option<Told>,
+    pub belief: String,
+    /// The share it explains; none where only one of several is held.
+    pub explains: Option<String>,
+    /// How many others held it, if not nobody.
+    pub company: Option<u32>,
+    pub look: String,
+    pub think: String,
+    pub read: Passage,
+}
+
+/// A belief that a task's section spells out.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Told {
+    slug: String,
+    task: String,
+    id: String,
+}
+
+impl Beliefs {
+    /// `None` if nothing is named. What a task of `told` holds already is only counted.
+    pub fn of(diagnosis: &Diagnosis, told: &[Told]) -> Option<Beliefs> {
+        let one_of = diagnosis.reading == Reading::OneOf && diagnosis.beliefs.len() > 1;
+        let most = diagnosis.beliefs.iter().map(|held| held.explained);
+        let reading = one_of.then(|| {
+            let share = percent(most.fold(0.0, f64::max));
+            format!("One of these beliefs explains {share} of what is wrong here; this cannot tell them apart:")
+        });
+        let belief = |held: &Explanation| {
+            let mistake = &held.mistake;
+            Belief {
+                told: told.iter().find(|told| told.slug == held.slug).cloned(),
+                belief: mistake.belief.clone(),
+                explains: (!one_of).then(|| percent(held.explained)),
+                company: mistake.submissions.filter(|count| *count > 1),
+                look: mistake.hint.look.clone(),
+                think: mistake.hint.think.clone(),
+                read: Passage::section(&mistake.chapter, &mistake.hint.read),
+            }
+        };
+        (!diagnosis.is_empty()).then(|| Beliefs {
+            reading,
+            beliefs: diagnosis.beliefs.iter().map(belief).collect(),
+        })
+    }
+}
+
+impl Told {
+    /// What the `k`-th task holds.
+    pub fn by_task<'a>(
+        k: usize,
+        name: &'a str,
+        diagnosis: &'a Diagnosis,
+    ) -> impl Iterator<Item = Told> + 'a {
+        diagnosis.beliefs.iter().map(move |held| Told {
+            slug: held.slug.clone(),
+            task: name.into(),
+            id: format!("task-{k}"),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::html::testing::belief;
+
+    fn diagnosis(beliefs: Vec<Explanation>, reading: Reading) -> Diagnosis {
+        Diagnosis { beliefs, reading }
+    }
+
+    #[test]
+    fn a_single_belief_says_how_much_it_explains() {
+        let single = diagnosis(vec![belief("I subtract ½.", 0.981)], Reading::Together);
+        let beliefs = Beliefs::of(&single, &[]).expect("there is one");
+        assert_eq!(beliefs.reading, None);
+        assert_eq!(beliefs.beliefs[0].explains.as_deref(), Some("98 %"));
+        assert_eq!(beliefs.beliefs[0].told, None);
+    }
+
+    #[test]
+    fn beliefs_that_cannot_be_told_apart_are_one_sentence() {
+        let either = diagnosis(vec![belief("A.", 1.0), belief("B.", 1.0)], Reading::OneOf);
+        let beliefs = Beliefs::of(&either, &[]).expect("there are two");
+        let reading = beliefs.reading.expect("they are one of two");
+        assert!(
+            reading.contains("explains all of what is wrong"),
+            "{reading}"
+        );
+        assert!(
+            beliefs
+                .beliefs
+                .iter()
+                .all(|belief| belief.explains.is_none())
+        );
+    }
+
+    #[test]
+    fn what_a_task_holds_is_told_once() {
+        let single = diagnosis(vec![belief("A.", 1.0)], Reading::Together);
+        let told: Vec<Told> = Told::by_task(2, "sphere", &single).collect();
+        let beliefs = Beliefs::of(&single, &told).expect("there is one");
+        assert_eq!(
+            beliefs.beliefs[0]
+                .told
+                .as_ref()
+                .map(|told| told.id.as_str()),
+            Some("task-2")
+        );
+    }
+
+    #[test]
+    fn without_a_diagnosis_nothing_is_named() {
+        assert_eq!(Beliefs::of(&Diagnosis::default(), &[]), None);
+    }
+}

@@ -1,0 +1,139 @@
+//! From a report to the text of its file.
+
+use std::path::Path;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use minijinja::{Environment, UndefinedBehavior, context, value::Serde};
+use pinhole::false_colour::{self, Difference};
+use pinhole::film::HIT_CHANNELS;
+use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
+
+use super::Report;
+use super::cause::Cause;
+
+const TEMPLATES: [(&str, &str); 5] = [
+    ("report.html", include_str!("../../templates/report.html")),
+    ("name.html", include_str!("../../templates/name.html")),
+    ("task.html", include_str!("../../templates/task.html")),
+    ("scene.html", include_str!("../../templates/scene.html")),
+    ("beliefs.html", include_str!("../../templates/beliefs.html")),
+];
+
+/// What all our pages look like.
+pub const PAGE_CSS: &str = include_str!("../../templates/page.css");
+
+const STYLE: [&str; 2] = [PAGE_CSS, include_str!("../../templates/viewer.css")];
+
+const SCRIPT: [&str; 5] = [
+    include_str!("../../templates/unpack.js"),
+    include_str!("../../templates/paint.js"),
+    include_str!("../../templates/words.js"),
+    include_str!("../../templates/reading.js"),
+    include_str!("../../templates/viewer.js"),
+];
+
+impl Report {
+    /// The page.
+    pub fn html(&self) -> String {
+        let mut environment = Environment::new();
+        environment.set_undefined_behavior(UndefinedBehavior::Strict);
+        for (name, text) in TEMPLATES {
+            environment
+                .add_template(name, text)
+                .unwrap_or_else(|error| panic!("{name}: {error:#}"));
+        }
+        // A browser reads line ends as `\n` before it hashes.
+        let [style, script] =
+            [STYLE.concat() + &swatches(), SCRIPT.concat()].map(|text| text.replace('\r', ""));
+        let page = environment.get_template("report.html").and_then(|page| {
+            page.render(context! {
+                report => Serde(self),
+                policy => policy(&style, &script),
+                palette => for_script(&palette()),
+                legend => legend(),
+                style,
+                script,
+            })
+        });
+        page.unwrap_or_else(|error| panic!("the report's template: {error:#}"))
+    }
+}
+
+/// Nothing but our own style and script, by their hashes: whatever a student's text
+/// might become, it cannot run or fetch anything.
+pub fn policy(style: &str, script: &str) -> String {
+    let hash = |text: &str| STANDARD.encode(Sha256::digest(text));
+    format!(
+        "default-src 'none'; script-src 'sha256-{}'; style-src 'sha256-{}'; img-src data:; \
+         base-uri 'none'; form-action 'none'",
+        hash(script),
+        hash(style)
+    )
+}
+
+/// JSON that ends no `script` element, whatever its strings hold.
+pub fn for_script(value: &Value) -> String {
+    value.to_string().replace('<', "\\u003c")
+}
+
+/// The colours of pictures, so that the script's are ours.
+fn palette() -> Value {
+    let far = (0..=255).map(|step| false_colour::far(f64::from(step) / 255.0).0);
+    let objects = (0..false_colour::OBJECT_COLOURS).map(|id| false_colour::object(id).0);
+    let difference = Difference::LEGEND.map(|(kind, _)| kind.colour().0);
+    json!({
+        "channels": HIT_CHANNELS,
+        "causes": Cause::ALL.map(Cause::words),
+        "background": false_colour::BACKGROUND.0,
+        "objects": objects.collect::<Vec<_>>(),
+        "far": far.collect::<Vec<_>>(),
+        "difference": difference,
+    })
+}
+
+/// The colours of difference pictures beside their words.
+fn swatches() -> String {
+    let swatch = |(kind, _): (Difference, &str)| {
+        let [r, g, b] = kind.colour().0;
+        format!(
+            ".swatch.{} {{ background: rgb({r} {g} {b}); }}\n",
+            class(kind)
+        )
+    };
+    Difference::LEGEND.map(swatch).concat()
+}
+
+/// A kind of difference as a class of the style sheet's.
+pub fn class(kind: Difference) -> &'static str {
+    match kind {
+        Difference::Object => "object",
+        Difference::T => "t",
+        Difference::Normal => "normal",
+    }
+}
+
+fn legend() -> Vec<(&'static str, &'static str)> {
+    Difference::LEGEND
+        .map(|(kind, words)| (class(kind), words))
+        .into()
+}
+
+/// Puts the page in its place at once: whoever has it open may load it again at any
+/// time, and two checks may end together.
+pub fn write(path: &Path, page: &str) -> std::io::Result<()> {
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder)?;
+    }
+    // A pipe or a device must not be replaced by a file.
+    if path.metadata().is_ok_and(|metadata| !metadata.is_file()) {
+        return std::fs::write(path, page);
+    }
+    let mut beside = path.as_os_str().to_owned();
+    beside.push(format!(".{}", std::process::id()));
+    std::fs::write(&beside, page)?;
+    std::fs::rename(&beside, path).inspect_err(|_| {
+        let _already_failing = std::fs::remove_file(&beside);
+    })
+}

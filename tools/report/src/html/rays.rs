@@ -1,0 +1,113 @@
+//! The rays of a golden's pixels, in six vectors instead of a film.
+//!
+//! A camera's rays change evenly from pixel to pixel, origin and direction alike. So
+//! three corners of Mitsuba's ray film say as much as all of it, and a report stays
+//! small.
+
+use pinhole::{Film, Resolution};
+use serde::Serialize;
+
+/// Rays that change evenly from column to column and from row to row.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RayGrid {
+    /// World space, scene units.
+    pub origin: Steps,
+    /// World space, as long as it is.
+    pub direction: Steps,
+}
+
+/// A vector at every pixel: `first` + i `per_column` + j `per_row`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Steps {
+    /// At pixel (0, 0), bottom left.
+    pub first: [f64; 3],
+    /// What one column to the right adds.
+    pub per_column: [f64; 3],
+    /// What one row up adds.
+    pub per_row: [f64; 3],
+}
+
+/// How far the grid may be from a ray film's sample, relative to the film's largest:
+/// a few roundings to 32 bits.
+const ROUNDING: f64 = 1e-6;
+
+impl RayGrid {
+    /// The grid of a ray film; `None` if its rays do not change evenly.
+    pub fn of(film: &Film) -> Option<RayGrid> {
+        Some(RayGrid {
+            origin: Steps::of(film, ["O.X", "O.Y", "O.Z"])?,
+            direction: Steps::of(film, ["D.X", "D.Y", "D.Z"])?,
+        })
+    }
+}
+
+impl Steps {
+    fn of(film: &Film, channels: [&str; 3]) -> Option<Steps> {
+        let Resolution { n_x, n_y } = film.resolution();
+        let mut steps = Steps {
+            first: [0.0; 3],
+            per_column: [0.0; 3],
+            per_row: [0.0; 3],
+        };
+        for (axis, channel) in channels.into_iter().enumerate() {
+            let samples = film.channel(channel)?;
+            // Image order begins at the top.
+            let at = |i: usize, j: usize| f64::from(samples[(n_y - 1 - j) * n_x + i]);
+            let per = |span: f64, n: usize| if n > 1 { span / (n - 1) as f64 } else { 0.0 };
+            let first = at(0, 0);
+            let per_column = per(at(n_x - 1, 0) - first, n_x);
+            let per_row = per(at(0, n_y - 1) - first, n_y);
+            let largest = samples
+                .iter()
+                .fold(0.0f32, |most, sample| most.max(sample.abs()));
+            let is_near = |(i, j): (usize, usize)| {
+                let even = first + i as f64 * per_column + j as f64 * per_row;
+                (even - at(i, j)).abs() <= ROUNDING * f64::from(largest)
+            };
+            let mut pixels = (0..n_y).flat_map(|j| (0..n_x).map(move |i| (i, j)));
+            if !pixels.all(is_near) {
+                return None;
+            }
+            steps.first[axis] = first;
+            steps.per_column[axis] = per_column;
+            steps.per_row[axis] = per_row;
+        }
+        Some(steps)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+    use pinhole::Ray;
+    use pinhole_course::checkout::Checkout;
+
+    #[test]
+    fn every_golden_ray_film_is_a_grid() {
+        let golden = Checkout::find()
+            .expect("the checkout")
+            .golden("ray_casting");
+        let films = std::fs::read_dir(golden).expect("the goldens are committed");
+        let films = films.flatten().map(|entry| entry.path());
+        let films: Vec<_> = films
+            .filter(|path| path.to_string_lossy().ends_with(".rays.exr"))
+            .collect();
+        assert!(films.len() >= 12, "{films:?}");
+        for path in films {
+            let film = Film::read(&path).expect("a golden can be read");
+            assert!(RayGrid::of(&film).is_some(), "{}", path.display());
+        }
+    }
+
+    #[test]
+    fn rays_that_bend_are_no_grid() {
+        let bent = [0.0, 1.0, 4.0].map(|x| Ray {
+            origin: DVec3::ZERO,
+            direction: DVec3::new(x, 0.0, -1.0),
+        });
+        let row = Resolution { n_x: 3, n_y: 1 };
+        assert_eq!(RayGrid::of(&Film::of_rays(row, &bent)), None);
+        assert!(RayGrid::of(&Film::of_rays(Resolution { n_x: 1, n_y: 2 }, &bent[..2])).is_some());
+    }
+}

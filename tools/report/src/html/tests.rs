@@ -1,0 +1,118 @@
+use super::testing::belief;
+use super::*;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use pinhole_course::diagnosis::{Diagnosis, Reading};
+use pinhole_course::examination::{GroupResult, TaskResult};
+use sha2::{Digest, Sha256};
+
+const EVIL: &str = "</script><img src=x onerror=alert(1)>";
+
+/// A report of one task whose answers are explained so, by somebody of an evil name.
+fn report(diagnosis: Diagnosis) -> Report {
+    let group = GroupResult {
+        name: "inside".into(),
+        about: "the ray starts inside the sphere".into(),
+        worth: 3,
+        outcome: Outcome::Died(EVIL.into()),
+        worst: Some(format!("got       {EVIL}")),
+    };
+    let task = TaskResult {
+        name: "sphere".into(),
+        chapter: "Sphere".into(),
+        replaced: None,
+        groups: vec![group],
+        diagnosis,
+    };
+    let examination = Examination {
+        submission: EVIL.into(),
+        title: "Ray casting".into(),
+        tasks: vec![task],
+        scenes: Vec::new(),
+        withheld: 0,
+        printed: EVIL.into(),
+    };
+    let again = Again {
+        whole: EVIL.into(),
+        part: EVIL.into(),
+    };
+    let report = Report::of_examination(&examination, Path::new(""), &again);
+    report.expect("no scene needs to be read")
+}
+
+fn html(diagnosis: Diagnosis) -> String {
+    report(diagnosis).html()
+}
+
+#[test]
+fn each_belief_has_three_hints_one_inside_the_other() {
+    let beliefs = vec![belief("A first <b>.", 1.0), belief("A second.", 1.0)];
+    let page = html(Diagnosis {
+        beliefs,
+        reading: Reading::OneOf,
+    });
+    assert!(page.contains("One of these beliefs explains all of what is wrong here"));
+    assert!(page.contains("<q>A first &lt;b&gt;.</q>"));
+    assert!(page.contains("17 of the public solutions"));
+    let hints: Vec<&str> = page.split("<details class=\"hint\">").skip(1).collect();
+    assert_eq!(hints.len(), 6);
+    for three in hints.chunks(3) {
+        let closed = |text: &str| text.matches("</details>").count();
+        assert_eq!((closed(three[0]), closed(three[1])), (0, 0));
+        assert!(closed(three[2]) >= 3);
+        assert!(three[2].contains("book&#x2f;sphere.html#which-root-counts"));
+    }
+}
+
+#[test]
+fn without_a_diagnosis_the_chapter_is_named_and_no_belief() {
+    let page = html(Diagnosis::default());
+    assert!(!page.contains("believe"));
+    assert!(page.contains("the book, “Sphere” <small>(book&#x2f;sphere.html)</small>"));
+}
+
+#[test]
+fn a_book_on_this_machine_is_one_click_away() {
+    let beliefs = vec![belief("A belief.", 1.0)];
+    let reading = Reading::OneOf;
+    let mut report = report(Diagnosis { beliefs, reading });
+    report.book = Some("file:///course/book".into());
+    let page = report.html().replace("&#x2f;", "/");
+    for place in ["sphere.html", "sphere.html#which-root-counts"] {
+        let link = format!("<a href=\"file:///course/book/{place}\">book/{place}</a>");
+        assert!(page.contains(&link), "{link}");
+    }
+}
+
+#[test]
+fn nothing_of_a_students_is_markup() {
+    let page = html(Diagnosis::default());
+    assert!(!page.contains("<img"), "{page}");
+    assert_eq!(page.matches("</script>").count(), 2);
+    assert!(page.matches("&lt;img src=x").count() >= 5);
+}
+
+#[test]
+fn the_policy_lets_the_pages_own_style_and_script_pass_and_nothing_else() {
+    let page = html(Diagnosis::default());
+    for (tag, name) in [("<style>", "style"), ("<script>", "script")] {
+        let (_, behind) = page.split_once(tag).expect("there is one");
+        let (text, _) = behind.split_once("</").expect("it ends");
+        let hash = STANDARD.encode(Sha256::digest(text));
+        let allowed = format!(
+            "{name}-src &#x27;sha256-{}&#x27;",
+            hash.replace('/', "&#x2f;")
+        );
+        assert!(page.contains(&allowed), "no {allowed}");
+    }
+    assert!(page.contains("default-src &#x27;none&#x27;"));
+    assert!(!page.contains("unsafe-"));
+}
+
+#[test]
+fn data_for_the_script_ends_no_element() {
+    let data = page::for_script(&serde_json::json!({ "name": EVIL }));
+    assert!(!data.contains('<'), "{data}");
+    let read: serde_json::Value = serde_json::from_str(&data).expect("it is still JSON");
+    assert_eq!(read["name"], EVIL);
+}

@@ -1,0 +1,13 @@
+//! Views of an examination: terminal text, JSON and HTML.
+//!
+//! Reading order: [`terminal`], [`json`], [`html`]; then [`passage`], which sends readers
+//! to the book, and [`program`], which every binary of ours runs in.
+
+pub mod cast;
+pub mod desktop;
+pub mod html;
+pub mod json;
+pub mod passage;
+pub mod pictures;
+pub mod program;
+pub mod terminal;

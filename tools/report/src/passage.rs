@@ -1,0 +1,148 @@
+//! A place in the book, for whoever is sent there.
+
+use std::fmt;
+use std::path::Path;
+
+use serde::Serialize;
+
+use crate::desktop;
+use pinhole_course::diagnosis::Diagnosis;
+
+/// A chapter or a section of it: in words, and as its page, from the top of a student's
+/// repository. In the course's checkout, pages lie in `book/build/student`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Passage {
+    /// In prose.
+    pub words: String,
+    /// The page, and the place on it.
+    pub page: String,
+}
+
+impl Passage {
+    /// A whole chapter.
+    pub fn chapter(title: &str) -> Passage {
+        Passage {
+            words: format!("the book, “{title}”"),
+            // Its file is named as everything here is, with `_` for a space.
+            page: format!("book/{}.html", anchor(title).replace('-', "_")),
+        }
+    }
+
+    /// A section of a chapter.
+    pub fn section(chapter: &str, section: &str) -> Passage {
+        let Passage { words, page } = Passage::chapter(chapter);
+        Passage {
+            words: format!("{words}, section “{section}”"),
+            page: format!("{page}#{}", anchor(section)),
+        }
+    }
+
+    /// Opens it where there is a desktop, and says what came of that; `root` is the top
+    /// of the checkout, or of a student's repository.
+    pub fn open(&self, root: &Path) -> String {
+        let Some(book) = built(root) else {
+            return "the book is not built in this folder".into();
+        };
+        let address = format!("{book}{}", self.page.trim_start_matches("book"));
+        match desktop::open(&address) {
+            true => format!("opened {address}"),
+            false => format!("open {address} in a browser"),
+        }
+    }
+
+    /// What helps against beliefs, each place once; without any, the chapter.
+    pub fn against(diagnosis: &Diagnosis, chapter: &str) -> Vec<Passage> {
+        let mut passages: Vec<Passage> = Vec::new();
+        for held in &diagnosis.beliefs {
+            let passage = Passage::section(&held.mistake.chapter, &held.mistake.hint.read);
+            if !passages.contains(&passage) {
+                passages.push(passage);
+            }
+        }
+        match passages.is_empty() {
+            true => vec![Passage::chapter(chapter)],
+            false => passages,
+        }
+    }
+}
+
+impl fmt::Display for Passage {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} ({})", self.words, self.page)
+    }
+}
+
+/// Where the book lies, as a browser's address: as a student's repository has it, or as
+/// `book build` leaves it.
+pub fn built(root: &Path) -> Option<String> {
+    let folders = [root.join("book"), root.join("book/build/student")];
+    let has_pages = |folder: &&std::path::PathBuf| folder.join("index.html").is_file();
+    folders
+        .iter()
+        .find(has_pages)
+        .map(|it| desktop::address(it))
+}
+
+/// A title as mdBook makes an address of it.
+fn anchor(title: &str) -> String {
+    let letter = |c: char| match c {
+        c if c.is_whitespace() => Some('-'),
+        c if c.is_alphanumeric() || c == '-' || c == '_' => Some(c),
+        _ => None,
+    };
+    title.to_lowercase().chars().filter_map(letter).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pinhole_course::assignment::Assignment;
+    use pinhole_course::checkout::Checkout;
+    use pinhole_course::diagnosis::known::Known;
+
+    #[test]
+    fn a_passage_names_the_page_and_the_place_on_it() {
+        let passage = Passage::section("Viewing rays", "Which root counts?");
+        let told = "the book, “Viewing rays”, section “Which root counts?” \
+                    (book/viewing_rays.html#which-root-counts)";
+        assert_eq!(passage.to_string(), told);
+    }
+
+    #[test]
+    fn a_built_book_has_an_address_and_one_that_is_not_there_has_none() {
+        let folder = tempfile::tempdir().expect("there is room");
+        assert_eq!(built(folder.path()), None);
+        for book in ["book/build/student", "book"] {
+            let book = folder.path().join(book);
+            std::fs::create_dir_all(&book).expect("there is room");
+            std::fs::write(book.join("index.html"), "").expect("there is room");
+            assert_eq!(built(folder.path()), Some(desktop::address(&book)));
+        }
+    }
+
+    #[test]
+    fn every_task_and_every_known_mistake_sends_to_a_page_and_a_heading_of_the_book() {
+        let checkout = Checkout::find().expect("tests run in a checkout");
+        let chapters = checkout.root().join("book/src");
+        if !chapters.is_dir() {
+            return; // A student's repository has the built book at most.
+        }
+        let assignment = Assignment::read(&checkout, "ray_casting").expect("it is there");
+        let known = Known::read(&checkout.golden("ray_casting")).expect("it is there");
+        let tasks = assignment.tasks.iter().map(|task| (&task.chapter, None));
+        let mistakes = known.mistake.values();
+        let mistakes = mistakes.map(|mistake| (&mistake.chapter, Some(&mistake.hint.read)));
+        for (chapter, section) in tasks.chain(mistakes) {
+            let page = Passage::chapter(chapter).page;
+            let page = page.replace("book/", "").replace(".html", ".md");
+            let text = std::fs::read_to_string(chapters.join(&page)).expect(&page);
+            assert!(text.starts_with(&format!("# {chapter}\n")), "{page}");
+            if let Some(section) = section {
+                assert!(
+                    text.contains(&format!("\n## {section}\n")),
+                    "{page}: {section}"
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! Writing false-colour pictures.
+
+use std::ops::Range;
+use std::path::Path;
+
+use image::RgbImage;
+use pinhole::{Film, false_colour};
+
+use pinhole_course::error::{Error, Result};
+
+/// Writes `id`, `depth` and `normal` pictures of a film of hits, their names behind
+/// `prefix`; gives their paths.
+pub fn write(
+    folder: &Path,
+    prefix: &str,
+    film: &Film,
+    depth_per_t: f64,
+    range: Range<f64>,
+) -> Result<Vec<String>> {
+    let pictures = [
+        ("id", false_colour::id(film)),
+        ("depth", false_colour::depth(film, depth_per_t, range)),
+        ("normal", false_colour::normal(film)),
+    ];
+    let mut written = Vec::new();
+    for (name, picture) in pictures {
+        let path = folder.join(format!("{prefix}{name}.png"));
+        save(&picture, &path)?;
+        written.push(path.display().to_string());
+    }
+    Ok(written)
+}
+
+/// Writes one picture.
+pub fn save(picture: &RgbImage, path: &Path) -> Result<()> {
+    picture.save(path).map_err(|error| {
+        Error::input(
+            format!("cannot write {}: {error}", path.display()),
+            "name a folder you may write to",
+        )
+    })
+}

@@ -1,0 +1,52 @@
+//! What every binary of ours does around its own command: exit codes, errors, panics.
+
+use std::panic::{self, PanicHookInfo};
+use std::process::ExitCode;
+
+use pinhole_course::error::{Error, Result};
+
+/// How a command that did its work ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Status {
+    /// Exit code 0.
+    Well,
+    /// Exit code 1.
+    JudgedWrong,
+    /// Exit code 3: part of the work could not be done, and the output says which.
+    Incomplete,
+}
+
+/// Runs a command and turns what comes of it into an exit code; with `json`, an error is
+/// printed as a document on standard output too.
+pub fn run(json: bool, command: impl FnOnce() -> Result<Status>) -> ExitCode {
+    panic::set_hook(Box::new(report_panic));
+    match panic::catch_unwind(panic::AssertUnwindSafe(command)) {
+        Ok(Ok(Status::Well)) => ExitCode::SUCCESS,
+        Ok(Ok(Status::JudgedWrong)) => ExitCode::from(1),
+        Ok(Ok(Status::Incomplete)) => ExitCode::from(3),
+        Ok(Err(error)) => {
+            if json {
+                let Error {
+                    problem, remedy, ..
+                } = &error;
+                anstream::println!(
+                    "{:#}",
+                    serde_json::json!({ "error": problem, "remedy": remedy })
+                );
+            }
+            anstream::eprintln!("pinhole: {error}");
+            error.exit_code()
+        }
+        Err(_) => ExitCode::from(3),
+    }
+}
+
+/// What a person reads if this program fails in a way nobody thought of.
+fn report_panic(info: &PanicHookInfo<'_>) {
+    let what = info.payload_as_str().unwrap_or("(no message)");
+    // The reader of our output may stop reading, as `head` does.
+    if !what.starts_with("failed printing to") {
+        let place = info.location().map(ToString::to_string).unwrap_or_default();
+        eprintln!("pinhole: a fault of its own at {place}: {what}\n  remedy: report it");
+    }
+}

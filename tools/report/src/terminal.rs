@@ -1,0 +1,125 @@
+//! An examination as a table for people.
+//!
+//! The rows of [`tasks`] and of [`scenes`] say what went wrong in each; [`words`] puts any
+//! one thing into a line.
+
+mod scenes;
+mod tasks;
+mod words;
+
+use anstyle::{AnsiColor, Style};
+
+use pinhole_course::describe::printable;
+use pinhole_course::examination::{Examination, TaskResult};
+pub use scenes::worst_pixel;
+pub use words::{
+    diagnosis, no_answer, outcome, outcome_of, percent, scene_in_words, task_in_words,
+    verdict_in_words,
+};
+
+pub const PASS: Style = AnsiColor::Green.on_default();
+pub const FAIL: Style = AnsiColor::Red.on_default();
+pub const QUIET: Style = AnsiColor::BrightBlack.on_default();
+pub const STRONG: Style = Style::new().bold();
+
+/// Lines of a student's own output that are shown.
+const MOST_PRINTED_LINES: usize = 20;
+
+/// The whole table: tasks, scenes, what went wrong, and the sum of points.
+pub fn examination(examination: &Examination) -> String {
+    let mut text = String::new();
+    let submission = printable(&examination.submission);
+    line(
+        &mut text,
+        format!(
+            "{STRONG}{}{STRONG:#}  {QUIET}{submission}{QUIET:#}",
+            examination.title
+        ),
+    );
+    let tasks = examination.tasks.iter().map(|task| &task.name);
+    let names = tasks.chain(examination.scenes.iter().map(|scene| &scene.name));
+    let width = names.map(String::len).max().unwrap_or(0).max(5) + 2;
+    if !examination.tasks.is_empty() {
+        line(&mut text, heading("task", width));
+    }
+    for task in &examination.tasks {
+        tasks::rows(&mut text, task, width, tasks::Extent::All);
+    }
+    scenes::rows(&mut text, examination, width);
+    let (earned, possible) = examination.points();
+    line(
+        &mut text,
+        format!(
+            "\n{STRONG}  {:<width$}{earned:>3} / {possible}{STRONG:#}",
+            "total"
+        ),
+    );
+    if let Some(words) = examination.withheld_in_words() {
+        line(&mut text, format!("  {QUIET}{words}{QUIET:#}"));
+    }
+    text.push_str(&printed(&examination.printed));
+    text
+}
+
+/// One task with the first of its groups that fails; `width` is that of its name.
+pub fn task(task: &TaskResult, width: usize) -> String {
+    let mut text = String::new();
+    tasks::rows(&mut text, task, width, tasks::Extent::First);
+    text
+}
+
+/// The scenes.
+pub fn scenes(examination: &Examination) -> String {
+    let mut text = String::new();
+    let names = examination.scenes.iter().map(|scene| scene.name.len());
+    scenes::rows(&mut text, examination, names.max().unwrap_or(0) + 2);
+    text
+}
+
+/// What a student's code printed, cut to its beginning; nothing for nothing.
+pub fn printed(printed: &str) -> String {
+    let mut text = String::new();
+    let lines: Vec<&str> = printed.lines().collect();
+    if !lines.is_empty() {
+        line(&mut text, "\nyour code printed:".into());
+        for printed in lines.iter().take(MOST_PRINTED_LINES) {
+            line(
+                &mut text,
+                format!("  {QUIET}{}{QUIET:#}", printable(printed)),
+            );
+        }
+        if lines.len() > MOST_PRINTED_LINES {
+            line(
+                &mut text,
+                format!("  … and {} lines more", lines.len() - MOST_PRINTED_LINES),
+            );
+        }
+    }
+    text
+}
+
+fn line(text: &mut String, line: String) {
+    text.push_str(&line);
+    text.push('\n');
+}
+
+fn heading(what: &str, width: usize) -> String {
+    format!("\n{QUIET}  {what:<width$}points{QUIET:#}")
+}
+
+/// One line of the table; `width` is that of the names' column.
+fn row(text: &mut String, name: &str, width: usize, points: (u32, u32), said: String) {
+    let (earned, possible) = points;
+    let full = earned == possible;
+    let (style, mark) = if full { (PASS, "✓") } else { (FAIL, "✗") };
+    line(
+        text,
+        format!("{style}{mark}{style:#} {name:<width$}{earned:>3} / {possible:<4} {said}"),
+    );
+}
+
+fn indent(text: &mut String, block: &str) {
+    for row in block.lines() {
+        line(text, format!("      {row}"));
+    }
+}

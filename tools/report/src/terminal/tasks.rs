@@ -1,0 +1,78 @@
+//! The rows of a task: which beliefs explain what is wrong, and which questions show it.
+
+use super::words::{diagnosis, outcome_of, task_in_words};
+use super::{FAIL, QUIET, STRONG, indent, line, row};
+use crate::passage::Passage;
+use pinhole_course::compile::Replaced;
+use pinhole_course::describe::printable_coloured;
+use pinhole_course::diagnosis::Explanation;
+use pinhole_course::examination::{GroupResult, TaskResult};
+
+/// How much is told of a task that fails.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Extent {
+    /// Every failing group, and where to look.
+    All,
+    /// The first failing group; hints are for whoever asks.
+    First,
+}
+
+/// A task, and why it fails; `width` is that of the names' column.
+pub fn rows(text: &mut String, task: &TaskResult, width: usize, extent: Extent) {
+    let fails = |group: &&GroupResult| !group.outcome.passes();
+    let failing: Vec<&GroupResult> = task.groups.iter().filter(fails).collect();
+    row(text, &task.name, width, task.points(), task_in_words(task));
+    if let Some(Replaced::DoesNotCompile(diagnostics)) = &task.replaced {
+        indent(text, &printable_coloured(diagnostics.trim_end()));
+    }
+    for row in diagnosis(&task.diagnosis).lines() {
+        line(text, format!("    {STRONG}{row}{STRONG:#}"));
+    }
+    let hinted = match extent {
+        Extent::All => task.diagnosis.beliefs.as_slice(),
+        Extent::First => &[],
+    };
+    for Explanation { mistake, .. } in hinted {
+        line(text, format!("    look: {}", mistake.hint.look));
+    }
+    if task.replaced.is_none() && !task.is_unanswered() {
+        let most = match extent {
+            Extent::All => failing.len(),
+            Extent::First => 1,
+        };
+        let (told, others) = failing.split_at(most.min(failing.len()));
+        group_rows(text, told, !task.diagnosis.is_empty());
+        let others: Vec<&str> = others.iter().map(|group| group.name.as_str()).collect();
+        if !others.is_empty() {
+            let others = others.join(", ");
+            line(text, format!("    {QUIET}and also: {others}{QUIET:#}"));
+        }
+    }
+    if !failing.is_empty() {
+        for passage in Passage::against(&task.diagnosis, &task.chapter) {
+            line(text, format!("    {QUIET}read: {passage}{QUIET:#}"));
+        }
+    }
+}
+
+/// Groups that fail, and of each a question that shows it; of the first alone, where the
+/// belief behind it is known.
+fn group_rows(text: &mut String, failing: &[&GroupResult], is_explained: bool) {
+    let mut told: Vec<String> = Vec::new();
+    for group in failing {
+        let said = outcome_of(&group.outcome, "questions");
+        // A panic in every group is one panic.
+        let said = if group.worst.is_none() && told.contains(&said) {
+            "the same".into()
+        } else {
+            said
+        };
+        line(text, format!("    {FAIL}{:<18}{FAIL:#}{said}", group.name));
+        if let Some(worst) = &group.worst
+            && (!is_explained || told.is_empty())
+        {
+            indent(text, worst);
+        }
+        told.push(said);
+    }
+}

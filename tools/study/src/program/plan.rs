@@ -1,0 +1,46 @@
+//! `pinhole plan`: how to cast a scene, and why.
+
+use std::env;
+use std::path::PathBuf;
+
+use pinhole::{Resolution, Scene};
+use pinhole_course::assignment::Assignment;
+use pinhole_course::checkout::Checkout;
+use pinhole_course::error::{Error, Result};
+use pinhole_report::program::Status;
+use pinhole_study::plan::plan;
+use pinhole_study::plan::told::told;
+use serde_json::json;
+
+use crate::cli::Plan;
+
+pub fn run(checkout: &Checkout, arguments: &Plan) -> Result<Status> {
+    let (scene, file, _) = scene(&arguments.scene, arguments.resolution, checkout)?;
+    let (plan, _) = plan(&scene, arguments.wanted.wish(arguments.accuracy)).map_err(unplannable)?;
+    match arguments.json {
+        true => anstream::println!("{:#}", json!(plan)),
+        false => {
+            let name = file.file_stem().unwrap_or_default().to_string_lossy();
+            anstream::print!("{}", told(&plan, &name));
+        }
+    }
+    Ok(Status::Well)
+}
+
+/// The scene a user means, at another resolution if one is given, where it lies, and its
+/// golden if one is committed.
+pub fn scene(
+    named: &str,
+    resolution: Option<Resolution>,
+    checkout: &Checkout,
+) -> Result<(Scene, PathBuf, Option<PathBuf>)> {
+    let assignment = Assignment::around(checkout, &env::current_dir().unwrap_or_default())?;
+    let (mut scene, golden) = assignment.find_scene(named, checkout)?;
+    scene.resolution = resolution.unwrap_or(scene.resolution);
+    Ok((scene, assignment.find_scene_file(named)?, golden))
+}
+
+/// The study has no more to say than one text.
+pub fn unplannable(problem: String) -> Error {
+    Error::input(problem, "ask for less accuracy, or change the scene")
+}

@@ -1,0 +1,172 @@
+//! Running the real programs on the real course, for the tests of every package.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::{Mutex, PoisonError};
+
+use serde_json::Value;
+
+/// The six tasks, in the assignment's order.
+pub const TASKS: [&str; 6] = [
+    "viewing_ray",
+    "sphere",
+    "plane",
+    "triangle",
+    "triangle_soup",
+    "first_hit",
+];
+
+/// The top of the checkout.
+pub fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../..")
+        .canonicalize()
+        .expect("the checkout exists")
+}
+
+/// What a run of `pinhole` came to.
+pub struct Ran {
+    /// The exit code.
+    pub code: i32,
+    /// Standard output.
+    pub out: String,
+    /// Standard error.
+    pub err: String,
+}
+
+/// Runs `pinhole` at the top of the checkout.
+pub fn pinhole(arguments: &[&str]) -> Ran {
+    pinhole_in(&root(), arguments)
+}
+
+/// The subcommands that are asked of their own program, without the way through `pinhole`.
+const OF_INSTRUCTORS: [&str; 5] = ["golden", "grade", "handout", "merge", "validate"];
+
+/// The program with this subcommand.
+pub fn program_of(subcommand: &str) -> PathBuf {
+    match OF_INSTRUCTORS.contains(&subcommand) {
+        true => built("pinhole-instructor", "pinhole-instructor"),
+        false => built("pinhole-cli", "pinhole"),
+    }
+}
+
+/// A program of the course, built as the test that asks for it: a test's own package alone
+/// is sure to be built before it runs.
+fn built(package: &str, name: &str) -> PathBuf {
+    static BUILT: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
+    let mut built = BUILT.lock().unwrap_or_else(PoisonError::into_inner);
+    if built.insert(package.into()) {
+        let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
+        cargo.args(["build", "--quiet", "--package", package]);
+        if !cfg!(debug_assertions) {
+            cargo.arg("--release");
+        }
+        let status = cargo.current_dir(root()).status().expect("cargo starts");
+        assert!(status.success(), "{package} does not build");
+    }
+    let test = std::env::current_exe().expect("a test is a file");
+    let folder = test.ancestors().nth(2).expect("it lies in `deps`");
+    folder.join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
+}
+
+/// Runs `pinhole` in a folder.
+pub fn pinhole_in(folder: &Path, arguments: &[&str]) -> Ran {
+    let mut command = Command::new(program_of(arguments[0]));
+    ran(command
+        .current_dir(folder)
+        .args(arguments)
+        .output()
+        .expect("pinhole starts"))
+}
+
+/// Runs `pinhole` at the top of the checkout with more in its environment.
+pub fn pinhole_with(environment: &[(&str, &str)], arguments: &[&str]) -> Ran {
+    let mut command = Command::new(program_of(arguments[0]));
+    command
+        .current_dir(root())
+        .envs(environment.iter().copied());
+    ran(command.args(arguments).output().expect("pinhole starts"))
+}
+
+/// What any program did.
+pub fn ran(output: Output) -> Ran {
+    Ran {
+        code: output.status.code().expect("pinhole is not killed"),
+        out: String::from_utf8(output.stdout).expect("standard output is text"),
+        err: String::from_utf8(output.stderr).expect("standard error is text"),
+    }
+}
+
+impl Ran {
+    /// Its standard output as one JSON document.
+    #[track_caller]
+    pub fn json(&self) -> Value {
+        serde_json::from_str(&self.out)
+            .unwrap_or_else(|error| panic!("{error}\n{}\n{}", self.out, self.err))
+    }
+
+    /// Checks the exit code, and shows all that was said if it is another.
+    #[track_caller]
+    pub fn expect_code(self, code: i32) -> Ran {
+        assert_eq!(self.code, code, "exit code\n{}\n{}", self.out, self.err);
+        self
+    }
+
+    /// Checks that standard output holds a text.
+    #[track_caller]
+    pub fn expect_out(self, text: &str) -> Ran {
+        assert!(
+            self.out.contains(text),
+            "no {text:?} in:\n{}\n{}",
+            self.out,
+            self.err
+        );
+        self
+    }
+
+    /// Checks that standard error holds a text.
+    #[track_caller]
+    pub fn expect_err(self, text: &str) -> Ran {
+        assert!(
+            self.err.contains(text),
+            "no {text:?} in:\n{}\n{}",
+            self.err,
+            self.out
+        );
+        self
+    }
+}
+
+/// A fresh folder for one test, outside the checkout's trusted folders only if
+/// `place` says so.
+pub fn fresh(place: &Path, name: &str) -> PathBuf {
+    let folder = place.join(format!("pinhole-{name}-{}", std::process::id()));
+    let _absent = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder can be made");
+    folder
+}
+
+/// Scratch space inside the checkout, where code is trusted.
+pub fn trusted() -> PathBuf {
+    let folder = root().join("target/tmp");
+    fs::create_dir_all(&folder).expect("there is room");
+    folder
+}
+
+/// The answers of the reference with some files replaced, in a folder of `place`.
+pub fn submission(place: &Path, name: &str, overlay: &[(&str, &str)]) -> PathBuf {
+    let folder = fresh(place, name);
+    let reference = root().join("assignments/ray_casting/reference/src");
+    for entry in fs::read_dir(reference)
+        .expect("the reference can be read")
+        .flatten()
+    {
+        fs::copy(entry.path(), folder.join(entry.file_name())).expect("an answer can be copied");
+    }
+    for (file, text) in overlay {
+        fs::write(folder.join(file), text).expect("an answer can be written");
+    }
+    folder
+}
