@@ -3,7 +3,9 @@
 //! Only the answers travel. `main.rs`, `intersect_ray.rs` and the compiler's flags
 //! are ours, whatever else lies in the student's folder.
 
+mod blame;
 mod build;
+mod harness;
 mod prune;
 mod whole;
 
@@ -13,14 +15,14 @@ use std::path::PathBuf;
 use pinhole::ask::Stop;
 
 use crate::assignment::Assignment;
-use crate::blame;
 use crate::checkout::Checkout;
 use crate::error::{Error, Result};
-use crate::harness::Harness;
+use crate::handout_record::Package;
 use crate::sandbox::Sandbox;
-use crate::stubs::{self, Package};
+use crate::stubs;
 use crate::submission::{Submission, Unusable};
 use build::{Built, Sources, build};
+use harness::Harness;
 pub use whole::Whole;
 
 /// Answers whose stubs stand in for them, by task, and why.

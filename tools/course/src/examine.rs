@@ -1,5 +1,7 @@
 //! Runs a submission through every group of questions and every scene.
 
+mod diagnose;
+
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -11,15 +13,15 @@ use pinhole::judge::judge;
 use crate::assignment::{Assignment, Task};
 use crate::compile::Program;
 use crate::describe;
-use crate::diagnose::Cast;
 use crate::diagnosis::Diagnosis;
 use crate::error::{Error, Result};
 use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskResult};
+use crate::goldens::questions::{Group, QuestionFilm, Questions};
 use crate::goldens::{GoldenScene, Goldens};
-use crate::questions::{Group, QuestionFilm, Questions};
 use crate::sandbox::{Limits, Sandbox};
 use crate::second_judge::SecondJudge;
 use crate::submission::Submission;
+use diagnose::Cast;
 
 /// A built submission and what it is measured against.
 pub struct Examiner<'a> {

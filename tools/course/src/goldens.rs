@@ -1,5 +1,7 @@
 //! A folder of goldens and the scenes it can judge.
 
+pub mod questions;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,8 +11,8 @@ use crate::assignment::Assignment;
 use crate::checkout::Checkout;
 use crate::diagnosis::known::{self, Known};
 use crate::error::{Error, Result};
+use crate::goldens::questions::{QuestionFilm, Questions};
 use crate::manifest::Manifest;
-use crate::questions::{QuestionFilm, Questions};
 
 /// Golden films, probes, and the scenes they were made from.
 #[derive(Clone, Debug)]

@@ -3,15 +3,18 @@
 //! By it a repository is known as a student's, its stubs are known to be unchanged, and
 //! a later handout knows which files are its own to replace.
 
+use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Component, Path};
+use std::path::{Component, Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
 use crate::checkout::Checkout;
 use crate::error::{Error, Result};
 use crate::manifest::{self, Hashes};
-use crate::stubs::Package;
+
+/// Paths inside a folder, and what files hold there.
+pub type Package = BTreeMap<PathBuf, String>;
 
 /// The file's name, at the top.
 pub const FILE: &str = "handout.toml";

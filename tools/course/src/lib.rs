@@ -2,29 +2,26 @@
 //!
 //! Reading order: [`assignment`] for what is asked and what it is worth, [`submission`]
 //! for what a student hands in, [`compile`] and [`sandbox`] for how it is built and run,
-//! [`goldens`] and [`questions`] for what it is compared with, [`examine`] for the way
+//! [`goldens`] for what it is compared with, [`examine`] for the way
 //! through all of that to an [`examination`], and [`diagnosis`] for why something is wrong.
 
 pub mod assignment;
-mod blame;
 pub mod checkout;
 pub mod compile;
 pub mod describe;
-pub mod diagnose;
 pub mod diagnosis;
 pub mod error;
+pub mod escape;
 pub mod examination;
 pub mod examine;
 pub mod explanation;
 pub mod goldens;
 pub mod handout_record;
-mod harness;
 pub mod manifest;
 pub mod mistake;
 pub mod mitsuba;
 pub mod overlay;
 pub mod progress;
-pub mod questions;
 pub mod run_options;
 pub mod sandbox;
 pub mod second_judge;

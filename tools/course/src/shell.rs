@@ -1,6 +1,6 @@
 //! Command lines that people can copy into a terminal.
 
-use crate::describe::printable;
+use crate::escape::printable;
 
 /// How this command is run from its checkout.
 pub const PINHOLE: &str = "cargo run --release --";

@@ -1,17 +1,13 @@
 //! The handout, generated from the reference: one truth, so that a stub's
 //! documentation and signature cannot drift from the answer's.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::assignment::Assignment;
 use crate::checkout::Checkout;
 use crate::error::{Error, Result};
-use crate::handout_record::HandoutRecord;
-
-/// What the handout should hold: paths inside its folder, and texts.
-pub type Package = BTreeMap<PathBuf, String>;
+use crate::handout_record::{HandoutRecord, Package};
 
 const ANSWER: &str = "// ANCHOR: answer";
 const ANSWER_END: &str = "// ANCHOR_END: answer";

@@ -1,17 +1,15 @@
 //! What instructors ask for: a class's grades, a course to hand out, goldens, and a check
 //! of all that.
 
-mod golden;
-
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 use pinhole_course::sandbox::Choice;
 
+use crate::golden::arguments::Golden;
 use crate::grade::formats::Format;
 use crate::grade::withheld::Reveal;
 use crate::validate::Part;
-pub use golden::*;
 
 /// What instructors do with Pinhole: grade, hand out, make goldens, validate.
 ///

@@ -1,6 +1,5 @@
 //! One file for each thing the program does.
 
-pub mod golden;
 mod grade;
 mod handout;
 mod merge;
@@ -11,6 +10,7 @@ use pinhole_course::error::Result;
 use pinhole_report::program::Status;
 
 use crate::cli::{Cli, Command};
+use crate::golden;
 
 /// Does what was asked.
 pub fn run(cli: Cli) -> Result<Status> {

@@ -1,14 +1,14 @@
 //! The subcommands of `pinhole` that instructors have.
 //!
 //! Reading order: [`cli`] for what can be asked; [`grade`] for a class of submissions;
-//! [`handout`] for what students get; [`mistake_films`] for what goldens know of
+//! [`handout`] for what students get; [`golden`] for goldens and what they know of
 //! mistakes; [`validate`] for how all of it is itself measured.
 
 mod cli;
 mod command;
+mod golden;
 mod grade;
 mod handout;
-mod mistake_films;
 mod validate;
 
 use std::process::ExitCode;

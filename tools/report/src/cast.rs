@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use pinhole::report::number;
 use pinhole::{Film, false_colour};
-use pinhole_course::describe::printable;
 use pinhole_course::error::{Error, Result};
+use pinhole_course::escape::printable;
 use serde_json::{Value, json};
 
 use crate::pictures;

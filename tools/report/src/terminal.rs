@@ -9,7 +9,7 @@ mod words;
 
 use anstyle::{AnsiColor, Style};
 
-use pinhole_course::describe::printable;
+use pinhole_course::escape::printable;
 use pinhole_course::examination::{Examination, TaskResult};
 pub use scenes::worst_pixel;
 pub use words::{

@@ -16,7 +16,7 @@ use pinhole_course::diagnosis::Diagnosis;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::shell::{PINHOLE, in_shell};
-use pinhole_course::{describe, mitsuba};
+use pinhole_course::{escape, mitsuba};
 use pinhole_report::html::{self, Beliefs, Evidence, Report};
 use pinhole_report::program::Status;
 use pinhole_report::{json, pictures, terminal};
@@ -86,7 +86,7 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Status> {
     } else {
         match &verdict {
             Ok(verdict) => print(verdict),
-            Err(error) => anstream::println!("refused: {}", describe::printable(&error.problem)),
+            Err(error) => anstream::println!("refused: {}", escape::printable(&error.problem)),
         }
         if !diagnosis.is_empty() {
             anstream::println!("{}", terminal::diagnosis(&diagnosis));
@@ -101,7 +101,7 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Status> {
             anstream::println!("{line}");
         }
         if let Some(report) = &report {
-            anstream::println!("report: {}", describe::printable(report));
+            anstream::println!("report: {}", escape::printable(report));
         }
         if !written.is_empty() && !passes {
             for (_, words) in false_colour::Difference::LEGEND {
@@ -119,7 +119,7 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Status> {
 fn said(second: &SecondVerdict) -> String {
     match second.said.as_str() {
         "" => String::new(),
-        words => format!(" ({})", describe::printable(words)),
+        words => format!(" ({})", escape::printable(words)),
     }
 }
 
@@ -154,7 +154,7 @@ fn film_report(
         Ok(Ok(verdict)) => (terminal::verdict_in_words(verdict, "pixels"), Some(verdict)),
         Ok(Err(refusal)) => (format!("refused: {refusal}"), None),
         Err(error) => (
-            format!("refused: {}", describe::printable(&error.problem)),
+            format!("refused: {}", escape::printable(&error.problem)),
             None,
         ),
     };
@@ -166,7 +166,7 @@ fn film_report(
     );
     Ok(Report::of_film(
         Evidence {
-            name: describe::printable(&name.to_string_lossy()),
+            name: escape::printable(&name.to_string_lossy()),
             passes: verdict.is_some_and(Verdict::passes),
             said,
             attempted: true,

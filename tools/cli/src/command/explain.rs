@@ -10,6 +10,7 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::compile;
 use pinhole_course::describe::{self, intersection, ray};
 use pinhole_course::error::{Error, Result};
+use pinhole_course::escape;
 use pinhole_course::explanation::{Explanation, Mitsuba, Said, Witness};
 use pinhole_course::progress::Progress;
 use pinhole_course::sandbox::Sandbox;
@@ -76,7 +77,7 @@ pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Status> {
             let passage = Passage::chapter(&task.chapter);
             anstream::println!("\nread: {passage}");
             if arguments.read {
-                anstream::println!("{}", describe::printable(&passage.open(checkout.root())));
+                anstream::println!("{}", escape::printable(&passage.open(checkout.root())));
             }
         }
     }
@@ -103,7 +104,7 @@ fn print(explanation: &Explanation, scene: &Scene, pixel: Pixel, arguments: &Exp
 ",
         scene.resolution,
         arguments.scene,
-        describe::printable(whose)
+        escape::printable(whose)
     );
     anstream::println!(
         "on the image plane     u({i}) = {}, v({j}) = {}",

@@ -9,7 +9,7 @@ use serde_json::json;
 
 use super::state::State;
 use super::{Course, Event, from_here};
-use pinhole_course::describe::printable;
+use pinhole_course::escape::printable;
 use pinhole_course::examination::Examination;
 use pinhole_report::{json, terminal};
 

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use super::Course;
-use pinhole_course::describe::printable;
 use pinhole_course::error::Result;
+use pinhole_course::escape::printable;
 use pinhole_course::examination::Examination;
 use pinhole_course::shell::in_shell;
 use pinhole_report::desktop;

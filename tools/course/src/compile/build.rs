@@ -8,10 +8,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use sha2::{Digest, Sha256};
 
+use super::blame::{self, Diagnostic};
+use super::harness::Harness;
 use super::prune;
-use crate::blame::{self, Diagnostic};
 use crate::error::{Error, Result};
-use crate::harness::Harness;
 use crate::sandbox::{Finished, Limits, Sandbox};
 
 /// The executable's name, as the system wants it.

@@ -3,7 +3,7 @@
 
 use super::class::{Class, Row};
 use pinhole_course::assignment::Assignment;
-use pinhole_course::describe::printable;
+use pinhole_course::escape::printable;
 
 /// One line for each submission, then one for each person without.
 pub fn grades(class: &Class, assignment: &Assignment) -> String {

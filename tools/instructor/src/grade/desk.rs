@@ -11,7 +11,7 @@ use super::intake::{self, Entry};
 use super::provenance::Provenance;
 use super::record::Record;
 use super::store::Store;
-use pinhole_course::describe::printable;
+use pinhole_course::escape::printable;
 use pinhole_course::progress::Progress;
 use pinhole_course::submission::Unusable;
 

@@ -13,8 +13,8 @@ use super::page;
 use super::record::Record;
 use super::store::Store;
 use pinhole_course::assignment::Assignment;
-use pinhole_course::describe::printable;
 use pinhole_course::error::Result;
+use pinhole_course::escape::printable;
 
 /// What is said of this run alone.
 #[derive(Default)]

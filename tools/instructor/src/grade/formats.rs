@@ -7,8 +7,8 @@ use serde_json::{Value, json};
 use super::kind::Kind;
 use super::record::Record;
 use super::store::pretty;
-use pinhole_course::describe::printable;
 use pinhole_course::error::Result;
+use pinhole_course::escape::printable;
 
 /// A file to write beside each result.
 #[derive(Clone, Copy, Debug, Eq, PartialEq, ValueEnum)]

@@ -7,8 +7,8 @@ use std::fs;
 use std::hash::{BuildHasher, RandomState};
 use std::path::Path;
 
-use crate::cli::GoldenRender;
-use crate::command::golden;
+use crate::golden;
+use crate::golden::arguments::GoldenRender;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};

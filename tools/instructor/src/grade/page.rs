@@ -8,7 +8,7 @@ use super::class::{Class, Held, Row};
 use super::kind::Kind;
 use super::roster::{Person, Placed};
 use pinhole_course::assignment::Assignment;
-use pinhole_course::describe::printable;
+use pinhole_course::escape::printable;
 use pinhole_report::html::policy;
 
 const TEMPLATES: [(&str, &str); 2] = [

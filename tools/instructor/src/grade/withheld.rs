@@ -41,7 +41,7 @@ pub struct Withheld {
 impl Withheld {
     /// What may be shown of a group; `None` if all.
     pub fn group(&self, task: &str, group: &str) -> Option<Reveal> {
-        let of_scenes = pinhole_course::questions::is_of_scenes(task, group);
+        let of_scenes = pinhole_course::goldens::questions::is_of_scenes(task, group);
         let withheld = match of_scenes {
             true => !self.scenes.is_empty(),
             false => self.probes,

@@ -6,7 +6,7 @@ use super::belief::Beliefs;
 use crate::passage::Passage;
 use crate::terminal;
 use pinhole_course::compile::Replaced;
-use pinhole_course::describe::printable;
+use pinhole_course::escape::printable;
 use pinhole_course::examination::{GroupResult, TaskResult};
 
 /// One answer, judged alone.

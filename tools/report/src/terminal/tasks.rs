@@ -4,8 +4,8 @@ use super::words::{diagnosis, outcome_of, task_in_words};
 use super::{FAIL, QUIET, STRONG, indent, line, row};
 use crate::passage::Passage;
 use pinhole_course::compile::Replaced;
-use pinhole_course::describe::printable_coloured;
 use pinhole_course::diagnosis::Explanation;
+use pinhole_course::escape::printable_coloured;
 use pinhole_course::examination::{GroupResult, TaskResult};
 
 /// How much is told of a task that fails.

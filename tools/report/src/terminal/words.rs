@@ -3,8 +3,8 @@
 use pinhole::judge::Verdict;
 
 use pinhole_course::compile::Replaced;
-use pinhole_course::describe::printable;
 use pinhole_course::diagnosis::{Diagnosis, Explanation, Reading};
+use pinhole_course::escape::printable;
 use pinhole_course::examination::{GroupResult, Outcome, SceneResult, TaskResult};
 use pinhole_course::explanation::NoAnswer;
 use pinhole_course::submission::Unusable;

@@ -1,5 +1,8 @@
 //! `pinhole golden`: make goldens with Mitsuba, and verify them.
 
+pub mod arguments;
+mod mistake_films;
+
 use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,8 +11,7 @@ use pinhole::Scene;
 use pinhole::judge::Golden as GoldenFilm;
 use serde_json::json;
 
-use crate::cli::{Golden, GoldenMistakes, GoldenRender, GoldenVerify};
-use crate::mistake_films;
+use arguments::{Golden, GoldenMistakes, GoldenRender, GoldenVerify};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::diagnosis::known::Known;

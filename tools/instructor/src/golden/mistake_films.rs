@@ -14,10 +14,10 @@ use pinhole_course::diagnosis::known::Known;
 use pinhole_course::error::Result;
 use pinhole_course::examine;
 use pinhole_course::goldens::Goldens;
+use pinhole_course::goldens::questions::QuestionFilm;
 use pinhole_course::mistake::{self, MistakeFolder};
 use pinhole_course::overlay;
 use pinhole_course::progress::Progress;
-use pinhole_course::questions::QuestionFilm;
 use pinhole_course::sandbox::{Limits, Sandbox};
 
 /// No mistake takes longer over a film.

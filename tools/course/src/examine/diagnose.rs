@@ -8,7 +8,7 @@ use crate::diagnosis::{Diagnosis, Explanation, Reading};
 use crate::error::Result;
 use crate::examination::{Examination, Outcome, TaskResult};
 use crate::goldens::Goldens;
-use crate::questions::QuestionFilm;
+use crate::goldens::questions::QuestionFilm;
 
 /// A belief that explains less of a scene than this is not mentioned there.
 const LEAST_SHARE: f64 = 0.02;
