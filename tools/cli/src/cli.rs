@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 use pinhole::Resolution;
-use pinhole_course::run_options::{RunOptions, resolution};
+use pinhole_course::run_options::{AssignmentOption, RunOptions, resolution};
 
-/// Ray casting assignments, judged against golden films by Mitsuba.
+/// Computer graphics assignments, judged against golden films by Mitsuba.
 ///
-/// Run `cargo run --release -- check --watch`, and fill the answers in
-/// assignments/ray_casting/handout/src: each is judged when you save it.
+/// Run `cargo run --release -- check --watch`, and fill the answers in the folder
+/// `handout/src` of the assignment: each is judged when you save it.
 ///
 /// Exit codes: 0 all well; 1 judged wrong; 2 a file or an argument is wrong; 3 the
 /// machine or this program is at fault.
@@ -66,6 +66,8 @@ pub struct Check {
     /// A folder with the answer files, itself or in `src` [default: the current folder
     /// if it is a submission, else the handout]
     pub dir: Option<PathBuf>,
+    #[command(flatten)]
+    pub assignment: AssignmentOption,
     /// Stay, and judge an answer whenever it is saved
     #[arg(long, conflicts_with_all = ["scene", "oiiotool", "no_report"])]
     pub watch: bool,
@@ -111,6 +113,8 @@ pub struct Render {
     /// reference, or the handout where there is none]
     #[arg(long, value_name = "DIR")]
     pub submission: Option<PathBuf>,
+    #[command(flatten)]
+    pub assignment: AssignmentOption,
     /// Cast this many pixels instead of the scene's own; the image plane stays
     #[arg(long, value_name = "NXxNY", value_parser = resolution)]
     pub resolution: Option<Resolution>,
@@ -137,6 +141,8 @@ pub struct Explain {
     pub i: usize,
     /// Row, from the bottom, from 0
     pub j: usize,
+    #[command(flatten)]
+    pub assignment: AssignmentOption,
     /// Whose answers to explain [default: the current folder if it is a submission,
     /// else the reference, or the handout where there is none]
     #[arg(long, value_name = "DIR")]
@@ -163,6 +169,8 @@ pub struct Diff {
     pub golden: PathBuf,
     /// The film to judge
     pub film: PathBuf,
+    #[command(flatten)]
+    pub assignment: AssignmentOption,
     /// Write pictures of what was expected, what came, and where they differ, and
     /// report.html, which shows both films pixel by pixel
     #[arg(long, value_name = "DIR")]

@@ -12,7 +12,7 @@ use crate::error::{Error, Result};
 /// What students are asked, and where it lies.
 #[derive(Clone, Debug)]
 pub struct Assignment {
-    /// The folder's name, `ray_casting`.
+    /// The folder's name.
     pub name: String,
     /// The folder.
     pub folder: PathBuf,
@@ -88,8 +88,19 @@ struct File {
 }
 
 impl Assignment {
-    /// The assignment of this name, or else in the folder of this name.
-    pub fn named(checkout: &Checkout, name: &str) -> Result<Assignment> {
+    /// The assignment that is meant: the one of this name, or in the folder of this name;
+    /// without a name, the one that `folder` lies in, or else the checkout's default.
+    ///
+    /// # Errors
+    /// If there is no such assignment, or its file is wrong.
+    pub fn find(checkout: &Checkout, name: Option<&str>, folder: &Path) -> Result<Assignment> {
+        match name {
+            Some(name) => Assignment::named(checkout, name),
+            None => Assignment::around(checkout, folder),
+        }
+    }
+
+    fn named(checkout: &Checkout, name: &str) -> Result<Assignment> {
         let folder = Path::new(name);
         match folder
             .join("assignment.toml")
@@ -134,23 +145,16 @@ impl Assignment {
         })
     }
 
-    /// The assignment a folder belongs to: the one it lies in, or else the first.
-    pub fn around(checkout: &Checkout, folder: &Path) -> Result<Assignment> {
-        let names = names(checkout);
-        let holds = |name: &&String| {
+    /// The assignment a folder lies in, or else the default.
+    fn around(checkout: &Checkout, folder: &Path) -> Result<Assignment> {
+        let folder = folder.canonicalize();
+        let holds = |name: &String| {
             let own = checkout.assignments().join(name).canonicalize();
-            own.is_ok_and(|own| {
-                folder
-                    .canonicalize()
-                    .is_ok_and(|folder| folder.starts_with(own))
-            })
+            own.is_ok_and(|own| folder.as_ref().is_ok_and(|folder| folder.starts_with(own)))
         };
-        match names.iter().find(holds).or(names.first()) {
-            Some(name) => Assignment::read(checkout, name),
-            None => Err(Error::environment(
-                "this checkout has no assignment",
-                "restore the folder `assignments`",
-            )),
+        match names(checkout).into_iter().find(holds) {
+            Some(name) => Assignment::read(checkout, &name),
+            None => Assignment::read(checkout, &checkout.default_assignment()?),
         }
     }
 

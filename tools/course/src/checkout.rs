@@ -1,7 +1,9 @@
 //! Where things lie in a checkout of this repository.
 
-use std::env;
 use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use toml::Table;
 
 use crate::error::{Error, Result};
 
@@ -39,6 +41,27 @@ impl Checkout {
     /// Where assignments lie.
     pub fn assignments(&self) -> PathBuf {
         self.root.join("assignments")
+    }
+
+    /// The assignment that is meant where nobody says which: the workspace's manifest has
+    /// its name.
+    ///
+    /// # Errors
+    /// If it has none.
+    pub fn default_assignment(&self) -> Result<String> {
+        let path = self.root.join("Cargo.toml");
+        let text = fs::read_to_string(&path).unwrap_or_default();
+        let manifest: Option<Table> = text.parse().ok();
+        let name = manifest.as_ref().and_then(|manifest| {
+            let metadata = manifest.get("workspace")?.get("metadata")?;
+            metadata.get("pinhole")?.get("default-assignment")?.as_str()
+        });
+        name.map(str::to_owned).ok_or_else(|| {
+            Error::environment(
+                format!("{} names no default assignment", path.display()),
+                "say which is meant with --assignment, or restore the file",
+            )
+        })
     }
 
     /// Where an assignment's golden films lie.

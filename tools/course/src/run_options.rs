@@ -1,12 +1,50 @@
 //! Command-line options about how a submission's program is run.
 
+use std::env;
+use std::path::Path;
 use std::time::Duration;
 
 use clap::Args;
 use pinhole::Resolution;
 use pinhole::scene::MOST_PIXELS;
 
+use crate::assignment::Assignment;
+use crate::checkout::Checkout;
+use crate::error::Result;
 use crate::sandbox::Choice;
+
+/// Which assignment is meant.
+#[derive(Args)]
+pub struct AssignmentOption {
+    /// The assignment, by name or folder [default: the one that the folder at hand lies in,
+    /// else the checkout's default]
+    #[arg(long = "assignment", value_name = "NAME")]
+    pub name: Option<String>,
+}
+
+impl AssignmentOption {
+    /// The assignment, where nothing else tells which the one around `folder`, or else
+    /// around the current folder.
+    ///
+    /// # Errors
+    /// See [`Assignment::find`].
+    pub fn find(&self, checkout: &Checkout, folder: Option<&Path>) -> Result<Assignment> {
+        let here = || env::current_dir().unwrap_or_default();
+        let folder = folder.map_or_else(here, Path::to_owned);
+        Assignment::find(checkout, self.name.as_deref(), &folder)
+    }
+
+    /// The same of a command that takes the name as an argument too.
+    ///
+    /// # Errors
+    /// See [`Assignment::find`].
+    pub fn or(&self, named: Option<&str>, checkout: &Checkout) -> Result<Assignment> {
+        match named {
+            Some(name) => Assignment::find(checkout, Some(name), Path::new("")),
+            None => self.find(checkout, None),
+        }
+    }
+}
 
 /// Which sandbox untrusted code runs in.
 #[derive(Args)]
@@ -53,7 +91,7 @@ impl RunOptions {
 }
 
 /// A film's size as a user types it, `640x360`.
-pub fn resolution(text: &str) -> Result<Resolution, String> {
+pub fn resolution(text: &str) -> std::result::Result<Resolution, String> {
     let wrong = || format!("`{text}` is no size like 640x360");
     let (n_x, n_y) = text.split_once('x').ok_or_else(wrong)?;
     let count = |text: &str| {

@@ -4,6 +4,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
+use pinhole_course::run_options::AssignmentOption;
 use pinhole_course::sandbox::Choice;
 
 use crate::golden::arguments::Golden;
@@ -70,6 +71,8 @@ pub struct Grade {
     /// Submissions, and folders of submissions
     #[arg(required = true, value_name = "PATH")]
     pub paths: Vec<PathBuf>,
+    #[command(flatten)]
+    pub assignment: AssignmentOption,
     /// Where results are written, and kept for the next time
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
@@ -137,6 +140,8 @@ pub struct Merge {
     /// The shards' folders
     #[arg(required = true, value_name = "DIR")]
     pub shards: Vec<PathBuf>,
+    #[command(flatten)]
+    pub assignment: AssignmentOption,
     /// Where the whole class is written
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
@@ -160,8 +165,10 @@ pub struct Merge {
 #[derive(Args)]
 pub struct Handout {
     /// The assignment
-    #[arg(default_value = "ray_casting")]
-    pub assignment: String,
+    #[arg(value_name = "ASSIGNMENT", conflicts_with = "name")]
+    pub positional: Option<String>,
+    #[command(flatten)]
+    pub assignment: AssignmentOption,
     /// Change nothing; fail if the committed handout is out of step
     #[arg(long, conflicts_with_all = ["out", "gradescope"])]
     pub check: bool,
@@ -210,8 +217,10 @@ pub struct Handout {
 #[derive(Args)]
 pub struct Validate {
     /// The assignment: its name, or its folder
-    #[arg(default_value = "ray_casting")]
-    pub assignment: String,
+    #[arg(value_name = "ASSIGNMENT", conflicts_with = "name")]
+    pub positional: Option<String>,
+    #[command(flatten)]
+    pub assignment: AssignmentOption,
     /// Write mutants of the reference, and judge them too: some 600, a minute or two
     #[arg(long)]
     pub mutants: bool,

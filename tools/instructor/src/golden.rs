@@ -41,7 +41,7 @@ pub fn run(checkout: &Checkout, arguments: &Golden) -> Result<Status> {
 
 /// Fingerprints the mistakes anew on goldens that stay as they are.
 fn mistakes(checkout: &Checkout, arguments: &GoldenMistakes) -> Result<Status> {
-    let assignment = Assignment::around(checkout, &std::env::current_dir().unwrap_or_default())?;
+    let assignment = arguments.assignment.find(checkout, None)?;
     let own = checkout.golden(&assignment.name);
     let folder = arguments.dir.as_ref().unwrap_or(&own);
     let mut manifest = Manifest::read(folder)?;
@@ -83,7 +83,7 @@ fn render(checkout: &Checkout, arguments: &GoldenRender) -> Result<Status> {
 
 /// Renders what is asked for; what there is to say of it, line by line.
 pub fn make(checkout: &Checkout, arguments: &GoldenRender) -> Result<Vec<String>> {
-    let assignment = Assignment::around(checkout, &std::env::current_dir().unwrap_or_default())?;
+    let assignment = arguments.assignment.find(checkout, None)?;
     let own = checkout.golden(&assignment.name);
     let folder = arguments.out.clone().unwrap_or_else(|| own.clone());
     let scenes = scenes(arguments, &assignment)?;
@@ -229,7 +229,7 @@ fn enter(
 }
 
 fn verify(checkout: &Checkout, arguments: &GoldenVerify) -> Result<Status> {
-    let assignment = Assignment::around(checkout, &std::env::current_dir().unwrap_or_default())?;
+    let assignment = arguments.assignment.find(checkout, None)?;
     let own = checkout.golden(&assignment.name);
     let folder = arguments.dir.as_ref().unwrap_or(&own);
     let manifest = Manifest::read(folder)?;

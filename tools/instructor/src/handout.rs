@@ -53,6 +53,7 @@ impl Repository {
         let answers = format!("assignments/{}/handout", assignment.name);
         let packages = [answers, workspace::CLI.to_owned()];
         let workspace = Workspace {
+            assignment: &assignment.name,
             packages: &packages,
             // `cargo test` tests the answers; `cargo run` is the `pinhole` command, since
             // only its package names a program to run.

@@ -25,8 +25,9 @@ use pinhole_report::program::Status;
 use pinhole_report::{json, terminal};
 
 pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
-    let here = std::env::current_dir().unwrap_or_default();
-    let assignment = Assignment::around(checkout, arguments.dir.as_ref().unwrap_or(&here))?;
+    let assignment = arguments
+        .assignment
+        .find(checkout, arguments.dir.as_deref())?;
     let goldens = match &arguments.golden {
         Some(folder) => Goldens::find(folder, &assignment, checkout)?,
         None => Goldens::read(&checkout.golden(&assignment.name), &assignment)?,

@@ -10,7 +10,7 @@ use pinhole::{Film, Scene, false_colour};
 use serde_json::json;
 
 use crate::cli::Diff;
-use pinhole_course::assignment::{Assignment, ScenePoints};
+use pinhole_course::assignment::ScenePoints;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::diagnosis::Diagnosis;
 use pinhole_course::error::{Error, Result};
@@ -187,7 +187,9 @@ fn film_report(
 
 /// The scene that both films show, as far as that is known.
 fn scene(checkout: &Checkout, arguments: &Diff) -> Result<Option<Scene>> {
-    let assignment = Assignment::around(checkout, &arguments.golden)?;
+    let assignment = arguments
+        .assignment
+        .find(checkout, Some(&arguments.golden))?;
     if let Some(named) = &arguments.scene {
         return Ok(Some(assignment.find_scene(named, checkout)?.0));
     }

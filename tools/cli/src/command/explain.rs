@@ -5,7 +5,6 @@ use pinhole::{Camera, Hit, Pixel, Projection, Resolution, Scene};
 use serde_json::{Value, json};
 
 use crate::cli::Explain;
-use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::compile;
 use pinhole_course::describe::{self, intersection, ray};
@@ -26,8 +25,8 @@ const DIGITS: usize = 6;
 const MOST_MISSES: usize = 12;
 
 pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Status> {
-    let here = std::env::current_dir().unwrap_or_default();
-    let assignment = Assignment::around(checkout, arguments.submission.as_ref().unwrap_or(&here))?;
+    let named = arguments.submission.as_deref();
+    let assignment = arguments.assignment.find(checkout, named)?;
     let (scene, golden) = assignment.find_scene(&arguments.scene, checkout)?;
     let pixel = Pixel {
         i: arguments.i,
@@ -44,7 +43,6 @@ pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Status> {
             ),
         ));
     }
-    let named = arguments.submission.as_deref();
     let submission = Submission::named_or(named, &assignment, &assignment.own_answers())?;
     let choice = arguments.run.sandbox.choice();
     let sandbox = Sandbox::around(&submission.folder, checkout, choice, &[])?;

@@ -3,7 +3,6 @@
 use std::time::Instant;
 
 use pinhole::job::Job;
-use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::Whole;
 use pinhole_course::error::Result;
@@ -17,17 +16,12 @@ use pinhole_report::terminal;
 use crate::cli::Render;
 
 pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
-    let here = std::env::current_dir().unwrap_or_default();
-    let assignment = Assignment::around(checkout, arguments.submission.as_ref().unwrap_or(&here))?;
+    let named = arguments.submission.as_deref();
+    let assignment = arguments.assignment.find(checkout, named)?;
     let (mut scene, golden) = assignment.find_scene(&arguments.scene, checkout)?;
     scene.resolution = arguments.resolution.unwrap_or(scene.resolution);
     let (resolution, depth_per_t) = (scene.resolution, scene.camera.depth_per_t());
-    let whole = Whole::build(
-        checkout,
-        &assignment,
-        arguments.submission.as_deref(),
-        &arguments.run,
-    )?;
+    let whole = Whole::build(checkout, &assignment, named, &arguments.run)?;
     let progress = Progress::new();
     let pixels = resolution.pixels() as f64;
     let start = Instant::now();

@@ -29,7 +29,7 @@ use pinhole_course::sandbox::Sandbox;
 use pinhole_report::program::Status;
 
 pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
-    let assignment = Assignment::around(checkout, &std::env::current_dir().unwrap_or_default())?;
+    let assignment = arguments.assignment.find(checkout, None)?;
     let roll = roll(arguments, &assignment)?;
     let public = checkout.golden(&assignment.name);
     let folder = arguments.golden.as_ref().unwrap_or(&public);

@@ -13,7 +13,7 @@ use pinhole_course::stubs;
 use pinhole_report::program::Status;
 
 pub fn run(checkout: &Checkout, arguments: &Handout) -> Result<Status> {
-    let assignment = Assignment::read(checkout, &arguments.assignment)?;
+    let assignment = arguments.assignment.or(arguments.positional.as_deref(), checkout)?;
     match (&arguments.out, &arguments.gradescope) {
         (None, None) => stubs_in_place(&assignment, arguments),
         _ => hand_out(&assignment, checkout, arguments),
@@ -103,7 +103,7 @@ fn stubs_in_place(assignment: &Assignment, arguments: &Handout) -> Result<Status
         }
         anstream::println!(
             "mend it: cargo run --release -- handout {}",
-            arguments.assignment
+            assignment.name
         );
     }
     Ok(match in_step {

@@ -10,13 +10,12 @@ use crate::grade::provenance::MadeWith;
 use crate::grade::record::Record;
 use crate::grade::store::{Store, pretty, standing, write};
 use crate::grade::unfinished::Unfinished;
-use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};
 use pinhole_report::program::Status;
 
 pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
-    let assignment = Assignment::around(checkout, &std::env::current_dir().unwrap_or_default())?;
+    let assignment = arguments.assignment.find(checkout, None)?;
     let roll = common_roll(arguments)?;
     let store = Store::open(&arguments.out)?;
     let mut records: BTreeMap<String, Record> = BTreeMap::new();

@@ -3,7 +3,6 @@
 use crate::cli::Validate;
 use crate::validate::bench::Bench;
 use crate::validate::{Part, Plan, table, validate};
-use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::Compiler;
 use pinhole_course::error::{Error, Result};
@@ -14,7 +13,7 @@ use pinhole_course::second_judge::SecondJudge;
 use pinhole_report::program::Status;
 
 pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Status> {
-    let assignment = Assignment::named(checkout, &arguments.assignment)?;
+    let assignment = arguments.assignment.or(arguments.positional.as_deref(), checkout)?;
     let goldens = Goldens::read(&checkout.golden(&assignment.name), &assignment)?;
     let sandbox = Sandbox::around(&assignment.folder, checkout, Choice::Auto, &[])?;
     let second_judge = arguments

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
+use pinhole_course::run_options::AssignmentOption;
 
 #[derive(Subcommand)]
 pub enum Golden {
@@ -25,9 +26,11 @@ pub enum Golden {
 /// too far out: shift its camera a little.
 #[derive(Args)]
 pub struct GoldenRender {
+    #[command(flatten)]
+    pub assignment: AssignmentOption,
     /// Scene files, or names of the assignment's scenes
     pub scenes: Vec<String>,
-    /// Where to write [default: golden/ray_casting for the assignment's own scenes]
+    /// Where to write [default: the folder of `golden` for the assignment's own scenes]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Make fresh probes and random scenes from this seed instead; needs --out
@@ -45,14 +48,18 @@ pub struct GoldenRender {
 /// Mitsuba.
 #[derive(Args)]
 pub struct GoldenMistakes {
-    /// The folder of goldens [default: golden/ray_casting]
+    #[command(flatten)]
+    pub assignment: AssignmentOption,
+    /// The folder of goldens [default: the assignment's, in `golden`]
     pub dir: Option<PathBuf>,
 }
 
 /// Check that goldens, scenes, scripts and manifest belong together.
 #[derive(Args)]
 pub struct GoldenVerify {
-    /// The folder of goldens [default: golden/ray_casting]
+    #[command(flatten)]
+    pub assignment: AssignmentOption,
+    /// The folder of goldens [default: the assignment's, in `golden`]
     pub dir: Option<PathBuf>,
     /// Print one JSON document on standard output
     #[arg(long)]

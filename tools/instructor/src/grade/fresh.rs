@@ -15,6 +15,7 @@ use pinhole_course::error::{Error, Result};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
 use pinhole_course::mitsuba;
+use pinhole_course::run_options::AssignmentOption;
 
 /// The fresh goldens in `folder`, made if they are not there; `None` if there is no
 /// Mitsuba to make them.
@@ -46,6 +47,9 @@ pub fn find_or_make(
     let beside = folder.with_extension("new");
     let _left_behind = fs::remove_dir_all(&beside);
     let request = GoldenRender {
+        assignment: AssignmentOption {
+            name: Some(assignment.folder.display().to_string()),
+        },
         scenes: Vec::new(),
         out: Some(beside.clone()),
         seed: Some(seed),

@@ -102,6 +102,7 @@ fn course(assignment: &Assignment, checkout: &Checkout) -> Result<Files> {
         .to_vec();
     packages.extend([CLI.to_owned(), INSTRUCTOR.to_owned()]);
     let workspace = Workspace {
+        assignment: &assignment.name,
         packages: &packages,
         default: &packages[2..],
     };

@@ -19,6 +19,8 @@ pub const INSTRUCTOR: &str = "tools/instructor";
 
 /// A workspace to hand out.
 pub struct Workspace<'a> {
+    /// The assignment that commands mean if nothing else is said.
+    pub assignment: &'a str,
     /// Folders of the packages that are there for their own sake; what they need comes
     /// with them.
     pub packages: &'a [String],
@@ -52,6 +54,7 @@ impl Workspace<'_> {
         if let Some(shared) = top["workspace"]["dependencies"].as_table_mut() {
             shared.retain(|_, item| path_of(item).is_none_or(|path| paths.contains(path)));
         }
+        top["workspace"]["metadata"]["pinhole"]["default-assignment"] = value(self.assignment);
         top["workspace"]["members"] = list(&members);
         top["workspace"]["default-members"] = list(self.default);
         files.insert("Cargo.toml".into(), top.to_string().into());

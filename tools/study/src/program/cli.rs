@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
 use pinhole::Resolution;
-use pinhole_course::run_options::{RunOptions, resolution};
+use pinhole_course::run_options::{AssignmentOption, RunOptions, resolution};
 use pinhole_study::plan::Wish;
 
 /// The trade between speed and accuracy in ray casting.
@@ -66,6 +66,8 @@ pub struct Study {
     /// is graded
     #[arg(long, value_name = "DIR")]
     pub submission: Option<PathBuf>,
+    #[command(flatten)]
+    pub assignment: AssignmentOption,
     /// Where to write
     #[arg(long, value_name = "DIR", default_value = "study")]
     pub out: PathBuf,
@@ -93,6 +95,8 @@ pub struct Study {
 pub struct Plan {
     /// A scene file, or the name of one of the assignment's scenes
     pub scene: String,
+    #[command(flatten)]
+    pub assignment: AssignmentOption,
     /// The largest relative error of t, and the largest angle between a normal and the true
     /// one, in radians
     #[arg(long, value_name = "X", value_parser = accuracy)]
@@ -117,6 +121,8 @@ pub struct Plan {
 pub struct Render {
     /// A scene file, or the name of one of the assignment's scenes
     pub scene: String,
+    #[command(flatten)]
+    pub assignment: AssignmentOption,
     /// Cast by the exact caster, whose objects are never wrong, whatever the scene: what
     /// rounding leaves open is decided by exact arithmetic, and it is told how often.
     /// Exact for the rays as rounded to f64

@@ -1,6 +1,5 @@
 //! `pinhole plan`: how to cast a scene, and why.
 
-use std::env;
 use std::path::PathBuf;
 
 use pinhole::{Resolution, Scene};
@@ -15,7 +14,13 @@ use serde_json::json;
 use crate::cli::Plan;
 
 pub fn run(checkout: &Checkout, arguments: &Plan) -> Result<Status> {
-    let (scene, file, _) = scene(&arguments.scene, arguments.resolution, checkout)?;
+    let assignment = arguments.assignment.find(checkout, None)?;
+    let (scene, file, _) = scene(
+        &arguments.scene,
+        arguments.resolution,
+        &assignment,
+        checkout,
+    )?;
     let (plan, _) = plan(&scene, arguments.wanted.wish(arguments.accuracy)).map_err(unplannable)?;
     match arguments.json {
         true => anstream::println!("{:#}", json!(plan)),
@@ -32,9 +37,9 @@ pub fn run(checkout: &Checkout, arguments: &Plan) -> Result<Status> {
 pub fn scene(
     named: &str,
     resolution: Option<Resolution>,
+    assignment: &Assignment,
     checkout: &Checkout,
 ) -> Result<(Scene, PathBuf, Option<PathBuf>)> {
-    let assignment = Assignment::around(checkout, &env::current_dir().unwrap_or_default())?;
     let (mut scene, golden) = assignment.find_scene(named, checkout)?;
     scene.resolution = resolution.unwrap_or(scene.resolution);
     Ok((scene, assignment.find_scene_file(named)?, golden))

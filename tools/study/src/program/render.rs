@@ -18,7 +18,13 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
             "say how accurate it is to be with --plan X",
         ));
     }
-    let (scene, _, golden) = scene(&arguments.scene, arguments.resolution, checkout)?;
+    let assignment = arguments.assignment.find(checkout, None)?;
+    let (scene, _, golden) = scene(
+        &arguments.scene,
+        arguments.resolution,
+        &assignment,
+        checkout,
+    )?;
     let (film, seconds, by, exact, planned) = match arguments.plan {
         None => {
             let (film, report) = film::exact(&scene);

@@ -25,7 +25,7 @@ const MOST_PANICS: usize = 20;
 
 /// Has everything answered.
 pub fn answers(checkout: &Checkout, arguments: &Study, folder: &Path) -> Result<Theirs> {
-    let assignment = Assignment::around(checkout, folder)?;
+    let assignment = arguments.assignment.find(checkout, Some(folder))?;
     let whole = Whole::build(checkout, &assignment, Some(folder), &arguments.run)?;
     let progress = Progress::new();
     progress.say("writing questions");
