@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use crate::assignment::Assignment;
+use crate::assignment::{Assignment, Task};
 use crate::error::{Error, Result};
 
 /// A belief that leads to wrong answers, and what helps somebody who holds it.
@@ -46,7 +46,9 @@ pub struct Hint {
 pub struct MistakeFolder {
     /// The folder's name.
     pub slug: String,
-    /// Where it is: the wrong answer files and `mistake.toml`.
+    /// Where it is: `mistake.toml`, the wrong answer files and, in `rewrite`, other files
+    /// with the same belief, starting from another algorithm. A compound whose beliefs are
+    /// about different tasks has no files of its own, see [`MistakeFolder::overlays`].
     pub folder: PathBuf,
     /// What is believed.
     pub mistake: Mistake,
@@ -56,6 +58,36 @@ impl Mistake {
     /// Whether it is one belief alone.
     pub fn is_single(&self) -> bool {
         self.beliefs.is_empty()
+    }
+}
+
+impl MistakeFolder {
+    /// The folders to lay over right answers one after the other: its own or, if it is a
+    /// compound without an answer file, those of its beliefs.
+    ///
+    /// # Errors
+    /// If two beliefs answer the same task: then only the later one's answer would count.
+    pub fn overlays(&self, assignment: &Assignment) -> Result<Vec<PathBuf>> {
+        let answers = |folder: &PathBuf, task: &Task| folder.join(task.file()).is_file();
+        let mut tasks = assignment.tasks.iter();
+        if self.mistake.is_single() || tasks.any(|task| answers(&self.folder, task)) {
+            return Ok(vec![self.folder.clone()]);
+        }
+        let beliefs = self.mistake.beliefs.iter();
+        let folders: Vec<PathBuf> = beliefs
+            .map(|belief| assignment.folder.join("mistakes").join(belief))
+            .collect();
+        let shared = assignment.tasks.iter().find(|task| {
+            let answering = folders.iter().filter(|folder| answers(folder, task));
+            answering.count() > 1
+        });
+        match shared {
+            None => Ok(folders),
+            Some(task) => Err(Error::input(
+                format!("{}: its beliefs are both about {}", self.slug, task.name),
+                format!("write {} with both of them there", task.file()),
+            )),
+        }
     }
 }
 

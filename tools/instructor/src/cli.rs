@@ -205,8 +205,8 @@ pub struct Handout {
 /// answers, and the verdicts are compared with what is known:
 ///
 /// - the stub is unanswered, the reference and every variant pass;
-/// - every known mistake fails in exactly the tasks that it declares, and so does the same
-///   belief written anew;
+/// - every known mistake fails in exactly the tasks that it declares, and so does its
+///   rewrite, which starts from another algorithm;
 /// - with --mutants: of the reference with one small fault each (a sign, a comparison, a
 ///   constant, a vector for its neighbour, …) none that compiles passes, unless
 ///   equivalent.toml lists it and a search for differences agrees.

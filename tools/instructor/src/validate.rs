@@ -17,7 +17,6 @@ mod mutate;
 mod naming;
 mod sensitivity;
 mod submissions;
-mod suites;
 mod table;
 
 use clap::ValueEnum;
@@ -45,7 +44,7 @@ pub struct Plan {
 /// A part of the validation.
 #[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
 pub enum Part {
-    /// Known mistakes, and the same written anew: each must fail in its own tasks
+    /// Known mistakes and rewrites of them: each must fail in its own tasks
     Mistakes,
     /// Right answers by other routes: each must pass
     Variants,
@@ -67,7 +66,7 @@ pub struct Validation {
     /// The known mistakes, if they were judged.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mistakes: Option<Known>,
-    /// The known mistakes' beliefs in other words, if they were judged.
+    /// Rewrites of the known mistakes, if they were judged.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rewrites: Option<Known>,
     /// The variants, if they were judged.

@@ -8,8 +8,8 @@ use super::evidence::Evidence;
 use super::known::Known;
 use super::{Diagnosis, Explanation, Reading};
 
-/// Less agreement than this earns no name. Beliefs written anew agree to 0.95 and more
-/// (`pinhole validate` measures it); a coincidence rarely passes one half.
+/// Less agreement than this earns no name. Rewrites of known mistakes agree to 0.95 and
+/// more (`pinhole validate` measures it); a coincidence rarely passes one half.
 const ENOUGH: f64 = 0.9;
 
 /// Two beliefs in one task spoil each other's pixels where they meet.

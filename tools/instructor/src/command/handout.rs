@@ -13,7 +13,9 @@ use pinhole_course::stubs;
 use pinhole_report::program::Status;
 
 pub fn run(checkout: &Checkout, arguments: &Handout) -> Result<Status> {
-    let assignment = arguments.assignment.or(arguments.positional.as_deref(), checkout)?;
+    let assignment = arguments
+        .assignment
+        .or(arguments.positional.as_deref(), checkout)?;
     match (&arguments.out, &arguments.gradescope) {
         (None, None) => stubs_in_place(&assignment, arguments),
         _ => hand_out(&assignment, checkout, arguments),

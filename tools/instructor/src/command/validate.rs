@@ -13,7 +13,9 @@ use pinhole_course::second_judge::SecondJudge;
 use pinhole_report::program::Status;
 
 pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Status> {
-    let assignment = arguments.assignment.or(arguments.positional.as_deref(), checkout)?;
+    let assignment = arguments
+        .assignment
+        .or(arguments.positional.as_deref(), checkout)?;
     let goldens = Goldens::read(&checkout.golden(&assignment.name), &assignment)?;
     let sandbox = Sandbox::around(&assignment.folder, checkout, Choice::Auto, &[])?;
     let second_judge = arguments

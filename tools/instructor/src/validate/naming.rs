@@ -1,10 +1,10 @@
-//! Whether diagnoses give the right name: of beliefs written anew, never of the folders
-//! whose films are stored, since matching a film with itself proves nothing.
+//! Whether diagnoses give the right name: of rewrites, never of the answers whose films
+//! are stored, since matching a film with itself proves nothing.
 
 use serde::Serialize;
 
 use super::bench::Bench;
-use super::submissions::Known;
+use super::submissions::{Judged, Known};
 use pinhole_course::diagnosis::{Diagnosis, Reading};
 use pinhole_course::error::Result;
 use pinhole_course::examination::{Examination, SceneResult};
@@ -113,9 +113,9 @@ const ENOUGH: f64 = 0.95;
 /// How often diagnoses give the right name.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Diagnoses {
-    /// Of single beliefs written anew.
-    pub anew: Naming,
-    /// Of two beliefs at once.
+    /// Of rewrites of single beliefs.
+    pub rewrites: Naming,
+    /// Of two beliefs at once: composed of rewrites, or written as one answer.
     pub compounds: Naming,
     /// Of single beliefs as if each had never been met before: any name is false.
     pub unmet: Naming,
@@ -124,25 +124,30 @@ pub struct Diagnoses {
 impl Diagnoses {
     /// Counts the names of everything that was judged.
     pub fn of(mistakes: &Known, rewrites: &Known) -> Diagnoses {
-        let of = |single: bool| {
-            let judged = mistakes.judged.iter();
-            let judged = judged.filter(move |judged| judged.single == single);
-            Naming::sum(judged.map(|judged| &judged.naming))
-        };
+        let sum = |judged: &[&Judged]| Naming::sum(judged.iter().map(|judged| &judged.naming));
+        let (unmet, compounds): (Vec<_>, Vec<_>) =
+            mistakes.judged.iter().partition(|judged| judged.single);
+        let (rewrites, composed): (Vec<_>, Vec<_>) =
+            rewrites.judged.iter().partition(|judged| judged.single);
+        // What is composed of the beliefs' own answers shows little: their films are stored.
+        let written = compounds.into_iter().filter(|judged| !judged.composed);
+        let compounds: Vec<&Judged> = written.chain(composed).collect();
         Diagnoses {
-            anew: Naming::sum(rewrites.judged.iter().map(|judged| &judged.naming)),
-            compounds: of(false),
-            unmet: of(true),
+            rewrites: sum(&rewrites),
+            compounds: sum(&compounds),
+            unmet: sum(&unmet),
         }
     }
 
     /// What misses a target.
     pub fn faults(&self) -> Vec<String> {
         let Diagnoses {
-            anew, compounds, ..
+            rewrites,
+            compounds,
+            ..
         } = self;
         let mut faults = Vec::new();
-        for (films, names) in [("tasks", &anew.tasks), ("scenes", &anew.scenes)] {
+        for (films, names) in [("tasks", &rewrites.tasks), ("scenes", &rewrites.scenes)] {
             if names.all() > 0 && names.share_right() < ENOUGH {
                 let share = 100.0 * names.share_right();
                 faults.push(format!(

@@ -1,8 +1,7 @@
-//! The smallest error that each scene detects, by our rule and by those of other
-//! renderers' test suites.
+//! The smallest error that each scene detects.
 //!
-//! Camera errors are cast anew by the reference's own program, with the camera
-//! disturbed; errors of t and of normals are put into the reference's film.
+//! For camera errors the reference's own program casts with a disturbed camera; errors of
+//! t and of normals are put into the reference's film.
 
 use std::collections::BTreeMap;
 
@@ -10,11 +9,10 @@ use glam::{DVec3, Vec3};
 use pinhole::film::{Channel, MISS};
 use pinhole::job::Job;
 use pinhole::judge::{Golden, judge};
-use pinhole::{Camera, Film, Projection, Scene, false_colour};
+use pinhole::{Camera, Film, Projection, Scene};
 use serde::Serialize;
 
 use super::bench::{Bench, WALL};
-use super::suites::{Pictures, SUITES};
 use pinhole_course::compile::Program;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::examine;
@@ -26,8 +24,9 @@ use pinhole_course::sandbox::Limits;
 pub struct Sensitivity {
     /// The scene.
     pub scene: String,
-    /// For each kind of error that this scene can have.
-    pub least: BTreeMap<Kind, Least>,
+    /// The smallest error of each kind that this scene can have; `None` if not even the
+    /// largest that was tried is detected, [`Kind::most`].
+    pub least: BTreeMap<Kind, Option<f64>>,
 }
 
 /// Kinds of error.
@@ -43,16 +42,6 @@ pub enum Kind {
     T,
     /// Every normal is tilted by so many radians.
     NormalTilt,
-}
-
-/// The smallest error of one kind that each rule detects; `None` if not even the largest
-/// that was tried, [`Kind::most`].
-#[derive(Clone, Debug, Default, Serialize)]
-pub struct Least {
-    /// Our one rule.
-    pub ours: Option<f64>,
-    /// The other suites', in the order of [`SUITES`].
-    pub suites: [Option<f64>; SUITES.len()],
 }
 
 impl Kind {
@@ -100,7 +89,6 @@ pub fn measure(bench: &Bench, named: &str) -> Result<Vec<Sensitivity>> {
         let scene = Scene::read(&golden_scene.file)?;
         let film = cast(bench, &program, &scene)?;
         subjects.push(Subject {
-            depths: false_colour::depth_range(&film, scene.camera.depth_per_t()),
             scene,
             film,
             golden: asked.golden,
@@ -158,15 +146,13 @@ struct Subject {
     scene: Scene,
     film: Film,
     golden: Golden,
-    /// What depth pictures span.
-    depths: std::ops::Range<f64>,
 }
 
 /// A way to disturb a film.
 type Disturb<'a> = dyn Fn(f64) -> Result<Film> + 'a;
 
 impl Subject {
-    fn least(&self, bench: &Bench, program: &Program, kind: Kind) -> Result<Least> {
+    fn least(&self, bench: &Bench, program: &Program, kind: Kind) -> Result<Option<f64>> {
         let with_camera = |camera| {
             let scene = Scene {
                 camera,
@@ -179,7 +165,10 @@ impl Subject {
             Kind::CameraShift => {
                 let across = search(&|pixels| with_camera(self.shifted(pixels, 0.0)))?;
                 let upward = search(&|pixels| with_camera(self.shifted(0.0, pixels)))?;
-                across.later(&upward)
+                // A shift that only one direction detects does not count as detected.
+                across
+                    .zip(upward)
+                    .map(|(across, upward)| across.max(upward))
             }
             Kind::FocalLength => search(&|share| with_camera(self.farther(share)))?,
             Kind::T => search(&|share| Ok(self.with_t(share)))?,
@@ -189,44 +178,23 @@ impl Subject {
 
     /// By bisection: between the steps that are tried, larger errors are taken to be
     /// seen where smaller ones are.
-    fn search(&self, kind: Kind, disturb: &Disturb) -> Result<Least> {
-        let mut films: BTreeMap<i32, Film> = BTreeMap::new();
-        let mut least = |detects: &dyn Fn(&Film) -> bool| -> Result<Option<f64>> {
-            let mut at = |step: i32| -> Result<bool> {
-                if let Some(film) = films.get(&step) {
-                    return Ok(detects(film));
-                }
-                let film = disturb(size(step))?;
-                let detected = detects(&film);
-                films.insert(step, film);
-                Ok(detected)
-            };
-            let (mut unseen, mut seen) = (FIRST_STEP, kind.last_step());
-            if !at(seen)? {
-                return Ok(None);
-            }
-            while seen - unseen > 1 {
-                let middle = (seen + unseen).div_euclid(2);
-                match at(middle)? {
-                    true => seen = middle,
-                    false => unseen = middle,
-                }
-            }
-            Ok(Some(size(seen)))
+    fn search(&self, kind: Kind, disturb: &Disturb) -> Result<Option<f64>> {
+        let is_seen = |step: i32| -> Result<bool> {
+            let film = disturb(size(step))?;
+            Ok(!judge(&self.golden, &film).is_ok_and(|verdict| verdict.passes()))
         };
-        let ours = least(&|film| !judge(&self.golden, film).is_ok_and(|verdict| verdict.passes()))?;
-        // The reference's film and not Mitsuba's: a single pixel of which the two are of
-        // two minds would fail a suite before anything is disturbed.
-        let expected = self.pictures(&self.film);
-        let mut suites = [None; SUITES.len()];
-        for (suite, place) in SUITES.iter().zip(&mut suites) {
-            *place = least(&|film| suite.detects(&expected, &self.pictures(film)))?;
+        let (mut unseen, mut seen) = (FIRST_STEP, kind.last_step());
+        if !is_seen(seen)? {
+            return Ok(None);
         }
-        Ok(Least { ours, suites })
-    }
-
-    fn pictures(&self, film: &Film) -> Pictures {
-        Pictures::of(film, self.scene.camera.depth_per_t(), &self.depths)
+        while seen - unseen > 1 {
+            let middle = (seen + unseen).div_euclid(2);
+            match is_seen(middle)? {
+                true => seen = middle,
+                false => unseen = middle,
+            }
+        }
+        Ok(Some(size(seen)))
     }
 
     /// Every ray passes beside its pixel's centre by these.
@@ -306,19 +274,4 @@ impl Subject {
 struct Sample {
     t: f32,
     normal: Vec3,
-}
-
-impl Least {
-    /// The larger of the two for each rule; never, if one of them is never detected.
-    fn later(&self, other: &Least) -> Least {
-        let later = |a: Option<f64>, b: Option<f64>| Some(a?.max(b?));
-        let mut suites = self.suites;
-        for (own, other) in suites.iter_mut().zip(other.suites) {
-            *own = later(*own, other);
-        }
-        Least {
-            ours: later(self.ours, other.ours),
-            suites,
-        }
-    }
 }

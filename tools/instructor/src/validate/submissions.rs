@@ -1,5 +1,5 @@
 //! Submissions that people wrote and whose verdict is known: the stub, the reference,
-//! mistakes, the same beliefs written anew, and variants.
+//! mistakes, rewrites of them, and variants.
 
 use std::fs;
 use std::path::PathBuf;
@@ -8,7 +8,6 @@ use serde::Serialize;
 
 use super::bench::Bench;
 use super::naming::Naming;
-use pinhole_course::assignment::Task;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::examination::{Examination, Outcome};
 use pinhole_course::examine::Selection;
@@ -40,10 +39,10 @@ pub struct Known {
 pub struct Judged {
     /// Its folder inside the assignment.
     pub name: String,
-    /// Whether it holds one belief alone, and no rewrite of it.
+    /// Whether it holds one belief alone.
     pub single: bool,
-    /// What it was judged by.
-    pub by: By,
+    /// Whether it is composed of the folders of several beliefs.
+    pub composed: bool,
     /// Tasks that must lose points, sorted; none if it must pass.
     pub declared: Vec<String>,
     /// Tasks that lose points, sorted.
@@ -108,13 +107,12 @@ fn outcomes(examination: &Examination) -> impl Iterator<Item = (String, &Outcome
     groups.chain(scenes.map(|scene| (scene.name.clone(), &scene.outcome)))
 }
 
-/// A folder to lay over other answers, and what must come of it.
+/// Folders to lay over other answers one after the other, and what must come of it.
 struct Overlay {
     name: String,
-    folder: PathBuf,
+    folders: Vec<PathBuf>,
     single: bool,
     declared: Vec<String>,
-    by: By,
     beliefs: Vec<String>,
     base: Base,
 }
@@ -132,60 +130,45 @@ enum Base {
     Variants(usize),
 }
 
-/// What something is judged by.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum By {
-    /// Every group of questions of every task, and every scene.
-    Everything,
-    /// The questions of the tasks whose answers differ from the reference's. A task is
-    /// asked alone, so no other task's could show the difference.
-    OwnTasks,
-}
-
-/// Judges the mistakes, and the same beliefs written anew, whose names contain `named`.
+/// Judges the mistakes and their rewrites whose names contain `named`.
 pub fn mistakes(bench: &Bench, named: &str) -> Result<(Known, Known)> {
     let mut mistakes = Vec::new();
     let mut rewrites = Vec::new();
     for found in mistake::read_all(bench.assignment)? {
         let mut declared = found.mistake.fails.clone();
         declared.sort();
-        let beliefs = match found.mistake.is_single() {
+        let single = found.mistake.is_single();
+        let beliefs = match single {
             true => vec![found.slug.clone()],
             false => found.mistake.beliefs.clone(),
         };
-        let routes = mistake::folders(&found.folder.join("anew"));
-        for (turn, (route, folder)) in routes.into_iter().enumerate() {
+        let folders = found.overlays(bench.assignment)?;
+        let rewritten = folders.iter().map(|folder| folder.join("rewrite"));
+        let rewritten: Vec<PathBuf> = rewritten.collect();
+        if rewritten.iter().all(|folder| folder.is_dir()) {
             rewrites.push(Overlay {
-                name: format!("mistakes/{}/anew/{route}", found.slug),
-                folder,
-                single: false,
+                name: format!("mistakes/{}/rewrite", found.slug),
+                folders: rewritten,
+                single,
                 declared: declared.clone(),
-                // Scenes take the longest by far, and one of the three shows them.
-                by: if turn == 0 {
-                    By::Everything
-                } else {
-                    By::OwnTasks
-                },
                 beliefs: beliefs.clone(),
                 base: Base::Variants(rewrites.len()),
             });
         }
         mistakes.push(Overlay {
             name: format!("mistakes/{}", found.slug),
-            single: found.mistake.is_single(),
-            folder: found.folder,
+            single,
+            folders,
             declared,
-            by: By::Everything,
             beliefs,
-            base: match found.mistake.is_single() {
+            base: match single {
                 true => Base::ReferenceUnaware,
                 false => Base::Reference,
             },
         });
     }
     let mistakes = judge_all(bench, "mistakes", mistakes, named)?;
-    let rewrites = judge_all(bench, "mistakes, written anew", rewrites, named)?;
+    let rewrites = judge_all(bench, "rewrites of mistakes", rewrites, named)?;
     Ok((mistakes, rewrites))
 }
 
@@ -194,10 +177,9 @@ pub fn variants(bench: &Bench, named: &str) -> Result<Known> {
     let found = mistake::folders(&bench.assignment.folder.join("variants"));
     let overlay = |(slug, folder)| Overlay {
         name: format!("variants/{slug}"),
-        folder,
+        folders: vec![folder],
         single: false,
         declared: Vec::new(),
-        by: By::Everything,
         beliefs: Vec::new(),
         base: Base::Reference,
     };
@@ -209,13 +191,15 @@ fn judge_all(bench: &Bench, what: &str, all: Vec<Overlay>, named: &str) -> Resul
     let wanted = |overlay: &Overlay| overlay.name.contains(named);
     let wanted: Vec<Overlay> = all.into_iter().filter(wanted).collect();
     let judged = bench.all(what, &wanted, |overlay| {
-        let replaces = |task: &&Task| overlay.folder.join(task.file()).is_file();
-        let own = bench.assignment.tasks.iter().filter(replaces);
-        let own: Vec<String> = own.map(|task| task.name.clone()).collect();
-        if own.is_empty() {
+        let is_empty = |folder: &&PathBuf| {
+            let mut tasks = bench.assignment.tasks.iter();
+            !tasks.any(|task| folder.join(task.file()).is_file())
+        };
+        if let Some(folder) = overlay.folders.iter().find(is_empty) {
             return Err(Error::input(
-                format!("{} holds no answer file", overlay.folder.display()),
-                "put the file that differs from the reference there, or remove the folder",
+                format!("{} holds no answer file", folder.display()),
+                "put the file that differs from the reference there, or remove the folder and \
+                 what names it",
             ));
         }
         let mut base = overlay::reference(bench.assignment)?;
@@ -232,15 +216,9 @@ fn judge_all(bench: &Bench, what: &str, all: Vec<Overlay>, named: &str) -> Resul
             goldens: goldens.as_ref().unwrap_or(bench.goldens),
             ..*bench
         };
-        let submission = base.overlaid(&overlay.folder)?;
-        let selection = match overlay.by {
-            By::Everything => Selection::default(),
-            By::OwnTasks => Selection {
-                tasks: own,
-                scenes: Vec::new(),
-            },
-        };
-        let examination = bench.examine(&submission, &selection)?;
+        let mut folders = overlay.folders.iter();
+        let submission = folders.try_fold(base, |under, folder| under.overlaid(folder))?;
+        let examination = bench.examine(&submission, &Selection::default())?;
         let naming = Naming::of(&bench, &overlay.name, &examination, &overlay.beliefs)?;
         Ok(Judged::of(&examination, overlay, naming))
     })?;
@@ -288,7 +266,7 @@ impl Judged {
         Judged {
             name: overlay.name.clone(),
             single: overlay.single,
-            by: overlay.by,
+            composed: overlay.folders.len() > 1,
             declared: overlay.declared.clone(),
             tasks,
             groups,

@@ -61,23 +61,16 @@ fn submissions(validation: &Validation) -> String {
     text += &row(points == possible, "reference", reference);
     if let Some(mistakes) = &validation.mistakes {
         let compound = mistakes.judged.iter().filter(|judged| !judged.single);
-        let both = format!(
-            "; {} of them hold two beliefs; by every question and scene",
-            compound.count()
-        );
+        let both = format!("; {} of them hold two beliefs", compound.count());
         text += &failing("mistakes", mistakes, &both);
     }
     if let Some(rewrites) = &validation.rewrites {
-        let by = "; by their own tasks' questions";
-        text += &failing("  written anew", rewrites, by);
+        text += &failing("  rewritten", rewrites, "");
     }
     if let Some(variants) = &validation.variants {
         let wrong = variants.judged.iter().filter(|judged| judged.is_caught());
         let (wrong, all) = (wrong.count(), variants.judged.len());
-        let said = format!(
-            "{} of {all} pass, {wrong} false fails; by every question and scene",
-            all - wrong
-        );
+        let said = format!("{} of {all} pass, {wrong} false fails", all - wrong);
         text += &row(wrong == 0, "variants", said);
     }
     text

@@ -12,13 +12,10 @@ fn plain(path: &Path) -> &str {
 }
 
 /// A student who holds the belief of `slug`, in code that nobody took films of.
-fn student(name: &str, slug: &str, route: &str) -> PathBuf {
-    let anew = root()
-        .join("assignments/ray_casting/mistakes")
-        .join(slug)
-        .join("anew")
-        .join(route);
-    let entries = fs::read_dir(anew).expect("the belief was written anew");
+fn student(name: &str, slug: &str) -> PathBuf {
+    let mistakes = root().join("assignments/ray_casting/mistakes");
+    let rewrite = mistakes.join(slug).join("rewrite");
+    let entries = fs::read_dir(rewrite).expect("the mistake has a rewrite");
     let files: Vec<(String, String)> = entries
         .flatten()
         .map(|entry| {
@@ -52,7 +49,7 @@ fn failing<'a>(examination: &'a Value, kind: &str) -> Vec<&'a Value> {
 
 #[test]
 fn a_belief_in_code_never_seen_is_named_in_its_task_and_in_every_scene_it_spoils() {
-    let folder = student("diagnosed", "sphere_near_root_only", "unit_sphere");
+    let folder = student("diagnosed", "sphere_near_root_only");
     let ran = pinhole(&["check", plain(&folder), "--json"]).expect_code(1);
     let examination = ran.json();
     let [sphere] = failing(&examination, "tasks")[..] else {
@@ -69,7 +66,7 @@ fn a_belief_in_code_never_seen_is_named_in_its_task_and_in_every_scene_it_spoils
 
 #[test]
 fn the_table_says_what_is_believed_and_where_to_look_but_not_yet_more() {
-    let folder = student("told", "sphere_near_root_only", "unit_sphere");
+    let folder = student("told", "sphere_near_root_only");
     let sphere = ["check", plain(&folder), "--task", "sphere"];
     let hint = &pinhole(&[&sphere[..], &["--json"]].concat()).json()["tasks"][0]["diagnosis"]["beliefs"]
         [0]["hint"];
@@ -83,7 +80,7 @@ fn the_table_says_what_is_believed_and_where_to_look_but_not_yet_more() {
 
 #[test]
 fn scenes_asked_alone_are_diagnosed_together() {
-    let folder = student("scenes", "sphere_near_root_only", "unit_sphere");
+    let folder = student("scenes", "sphere_near_root_only");
     let scenes = ["inside_a_sphere", "inside_a_box", "teapot_orthographic"];
     let mut line = vec!["check", plain(&folder), "--json"];
     for scene in scenes {
@@ -130,7 +127,7 @@ fn a_film_of_an_instructors_own_scene_is_diagnosed_by_diff() {
         .expect_out("mistakes show in");
     pinhole(&["golden", "verify", plain(&mine)]).expect_code(0);
 
-    let wrong = student("own-scene-wrong", "plane_normal_not_unit", "homogeneous");
+    let wrong = student("own-scene-wrong", "plane_normal_not_unit");
     let line = [
         "render",
         plain(&scene),

@@ -6,13 +6,26 @@ use std::path::{Path, PathBuf};
 use pinhole_testing::{pinhole, root, submission, trusted};
 use serde_json::Value;
 
-/// The folders in `assignments/ray_casting/KIND`, each an overlay on the reference.
+/// The folders in `assignments/ray_casting/KIND` that hold answers, each an overlay on the
+/// reference.
 fn overlays(kind: &str) -> Vec<PathBuf> {
     let folder = root().join("assignments/ray_casting").join(kind);
     let entries = fs::read_dir(folder).expect("the folder is there").flatten();
-    let mut folders: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
+    let mut folders: Vec<PathBuf> = entries
+        .map(|entry| entry.path())
+        .filter(|folder| !answers(folder).is_empty())
+        .collect();
     folders.sort();
     folders
+}
+
+/// The answer files in a folder.
+fn answers(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("the overlay can be read");
+    let files = entries.flatten().map(|entry| entry.path());
+    files
+        .filter(|path| path.extension().is_some_and(|end| end == "rs"))
+        .collect()
 }
 
 /// Lays an overlay over the reference and has both judges look at everything.
@@ -21,12 +34,8 @@ fn check(overlay: &Path) -> Value {
         .file_name()
         .and_then(|name| name.to_str())
         .expect("slugs are plain");
-    let entries = fs::read_dir(overlay)
-        .expect("the overlay can be read")
-        .flatten();
-    let answers = entries.map(|entry| entry.path());
-    let answers = answers.filter(|path| path.extension().is_some_and(|end| end == "rs"));
-    let answers: Vec<(String, String)> = answers
+    let answers: Vec<(String, String)> = answers(overlay)
+        .into_iter()
         .map(|path| {
             let name = path
                 .file_name()

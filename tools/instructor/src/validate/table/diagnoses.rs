@@ -12,7 +12,7 @@ pub fn table(diagnoses: &Diagnoses) -> String {
         "", "films", "right", "among", "none", "false"
     );
     let kinds = [
-        ("one belief written anew", &diagnoses.anew),
+        ("one belief, rewritten", &diagnoses.rewrites),
         ("two beliefs at once", &diagnoses.compounds),
         ("one belief, as if never met before", &diagnoses.unmet),
     ];
