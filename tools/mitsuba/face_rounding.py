@@ -8,7 +8,7 @@ of a soup with edges of 0.02 at coordinates of 3.
 
 import numpy as np
 
-from scene import Triangles
+from shapes.triangle import Triangles
 
 
 def normal_rounding(objects, hits):

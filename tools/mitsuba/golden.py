@@ -1,16 +1,16 @@
 """Make golden films with Mitsuba 3.
 
 Standard output carries one JSON line at the start ({"mitsuba", "variant",
-"total"}) and one per finished item ({"name", "files", "exempt", "sensor",
-"seconds"}); everything for people goes to standard error. Exit 0, or 2 when a
-scene is refused (the others are still made).
+"total"}) and one per finished item ({"name", "files"}); everything for people goes
+to standard error. Exit 0, or 2 when a scene is refused (the others are still made).
 """
 
 import argparse
 import json
 import multiprocessing
+import os
 import sys
-import time
+import tomllib
 from importlib.metadata import version
 from pathlib import Path
 
@@ -22,18 +22,18 @@ def render_scene(path, folder):
     return render(path, folder)
 
 
-def render_probe(task, group, seed, count, folder):
-    """One probe's three films."""
-    from probes import render
+def render_questions(assignment, task, group, seed, count, folder):
+    """The three films of a group of questions."""
+    from question_films import render
 
-    return render(task, group, seed, count, folder)
+    return render(assignment, task, group, seed, count, folder)
 
 
-def render_random_scene(seed, index, folder):
+def render_random_scene(assignment, seed, index, folder):
     """One random scene and its four films."""
     from random_scenes import render_random
 
-    return render_random(seed, index, folder)
+    return render_random(assignment, seed, index, folder)
 
 
 def run(item):
@@ -45,17 +45,17 @@ def run(item):
     from scene import SceneError
 
     work, arguments = item
-    start = time.perf_counter()
     try:
-        report = work(*arguments)
+        return work(*arguments), None
     except SceneError as error:
         return None, str(error)
-    return report | {"seconds": round(time.perf_counter() - start, 3)}, None
 
 
 def run_all(items, jobs):
     """Do all items in `jobs` processes and print a JSON line for each; exit code."""
     say({"mitsuba": version("mitsuba"), "variant": "scalar_rgb", "total": len(items)})
+    # Without this, a worker imports `random` or `select` from the current folder.
+    os.environ["PYTHONSAFEPATH"] = "1"
     refused = 0
     with multiprocessing.get_context("spawn").Pool(jobs) as pool:
         for report, problem in pool.imap_unordered(run, items):
@@ -72,20 +72,24 @@ def say(line):
     print(json.dumps(line), flush=True)
 
 
-def probe_items(arguments):
-    """One item for each task and group."""
-    from probes import PROBES
+def question_items(arguments):
+    """One item for each group of each task of the assignment."""
+    from question_films import QUESTIONS, questions_of
 
     folder = arguments.out / "probes"
     folder.mkdir(parents=True, exist_ok=True)
+    assignment, count = arguments.assignment, arguments.count or QUESTIONS
+    with (assignment / "assignment.toml").open("rb") as file:
+        tasks = [task["name"] for task in tomllib.load(file)["task"]]
     return [
-        (render_probe, (task, group, arguments.seed, arguments.count, folder))
-        for task, group in PROBES
+        (render_questions, (assignment, task, group, arguments.seed, count, folder))
+        for task in tasks
+        for group in questions_of(assignment, task).GROUPS
     ]
 
 
 def whole_rows(text):
-    """A number of questions that fills the rows of a probe's film."""
+    """A number of questions that fills the rows of a question film."""
     if not (text.isdigit() and int(text) and int(text) % 32 == 0):
         raise argparse.ArgumentTypeError(f"{text} is not a multiple of 32")
     return int(text)
@@ -98,19 +102,23 @@ def main():
     scenes = commands.add_parser("scenes", help="render scene files")
     scenes.add_argument("scenes", nargs="+", type=Path, metavar="SCENE.toml")
     scenes.set_defaults(items=lambda a: [(render_scene, (s, a.out)) for s in a.scenes])
-    probes = commands.add_parser("probes", help="make probe films, one task at a time")
-    probes.add_argument(
-        "--count", type=whole_rows, default=512, help="questions in each, a multiple of 32"
+    questions = commands.add_parser("questions", help="ask an assignment's questions")
+    questions.add_argument(
+        "--count", type=whole_rows, help="questions in each group, a multiple of 32"
     )
-    probes.set_defaults(items=probe_items)
+    questions.set_defaults(items=question_items)
     random = commands.add_parser("random-scenes", help="draw scenes and render them")
     random.add_argument("--count", type=int, default=3, help="how many scenes")
     random.set_defaults(items=lambda a: [
-        (render_random_scene, (a.seed, k, a.out)) for k in range(a.count)
+        (render_random_scene, (a.assignment, a.seed, k, a.out)) for k in range(a.count)
     ])
-    for command in (probes, random):
+    for command in (questions, random):
+        command.add_argument(
+            "assignment", type=lambda folder: Path(folder).resolve(), metavar="ASSIGNMENT",
+            help="its folder, with assignment.toml and questions",
+        )
         command.add_argument("--seed", type=int, required=True, metavar="N")
-    for command in (scenes, probes, random):
+    for command in (scenes, questions, random):
         command.add_argument("--out", type=Path, required=True, metavar="DIR")
         command.add_argument("--jobs", type=int, default=2, metavar="N")
     arguments = parser.parse_args()

@@ -1,30 +1,59 @@
-"""Random scenes: fresh goldens nobody has seen, with every shape in view.
+"""Random scenes: fresh goldens nobody has seen.
 
-The scene is drawn in the camera's frame (right, up, towards the eye), where "in
-view" is easy, and written in the coordinates of space, rounded to four digits.
+The camera is drawn here. What stands before it is the assignment's: the function
+`objects(rng, view)` in its `questions/random_scene.py` gives the tables of a scene
+file's objects. Numbers are written to four decimals.
 """
+
+from dataclasses import dataclass
 
 import numpy as np
 
 from camera import normalize
-from chance import log_uniform, perpendicular, sign, unit_vector
-from probe_triangle import corners
-from scene import SceneError
+from cast import MISS, cast
+from chance import generator, perpendicular, unit_vector
+from question_films import questions_of
+from scene import SceneError, load
 from scene_films import render
+from shapes import to_mitsuba
 
 RESOLUTION = (120, 80)
 TRIES = 50
 
 
-def render_random(seed, index, folder):
-    """Draw scene `index` of `seed` until it is not refused; films and report."""
-    rng = np.random.default_rng([seed, index])
+@dataclass(frozen=True)
+class View:
+    """What the camera sees, for those who put objects into it."""
+
+    eye: np.ndarray
+    frame: np.ndarray  # rows: right, up, towards the eye; unit
+    size: np.ndarray  # width and height of the image plane, scene units
+    focal_length: float | None  # scene units; None is orthographic
+
+    def point(self, rng, depth, spread):
+        """A point `depth` before the eye, within `spread` half widths of the axis."""
+        reach = 0.5 * spread * (depth / self.focal_length if self.focal_length else 1)
+        offset = rng.uniform(-reach, reach, 2) * self.size
+        return self.eye + np.array([*offset, -depth]) @ self.frame
+
+
+def render_random(assignment, seed, index, folder):
+    """Draw scene `index` of `seed` until it shows every shape and is not refused; films
+    and report."""
+    name = f"random_{seed}_{index}"
+    rng = generator(seed, name)
     scenes = folder / "scenes"
     scenes.mkdir(exist_ok=True)
-    path = scenes / f"random_{seed}_{index}.toml"
+    path = scenes / f"{name}.toml"
+    draw_objects = questions_of(assignment, "random_scene").objects
     for _ in range(TRIES):
-        path.write_text(_toml(rng, seed, index), encoding="utf-8")
+        camera, view = _camera(rng)
+        tables = [("[camera]", camera)]
+        tables += [("[[object]]", table) for table in draw_objects(rng, view)]
+        head = f"# Random scene {index} of seed {seed}: made by tools/mitsuba/golden.py, not by hand."
+        path.write_text("\n\n".join([head, *map(_toml, tables)]) + "\n", encoding="utf-8")
         try:
+            _require_every_shape(load(path))
             report = render(path, folder)
         except SceneError as error:
             problem = error
@@ -34,56 +63,48 @@ def render_random(seed, index, folder):
     raise SceneError(f"{path}: refused {TRIES} times, last: {problem}")
 
 
-def _toml(rng, seed, index):
-    """The text of a scene."""
+def _require_every_shape(scene):
+    """Raise `SceneError` if a shape is hidden from every seventh pixel."""
+    i, j = scene.camera.pixels()
+    rays = scene.camera.rays(i[::7], j[::7])
+    seen = set(cast(to_mitsuba(scene.objects), *rays, scene.camera.min_t).id) - {MISS}
+    if {type(scene.objects[k]) for k in seen} != {type(thing) for thing in scene.objects}:
+        raise SceneError(f"{scene.path}: a shape is not in view")
+
+
+def _camera(rng):
+    """A camera as a scene file's table, and what it sees."""
     view, eye = unit_vector(rng), rng.uniform(-3, 3, 3)
     up = normalize(perpendicular(rng, view) + rng.uniform(-0.5, 0.5) * view)
     right = normalize(np.cross(view, up))
-    frame = np.array([right, np.cross(right, view), -view])
-    perspective = rng.uniform() < 0.75
-    focal_length = rng.uniform(0.5, 2)
-    pixel = round((focal_length if perspective else 5.0) * rng.uniform(0.007, 0.012), 4)
+    focal_length = rng.uniform(0.5, 2) if rng.uniform() < 0.75 else None
+    pixel = round((focal_length or 5.0) * rng.uniform(0.007, 0.012), 4)
     tall = pixel if rng.uniform() < 0.7 else round(pixel * rng.uniform(0.7, 1.4), 4)
-    width, height = RESOLUTION[0] * pixel, RESOLUTION[1] * tall
-    lines = [
-        f"# Random scene {index} of seed {seed}: made by tools/mitsuba/golden.py, not by hand.",
-        "[camera]",
-        f'projection = "{"perspective" if perspective else "orthographic"}"',
-        f"eye = {_vector(eye)}",
-        f"view = {_vector(view * rng.uniform(0.5, 2))}",
-        f"up = {_vector(up * rng.uniform(0.5, 2))}",
-        *([f"focal_length = {focal_length:.4f}"] if perspective else []),
-        f"width = {width:.4f}",
-        f"height = {height:.4f}",
-        f"resolution = [{RESOLUTION[0]}, {RESOLUTION[1]}]",
-    ]
-
-    def in_view(depth, spread):
-        """A point `depth` before the eye, within `spread` half widths of the axis."""
-        reach = 0.5 * spread * (depth / focal_length if perspective else 1)
-        offset = rng.uniform(-reach, reach, 2) * (width, height)
-        return eye + np.array([*offset, -depth]) @ frame
-
-    for thing in rng.permutation(["sphere"] * 4 + ["plane"] + ["triangle"] * 4):
-        depth = rng.uniform(2.5, 8)
-        lines += ["", "[[object]]", f'type = "{thing}"']
-        if thing == "sphere":
-            lines += [
-                f"center = {_vector(in_view(depth, 0.9))}",
-                f"radius = {log_uniform(rng, 0.1, 0.2 * depth):.4f}",
-            ]
-        elif thing == "plane":  # behind the rest, and tilted less than the view is wide
-            normal = sign(rng) * (normalize(frame[2] + 0.3 * unit_vector(rng)))
-            lines += [
-                f"point = {_vector(in_view(rng.uniform(6, 10), 0.5))}",
-                f"normal = {_vector(normal * log_uniform(rng, 0.2, 5))}",
-            ]
-        else:
-            shape = in_view(depth, 0.7) + corners(rng, rng.uniform(0.5, 2.5), rng.uniform(0.8, 3))
-            lines.append(f"corners = [{', '.join(_vector(corner) for corner in shape)}]")
-    return "\n".join(lines) + "\n"
+    size = np.array(RESOLUTION) * (pixel, tall)
+    table = {
+        "projection": "perspective" if focal_length else "orthographic",
+        "eye": eye,
+        "view": view * rng.uniform(0.5, 2),
+        "up": up * rng.uniform(0.5, 2),
+        **({"focal_length": focal_length} if focal_length else {}),
+        "width": size[0],
+        "height": size[1],
+        "resolution": list(RESOLUTION),
+    }
+    return table, View(eye, np.array([right, np.cross(right, view), -view]), size, focal_length)
 
 
-def _vector(values):
-    """A TOML array, each number to four decimals."""
-    return "[" + ", ".join(f"{x:.4f}" for x in values) + "]"
+def _toml(table):
+    """A table of a scene file: its head, and a line for each key."""
+    head, entries = table
+    return "\n".join([head, *(f"{key} = {_value(value)}" for key, value in entries.items())])
+
+
+def _value(value):
+    if isinstance(value, str):
+        return f'"{value}"'
+    if isinstance(value, int):
+        return str(value)
+    if np.ndim(value) == 0:
+        return f"{value:.4f}"
+    return "[" + ", ".join(map(_value, value)) + "]"

@@ -9,8 +9,9 @@ it ends (its horizon).
 import numpy as np
 
 from cast import MISS
-from scene import Plane, SceneError, Triangles
-from shapes import PLANE_RADIUS
+from scene import SceneError
+from shapes.plane import PLANE_RADIUS, Plane
+from shapes.triangle import Triangles
 from tolerance import exempt_allowed
 
 EDGE_DISTANCE = 1e-7

@@ -9,41 +9,13 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-
+import shapes
 from camera import Camera
-from mesh import read_obj
+from shapes import vector
 
 
 class SceneError(Exception):
     """A scene that gets no golden. Its text is one line, `path: problem`."""
-
-
-@dataclass(frozen=True)
-class Sphere:
-    """All points at distance `radius` (> 0) from `center`."""
-
-    center: np.ndarray
-    radius: float
-
-
-@dataclass(frozen=True)
-class Plane:
-    """The plane through `point`; `normal` is non-zero, of any length."""
-
-    point: np.ndarray
-    normal: np.ndarray
-
-
-@dataclass(frozen=True)
-class Triangles:
-    """One or more triangles seen as one object, shape (faces, 3 corners, 3).
-
-    The outward normal of a face (a, b, c) is (b - a) x (c - a), normalised.
-    A lone triangle and a soup differ only in their number of faces.
-    """
-
-    corners: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -66,7 +38,7 @@ def load(path):
     try:
         table = tomllib.loads(path.read_text(encoding="utf-8"))
         camera = _camera(table["camera"])
-        objects = [_object(entry, path.parent) for entry in table.get("object", [])]
+        objects = [shapes.read(entry, path.parent) for entry in table.get("object", [])]
     except KeyError as error:
         raise SceneError(f"{path}: the key {error} is missing") from error
     except (OSError, ValueError) as error:  # a TOML error is a ValueError
@@ -75,37 +47,17 @@ def load(path):
     return Scene(path, camera, objects)
 
 
-def _vector(values):
-    vector = np.array(values, dtype=np.float64)
-    if vector.shape != (3,) or not np.isfinite(vector).all():
-        raise ValueError(f"{values} is not a vector of three finite numbers")
-    return vector
-
-
 def _camera(table):
     perspective = {"perspective": True, "orthographic": False}.get(table["projection"])
     if perspective is None:
         raise ValueError(f"unknown projection {table['projection']!r}")
     return Camera(
-        eye=_vector(table["eye"]),
-        view=_vector(table["view"]),
-        up=_vector(table["up"]),
+        eye=vector(table["eye"]),
+        view=vector(table["view"]),
+        up=vector(table["up"]),
         width=float(table["width"]),
         height=float(table["height"]),
         focal_length=float(table["focal_length"]) if perspective else None,
         resolution=tuple(int(n) for n in table["resolution"]),
         min_t=float(table.get("min_t", 1.0 if perspective else 0.0)),
     )
-
-
-def _object(table, folder):
-    kind = table["type"]
-    if kind == "sphere":
-        return Sphere(_vector(table["center"]), float(table["radius"]))
-    if kind == "plane":
-        return Plane(_vector(table["point"]), _vector(table["normal"]))
-    if kind == "triangle":
-        return Triangles(np.array([[_vector(corner) for corner in table["corners"]]]))
-    if kind == "soup":
-        return Triangles(read_obj(folder / table["obj"]))
-    raise ValueError(f"unknown object type {kind!r}")

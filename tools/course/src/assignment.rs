@@ -32,6 +32,11 @@ pub struct Assignment {
 pub struct Task {
     /// The file is `NAME.rs`.
     pub name: String,
+    /// What kind of question it answers: `viewing_ray`, `intersect`, `first_hit` or `soup`.
+    pub kind: String,
+    /// The shape that a task of the kind `intersect` is about.
+    #[serde(default)]
+    pub shape: Option<String>,
     /// The chapter of the book that teaches it.
     pub chapter: String,
     /// Groups of questions and their points, in the order they are shown.

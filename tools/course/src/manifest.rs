@@ -31,9 +31,10 @@ pub struct Manifest {
     pub variant: String,
     /// What the probes were drawn from.
     pub probe_seed: Option<u64>,
-    /// The scripts, relative to `tools/mitsuba`.
+    /// Fingerprints of the scripts behind the films, by scene and by task of the probes.
     pub scripts: Hashes,
-    /// Scenes and meshes, relative to this folder or else to the checkout.
+    /// Hashes of scenes (of what they say, not of comments and layout) and of meshes,
+    /// relative to this folder or else to the checkout.
     pub sources: Hashes,
     /// The known mistakes' sources, relative to the checkout.
     #[serde(default)]
@@ -70,10 +71,17 @@ impl Manifest {
         })
     }
 
-    /// Refuses to add to goldens that other scripts made: the manifest vouches for all
-    /// of a folder's films with one set of scripts.
-    pub fn refuse_other_scripts(&self, folder: &Path, checkout: &Checkout) -> Result<()> {
-        if self.films.is_empty() || self.scripts == script_hashes(checkout)? {
+    /// Refuses to add to goldens that other scripts made.
+    pub fn refuse_other_scripts(
+        &self,
+        folder: &Path,
+        assignment: &Assignment,
+        checkout: &Checkout,
+    ) -> Result<()> {
+        if self
+            .of_other_scripts(folder, assignment, checkout)?
+            .is_empty()
+        {
             return Ok(());
         }
         Err(Error::input(
@@ -85,19 +93,57 @@ impl Manifest {
         ))
     }
 
-    /// Enters who rendered, and by which scripts.
-    pub fn set_renderer(&mut self, renderer: &Renderer, checkout: &Checkout) -> Result<()> {
+    /// Enters who rendered.
+    pub fn set_renderer(&mut self, renderer: &Renderer) {
         self.mitsuba = renderer.mitsuba.clone();
         self.variant = renderer.variant.clone();
-        self.scripts = script_hashes(checkout)?;
+    }
+
+    /// Enters the scripts that made the films, as they are now.
+    pub fn set_scripts(
+        &mut self,
+        folder: &Path,
+        assignment: &Assignment,
+        checkout: &Checkout,
+    ) -> Result<()> {
+        self.scripts = self.script_fingerprints(folder, assignment, checkout)?;
         Ok(())
+    }
+
+    /// The scenes and tasks whose films were made by other scripts than these.
+    fn of_other_scripts(
+        &self,
+        folder: &Path,
+        assignment: &Assignment,
+        checkout: &Checkout,
+    ) -> Result<Vec<String>> {
+        let now = self.script_fingerprints(folder, assignment, checkout)?;
+        let is_other = |(name, now): &(String, String)| self.scripts.get(name) != Some(now);
+        Ok(now
+            .into_iter()
+            .filter(is_other)
+            .map(|(name, _)| name)
+            .collect())
+    }
+
+    /// What the scripts behind the films are now.
+    fn script_fingerprints(
+        &self,
+        folder: &Path,
+        assignment: &Assignment,
+        checkout: &Checkout,
+    ) -> Result<Hashes> {
+        let mut scenes = self.scenes(folder, checkout);
+        scenes.retain(|scene| scene.is_file());
+        let questions = self.probe_seed.map(|_| assignment.folder.as_path());
+        mitsuba::fingerprints(checkout, &scenes, questions)
     }
 
     /// Enters a scene file and the meshes it names.
     pub fn add_scene(&mut self, scene: &Path, folder: &Path, checkout: &Checkout) -> Result<()> {
         for path in [vec![scene.to_owned()], meshes_of(scene)].concat() {
             self.sources
-                .insert(relative(&path, folder, checkout), hash(&path)?);
+                .insert(relative(&path, folder, checkout), source_hash(&path)?);
         }
         Ok(())
     }
@@ -152,10 +198,10 @@ impl Manifest {
     fn changed_files(&self, folder: &Path, checkout: &Checkout) -> Vec<String> {
         let sources = self.sources.iter().map(|(path, recorded)| {
             let source = source(path, folder, checkout);
-            changed(&source, path, recorded)
+            changed(source_hash(&source), path, recorded)
         });
         let films = self.films.iter();
-        let films = films.map(|(path, recorded)| changed(&folder.join(path), path, recorded));
+        let films = films.map(|(path, recorded)| changed(hash(&folder.join(path)), path, recorded));
         sources.chain(films).flatten().collect()
     }
 
@@ -182,12 +228,15 @@ impl Manifest {
     }
 
     /// Everything that is not as the manifest says.
+    ///
+    /// # Errors
+    /// If the scripts are there but cannot be compared.
     pub fn out_of_step(
         &self,
         folder: &Path,
         assignment: &Assignment,
         checkout: &Checkout,
-    ) -> Vec<String> {
+    ) -> Result<Vec<String>> {
         let mut problems = Vec::new();
         // Students have the fingerprints without the mistakes, and goldens can be made
         // without either.
@@ -199,11 +248,10 @@ impl Manifest {
                     .into(),
             );
         }
-        // Nor have they the scripts.
-        let scripts = script_hashes(checkout).unwrap_or_default();
-        if !scripts.is_empty() && scripts != self.scripts {
-            problems
-                .push("the scripts in tools/mitsuba are not those that made the goldens".into());
+        let others = self.of_other_scripts(folder, assignment, checkout)?;
+        if !others.is_empty() {
+            let others = others.join(", ");
+            problems.push(format!("the scripts are not those that made {others}"));
         }
         problems.extend(self.changed_files(folder, checkout));
         let known: BTreeSet<&String> = self.films.keys().collect();
@@ -219,7 +267,7 @@ impl Manifest {
                 }
             }
         }
-        problems
+        Ok(problems)
     }
 }
 
@@ -254,31 +302,14 @@ fn is_film(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension == "exr")
 }
 
-fn changed(file: &Path, name: &str, recorded: &str) -> Option<String> {
-    match hash(file) {
+fn changed(hash: Result<String>, name: &str, recorded: &str) -> Option<String> {
+    match hash {
         Err(_) => Some(format!("{name} is missing")),
         Ok(now) if now != recorded => {
             Some(format!("{name} has changed since the goldens were made"))
         }
         Ok(_) => None,
     }
-}
-
-/// Scripts that make films; tests of them do not.
-fn script_hashes(checkout: &Checkout) -> Result<Hashes> {
-    let folder = mitsuba::scripts(checkout);
-    let entries = fs::read_dir(&folder).into_iter().flatten().flatten();
-    let mut hashes = Hashes::new();
-    for path in entries.map(|entry| entry.path()) {
-        let extension = path.extension().and_then(|extension| extension.to_str());
-        if matches!(extension, Some("py" | "txt")) {
-            hashes.insert(
-                slashed(path.strip_prefix(&folder).unwrap_or(&path)),
-                hash(&path)?,
-            );
-        }
-    }
-    Ok(hashes)
 }
 
 /// The OBJ files a scene names. The scene was read before, so its form is known.
@@ -311,6 +342,19 @@ pub fn hash(path: &Path) -> Result<String> {
         )
     })?;
     Ok(hash_of(path, bytes))
+}
+
+/// The hash of a scene or a mesh. A scene is hashed as it is understood: its comments and
+/// layout make no film stale.
+fn source_hash(path: &Path) -> Result<String> {
+    let scene = path
+        .extension()
+        .is_some_and(|extension| extension == "toml");
+    let text = fs::read_to_string(path).ok().filter(|_| scene);
+    match text.and_then(|text| text.parse::<toml::Table>().ok()) {
+        Some(table) => Ok(hash_of(path, table.to_string().into())),
+        None => hash(path),
+    }
 }
 
 /// The hash of what a file holds. Text is hashed with `\n` line ends, as git may check it

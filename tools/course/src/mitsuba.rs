@@ -1,5 +1,7 @@
 //! Running the Python that renders goldens, in an environment of the project's own.
 
+use std::collections::BTreeMap;
+use std::ffi::OsStr;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -28,18 +30,7 @@ pub fn is_there(checkout: &Checkout) -> bool {
 /// Makes the environment, or mends it.
 pub fn setup(checkout: &Checkout) -> Result<()> {
     let environment = environment(checkout);
-    let python = ["python3", "python"].into_iter().find(|name| {
-        Command::new(name)
-            .arg("--version")
-            .output()
-            .is_ok_and(|output| output.status.success())
-    });
-    let Some(python) = python else {
-        return Err(Error::environment(
-            "there is no Python here",
-            "install Python 3.11 or newer",
-        ));
-    };
+    let python = python()?;
     if !interpreter(&environment).is_file() {
         let mut venv = Command::new(python);
         complete(
@@ -54,12 +45,55 @@ pub fn setup(checkout: &Checkout) -> Result<()> {
         "install",
         "--quiet",
         "--disable-pip-version-check",
-        "-r",
     ]);
-    complete(
-        pip.arg(scripts(checkout).join("requirements.txt")),
-        "install Mitsuba and oiiotool",
-    )
+    for folder in [scripts(checkout), scripts(checkout).join("tests")] {
+        pip.arg("-r").arg(folder.join("requirements.txt"));
+    }
+    complete(&mut pip, "install Mitsuba and oiiotool")
+}
+
+/// The system's Python.
+fn python() -> Result<&'static str> {
+    let runs = |name: &&str| {
+        let version = Command::new(name).arg("--version").output();
+        version.is_ok_and(|output| output.status.success())
+    };
+    ["python3", "python"].into_iter().find(runs).ok_or_else(|| {
+        Error::environment("there is no Python here", "install Python 3.11 or newer")
+    })
+}
+
+/// Fingerprints of the scripts behind the films of these scenes and, if an assignment's
+/// folder is given, of the questions of its tasks. Needs Python, but not Mitsuba; a
+/// checkout without scripts, such as a student's, has no fingerprints.
+///
+/// # Errors
+/// If there is no Python, or a script cannot be read.
+pub fn fingerprints(
+    checkout: &Checkout,
+    scenes: &[PathBuf],
+    questions: Option<&Path>,
+) -> Result<BTreeMap<String, String>> {
+    let script = scripts(checkout).join("fingerprint.py");
+    if !script.is_file() {
+        return Ok(BTreeMap::new());
+    }
+    let failed = |problem: String| {
+        Error::environment(
+            format!("cannot tell whether the golden scripts have changed: {problem}"),
+            "install Python 3.11 or newer, and restore the scripts",
+        )
+    };
+    let mut command = Command::new(python().map_err(|error| failed(error.problem))?);
+    command.arg(script).args(scenes);
+    if let Some(assignment) = questions {
+        command.arg("--questions").arg(assignment);
+    }
+    let output = command
+        .output()
+        .map_err(|error| failed(error.to_string()))?;
+    serde_json::from_slice(&output.stdout)
+        .map_err(|_| failed(String::from_utf8_lossy(&output.stderr).trim_end().into()))
 }
 
 fn complete(command: &mut Command, purpose: &str) -> Result<()> {
@@ -113,11 +147,7 @@ pub struct Rendered {
 ///
 /// # Errors
 /// If the environment is missing, or the scripts fail.
-pub fn render(
-    checkout: &Checkout,
-    arguments: &[&std::ffi::OsStr],
-    progress: &Progress,
-) -> Result<Rendered> {
+pub fn render(checkout: &Checkout, arguments: &[&OsStr], progress: &Progress) -> Result<Rendered> {
     let python = interpreter(&environment(checkout));
     if !python.is_file() {
         return Err(Error::environment(

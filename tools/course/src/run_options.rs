@@ -14,7 +14,7 @@ use crate::error::Result;
 use crate::sandbox::Choice;
 
 /// Which assignment is meant.
-#[derive(Args)]
+#[derive(Args, Default)]
 pub struct AssignmentOption {
     /// The assignment, by name or folder [default: the one that the folder at hand lies in,
     /// else the checkout's default]

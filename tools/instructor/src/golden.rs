@@ -20,12 +20,14 @@ use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
 use pinhole_course::mitsuba::{self, Rendered};
 use pinhole_course::progress::Progress;
+use pinhole_course::run_options::AssignmentOption;
 use pinhole_report::program::Status;
 
 /// The seed of the committed probes.
 const COMMITTED_SEED: u64 = 1;
 
 pub fn run(checkout: &Checkout, arguments: &Golden) -> Result<Status> {
+    let find = |option: &AssignmentOption| option.find(checkout, None);
     match arguments {
         Golden::Setup => {
             anstream::eprintln!("installing Mitsuba and oiiotool, about 200 MB …");
@@ -33,20 +35,23 @@ pub fn run(checkout: &Checkout, arguments: &Golden) -> Result<Status> {
             anstream::println!("{} is ready", mitsuba::environment(checkout).display());
             Ok(Status::Well)
         }
-        Golden::Render(arguments) => render(checkout, arguments),
-        Golden::Mistakes(arguments) => mistakes(checkout, arguments),
-        Golden::Verify(arguments) => verify(checkout, arguments),
+        Golden::Render(arguments) => render(&find(&arguments.assignment)?, checkout, arguments),
+        Golden::Mistakes(arguments) => mistakes(&find(&arguments.assignment)?, checkout, arguments),
+        Golden::Verify(arguments) => verify(&find(&arguments.assignment)?, checkout, arguments),
     }
 }
 
 /// Fingerprints the mistakes anew on goldens that stay as they are.
-fn mistakes(checkout: &Checkout, arguments: &GoldenMistakes) -> Result<Status> {
-    let assignment = arguments.assignment.find(checkout, None)?;
+fn mistakes(
+    assignment: &Assignment,
+    checkout: &Checkout,
+    arguments: &GoldenMistakes,
+) -> Result<Status> {
     let own = checkout.golden(&assignment.name);
     let folder = arguments.dir.as_ref().unwrap_or(&own);
     let mut manifest = Manifest::read(folder)?;
     let scenes = manifest.scenes(folder, checkout);
-    let said = fingerprint(&mut manifest, folder, &scenes, &assignment, checkout)?;
+    let said = fingerprint(&mut manifest, folder, &scenes, assignment, checkout)?;
     manifest.write(folder)?;
     anstream::println!("{said}");
     Ok(Status::Well)
@@ -74,19 +79,26 @@ fn fingerprint(
     ))
 }
 
-fn render(checkout: &Checkout, arguments: &GoldenRender) -> Result<Status> {
-    for said in make(checkout, arguments)? {
+fn render(
+    assignment: &Assignment,
+    checkout: &Checkout,
+    arguments: &GoldenRender,
+) -> Result<Status> {
+    for said in make(assignment, checkout, arguments)? {
         anstream::println!("{said}");
     }
     Ok(Status::Well)
 }
 
 /// Renders what is asked for; what there is to say of it, line by line.
-pub fn make(checkout: &Checkout, arguments: &GoldenRender) -> Result<Vec<String>> {
-    let assignment = arguments.assignment.find(checkout, None)?;
+pub fn make(
+    assignment: &Assignment,
+    checkout: &Checkout,
+    arguments: &GoldenRender,
+) -> Result<Vec<String>> {
     let own = checkout.golden(&assignment.name);
     let folder = arguments.out.clone().unwrap_or_else(|| own.clone());
-    let scenes = scenes(arguments, &assignment)?;
+    let scenes = scenes(arguments, assignment)?;
     let is_own = |scene: &PathBuf| inside(scene, &assignment.folder);
     if arguments.out.is_none() && !scenes.iter().all(is_own) {
         return Err(Error::input(
@@ -111,12 +123,12 @@ pub fn make(checkout: &Checkout, arguments: &GoldenRender) -> Result<Vec<String>
     } else {
         Manifest::read_or_new(&folder)?
     };
-    manifest.refuse_other_scripts(&folder, checkout)?;
+    manifest.refuse_other_scripts(&folder, assignment, checkout)?;
     if !scenes.is_empty() {
         let mut line: Vec<OsString> = vec!["scenes".into()];
         line.extend(scenes.iter().map(OsString::from));
         let rendered = python(checkout, line, &folder, &progress)?;
-        enter(&mut manifest, &rendered, &folder, checkout)?;
+        enter(&mut manifest, &rendered, &folder)?;
         let made = |scene: &&PathBuf| {
             let stem = scene.file_stem().unwrap_or_default();
             rendered.items.iter().any(|item| *item.name == *stem)
@@ -125,18 +137,15 @@ pub fn make(checkout: &Checkout, arguments: &GoldenRender) -> Result<Vec<String>
             manifest.add_scene(scene, &folder, checkout)?;
         }
         if let Some(refusal) = rendered.refusal {
+            manifest.set_scripts(&folder, assignment, checkout)?;
             manifest.write(&folder)?;
             return Err(refusal);
         }
     }
     if let Some(seed) = arguments.seed {
-        let line = vec![
-            "random-scenes".into(),
-            "--seed".into(),
-            seed.to_string().into(),
-        ];
+        let line = drawn("random-scenes", assignment, seed);
         let rendered = python(checkout, line, &folder, &progress)?;
-        enter(&mut manifest, &rendered, &folder, checkout)?;
+        enter(&mut manifest, &rendered, &folder)?;
         for item in &rendered.items {
             let scene = folder
                 .join("scenes")
@@ -147,11 +156,12 @@ pub fn make(checkout: &Checkout, arguments: &GoldenRender) -> Result<Vec<String>
     }
     if arguments.scenes.is_empty() {
         let seed = arguments.seed.unwrap_or(COMMITTED_SEED);
-        let line = vec!["probes".into(), "--seed".into(), seed.to_string().into()];
+        let line = drawn("questions", assignment, seed);
         let rendered = python(checkout, line, &folder, &progress)?;
-        enter(&mut manifest, &rendered, &folder, checkout)?;
+        enter(&mut manifest, &rendered, &folder)?;
         manifest.probe_seed = Some(seed);
     }
+    manifest.set_scripts(&folder, assignment, checkout)?;
     manifest.write(&folder)?;
     progress.clear();
     let mut said = vec![format!(
@@ -168,7 +178,7 @@ pub fn make(checkout: &Checkout, arguments: &GoldenRender) -> Result<Vec<String>
             &mut manifest,
             &folder,
             &scenes,
-            &assignment,
+            assignment,
             checkout,
         )?);
         manifest.write(&folder)?;
@@ -203,6 +213,13 @@ fn scenes(arguments: &GoldenRender, assignment: &Assignment) -> Result<Vec<PathB
     arguments.scenes.iter().map(find).collect()
 }
 
+/// The arguments with which the scripts draw something of the assignment from a seed.
+fn drawn(what: &str, assignment: &Assignment, seed: u64) -> Vec<OsString> {
+    let folder = assignment.folder.clone().into();
+    let seed = seed.to_string().into();
+    vec![what.into(), folder, "--seed".into(), seed]
+}
+
 fn python(
     checkout: &Checkout,
     mut line: Vec<OsString>,
@@ -214,13 +231,8 @@ fn python(
     mitsuba::render(checkout, &line, progress)
 }
 
-fn enter(
-    manifest: &mut Manifest,
-    rendered: &Rendered,
-    folder: &Path,
-    checkout: &Checkout,
-) -> Result<()> {
-    manifest.set_renderer(&rendered.renderer, checkout)?;
+fn enter(manifest: &mut Manifest, rendered: &Rendered, folder: &Path) -> Result<()> {
+    manifest.set_renderer(&rendered.renderer);
     let films = rendered.items.iter().flat_map(|item| &item.files);
     let films = films.filter(|file| file.extension().is_some_and(|extension| extension == "exr"));
     films
@@ -228,15 +240,18 @@ fn enter(
         .try_for_each(|film| manifest.add_film(film, folder))
 }
 
-fn verify(checkout: &Checkout, arguments: &GoldenVerify) -> Result<Status> {
-    let assignment = arguments.assignment.find(checkout, None)?;
+fn verify(
+    assignment: &Assignment,
+    checkout: &Checkout,
+    arguments: &GoldenVerify,
+) -> Result<Status> {
     let own = checkout.golden(&assignment.name);
     let folder = arguments.dir.as_ref().unwrap_or(&own);
     let manifest = Manifest::read(folder)?;
-    let mut problems = manifest.out_of_step(folder, &assignment, checkout);
+    let mut problems = manifest.out_of_step(folder, assignment, checkout)?;
     problems.extend(unusable(&manifest, folder));
     if inside(folder, &own) {
-        problems.extend(absent(&manifest, &assignment));
+        problems.extend(absent(&manifest, assignment));
     }
     let films = manifest.films.len();
     if arguments.json {

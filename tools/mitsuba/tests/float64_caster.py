@@ -6,7 +6,8 @@ through a matrix, its triangle is a 3 x 3 solve. It stands for a right submissio
 
 import numpy as np
 
-from scene import Plane, Sphere
+from shapes.plane import Plane
+from shapes.sphere import Sphere
 
 
 def camera_rays(eye, view, up, width, height, focal_length, n_x, n_y, i, j):

@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 
 from cast import cast
-from scene import Plane, Sphere, Triangles
 from shapes import to_mitsuba
+from shapes.plane import Plane
+from shapes.sphere import Sphere
+from shapes.triangle import Triangles
 
 SHAPES = {
     "sphere": Sphere(np.array([0.1, 0.2, 0.3]), 0.9),

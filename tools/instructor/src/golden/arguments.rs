@@ -30,7 +30,7 @@ pub struct GoldenRender {
     pub assignment: AssignmentOption,
     /// Scene files, or names of the assignment's scenes
     pub scenes: Vec<String>,
-    /// Where to write [default: the folder of `golden` for the assignment's own scenes]
+    /// Where to write [default: golden/ASSIGNMENT for the assignment's own scenes]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Make fresh probes and random scenes from this seed instead; needs --out
@@ -50,7 +50,7 @@ pub struct GoldenRender {
 pub struct GoldenMistakes {
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// The folder of goldens [default: the assignment's, in `golden`]
+    /// The folder of goldens [default: golden/ASSIGNMENT]
     pub dir: Option<PathBuf>,
 }
 
@@ -59,7 +59,7 @@ pub struct GoldenMistakes {
 pub struct GoldenVerify {
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// The folder of goldens [default: the assignment's, in `golden`]
+    /// The folder of goldens [default: golden/ASSIGNMENT]
     pub dir: Option<PathBuf>,
     /// Print one JSON document on standard output
     #[arg(long)]

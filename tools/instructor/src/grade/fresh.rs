@@ -47,15 +47,13 @@ pub fn find_or_make(
     let beside = folder.with_extension("new");
     let _left_behind = fs::remove_dir_all(&beside);
     let request = GoldenRender {
-        assignment: AssignmentOption {
-            name: Some(assignment.folder.display().to_string()),
-        },
+        assignment: AssignmentOption::default(),
         scenes: Vec::new(),
         out: Some(beside.clone()),
         seed: Some(seed),
         no_mistakes: true,
     };
-    golden::make(checkout, &request)?;
+    golden::make(assignment, checkout, &request)?;
     let _of_another_seed = fs::remove_dir_all(folder);
     fs::rename(&beside, folder).map_err(|error| {
         let problem = format!(

@@ -164,6 +164,7 @@ fn add_goldens(files: &mut Files, assignment: &Assignment, checkout: &Checkout) 
     let is_here = |path: &String| files.contains_key(path);
     manifest.sources.retain(|path, _| is_here(path));
     manifest.mistakes.clear();
+    manifest.scripts.clear();
     files.insert(format!("{to}/{}", manifest::FILE), manifest.text()?.into());
     Ok(())
 }

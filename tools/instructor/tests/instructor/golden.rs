@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use pinhole_testing::{Ran, TASKS, fresh, pinhole, root, trusted};
+use pinhole_testing::{Ran, TASKS, fresh, pinhole, pinhole_with, root, trusted};
 
 fn plain(path: &Path) -> &str {
     path.to_str().expect("test folders have plain names")
@@ -57,6 +57,40 @@ fn a_missing_film_and_a_film_nobody_made_are_noticed() {
     let ran = verify(&folder).expect_code(1);
     ran.expect_out("bunny.tol.exr is missing")
         .expect_out("hare.exr is not in the manifest");
+}
+
+#[test]
+fn a_comment_leaves_goldens_in_step_and_another_number_or_script_does_not() {
+    let folder = fresh(&trusted(), "stale");
+    let scene = folder.join("mine.toml");
+    let own = root().join("assignments/ray_casting/scenes/slide_example.toml");
+    let text = fs::read_to_string(own).expect("it is committed");
+    fs::write(&scene, &text).expect("it can be written");
+    let line = ["golden", "render", plain(&scene), "--no-mistakes", "--out"];
+    pinhole(&[&line, [plain(&folder)].as_slice()].concat()).expect_code(0);
+    fs::write(&scene, format!("# Mine.\n\n{text}")).expect("it can be written");
+    verify(&folder).expect_code(0);
+    let nearer = text.replace("focal_length = 10.0", "focal_length = 9.0");
+    fs::write(&scene, nearer).expect("it can be written");
+    verify(&folder)
+        .expect_code(1)
+        .expect_out("mine.toml has changed");
+
+    fs::write(&scene, text).expect("it can be written");
+    let manifest = fs::read_to_string(folder.join("manifest.toml")).expect("it was made");
+    let (head, scripts) = manifest.split_once("\nmine = \"").expect("its fingerprint");
+    let other = format!("{head}\nmine = \"0{scripts}");
+    fs::write(folder.join("manifest.toml"), other).expect("it can be written");
+    verify(&folder)
+        .expect_code(1)
+        .expect_out("the scripts are not those that made mine");
+}
+
+#[test]
+fn scripts_that_cannot_be_compared_are_no_goldens_in_step() {
+    pinhole_with(&[("PATH", "")], &["golden", "verify"])
+        .expect_code(3)
+        .expect_err("there is no Python here");
 }
 
 #[test]

@@ -8,10 +8,8 @@ it starts. Impact below 1 hits; 1.29 drawn evenly over the disc hits 60 %.
 import numpy as np
 
 from chance import log_uniform, perpendicular, unit_vector
-from probe_shape import ask
-from scene import Sphere
-
-CHANNELS = ("center.X", "center.Y", "center.Z", "radius")
+from kinds.intersect import ask
+from shapes.sphere import Sphere
 
 
 def place(rng, *, impact=None, before=None, radius=None, center=None, length=None, min_t=None):

@@ -1,16 +1,21 @@
-"""TESTS ONLY: what a right submission answers to a probe's questions."""
+"""TESTS ONLY: what a right submission answers to a task's questions."""
 
 import numpy as np
 
 import float64_caster as caster
-from scene import Plane, Sphere, Triangles
+from shapes.plane import Plane
+from shapes.sphere import Sphere
+from shapes.triangle import Triangles
 
 
 def answers(task, questions):
-    """The film of right answers to `questions`, which are {channel: pixels}."""
-    answer = {"viewing_ray": _viewing_ray, "first_hit": _first_hit, "triangle_soup": _soup}
+    """The film of right answers to `questions`, which are {channel: pixels}; `task` is
+    its table in assignment.toml."""
+    answer = {
+        "viewing_ray": _viewing_ray, "intersect": _shape, "first_hit": _first_hit, "soup": _soup,
+    }[task["kind"]]
     rows = [dict(zip(questions, row)) for row in zip(*questions.values())]
-    return np.array([answer.get(task, _shape)(row) for row in rows])
+    return np.array([answer(row) for row in rows])
 
 
 def _vector(row, name):

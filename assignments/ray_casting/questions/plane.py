@@ -7,10 +7,8 @@ the plane behind it, which is a miss.
 import numpy as np
 
 from chance import log_uniform, perpendicular, sign, tilted_from, unit_vector
-from probe_shape import ask
-from scene import Plane
-
-CHANNELS = ("point.X", "point.Y", "point.Z", "normal.X", "normal.Y", "normal.Z")
+from kinds.intersect import ask
+from shapes.plane import Plane
 
 
 def place(rng, *, side=None, ahead=None, point=None, stored=None, length=None, min_t=None):

@@ -6,33 +6,19 @@ can answer. The half width stays below 1.5 focal lengths, because the sensor
 keeps its field of view as a float32 angle.
 """
 
+from functools import partial
+
 import numpy as np
 
 from camera import Camera
 from chance import as_f32, log_uniform, unit_vector
-from sensor import sensor_rays
-from tolerance import ray_tolerance
-
-CHANNELS = (
-    *(f"{vector}.{axis}" for vector in ("eye", "view", "up") for axis in "XYZ"),
-    "width", "height", "focal_length", "n_x", "n_y", "i", "j",
-)
-GROUPS = (
-    "perspective", "rotated", "focal_length", "corners", "orthographic", "non_square",
-)
+from kinds.viewing_ray import Question
 
 
 def draw(rng, group):
-    """A question of `group` with its golden and tolerance, (6,) each."""
+    """A question of `group`."""
     camera = _camera(rng, group)
-    i, j = _pixel(rng, group, camera.resolution)
-    cast_rays = sensor_rays if camera.has_square_pixels else Camera.rays
-    rays = cast_rays(camera, [i], [j])
-    values = [
-        *camera.eye, *camera.view, *camera.up, camera.width, camera.height,
-        camera.focal_length or 0.0, *camera.resolution, i, j,
-    ]
-    return np.array(values), np.hstack(rays)[0], ray_tolerance(camera, *rays)[0]
+    return Question(camera, *_pixel(rng, group, camera.resolution))
 
 
 def _camera(rng, group):
@@ -79,3 +65,11 @@ def _pixel(rng, group, resolution):
         return i, j
     ends = [int(rng.choice((0, n - 1))) for n in resolution]
     return ends if rng.uniform() < 0.5 else ((ends[0], j) if rng.uniform() < 0.5 else (i, ends[1]))
+
+
+GROUPS = {
+    group: partial(draw, group=group)
+    for group in (
+        "perspective", "rotated", "focal_length", "corners", "orthographic", "non_square",
+    )
+}

@@ -9,10 +9,8 @@ import numpy as np
 
 from camera import normalize
 from chance import log_uniform, perpendicular, sign, tilted_from, unit_vector
-from probe_shape import ask
-from scene import Triangles
-
-CHANNELS = tuple(f"{corner}.{axis}" for corner in "abc" for axis in "XYZ")
+from kinds.intersect import ask
+from shapes.triangle import Triangles
 
 
 def corners(rng, size, aspect):

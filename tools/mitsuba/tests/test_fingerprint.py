@@ -1,0 +1,97 @@
+"""A fingerprint changes with what makes the pixels, and with nothing else."""
+
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+MITSUBA = Path(__file__).parents[1]
+
+SCENE = """
+[[object]]
+type = "sphere"
+[[object]]
+type = "{other}"
+"""
+ASSIGNMENT = """
+[[task]]
+name = "ball"
+[[task]]
+name = "floor"
+"""
+BALL = """
+from shapes.sphere import Sphere
+from questions.both import size
+"""
+FLOOR = """
+from shapes.plane import Plane
+
+def draw(rng):
+    return size(rng)
+"""
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A copy of the scripts that may be changed, with an assignment and two scenes."""
+    shutil.copytree(
+        MITSUBA, tmp_path / "mitsuba", ignore=shutil.ignore_patterns(".venv", "tests")
+    )
+    (tmp_path / "questions").mkdir()
+    (tmp_path / "assignment.toml").write_text(ASSIGNMENT)
+    (tmp_path / "questions" / "ball.py").write_text(BALL)
+    (tmp_path / "questions" / "floor.py").write_text(FLOOR)
+    (tmp_path / "questions" / "both.py").write_text("size = 1.0\n")
+    (tmp_path / "round.toml").write_text(SCENE.format(other="sphere"))
+    (tmp_path / "flat.toml").write_text(SCENE.format(other="soup"))
+    return tmp_path
+
+
+def fingerprints(folder):
+    """As the command prints them, to whom no installed package is in sight."""
+    line = ["round.toml", "flat.toml", "--questions", "."]
+    run = subprocess.run(
+        [sys.executable, "-I", "-S", "mitsuba/fingerprint.py", *line],
+        cwd=folder, capture_output=True, text=True, check=True,
+    )
+    return json.loads(run.stdout)
+
+
+def changed(folder, file, old, new):
+    """Whose fingerprints change with this edit of a file."""
+    before, text = fingerprints(folder), (folder / file).read_text()
+    assert old in text
+    (folder / file).write_text(text.replace(old, new))
+    after = fingerprints(folder)
+    assert before.keys() == after.keys() == {"round", "flat", "probes/ball", "probes/floor"}
+    return {name for name in before if before[name] != after[name]}
+
+
+@pytest.mark.parametrize("file, old, new", (
+    ("mitsuba/camera.py", '"""`vector` at unit length."""', '"""Unit length."""'),
+    ("mitsuba/camera.py", '"""`vector` at unit length."""', ""),
+    ("mitsuba/camera.py", "  # scene units; None is orthographic", ""),
+    ("mitsuba/tolerance.py", "DISPLACEMENT = 1e-3", "DISPLACEMENT = (\n    0.001\n)"),
+    ("mitsuba/tolerance.py", '"""The eight directions', '"""Eight directions'),
+    ("mitsuba/requirements.txt", "numpy==", "# a comment\n\nnumpy=="),
+    ("mitsuba/golden.py", "parser.parse_args()", "parser.parse_args(None)"),
+    ("round.toml", "[[object]]", "# a comment\n[[object]]"),
+))
+def test_words_and_layout_leave_all_goldens_fresh(folder, file, old, new):
+    assert changed(folder, file, old, new) == set()
+
+
+@pytest.mark.parametrize("file, old, new, stale", (
+    ("mitsuba/camera.py", "+ 0.5", "+ 0.25", {"round", "flat", "probes/ball", "probes/floor"}),
+    ("mitsuba/requirements.txt", "numpy==", "numpy==9", {"round", "flat", "probes/ball", "probes/floor"}),
+    ("mitsuba/scene_films.py", "displaced = [", "displaced = [] and [", {"round", "flat"}),
+    ("mitsuba/shapes/sphere.py", '"sphere"', '"ball"', {"round", "flat", "probes/ball"}),
+    ("mitsuba/mesh.py", "k in range(1", "k in range(2", {"flat"}),
+    ("questions/floor.py", "size(rng)", "2 * size(rng)", {"probes/floor"}),
+    ("questions/both.py", "1.0", "2.0", {"probes/ball"}),
+))
+def test_what_makes_the_pixels_makes_its_own_goldens_stale(folder, file, old, new, stale):
+    assert changed(folder, file, old, new) == stale
