@@ -3,6 +3,7 @@
 //! What comes back is bounded in time and size, must be well formed, must answer
 //! every question once, and is only ever data to be judged.
 
+mod ending;
 mod transport;
 
 use std::io::{self, Read};
@@ -14,8 +15,10 @@ use std::time::Duration;
 
 use crate::camera::Resolution;
 use crate::film::Film;
-use crate::job::{Answer, CHUNK, Job, MOST_PANIC_TEXT, Message, Panic};
+use crate::job::{CHUNK, Job, MOST_PANIC_TEXT, Message};
+use crate::kind::Answer;
 use crate::ray::{Hit, Ray};
+pub use ending::{Ending, TIME_WAS_UP};
 use transport::Exchange;
 
 /// What came of one job.
@@ -29,23 +32,6 @@ pub struct Reply {
     /// What the student's code printed, standard output and error, cut at
     /// [`MOST_PRINTED`] bytes each.
     pub printed: String,
-}
-
-/// Why a submission sent nothing more.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Ending {
-    /// Every question is answered.
-    Complete,
-    /// The student's code panicked.
-    Panicked(Panic),
-    /// Time was up before every question was answered.
-    TimedOut(Duration),
-    /// The process took more memory than it may: how many bytes it may.
-    OutOfMemory(u64),
-    /// The process ended early: how, in words.
-    Died(String),
-    /// It sent something that is no answer: what, in words.
-    Garbled(String),
 }
 
 /// How long an answer is waited for.
@@ -62,7 +48,7 @@ pub struct Limit {
 pub struct Stop(Arc<AtomicBool>);
 
 impl Stop {
-    /// Ends every exchange that watches this flag, within [`PULSE`].
+    /// Ends every exchange that watches this flag, within 50 ms.
     pub fn raise(&self) {
         self.0.store(true, Ordering::Relaxed);
     }
@@ -143,9 +129,9 @@ pub fn ask_watched(
     if reply.ending == Ending::Complete && reply.missing > 0 {
         reply.ending = match ended {
             Err(error) if is_timeout(&error) => Ending::TimedOut(limit.wall),
-            Err(error) if is_broken(&error) => Ending::Died(in_words(status, &reply.printed)),
+            Err(error) if is_broken(&error) => Ending::died(status, &reply.printed),
             Err(error) => Ending::Garbled(error.to_string()),
-            Ok(()) => Ending::Died(in_words(status, &reply.printed)),
+            Ok(()) => Ending::died(status, &reply.printed),
         };
     }
     Ok(reply)
@@ -214,6 +200,10 @@ impl Reply {
                 self.ending = Ending::Panicked(panic);
                 Ok(false)
             }
+            Message::Unregistered(kind) => {
+                self.ending = Ending::Unregistered(kind);
+                Ok(false)
+            }
             Message::Answers { answers, .. } if answers.is_empty() => {
                 Err("it sent a message without an answer".into())
             }
@@ -230,8 +220,10 @@ impl Reply {
                     return Err("it answered a question twice".into());
                 }
                 let is_ray = |answer: &Answer| matches!(answer, Answer::Ray(_));
-                let wants_rays = matches!(job, Job::ViewingRay(_));
-                if answers.iter().any(|answer| is_ray(answer) != wants_rays) {
+                if answers
+                    .iter()
+                    .any(|answer| is_ray(answer) != job.gives_rays())
+                {
                     return Err("it sent a ray for a hit, or a hit for a ray".into());
                 }
                 self.missing -= answers.len();
@@ -255,41 +247,6 @@ fn end(child: &mut Child) -> Option<ExitStatus> {
     }
     let _already_gone = child.kill();
     child.wait().ok()
-}
-
-/// What is said of a process that the kernel ended for the processor time it took.
-pub const TIME_WAS_UP: &str = "its processor time was up";
-
-fn in_words(status: Option<ExitStatus>, printed: &str) -> String {
-    if printed.contains("has overflowed its stack") {
-        return "its stack overflowed: does a function call itself without end?".into();
-    }
-    let Some(status) = status else {
-        return "its process was lost".into();
-    };
-    match status.code() {
-        // As a shell, and bubblewrap, report a signal.
-        Some(code @ 129..=159) => {
-            let signal = match code - 128 {
-                4 => "an illegal instruction",
-                6 => "it aborted itself",
-                7 | 11 => "it touched memory that is not its own",
-                9 => "SIGKILL",
-                24 => TIME_WAS_UP,
-                25 => "it wrote a file that is too long",
-                31 => "a forbidden system call",
-                _ => {
-                    return format!(
-                        "it was killed (signal {}) before it had answered",
-                        code - 128
-                    );
-                }
-            };
-            format!("it was killed ({signal}) before it had answered")
-        }
-        Some(code) => format!("it exited with code {code} before it had answered"),
-        None => format!("it was killed ({status}) before it had answered"),
-    }
 }
 
 fn is_timeout(error: &io::Error) -> bool {

@@ -2,11 +2,16 @@
 
 use std::path::Path;
 
+use glam::DVec3;
+
 use crate::camera::Resolution;
 use crate::error::Error;
-use crate::ray::{Hit, Ray};
+use crate::ray::{Hit, Intersection, Ray};
 
 mod openexr;
+mod samples;
+
+pub(crate) use samples::Samples;
 
 /// The channels of a film of hits: object id (−1 for none), t, unit normal.
 pub const HIT_CHANNELS: [&str; 5] = ["id", "t", "N.X", "N.Y", "N.Z"];
@@ -109,6 +114,39 @@ impl Film {
     pub fn channel(&self, name: &str) -> Option<&[f32]> {
         let found = self.channels.iter().find(|channel| channel.name == name);
         found.map(|channel| channel.samples.as_slice())
+    }
+
+    /// What a film of hits shows at `index`: the inverse of [`of_hits`](Film::of_hits).
+    /// A channel that is not there is 0.
+    pub fn hit(&self, index: usize) -> Option<Hit> {
+        let id = self.sample("id", index);
+        let intersection = Intersection {
+            t: self.sample("t", index),
+            normal: self.vector("N", index),
+        };
+        (id >= 0.0).then_some(Hit {
+            object: id as usize,
+            intersection,
+        })
+    }
+
+    /// What a film of rays shows at `index`: the inverse of [`of_rays`](Film::of_rays).
+    /// A channel that is not there is 0.
+    pub fn ray(&self, index: usize) -> Ray {
+        Ray {
+            origin: self.vector("O", index),
+            direction: self.vector("D", index),
+        }
+    }
+
+    fn vector(&self, name: &str, index: usize) -> DVec3 {
+        let axis = |axis| self.sample(&format!("{name}.{axis}"), index);
+        DVec3::new(axis("X"), axis("Y"), axis("Z"))
+    }
+
+    fn sample(&self, channel: &str, index: usize) -> f64 {
+        let samples = self.channel(channel);
+        samples.map_or(0.0, |samples| f64::from(samples[index]))
     }
 
     /// Reads an OpenEXR file.

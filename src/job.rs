@@ -4,67 +4,25 @@
 //! stream of [`Message`]s: each a four-byte little-endian length and that many
 //! bytes of postcard. Whoever reads them trusts nothing (see [`ask`](crate::ask)).
 
-mod cameras;
-
 use std::io::{self, Read, Write};
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use crate::camera::{Camera, Pixel, Resolution};
-use crate::ray::{Hit, Ray};
+use crate::kind::{self, Answer, AnswerFn, CameraQuestion, Questions, Unregistered};
+use crate::ray::Ray;
 use crate::scene::Scene;
-use crate::shape::{Canned, Shape, TriangleSoup};
+use crate::shape::Shape;
 
 /// One thing to do, giving a fixed number of answers.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub enum Job {
     /// Cast a scene: a hit for every pixel, in image order.
     Film(Scene),
-    /// A viewing ray for each question.
-    ViewingRay(#[serde(with = "cameras")] Vec<CameraQuestion>),
-    /// One shape, met alone, for each question.
-    Intersect(Vec<ShapeQuestion>),
-    /// The first hit among canned objects for each question.
-    FirstHit(Vec<CannedQuestion>),
-    /// A soup of canned objects for each question.
-    TriangleSoup(Vec<CannedQuestion>),
+    /// An answer to each question.
+    Ask(Questions),
     /// The first hit of one ray among real shapes: a single answer.
     Cast(Ray, f64, Vec<Shape>),
-}
-
-/// Which ray passes through the centre of `pixel`?
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct CameraQuestion {
-    /// Who looks.
-    pub camera: Camera,
-    /// Through which pixel.
-    pub pixel: Pixel,
-    /// Of how many.
-    pub resolution: Resolution,
-}
-
-/// Where does `ray` meet `shape`, from `min_t` on?
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct ShapeQuestion {
-    /// The shape, alone.
-    pub shape: Shape,
-    /// The ray; its direction may have any length.
-    pub ray: Ray,
-    /// In multiples of the ray's direction.
-    pub min_t: f64,
-}
-
-/// Which of these objects does `ray` meet first, from `min_t` on?
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct CannedQuestion {
-    /// Objects that know their intersections with `ray`; as a soup, so that both
-    /// `first_hit` and the soup can be asked.
-    pub objects: TriangleSoup<Canned>,
-    /// The ray.
-    pub ray: Ray,
-    /// In multiples of the ray's direction.
-    pub min_t: f64,
 }
 
 impl Job {
@@ -72,9 +30,7 @@ impl Job {
     pub fn len(&self) -> usize {
         match self {
             Job::Film(scene) => scene.resolution.pixels(),
-            Job::ViewingRay(questions) => questions.len(),
-            Job::Intersect(questions) => questions.len(),
-            Job::FirstHit(questions) | Job::TriangleSoup(questions) => questions.len(),
+            Job::Ask(questions) => questions.len(),
             Job::Cast(..) => 1,
         }
     }
@@ -83,15 +39,36 @@ impl Job {
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
-}
 
-/// One answer to one question.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Answer {
-    /// What a ray hit, if anything. A shape asked alone counts as object 0.
-    Hit(Option<Hit>),
-    /// A viewing ray.
-    Ray(Ray),
+    /// Whether its answers are rays; all others are hits.
+    pub fn gives_rays(&self) -> bool {
+        self.questions()
+            .is_some_and(|questions| questions.kind().gives_rays())
+    }
+
+    /// The questions it asks one by one, if it does.
+    pub fn questions(&self) -> Option<&Questions> {
+        match self {
+            Job::Ask(questions) => Some(questions),
+            Job::Film(_) | Job::Cast(..) => None,
+        }
+    }
+
+    /// One of its answers, by a submission's functions.
+    pub(crate) fn answer(
+        &self,
+        index: usize,
+        functions: &[AnswerFn],
+    ) -> Result<Answer, Unregistered> {
+        match self {
+            Job::Film(scene) => {
+                let ray = CameraQuestion::of_scene(scene, index).ray(functions)?;
+                kind::cast(&ray, scene.min_t, &scene.objects, functions)
+            }
+            Job::Ask(questions) => questions.answer(index, functions),
+            Job::Cast(ray, min_t, objects) => kind::cast(ray, *min_t, objects, functions),
+        }
+    }
 }
 
 /// A panic inside a student's code.
@@ -131,6 +108,8 @@ pub enum Message {
     },
     /// The student's code panicked; nothing more will come.
     Panicked(Panic),
+    /// There is no function to ask; nothing more will come.
+    Unregistered(Unregistered),
 }
 
 /// At most this many answers in a message; small enough that progress is smooth.

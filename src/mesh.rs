@@ -1,4 +1,4 @@
-//! Triangle soups from Wavefront OBJ files, through `tobj`.
+//! The triangles of Wavefront OBJ files, through `tobj`.
 
 use std::io::{self, BufRead, Read};
 use std::path::Path;
@@ -7,7 +7,9 @@ use glam::DVec3;
 use tobj::{LoadError, LoadOptions};
 
 use crate::error::{Error, read_text};
-use crate::shape::{Triangle, TriangleSoup};
+
+/// The corners of one triangle, in the order of its face.
+pub type Corners = [DVec3; 3];
 
 /// Reads every face of an OBJ file as triangles, in file order.
 ///
@@ -17,7 +19,7 @@ use crate::shape::{Triangle, TriangleSoup};
 /// # Errors
 /// If the file cannot be read, is no OBJ, has no face, a face names a vertex that
 /// is not there, or a vertex is not finite.
-pub fn read(path: &Path) -> Result<TriangleSoup, Error> {
+pub fn read(path: &Path) -> Result<Vec<Corners>, Error> {
     let text = read_text(path).map_err(|error| {
         Error::new(
             path,
@@ -28,7 +30,7 @@ pub fn read(path: &Path) -> Result<TriangleSoup, Error> {
     parse(&text, path)
 }
 
-fn parse(text: &str, path: &Path) -> Result<TriangleSoup, Error> {
+fn parse(text: &str, path: &Path) -> Result<Vec<Corners>, Error> {
     let text = corners_and_faces(text);
     if let Some(error) = absent_vertex(&text, path) {
         return Err(error);
@@ -62,7 +64,7 @@ fn parse(text: &str, path: &Path) -> Result<TriangleSoup, Error> {
             if !corners.iter().all(|corner| corner.is_finite()) {
                 return Err(not_finite(&text, path));
             }
-            triangles.push(Triangle { corners });
+            triangles.push(corners);
         }
     }
     if triangles.is_empty() {
@@ -72,7 +74,7 @@ fn parse(text: &str, path: &Path) -> Result<TriangleSoup, Error> {
             "add `f` lines, or name another file",
         ));
     }
-    Ok(TriangleSoup { triangles })
+    Ok(triangles)
 }
 
 /// The same lines with nothing in them but what makes triangles: x, y, z of `v` and

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::judge::{ChannelVerdict, Mismatch, Verdict};
+use crate::words::number;
 
 impl fmt::Display for Verdict {
     /// One line for the film and one for each channel that fails, without the last
@@ -57,33 +58,6 @@ impl fmt::Display for ChannelVerdict {
             _ => write!(f, " ± {}", number(f64::from(worst.allowed), 2)),
         }
     }
-}
-
-/// A number with at most so many significant digits, no trailing zeros, and a real
-/// minus sign.
-pub fn number(value: f64, digits: usize) -> String {
-    let text = match value.abs() {
-        0.0 => "0".into(),
-        size if (1e-4..1e7).contains(&size) => {
-            let decimals = (digits as i32 - 1 - size.log10().floor() as i32).max(0) as usize;
-            let text = format!("{value:.decimals$}");
-            match text.contains('.') {
-                true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-                false => text,
-            }
-        }
-        size if size.is_finite() => {
-            let text = format!("{value:.*e}", digits.saturating_sub(1));
-            let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-            let mantissa = match mantissa.contains('.') {
-                true => mantissa.trim_end_matches('0').trim_end_matches('.'),
-                false => mantissa,
-            };
-            format!("{mantissa}e{exponent}")
-        }
-        _ => value.to_string(),
-    };
-    text.replace('-', "−")
 }
 
 /// Six digits, or as many as it takes to see that two numbers differ.

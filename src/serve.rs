@@ -9,9 +9,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 
-use crate::answers::Answers;
-use crate::job::{self, Answer, CHUNK, Job, MOST_PANIC_TEXT, Message, Panic};
-use crate::ray::{Hit, Intersection};
+use crate::job::{self, CHUNK, Job, MOST_PANIC_TEXT, Message, Panic};
+use crate::kind::{Answer, AnswerFn};
 
 /// The word that makes a submission answer; without it a person has started it.
 pub const ANSWER: &str = "answer";
@@ -19,21 +18,21 @@ pub const ANSWER: &str = "answer";
 /// The exit code if the answers could not be sent.
 const UNSENT: u8 = 3;
 
-/// A submission's whole `main`.
+/// A submission's whole `main`: answers questions with these functions.
 ///
 /// The job comes in on standard input. On Unix that is a socket, and the answers go
 /// back through it; elsewhere they go to the file named after the word `answer`.
 /// Standard output stays the student's own.
-pub fn serve(answers: &Answers) -> ExitCode {
+pub fn serve(functions: &[AnswerFn]) -> ExitCode {
     let mut arguments = std::env::args_os().skip(1);
     if arguments.next().is_none_or(|word| word != ANSWER) {
         return hand_on();
     }
     let served = match arguments.next() {
         Some(file) => std::fs::File::create(file).and_then(|mut out| {
-            answer_job(answers, &receive_job(&mut io::stdin().lock())?, &mut out)
+            answer_job(functions, &receive_job(&mut io::stdin().lock())?, &mut out)
         }),
-        None => serve_through_stdin(answers),
+        None => serve_through_stdin(functions),
     };
     match served {
         Ok(()) => ExitCode::SUCCESS,
@@ -66,14 +65,14 @@ fn hand_on() -> ExitCode {
 }
 
 #[cfg(unix)]
-fn serve_through_stdin(answers: &Answers) -> io::Result<()> {
+fn serve_through_stdin(functions: &[AnswerFn]) -> io::Result<()> {
     use std::os::fd::AsFd;
     use std::os::unix::net::UnixStream;
 
     let mut socket = UnixStream::from(io::stdin().as_fd().try_clone_to_owned()?);
     let job = receive_job(&mut socket)?;
     end_with(socket.try_clone()?);
-    answer_job(answers, &job, &mut io::BufWriter::new(socket))
+    answer_job(functions, &job, &mut io::BufWriter::new(socket))
 }
 
 /// Ends this process when nobody is there any more to read its answers, even if the
@@ -91,7 +90,7 @@ fn end_with(mut asker: std::os::unix::net::UnixStream) {
 }
 
 #[cfg(not(unix))]
-fn serve_through_stdin(_: &Answers) -> io::Result<()> {
+fn serve_through_stdin(_: &[AnswerFn]) -> io::Result<()> {
     Err(io::Error::other("name a file for the answers"))
 }
 
@@ -101,7 +100,7 @@ fn receive_job(input: &mut impl Read) -> io::Result<Job> {
 }
 
 /// Answers a job, writing messages to `out`.
-fn answer_job(answers: &Answers, job: &Job, out: &mut (impl Write + Send)) -> io::Result<()> {
+fn answer_job(functions: &[AnswerFn], job: &Job, out: &mut (impl Write + Send)) -> io::Result<()> {
     panic::set_hook(Box::new(remember));
 
     let out = Mutex::new(out);
@@ -113,85 +112,37 @@ fn answer_job(answers: &Answers, job: &Job, out: &mut (impl Write + Send)) -> io
         }
         let first = chunk * CHUNK;
         let indices = first..job.len().min(first + CHUNK);
-        let message = match answer_all(answers, job, indices) {
+        let message = match answer_all(functions, job, indices) {
             Ok(answers) => Message::Answers { first, answers },
-            Err(panic) if stop.swap(true, Ordering::Relaxed) => return drop_second(panic),
-            Err(panic) => Message::Panicked(panic),
+            // Two cores may fail at once; one report is enough.
+            Err(_) if stop.swap(true, Ordering::Relaxed) => return Ok(()),
+            Err(failure) => failure,
         };
         let mut out = out.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
         job::send(&message, &mut **out)
     })
 }
 
-/// Two cores may panic at once; one report is enough.
-fn drop_second(_: Panic) -> io::Result<()> {
-    Ok(())
-}
-
+/// The answers to these questions, or else why there is none to one of them.
 fn answer_all(
-    answers: &Answers,
+    functions: &[AnswerFn],
     job: &Job,
     indices: std::ops::Range<usize>,
-) -> Result<Vec<Answer>, Panic> {
+) -> Result<Vec<Answer>, Message> {
     let mut given = Vec::with_capacity(indices.len());
     for index in indices {
-        match panic::catch_unwind(AssertUnwindSafe(|| answer(answers, job, index))) {
-            Ok(answer) => given.push(answer),
+        match panic::catch_unwind(AssertUnwindSafe(|| job.answer(index, functions))) {
+            Ok(Ok(answer)) => given.push(answer),
+            Ok(Err(unregistered)) => return Err(Message::Unregistered(unregistered)),
             Err(_) => {
-                return Err(Panic {
+                return Err(Message::Panicked(Panic {
                     index,
                     ..LAST_PANIC.take().unwrap_or_else(unknown_panic)
-                });
+                }));
             }
         }
     }
     Ok(given)
-}
-
-fn answer(answers: &Answers, job: &Job, index: usize) -> Answer {
-    match job {
-        Job::Film(scene) => {
-            let pixel = scene.resolution.pixel(index);
-            let ray = (answers.viewing_ray)(&scene.camera, pixel, scene.resolution);
-            Answer::Hit((answers.first_hit)(&ray, scene.min_t, &scene.objects))
-        }
-        Job::ViewingRay(questions) => {
-            let asked = &questions[index];
-            Answer::Ray((answers.viewing_ray)(
-                &asked.camera,
-                asked.pixel,
-                asked.resolution,
-            ))
-        }
-        Job::Intersect(questions) => {
-            let asked = &questions[index];
-            alone(answers.intersect(&asked.shape, &asked.ray, asked.min_t))
-        }
-        Job::FirstHit(questions) => {
-            let asked = &questions[index];
-            Answer::Hit((answers.first_hit_canned)(
-                &asked.ray,
-                asked.min_t,
-                &asked.objects.triangles,
-            ))
-        }
-        Job::TriangleSoup(questions) => {
-            let asked = &questions[index];
-            alone((answers.triangle_soup_canned)(
-                &asked.objects,
-                &asked.ray,
-                asked.min_t,
-            ))
-        }
-        Job::Cast(ray, min_t, objects) => Answer::Hit((answers.first_hit)(ray, *min_t, objects)),
-    }
-}
-
-fn alone(intersection: Option<Intersection>) -> Answer {
-    Answer::Hit(intersection.map(|intersection| Hit {
-        object: 0,
-        intersection,
-    }))
 }
 
 thread_local! {

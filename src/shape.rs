@@ -1,78 +1,136 @@
-//! The four shapes a ray can meet. How it meets them is the student's work.
+//! The shapes a ray can meet. How it meets them is the student's work.
+//!
+//! A shape is one file of this folder: its data, how it is read from a scene file and
+//! from a question film, and how it is put into words. The table below lists them all.
 
-use glam::DVec3;
+mod canned;
+mod disk;
+mod plane;
+mod soup;
+mod sphere;
+mod table;
+mod triangle;
+
+use std::fmt;
+
 use serde::{Deserialize, Serialize};
 
-use crate::ray::Intersection;
+use crate::error::Error;
+use crate::film::Samples;
 
-/// All points at distance `radius` from `center`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Sphere {
-    /// World space, scene units.
-    pub center: DVec3,
-    /// Scene units, positive.
-    pub radius: f64,
+pub use canned::Canned;
+pub use disk::Disk;
+pub use plane::Plane;
+pub use soup::TriangleSoup;
+pub use sphere::Sphere;
+pub(crate) use table::ObjectTable;
+pub use triangle::Triangle;
+
+/// How a shape is written, each in its own file.
+trait Notation: Sized {
+    /// The keys of its table in a scene file; all are needed.
+    const KEYS: &'static [&'static str];
+
+    /// Reads it from a scene file.
+    fn read_table(table: &ObjectTable<'_>) -> Result<Self, Error>;
+
+    /// Reads it from a pixel of a question film.
+    fn read_samples(samples: Samples<'_>) -> Result<Self, String>;
+
+    /// What stands behind its name when it is described.
+    fn words(&self, digits: usize) -> String;
 }
 
-/// All points p with (p − `point`) · `normal` = 0; it has no edge.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Plane {
-    /// Any point of the plane; world space, scene units.
-    pub point: DVec3,
-    /// Perpendicular to the plane, as the scene file has it: **not** unit length in
-    /// general, never zero.
-    pub normal: DVec3,
+/// Makes [`Shape`] and [`ShapeKind`] from a table of names and types.
+macro_rules! shapes {
+    ($($name:literal => $shape:ident($data:ty),)*) => {
+        /// Any shape. An assignment need not have them all.
+        #[non_exhaustive]
+        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+        pub enum Shape {
+            $(
+                #[doc = concat!("See [`", stringify!($data), "`].")]
+                $shape($data),
+            )*
+        }
+
+        /// Which shape, by its name in scene files and in `assignment.toml`.
+        #[non_exhaustive]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+        pub enum ShapeKind {
+            $(
+                #[doc = concat!("A [`", stringify!($data), "`].")]
+                #[serde(rename = $name)]
+                $shape,
+            )*
+        }
+
+        impl Shape {
+            /// Which shape it is.
+            pub fn kind(&self) -> ShapeKind {
+                match self {
+                    $(Shape::$shape(_) => ShapeKind::$shape,)*
+                }
+            }
+
+            /// What it is made of, in words, with so many digits.
+            pub fn words(&self, digits: usize) -> String {
+                match self {
+                    $(Shape::$shape(data) => data.words(digits),)*
+                }
+            }
+        }
+
+        impl ShapeKind {
+            /// All shapes there are.
+            const ALL: &[ShapeKind] = &[$(ShapeKind::$shape,)*];
+
+            /// Its name in scene files and in `assignment.toml`.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(ShapeKind::$shape => $name,)*
+                }
+            }
+
+            fn keys(self) -> &'static [&'static str] {
+                match self {
+                    $(ShapeKind::$shape => <$data>::KEYS,)*
+                }
+            }
+
+            /// Reads such a shape from a pixel of a question film.
+            pub(crate) fn read_samples(self, samples: Samples<'_>) -> Result<Shape, String> {
+                match self {
+                    $(ShapeKind::$shape => <$data>::read_samples(samples).map(Shape::$shape),)*
+                }
+            }
+
+            fn read_table(self, table: &ObjectTable<'_>) -> Result<Shape, Error> {
+                match self {
+                    $(ShapeKind::$shape => <$data>::read_table(table).map(Shape::$shape),)*
+                }
+            }
+        }
+    };
 }
 
-/// A flat triangle, edges included.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Triangle {
-    /// The corners a, b, c, counter-clockwise when seen from outside; world space.
-    pub corners: [DVec3; 3],
+shapes! {
+    "sphere" => Sphere(Sphere),
+    "plane" => Plane(Plane),
+    "triangle" => Triangle(Triangle),
+    "soup" => Soup(TriangleSoup),
+    "disk" => Disk(Disk),
 }
 
-/// Triangles that together are one object.
-///
-/// Generic over what it holds so that a soup can be judged apart from the
-/// triangle: probes fill it with [`Canned`] objects.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct TriangleSoup<T = Triangle> {
-    /// In the mesh file's order, which means nothing about distance.
-    pub triangles: Vec<T>,
-}
-
-/// Any of the four.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Shape {
-    /// See [`Sphere`].
-    Sphere(Sphere),
-    /// See [`Plane`].
-    Plane(Plane),
-    /// See [`Triangle`].
-    Triangle(Triangle),
-    /// See [`TriangleSoup`].
-    Soup(TriangleSoup),
-}
-
-/// An object whose intersections with one ray are known beforehand.
-///
-/// Probes use it to judge `first_hit` and the soup without any real shape: whoever
-/// asks it gets what Mitsuba found for the real object it stands for.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Canned {
-    /// Everything the ray meets, in increasing t.
-    pub intersections: Vec<Intersection>,
-}
-
-impl Canned {
-    /// The first intersection at or beyond `min_t`.
-    pub fn intersect(&self, min_t: f64) -> Option<Intersection> {
-        self.intersections
-            .iter()
-            .find(|found| found.t >= min_t)
-            .copied()
+impl Shape {
+    /// The shape as its scene file would have it: "sphere c = (0, 1, −1), r = 0.75".
+    pub fn describe(&self, digits: usize) -> String {
+        format!("{} {}", self.kind(), self.words(digits))
     }
 }
 
-#[cfg(test)]
-mod tests;
+impl fmt::Display for ShapeKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}

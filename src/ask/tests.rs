@@ -3,7 +3,8 @@ use std::time::Instant;
 
 use super::*;
 use crate::camera::{Camera, Pixel, Projection};
-use crate::job::CameraQuestion;
+use crate::job::Panic;
+use crate::kind::{CameraQuestion, ObjectsQuestion, Questions};
 use crate::ray::Intersection;
 use crate::testing::Random;
 use glam::DVec3;
@@ -19,16 +20,12 @@ const RAY: Ray = Ray {
 
 /// A job of so many hits.
 fn hits(count: usize) -> Job {
-    Job::FirstHit(vec![
-        crate::job::CannedQuestion {
-            objects: crate::shape::TriangleSoup {
-                triangles: Vec::new(),
-            },
-            ray: RAY,
-            min_t: 0.0,
-        };
-        count
-    ])
+    let question = ObjectsQuestion {
+        objects: Vec::new(),
+        ray: RAY,
+        min_t: 0.0,
+    };
+    Job::Ask(Questions::FirstHit(vec![question; count]))
 }
 
 /// A job of so many rays.
@@ -40,7 +37,7 @@ fn rays(count: usize) -> Job {
         pixel: Pixel { i: 0, j: 0 },
         resolution: Resolution { n_x: 1, n_y: 1 },
     };
-    Job::ViewingRay(vec![question; count])
+    Job::Ask(Questions::ViewingRay(vec![question; count]))
 }
 
 fn hit(object: usize) -> Answer {

@@ -1,5 +1,5 @@
 use super::*;
-use crate::ray::Intersection;
+use crate::ray::{Hit, Intersection};
 use crate::testing::Random;
 use glam::DVec3;
 
@@ -143,8 +143,7 @@ fn no_bytes_make_the_receiver_panic() {
 
 #[test]
 fn a_job_is_as_long_as_its_answers() {
-    assert_eq!(Job::ViewingRay(Vec::new()).len(), 0);
-    assert!(Job::Intersect(Vec::new()).is_empty());
+    assert!(Job::Ask(Questions::Intersect(Vec::new())).is_empty());
     let ray = Ray {
         origin: DVec3::ZERO,
         direction: DVec3::Z,
@@ -164,31 +163,4 @@ fn only_what_nobody_wrote_yet_is_unanswered() {
     assert!(panic("not implemented").is_unanswered());
     assert!(!panic("index out of bounds: not yet implemented").is_unanswered());
     assert!(!panic("").is_unanswered());
-}
-
-#[test]
-fn a_camera_travels_once_for_all_its_pixels() {
-    use crate::camera::Projection;
-
-    let camera = |eye| {
-        let projection = Projection::Orthographic;
-        Camera::new(eye, -DVec3::Z, DVec3::Y, (1.0, 1.0), projection).unwrap()
-    };
-    let resolution = Resolution { n_x: 50, n_y: 20 };
-    let ask = |eye: DVec3, index: usize| CameraQuestion {
-        camera: camera(eye),
-        pixel: resolution.pixel(index),
-        resolution,
-    };
-    let mut questions: Vec<_> = (0..1000).map(|index| ask(DVec3::X, index)).collect();
-    questions.push(ask(DVec3::Y, 3));
-    questions.push(ask(DVec3::X, 4));
-    let mut bytes = Vec::new();
-    send(&Job::ViewingRay(questions.clone()), &mut bytes).unwrap();
-    assert!(bytes.len() < 4000, "{} bytes", bytes.len());
-    let received: Option<Job> = receive(&mut bytes.as_slice(), bytes.len()).unwrap();
-    let Some(Job::ViewingRay(received)) = received else {
-        panic!("another job came");
-    };
-    assert_eq!(received, questions);
 }

@@ -6,15 +6,13 @@ use glam::dvec3;
 
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-fn from(text: &str) -> Result<TriangleSoup, Error> {
+fn from(text: &str) -> Result<Vec<Corners>, Error> {
     parse(text, Path::new("mesh.obj"))
 }
 
 #[track_caller]
-fn corners(text: &str) -> Vec<[DVec3; 3]> {
-    let soup = from(text).unwrap();
-    let corners = soup.triangles.iter().map(|triangle| triangle.corners);
-    corners.collect()
+fn corners(text: &str) -> Vec<Corners> {
+    from(text).unwrap()
 }
 
 #[track_caller]
@@ -214,9 +212,9 @@ fn no_text_makes_the_reader_panic() {
             }
             text.push('\n');
         }
-        if let Ok(soup) = from(&text) {
-            let finite = |triangle: &Triangle| triangle.corners.iter().all(|c| c.is_finite());
-            assert!(soup.triangles.iter().all(finite), "{text}");
+        if let Ok(triangles) = from(&text) {
+            let finite = |corners: &Corners| corners.iter().all(|c| c.is_finite());
+            assert!(triangles.iter().all(finite), "{text}");
         }
     }
 }
@@ -255,10 +253,10 @@ fn no_spoilt_mesh_harms_its_reader() {
     let seeds = seeds.map(|text| text.as_bytes().to_vec());
     testing::fuzz::fuzz("mesh", &seeds, &words, |bytes| {
         if let Ok(text) = str::from_utf8(bytes)
-            && let Ok(soup) = from(text)
+            && let Ok(triangles) = from(text)
         {
-            let corners = soup.triangles.iter().flat_map(|triangle| triangle.corners);
-            assert!(corners.into_iter().all(|corner| corner.is_finite()));
+            let mut corners = triangles.iter().flatten();
+            assert!(corners.all(|corner| corner.is_finite()));
         }
     });
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::camera::Projection;
-use crate::shape::{Plane, Sphere, Triangle};
+use crate::shape::{Disk, Plane, Sphere, Triangle};
 use crate::testing;
 use glam::{DVec3, dvec3};
 

@@ -5,8 +5,8 @@ use std::process::Command;
 
 use super::*;
 use crate::camera::{Camera, Pixel, Resolution};
-use crate::ray::Ray;
-use crate::shape::{Canned, Plane, Shape, Sphere, Triangle, TriangleSoup};
+use crate::ray::{Hit, Intersection, Ray};
+use crate::shape::{Canned, Plane, Shape, Sphere, TriangleSoup};
 use glam::{DVec3, dvec3};
 
 #[cfg(unix)]
@@ -33,7 +33,7 @@ fn started_as_a_submission_it_answers() {
         return;
     };
     let viewing_ray = match kind.as_str() {
-        "able" => pixel_as_origin,
+        "able" | "unregistered" => pixel_as_origin,
         "unanswered" => |_: &_, _, _| todo!("a ray through the pixel"),
         "stumbling" => |_: &_, pixel: Pixel, _| {
             let of_three = [1.0, 2.0, 3.0];
@@ -59,17 +59,20 @@ fn started_as_a_submission_it_answers() {
         },
         other => panic!("no submission is `{other}`"),
     };
-    serve_through_stdin(&Answers {
-        viewing_ray,
-        first_hit: |ray, min_t, objects| nearest(ray, min_t, objects.len()),
-        first_hit_canned: |ray, min_t, objects| nearest(ray, min_t, objects.len()),
-        sphere: |_, _, _| met_at(1.0),
-        plane: |_, _, _| met_at(2.0),
-        triangle: |_, _, _| met_at(3.0),
-        triangle_soup: |_, _, min_t| met_at(min_t),
-        triangle_soup_canned: |soup, _, min_t| soup.triangles[0].intersect(min_t),
-    })
-    .expect("an asker at the other end");
+    let functions = [
+        AnswerFn::ViewingRay(viewing_ray),
+        AnswerFn::Intersect(|shape, _, _| met_at(shape.words(6).len() as f64)),
+        AnswerFn::FirstHit {
+            shapes: |ray, min_t, objects| nearest(ray, min_t, objects.len()),
+            canned: |ray, min_t, objects| nearest(ray, min_t, objects.len()),
+        },
+        AnswerFn::Soup(|soup, _, min_t| soup.triangles[0].intersect(min_t)),
+    ];
+    let registered = match kind.as_str() {
+        "unregistered" => &functions[..1],
+        _ => &functions[..],
+    };
+    serve_through_stdin(registered).expect("an asker at the other end");
 }
 
 /// A ray that tells which pixel it belongs to.

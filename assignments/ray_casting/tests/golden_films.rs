@@ -13,14 +13,15 @@ use std::time::Duration;
 
 use insta::{Comparator, Settings, Snapshot, assert_snapshot};
 use pinhole::ask::{Ending, Reply, ask};
-use pinhole::job::{CameraQuestion, Job};
+use pinhole::job::Job;
 use pinhole::judge::{Golden, judge};
+use pinhole::kind::{CameraQuestion, Questions};
 use pinhole::oiiotool::Oiiotool;
-use pinhole::{Resolution, Scene, probe};
+use pinhole::{Kind, Resolution, Scene, ShapeKind};
 
 #[test]
 fn viewing_ray_agrees_with_mitsuba() {
-    assert_task("viewing_ray");
+    assert_task("viewing_ray", Kind::ViewingRay, None);
 }
 
 #[test]
@@ -30,27 +31,27 @@ fn viewing_ray_agrees_with_mitsuba_in_every_scene() {
 
 #[test]
 fn sphere_agrees_with_mitsuba() {
-    assert_task("sphere");
+    assert_task("sphere", Kind::Intersect, Some(ShapeKind::Sphere));
 }
 
 #[test]
 fn plane_agrees_with_mitsuba() {
-    assert_task("plane");
+    assert_task("plane", Kind::Intersect, Some(ShapeKind::Plane));
 }
 
 #[test]
 fn triangle_agrees_with_mitsuba() {
-    assert_task("triangle");
+    assert_task("triangle", Kind::Intersect, Some(ShapeKind::Triangle));
 }
 
 #[test]
 fn triangle_soup_agrees_with_mitsuba() {
-    assert_task("triangle_soup");
+    assert_task("triangle_soup", Kind::Soup, None);
 }
 
 #[test]
 fn first_hit_agrees_with_mitsuba() {
-    assert_task("first_hit");
+    assert_task("first_hit", Kind::FirstHit, None);
 }
 
 #[test]
@@ -146,15 +147,10 @@ fn assert_viewing_rays_of_scenes() {
     files.sort();
     let films = files.into_iter().map(|file| {
         let scene = Scene::read(&file).unwrap_or_else(|error| panic!("{error}"));
-        let Scene {
-            camera, resolution, ..
-        } = scene;
-        let question = |index| CameraQuestion {
-            camera,
-            pixel: resolution.pixel(index),
-            resolution,
-        };
-        let job = Job::ViewingRay((0..resolution.pixels()).map(question).collect());
+        let resolution = scene.resolution;
+        let question = |index| CameraQuestion::of_scene(&scene, index);
+        let questions = (0..resolution.pixels()).map(question).collect();
+        let job = Job::Ask(Questions::ViewingRay(questions));
         let name = file
             .file_stem()
             .expect("scenes have names")
@@ -168,7 +164,7 @@ fn assert_viewing_rays_of_scenes() {
 
 /// Asks one answer every question film of its task.
 #[track_caller]
-fn assert_task(task: &str) {
+fn assert_task(task: &str, kind: Kind, shape: Option<ShapeKind>) {
     let probes = golden().join("probes");
     let entries = fs::read_dir(&probes).expect("golden/ray_casting/probes can be read");
     let names = entries
@@ -186,10 +182,11 @@ fn assert_task(task: &str) {
     );
 
     let films = groups.into_iter().map(|group| {
-        let (job, resolution) = probe::read(&probes.join(format!("{task}.{group}.ask.exr")), task)
-            .unwrap_or_else(|error| panic!("{error}"));
+        let film = probes.join(format!("{task}.{group}.ask.exr"));
+        let (questions, resolution) =
+            Questions::read(&film, task, kind, shape).unwrap_or_else(|error| panic!("{error}"));
         let golden = probes.join(format!("{task}.{group}.exr"));
-        (group, job, resolution, golden)
+        (group, Job::Ask(questions), resolution, golden)
     });
     assert_all(task, &format!("check --task {task}"), films);
 }

@@ -5,11 +5,11 @@ use std::fs;
 use super::*;
 
 #[test]
-fn an_unknown_shape_is_told_the_four() {
+fn an_unknown_shape_is_told_all_there_are() {
     refused(
         "type = \"sphere\"",
         "type = ▶\"cube\"",
-        "unknown variant `cube`, expected one of `sphere`, `plane`, `triangle`, `soup`",
+        "unknown variant `cube`, expected one of `sphere`, `plane`, `triangle`, `soup`, `disk`",
         "README.md",
     );
 }
@@ -21,6 +21,7 @@ fn every_shape_names_each_key_it_misses() {
         ("plane", &["point", "normal"]),
         ("triangle", &["corners"]),
         ("soup", &["obj"]),
+        ("disk", &["center", "normal", "radius"]),
     ] {
         let value = |key: &str| match key {
             "radius" => "1.0",
@@ -113,4 +114,17 @@ fn a_broken_mesh_is_pointed_at_itself() {
     fs::write(&mesh, "v 0 0 0\nf 1 2 3\n").unwrap();
     let error = Scene::read(&path).unwrap_err();
     assert_eq!((error.path, error.position), (mesh, Some((2, 1))));
+}
+
+#[test]
+fn a_disk_is_the_disk_it_describes() {
+    let disk =
+        "\n[[object]]\ntype = \"disk\"\ncenter = [1, 2, 3]\nnormal = [0, 0, 2]\nradius = 0.5\n";
+    let objects = read(&format!("{GOOD}{disk}")).unwrap().objects;
+    let expected = Disk {
+        center: dvec3(1.0, 2.0, 3.0),
+        normal: dvec3(0.0, 0.0, 2.0),
+        radius: 0.5,
+    };
+    assert_eq!(objects.last(), Some(&Shape::Disk(expected)));
 }

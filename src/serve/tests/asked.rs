@@ -5,10 +5,16 @@ use std::time::Duration;
 use super::*;
 use crate::ask::{Ending, Reply, ask};
 use crate::camera::Projection;
-use crate::job::{CameraQuestion, CannedQuestion, ShapeQuestion};
+use crate::kind::{CameraQuestion, Kind, ObjectsQuestion, Questions};
+use crate::kind::{ShapeQuestion, SoupQuestion, Unregistered};
 use crate::scene::Scene;
 
 const LONG_ENOUGH: Duration = Duration::from_secs(60);
+
+const RAY: Ray = Ray {
+    origin: DVec3::X,
+    direction: DVec3::X,
+};
 
 fn camera() -> Camera {
     let projection = Projection::Orthographic;
@@ -38,7 +44,7 @@ fn rays(count: usize) -> Job {
         pixel: Pixel { i, j: 3 },
         resolution: Resolution { n_x: count, n_y: 4 },
     };
-    Job::ViewingRay((0..count).map(question).collect())
+    Job::Ask(Questions::ViewingRay((0..count).map(question).collect()))
 }
 
 #[track_caller]
@@ -97,33 +103,24 @@ fn viewing_rays_come_in_the_order_asked() {
 }
 
 #[test]
-fn every_shape_is_asked_of_its_own_answer() {
+fn each_shape_is_asked_about_as_it_was_sent() {
     let plane = Shape::Plane(Plane {
         point: DVec3::ZERO,
         normal: DVec3::X,
     });
-    let corners = [DVec3::ZERO, DVec3::X, DVec3::Y];
-    let triangle = Triangle { corners };
-    let soup = TriangleSoup {
-        triangles: vec![triangle],
-    };
-    let shapes = [
-        sphere(),
-        plane,
-        Shape::Triangle(triangle),
-        Shape::Soup(soup),
-    ];
+    let shapes = [sphere(), plane];
+    let met = shapes.each_ref().map(|shape| {
+        let told = shape.words(6).len() as f64;
+        hit(0, told, DVec3::Y)
+    });
+    assert_ne!(met[0], met[1], "the two could be mixed up");
     let questions = shapes.map(|shape| ShapeQuestion {
         shape,
-        ray: pixel_as_origin(
-            &camera(),
-            Pixel { i: 0, j: 0 },
-            Resolution { n_x: 1, n_y: 1 },
-        ),
+        ray: RAY,
         min_t: 4.0,
     });
-    let met = [1.0, 2.0, 3.0, 4.0].map(|t| hit(0, t, DVec3::Y));
-    assert_eq!(answered(&Job::Intersect(questions.into())), met);
+    let job = Job::Ask(Questions::Intersect(questions.into()));
+    assert_eq!(answered(&job), met);
 }
 
 #[test]
@@ -134,33 +131,49 @@ fn canned_objects_are_asked_of_first_hit_or_of_the_soup() {
             normal: DVec3::Z,
         }],
     };
-    let question = CannedQuestion {
-        objects: TriangleSoup {
-            triangles: vec![object(5.0), object(2.0)],
-        },
-        ray: Ray {
-            origin: DVec3::X,
-            direction: DVec3::X,
-        },
-        min_t: 0.5,
+    let objects = vec![object(5.0), object(2.0)];
+    let (ray, min_t) = (RAY, 0.5);
+    let question = ObjectsQuestion {
+        objects: objects.clone(),
+        ray,
+        min_t,
     };
-    assert_eq!(
-        answered(&Job::FirstHit(vec![question.clone()])),
-        [hit(2, 0.5, DVec3::X)]
-    );
-    assert_eq!(
-        answered(&Job::TriangleSoup(vec![question])),
-        [hit(0, 5.0, DVec3::Z)]
-    );
+    let job = Job::Ask(Questions::FirstHit(vec![question]));
+    assert_eq!(answered(&job), [hit(2, 0.5, DVec3::X)]);
+    let question = SoupQuestion {
+        soup: TriangleSoup { triangles: objects },
+        ray,
+        min_t,
+    };
+    let job = Job::Ask(Questions::Soup(vec![question]));
+    assert_eq!(answered(&job), [hit(0, 5.0, DVec3::Z)]);
+}
+
+#[test]
+fn what_is_not_registered_is_named() {
+    let shape = ShapeQuestion {
+        shape: sphere(),
+        ray: RAY,
+        min_t: 0.0,
+    };
+    for (job, kind) in [
+        (film(), Kind::FirstHit),
+        (Job::Cast(RAY, 0.0, vec![sphere()]), Kind::FirstHit),
+        (
+            Job::Ask(Questions::Intersect(vec![shape; 1000])),
+            Kind::Intersect,
+        ),
+    ] {
+        let reply = asked("unregistered", &job);
+        assert_eq!(reply.ending, Ending::Unregistered(Unregistered(kind)));
+        assert!(reply.answers.iter().all(Option::is_none));
+    }
+    assert_eq!(asked("unregistered", &rays(3)).ending, Ending::Complete);
 }
 
 #[test]
 fn one_ray_is_cast_among_real_shapes() {
-    let ray = Ray {
-        origin: DVec3::X,
-        direction: DVec3::X,
-    };
-    let job = Job::Cast(ray, 0.5, vec![sphere(), sphere(), sphere()]);
+    let job = Job::Cast(RAY, 0.5, vec![sphere(), sphere(), sphere()]);
     assert_eq!(answered(&job), [hit(3, 0.5, DVec3::X)]);
 }
 

@@ -7,7 +7,8 @@ use std::process::Command;
 use std::time::Duration;
 
 use pinhole::ask::{Ending, ask};
-use pinhole::job::{Answer, CameraQuestion, Job, ShapeQuestion};
+use pinhole::job::Job;
+use pinhole::kind::{Answer, CameraQuestion, Questions, ShapeQuestion};
 use pinhole::{Camera, Hit, Intersection, Pixel, Ray, Resolution, Shape, Triangle};
 
 use crate::checkout::Checkout;
@@ -36,7 +37,7 @@ impl Reference {
             pixel,
             resolution,
         };
-        match self.ask(&Job::ViewingRay(vec![question]))? {
+        match self.ask(&Job::Ask(Questions::ViewingRay(vec![question])))? {
             Answer::Ray(ray) => Ok(ray),
             Answer::Hit(_) => Err(odd()),
         }
@@ -49,7 +50,7 @@ impl Reference {
             ray,
             min_t,
         };
-        match self.ask(&Job::Intersect(vec![question]))? {
+        match self.ask(&Job::Ask(Questions::Intersect(vec![question])))? {
             Answer::Hit(hit) => Ok(hit.map(|hit| hit.intersection)),
             Answer::Ray(_) => Err(odd()),
         }
@@ -62,7 +63,8 @@ impl Reference {
             ray,
             min_t,
         };
-        let reply = self.reply(&Job::Intersect(triangles.iter().map(question).collect()))?;
+        let questions = Questions::Intersect(triangles.iter().map(question).collect());
+        let reply = self.reply(&Job::Ask(questions))?;
         let t = |answer| match answer {
             Some(Answer::Hit(hit)) => hit.map(|hit: Hit| hit.intersection.t),
             _ => None,

@@ -9,7 +9,7 @@ mod shapes;
 use std::collections::BTreeMap;
 
 use glam::DVec3;
-use pinhole::report::number;
+use pinhole::words::number;
 
 use crate::checkout::Checkout;
 use crate::error::Result;

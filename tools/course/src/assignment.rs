@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use pinhole::Scene;
+use pinhole::{Kind, Scene, ShapeKind};
 use serde::Deserialize;
 
 use crate::checkout::Checkout;
@@ -32,11 +32,10 @@ pub struct Assignment {
 pub struct Task {
     /// The file is `NAME.rs`.
     pub name: String,
-    /// What kind of question it answers: `viewing_ray`, `intersect`, `first_hit` or `soup`.
-    pub kind: String,
-    /// The shape that a task of the kind `intersect` is about.
-    #[serde(default)]
-    pub shape: Option<String>,
+    /// What kind of questions it answers.
+    pub kind: Kind,
+    /// Which shape it intersects, if it is of that kind.
+    pub shape: Option<ShapeKind>,
     /// The chapter of the book that teaches it.
     pub chapter: String,
     /// Groups of questions and their points, in the order they are shown.
@@ -259,6 +258,23 @@ impl Assignment {
     pub fn task(&self, name: &str) -> Option<&Task> {
         self.tasks.iter().find(|task| task.name == name)
     }
+
+    /// Task and group of all questions that are made of scenes' pixels.
+    pub fn scene_groups(&self) -> Vec<(String, String)> {
+        let groups = self.tasks.iter().flat_map(|task| {
+            let groups = task.points.iter().map(|points| &points.group);
+            let of_scenes = groups.filter(|group| task.is_of_scenes(group));
+            of_scenes.map(|group| (task.name.clone(), group.clone()))
+        });
+        groups.collect()
+    }
+
+    /// The task of this kind, and of this shape where the kind needs one.
+    pub fn task_of_kind(&self, kind: Kind, shape: Option<ShapeKind>) -> Option<&Task> {
+        let is_asked =
+            |task: &&Task| task.kind == kind && (task.shape.is_none() || task.shape == shape);
+        self.tasks.iter().find(is_asked)
+    }
 }
 
 impl Task {
@@ -266,7 +282,15 @@ impl Task {
     pub fn file(&self) -> String {
         format!("{}.rs", self.name)
     }
+
+    /// Whether a group of its questions is made of all pixels of all scenes.
+    pub fn is_of_scenes(&self, group: &str) -> bool {
+        self.kind.gives_rays() && group == SCENES_GROUP
+    }
 }
+
+/// The group of the viewing rays of all scenes.
+const SCENES_GROUP: &str = "scenes";
 
 /// The assignments of a checkout, by name.
 fn names(checkout: &Checkout) -> Vec<String> {

@@ -276,6 +276,7 @@ pub fn failure(ending: &Ending, assignment: &Assignment, task: Option<&str>) -> 
             _ => Outcome::Unanswered,
         },
         Ending::Panicked(panic) => Outcome::Panicked(panic.clone()),
+        Ending::Unregistered(missing) => Outcome::Died(missing.to_string()),
         Ending::TimedOut(limit) => Outcome::TimedOut {
             seconds: limit.as_secs_f64(),
         },

@@ -5,12 +5,12 @@ mod fault;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use pinhole::job::{Answer, CameraQuestion, Job, ShapeQuestion};
-use pinhole::{Film, Hit, Pixel, Ray, Scene};
+use pinhole::job::Job;
+use pinhole::kind::{Answer, CameraQuestion, Questions, ShapeQuestion};
+use pinhole::{Film, Hit, Kind, Pixel, Ray, Scene};
 
-use crate::assignment::Assignment;
+use crate::assignment::{Assignment, Task};
 use crate::compile::{Program, Replaced};
-use crate::describe::{self, hit_in_film, ray_in_film};
 use crate::error::Result;
 use crate::examination::Outcome;
 use crate::examine;
@@ -31,8 +31,8 @@ impl Mitsuba {
         let hits = Film::read(&path)?;
         let rays = Film::read(&path.with_extension("rays.exr"))?;
         Ok(Some(Mitsuba {
-            ray: ray_in_film(&rays, index),
-            hit: hit_in_film(&hits, index),
+            ray: rays.ray(index),
+            hit: hits.hit(index),
         }))
     }
 }
@@ -45,9 +45,9 @@ pub type Said<T> = std::result::Result<T, NoAnswer>;
 pub enum NoAnswer {
     /// There is no ray to ask about.
     NoRay,
-    /// There is no usable file for this task.
+    /// There is no usable file of this name.
     NoFile(String),
-    /// This task's file does not compile.
+    /// This file does not compile.
     DoesNotCompile(String),
     /// It was asked, and failed.
     Failed(Outcome),
@@ -57,14 +57,14 @@ pub enum NoAnswer {
 
 /// One pixel, answer by answer.
 pub struct Explanation {
-    /// `viewing_ray`'s answer.
+    /// The ray through the pixel.
     pub ray: Said<Ray>,
     /// The ray the rest was asked about: the submission's, or else Mitsuba's.
     pub asked: Option<Ray>,
     /// Every object's own answer, in the scene's order.
     pub candidates: Vec<Said<Option<Hit>>>,
-    /// `first_hit`'s answer.
-    pub first_hit: Said<Option<Hit>>,
+    /// The nearest object.
+    pub nearest: Said<Option<Hit>>,
     /// What it should all come to.
     pub mitsuba: Option<Mitsuba>,
 }
@@ -101,8 +101,8 @@ impl Witness<'_> {
             resolution,
         };
         let ray = self.ask(
-            "viewing_ray",
-            &Job::ViewingRay(vec![question]),
+            self.assignment.task_of_kind(Kind::ViewingRay, None),
+            &Job::Ask(Questions::ViewingRay(vec![question])),
             |answer| match answer {
                 Answer::Ray(ray) => Some(ray),
                 Answer::Hit(_) => None,
@@ -114,7 +114,7 @@ impl Witness<'_> {
             .copied()
             .or(mitsuba.as_ref().map(|mitsuba| mitsuba.ray));
         let mut candidates = Vec::new();
-        let mut first_hit = Err(NoAnswer::NoRay);
+        let mut nearest = Err(NoAnswer::NoRay);
         if let Some(ray) = asked {
             let hit = |answer| match answer {
                 Answer::Hit(hit) => Some(hit),
@@ -128,33 +128,45 @@ impl Witness<'_> {
                     ray,
                     min_t,
                 };
-                let task = describe::kind(shape);
+                let kind = shape.kind();
+                let task = self
+                    .assignment
+                    .task_of_kind(Kind::of_shape(kind), Some(kind));
+                let job = Job::Ask(Questions::Intersect(vec![question]));
                 let said = match &endless {
-                    Some((known, why)) if *known == task => Err(NoAnswer::clone(why)),
-                    _ => self.ask(task, &Job::Intersect(vec![question]), hit)?,
+                    Some((known, why)) if *known == kind => Err(NoAnswer::clone(why)),
+                    _ => self.ask(task, &job, hit)?,
                 };
                 if let Err(why @ NoAnswer::Failed(Outcome::TimedOut { .. })) = &said {
-                    endless = Some((task, why.clone()));
+                    endless = Some((kind, why.clone()));
                 }
                 candidates.push(said);
             }
-            first_hit = self.ask("first_hit", &Job::Cast(ray, min_t, objects.clone()), hit)?;
+            let task = self.assignment.task_of_kind(Kind::FirstHit, None);
+            nearest = self.ask(task, &Job::Cast(ray, min_t, objects.clone()), hit)?;
         }
         Ok(Explanation {
             ray,
             asked,
             candidates,
-            first_hit,
+            nearest,
             mitsuba,
         })
     }
 
     /// One question to one answer, which may fail without hiding the others.
-    fn ask<T>(&self, task: &str, job: &Job, pick: impl Fn(Answer) -> Option<T>) -> Result<Said<T>> {
-        if let Some(replaced) = self.program.replaced.get(task) {
+    fn ask<T>(
+        &self,
+        task: Option<&Task>,
+        job: &Job,
+        pick: impl Fn(Answer) -> Option<T>,
+    ) -> Result<Said<T>> {
+        let replaced = |task: &Task| self.program.replaced.get(&task.name);
+        if let Some((task, replaced)) = task.and_then(|task| Some((task, replaced(task)?))) {
+            let file = task.file();
             return Ok(Err(match replaced {
-                Replaced::Unusable(_) => NoAnswer::NoFile(task.into()),
-                Replaced::DoesNotCompile(_) => NoAnswer::DoesNotCompile(task.into()),
+                Replaced::Unusable(_) => NoAnswer::NoFile(file),
+                Replaced::DoesNotCompile(_) => NoAnswer::DoesNotCompile(file),
             }));
         }
         let reply = examine::run(
@@ -166,7 +178,8 @@ impl Witness<'_> {
         )?;
         let answer = reply.answers.first().copied().flatten().and_then(pick);
         Ok(answer.ok_or_else(|| {
-            examine::failure(&reply.ending, self.assignment, Some(task))
+            let task = task.map(|task| task.name.as_str());
+            examine::failure(&reply.ending, self.assignment, task)
                 .map_or(NoAnswer::Nothing, NoAnswer::Failed)
         }))
     }

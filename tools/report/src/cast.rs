@@ -4,7 +4,7 @@ use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use pinhole::report::number;
+use pinhole::words::number;
 use pinhole::{Film, false_colour};
 use pinhole_course::error::{Error, Result};
 use pinhole_course::escape::printable;

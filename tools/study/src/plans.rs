@@ -4,7 +4,6 @@
 use std::hint::black_box;
 use std::path::Path;
 
-use pinhole::Scene;
 use rayon::prelude::*;
 
 use crate::cast::kernels::Fastest;
@@ -16,7 +15,7 @@ use crate::plan::casting::{Casting, How, Spent};
 use crate::plan::sample::{Sample, confirm};
 use crate::plan::{Kind, Numbers, Wish, crossover, planned};
 use crate::result::PlanTally;
-use crate::scenes::Share;
+use crate::scenes::{self, Share};
 use crate::shape::Ray;
 use crate::speed::now;
 
@@ -25,7 +24,7 @@ pub const ACCURACIES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
 /// Plans for a scene with every wish, judged at a share of its pixels.
 pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<PlanTally>, String> {
-    let scene = Scene::read(file).map_err(|error| error.to_string())?;
+    let scene = scenes::read(file).map_err(|error| error.to_string())?;
     let world = World::of(&scene.objects);
     let all = rays(&scene);
     let sample = Sample::of(&world, &all, scene.min_t);

@@ -11,8 +11,8 @@ mod ways;
 
 use std::path::{Path, PathBuf};
 
-use pinhole::job::Answer;
-use pinhole::{Film, Intersection, Scene};
+use pinhole::kind::Answer;
+use pinhole::{Film, Intersection, Scene, ShapeKind};
 use rayon::prelude::*;
 
 use crate::cast::rays::rays;
@@ -44,6 +44,31 @@ pub fn files() -> Vec<PathBuf> {
     files
 }
 
+/// The shapes that there are kernels for; a soup is made of triangles.
+const SHAPES: [ShapeKind; 4] = [
+    ShapeKind::Sphere,
+    ShapeKind::Plane,
+    ShapeKind::Triangle,
+    ShapeKind::Soup,
+];
+
+/// A scene, if there are kernels for all its shapes.
+///
+/// # Errors
+/// If it cannot be read, or has a shape that the study does not support.
+pub fn read(file: &Path) -> Result<Scene, pinhole::Error> {
+    let scene = Scene::read(file)?;
+    let odd = scene.objects.iter().enumerate().find_map(|(k, shape)| {
+        let kind = shape.kind();
+        (!SHAPES.contains(&kind)).then(|| format!("object {k} is a {kind}"))
+    });
+    odd.map_or(Ok(scene), |odd| {
+        let problem = format!("shape not supported: {odd}, and the study has no kernel for it");
+        let remedy = "leave it out, or name another scene";
+        Err(pinhole::Error::new(file, problem, remedy))
+    })
+}
+
 /// Mitsuba's film of a scene of the assignment.
 fn golden(name: &str) -> Option<Film> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../golden/ray_casting");
@@ -56,7 +81,7 @@ pub fn studied(
     share: Share,
     theirs: &Theirs,
 ) -> Result<Vec<SceneTally>, pinhole::Error> {
-    let scene = Scene::read(file)?;
+    let scene = read(file)?;
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
     let rays: Vec<_> = rays(&scene).into_iter().step_by(share.step).collect();
     let stage = Stage::new(World::of(&scene.objects), rays, scene.min_t);
@@ -158,4 +183,24 @@ fn judged(rays: &[Ray<f64>], truths: &[Sight], seen: impl Iterator<Item = Seen>)
     tally.median_t = errors.get(errors.len() / 2).copied();
     tally.worst_t = errors.last().copied();
     tally
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_scene_with_a_shape_that_has_no_kernel_is_refused() {
+        let file = std::env::temp_dir().join(format!("pinhole-disk-{}.toml", std::process::id()));
+        let scene = files().remove(0);
+        let scene = std::fs::read_to_string(scene).expect("it is committed");
+        let camera = scene.split("[[object]]").next().expect("a camera");
+        let disk =
+            "[[object]]\ntype = \"disk\"\ncenter = [0, 0, 0]\nnormal = [0, 0, 1]\nradius = 1\n";
+        std::fs::write(&file, format!("{camera}{disk}")).expect("room on the disk");
+        let error = read(&file).expect_err("there is no kernel for a disk");
+        std::fs::remove_file(&file).expect("it was written");
+        let problem = "shape not supported: object 0 is a disk";
+        assert!(error.problem.starts_with(problem), "{error}");
+    }
 }

@@ -9,7 +9,8 @@ mod told;
 
 use std::collections::{BTreeMap, HashMap};
 
-use pinhole::job::{Answer, Job};
+use pinhole::job::Job;
+use pinhole::kind::Answer;
 use serde::{Deserialize, Serialize};
 
 pub use asked::asked;

@@ -21,6 +21,7 @@ impl IntersectRay for Shape {
             Shape::Plane(plane) => plane.intersect_ray(ray, min_t),
             Shape::Triangle(triangle) => triangle.intersect_ray(ray, min_t),
             Shape::Soup(soup) => soup.intersect_ray(ray, min_t),
+            other => panic!("this assignment has no {}", other.kind()),
         }
     }
 }

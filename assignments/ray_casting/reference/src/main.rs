@@ -12,19 +12,18 @@ mod viewing_ray;
 use std::process::ExitCode;
 
 use intersect_ray::IntersectRay;
-use pinhole::Answers;
+use pinhole::AnswerFn;
 
-const ANSWERS: Answers = Answers {
-    viewing_ray: viewing_ray::viewing_ray,
-    first_hit: first_hit::first_hit,
-    first_hit_canned: first_hit::first_hit,
-    sphere: IntersectRay::intersect_ray,
-    plane: IntersectRay::intersect_ray,
-    triangle: IntersectRay::intersect_ray,
-    triangle_soup: IntersectRay::intersect_ray,
-    triangle_soup_canned: IntersectRay::intersect_ray,
-};
+const ANSWERS: &[AnswerFn] = &[
+    AnswerFn::ViewingRay(viewing_ray::viewing_ray),
+    AnswerFn::Intersect(IntersectRay::intersect_ray),
+    AnswerFn::FirstHit {
+        shapes: first_hit::first_hit,
+        canned: first_hit::first_hit,
+    },
+    AnswerFn::Soup(IntersectRay::intersect_ray),
+];
 
 fn main() -> ExitCode {
-    pinhole::serve(&ANSWERS)
+    pinhole::serve(ANSWERS)
 }

@@ -4,9 +4,9 @@ use std::fs;
 use std::path::PathBuf;
 
 use pinhole::film::{HIT_CHANNELS, RAY_CHANNELS};
-use pinhole::job::Job;
 use pinhole::judge::Golden;
-use pinhole::{Film, probe};
+use pinhole::kind::Questions;
+use pinhole::{Film, Kind, ShapeKind};
 use serde_json::{Value, json};
 
 use crate::checkout::Checkout;
@@ -29,20 +29,24 @@ pub fn probes(checkout: &Checkout) -> Result<Value> {
             .into_owned();
         let group = name.trim_end_matches(".ask.exr").to_owned();
         let task = group.split('.').next().unwrap_or_default().to_owned();
-        if !["viewing_ray", "sphere", "plane", "triangle"].contains(&task.as_str()) {
-            continue;
-        }
-        let (job, _) = probe::read(&path, &task)?;
+        let (kind, shape) = match task.as_str() {
+            "viewing_ray" => (Kind::ViewingRay, None),
+            "sphere" => (Kind::Intersect, Some(ShapeKind::Sphere)),
+            "plane" => (Kind::Intersect, Some(ShapeKind::Plane)),
+            "triangle" => (Kind::Intersect, Some(ShapeKind::Triangle)),
+            _ => continue,
+        };
+        let (questions, _) = Questions::read(&path, &task, kind, shape)?;
         let golden = Golden::read(&folder.join(format!("{group}.exr")))?;
-        match job {
-            Job::ViewingRay(questions) => {
+        match questions {
+            Questions::ViewingRay(questions) => {
                 for (index, question) in questions.iter().enumerate() {
                     let mut one = json!(question);
                     add(&mut one, &group, &golden, &RAY_CHANNELS, index);
                     rays.push(one);
                 }
             }
-            Job::Intersect(questions) => {
+            Questions::Intersect(questions) => {
                 for (index, question) in questions.iter().enumerate() {
                     let mut one = json!(question);
                     add(&mut one, &group, &golden, &HIT_CHANNELS, index);

@@ -1,13 +1,12 @@
 //! `pinhole explain`: one pixel in words.
 
-use pinhole::report::number;
-use pinhole::{Camera, Hit, Pixel, Projection, Resolution, Scene};
+use pinhole::words::{self, number, ray};
+use pinhole::{Camera, Hit, Kind, Pixel, Projection, Resolution, Scene};
 use serde_json::{Value, json};
 
 use crate::cli::Explain;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::compile;
-use pinhole_course::describe::{self, intersection, ray};
 use pinhole_course::error::{Error, Result};
 use pinhole_course::escape;
 use pinhole_course::explanation::{Explanation, Mitsuba, Said, Witness};
@@ -69,9 +68,7 @@ pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Status> {
         );
     } else {
         print(&explanation, &scene, pixel, arguments, &whose);
-        let at_fault = explanation.task_at_fault(&scene.objects);
-        let mut tasks = assignment.tasks.iter();
-        if let Some(task) = tasks.find(|task| at_fault == Some(&task.name)) {
+        if let Some(task) = explanation.task_at_fault(&scene.objects, &assignment) {
             let passage = Passage::chapter(&task.chapter);
             anstream::println!("\nread: {passage}");
             if arguments.read {
@@ -121,7 +118,7 @@ fn print(explanation: &Explanation, scene: &Scene, pixel: Pixel, arguments: &Exp
         Ok(own) => anstream::println!("ray in world space     {}", ray(own, DIGITS)),
         Err(why) => {
             let why = terminal::no_answer(why);
-            anstream::println!("ray in world space     viewing_ray: {why}");
+            anstream::println!("ray in world space     {}: {why}", Kind::ViewingRay);
         }
     }
     if let Some(mitsuba) = &explanation.mitsuba {
@@ -147,32 +144,28 @@ fn print(explanation: &Explanation, scene: &Scene, pixel: Pixel, arguments: &Exp
         if misses > MOST_MISSES && missed(said) {
             continue;
         }
-        anstream::println!("  object {k:<3} {}", describe::shape(shape, DIGITS));
-        anstream::println!("             {}", said_hit(said, false));
+        anstream::println!("  object {k:<3} {}", shape.describe(DIGITS));
+        anstream::println!("             {}", in_words(said, words::intersection));
     }
     if misses > MOST_MISSES {
         anstream::println!("  and {misses} objects that the ray misses");
     }
     anstream::println!(
         "\nfirst hit              {}",
-        said_hit(&explanation.first_hit, true)
+        in_words(&explanation.nearest, words::hit)
     );
     match &explanation.mitsuba {
         Some(mitsuba) => {
-            let hit = mitsuba.hit.map(|hit| (hit.object, hit.intersection));
-            anstream::println!("  expected (Mitsuba)   {}", intersection(hit, true, DIGITS));
+            let hit = words::hit(mitsuba.hit, DIGITS);
+            anstream::println!("  expected (Mitsuba)   {hit}");
         }
         None => anstream::println!("  expected             unknown: this scene has no golden"),
     }
 }
 
-fn said_hit(said: &Said<Option<Hit>>, with_object: bool) -> String {
+fn in_words(said: &Said<Option<Hit>>, words: fn(Option<Hit>, usize) -> String) -> String {
     match said {
-        Ok(hit) => intersection(
-            hit.map(|hit| (hit.object, hit.intersection)),
-            with_object,
-            DIGITS,
-        ),
+        Ok(hit) => words(*hit, DIGITS),
         Err(why) => terminal::no_answer(why),
     }
 }
@@ -209,10 +202,10 @@ fn as_json(
         "camera_space": { "origin": origin, "direction": direction },
         "world_space": value(&explanation.ray),
         "candidates": explanation.candidates.iter().map(value).collect::<Vec<_>>(),
-        "first_hit": value(&explanation.first_hit),
+        (Kind::FirstHit.name()): value(&explanation.nearest),
         "expected": explanation.mitsuba.as_ref().map(|mitsuba| json!({
             "ray": mitsuba.ray,
-            "first_hit": mitsuba.hit,
+            (Kind::FirstHit.name()): mitsuba.hit,
         })),
     })
 }

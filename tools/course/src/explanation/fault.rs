@@ -1,9 +1,9 @@
 //! Which task to read about, where a pixel is not what Mitsuba found.
 
-use pinhole::{Hit, Intersection, Ray, Shape};
+use pinhole::{Hit, Intersection, Kind, Ray, Shape, ShapeKind};
 
 use super::Explanation;
-use crate::describe;
+use crate::assignment::{Assignment, Task};
 
 /// A page to read is no verdict: what differs by less than this share of itself, or of 1,
 /// is told apart by goldens with their tolerances alone.
@@ -11,15 +11,32 @@ const CLEAR: f64 = 1e-3;
 
 impl Explanation {
     /// The first task whose answer is missing or clearly not Mitsuba's.
-    pub fn task_at_fault(&self, objects: &[Shape]) -> Option<&'static str> {
+    pub fn task_at_fault<'a>(
+        &self,
+        objects: &[Shape],
+        assignment: &'a Assignment,
+    ) -> Option<&'a Task> {
+        let (kind, shape) = self.fault(objects)?;
+        assignment.task_of_kind(kind, shape)
+    }
+
+    /// Its kind, and the shape it intersects if it does.
+    fn fault(&self, objects: &[Shape]) -> Option<(Kind, Option<ShapeKind>)> {
+        let of_object = |k: Option<usize>| match k {
+            Some(k) => {
+                let shape = objects[k].kind();
+                (Kind::of_shape(shape), Some(shape))
+            }
+            None => (Kind::FirstHit, None),
+        };
         let mitsuba = self.mitsuba.as_ref()?;
         match &self.ray {
             Ok(ray) if same_ray(ray, &mitsuba.ray) => {}
-            _ => return Some("viewing_ray"),
+            _ => return Some((Kind::ViewingRay, None)),
         }
-        let Ok(found) = &self.first_hit else {
+        let Ok(found) = &self.nearest else {
             let silent = self.candidates.iter().position(Result::is_err);
-            return Some(silent.map_or("first_hit", |k| describe::kind(&objects[k])));
+            return Some(of_object(silent));
         };
         if same_hit(found, &mitsuba.hit) {
             return None;
@@ -35,7 +52,7 @@ impl Explanation {
             (Some(_), None) => None,
             (None, found) => found.filter(|found| self.says(*found)).map(|it| it.object),
         };
-        Some(wrong.map_or("first_hit", |k| describe::kind(&objects[k])))
+        Some(of_object(wrong))
     }
 
     /// Whether the object of this hit answers the same when it is asked alone.
@@ -97,7 +114,7 @@ mod tests {
         ray: Said<Ray>,
         sphere: Option<Hit>,
         first: Said<Option<Hit>>,
-    ) -> Option<&'static str> {
+    ) -> Option<(Kind, Option<ShapeKind>)> {
         let objects = [
             Shape::Sphere(Sphere {
                 center: DVec3::NEG_Z * 3.0,
@@ -112,13 +129,13 @@ mod tests {
             ray,
             asked: Some(RAY),
             candidates: vec![Ok(sphere), Ok(hit(1, 5.0))],
-            first_hit: first,
+            nearest: first,
             mitsuba: Some(Mitsuba {
                 ray: RAY,
                 hit: hit(0, 2.0),
             }),
         };
-        explanation.task_at_fault(&objects)
+        explanation.fault(&objects)
     }
 
     #[test]
@@ -128,21 +145,15 @@ mod tests {
             ..RAY
         };
         let right = Ok(hit(0, 2.0));
+        let viewing_ray = Some((Kind::ViewingRay, None));
+        let sphere = Some((Kind::Intersect, Some(ShapeKind::Sphere)));
+        let first_hit = Some((Kind::FirstHit, None));
         assert_eq!(at_fault(Ok(RAY), hit(0, 2.0), right.clone()), None);
-        assert_eq!(
-            at_fault(Ok(tilted), hit(0, 2.0), right),
-            Some("viewing_ray")
-        );
-        assert_eq!(at_fault(Ok(RAY), None, Ok(hit(1, 5.0))), Some("sphere"));
-        assert_eq!(
-            at_fault(Ok(RAY), hit(0, 2.0), Ok(hit(1, 5.0))),
-            Some("first_hit")
-        );
-        assert_eq!(at_fault(Ok(RAY), hit(0, 2.0), Ok(None)), Some("first_hit"));
+        assert_eq!(at_fault(Ok(tilted), hit(0, 2.0), right), viewing_ray);
+        assert_eq!(at_fault(Ok(RAY), None, Ok(hit(1, 5.0))), sphere);
+        assert_eq!(at_fault(Ok(RAY), hit(0, 2.0), Ok(hit(1, 5.0))), first_hit);
+        assert_eq!(at_fault(Ok(RAY), hit(0, 2.0), Ok(None)), first_hit);
         let unanswered = Err(NoAnswer::Failed(Outcome::Unanswered));
-        assert_eq!(
-            at_fault(Ok(RAY), hit(0, 2.0), unanswered),
-            Some("first_hit")
-        );
+        assert_eq!(at_fault(Ok(RAY), hit(0, 2.0), unanswered), first_hit);
     }
 }

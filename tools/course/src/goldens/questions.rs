@@ -4,9 +4,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, PoisonError};
 
-use pinhole::job::{CameraQuestion, Job};
+use pinhole::job::Job;
 use pinhole::judge::Golden;
-use pinhole::{Resolution, Scene, probe};
+use pinhole::kind::{self, CameraQuestion};
+use pinhole::{Resolution, Scene};
 
 use crate::assignment::{GroupPoints, Task};
 use crate::error::{Error, Result};
@@ -48,9 +49,6 @@ pub struct QuestionFilm {
     pub golden_path: PathBuf,
 }
 
-/// The group of the viewing rays of all scenes.
-const SCENES_GROUP: &str = "scenes";
-
 impl Goldens {
     /// All groups of a task, in the assignment's order.
     pub fn groups(&self, task: &Task) -> Result<Vec<Group>> {
@@ -72,7 +70,7 @@ impl Goldens {
     }
 
     fn group(&self, task: &Task, points: &GroupPoints) -> Result<Group> {
-        let films = match is_of_scenes(&task.name, &points.group) {
+        let films = match task.is_of_scenes(&points.group) {
             true => self
                 .scenes
                 .iter()
@@ -90,10 +88,9 @@ impl Goldens {
 
     /// The groups of a task that ask about the scenes alone.
     pub fn scene_groups(&self, task: &Task) -> Result<Vec<Group>> {
-        let mut task = task.clone();
-        task.points
-            .retain(|points| is_of_scenes(&task.name, &points.group));
-        self.groups(&task)
+        let points = task.points.iter();
+        let of_scenes = points.filter(|points| task.is_of_scenes(&points.group));
+        of_scenes.map(|points| self.group(task, points)).collect()
     }
 
     /// The film of a scene.
@@ -130,15 +127,11 @@ impl Goldens {
     fn ray_film(&self, scene: &GoldenScene) -> Result<QuestionFilm> {
         let golden_path = self.folder.join(&scene.name).with_extension("rays.exr");
         let name = scene.name.clone();
-        let Scene {
-            camera, resolution, ..
-        } = Scene::read(&scene.file).map_err(ours)?;
-        let question = |index| CameraQuestion {
-            camera,
-            pixel: resolution.pixel(index),
-            resolution,
-        };
-        let job = Job::ViewingRay((0..resolution.pixels()).map(question).collect());
+        let scene = Scene::read(&scene.file).map_err(ours)?;
+        let resolution = scene.resolution;
+        let questions =
+            (0..resolution.pixels()).map(|index| CameraQuestion::of_scene(&scene, index));
+        let job = Job::Ask(kind::Questions::ViewingRay(questions.collect()));
         let golden = Golden::read(&golden_path).map_err(ours)?;
         Ok(QuestionFilm {
             name,
@@ -155,12 +148,13 @@ impl Goldens {
             .join("probes")
             .join(format!("{}.{group}", task.name));
         let golden_path = with_suffix(&stem, ".exr");
-        let (job, resolution) =
-            probe::read(&with_suffix(&stem, ".ask.exr"), &task.name).map_err(ours)?;
+        let film = with_suffix(&stem, ".ask.exr");
+        let (questions, resolution) =
+            kind::Questions::read(&film, &task.name, task.kind, task.shape).map_err(ours)?;
         let golden = Golden::read(&golden_path).map_err(ours)?;
         Ok(QuestionFilm {
             name: group.into(),
-            job,
+            job: Job::Ask(questions),
             resolution,
             golden,
             golden_path,
@@ -168,25 +162,19 @@ impl Goldens {
     }
 }
 
-/// Whether a group is that of the scenes' viewing rays.
-pub fn is_of_scenes(task: &str, group: &str) -> bool {
-    (task, group) == ("viewing_ray", SCENES_GROUP)
-}
-
-/// The jobs of all films as one.
+/// The questions of all films as one job.
 fn join(groups: &[Group]) -> Option<Job> {
-    let mut joined: Option<Job> = None;
+    let mut joined: Option<kind::Questions> = None;
     for film in groups.iter().flat_map(|group| &group.films) {
-        match (&mut joined, &film.job) {
-            (None, job) => joined = Some(job.clone()),
-            (Some(Job::ViewingRay(all)), Job::ViewingRay(more)) => all.extend(more),
-            (Some(Job::Intersect(all)), Job::Intersect(more)) => all.extend_from_slice(more),
-            (Some(Job::FirstHit(all)), Job::FirstHit(more)) => all.extend_from_slice(more),
-            (Some(Job::TriangleSoup(all)), Job::TriangleSoup(more)) => all.extend_from_slice(more),
-            _ => return None,
+        let Job::Ask(questions) = &film.job else {
+            return None;
+        };
+        match &mut joined {
+            None => joined = Some(questions.clone()),
+            Some(all) => all.append(questions).then_some(())?,
         }
     }
-    joined
+    joined.map(Job::Ask)
 }
 
 fn with_suffix(stem: &Path, suffix: &str) -> PathBuf {

@@ -57,9 +57,9 @@ const MODULES: [&str; 11] = [
 ];
 
 /// Modules of the harness that an answer has no business with.
-const HARNESS: [&str; 12] = [
-    "ask", "job", "serve", "judge", "film", "Film", "probe", "oiiotool", "scene", "Scene", "mesh",
-    "Answers",
+const HARNESS: [&str; 13] = [
+    "ask", "job", "serve", "judge", "film", "Film", "kind", "Kind", "oiiotool", "scene", "Scene",
+    "mesh", "AnswerFn",
 ];
 
 /// Attributes that name other files or symbols.

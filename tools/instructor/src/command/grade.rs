@@ -65,6 +65,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
                 .map(|scene| scene.name.clone())
                 .collect(),
         },
+        scene_groups: assignment.scene_groups(),
         probes: arguments.golden.is_some() && goldens.probes.is_none(),
         reveal: arguments.reveal,
     };

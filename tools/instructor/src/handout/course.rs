@@ -117,11 +117,13 @@ fn add_tests(files: &mut Files, assignment: &Assignment, folder: &str) -> Result
         kept.join("\n\n").into(),
     );
     let snapshots = tests.join("snapshots");
-    let of_tasks = assignment.tasks.iter().map(|task| task.name.as_str());
-    let names = of_tasks.chain(public(assignment));
-    for name in names.chain(["viewing_ray_in_scenes"]) {
+    let of_tasks = assignment.tasks.iter().map(|task| task.name.clone());
+    let of_scenes = public(assignment).map(str::to_owned);
+    let of_both = assignment.scene_groups().into_iter();
+    let of_both = of_both.map(|(task, group)| format!("{task}_in_{group}"));
+    for name in of_tasks.chain(of_scenes).chain(of_both) {
         let text = read_text(&snapshots.join(format!("{name}.snap")))?;
-        // The viewing rays of all scenes share a snapshot, a line for each.
+        // The questions made of all scenes share a snapshot, a line for each.
         let is_public = |line: &&str| {
             let scene = line.split(' ').next().unwrap_or(line);
             !assignment.withholds(scene)

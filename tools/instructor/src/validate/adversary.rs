@@ -9,8 +9,11 @@
 mod random;
 mod whole;
 
-use pinhole::job::{CameraQuestion, Job, ShapeQuestion};
+use pinhole::job::Job;
+use pinhole::kind::{CameraQuestion, Questions, ShapeQuestion};
+use pinhole::{Kind, ShapeKind};
 
+use pinhole_course::assignment::Task;
 use random::Random;
 
 /// Questions, and which of them are ties.
@@ -27,42 +30,46 @@ const COUNT: usize = 100_000;
 /// Questions for this task.
 ///
 /// # Panics
-/// If no such task is known, as with a probe of it.
-pub fn ask(task: &str) -> Asked {
-    let mut random = Random::new();
-    match task {
-        "viewing_ray" => {
+/// If there are none for its shape.
+pub fn ask(task: &Task) -> Asked {
+    let (questions, is_tie) = match task.kind {
+        Kind::ViewingRay => {
+            let mut random = Random::new();
             let questions: Vec<CameraQuestion> = (0..COUNT).map(|_| random.camera()).collect();
-            Asked {
-                is_tie: vec![false; questions.len()],
-                job: Job::ViewingRay(questions),
-            }
+            let is_tie = vec![false; questions.len()];
+            (Questions::ViewingRay(questions), is_tie)
         }
-        "sphere" => shapes(Random::sphere, whole::sphere),
-        "plane" => shapes(Random::plane, whole::plane),
-        "triangle" => shapes(Random::triangle, whole::triangle),
-        "first_hit" => {
+        Kind::Intersect => {
+            let (questions, is_tie) = shapes(task.shape);
+            (Questions::Intersect(questions), is_tie)
+        }
+        Kind::FirstHit => {
             let (questions, is_tie) = both(Random::objects, whole::objects);
-            let job = Job::FirstHit(questions);
-            Asked { job, is_tie }
+            (Questions::FirstHit(questions), is_tie)
         }
-        "triangle_soup" => {
-            let (questions, is_tie) = both(Random::objects, whole::objects);
-            let job = Job::TriangleSoup(questions);
-            Asked { job, is_tie }
+        Kind::Soup => {
+            let (questions, is_tie) = both(Random::soup, whole::soup);
+            (Questions::Soup(questions), is_tie)
         }
-        task => panic!("nobody knows what to ask of `{task}`"),
+    };
+    Asked {
+        job: Job::Ask(questions),
+        is_tie,
+    }
+}
+
+fn shapes(shape: Option<ShapeKind>) -> (Vec<ShapeQuestion>, Vec<bool>) {
+    match shape {
+        Some(ShapeKind::Sphere) => both(Random::sphere, whole::sphere),
+        Some(ShapeKind::Plane) => both(Random::plane, whole::plane),
+        Some(ShapeKind::Triangle) => both(Random::triangle, whole::triangle),
+        Some(ShapeKind::Disk) => both(Random::disk, whole::disk),
+        other => panic!("nobody knows what to ask of {other:?}"),
     }
 }
 
 type AnyOf<Q> = fn(&mut Random) -> Q;
 type WholeOf<Q> = fn(&mut Random) -> (Q, bool);
-
-fn shapes(any: AnyOf<ShapeQuestion>, whole: WholeOf<ShapeQuestion>) -> Asked {
-    let (questions, is_tie) = both(any, whole);
-    let job = Job::Intersect(questions);
-    Asked { job, is_tie }
-}
 
 fn both<Q>(any: AnyOf<Q>, whole: WholeOf<Q>) -> (Vec<Q>, Vec<bool>) {
     let mut random = Random::new();

@@ -7,13 +7,14 @@ use std::sync::{Arc, Mutex, OnceLock};
 use std::time::Duration;
 
 use pinhole::ask::Ending;
-use pinhole::job::Answer;
+use pinhole::kind::Answer;
+use pinhole::words;
 use serde::Serialize;
 
 use super::adversary::{self, Asked};
 use super::bench::Bench;
+use pinhole_course::assignment::Task;
 use pinhole_course::compile::Program;
-use pinhole_course::describe;
 use pinhole_course::error::Result;
 use pinhole_course::examine;
 use pinhole_course::sandbox::Limits;
@@ -79,7 +80,7 @@ impl<'a> Oracle<'a> {
     }
 
     /// Where another program's answers to a task differ.
-    pub fn compare(&self, task: &str, other: &Program) -> Result<Difference> {
+    pub fn compare(&self, task: &Task, other: &Program) -> Result<Difference> {
         let read = |program: &Program| fs::read(&program.executable).ok();
         // What the same compiler makes the same code of is the same program
         // (Papadakis et al., "Trivial Compiler Equivalence", 2015).
@@ -91,7 +92,7 @@ impl<'a> Oracle<'a> {
         }
         let slot = {
             let mut tasks = self.tasks.lock().unwrap_or_else(|lock| lock.into_inner());
-            tasks.entry(task.into()).or_default().clone()
+            tasks.entry(task.name.clone()).or_default().clone()
         };
         let own = match slot.get() {
             Some(own) => own,
@@ -115,11 +116,12 @@ impl<'a> Oracle<'a> {
                     difference.asked += 1;
                     difference.elsewhere += differs;
                     if differs == 1 && difference.example.is_none() {
-                        let question = describe::question(&own.asked.job, index, task, 17);
+                        let questions = own.asked.job.questions();
+                        let question = questions.map(|all| all.describe(index, &task.name, 17));
                         let (expected, got) = (in_words(expected), in_words(got));
-                        difference.example = Some(format!(
-                            "{question}\nexpected  {expected}\ngot       {got} {ending:?}"
-                        ));
+                        difference.example = question.map(|question| {
+                            format!("{question}\nexpected  {expected}\ngot       {got} {ending:?}")
+                        });
                     }
                 }
             }
@@ -148,10 +150,7 @@ fn is_same(a: &Option<Answer>, b: &Option<Answer>) -> bool {
 fn in_words(answer: &Option<Answer>) -> String {
     match answer {
         None => "nothing".into(),
-        Some(Answer::Ray(ray)) => describe::ray(ray, 17),
-        Some(Answer::Hit(hit)) => {
-            let shown = hit.map(|hit| (hit.object, hit.intersection));
-            describe::intersection(shown, true, 17)
-        }
+        Some(Answer::Ray(ray)) => words::ray(ray, 17),
+        Some(Answer::Hit(hit)) => words::hit(*hit, 17),
     }
 }

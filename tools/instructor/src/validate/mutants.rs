@@ -152,7 +152,9 @@ fn fate_of_program(
             return Ok(Fate::Scene(scene.name.clone()));
         }
     }
-    let difference = oracle.compare(&mutant.task, program)?;
+    let task = bench.assignment.task(&mutant.task);
+    let task = task.expect("a mutant is of one of the assignment's tasks");
+    let difference = oracle.compare(task, program)?;
     let listed = listed.iter().find(|listed| listed.is(mutant));
     let why = listed.filter(|listed| listed.claim.agrees(&difference));
     Ok(Fate::Escaped {

@@ -16,7 +16,6 @@ use super::pixels;
 use super::rays::RayGrid;
 use super::window::Window;
 use crate::terminal;
-use pinhole_course::describe;
 
 /// What there is to show of a film.
 pub struct Evidence<'a> {
@@ -128,7 +127,7 @@ impl SceneSection {
         };
         let viewer = wrong.as_ref().zip(comparable).map(|(wrong, film)| {
             let objects = evidence.scene.map(|scene| {
-                let words = scene.objects.iter().map(|shape| describe::shape(shape, 6));
+                let words = scene.objects.iter().map(|shape| shape.describe(6));
                 words.collect::<Vec<_>>()
             });
             for_script(&json!({

@@ -56,8 +56,8 @@ pub fn outcome(outcome: &Outcome) -> String {
 pub fn no_answer(why: &NoAnswer) -> String {
     match why {
         NoAnswer::NoRay => "there is no ray to ask about".into(),
-        NoAnswer::NoFile(task) => format!("there is no usable {task}.rs"),
-        NoAnswer::DoesNotCompile(task) => format!("{task}.rs does not compile"),
+        NoAnswer::NoFile(file) => format!("there is no usable {file}"),
+        NoAnswer::DoesNotCompile(file) => format!("{file} does not compile"),
         NoAnswer::Failed(failure) => outcome(failure),
         NoAnswer::Nothing => "it gave no answer".into(),
     }

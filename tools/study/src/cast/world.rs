@@ -70,6 +70,10 @@ fn corners_of(triangle: &pinhole::Triangle) -> Primitive {
 
 impl World {
     /// Of the objects of a scene.
+    ///
+    /// # Panics
+    /// If there is no kernel for one of them; [`read`](crate::scenes::read) refuses such
+    /// scenes.
     pub fn of(objects: &[pinhole::Shape]) -> World {
         let mut world = World::default();
         for (object, shape) in objects.iter().enumerate() {
@@ -88,6 +92,7 @@ impl World {
                         world.add(object, corners_of(corners));
                     }
                 }
+                other => unreachable!("a scene with a {} was let in", other.kind()),
             }
         }
         world

@@ -9,6 +9,7 @@ use pinhole_course::error::{Error, Result};
 use pinhole_report::program::Status;
 use pinhole_study::plan::plan;
 use pinhole_study::plan::told::told;
+use pinhole_study::scenes;
 use serde_json::json;
 
 use crate::cli::Plan;
@@ -40,9 +41,11 @@ pub fn scene(
     assignment: &Assignment,
     checkout: &Checkout,
 ) -> Result<(Scene, PathBuf, Option<PathBuf>)> {
-    let (mut scene, golden) = assignment.find_scene(named, checkout)?;
+    let (_, golden) = assignment.find_scene(named, checkout)?;
+    let file = assignment.find_scene_file(named)?;
+    let mut scene = scenes::read(&file)?;
     scene.resolution = resolution.unwrap_or(scene.resolution);
-    Ok((scene, assignment.find_scene_file(named)?, golden))
+    Ok((scene, file, golden))
 }
 
 /// The study has no more to say than one text.

@@ -56,7 +56,7 @@ fn ask(whole: &Whole, asked: &Asked, assignment: &Assignment, wall: Duration) ->
             said.problem.get_or_insert(problem);
         }
         match (&reply.ending, &rest) {
-            (Ending::Panicked(panic), Job::Intersect(_)) if !panic.is_unanswered() => {
+            (Ending::Panicked(panic), Job::Ask(_)) if !panic.is_unanswered() => {
                 let done = reply.answers.into_iter().take(panic.index + 1);
                 said.answers.extend(done);
             }
@@ -76,7 +76,7 @@ fn ask(whole: &Whole, asked: &Asked, assignment: &Assignment, wall: Duration) ->
 /// A job without its first questions; a film is cast whole.
 fn after(job: &Job, done: usize) -> Job {
     match job {
-        Job::Intersect(questions) => Job::Intersect(questions[done..].to_vec()),
+        Job::Ask(questions) => Job::Ask(questions.skip(done)),
         other => other.clone(),
     }
 }

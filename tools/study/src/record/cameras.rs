@@ -8,7 +8,7 @@ use crate::cast::rays::rays;
 use crate::cast::world::World;
 use crate::cast::{Caster, Search};
 use crate::oracle::camera;
-use crate::scenes::files;
+use crate::scenes::{files, read};
 use crate::vector::Vector;
 
 /// What rounding its rays does to a scene's film.
@@ -33,7 +33,7 @@ pub fn cameras() -> Vec<Camera> {
     files()
         .iter()
         .map(|file| {
-            let scene = Scene::read(file).expect("the scene is committed");
+            let scene = read(file).expect("the scene is committed");
             let name = file.file_stem().unwrap_or_default().to_string_lossy();
             of_scene(&scene, name.into())
         })

@@ -1,8 +1,8 @@
 //! Every question of the study's quick mode, for somebody else to answer.
 
 use glam::DVec3;
-use pinhole::Scene;
-use pinhole::job::{Job, ShapeQuestion};
+use pinhole::job::Job;
+use pinhole::kind::{Questions, ShapeQuestion};
 
 use super::{Asked, DATA, MESH_RAYS, family_part, mesh_part, scene_part};
 use crate::family::mesh::{Aim, Inside};
@@ -33,11 +33,11 @@ pub fn asked(count: usize, seed: u64) -> Result<Vec<Asked>, pinhole::Error> {
         };
         all.push(Asked {
             part: mesh_part(aim),
-            job: Job::Intersect(rays.flat_map(faces).collect()),
+            job: Job::Ask(Questions::Intersect(rays.flat_map(faces).collect())),
         });
     }
     for file in scenes::files() {
-        let scene = Scene::read(&file)?;
+        let scene = scenes::read(&file)?;
         all.push(Asked {
             part: scene_part(&file.file_stem().unwrap_or_default().to_string_lossy()),
             job: Job::Film(scene),
@@ -54,7 +54,7 @@ fn families<S: Studied + Askable>(count: usize, seed: u64) -> Vec<Asked> {
             all.extend(asked.iter().map(put));
             all.extend(asked.iter().map(|question| put(&question.normalized())));
         }
-        Job::Intersect(all)
+        Job::Ask(Questions::Intersect(all))
     };
     let part = |family: &Family<S>| Asked {
         part: family_part(S::NAME, family.name),

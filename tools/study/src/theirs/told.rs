@@ -1,6 +1,6 @@
 //! Recorded answers, read in the order in which they were asked.
 
-use pinhole::job::Answer;
+use pinhole::kind::Answer;
 
 use super::DATA;
 use crate::judge::{Answers, Tally, judge};

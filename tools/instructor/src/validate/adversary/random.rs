@@ -3,10 +3,10 @@
 
 use std::f64::consts::TAU;
 
-use glam::DVec3;
-use pinhole::job::{CameraQuestion, CannedQuestion, ShapeQuestion};
+use glam::{DQuat, DVec3};
+use pinhole::kind::{CameraQuestion, ObjectsQuestion, ShapeQuestion, SoupQuestion};
 use pinhole::{
-    Camera, Canned, Intersection, Pixel, Plane, Projection, Ray, Resolution, Shape, Sphere,
+    Camera, Canned, Disk, Intersection, Pixel, Plane, Projection, Ray, Resolution, Shape, Sphere,
     Triangle, TriangleSoup,
 };
 
@@ -106,8 +106,25 @@ impl Random {
         ShapeQuestion { shape, ray, min_t }
     }
 
+    /// Seen from both sides, hit, and missed beside its edge; its normal of any length.
+    pub fn disk(&mut self) -> ShapeQuestion {
+        let (center, radius) = (self.point(), self.size(1e-3, 1e2));
+        let normal = self.size(1e-3, 1e3) * self.direction();
+        let across = normal.any_orthogonal_vector().normalize();
+        let turn = DQuat::from_axis_angle(normal.normalize(), self.between(0.0, TAU));
+        let target = center + radius * self.between(0.0, 1.3) * (turn * across);
+        let origin = target + radius * self.point();
+        let (ray, min_t) = self.through(origin, target);
+        let shape = Shape::Disk(Disk {
+            center,
+            normal,
+            radius,
+        });
+        ShapeQuestion { shape, ray, min_t }
+    }
+
     /// None to six objects, each met nowhere, once or twice.
-    pub fn objects(&mut self) -> CannedQuestion {
+    pub fn objects(&mut self) -> ObjectsQuestion {
         let count = self.count(6);
         let objects = (0..count).map(|_| {
             let mut ts: Vec<f64> = (0..self.count(2))
@@ -116,15 +133,19 @@ impl Random {
             ts.sort_by(f64::total_cmp);
             self.canned(ts)
         });
-        let triangles = objects.collect();
+        let objects = objects.collect();
         let (ray, _) = self.through(DVec3::ZERO, DVec3::ONE);
         let min_t = self.between(-1.0, 4.0).max(0.0);
-        let objects = TriangleSoup { triangles };
-        CannedQuestion {
+        ObjectsQuestion {
             objects,
             ray,
             min_t,
         }
+    }
+
+    /// The same objects as a soup.
+    pub fn soup(&mut self) -> SoupQuestion {
+        as_soup(self.objects())
     }
 
     /// An object that is met at these, with normals that tell it from any other.
@@ -163,5 +184,16 @@ impl Random {
             pixel,
             resolution,
         }
+    }
+}
+
+/// The same question about a soup of these objects.
+pub fn as_soup(question: ObjectsQuestion) -> SoupQuestion {
+    SoupQuestion {
+        soup: TriangleSoup {
+            triangles: question.objects,
+        },
+        ray: question.ray,
+        min_t: question.min_t,
     }
 }

@@ -4,10 +4,10 @@
 //! rounding: what is called a tie here is exactly one.
 
 use glam::DVec3;
-use pinhole::job::{CannedQuestion, ShapeQuestion};
-use pinhole::{Plane, Ray, Shape, Sphere, Triangle, TriangleSoup};
+use pinhole::kind::{ObjectsQuestion, ShapeQuestion, SoupQuestion};
+use pinhole::{Disk, Plane, Ray, Shape, Sphere, Triangle};
 
-use super::random::Random;
+use super::random::{Random, as_soup};
 
 /// Coordinates lie between −4 and 4, and for half the vectors between −1 and 1, where
 /// products are 0 and 1 more often than not.
@@ -97,8 +97,27 @@ pub fn triangle(random: &mut Random) -> (ShapeQuestion, bool) {
     (ray.ask(Shape::Triangle(Triangle { corners })), is_tie)
 }
 
+/// Ties: exactly on the edge, or t exactly `min_t`. A parallel ray is none: it misses,
+/// even in the disk's own plane.
+pub fn disk(random: &mut Random) -> (ShapeQuestion, bool) {
+    let (center, normal, radius) = (vector(random), not_zero(random), random.whole(1, 5));
+    let ray = WholeRay::new(random);
+    // As for a plane, t = above / along; every length is times `along`.
+    let along = ray.d.dot(normal);
+    let above = (center - ray.e).dot(normal);
+    let from_center = along * (ray.e - center) + above * ray.d;
+    let on_edge = from_center.length_squared() == along * along * radius * radius;
+    let is_tie = along != 0.0 && (on_edge || above == ray.min_t * along);
+    let disk = Disk {
+        center,
+        normal,
+        radius,
+    };
+    (ray.ask(Shape::Disk(disk)), is_tie)
+}
+
 /// Ties: two objects are first met at the same t.
-pub fn objects(random: &mut Random) -> (CannedQuestion, bool) {
+pub fn objects(random: &mut Random) -> (ObjectsQuestion, bool) {
     let ray = WholeRay::new(random);
     let count = random.count(6);
     let ts = (0..count).map(|_| {
@@ -113,9 +132,8 @@ pub fn objects(random: &mut Random) -> (CannedQuestion, bool) {
     let nearest = firsts.iter().copied().reduce(f64::min);
     let is_tie = firsts.iter().filter(|t| Some(**t) == nearest).count() > 1;
     let objects = ts.into_iter().map(|ts| random.canned(ts));
-    let triangles = objects.collect();
-    let question = CannedQuestion {
-        objects: TriangleSoup { triangles },
+    let question = ObjectsQuestion {
+        objects: objects.collect(),
         ray: Ray {
             origin: ray.e,
             direction: ray.d,
@@ -123,6 +141,12 @@ pub fn objects(random: &mut Random) -> (CannedQuestion, bool) {
         min_t: ray.min_t,
     };
     (question, is_tie)
+}
+
+/// The same objects as a soup.
+pub fn soup(random: &mut Random) -> (SoupQuestion, bool) {
+    let (question, is_tie) = objects(random);
+    (as_soup(question), is_tie)
 }
 
 #[cfg(test)]

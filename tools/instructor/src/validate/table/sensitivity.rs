@@ -1,6 +1,6 @@
 //! The smallest errors that the scenes detect.
 
-use pinhole::report::number;
+use pinhole::words::number;
 
 use super::QUIET;
 use crate::validate::sensitivity::{Kind, Sensitivity};

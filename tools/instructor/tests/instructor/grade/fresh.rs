@@ -2,6 +2,8 @@
 
 use std::fs;
 
+use pinhole::kind::{Kind, Questions};
+
 use super::{Class, answers};
 use pinhole_testing::{pinhole, root};
 
@@ -12,8 +14,9 @@ fn memoriser() -> String {
     for entry in fs::read_dir(probes).expect("probes are there").flatten() {
         let name = entry.file_name().into_string().expect("plain");
         if name.starts_with("sphere.") && name.ends_with(".ask.exr") {
-            let (job, _) = pinhole::probe::read(&entry.path(), "sphere").expect("a probe");
-            if let pinhole::job::Job::Intersect(questions) = job {
+            let shape = Some(pinhole::ShapeKind::Sphere);
+            let read = Questions::read(&entry.path(), "sphere", Kind::Intersect, shape);
+            if let (Questions::Intersect(questions), _) = read.expect("a probe") {
                 seen.extend(questions.iter().map(|asked| asked.ray.origin.x.to_bits()));
             }
         }

@@ -12,6 +12,7 @@ fn every_kind_of_question_has_ties_and_is_mostly_something_else() {
         ("sphere", ties(sphere)),
         ("plane", ties(plane)),
         ("triangle", ties(triangle)),
+        ("disk", ties(disk)),
         ("objects", ties(objects)),
     ] {
         assert!((10..5_000).contains(&ties), "{ties} of {kind}");

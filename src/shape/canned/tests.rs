@@ -1,4 +1,5 @@
 use super::*;
+use glam::DVec3;
 
 #[test]
 fn a_canned_object_is_met_at_its_first_intersection_from_min_t_on() {

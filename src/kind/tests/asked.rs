@@ -3,8 +3,8 @@
 use super::*;
 
 #[track_caller]
-fn only_shape(task: &str, question: Question<'_>) -> Shape {
-    let Job::Intersect(questions) = ask(task, &question).unwrap() else {
+fn only_shape(task: &str, question: Channels<'_>) -> Shape {
+    let Questions::Intersect(questions) = ask(task, &question).unwrap() else {
         panic!("`{task}` is asked with one shape alone");
     };
     let [asked] = questions.as_slice() else {
@@ -35,6 +35,16 @@ fn a_plane_keeps_the_length_of_its_normal() {
 }
 
 #[test]
+fn a_disk_is_asked_about_as_it_was_written() {
+    let expected = Disk {
+        center: dvec3(4.0, 5.0, 6.0),
+        normal: dvec3(0.0, 2.0, 1.0),
+        radius: 0.75,
+    };
+    assert_eq!(only_shape("disk", disk()), Shape::Disk(expected));
+}
+
+#[test]
 fn a_triangle_keeps_the_order_of_its_corners() {
     let corners = [
         dvec3(1.0, 2.0, 3.0),
@@ -48,13 +58,23 @@ fn a_triangle_keeps_the_order_of_its_corners() {
 #[test]
 fn canned_objects_know_their_intersections() {
     for task in ["first_hit", "triangle_soup"] {
-        let questions = match ask(task, &canned()).unwrap() {
-            Job::FirstHit(questions) if task == "first_hit" => questions,
-            Job::TriangleSoup(questions) if task == "triangle_soup" => questions,
+        let (objects, ray, min_t) = match ask(task, &canned()).unwrap() {
+            Questions::FirstHit(questions) if task == "first_hit" => {
+                let question = &questions[0];
+                (question.objects.clone(), question.ray, question.min_t)
+            }
+            Questions::Soup(questions) if task == "triangle_soup" => {
+                let question = &questions[0];
+                (
+                    question.soup.triangles.clone(),
+                    question.ray,
+                    question.min_t,
+                )
+            }
             other => panic!("`{task}` is asked by {other:?}"),
         };
         let at = |t, normal| Intersection { t, normal };
-        let [twice, never] = questions[0].objects.triangles.as_slice() else {
+        let [twice, never] = objects.as_slice() else {
             panic!("there are two objects");
         };
         assert_eq!(
@@ -62,23 +82,23 @@ fn canned_objects_know_their_intersections() {
             [at(1.5, DVec3::X), at(2.5, DVec3::NEG_Y)]
         );
         assert_eq!(never.intersections, []);
-        assert_eq!(questions[0].min_t, 0.125);
-        assert_eq!(questions[0].ray.origin, dvec3(1.0, 2.0, 3.0));
+        assert_eq!(min_t, 0.125);
+        assert_eq!(ray.origin, dvec3(1.0, 2.0, 3.0));
     }
 }
 
 #[test]
 fn there_may_be_no_object_at_all() {
     let question = [ray(), vec![("count", 0.0)]].concat();
-    let Job::FirstHit(questions) = ask("first_hit", &question).unwrap() else {
+    let Questions::FirstHit(questions) = ask("first_hit", &question).unwrap() else {
         panic!("it is asked with canned objects");
     };
-    assert!(questions[0].objects.triangles.is_empty());
+    assert!(questions[0].objects.is_empty());
 }
 
 #[test]
 fn a_camera_is_asked_about_one_of_its_pixels() {
-    let Job::ViewingRay(questions) = ask("viewing_ray", &camera()).unwrap() else {
+    let Questions::ViewingRay(questions) = ask("viewing_ray", &camera()).unwrap() else {
         panic!("it is asked with cameras");
     };
     let CameraQuestion {
@@ -101,7 +121,7 @@ fn a_camera_is_asked_about_one_of_its_pixels() {
 #[test]
 fn a_camera_without_focal_length_is_orthographic() {
     let question = with(camera(), "focal_length", 0.0);
-    let Job::ViewingRay(questions) = ask("viewing_ray", &question).unwrap() else {
+    let Questions::ViewingRay(questions) = ask("viewing_ray", &question).unwrap() else {
         panic!("it is asked with cameras");
     };
     assert_eq!(questions[0].camera.projection, Projection::Orthographic);
@@ -115,9 +135,9 @@ fn questions_stand_in_the_order_of_the_film() {
         .map(|(name, value)| (name, if name == "radius" { radii } else { [value; 6] }))
         .collect();
     let channels: Vec<(&str, &[f32])> = repeated.iter().map(|(n, x)| (*n, &x[..])).collect();
-    let (job, resolution) = read_film(&testing::grid(3, &channels), "sphere").unwrap();
+    let (questions, resolution) = read_film(&testing::grid(3, &channels), "sphere").unwrap();
     assert_eq!(resolution, Resolution { n_x: 3, n_y: 2 });
-    let Job::Intersect(questions) = job else {
+    let Questions::Intersect(questions) = questions else {
         panic!("it is asked with one shape alone");
     };
     let read: Vec<f64> = questions

@@ -3,14 +3,15 @@
 use super::*;
 
 /// Makes a question afresh.
-type Ask = fn() -> Question<'static>;
+type Ask = fn() -> Channels<'static>;
 
-const TASKS: [(&str, Ask); 6] = [
+const TASKS: [(&str, Ask); 7] = [
     ("viewing_ray", camera),
     ("first_hit", canned),
     ("sphere", sphere),
     ("plane", plane),
     ("triangle", triangle),
+    ("disk", disk),
     ("triangle_soup", canned),
 ];
 
@@ -113,14 +114,22 @@ fn a_camera_without_a_frame_is_no_question() {
 }
 
 #[test]
-fn an_unknown_task_has_no_questions() {
-    refused("intersect", &sphere(), "no such task");
+fn who_intersects_must_say_what() {
+    let no_questions = |shape| {
+        let questions = Questions::from_film(&film(&sphere()), Kind::Intersect, shape);
+        questions.expect_err("there is no shape to ask about")
+    };
+    assert_eq!(no_questions(None), "the task names no shape");
+    let problem = no_questions(Some(ShapeKind::Soup));
+    assert!(problem.contains("kind = \"soup\""), "{problem}");
 }
 
 #[test]
 fn a_question_film_that_is_not_there_is_told_so() {
     let folder = tempfile::tempdir().unwrap();
-    let error = read(&folder.path().join("absent.ask.exr"), "sphere").unwrap_err();
+    let path = folder.path().join("absent.ask.exr");
+    let (kind, shape) = of_task("sphere");
+    let error = Questions::read(&path, "sphere", kind, shape).unwrap_err();
     assert!(
         error.problem.starts_with("cannot read this film"),
         "{error}"

@@ -1,0 +1,243 @@
+//! The kinds of questions a submission can be asked.
+//!
+//! A task names its kind in `assignment.toml`. A kind is one file of this folder: what a
+//! question holds, how it is read from a question film, which of the submission's
+//! functions answers it, and how question and answer are put into words.
+//!
+//! A scene needs every answer at once; a question asks for one answer alone. Each pixel
+//! of a question film is a question, and the golden film of the same name holds
+//! Mitsuba's answers. All values are exact in 32-bit floats, so that Mitsuba and a
+//! submission are asked the same.
+
+mod answer;
+mod cameras;
+mod first_hit;
+mod intersect;
+mod soup;
+mod viewing_ray;
+
+use std::fmt;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use crate::camera::Resolution;
+use crate::error::Error;
+use crate::film::{Film, Samples};
+use crate::shape::ShapeKind;
+use crate::words;
+
+pub use answer::{Answer, AnswerFn, Unregistered};
+pub use first_hit::ObjectsQuestion;
+pub(crate) use first_hit::cast;
+pub use intersect::ShapeQuestion;
+pub use soup::SoupQuestion;
+pub use viewing_ray::CameraQuestion;
+
+/// A kind of question, by its name in `assignment.toml`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// The ray through a pixel's centre.
+    ViewingRay,
+    /// A ray and one shape.
+    Intersect,
+    /// The nearest of several objects along a ray.
+    FirstHit,
+    /// A ray and a triangle soup, apart from the triangle.
+    Soup,
+}
+
+/// Questions of one kind.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub enum Questions {
+    /// See [`Kind::ViewingRay`].
+    ViewingRay(#[serde(with = "cameras")] Vec<CameraQuestion>),
+    /// See [`Kind::Intersect`].
+    Intersect(Vec<ShapeQuestion>),
+    /// See [`Kind::FirstHit`].
+    FirstHit(Vec<ObjectsQuestion>),
+    /// See [`Kind::Soup`].
+    Soup(Vec<SoupQuestion>),
+}
+
+/// One question; each kind has a type of its own.
+trait Question {
+    /// Asks the submission's function for this kind.
+    fn answer(&self, functions: &[AnswerFn]) -> Result<Answer, Unregistered>;
+
+    /// The question in words, a line for each thing it is about. `part` is the name of
+    /// the film it comes from.
+    fn describe(&self, part: &str, digits: usize) -> String;
+
+    /// An answer to it in words.
+    fn describe_answer(&self, answer: &Answer, digits: usize) -> String {
+        match answer {
+            Answer::Hit(hit) => words::intersection(*hit, digits),
+            Answer::Ray(ray) => words::ray(ray, digits),
+        }
+    }
+}
+
+impl Kind {
+    /// Its name in `assignment.toml`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::ViewingRay => "viewing_ray",
+            Kind::Intersect => "intersect",
+            Kind::FirstHit => "first_hit",
+            Kind::Soup => "soup",
+        }
+    }
+
+    /// The kind of task that intersects such a shape alone.
+    pub fn of_shape(shape: ShapeKind) -> Kind {
+        match shape {
+            ShapeKind::Soup => Kind::Soup,
+            _ => Kind::Intersect,
+        }
+    }
+
+    /// Whether its answers are rays; all others are hits.
+    pub fn gives_rays(self) -> bool {
+        self == Kind::ViewingRay
+    }
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl Questions {
+    /// Reads the question film at `path`, and its size. The task and, if it intersects
+    /// one, its shape are as `assignment.toml` has them.
+    ///
+    /// # Errors
+    /// If the film cannot be read, lacks a channel of this kind's questions, or holds a
+    /// value that makes no question.
+    pub fn read(
+        path: &Path,
+        task: &str,
+        kind: Kind,
+        shape: Option<ShapeKind>,
+    ) -> Result<(Questions, Resolution), Error> {
+        let film = Film::read(path)?;
+        let questions = Questions::from_film(&film, kind, shape).map_err(|problem| {
+            Error::new(
+                path,
+                format!("this is no question film for `{task}`: {problem}"),
+                "make the probes again: cargo run --release -- golden render",
+            )
+        })?;
+        Ok((questions, film.resolution()))
+    }
+
+    fn from_film(film: &Film, kind: Kind, shape: Option<ShapeKind>) -> Result<Questions, String> {
+        fn all<Q>(
+            film: &Film,
+            read: impl Fn(Samples<'_>) -> Result<Q, String>,
+        ) -> Result<Vec<Q>, String> {
+            let pixels = 0..film.resolution().pixels();
+            pixels.map(|index| read(Samples::at(film, index))).collect()
+        }
+        Ok(match kind {
+            Kind::ViewingRay => Questions::ViewingRay(all(film, CameraQuestion::read)?),
+            Kind::Intersect => {
+                let shape = shape.ok_or("the task names no shape")?;
+                Questions::Intersect(all(film, |samples| ShapeQuestion::read(samples, shape))?)
+            }
+            Kind::FirstHit => Questions::FirstHit(all(film, ObjectsQuestion::read)?),
+            Kind::Soup => Questions::Soup(all(film, SoupQuestion::read)?),
+        })
+    }
+
+    /// Of which kind they are.
+    pub fn kind(&self) -> Kind {
+        match self {
+            Questions::ViewingRay(_) => Kind::ViewingRay,
+            Questions::Intersect(_) => Kind::Intersect,
+            Questions::FirstHit(_) => Kind::FirstHit,
+            Questions::Soup(_) => Kind::Soup,
+        }
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Questions::ViewingRay(all) => all.len(),
+            Questions::Intersect(all) => all.len(),
+            Questions::FirstHit(all) => all.len(),
+            Questions::Soup(all) => all.len(),
+        }
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// All but the first so many.
+    pub fn skip(&self, count: usize) -> Questions {
+        match self {
+            Questions::ViewingRay(all) => Questions::ViewingRay(all[count..].to_vec()),
+            Questions::Intersect(all) => Questions::Intersect(all[count..].to_vec()),
+            Questions::FirstHit(all) => Questions::FirstHit(all[count..].to_vec()),
+            Questions::Soup(all) => Questions::Soup(all[count..].to_vec()),
+        }
+    }
+
+    /// Adds more questions of the same kind; `false`, and none is added, if they are of
+    /// another.
+    pub fn append(&mut self, more: &Questions) -> bool {
+        match (self, more) {
+            (Questions::ViewingRay(all), Questions::ViewingRay(more)) => all.extend(more),
+            (Questions::Intersect(all), Questions::Intersect(more)) => all.extend_from_slice(more),
+            (Questions::FirstHit(all), Questions::FirstHit(more)) => all.extend_from_slice(more),
+            (Questions::Soup(all), Questions::Soup(more)) => all.extend_from_slice(more),
+            _ => return false,
+        }
+        true
+    }
+
+    fn question(&self, index: usize) -> &dyn Question {
+        match self {
+            Questions::ViewingRay(all) => &all[index],
+            Questions::Intersect(all) => &all[index],
+            Questions::FirstHit(all) => &all[index],
+            Questions::Soup(all) => &all[index],
+        }
+    }
+
+    /// Asks one of them.
+    pub(crate) fn answer(
+        &self,
+        index: usize,
+        functions: &[AnswerFn],
+    ) -> Result<Answer, Unregistered> {
+        self.question(index).answer(functions)
+    }
+
+    /// One of them in words, a line for each thing it is about; `part` is the name of
+    /// the film it comes from.
+    pub fn describe(&self, index: usize, part: &str, digits: usize) -> String {
+        self.question(index).describe(part, digits)
+    }
+
+    /// An answer to one of them in words.
+    pub fn describe_answer(&self, index: usize, answer: &Answer, digits: usize) -> String {
+        self.question(index).describe_answer(answer, digits)
+    }
+
+    /// The answer to one of them that its golden film holds.
+    pub fn expected(&self, golden: &Film, index: usize) -> Answer {
+        match self.kind().gives_rays() {
+            true => Answer::Ray(golden.ray(index)),
+            false => Answer::Hit(golden.hit(index)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

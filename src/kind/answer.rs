@@ -1,0 +1,74 @@
+//! The functions that a submission registers, and what they give.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use super::Kind;
+use crate::camera::{Camera, Pixel, Resolution};
+use crate::ray::{Hit, Intersection, Ray};
+use crate::shape::{Canned, Shape, TriangleSoup};
+
+/// A submission's function for one kind of question.
+///
+/// Plain function pointers keep the harness free of type parameters, and let each be
+/// asked while the others are still `todo!`.
+#[derive(Clone, Copy)]
+pub enum AnswerFn {
+    /// The ray through a pixel's centre.
+    ViewingRay(fn(&Camera, Pixel, Resolution) -> Ray),
+    /// Where a ray first meets a shape, from `min_t` on.
+    Intersect(fn(&Shape, &Ray, f64) -> Option<Intersection>),
+    /// The nearest object along a ray, from `min_t` on.
+    FirstHit {
+        /// Of real shapes: what a film is cast with.
+        shapes: fn(&Ray, f64, &[Shape]) -> Option<Hit>,
+        /// Of canned objects: how it is judged alone.
+        canned: fn(&Ray, f64, &[Canned]) -> Option<Hit>,
+    },
+    /// Where a ray first meets a soup of canned objects, from `min_t` on.
+    Soup(fn(&TriangleSoup<Canned>, &Ray, f64) -> Option<Intersection>),
+}
+
+impl AnswerFn {
+    /// The first of these functions that `pick` picks.
+    pub(super) fn find<F>(
+        functions: &[AnswerFn],
+        kind: Kind,
+        pick: impl Fn(&AnswerFn) -> Option<F>,
+    ) -> Result<F, Unregistered> {
+        let function = functions.iter().find_map(pick);
+        function.ok_or(Unregistered(kind))
+    }
+}
+
+/// One answer to one question.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Answer {
+    /// What a ray hit, if anything. A shape asked alone counts as object 0.
+    Hit(Option<Hit>),
+    /// A viewing ray.
+    Ray(Ray),
+}
+
+impl Answer {
+    /// What a shape that is asked alone answers.
+    pub(super) fn alone(intersection: Option<Intersection>) -> Answer {
+        Answer::Hit(intersection.map(|intersection| Hit {
+            object: 0,
+            intersection,
+        }))
+    }
+}
+
+/// The submission has no function for questions of this kind.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Unregistered(pub Kind);
+
+impl fmt::Display for Unregistered {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "it registers no function for `{}`", self.0)
+    }
+}
+
+impl std::error::Error for Unregistered {}

@@ -1,0 +1,42 @@
+use serde::{Deserialize, Serialize};
+
+use super::{Answer, AnswerFn, Kind, Question, Unregistered, first_hit};
+use crate::film::Samples;
+use crate::ray::Ray;
+use crate::shape::{Canned, TriangleSoup};
+
+/// Where does `ray` first meet this soup, from `min_t` on?
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct SoupQuestion {
+    /// Objects that know their intersections with `ray`, instead of triangles.
+    pub soup: TriangleSoup<Canned>,
+    /// The ray.
+    pub ray: Ray,
+    /// In multiples of the ray's direction.
+    pub min_t: f64,
+}
+
+impl SoupQuestion {
+    pub(super) fn read(samples: Samples<'_>) -> Result<SoupQuestion, String> {
+        let triangles = Canned::read_all(samples)?;
+        Ok(SoupQuestion {
+            soup: TriangleSoup { triangles },
+            ray: samples.ray()?,
+            min_t: samples.min_t()?,
+        })
+    }
+}
+
+impl Question for SoupQuestion {
+    fn answer(&self, functions: &[AnswerFn]) -> Result<Answer, Unregistered> {
+        let intersect = AnswerFn::find(functions, Kind::Soup, |function| match function {
+            AnswerFn::Soup(intersect) => Some(*intersect),
+            _ => None,
+        })?;
+        Ok(Answer::alone(intersect(&self.soup, &self.ray, self.min_t)))
+    }
+
+    fn describe(&self, _: &str, digits: usize) -> String {
+        first_hit::in_words(&self.soup.triangles, self.min_t, digits)
+    }
+}

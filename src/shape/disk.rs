@@ -1,0 +1,48 @@
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use super::{Notation, ObjectTable};
+use crate::error::Error;
+use crate::film::Samples;
+use crate::words::{number, vector};
+
+/// All points p of a plane, (p − `center`) · `normal` = 0, no farther than `radius` from
+/// `center`: a flat disk, edge included.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Disk {
+    /// World space, scene units.
+    pub center: DVec3,
+    /// Perpendicular to the disk, as the scene file has it: **not** unit length in
+    /// general, never zero.
+    pub normal: DVec3,
+    /// Scene units, positive.
+    pub radius: f64,
+}
+
+impl Notation for Disk {
+    const KEYS: &'static [&'static str] = &["center", "normal", "radius"];
+
+    fn read_table(table: &ObjectTable<'_>) -> Result<Disk, Error> {
+        Ok(Disk {
+            center: table.point("center")?,
+            normal: table.direction("normal")?,
+            radius: table.length("radius")?,
+        })
+    }
+
+    fn read_samples(samples: Samples<'_>) -> Result<Disk, String> {
+        Ok(Disk {
+            center: samples.vector("center")?,
+            normal: samples.vector("normal")?,
+            radius: samples.number("radius")?,
+        })
+    }
+
+    fn words(&self, digits: usize) -> String {
+        let [center, normal] = [self.center, self.normal].map(|value| vector(value, digits));
+        format!(
+            "c = {center}, n = {normal}, r = {}",
+            number(self.radius, digits)
+        )
+    }
+}
