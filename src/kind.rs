@@ -90,6 +90,11 @@ impl Kind {
         }
     }
 
+    /// Whether its tasks are about one shape, which they name.
+    pub fn takes_shape(self) -> bool {
+        self == Kind::Intersect
+    }
+
     /// The kind of task that intersects such a shape alone.
     pub fn of_shape(shape: ShapeKind) -> Kind {
         match shape {

@@ -139,6 +139,23 @@ impl Assignment {
                 "correct the assignment file",
             )
         })?;
+        if let Some(task) = file
+            .task
+            .iter()
+            .find(|task| !task.has_shape_if_it_takes_one())
+        {
+            return Err(Error::input(
+                format!(
+                    "{}: task `{}` of kind `{}` names {}",
+                    path.display(),
+                    task.name,
+                    task.kind,
+                    task.shape
+                        .map_or("no shape".into(), |shape| format!("the shape `{shape}`")),
+                ),
+                "give a `shape` to tasks that intersect one, and to no others",
+            ));
+        }
         Ok(Assignment {
             name: name.into(),
             folder: folder.into(),
@@ -283,6 +300,10 @@ impl Task {
         format!("{}.rs", self.name)
     }
 
+    fn has_shape_if_it_takes_one(&self) -> bool {
+        self.kind.takes_shape() == self.shape.is_some()
+    }
+
     /// Whether a group of its questions is made of all pixels of all scenes.
     pub fn is_of_scenes(&self, group: &str) -> bool {
         self.kind.gives_rays() && group == SCENES_GROUP
@@ -304,4 +325,26 @@ fn names(checkout: &Checkout) -> Vec<String> {
         .collect();
     names.sort();
     names
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn task(kind_and_shape: &str) -> Task {
+        let rest = "name = \"a\"\nchapter = \"A\"\npoints = []";
+        toml::from_str(&format!("{kind_and_shape}\n{rest}")).expect("a task")
+    }
+
+    #[test]
+    fn who_intersects_says_what_and_nobody_else_does() {
+        for (text, is_right) in [
+            ("kind = \"intersect\"\nshape = \"disk\"", true),
+            ("kind = \"intersect\"", false),
+            ("kind = \"soup\"", true),
+            ("kind = \"soup\"\nshape = \"soup\"", false),
+        ] {
+            assert_eq!(task(text).has_shape_if_it_takes_one(), is_right, "{text}");
+        }
+    }
 }

@@ -51,3 +51,26 @@ fn a_tangent_ray_and_one_that_starts_on_the_sphere_are_ties() {
     }
     assert_eq!(seen, [true; 2], "at min_t, and tangent elsewhere");
 }
+
+#[test]
+fn a_ray_to_the_edge_of_a_disk_or_to_it_at_min_t_is_a_tie() {
+    let mut random = Random::new();
+    let mut seen = [0; 2];
+    for (asked, is_tie) in (0..100_000).map(|_| disk(&mut random)) {
+        let Shape::Disk(disk) = asked.shape else {
+            panic!("a disk was asked for");
+        };
+        let along = asked.ray.direction.dot(disk.normal);
+        // Only where the quotient is exact.
+        if ![1.0, 2.0, 4.0].contains(&along.abs()) {
+            continue;
+        }
+        let t = (disk.center - asked.ray.origin).dot(disk.normal) / along;
+        let away = asked.ray.at(t).distance_squared(disk.center);
+        let (on_edge, at_min_t) = (away == disk.radius * disk.radius, t == asked.min_t);
+        assert_eq!(is_tie, on_edge || at_min_t);
+        seen[0] += usize::from(on_edge);
+        seen[1] += usize::from(at_min_t);
+    }
+    assert!(seen.iter().all(|count| *count > 10), "{seen:?}");
+}

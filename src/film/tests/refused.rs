@@ -1,0 +1,174 @@
+//! Files that hold no film, or more than they can.
+
+use super::*;
+
+#[test]
+fn what_is_no_film_is_refused() {
+    let mut random = Random(3);
+    refused("", "this is not a readable OpenEXR file");
+    refused("a film, honestly", "this is not a readable OpenEXR file");
+    for length in 1..200 {
+        refused(random.bytes(length), "this is not a readable OpenEXR file");
+    }
+}
+
+#[test]
+fn a_picture_is_no_film() {
+    let (_folder, path) = testing::file("film.png", "");
+    image::RgbImage::new(4, 3).save(&path).unwrap();
+    refused(
+        fs::read(path).unwrap(),
+        "this is not a readable OpenEXR file",
+    );
+}
+
+#[test]
+fn a_film_cut_short_anywhere_is_refused() {
+    let whole = bytes(&small());
+    for length in 0..whole.len() {
+        assert!(
+            read(&whole[..length]).is_err(),
+            "{length} of {} bytes are no film",
+            whole.len()
+        );
+    }
+}
+
+#[test]
+fn a_film_with_any_one_byte_wrong_is_read_or_refused() {
+    let whole = bytes(&small());
+    let (_folder, path) = testing::file("film.exr", "");
+    let mut random = Random(4);
+    for place in 0..whole.len() {
+        for wrong in [0, 255, random.bits() as u8] {
+            let mut damaged = whole.clone();
+            damaged[place] = wrong;
+            fs::write(&path, &damaged).unwrap();
+            if let Ok(film) = Film::read(&path) {
+                assert!(film.resolution().pixels() < 1000, "byte {place} is {wrong}");
+            }
+        }
+    }
+}
+
+const DATA_WINDOW: &str = "dataWindow\0box2i\0";
+const DISPLAY_WINDOW: &str = "displayWindow\0box2i\0";
+
+/// Rewrites one of a file's windows: x and y of its first and of its last pixel.
+fn set_window(bytes: &mut [u8], name: &str, corners: [i32; 4]) {
+    let mut windows = bytes.windows(name.len());
+    let place = windows.position(|w| w == name.as_bytes()).unwrap();
+    // Behind the name stands a length of four bytes.
+    let values = &mut bytes[place + name.len() + 4..][..16];
+    for (value, corner) in values.chunks_exact_mut(4).zip(corners) {
+        value.copy_from_slice(&corner.to_le_bytes());
+    }
+}
+
+/// The film's file, claiming this many pixels.
+fn claiming(film: &Film, n_x: i32, n_y: i32) -> Vec<u8> {
+    let mut bytes = bytes(film);
+    for name in [DATA_WINDOW, DISPLAY_WINDOW] {
+        set_window(&mut bytes, name, [0, 0, n_x - 1, n_y - 1]);
+    }
+    bytes
+}
+
+#[test]
+fn a_film_that_claims_more_than_it_can_hold_is_refused() {
+    same(&small(), &read(claiming(&small(), 3, 2)).unwrap());
+    for (n_x, n_y) in [(1 << 30, 1), (1, 1 << 30), (i32::MAX, i32::MAX)] {
+        refused(claiming(&small(), n_x, n_y), "");
+    }
+    refused(
+        claiming(&small(), 1 << 12, 1 << 12),
+        "claims 4096×4096 pixels",
+    );
+}
+
+#[test]
+fn a_film_that_claims_more_than_memory_holds_is_refused() {
+    // Long enough to be no lie about compression.
+    let padding = vec![0; 4 << 20];
+    let bytes = [claiming(&small(), 1 << 14, 1 << 14), padding].concat();
+    refused(bytes, "claims 16384×16384 pixels");
+}
+
+#[test]
+fn a_window_that_is_not_the_whole_picture_is_refused() {
+    for (data, display) in [
+        ([0, 0, 2, 1], [0, 0, 7, 1]),
+        ([1, 0, 3, 1], [0, 0, 2, 1]),
+        ([0, 0, 2, 1], [1, 0, 3, 1]),
+        ([1, 0, 3, 1], [1, 0, 3, 1]),
+    ] {
+        let mut bytes = bytes(&small());
+        set_window(&mut bytes, DATA_WINDOW, data);
+        set_window(&mut bytes, DISPLAY_WINDOW, display);
+        refused(bytes, "is not the whole picture");
+    }
+}
+
+#[test]
+fn halves_are_not_precise_enough() {
+    use exr::prelude::*;
+    let (_folder, path) = testing::file("film.exr", "");
+    let channel = SpecificChannels::build()
+        .with_channel("t")
+        .with_pixel_fn(|_| (f16::from_f32(1.0),));
+    let image = Image::from_channels((2, 2), channel);
+    image.write().to_file(&path).unwrap();
+    refused(
+        fs::read(path).unwrap(),
+        "channel `t` is not of 32-bit floats",
+    );
+}
+
+#[test]
+fn a_film_has_no_two_channels_of_one_name() {
+    let film = row(&[("ta", &[1.0]), ("tb", &[2.0])]);
+    let mut bytes = bytes(&film);
+    let place = bytes.windows(3).position(|w| w == b"tb\0").unwrap();
+    bytes[place + 1] = b'a';
+    refused(bytes, "channel names are not unique");
+}
+
+#[test]
+fn no_spoilt_film_harms_its_reader() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("film.exr");
+    let goldens = concat!(env!("CARGO_MANIFEST_DIR"), "/golden/ray_casting");
+    let ids: Vec<f32> = (0..64).map(|id| id as f32).collect();
+    testing::grid(8, &[("id", &ids), ("t", &ids)])
+        .write(&path)
+        .unwrap();
+    let seeds = [
+        fs::read(&path).unwrap(),
+        fs::read(format!("{goldens}/slide_example.exr")).unwrap(),
+        fs::read(format!("{goldens}/slide_example.tol.exr")).unwrap(),
+    ];
+    let words: [&[u8]; 8] = [
+        b"channels\0",
+        b"compression\0",
+        b"dataWindow\0",
+        b"tiles\0",
+        b"\x76\x2f\x31\x01",
+        b"N.X\0",
+        b"box2i\0",
+        b"lineOrder\0",
+    ];
+    // Whoever reads a damaged film is told so by a panic that goes no further.
+    std::panic::set_hook(Box::new(|_| ()));
+    testing::fuzz::fuzz("film", &seeds, &words, |bytes| {
+        fs::write(&path, bytes).unwrap();
+        if let Ok(film) = Film::read(&path) {
+            let pixels = film.resolution().pixels();
+            assert!(
+                film.channels()
+                    .iter()
+                    .all(|channel| channel.samples.len() == pixels)
+            );
+        }
+    });
+    let _ours = std::panic::take_hook();
+}
