@@ -3,7 +3,6 @@
 
 fn main() {
     println!("cargo::rerun-if-changed=src/peer/embree.c");
-    #[cfg(feature = "peers")]
     for version in [4, 3] {
         let header = format!("/usr/include/embree{version}/rtcore.h");
         println!("cargo::rerun-if-changed={header}");

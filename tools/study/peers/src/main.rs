@@ -1,5 +1,5 @@
 //! Our caster beside others, on the same rays and meshes:
-//! `cargo run --release -p pinhole-peers --features peers`.
+//! `cargo run --release --manifest-path tools/study/peers/Cargo.toml`.
 //!
 //! All take turns, each round casts all rays, and the median round counts, in CPU time
 //! of this thread. What anybody sees otherwise than the exact caster is counted. The
