@@ -5,8 +5,8 @@ use std::sync::{Arc, Mutex};
 
 use mdbook_driver::MDBook;
 use mdbook_driver::config::Config;
+use pinhole_course::checkout::Checkout;
 
-use crate::checkout::{Checkout, write};
 use crate::edition::Edition;
 use crate::error::{Problem, Result};
 use crate::expand::{Expand, Sources};
@@ -75,7 +75,7 @@ pub fn build(
     book.with_preprocessor(Expand::new(sources.clone(), edition, problems.clone()));
     book.build().map_err(failed)?;
     for (name, content) in ASSETS {
-        write(&folder.join(name), content)?;
+        checkout.write(folder.join(name), content)?;
     }
     let problems = std::mem::take(&mut *problems.lock().expect("nobody panics while adding one"));
     Ok(Built {

@@ -9,13 +9,14 @@ mod pages;
 mod solutions;
 mod spelling;
 
+use pinhole_course::checkout::Checkout;
+use pinhole_course::mistake;
+
 use crate::build::Built;
-use crate::checkout::Checkout;
-use crate::course::{self, Course};
+use crate::course::assignment;
 use crate::edition::Edition;
 use crate::error::{Problem, Result};
 use crate::{figures, gallery, interactive, run};
-pub use pages::files as pages_files;
 
 /// A part of the check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -80,9 +81,10 @@ fn built(built: &Built, checkout: &Checkout) -> Result<Vec<Problem>> {
     problems.extend(images::silent(&pages));
     problems.extend(left_over::left_over(&pages));
     if built.edition == Edition::Student {
-        let (course, mistakes) = (Course::read(checkout)?, course::mistakes(checkout)?);
-        problems.extend(headings::missing(&pages, &course, &mistakes));
-        let answers = solutions::answers(&course, checkout)?;
+        let assignment = assignment(checkout)?;
+        let mistakes = mistake::read_all(&assignment)?;
+        problems.extend(headings::missing(&pages, &assignment, &mistakes, checkout));
+        let answers = solutions::answers(&assignment, checkout)?;
         problems.extend(solutions::shown(&answers, &built.folder)?);
     }
     Ok(problems)

@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
 /// Something in the book that is wrong, and what to do about it.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,13 +63,9 @@ impl fmt::Display for Problem {
 pub enum Error {
     /// Its sources are wrong, each in its place.
     Sources(Vec<Problem>),
-    /// The machine lacks something, or this program is at fault.
-    Environment {
-        /// One sentence without a full stop.
-        problem: String,
-        /// What to do about it.
-        remedy: String,
-    },
+    /// What the book is about cannot be had: a file, the machine, or this program is at
+    /// fault.
+    Course(pinhole_course::error::Error),
 }
 
 /// The problem and the remedy, said by what does not know which line of which page it is
@@ -81,19 +78,20 @@ pub type Result<T> = std::result::Result<T, Error>;
 impl Error {
     /// Something is missing or broken that no page can mend.
     pub fn environment(problem: impl Into<String>, remedy: impl Into<String>) -> Error {
-        Error::Environment {
-            problem: problem.into(),
-            remedy: remedy.into(),
-        }
+        pinhole_course::error::Error::environment(problem, remedy).into()
     }
 
     /// A file cannot be read or written.
     pub fn file(path: &Path, error: &dyn fmt::Display) -> Error {
-        let problem = format!("{}: {error}", path.display());
-        Error::environment(
-            problem,
-            "see that the file can be read, and its folder written",
-        )
+        pinhole_course::error::Error::file(path, error).into()
+    }
+
+    /// 2 if something the book is made of is wrong, 3 for any other fault.
+    pub fn exit_code(&self) -> ExitCode {
+        match self {
+            Error::Sources(_) => ExitCode::from(2),
+            Error::Course(error) => error.exit_code(),
+        }
     }
 }
 
@@ -103,13 +101,15 @@ impl From<Problem> for Error {
     }
 }
 
+impl From<pinhole_course::error::Error> for Error {
+    fn from(error: pinhole_course::error::Error) -> Error {
+        Error::Course(error)
+    }
+}
+
 impl From<pinhole::Error> for Error {
     fn from(error: pinhole::Error) -> Error {
-        let line = error.position.map(|(line, _)| line);
-        Error::Sources(vec![Problem {
-            line,
-            ..Problem::of(error.path, error.problem, error.remedy)
-        }])
+        Error::Course(error.into())
     }
 }
 
@@ -122,7 +122,7 @@ impl fmt::Display for Error {
                 }
                 write!(f, "{} to mend", problems.len())
             }
-            Error::Environment { problem, remedy } => write!(f, "{problem}\n  remedy: {remedy}"),
+            Error::Course(error) => error.fmt(f),
         }
     }
 }

@@ -8,9 +8,10 @@ use std::sync::{Arc, Mutex};
 use mdbook_preprocessor::book::{Book, BookItem, Chapter};
 use mdbook_preprocessor::errors;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
+use pinhole_course::assignment::Assignment;
+use pinhole_course::checkout::Checkout;
 
-use crate::checkout::Checkout;
-use crate::course::Course;
+use crate::course::assignment;
 use crate::directive::Directive;
 use crate::edition::Edition;
 use crate::error::{Problem, Result, Wrong};
@@ -24,7 +25,7 @@ use crate::{figures, gallery, interactive, listing};
 /// What pages quote, read or computed once for all editions.
 pub struct Sources {
     checkout: Checkout,
-    course: Course,
+    assignment: Assignment,
     formulas: Formulas,
     runs: Runs,
     values: Values,
@@ -35,7 +36,7 @@ impl Sources {
     pub fn read(values: Values, checkout: &Checkout) -> Result<Sources> {
         Ok(Sources {
             checkout: checkout.clone(),
-            course: Course::read(checkout)?,
+            assignment: assignment(checkout)?,
             formulas: Formulas::default(),
             runs: run::read(checkout)?,
             values,
@@ -143,7 +144,7 @@ impl Expand {
     fn directive(&self, directive: Directive, to_root: &str) -> std::result::Result<String, Wrong> {
         let Sources {
             checkout,
-            course,
+            assignment,
             runs,
             values,
             ..
@@ -175,8 +176,8 @@ impl Expand {
                 let shown = figures::shown(&name, &alternative, to_root, checkout)?;
                 Ok(figure("figure", &shown, &self.caption(&caption)?))
             }
-            Directive::Gallery(task) => match course.task(&task) {
-                Some(task) => gallery::shown(&task.name, to_root, checkout),
+            Directive::Gallery(task) => match assignment.task(&task) {
+                Some(task) => gallery::shown(&task.name, to_root, assignment, checkout),
                 None => Err((
                     format!("there is no task `{task}`"),
                     "name one of assignment.toml".into(),

@@ -11,7 +11,8 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
 
-use crate::checkout::{Checkout, write};
+use pinhole_course::checkout::Checkout;
+
 use crate::error::{Problem, Result, Wrong};
 use crate::html::escaped;
 use crate::record;
@@ -111,10 +112,8 @@ pub fn keep(names: &[String], checkout: &Checkout) -> Result<()> {
     for (name, make) in makers() {
         if names.is_empty() || names.iter().any(|wanted| wanted == name) {
             let made = make(checkout)?;
-            write(
-                &folder(checkout).join(format!("{name}.{}", made.extension)),
-                made.content,
-            )?;
+            let file = folder(checkout).join(format!("{name}.{}", made.extension));
+            checkout.write(file, made.content)?;
         }
     }
     Ok(())

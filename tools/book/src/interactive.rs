@@ -12,9 +12,10 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use pinhole::{Projection, Resolution, Scene};
+use pinhole_course::checkout::Checkout;
 use serde_json::{Value, json};
 
-use crate::checkout::{Checkout, write};
+use crate::course::scratch;
 use crate::error::{Error, Problem, Result, Wrong};
 use crate::figures;
 use crate::figures::colour;
@@ -88,10 +89,10 @@ fn facts_text(checkout: &Checkout) -> Result<String> {
 
 /// Writes the facts, and bundles the script.
 pub fn bundle(checkout: &Checkout) -> Result<()> {
-    write(&checkout.root().join(FACTS), facts_text(checkout)?)?;
+    checkout.write(FACTS, facts_text(checkout)?)?;
     let bundle = npm(&["run", "--silent", "bundle"], &[], checkout)?;
     let bundle = bundle.map_err(|said| Problem::of("book/interactive", said, "mend the script"))?;
-    write(&checkout.root().join(KEPT), bundle)
+    Ok(checkout.write(KEPT, bundle)?)
 }
 
 /// What is wrong with the figures: stale facts or bundle, types, mathematics.
@@ -102,8 +103,8 @@ pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
         problems.push(Problem::of(FACTS, stale, AGAIN));
         return Ok(problems);
     }
-    let file = checkout.scratch().join("probes.json");
-    write(&file, probes::probes(checkout)?.to_string())?;
+    let file = scratch(checkout).join("probes.json");
+    checkout.write(&file, probes::probes(checkout)?.to_string())?;
     let probes = ("PINHOLE_PROBES", file.display().to_string());
     for script in ["types", "test"] {
         if let Err(said) = npm(

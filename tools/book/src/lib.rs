@@ -7,10 +7,9 @@
 //!
 //! Reading order:
 //!
-//! 1. [`error`], [`checkout`], [`edition`]: what can be wrong, where things lie, for whom;
+//! 1. [`error`], [`course`], [`edition`]: what can be wrong, what is explained, for whom;
 //! 2. [`scan`], [`directive`]: what a writer's page consists of;
-//! 3. [`program`], [`reference`](mod@reference), [`course`], [`record`]: whom the book asks instead
-//!    of claiming;
+//! 3. [`reference`](mod@reference), [`record`]: whom the book asks instead of claiming;
 //! 4. [`rasterizer`] and [`silhouette`]: what the book computes itself, to compare;
 //! 5. [`listing`], [`formula`], [`run`], [`worked`], [`figures`], [`gallery`],
 //!    [`interactive`]: one file for each thing a page can quote;
@@ -19,7 +18,6 @@
 
 pub mod build;
 pub mod check;
-pub mod checkout;
 pub mod course;
 pub mod directive;
 pub mod edition;
@@ -31,7 +29,6 @@ pub mod gallery;
 pub mod html;
 pub mod interactive;
 pub mod listing;
-pub mod program;
 pub mod rasterizer;
 pub mod record;
 pub mod reference;

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use crate::checkout::Checkout;
+use pinhole_course::checkout::Checkout;
+
 use crate::edition::Edition;
 use crate::error::Wrong;
 

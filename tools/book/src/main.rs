@@ -7,11 +7,11 @@ use std::sync::Arc;
 use clap::{Args, Parser, Subcommand};
 use pinhole_book::build::{Built, build};
 use pinhole_book::check::{Part, check};
-use pinhole_book::checkout::Checkout;
 use pinhole_book::edition::Edition;
 use pinhole_book::error::{Error, Problem, Result};
 use pinhole_book::expand::Sources;
 use pinhole_book::{figures, gallery, interactive, run, worked};
+use pinhole_course::checkout::Checkout;
 
 #[derive(Parser)]
 #[command(name = "pinhole", version, max_term_width = 100)]
@@ -87,10 +87,7 @@ fn main() -> ExitCode {
         }
         Err(error) => {
             eprintln!("{error}");
-            match error {
-                Error::Sources(_) => ExitCode::from(2),
-                Error::Environment { .. } => ExitCode::from(3),
-            }
+            error.exit_code()
         }
     }
 }

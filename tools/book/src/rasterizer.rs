@@ -109,10 +109,10 @@ fn nearness_at(place: DVec2, corners: [Corner; 3]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checkout::Checkout;
     use crate::figures::loops::{camera, strewn};
     use crate::reference::Reference;
     use pinhole::{Scene, Shape};
+    use pinhole_course::checkout::Checkout;
 
     #[test]
     fn both_loops_draw_the_same_picture() {

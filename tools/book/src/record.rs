@@ -4,9 +4,9 @@
 use std::collections::BTreeMap;
 use std::fs;
 
+use pinhole_course::checkout::Checkout;
 use serde::Deserialize;
 
-use crate::checkout::Checkout;
 use crate::error::{Error, Problem, Result};
 use crate::worked::Values;
 

@@ -3,21 +3,25 @@
 //! No tool may import a submission. So a number that the book says "comes from the
 //! reference" comes from the program that is judged against Mitsuba.
 
-use std::process::Command;
 use std::time::Duration;
 
-use pinhole::ask::{Ending, ask};
+use pinhole::ask::{Ending, Reply};
 use pinhole::job::Job;
 use pinhole::kind::{Answer, CameraQuestion, Questions, ShapeQuestion};
 use pinhole::{Camera, Hit, Intersection, Pixel, Ray, Resolution, Shape, Triangle};
 
-use crate::checkout::Checkout;
+use pinhole_course::checkout::Checkout;
+use pinhole_course::compile::{Program, compile};
+use pinhole_course::examine;
+use pinhole_course::overlay;
+use pinhole_course::sandbox::{Limits, Sandbox};
+
+use crate::course::assignment;
 use crate::error::{Error, Result};
-use crate::program;
 
 /// Who answers.
 pub struct Reference {
-    program: std::path::PathBuf,
+    program: Program,
 }
 
 /// No question of the book takes longer.
@@ -26,7 +30,9 @@ const WALL: Duration = Duration::from_secs(60);
 impl Reference {
     /// Builds it.
     pub fn build(checkout: &Checkout) -> Result<Reference> {
-        let program = program::build("ray-casting-reference", checkout)?;
+        let assignment = assignment(checkout)?;
+        let submission = overlay::reference(&assignment)?;
+        let program = compile(&submission, &assignment, checkout, &Sandbox::Trusted)?;
         Ok(Reference { program })
     }
 
@@ -92,14 +98,14 @@ impl Reference {
         answers.into_iter().next().flatten().ok_or_else(odd)
     }
 
-    fn reply(&self, job: &Job) -> Result<pinhole::ask::Reply> {
-        let reply = ask(Command::new(&self.program), job, WALL, &mut |_| {})
-            .map_err(|error| Error::file(&self.program, &error))?;
+    fn reply(&self, job: &Job) -> Result<Reply> {
+        let limits = Limits::of_answers(WALL);
+        let reply = examine::run(&self.program, &Sandbox::Trusted, &limits, job, &mut |_| {})?;
         match &reply.ending {
             Ending::Complete => Ok(reply),
             other => Err(Error::environment(
                 format!("the reference does not answer: {other:?}"),
-                "run `cargo run --release -- check assignments/ray_casting/reference`",
+                "run `pinhole check` on the assignment's `reference` folder",
             )),
         }
     }

@@ -3,15 +3,15 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 
+use pinhole_course::checkout::Checkout;
 use regex::Regex;
 use serde::Deserialize;
 
-use crate::checkout::{Checkout, write};
+use crate::course::{assignment, scratch};
 use crate::error::{Error, Problem, Result};
 use crate::listing::fence;
-use crate::program;
 
 /// A command of `book/commands.toml`.
 #[derive(Clone, Debug, Deserialize)]
@@ -39,9 +39,6 @@ pub type Runs = BTreeMap<String, Run>;
 
 /// Where the commands are listed.
 const LIST: &str = "book/commands.toml";
-
-/// Where a student's answers lie, and what the output calls them.
-const HANDOUT: &str = "assignments/ray_casting/handout";
 
 /// What is typed for `pinhole`.
 const PINHOLE: &str = "cargo run --release --";
@@ -99,10 +96,7 @@ pub struct Runner<'a> {
 impl<'a> Runner<'a> {
     /// Builds the program.
     pub fn new(checkout: &'a Checkout) -> Result<Runner<'a>> {
-        Ok(Runner::of(
-            program::build("pinhole-cli", checkout)?,
-            checkout,
-        ))
+        Ok(Runner::of(build(checkout)?, checkout))
     }
 
     /// With this program in the place of `pinhole`.
@@ -139,12 +133,14 @@ impl<'a> Runner<'a> {
         }
         let answers = self.answers(&run.answers)?;
         let named = answers.display().to_string();
-        let mut arguments: Vec<String> = words.map(|word| word.replace(HANDOUT, &named)).collect();
+        let handout = self.checkout.inside(&assignment(self.checkout)?.handout());
+        let handout = handout.display().to_string();
+        let mut arguments: Vec<String> = words.map(|word| word.replace(&handout, &named)).collect();
         // Without a folder `check` takes the handout: the one folder that is not touched.
         if arguments.first().is_some_and(|word| word == "check") {
             arguments.push(named.clone());
         }
-        let here = self.checkout.scratch().join("run");
+        let here = scratch(self.checkout).join("run");
         fs::create_dir_all(&here).map_err(|error| Error::file(&here, &error))?;
         let output = Command::new(&self.pinhole)
             .args(&arguments)
@@ -159,7 +155,7 @@ impl<'a> Runner<'a> {
         let mut text = String::from_utf8_lossy(&output.stdout).into_owned();
         let root = format!("{}/", self.checkout.root().display());
         let inside = named.replace(&root, "");
-        for (from, to) in [(named.as_str(), HANDOUT), (&inside, HANDOUT), (&root, "")] {
+        for (from, to) in [(&named, handout.as_str()), (&inside, &handout), (&root, "")] {
             text = text.replace(from, to);
         }
         for [pattern, with] in &run.replace {
@@ -176,18 +172,15 @@ impl<'a> Runner<'a> {
 
     /// A folder of answers, in the checkout's scratch space, where code is trusted.
     fn answers(&self, whose: &str) -> Result<PathBuf> {
-        let assignment = self.checkout.assignment();
-        let folder = self
-            .checkout
-            .scratch()
-            .join("answers")
-            .join(whose.replace('/', "-"));
+        let assignment = assignment(self.checkout)?;
+        let answers = scratch(self.checkout).join("answers");
+        let folder = answers.join(whose.replace('/', "-"));
         let _absent = fs::remove_dir_all(&folder);
-        let mut sources = vec![assignment.join("reference/src")];
+        let mut sources = vec![assignment.reference().join("src")];
         match whose {
             "reference" => {}
-            "handout" => sources = vec![assignment.join("handout/src")],
-            other => sources.push(assignment.join(other)),
+            "handout" => sources = vec![assignment.handout().join("src")],
+            other => sources.push(assignment.folder.join(other)),
         }
         for source in sources {
             copy_rust(&source, &folder.join("src"))?;
@@ -196,8 +189,34 @@ impl<'a> Runner<'a> {
     }
 }
 
+/// What cargo says of a file it has made.
+#[derive(Deserialize)]
+struct Artifact {
+    executable: Option<PathBuf>,
+}
+
+/// Builds the `pinhole` command; gives where it is.
+fn build(checkout: &Checkout) -> Result<PathBuf> {
+    let remedy = "run `cargo build --release -p pinhole-cli` and mend what it says";
+    let cargo = std::env::var_os("CARGO").unwrap_or("cargo".into());
+    let output = Command::new(cargo)
+        .current_dir(checkout.root())
+        .args(["build", "--release", "--quiet", "-p", "pinhole-cli"])
+        .arg("--message-format=json-render-diagnostics")
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|error| Error::environment(format!("cargo does not start: {error}"), remedy))?;
+    let said = String::from_utf8_lossy(&output.stdout);
+    let executables = said
+        .lines()
+        .filter_map(|line| serde_json::from_str::<Artifact>(line).ok())
+        .filter_map(|artifact| artifact.executable);
+    let executable = executables.last().filter(|_| output.status.success());
+    executable.ok_or_else(|| Error::environment("pinhole does not build", remedy))
+}
+
 /// Copies the answer files, and nothing else, from one folder to another.
-pub fn copy_rust(from: &Path, to: &Path) -> Result<()> {
+fn copy_rust(from: &Path, to: &Path) -> Result<()> {
     let failed = |error: std::io::Error| Error::file(from, &error);
     fs::create_dir_all(to).map_err(failed)?;
     for entry in fs::read_dir(from).map_err(failed)?.flatten() {
@@ -220,7 +239,7 @@ pub fn capture(ids: &[String], checkout: &Checkout) -> Result<()> {
     for (id, run) in runs {
         if ids.is_empty() || ids.contains(&id) {
             match runner.run(&id, &run) {
-                Ok(output) => write(&captured(&id, checkout), output)?,
+                Ok(output) => checkout.write(captured(&id, checkout), output)?,
                 Err(Error::Sources(wrong)) => problems.extend(wrong),
                 Err(other) => return Err(other),
             }

@@ -10,8 +10,8 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 use pinhole::words::number;
+use pinhole_course::checkout::Checkout;
 
-use crate::checkout::Checkout;
 use crate::error::Result;
 use crate::record;
 use crate::reference::Reference;

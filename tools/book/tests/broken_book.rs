@@ -6,11 +6,12 @@ use std::sync::Arc;
 
 use pinhole_book::build::{Built, build};
 use pinhole_book::check::{Part, check};
-use pinhole_book::checkout::Checkout;
+use pinhole_book::course::assignment;
 use pinhole_book::edition::Edition;
 use pinhole_book::expand::Sources;
 use pinhole_book::run::Runner;
 use pinhole_book::worked::Values;
+use pinhole_course::checkout::Checkout;
 use tempfile::TempDir;
 
 const SUMMARY: &str = "# Summary\n\n- [Dot](dot.md)\n";
@@ -36,14 +37,15 @@ fn checkout(page: &str) -> (TempDir, Checkout) {
         ),
         (
             &format!("{assignment}/assignment.toml"),
-            "scene = []\n[[task]]\nname = \"dot\"\nchapter = \"Dot\"\n",
+            "title = \"Small\"\nscene = []\n\
+             [[task]]\nname = \"dot\"\nchapter = \"Dot\"\npoints = []\n",
         ),
         (&format!("{assignment}/handout/src/dot.rs"), STUB),
         (&format!("{assignment}/reference/src/dot.rs"), ANSWER),
         (
             &format!("{assignment}/mistakes/minus/mistake.toml"),
             "belief = \"\"\nfails = [\"dot\"]\nchapter = \"Dot\"\n\
-             hint = { think = \"\", read = \"The sum\" }\n",
+             hint = { look = \"\", think = \"\", read = \"The sum\" }\n",
         ),
     ];
     for (path, text) in files {
@@ -183,10 +185,10 @@ fn facts_that_are_not_the_courses_are_a_problem() {
     let (_folder, checkout) = checkout("# Dot\n");
     let slide = "scenes/slide_example.toml";
     let course = Checkout::find().expect("tests run in a checkout");
-    let scene = fs::read(course.assignment().join(slide)).expect("it is there");
-    let copy = checkout.assignment().join(slide);
-    fs::create_dir_all(copy.parent().expect("it lies in a folder")).expect("there is room");
-    fs::write(copy, scene).expect("there is room");
+    let folder = |checkout| assignment(checkout).expect("it can be read").folder;
+    let scene = fs::read(folder(&course).join(slide)).expect("it is there");
+    let copy = folder(&checkout).join(slide);
+    checkout.write(copy, scene).expect("there is room");
     let script = checkout.book().join("interactive/src");
     fs::create_dir_all(&script).expect("there is room");
     fs::write(script.join("facts.json"), "{}\n").expect("there is room");

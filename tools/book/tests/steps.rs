@@ -1,7 +1,7 @@
 //! Each step's page has what a step's page needs, in the order in which one reads it.
 
-use pinhole_book::checkout::Checkout;
-use pinhole_book::course::Course;
+use pinhole_book::course::assignment;
+use pinhole_course::checkout::Checkout;
 
 /// What stands on the page of a task: picture and idea, then the derivation, whose
 /// sections are its own, then these.
@@ -44,9 +44,9 @@ fn missing(page: &str, task: &str) -> Option<String> {
 #[test]
 fn every_steps_page_has_each_part_in_order() {
     let checkout = Checkout::find().expect("tests run in a checkout");
-    let course = Course::read(&checkout).expect("it is there");
-    assert_eq!(course.task.len(), 6);
-    for task in course.task {
+    let assignment = assignment(&checkout).expect("it is there");
+    assert_eq!(assignment.tasks.len(), 6);
+    for task in assignment.tasks {
         let page = task.chapter.to_lowercase().replace(' ', "_");
         let page = checkout.read(format!("book/src/{page}.md")).expect(&page);
         assert_eq!(missing(&page, &task.name), None, "{}", task.chapter);

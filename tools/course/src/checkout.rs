@@ -14,6 +14,11 @@ pub struct Checkout {
 }
 
 impl Checkout {
+    /// The checkout, or what stands in for one in a test, in this folder.
+    pub fn at(root: &Path) -> Checkout {
+        Checkout { root: root.into() }
+    }
+
     /// The checkout this program was built from, or else the one around the current
     /// folder: another checkout, a student's say, must not bring its own goldens.
     pub fn find() -> Result<Checkout> {
@@ -24,7 +29,7 @@ impl Checkout {
         };
         let own = built_from.ancestors().nth(2).filter(is_root);
         own.or_else(|| here.ancestors().find(is_root))
-            .map(|root| Checkout { root: root.into() })
+            .map(Checkout::at)
             .ok_or_else(|| {
                 Error::environment(
                     "this is no checkout of Pinhole, and the one the command was built from is gone",
@@ -69,9 +74,34 @@ impl Checkout {
         self.root.join("golden").join(assignment)
     }
 
+    /// Where the book's sources lie.
+    pub fn book(&self) -> PathBuf {
+        self.root.join("book")
+    }
+
     /// Scratch space that `cargo clean` sweeps away.
     pub fn scratch(&self) -> PathBuf {
         self.root.join("target").join("pinhole")
+    }
+
+    /// A file's path as a reader of the repository writes it.
+    pub fn inside(&self, path: &Path) -> PathBuf {
+        path.strip_prefix(&self.root).unwrap_or(path).into()
+    }
+
+    /// The text of a file, named from the top of the checkout.
+    pub fn read(&self, path: impl AsRef<Path>) -> Result<String> {
+        let path = self.root.join(path);
+        fs::read_to_string(&path).map_err(|error| Error::file(&path, &error))
+    }
+
+    /// Writes a file, named from the top of the checkout, and the folders it lies in.
+    pub fn write(&self, path: impl AsRef<Path>, content: impl AsRef<[u8]>) -> Result<()> {
+        let path = self.root.join(path);
+        let folder = path.parent().unwrap_or(&path);
+        fs::create_dir_all(folder)
+            .and_then(|()| fs::write(&path, content))
+            .map_err(|error| Error::file(&path, &error))
     }
 
     /// Whether a folder belongs to the checkout, whose code its user trusts anyway.

@@ -1,6 +1,7 @@
 //! The one error of the command, and the exit code that goes with it.
 
 use std::fmt;
+use std::path::Path;
 use std::process::ExitCode;
 
 /// Why a command could not do its work.
@@ -43,6 +44,14 @@ impl Error {
             problem: problem.into(),
             remedy: remedy.into(),
         }
+    }
+
+    /// A file cannot be read or written.
+    pub fn file(path: &Path, error: &dyn fmt::Display) -> Error {
+        Error::environment(
+            format!("{}: {error}", path.display()),
+            "see that the file can be read, and its folder written",
+        )
     }
 
     /// 2 for the user's fault, 3 for any other.

@@ -1,42 +1,41 @@
 //! What `check` and the report send a student to read must be there.
 
-use std::collections::BTreeMap;
+use pinhole_course::assignment::Assignment;
+use pinhole_course::checkout::Checkout;
+use pinhole_course::mistake::MistakeFolder;
 
 use super::pages::{Page, Pages};
-use crate::course::{Course, Mistake};
 use crate::error::Problem;
 
 /// Chapters and sections that tasks and mistakes name, and that the book has not.
 pub fn missing(
     pages: &Pages,
-    course: &Course,
-    mistakes: &BTreeMap<String, Mistake>,
+    assignment: &Assignment,
+    mistakes: &[MistakeFolder],
+    checkout: &Checkout,
 ) -> Vec<Problem> {
     let mut problems = Vec::new();
-    for task in &course.task {
+    for task in &assignment.tasks {
         if chapter(pages, &task.chapter).is_none() {
             let problem = format!("task {} names a chapter `{}`", task.name, task.chapter);
-            let file = "assignments/ray_casting/assignment.toml";
+            let file = checkout.inside(&assignment.folder.join("assignment.toml"));
             problems.push(Problem::of(file, problem, "write it, or correct the name"));
         }
     }
-    for (
-        slug,
-        Mistake {
-            chapter: title,
-            hint,
-            ..
-        },
-    ) in mistakes
+    for MistakeFolder {
+        folder, mistake, ..
+    } in mistakes
     {
-        let file = format!("assignments/ray_casting/mistakes/{slug}/mistake.toml");
+        let file = checkout.inside(&folder.join("mistake.toml"));
+        let title = &mistake.chapter;
+        let section = &mistake.hint.read;
         match chapter(pages, title) {
             None => {
                 let problem = format!("there is no chapter `{title}`");
                 problems.push(Problem::of(file, problem, "write it, or correct the name"));
             }
-            Some(page) if !page.headings.contains(&hint.read) => {
-                let problem = format!("`{title}` has no section `{}`", hint.read);
+            Some(page) if !page.headings.contains(section) => {
+                let problem = format!("`{title}` has no section `{section}`");
                 problems.push(Problem::of(file, problem, "write it, or correct the name"));
             }
             Some(_) => {}
@@ -54,25 +53,32 @@ fn chapter<'a>(pages: &'a Pages, title: &str) -> Option<&'a Page> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::course::assignment;
 
     #[test]
     fn a_chapter_or_section_that_a_mistake_names_must_be_a_heading() {
         let text = "<main><h1>Sphere</h1><h2>Which root counts</h2></main>";
         let pages = Pages::from([("sphere.html".into(), Page::parse(text))]);
-        let course: Course =
-            toml::from_str("scene = []\n[[task]]\nname = \"plane\"\nchapter = \"Plane\"").unwrap();
-        let mistake = |chapter: &str, read: &str| -> Mistake {
+        let checkout = Checkout::find().unwrap();
+        let mut assignment = assignment(&checkout).unwrap();
+        assignment.tasks.retain(|task| task.name == "plane");
+        let mistake = |chapter: &str, read: &str| {
             let text = format!(
-                "belief = \"\"\nfails = []\nchapter = \"{chapter}\"\nhint = {{ think = \"\", read = \"{read}\" }}"
+                "belief = \"\"\nfails = []\nchapter = \"{chapter}\"\n\
+                 hint = {{ look = \"\", think = \"\", read = \"{read}\" }}"
             );
-            toml::from_str(&text).unwrap()
+            MistakeFolder {
+                slug: chapter.into(),
+                folder: chapter.into(),
+                mistake: toml::from_str(&text).unwrap(),
+            }
         };
-        let mistakes = BTreeMap::from([
-            ("a".to_owned(), mistake("Sphere", "Which root counts")),
-            ("b".to_owned(), mistake("Sphere", "Which roots count")),
-            ("c".to_owned(), mistake("Cone", "The tip")),
-        ]);
-        let told: Vec<String> = missing(&pages, &course, &mistakes)
+        let mistakes = [
+            mistake("Sphere", "Which root counts"),
+            mistake("Sphere", "Which roots count"),
+            mistake("Cone", "The tip"),
+        ];
+        let told: Vec<String> = missing(&pages, &assignment, &mistakes, &checkout)
             .into_iter()
             .map(|problem| problem.problem)
             .collect();

@@ -1,11 +1,12 @@
 //! Lines of the reference's answers in what students get, the search index included.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+
+use pinhole_course::assignment::Assignment;
+use pinhole_course::checkout::Checkout;
 
 use super::pages::files;
-use crate::checkout::Checkout;
-use crate::course::Course;
 use crate::error::{Error, Problem, Result};
 use crate::listing::between;
 
@@ -22,20 +23,14 @@ pub struct Line {
 }
 
 /// The lines of all answers that tell something.
-pub fn answers(course: &Course, checkout: &Checkout) -> Result<Vec<Line>> {
+pub fn answers(assignment: &Assignment, checkout: &Checkout) -> Result<Vec<Line>> {
     let mut lines = Vec::new();
-    for task in &course.task {
-        let file = PathBuf::from(format!(
-            "assignments/ray_casting/reference/src/{}.rs",
-            task.name
-        ));
+    for task in &assignment.tasks {
+        let file = assignment.reference().join("src").join(task.file());
         let text = checkout.read(&file)?;
         let body = between(&text, "answer")
-            .map_err(|(problem, remedy)| Problem::of(file, problem, remedy))?;
-        let handout = checkout.read(format!(
-            "assignments/ray_casting/handout/src/{}.rs",
-            task.name
-        ))?;
+            .map_err(|(problem, remedy)| Problem::of(checkout.inside(&file), problem, remedy))?;
+        let handout = checkout.read(assignment.handout().join("src").join(task.file()))?;
         for line in body.lines().map(str::trim) {
             let bare = bare(line);
             // Which names there are is no secret: the appendix lists them.
@@ -106,11 +101,12 @@ fn bare(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::course::assignment;
 
     fn found(file: &str, text: &str) -> usize {
         let checkout = Checkout::find().unwrap();
-        let course = Course::read(&checkout).unwrap();
-        let lines = answers(&course, &checkout).unwrap();
+        let assignment = assignment(&checkout).unwrap();
+        let lines = answers(&assignment, &checkout).unwrap();
         assert!(
             lines.len() > 20,
             "only {} lines tell something",

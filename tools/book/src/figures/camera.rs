@@ -2,10 +2,10 @@
 
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use pinhole::Resolution;
+use pinhole_course::checkout::Checkout;
 
 use super::Made;
 use super::drawing::{Drawing, INK, Side, Space, colour, ink, stroke};
-use crate::checkout::Checkout;
 use crate::error::Result;
 use crate::worked::{PIXEL, on_plane, slide};
 

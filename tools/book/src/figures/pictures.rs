@@ -4,10 +4,11 @@ use glam::{DVec3, dvec3};
 use image::imageops::{FilterType, resize};
 use image::{Rgb, RgbImage};
 use pinhole::{Camera, Film, Plane, Projection, Resolution, Scene, Shape, Sphere, false_colour};
+use pinhole_course::checkout::Checkout;
 
 use super::Made;
 use super::drawing::{Drawing, Side, ink, stroke};
-use crate::checkout::Checkout;
+use crate::course::{assignment, golden};
 use crate::error::{Error, Result};
 use crate::gallery::strip::{beside, png};
 use crate::reference::Reference;
@@ -25,7 +26,7 @@ pub fn made(picture: &RgbImage) -> Result<Made> {
 
 /// A golden film in its three false colours.
 fn three(name: &str, checkout: &Checkout) -> Result<Made> {
-    let film = Film::read(&checkout.golden().join(format!("{name}.exr")))?;
+    let film = Film::read(&golden(checkout).join(format!("{name}.exr")))?;
     let scene = scene(name, checkout)?;
     let per_t = scene.camera.depth_per_t();
     let range = false_colour::depth_range(&film, per_t);
@@ -39,12 +40,7 @@ fn three(name: &str, checkout: &Checkout) -> Result<Made> {
 }
 
 fn scene(name: &str, checkout: &Checkout) -> Result<Scene> {
-    Ok(Scene::read(
-        &checkout
-            .assignment()
-            .join("scenes")
-            .join(format!("{name}.toml")),
-    )?)
+    Ok(Scene::read(&assignment(checkout)?.scene(name))?)
 }
 
 /// Every pixel so many wide and high.

@@ -4,10 +4,11 @@ use std::f64::consts::TAU;
 
 use glam::{DVec2, dvec2, dvec3};
 use pinhole::{Pixel, Scene, Shape};
+use pinhole_course::checkout::Checkout;
 
 use super::Made;
 use super::drawing::{Drawing, INK, Side, colour, ink, stroke};
-use crate::checkout::Checkout;
+use crate::course::assignment;
 use crate::error::Result;
 use crate::reference::Reference;
 use crate::worked::{PLANE, Quadratic, RAY, SPHERE, TRIANGLE, on_plane, weights};
@@ -236,10 +237,7 @@ pub fn triangle_alpha_beta(_: &Checkout) -> Result<Made> {
 
 /// A ray among the triangles of a teapot.
 pub fn soup_of_triangles(checkout: &Checkout) -> Result<Made> {
-    let file = checkout
-        .assignment()
-        .join("scenes/teapot_orthographic.toml");
-    let scene = Scene::read(&file)?;
+    let scene = Scene::read(&assignment(checkout)?.scene("teapot_orthographic"))?;
     let camera = scene.camera;
     let pixel = Pixel { i: 75, j: 45 };
     let reference = Reference::build(checkout)?;

@@ -3,11 +3,12 @@
 use glam::{DVec2, dvec2};
 use image::{Rgb, RgbImage};
 use pinhole::{Film, Resolution, false_colour};
+use pinhole_course::checkout::Checkout;
 
 use super::Made;
 use super::drawing::{Drawing, INK, Side, colour, ink, stroke};
 use super::pictures::{GAP, enlarged, made};
-use crate::checkout::Checkout;
+use crate::course::golden;
 use crate::error::Result;
 use crate::gallery::strip::{beside, stacked};
 use crate::silhouette::{DISTANCES, Meets, SIDE, WAYS, on};
@@ -18,7 +19,7 @@ const CELL: u32 = 13;
 
 /// The lecture's picture with its pixel marked.
 pub fn pixel_to_ray(checkout: &Checkout) -> Result<Made> {
-    let film = Film::read(&checkout.golden().join("slide_example.exr"))?;
+    let film = Film::read(&golden(checkout).join("slide_example.exr"))?;
     let mut picture = enlarged(&false_colour::id(&film), CELL);
     let Resolution { n_x, .. } = film.resolution();
     let index = film.resolution().index(PIXEL);

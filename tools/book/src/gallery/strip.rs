@@ -1,12 +1,28 @@
-//! Three pictures side by side.
+//! Makes strips: has each mistake cast the scene that shows it best, and lays three
+//! pictures side by side.
+
+use std::time::Duration;
 
 use image::{Rgb, RgbImage};
+use pinhole::ask::Ending;
 use pinhole::film::HIT_CHANNELS;
+use pinhole::job::Job;
 use pinhole::judge::Golden;
-use pinhole::{Film, false_colour};
+use pinhole::{Film, Scene, false_colour};
+use pinhole_course::assignment::Assignment;
+use pinhole_course::checkout::Checkout;
+use pinhole_course::compile::Compiler;
+use pinhole_course::diagnosis::known::Known;
+use pinhole_course::mistake::{self, MistakeFolder};
+use pinhole_course::sandbox::{Limits, Sandbox};
+use pinhole_course::{examine, overlay};
 
 use super::Told;
-use crate::error::{Error, Result};
+use crate::course::{assignment, golden};
+use crate::error::{Error, Problem, Result};
+
+/// The strip of each mistake; `None` if it shows in no scene.
+pub type Strips = Vec<(String, Option<Strip>)>;
 
 /// A strip, and what is told of it.
 pub struct Strip {
@@ -18,6 +34,80 @@ pub struct Strip {
 
 /// Pixels between two pictures.
 const GAP: u32 = 4;
+
+/// No mistake casts longer.
+const WALL: Duration = Duration::from_secs(30);
+
+/// The strips of all mistakes, or of those named.
+pub fn strips(slugs: &[String], checkout: &Checkout) -> Result<Strips> {
+    let assignment = assignment(checkout)?;
+    let known = Known::read(&golden(checkout))?;
+    let compiler = Compiler::new(&assignment, checkout, &Sandbox::Trusted)?;
+    let mut strips = Vec::new();
+    for mistake in mistake::read_all(&assignment)? {
+        let slug = &mistake.slug;
+        if !mistake.mistake.is_single() || !(slugs.is_empty() || slugs.contains(slug)) {
+            continue;
+        }
+        let strip = match best(slug, &assignment, &known, checkout)? {
+            None => None,
+            Some((name, golden)) => {
+                let scene = Scene::read(&assignment.scene(name))?;
+                let depth_per_t = scene.camera.depth_per_t();
+                let film = film(&mistake, scene, &compiler, &assignment, checkout)?;
+                Some(strip(name, &golden, &film, depth_per_t)?)
+            }
+        };
+        strips.push((mistake.slug, strip));
+    }
+    Ok(strips)
+}
+
+/// The scene that shows a mistake best, and its golden.
+fn best<'a>(
+    slug: &str,
+    assignment: &'a Assignment,
+    known: &Known,
+    checkout: &Checkout,
+) -> Result<Option<(&'a str, Golden)>> {
+    let mut shows = Vec::new();
+    for scene in &assignment.scenes {
+        let film = known.films.get(&scene.name);
+        if let Some(pixels) = film.and_then(|film| film.get(slug)) {
+            let golden = Golden::read(&golden(checkout).join(format!("{}.exr", scene.name)))?;
+            let all = golden.film().resolution().pixels();
+            // Best where much is wrong, and enough is right to see that it is this scene.
+            let share = *pixels as f64 / all as f64;
+            let merit = if share <= 0.6 { share } else { 0.6 - share };
+            shows.push((merit, scene.name.as_str(), golden));
+        }
+    }
+    shows.sort_by(|one, other| other.0.total_cmp(&one.0));
+    let best = shows.into_iter().next();
+    Ok(best.map(|(_, scene, golden)| (scene, golden)))
+}
+
+/// What somebody with this mistake casts.
+fn film(
+    mistake: &MistakeFolder,
+    scene: Scene,
+    compiler: &Compiler,
+    assignment: &Assignment,
+    checkout: &Checkout,
+) -> Result<Film> {
+    let submission = overlay::reference(assignment)?.overlaid(&mistake.folder)?;
+    let program = compiler.compile(&submission)?;
+    let resolution = scene.resolution;
+    let limits = Limits::of_answers(WALL);
+    let job = Job::Film(scene);
+    let reply = examine::run(&program, &Sandbox::Trusted, &limits, &job, &mut |_| {})?;
+    if reply.ending != Ending::Complete {
+        let problem = format!("it casts no film: {:?}", reply.ending);
+        let remedy = "make what is known again: cargo run --release -- golden mistakes";
+        return Err(Problem::of(checkout.inside(&mistake.folder), problem, remedy).into());
+    }
+    Ok(reply.film(resolution))
+}
 
 /// Expected, theirs, difference, in the picture that shows the difference.
 pub fn strip(scene: &str, golden: &Golden, film: &Film, depth_per_t: f64) -> Result<Strip> {

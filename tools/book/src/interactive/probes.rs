@@ -7,15 +7,16 @@ use pinhole::film::{HIT_CHANNELS, RAY_CHANNELS};
 use pinhole::judge::Golden;
 use pinhole::kind::Questions;
 use pinhole::{Film, Kind, ShapeKind};
+use pinhole_course::checkout::Checkout;
 use serde_json::{Value, json};
 
-use crate::checkout::Checkout;
+use crate::course::golden;
 use crate::error::{Error, Result};
 
 /// Every question of the tasks that figures compute, Mitsuba's answer, and how far from it
 /// another may be.
 pub fn probes(checkout: &Checkout) -> Result<Value> {
-    let folder = checkout.golden().join("probes");
+    let folder = golden(checkout).join("probes");
     let entries = fs::read_dir(&folder).map_err(|error| Error::file(&folder, &error))?;
     let mut asked: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
     asked.retain(|path| path.to_string_lossy().ends_with(".ask.exr"));

@@ -1,9 +1,10 @@
 //! The lecture's camera, and what it makes of pixel (2, 3).
 
 use pinhole::{Pixel, Projection, Resolution, Scene, Shape};
+use pinhole_course::checkout::Checkout;
 
 use super::{Values, shown, vector};
-use crate::checkout::Checkout;
+use crate::course::assignment;
 use crate::error::Result;
 use crate::reference::Reference;
 
@@ -18,8 +19,7 @@ pub fn on_plane(place: f64, width: f64, pixels: usize) -> f64 {
 
 /// The lecture's scene.
 pub fn slide(checkout: &Checkout) -> Result<Scene> {
-    let file = checkout.assignment().join("scenes/slide_example.toml");
-    Ok(Scene::read(&file)?)
+    Ok(Scene::read(&assignment(checkout)?.scene("slide_example"))?)
 }
 
 /// Adds this chapter's numbers.
