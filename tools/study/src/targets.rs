@@ -1,5 +1,5 @@
-//! What was measured before this instrument was built (the project's field notes, section
-//! 5), and what was promised of it, beside what came. A figure agrees if it is within a
+//! What was measured before this instrument was built (`NOTES.md` of this package), and
+//! what was promised of it, beside what came. A figure agrees if it is within a
 //! factor of what random questions and another machine explain; 0 agrees with 0 only.
 
 mod before;

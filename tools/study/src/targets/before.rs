@@ -1,4 +1,4 @@
-//! The older figures: field notes, section 5.
+//! The figures that were there before this instrument: `NOTES.md` of this package.
 
 use super::sweeps::{Kernel, Place};
 
