@@ -6,23 +6,23 @@ use std::fs;
 use std::path::PathBuf;
 
 use glam::DVec3;
+use rand_xoshiro::SplitMix64;
+use rand_xoshiro::rand_core::{Rng, SeedableRng};
 use tempfile::TempDir;
 
 use crate::camera::Resolution;
 use crate::film::{Channel, Film};
 
-/// Random numbers that are the same in every run (Steele, Lea & Flood, "Fast
-/// Splittable Pseudorandom Number Generators", 2014, fig. 15), so that a failure
-/// can be seen again.
-pub(crate) struct Random(pub(crate) u64);
+/// Random numbers that are the same in every run, so that a failure can be seen again.
+pub(crate) struct Random(SplitMix64);
 
 impl Random {
+    pub(crate) fn new(seed: u64) -> Random {
+        Random(SplitMix64::seed_from_u64(seed))
+    }
+
     pub(crate) fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        self.0.next_u64()
     }
 
     /// From 0 to `end`, which is left out.

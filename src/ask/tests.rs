@@ -195,7 +195,7 @@ mod message {
 
     #[test]
     fn no_sequence_of_messages_makes_the_asker_panic() {
-        let mut random = Random(1);
+        let mut random = Random::new(1);
         for _ in 0..3000 {
             let job = [hits(4), rays(4)][random.below(2)].clone();
             let mut reply = reply_to(&job);

@@ -23,7 +23,7 @@ fn is_a_right_handed_frame(camera: &Camera, tolerance: f64) {
 
 #[test]
 fn any_view_and_up_make_a_right_handed_frame() {
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     for _ in 0..2000 {
         let (view, up) = (random.vector(), random.vector());
         let sine = view.normalize().cross(up.normalize()).length();
@@ -34,7 +34,7 @@ fn any_view_and_up_make_a_right_handed_frame() {
 
 #[test]
 fn a_camera_looks_along_view_with_up_above_and_never_sideways() {
-    let mut random = Random(2);
+    let mut random = Random::new(2);
     for _ in 0..2000 {
         let (view, up) = (random.vector(), random.vector());
         let camera = camera(view, up).unwrap();
@@ -46,7 +46,7 @@ fn a_camera_looks_along_view_with_up_above_and_never_sideways() {
 
 #[test]
 fn a_frame_forgets_how_long_view_and_up_were() {
-    let mut random = Random(3);
+    let mut random = Random::new(3);
     for _ in 0..500 {
         let (view, up) = (random.vector(), random.vector());
         // Powers of two, so that scaling rounds nothing.
@@ -65,7 +65,7 @@ fn seen_from_the_front_right_is_x_and_up_is_y() {
 
 #[test]
 fn parallel_directions_make_no_frame() {
-    let mut random = Random(4);
+    let mut random = Random::new(4);
     for _ in 0..500 {
         let view = random.vector();
         for along in [2.0, -3.0, 1e-3, -1e6] {
@@ -76,7 +76,7 @@ fn parallel_directions_make_no_frame() {
 
 #[test]
 fn nearly_parallel_directions_make_a_frame_or_none() {
-    let mut random = Random(5);
+    let mut random = Random::new(5);
     for _ in 0..2000 {
         let view = random.vector();
         let off = 10f64.powf(-8.5 + random.coordinate());
@@ -97,7 +97,7 @@ fn a_direction_of_no_length_makes_no_frame() {
 
 #[test]
 fn depth_grows_along_the_view_and_nowhere_else() {
-    let mut random = Random(6);
+    let mut random = Random::new(6);
     for _ in 0..500 {
         let camera = camera(random.vector(), random.vector()).unwrap();
         let (right, up, ahead) = (

@@ -187,7 +187,7 @@ fn what_is_no_number_is_a_difference() {
 
 #[test]
 fn no_film_makes_a_picture_panic() {
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     let golden = golden(at(&[1.0; 8]));
     for _ in 0..500 {
         let mut samples = || -> Vec<f32> {

@@ -63,7 +63,7 @@ fn small() -> Film {
 
 #[test]
 fn a_film_comes_back_as_it_was_to_the_last_bit() {
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     for (n_x, n_y) in [(1, 1), (1, 9), (9, 1), (5, 3), (40, 70)] {
         let film = any_film(&mut random, n_x, n_y);
         same(&film, &read(bytes(&film)).unwrap());
@@ -72,7 +72,7 @@ fn a_film_comes_back_as_it_was_to_the_last_bit() {
 
 #[test]
 fn a_film_written_twice_is_the_same_file() {
-    let film = any_film(&mut Random(2), 300, 200);
+    let film = any_film(&mut Random::new(2), 300, 200);
     assert!(bytes(&film) == bytes(&film));
 }
 

@@ -132,7 +132,7 @@ fn a_list_that_claims_more_than_memory_holds_is_refused() {
 
 #[test]
 fn no_bytes_make_the_receiver_panic() {
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     for _ in 0..5000 {
         let length = random.below(60);
         let body = random.bytes(length);

@@ -38,7 +38,7 @@ fn channel<'a>(verdict: &'a Verdict, name: &str) -> &'a ChannelVerdict {
 
 #[test]
 fn a_golden_passes_its_own_judgement_whatever_it_holds() {
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     for _ in 0..100 {
         let samples: Vec<f32> = (0..6).map(|_| random.coordinate() as f32).collect();
         let film = grid(3, &[("t", &samples), ("id", &samples)]);
@@ -52,7 +52,7 @@ fn a_golden_passes_its_own_judgement_whatever_it_holds() {
 
 #[test]
 fn a_film_passes_at_its_tolerance_and_fails_one_step_beyond() {
-    let mut random = Random(2);
+    let mut random = Random::new(2);
     for _ in 0..1000 {
         let expected = 100.0 * random.coordinate() as f32;
         let got = expected + random.coordinate() as f32;
@@ -161,7 +161,7 @@ fn a_tolerance_of_nothing_is_missed_by_infinitely_many() {
 
 #[test]
 fn bounds_are_the_smallest_rectangle_around_what_fails() {
-    let mut random = Random(3);
+    let mut random = Random::new(3);
     let (n_x, n_y) = (7, 5);
     for _ in 0..200 {
         let count = 1 + random.below(4);

@@ -202,7 +202,7 @@ fn no_text_makes_the_reader_panic() {
         "\r",
         "\u{a0}",
     ];
-    let mut random = Random(2);
+    let mut random = Random::new(2);
     for _ in 0..3000 {
         let mut text = SQUARE.to_owned();
         for _ in 0..random.below(12) {
@@ -221,7 +221,7 @@ fn no_text_makes_the_reader_panic() {
 
 #[test]
 fn no_bytes_make_the_reader_panic() {
-    let mut random = Random(3);
+    let mut random = Random::new(3);
     let (_folder, path) = testing::file("mesh.obj", "");
     for length in 0..100 {
         fs::write(&path, random.bytes(length)).unwrap();

@@ -4,7 +4,7 @@ use crate::testing::{Random, grid, row};
 
 #[test]
 fn two_floats_that_differ_are_shown_to_differ() {
-    let mut random = Random(2);
+    let mut random = Random::new(2);
     for _ in 0..5000 {
         let got = (random.coordinate() * 10f64.powf(9.0 * random.coordinate())) as f32;
         let mismatch = Mismatch {

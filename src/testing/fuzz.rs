@@ -32,7 +32,7 @@ pub(crate) fn fuzz(name: &str, seeds: &[Vec<u8>], words: &[&[u8]], parse: impl F
     let seconds = std::env::var("PINHOLE_FUZZ_SECONDS").map(|text| text.parse::<u64>());
     let seconds = seconds.map_or(1, |seconds| seconds.expect("a number of seconds"));
     let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
-    let mut random = Random(now.expect("later than 1970").as_nanos() as u64);
+    let mut random = Random::new(now.expect("later than 1970").as_nanos() as u64);
     let start = Instant::now();
     let mut tried = 0_u64;
     while start.elapsed() < Duration::from_secs(seconds) {

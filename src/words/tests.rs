@@ -53,7 +53,7 @@ fn what_is_no_number_is_said_to_be_none() {
 
 #[test]
 fn a_number_read_back_is_right_to_its_digits() {
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     for _ in 0..5000 {
         let value = random.coordinate() * 10f64.powf(20.0 * random.coordinate());
         for digits in 1..10 {

@@ -4,7 +4,7 @@ use super::*;
 
 #[test]
 fn what_is_no_film_is_refused() {
-    let mut random = Random(3);
+    let mut random = Random::new(3);
     refused("", "this is not a readable OpenEXR file");
     refused("a film, honestly", "this is not a readable OpenEXR file");
     for length in 1..200 {
@@ -38,7 +38,7 @@ fn a_film_cut_short_anywhere_is_refused() {
 fn a_film_with_any_one_byte_wrong_is_read_or_refused() {
     let whole = bytes(&small());
     let (_folder, path) = testing::file("film.exr", "");
-    let mut random = Random(4);
+    let mut random = Random::new(4);
     for place in 0..whole.len() {
         for wrong in [0, 255, random.bits() as u8] {
             let mut damaged = whole.clone();

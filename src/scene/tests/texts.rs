@@ -46,7 +46,7 @@ fn a_scene_that_is_not_there_is_told_so() {
 
 #[test]
 fn no_text_makes_the_reader_panic() {
-    let mut random = testing::Random(1);
+    let mut random = testing::Random::new(1);
     let signs: Vec<char> = "[]{}=\"'.,#\n -0123e nan inf é\u{2028}\0".chars().collect();
     let path = Path::new("a scene.toml");
     for _ in 0..2000 {

@@ -364,10 +364,7 @@ pub fn hash_of(path: &Path, mut bytes: Vec<u8>) -> String {
     if !is_film(path) && !is_picture {
         bytes.retain(|byte| *byte != b'\r');
     }
-    Sha256::digest(&bytes)
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect()
+    hex::encode(Sha256::digest(&bytes))
 }
 
 fn relative(path: &Path, folder: &Path, checkout: &Checkout) -> String {

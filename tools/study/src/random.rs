@@ -2,26 +2,27 @@
 
 use std::f64::consts::TAU;
 
+use rand_xoshiro::SplitMix64;
+use rand_xoshiro::rand_core::{Rng, SeedableRng};
+
 use crate::vector::Vector;
 
 /// SplitMix64 (Steele, Lea & Flood, *OOPSLA* 2014).
 #[derive(Clone, Debug)]
-pub struct Random(u64);
+pub struct Random(SplitMix64);
 
 impl Random {
     /// Of a seed and of what it is for, so that one family does not depend on another.
     pub fn new(seed: u64, purpose: &str) -> Random {
         // FNV-1a.
         let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
-        Random(purpose.bytes().fold(seed ^ 0xcbf2_9ce4_8422_2325, mix))
+        let seed = purpose.bytes().fold(seed ^ 0xcbf2_9ce4_8422_2325, mix);
+        Random(SplitMix64::seed_from_u64(seed))
     }
 
     /// 64 random bits.
     pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        self.0.next_u64()
     }
 
     /// Uniform from `low` to `high`.

@@ -152,9 +152,5 @@ fn fingerprint(sources: &Sources, harness: &Harness, sandbox: &Sandbox) -> Strin
         let modified = fs::metadata(file).and_then(|metadata| metadata.modified());
         hash.update(format!("{modified:?}"));
     }
-    hash.finalize()
-        .iter()
-        .take(12)
-        .map(|byte| format!("{byte:02x}"))
-        .collect()
+    hex::encode(&hash.finalize()[..12])
 }

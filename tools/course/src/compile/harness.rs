@@ -134,11 +134,7 @@ fn fingerprint(libraries: &[(String, PathBuf)]) -> String {
         let state = metadata.map(|metadata| (metadata.len(), metadata.modified().ok()));
         hash.update(format!("{}\n{state:?}\n", file.display()));
     }
-    hash.finalize()
-        .iter()
-        .take(8)
-        .map(|byte| format!("{byte:02x}"))
-        .collect()
+    hex::encode(&hash.finalize()[..8])
 }
 
 /// Links the libraries into a folder that appears only when it is complete.

@@ -48,8 +48,7 @@ fn handed_out(name: &str) -> PathBuf {
 fn sha256(bytes: &[u8]) -> String {
     use sha2::{Digest, Sha256};
 
-    let hash = Sha256::digest(bytes);
-    hash.iter().map(|byte| format!("{byte:02x}")).collect()
+    hex::encode(Sha256::digest(bytes))
 }
 
 #[test]

@@ -9,23 +9,21 @@ use pinhole::{
     Camera, Canned, Disk, Intersection, Pixel, Plane, Projection, Ray, Resolution, Shape, Sphere,
     Triangle, TriangleSoup,
 };
+use rand_xoshiro::SplitMix64;
+use rand_xoshiro::rand_core::{Rng, SeedableRng};
 
-/// A stream of random numbers: SplitMix64 (Steele, Lea & Flood, 2014). The same for
-/// every program, so that answers can be compared.
-pub struct Random(u64);
+/// A stream of random numbers, the same for every program, so that answers can be
+/// compared.
+pub struct Random(SplitMix64);
 
 impl Random {
     /// The stream from its beginning.
     pub fn new() -> Random {
-        Random(0)
+        Random(SplitMix64::seed_from_u64(0))
     }
 
     fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        self.0.next_u64()
     }
 
     /// From 0 to 1, the end excluded.
