@@ -55,6 +55,10 @@ impl Workspace<'_> {
             shared.retain(|_, item| path_of(item).is_none_or(|path| paths.contains(path)));
         }
         top["workspace"]["metadata"]["pinhole"]["default-assignment"] = value(self.assignment);
+        if let Some(workspace) = top["workspace"].as_table_mut() {
+            // The peers stay at home.
+            workspace.remove("exclude");
+        }
         top["workspace"]["members"] = list(&members);
         top["workspace"]["default-members"] = list(self.default);
         files.insert("Cargo.toml".into(), top.to_string().into());
