@@ -18,7 +18,7 @@ use crate::film::Film;
 use crate::job::{CHUNK, Job, MOST_PANIC_TEXT, Message};
 use crate::kind::Answer;
 use crate::ray::{Hit, Ray};
-pub use ending::{Ending, TIME_WAS_UP};
+pub use ending::{Death, Ending};
 use transport::Exchange;
 
 /// What came of one job.

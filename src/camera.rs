@@ -133,11 +133,24 @@ impl std::fmt::Display for Resolution {
 ///
 /// Its centre in pixel space is (i + ½, j + ½).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(from = "[usize; 2]", into = "[usize; 2]")]
 pub struct Pixel {
     /// Column, from the left.
     pub i: usize,
     /// Row, from the bottom.
     pub j: usize,
+}
+
+impl From<[usize; 2]> for Pixel {
+    fn from([i, j]: [usize; 2]) -> Pixel {
+        Pixel { i, j }
+    }
+}
+
+impl From<Pixel> for [usize; 2] {
+    fn from(pixel: Pixel) -> [usize; 2] {
+        [pixel.i, pixel.j]
+    }
 }
 
 impl std::fmt::Display for Pixel {

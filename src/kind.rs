@@ -23,6 +23,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::camera::Resolution;
 use crate::error::Error;
+use crate::fact::Fact;
 use crate::film::{Film, Samples};
 use crate::shape::ShapeKind;
 use crate::words;
@@ -68,7 +69,7 @@ trait Question {
 
     /// The question in words, a line for each thing it is about. `part` is the name of
     /// the film it comes from.
-    fn describe(&self, part: &str, digits: usize) -> String;
+    fn describe(&self, part: &str, digits: usize) -> Vec<Fact>;
 
     /// An answer to it in words.
     fn describe_answer(&self, answer: &Answer, digits: usize) -> String {
@@ -226,7 +227,7 @@ impl Questions {
 
     /// One of them in words, a line for each thing it is about; `part` is the name of
     /// the film it comes from.
-    pub fn describe(&self, index: usize, part: &str, digits: usize) -> String {
+    pub fn describe(&self, index: usize, part: &str, digits: usize) -> Vec<Fact> {
         self.question(index).describe(part, digits)
     }
 

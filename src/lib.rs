@@ -54,6 +54,7 @@
 pub mod ask;
 pub mod camera;
 pub mod error;
+pub mod fact;
 pub mod false_colour;
 pub mod film;
 pub mod job;
@@ -73,6 +74,7 @@ pub mod words;
 
 pub use camera::{Camera, Pixel, Projection, Resolution};
 pub use error::Error;
+pub use fact::Fact;
 pub use film::Film;
 pub use kind::{AnswerFn, Kind};
 pub use ray::{Hit, Intersection, Ray};

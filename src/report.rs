@@ -1,7 +1,8 @@
-//! Verdicts in words.
+//! Verdicts, and how processes died, in words.
 
 use std::fmt;
 
+use crate::ask::Death;
 use crate::judge::{ChannelVerdict, Mismatch, Verdict};
 use crate::words::number;
 
@@ -57,6 +58,31 @@ impl fmt::Display for ChannelVerdict {
             "id" => Ok(()),
             _ => write!(f, " ± {}", number(f64::from(worst.allowed), 2)),
         }
+    }
+}
+
+impl fmt::Display for Death {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let killed = |how: &str| format!("it was killed ({how}) before it had answered");
+        let words = match self {
+            Death::StackOverflow => {
+                "its stack overflowed: does a function call itself without end?".into()
+            }
+            Death::OutOfProcessorTime => killed("its processor time was up"),
+            Death::Signal(4) => killed("an illegal instruction"),
+            Death::Signal(6) => killed("it aborted itself"),
+            Death::Signal(7 | 11) => killed("it touched memory that is not its own"),
+            Death::Signal(9) => killed("SIGKILL"),
+            Death::Signal(25) => killed("it wrote a file that is too long"),
+            Death::Signal(31) => killed("a forbidden system call"),
+            Death::Signal(other) => {
+                format!("it was killed (signal {other}) before it had answered")
+            }
+            Death::Exit(code) => format!("it exited with code {code} before it had answered"),
+            Death::Killed(how) => killed(how),
+            Death::Lost => "its process was lost".into(),
+        };
+        f.write_str(&words)
     }
 }
 

@@ -19,8 +19,8 @@ pub enum Ending {
     TimedOut(Duration),
     /// The process took more memory than it may: how many bytes it may.
     OutOfMemory(u64),
-    /// The process ended early: how, in words.
-    Died(String),
+    /// The process ended early.
+    Died(Death),
     /// It sent something that is no answer: what, in words.
     Garbled(String),
 }
@@ -28,41 +28,43 @@ pub enum Ending {
 impl Ending {
     /// The end of a process that left early, by its status and what it printed.
     pub(super) fn died(status: Option<ExitStatus>, printed: &str) -> Ending {
-        Ending::Died(in_words(status, printed))
+        Ending::Died(Death::of(status, printed))
     }
 }
 
-/// What is said of a process that the kernel ended for the processor time it took.
-pub const TIME_WAS_UP: &str = "its processor time was up";
+/// How a process ended before it had answered.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Death {
+    /// Its stack overflowed.
+    StackOverflow,
+    /// The kernel ended it for the processor time it took.
+    OutOfProcessorTime,
+    /// A signal killed it: which.
+    Signal(i32),
+    /// It exited with this code.
+    Exit(i32),
+    /// It was killed, and the system tells no more than this.
+    Killed(String),
+    /// Nobody knows.
+    Lost,
+}
 
-fn in_words(status: Option<ExitStatus>, printed: &str) -> String {
-    if printed.contains("has overflowed its stack") {
-        return "its stack overflowed: does a function call itself without end?".into();
-    }
-    let Some(status) = status else {
-        return "its process was lost".into();
-    };
-    match status.code() {
-        // As a shell, and bubblewrap, report a signal.
-        Some(code @ 129..=159) => {
-            let signal = match code - 128 {
-                4 => "an illegal instruction",
-                6 => "it aborted itself",
-                7 | 11 => "it touched memory that is not its own",
-                9 => "SIGKILL",
-                24 => TIME_WAS_UP,
-                25 => "it wrote a file that is too long",
-                31 => "a forbidden system call",
-                _ => {
-                    return format!(
-                        "it was killed (signal {}) before it had answered",
-                        code - 128
-                    );
-                }
-            };
-            format!("it was killed ({signal}) before it had answered")
+impl Death {
+    /// A stack overflow is known by what Rust itself prints: the signal is that of any
+    /// process that aborts.
+    fn of(status: Option<ExitStatus>, printed: &str) -> Death {
+        if printed.contains("has overflowed its stack") {
+            return Death::StackOverflow;
         }
-        Some(code) => format!("it exited with code {code} before it had answered"),
-        None => format!("it was killed ({status}) before it had answered"),
+        let Some(status) = status else {
+            return Death::Lost;
+        };
+        match status.code() {
+            // As a shell, and bubblewrap, report a signal; 24 is SIGXCPU.
+            Some(152) => Death::OutOfProcessorTime,
+            Some(code @ 129..=159) => Death::Signal(code - 128),
+            Some(code) => Death::Exit(code),
+            None => Death::Killed(status.to_string()),
+        }
     }
 }

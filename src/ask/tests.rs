@@ -254,7 +254,7 @@ mod reply {
     fn a_split_reply_has_every_answer_where_it_was_asked() {
         let all: Vec<Answer> = (0..6).map(hit).collect();
         let mut reply = complete(&all);
-        reply.ending = Ending::Died("of boredom".into());
+        reply.ending = Ending::Died(Death::Lost);
         reply.answers[4] = None;
         let parts = reply.split([1, 0, 3, 2].into_iter());
 
@@ -269,7 +269,7 @@ mod reply {
         assert!(
             parts
                 .iter()
-                .all(|part| part.ending == Ending::Died("of boredom".into()))
+                .all(|part| part.ending == Ending::Died(Death::Lost))
         );
     }
 

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use crate::camera::{Pixel, Resolution};
 
 /// A film that cannot be compared at all.
@@ -75,7 +77,7 @@ pub struct Verdict {
 }
 
 /// The verdict on one channel.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ChannelVerdict {
     /// The channel.
     pub name: String,
@@ -92,7 +94,7 @@ pub struct ChannelVerdict {
 }
 
 /// One sample that is too far from its golden.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Mismatch {
     /// Where.
     pub pixel: Pixel,
@@ -105,7 +107,7 @@ pub struct Mismatch {
 }
 
 /// A rectangle of pixels, both corners included.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Bounds {
     /// Bottom left.
     pub min: Pixel,

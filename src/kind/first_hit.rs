@@ -1,6 +1,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Answer, AnswerFn, Kind, Question, Unregistered};
+use crate::fact::Fact;
 use crate::film::Samples;
 use crate::ray::Ray;
 use crate::shape::{Canned, Shape};
@@ -36,8 +37,8 @@ impl Question for ObjectsQuestion {
         Ok(Answer::Hit(first_hit(&self.ray, self.min_t, &self.objects)))
     }
 
-    fn describe(&self, _: &str, digits: usize) -> String {
-        in_words(&self.objects, self.min_t, digits)
+    fn describe(&self, _: &str, digits: usize) -> Vec<Fact> {
+        facts(&self.objects, self.min_t, digits)
     }
 
     /// Only here does it matter which object is hit.
@@ -50,12 +51,12 @@ impl Question for ObjectsQuestion {
 }
 
 /// A question about canned objects in words. The ray itself does not matter to them.
-pub(super) fn in_words(objects: &[Canned], min_t: f64, digits: usize) -> String {
-    format!(
-        "min_t     {}\nobjects   met at t = {{ {} }}",
-        number(min_t, digits),
-        Canned::describe_all(objects, digits)
-    )
+pub(super) fn facts(objects: &[Canned], min_t: f64, digits: usize) -> Vec<Fact> {
+    let objects = Canned::describe_all(objects, digits);
+    vec![
+        Fact::new("min_t", number(min_t, digits)),
+        Fact::new("objects", format!("met at t = {{ {objects} }}")),
+    ]
 }
 
 /// What the submission's function finds first of real shapes.

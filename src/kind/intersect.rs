@@ -1,6 +1,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Answer, AnswerFn, Kind, Question, Unregistered};
+use crate::fact::Fact;
 use crate::film::Samples;
 use crate::ray::Ray;
 use crate::shape::{Shape, ShapeKind};
@@ -36,13 +37,11 @@ impl Question for ShapeQuestion {
         Ok(Answer::alone(intersect(&self.shape, &self.ray, self.min_t)))
     }
 
-    fn describe(&self, _: &str, digits: usize) -> String {
-        format!(
-            "ray       {}, min_t = {}\n{:<9} {}",
-            words::ray(&self.ray, digits),
-            number(self.min_t, digits),
-            self.shape.kind(),
-            self.shape.words(digits)
-        )
+    fn describe(&self, _: &str, digits: usize) -> Vec<Fact> {
+        let (ray, min_t) = (words::ray(&self.ray, digits), number(self.min_t, digits));
+        vec![
+            Fact::new("ray", format!("{ray}, min_t = {min_t}")),
+            Fact::new(self.shape.kind().name(), self.shape.words(digits)),
+        ]
     }
 }

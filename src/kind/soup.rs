@@ -1,6 +1,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Answer, AnswerFn, Kind, Question, Unregistered, first_hit};
+use crate::fact::Fact;
 use crate::film::Samples;
 use crate::ray::Ray;
 use crate::shape::{Canned, TriangleSoup};
@@ -36,7 +37,7 @@ impl Question for SoupQuestion {
         Ok(Answer::alone(intersect(&self.soup, &self.ray, self.min_t)))
     }
 
-    fn describe(&self, _: &str, digits: usize) -> String {
-        first_hit::in_words(&self.soup.triangles, self.min_t, digits)
+    fn describe(&self, _: &str, digits: usize) -> Vec<Fact> {
+        first_hit::facts(&self.soup.triangles, self.min_t, digits)
     }
 }

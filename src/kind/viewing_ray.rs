@@ -2,6 +2,7 @@ use serde::Serialize;
 
 use super::{Answer, AnswerFn, Kind, Question, Unregistered};
 use crate::camera::{Camera, Pixel, Projection, Resolution};
+use crate::fact::Fact;
 use crate::film::Samples;
 use crate::ray::Ray;
 use crate::scene::Scene;
@@ -75,7 +76,7 @@ impl Question for CameraQuestion {
         self.ray(functions).map(Answer::Ray)
     }
 
-    fn describe(&self, part: &str, digits: usize) -> String {
+    fn describe(&self, part: &str, digits: usize) -> Vec<Fact> {
         let camera = &self.camera;
         let projection = match camera.projection {
             Projection::Perspective { focal_length } => {
@@ -85,13 +86,14 @@ impl Question for CameraQuestion {
         };
         let [eye, u, v, w] =
             [camera.eye, camera.u, camera.v, camera.w].map(|value| vector(value, digits));
-        format!(
-            "pixel     {} of {}, {part}\ncamera    {projection}, {} × {}, eye {eye}\n          \
-             u {u}  v {v}  w {w}",
-            self.pixel,
-            self.resolution,
-            number(camera.width, digits),
-            number(camera.height, digits),
-        )
+        let [width, height] = [camera.width, camera.height].map(|value| number(value, digits));
+        let camera = format!("{projection}, {width} × {height}, eye {eye}\nu {u}  v {v}  w {w}");
+        vec![
+            Fact::new(
+                "pixel",
+                format!("{} of {}, {part}", self.pixel, self.resolution),
+            ),
+            Fact::new("camera", camera),
+        ]
     }
 }

@@ -1,11 +1,18 @@
 //! Questions and answers in words.
 
 use super::*;
+use crate::fact::Fact;
 
 #[track_caller]
 fn described(task: &str, question: &[(&str, f32)], expected: &str) {
     let questions = ask(task, question).unwrap();
-    assert_eq!(questions.describe(0, "corners", 6), expected);
+    let facts = questions.describe(0, "corners", 6);
+    let line = |fact: &Fact| {
+        let text = fact.text.replace('\n', "\n          ");
+        format!("{:<9} {text}", fact.label)
+    };
+    let lines: Vec<String> = facts.iter().map(line).collect();
+    assert_eq!(lines.join("\n"), expected);
 }
 
 #[test]

@@ -5,10 +5,13 @@ pub mod fingerprint;
 pub mod known;
 mod reason;
 
+use serde::{Deserialize, Serialize};
+
 use crate::mistake::Mistake;
 
 /// What is known of why something is wrong.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Diagnosis {
     /// Beliefs that explain what came. Empty if nothing known does: a false name is
     /// worse than none.
@@ -18,21 +21,27 @@ pub struct Diagnosis {
 }
 
 /// How the beliefs of a [`Diagnosis`] go together.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
 pub enum Reading {
     /// All of them are held, each spoiling its part.
     #[default]
     Together,
     /// One of them is held; what came cannot tell them apart.
+    #[serde(rename = "one of")]
     OneOf,
 }
 
 /// A belief and what it explains.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Explanation {
     /// The known mistake's name.
+    #[serde(rename = "mistake")]
     pub slug: String,
     /// What is believed, and the hints.
+    #[serde(flatten)]
     pub mistake: Mistake,
     /// The share of the wrong pixels or questions that this belief predicts as they
     /// came, 0 to 1.
@@ -47,6 +56,28 @@ impl Diagnosis {
     /// Whether nothing is named.
     pub fn is_empty(&self) -> bool {
         self.beliefs.is_empty()
+    }
+}
+
+/// In documents, a diagnosis that names nothing is null.
+pub mod or_null {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    use super::Diagnosis;
+
+    /// Writes the diagnosis, or null.
+    pub fn serialize<S: Serializer>(
+        diagnosis: &Diagnosis,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        let named = (!diagnosis.is_empty()).then_some(diagnosis);
+        named.serialize(serializer)
+    }
+
+    /// Reads either.
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Diagnosis, D::Error> {
+        let named = Option::deserialize(deserializer)?;
+        Ok(named.unwrap_or_default())
     }
 }
 

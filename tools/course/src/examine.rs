@@ -8,19 +8,22 @@ use std::time::{Duration, Instant};
 use pinhole::Film;
 use pinhole::ask::{Ending, MOST_PRINTED, Reply};
 use pinhole::job::{Job, Panic};
-use pinhole::judge::judge;
+use pinhole::judge::{Verdict, judge};
 
 use crate::assignment::{Assignment, Task};
 use crate::compile::Program;
 use crate::describe;
 use crate::diagnosis::Diagnosis;
 use crate::error::{Error, Result};
-use crate::examination::{Examination, GroupResult, Outcome, SceneResult, TaskResult};
 use crate::goldens::questions::{Group, QuestionFilm, Questions};
 use crate::goldens::{GoldenScene, Goldens};
+use crate::outcome::{
+    Examination, FilmOutcome, GroupOutcome, Outcome, SceneFilm, SceneOutcome, TaskOutcome,
+};
 use crate::sandbox::{Limits, Sandbox};
 use crate::second_judge::SecondJudge;
 use crate::submission::Submission;
+use crate::submission::flags::flags;
 use diagnose::Cast;
 
 /// A built submission and what it is measured against.
@@ -88,33 +91,39 @@ impl Examiner<'_> {
             tasks.push(self.task(task, &mut printed)?);
         }
         let mut scenes = Vec::new();
+        let mut films = Vec::new();
         for scene in &self.goldens.scenes {
             let wanted = match selection {
                 Selection { tasks, scenes } if scenes.is_empty() => tasks.is_empty(),
                 Selection { scenes, .. } => scenes.contains(&scene.name),
             };
             if wanted {
-                scenes.push(self.scene(scene, &mut printed)?);
+                let (scene, film) = self.scene(scene, &mut printed)?;
+                scenes.push(scene);
+                films.push(film);
             }
         }
         // Each process may say so much; nobody reads more of them all together.
         printed.truncate(printed.floor_char_boundary(MOST_PRINTED));
-        let mut examination = Examination {
-            submission: submission.folder.display().to_string(),
-            title: self.assignment.title.clone(),
-            tasks,
-            scenes,
+        let folder = submission.folder.display().to_string();
+        let mut outcome = Outcome {
             withheld: match selection.is_everything() {
                 true => self.assignment.withheld,
                 false => 0,
             },
+            tasks,
+            scenes,
             printed,
+            flags: flags(submission),
+            ..Outcome::new(&self.assignment.title, folder, self.sandbox.name())
         };
+        outcome.add_up();
+        let mut examination = Examination { outcome, films };
         self.goldens.diagnose_scenes(&mut examination)?;
         Ok(examination)
     }
 
-    fn task(&self, task: &Task, printed: &mut String) -> Result<TaskResult> {
+    fn task(&self, task: &Task, printed: &mut String) -> Result<TaskOutcome> {
         let questions = self.goldens.kept_questions(task)?;
         let together = self.ask_together(task, &questions, printed)?;
         let mut together = together.map(Vec::into_iter);
@@ -142,20 +151,21 @@ impl Examiner<'_> {
                     None => self.ask(&task.name, &film.job, share)?,
                 };
                 printed.push_str(&reply.printed);
-                let (outcome, cast) = self.judge(&reply, film, Some(&task.name))?;
-                let worst = match &outcome {
-                    Outcome::Judged(verdict) => describe::worst(verdict, film, &reply),
-                    _ => None,
+                let judged = self.judge(&reply, film, Some(&task.name))?;
+                let worst = match &judged.verdict {
+                    Some(verdict) => describe::worst(verdict, film, &reply),
+                    None => Vec::new(),
                 };
+                let outcome = judged.outcome;
                 casts.push(Cast {
                     asked: film,
-                    film: cast,
+                    film: judged.film,
                     end: outcome.clone(),
                 });
                 // The first film that fails speaks for its group.
                 if result
                     .as_ref()
-                    .is_none_or(|(earlier, _): &(Outcome, _)| earlier.passes())
+                    .is_none_or(|(earlier, _): &(FilmOutcome, _)| earlier.passes())
                 {
                     result = Some((outcome, worst));
                 }
@@ -166,26 +176,21 @@ impl Examiner<'_> {
                     "make the goldens again: cargo run --release -- golden render",
                 )
             })?;
-            results.push(GroupResult {
-                name: name.clone(),
-                worth: *worth,
-                about: about.clone(),
+            results.push(GroupOutcome::new(
+                name.clone(),
+                about.clone(),
+                *worth,
                 outcome,
                 worst,
-            });
+            ));
         }
         let passes = results.iter().all(|group| group.outcome.passes());
         let diagnosis = match passes {
             true => Diagnosis::default(),
             false => self.goldens.diagnose_task(&task.name, &casts)?,
         };
-        Ok(TaskResult {
-            name: task.name.clone(),
-            chapter: task.chapter.clone(),
-            replaced: self.program.replaced.get(&task.name).cloned(),
-            groups: results,
-            diagnosis,
-        })
+        let replaced = self.program.replaced.get(&task.name);
+        Ok(TaskOutcome::new(task, replaced, results, diagnosis))
     }
 
     /// All groups of a task in one process; `None` if some answer fails in a way that
@@ -209,24 +214,26 @@ impl Examiner<'_> {
         Ok(Some(reply.split(films.map(|film| film.job.len()))))
     }
 
-    fn scene(&self, scene: &GoldenScene, printed: &mut String) -> Result<SceneResult> {
+    fn scene(
+        &self,
+        scene: &GoldenScene,
+        printed: &mut String,
+    ) -> Result<(SceneOutcome, SceneFilm)> {
         let film = self.goldens.kept_scene(scene)?;
         let start = Instant::now();
         let reply = self.ask(&scene.name, &film.job, self.wall)?;
         let seconds = start.elapsed().as_secs_f64();
         printed.push_str(&reply.printed);
-        let (outcome, cast) = self.judge(&reply, &film, None)?;
-        Ok(SceneResult {
-            name: scene.name.clone(),
-            argument: scene.argument.clone(),
-            worth: scene.worth,
-            outcome,
-            seconds,
+        let judged = self.judge(&reply, &film, None)?;
+        let outcome = SceneOutcome::new(scene.name.clone(), scene.worth, judged.outcome, seconds);
+        let film = SceneFilm {
             file: scene.file.clone(),
-            film: cast,
+            argument: scene.argument.clone(),
             golden: film.golden.clone(),
-            diagnosis: Diagnosis::default(),
-        })
+            film: judged.film,
+            verdict: judged.verdict,
+        };
+        Ok((outcome, film))
     }
 
     fn ask(&self, what: &str, job: &Job, wall: Duration) -> Result<Reply> {
@@ -243,46 +250,65 @@ impl Examiner<'_> {
         Ok(reply)
     }
 
-    /// An outcome from a reply, with the film if it is whole; `task` if one answer was
-    /// asked alone.
-    fn judge(
-        &self,
-        reply: &Reply,
-        asked: &QuestionFilm,
-        task: Option<&str>,
-    ) -> Result<(Outcome, Option<Film>)> {
+    /// How the film of a reply fares; `task` if one answer was asked alone.
+    fn judge(&self, reply: &Reply, asked: &QuestionFilm, task: Option<&str>) -> Result<Judged> {
         let complete = reply.answers.iter().all(Option::is_some);
         if let Some(failure) = failure(&reply.ending, self.assignment, task).filter(|_| !complete) {
-            return Ok((failure, None));
+            return Ok(Judged {
+                outcome: failure,
+                film: None,
+                verdict: None,
+            });
         }
         let film = reply.film(asked.resolution);
-        let outcome = match judge(&asked.golden, &film) {
-            Ok(verdict) => Outcome::Judged(verdict),
-            Err(refusal) => Outcome::Refused(refusal),
-        };
+        let verdict = judge(&asked.golden, &film);
+        let outcome = FilmOutcome::from(&verdict);
         if let Some(second) = self.second_judge {
             second.confirm(&film, &asked.golden_path, outcome.passes())?;
         }
-        Ok((outcome, Some(film)))
+        Ok(Judged {
+            outcome,
+            film: Some(film),
+            verdict: verdict.ok(),
+        })
     }
 }
 
+/// How a film fared, and the film if it is whole.
+struct Judged {
+    outcome: FilmOutcome,
+    film: Option<Film>,
+    verdict: Option<Verdict>,
+}
+
 /// What an ending means for whoever was asked; `None` if all is well so far.
-pub fn failure(ending: &Ending, assignment: &Assignment, task: Option<&str>) -> Option<Outcome> {
+pub fn failure(
+    ending: &Ending,
+    assignment: &Assignment,
+    task: Option<&str>,
+) -> Option<FilmOutcome> {
     Some(match ending {
         Ending::Complete => return None,
         Ending::Panicked(panic) if panic.is_unanswered() => match task_of(panic, assignment) {
-            Some(other) if Some(other) != task => Outcome::BlockedBy(other.into()),
-            _ => Outcome::Unanswered,
+            Some(other) if Some(other) != task => FilmOutcome::Blocked { by: other.into() },
+            _ => FilmOutcome::Unanswered,
         },
-        Ending::Panicked(panic) => Outcome::Panicked(panic.clone()),
-        Ending::Unregistered(missing) => Outcome::Died(missing.to_string()),
-        Ending::TimedOut(limit) => Outcome::TimedOut {
+        Ending::Panicked(panic) => FilmOutcome::Panicked {
+            message: panic.message.clone(),
+            file: panic.file.clone(),
+            line: panic.line,
+        },
+        Ending::Unregistered(missing) => FilmOutcome::Died {
+            how: missing.to_string(),
+        },
+        Ending::TimedOut(limit) => FilmOutcome::TimedOut {
             seconds: limit.as_secs_f64(),
         },
-        Ending::OutOfMemory(most) => Outcome::OutOfMemory { most: *most },
-        Ending::Died(how) => Outcome::Died(how.clone()),
-        Ending::Garbled(why) => Outcome::Garbled(why.clone()),
+        Ending::OutOfMemory(most) => FilmOutcome::OutOfMemory { most: *most },
+        Ending::Died(death) => FilmOutcome::Died {
+            how: death.to_string(),
+        },
+        Ending::Garbled(why) => FilmOutcome::Garbled { why: why.clone() },
     })
 }
 

@@ -12,8 +12,8 @@ use pinhole::{Film, Hit, Kind, Pixel, Ray, Scene};
 use crate::assignment::{Assignment, Task};
 use crate::compile::{Program, Replaced};
 use crate::error::Result;
-use crate::examination::Outcome;
 use crate::examine;
+use crate::outcome::FilmOutcome;
 use crate::sandbox::{Limits, Sandbox};
 
 /// What Mitsuba found at a pixel, where a golden is committed.
@@ -50,7 +50,7 @@ pub enum NoAnswer {
     /// This file does not compile.
     DoesNotCompile(String),
     /// It was asked, and failed.
-    Failed(Outcome),
+    Failed(FilmOutcome),
     /// It was asked, and said nothing.
     Nothing,
 }
@@ -137,7 +137,7 @@ impl Witness<'_> {
                     Some((known, why)) if *known == kind => Err(NoAnswer::clone(why)),
                     _ => self.ask(task, &job, hit)?,
                 };
-                if let Err(why @ NoAnswer::Failed(Outcome::TimedOut { .. })) = &said {
+                if let Err(why @ NoAnswer::Failed(FilmOutcome::TimedOut { .. })) = &said {
                     endless = Some((kind, why.clone()));
                 }
                 candidates.push(said);

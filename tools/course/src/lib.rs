@@ -3,7 +3,7 @@
 //! Reading order: [`assignment`] for what is asked and what it is worth, [`submission`]
 //! for what a student hands in, [`compile`] and [`sandbox`] for how it is built and run,
 //! [`goldens`] for what it is compared with, [`examine`] for the way
-//! through all of that to an [`examination`], and [`diagnosis`] for why something is wrong.
+//! through all of that to an [`outcome`], and [`diagnosis`] for why something is wrong.
 
 pub mod assignment;
 pub mod checkout;
@@ -12,7 +12,6 @@ pub mod describe;
 pub mod diagnosis;
 pub mod error;
 pub mod escape;
-pub mod examination;
 pub mod examine;
 pub mod explanation;
 pub mod goldens;
@@ -20,6 +19,7 @@ pub mod handout_record;
 pub mod manifest;
 pub mod mistake;
 pub mod mitsuba;
+pub mod outcome;
 pub mod overlay;
 pub mod progress;
 pub mod run_options;

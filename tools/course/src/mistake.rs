@@ -10,6 +10,7 @@ use crate::error::{Error, Result};
 
 /// A belief that leads to wrong answers, and what helps somebody who holds it.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Mistake {
     /// In a student's own words.
@@ -31,6 +32,7 @@ pub struct Mistake {
 
 /// Help that never gives the answer away, each part deeper than the one before.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Hint {
     /// Where to look.

@@ -29,7 +29,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use clap::ValueEnum;
-use pinhole::ask::{self, Ending, Limit, Reply, Stop, ask_watched};
+use pinhole::ask::{Death, Ending, Limit, Reply, Stop, ask_watched};
 use pinhole::job::Job;
 
 use crate::checkout::Checkout;
@@ -244,14 +244,15 @@ impl Sandbox {
         let exceeded = watch.and_then(Watch::stop);
         self.sweep();
         let mut reply = asked?;
-        if let Ending::Died(how) = &reply.ending {
+        if let Ending::Died(death) = &reply.ending {
             match exceeded {
                 Some(Exceeded::Cpu(most)) => reply.ending = Ending::TimedOut(most),
                 Some(Exceeded::Memory(most)) => reply.ending = Ending::OutOfMemory(most),
                 // The kernel's own limit, where a busy machine looks too seldom.
-                None if how.contains(ask::TIME_WAS_UP) => {
+                None if *death == Death::OutOfProcessorTime => {
                     reply.ending = Ending::TimedOut(limits.cpu);
                 }
+                // What Rust itself prints; its end is that of any process that aborts.
                 None if reply.printed.contains("memory allocation of ") => {
                     reply.ending = Ending::OutOfMemory(limits.memory);
                 }

@@ -9,7 +9,7 @@ use pinhole_course::sandbox::Choice;
 
 use crate::golden::arguments::Golden;
 use crate::grade::formats::Format;
-use crate::grade::withheld::Reveal;
+use crate::grade::redact::Reveal;
 use crate::validate::Part;
 
 /// What instructors do with Pinhole: grade, hand out, make goldens, validate.

@@ -2,7 +2,7 @@
 //!
 //! Reading order: [`intake`] for what was handed in, [`roster`] for whose it is;
 //! [`desk`] has them graded, several at a time; [`bench`] grades one into a [`record`]
-//! ([`kept`], [`again`]), for as long as [`clock`] allows; [`withheld`] for what may be
+//! ([`again`]), for as long as [`clock`] allows; [`redact`] for what may be
 //! shown; [`store`] for what lies on disk, [`unfinished`] for what is not there yet; [`class`] for all records together, [`alike`] for answers that are the same;
 //! [`finish`] for what is told of them, by [`csv`], [`page`] and [`formats`]; [`fresh`] for
 //! questions that nobody has seen.
@@ -19,12 +19,10 @@ pub mod finish;
 pub mod formats;
 pub mod fresh;
 pub mod intake;
-pub mod kept;
-pub mod kind;
 pub mod page;
 pub mod provenance;
 pub mod record;
+pub mod redact;
 pub mod roster;
 pub mod store;
 pub mod unfinished;
-pub mod withheld;

@@ -30,7 +30,7 @@ use belief::Told;
 pub use page::{PAGE_CSS, policy};
 use pinhole_course::error::{Error, Result};
 use pinhole_course::escape::printable;
-use pinhole_course::examination::{Examination, Outcome, SceneResult};
+use pinhole_course::outcome::{Examination, FilmOutcome, Outcome, SceneFilm, SceneOutcome};
 use pinhole_course::shell::{PINHOLE, in_shell};
 pub use rays::RayGrid;
 pub use scene::{Evidence, SceneSection};
@@ -82,37 +82,36 @@ impl Report {
         goldens: &Path,
         again: &Again,
     ) -> Result<Report> {
-        let tasks = examination.tasks.iter().enumerate();
+        let Examination { outcome, films } = examination;
+        let tasks = outcome.tasks.iter().enumerate();
         let told: Vec<Told> = tasks
             .clone()
             .flat_map(|(k, task)| Told::by_task(k, &task.name, &task.diagnosis))
             .collect();
-        let failing = examination
-            .scenes
-            .iter()
-            .filter(|scene| !scene.outcome.passes());
-        let share = window::share(failing.map(|scene| scene.golden.film().resolution().pixels()));
-        let scenes = examination.scenes.par_iter().enumerate().map(|(k, scene)| {
+        let scenes = outcome.scenes.iter().zip(films);
+        let failing = scenes.filter(|(scene, _)| !scene.outcome.passes());
+        let pixels = failing.map(|(_, film)| film.golden.film().resolution().pixels());
+        let share = window::share(pixels);
+        let scenes = outcome.scenes.par_iter().zip(films).enumerate();
+        let scenes = scenes.map(|(k, (scene, film))| {
             let evidence = Shown {
                 scene,
-                submission: &examination.submission,
+                film,
+                submission: &outcome.submission,
                 goldens,
                 again,
                 told: &told,
             };
             evidence.section(k, share)
         });
-        let lines: Vec<String> = examination.printed.lines().map(printable).collect();
+        let lines: Vec<String> = outcome.printed.lines().map(printable).collect();
+        let said = [Some(summary(outcome)), terminal::withheld_in_words(outcome)];
         Ok(Report {
-            title: examination.title.clone(),
-            of: vec![("submission", printable(&examination.submission))],
-            passes: examination.passes(),
-            said: [Some(summary(examination)), examination.withheld_in_words()]
-                .into_iter()
-                .flatten()
-                .collect::<Vec<_>>()
-                .join(" "),
-            points: Some(examination.points()),
+            title: outcome.assignment.clone(),
+            of: vec![("submission", printable(&outcome.submission))],
+            passes: outcome.passes,
+            said: said.into_iter().flatten().collect::<Vec<_>>().join(" "),
+            points: outcome.points.map(|points| (points, outcome.possible)),
             tasks: tasks
                 .map(|(k, task)| TaskSection::of(k, task, &again.part))
                 .collect(),
@@ -157,20 +156,17 @@ impl Report {
     }
 }
 
-fn summary(examination: &Examination) -> String {
-    if examination.passes() {
+fn summary(outcome: &Outcome) -> String {
+    if outcome.passes {
         return "Everything that was asked passes.".into();
     }
     let passing = |what: &str, all: Vec<bool>| {
         let good = all.iter().filter(|passes| **passes).count();
         (!all.is_empty()).then(|| format!("{good} of {} {what}", all.len()))
     };
-    let tasks = examination.tasks.iter().map(|task| task.points());
-    let tasks = tasks.map(|(earned, possible)| earned == possible).collect();
-    let scenes = examination
-        .scenes
-        .iter()
-        .map(|scene| scene.outcome.passes());
+    let tasks = outcome.tasks.iter();
+    let tasks = tasks.map(|task| task.points == task.possible).collect();
+    let scenes = outcome.scenes.iter().map(|scene| scene.outcome.passes());
     let parts = [passing("tasks", tasks), passing("scenes", scenes.collect())];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     format!("{} pass.", parts.join(" and "))
@@ -178,7 +174,8 @@ fn summary(examination: &Examination) -> String {
 
 /// A scene's result, and what the page says beside it.
 struct Shown<'a> {
-    scene: &'a SceneResult,
+    scene: &'a SceneOutcome,
+    film: &'a SceneFilm,
     submission: &'a str,
     goldens: &'a Path,
     again: &'a Again,
@@ -187,13 +184,13 @@ struct Shown<'a> {
 
 impl Shown<'_> {
     fn section(&self, k: usize, share: f64) -> Result<SceneSection> {
-        let result = self.scene;
+        let (result, cast) = (self.scene, self.film);
         let passes = result.outcome.passes();
         let scene = match passes {
             true => None,
-            false => Some(Scene::read(&result.file)?),
+            false => Some(Scene::read(&cast.file)?),
         };
-        let rays = match passes || result.film.is_none() {
+        let rays = match passes || cast.film.is_none() {
             true => None,
             false => rays_beside(&self.goldens.join(&result.name)),
         };
@@ -201,20 +198,20 @@ impl Shown<'_> {
             name: result.name.clone(),
             passes,
             said: terminal::scene_in_words(result),
-            attempted: !matches!(result.outcome, Outcome::Unanswered | Outcome::BlockedBy(_)),
-            points: Some((if passes { result.worth } else { 0 }, result.worth)),
-            verdict: match &result.outcome {
-                Outcome::Judged(verdict) => Some(verdict),
-                _ => None,
-            },
-            golden: &result.golden,
-            film: result.film.as_ref(),
+            attempted: !matches!(
+                result.outcome,
+                FilmOutcome::Unanswered | FilmOutcome::Blocked { .. }
+            ),
+            points: Some((result.points, result.possible)),
+            verdict: cast.verdict.as_ref(),
+            golden: &cast.golden,
+            film: cast.film.as_ref(),
             scene: scene.as_ref(),
             rays,
             beliefs: Beliefs::of(&result.diagnosis, self.told),
             command: format!("{} --scene {}", self.again.part, in_shell(&result.name)),
             explain: Some([
-                format!("{PINHOLE} explain {}", in_shell(&result.argument)),
+                format!("{PINHOLE} explain {}", in_shell(&cast.argument)),
                 format!(" --submission {}", in_shell(self.submission)),
             ]),
         };

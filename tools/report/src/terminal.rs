@@ -10,11 +10,11 @@ mod words;
 use anstyle::{AnsiColor, Style};
 
 use pinhole_course::escape::printable;
-use pinhole_course::examination::{Examination, TaskResult};
+use pinhole_course::outcome::{Examination, TaskOutcome};
 pub use scenes::worst_pixel;
 pub use words::{
-    diagnosis, no_answer, outcome, outcome_of, percent, scene_in_words, task_in_words,
-    verdict_in_words,
+    diagnosis, facts, group_in_words, no_answer, outcome, outcome_of, percent, scene_in_words,
+    task_in_words, withheld_in_words,
 };
 
 pub const PASS: Style = AnsiColor::Green.on_default();
@@ -28,25 +28,26 @@ const MOST_PRINTED_LINES: usize = 20;
 /// The whole table: tasks, scenes, what went wrong, and the sum of points.
 pub fn examination(examination: &Examination) -> String {
     let mut text = String::new();
-    let submission = printable(&examination.submission);
+    let outcome = &examination.outcome;
+    let submission = printable(&outcome.submission);
     line(
         &mut text,
         format!(
             "{STRONG}{}{STRONG:#}  {QUIET}{submission}{QUIET:#}",
-            examination.title
+            outcome.assignment
         ),
     );
-    let tasks = examination.tasks.iter().map(|task| &task.name);
-    let names = tasks.chain(examination.scenes.iter().map(|scene| &scene.name));
+    let tasks = outcome.tasks.iter().map(|task| &task.name);
+    let names = tasks.chain(outcome.scenes.iter().map(|scene| &scene.name));
     let width = names.map(String::len).max().unwrap_or(0).max(5) + 2;
-    if !examination.tasks.is_empty() {
+    if !outcome.tasks.is_empty() {
         line(&mut text, heading("task", width));
     }
-    for task in &examination.tasks {
+    for task in &outcome.tasks {
         tasks::rows(&mut text, task, width, tasks::Extent::All);
     }
     scenes::rows(&mut text, examination, width);
-    let (earned, possible) = examination.points();
+    let (earned, possible) = (outcome.points.unwrap_or_default(), outcome.possible);
     line(
         &mut text,
         format!(
@@ -54,15 +55,15 @@ pub fn examination(examination: &Examination) -> String {
             "total"
         ),
     );
-    if let Some(words) = examination.withheld_in_words() {
+    if let Some(words) = withheld_in_words(outcome) {
         line(&mut text, format!("  {QUIET}{words}{QUIET:#}"));
     }
-    text.push_str(&printed(&examination.printed));
+    text.push_str(&printed(&outcome.printed));
     text
 }
 
 /// One task with the first of its groups that fails; `width` is that of its name.
-pub fn task(task: &TaskResult, width: usize) -> String {
+pub fn task(task: &TaskOutcome, width: usize) -> String {
     let mut text = String::new();
     tasks::rows(&mut text, task, width, tasks::Extent::First);
     text
@@ -71,7 +72,8 @@ pub fn task(task: &TaskResult, width: usize) -> String {
 /// The scenes.
 pub fn scenes(examination: &Examination) -> String {
     let mut text = String::new();
-    let names = examination.scenes.iter().map(|scene| scene.name.len());
+    let names = examination.outcome.scenes.iter();
+    let names = names.map(|scene| scene.name.len());
     scenes::rows(&mut text, examination, names.max().unwrap_or(0) + 2);
     text
 }

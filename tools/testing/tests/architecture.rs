@@ -16,6 +16,7 @@ const PACKAGES: [(&str, &[&str], &[&str]); 5] = [
         &[],
         &[
             "error",
+            "fact",
             "ray",
             "words",
             "camera",
@@ -58,7 +59,7 @@ const PACKAGES: [(&str, &[&str], &[&str]); 5] = [
             "describe",
             "second_judge",
             "compile",
-            "examination",
+            "outcome",
             "examine",
             "explanation",
         ],

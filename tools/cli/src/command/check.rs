@@ -9,16 +9,15 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::compile;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::escape::printable;
-use pinhole_course::examination::Examination;
 use pinhole_course::examine::{Examiner, Selection};
 use pinhole_course::goldens::Goldens;
+use pinhole_course::outcome::Outcome;
 use pinhole_course::progress::Progress;
 use pinhole_course::run_options::RunOptions;
 use pinhole_course::sandbox::{Choice, Sandbox};
 use pinhole_course::second_judge::SecondJudge;
 use pinhole_course::shell::{PINHOLE, in_shell};
 use pinhole_course::submission::Submission;
-use pinhole_course::submission::flags::flags;
 use pinhole_report::html::{Again, Report};
 use pinhole_report::passage::{self, Passage};
 use pinhole_report::program::Status;
@@ -76,6 +75,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
         progress: &|what, share| progress.show(what, share),
     };
     let examination = examiner.examine(&submission, &selection)?;
+    let outcome = &examination.outcome;
     progress.clear();
 
     let path = match &arguments.report {
@@ -95,26 +95,20 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
         _ => None,
     };
     if arguments.json {
-        let mut document = json::examination(&examination);
+        let mut document = json::document(outcome);
         document["report"] = path.into();
-        document["sandbox"] = sandbox.name().into();
-        document["flags"] = json::flags(&flags(&submission));
         anstream::println!("{document:#}");
     } else {
         anstream::print!("{}", terminal::examination(&examination));
         if let Some(path) = path {
             anstream::println!("\nreport: {}", printable(&path));
         }
-        if let Some(passage) = arguments
-            .read
-            .then(|| worth_reading(&examination))
-            .flatten()
-        {
+        if let Some(passage) = arguments.read.then(|| worth_reading(outcome)).flatten() {
             anstream::println!("\n{}", printable(&passage.open(checkout.root())));
         }
     }
     written.transpose()?;
-    Ok(if examination.passes() {
+    Ok(if outcome.passes {
         Status::Well
     } else {
         Status::JudgedWrong
@@ -122,10 +116,10 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
 }
 
 /// What helps with the first task that fails, or with the first scene.
-fn worth_reading(examination: &Examination) -> Option<Passage> {
-    let mut tasks = examination.tasks.iter();
-    let task = tasks.find(|task| task.groups.iter().any(|group| !group.outcome.passes()));
-    let scenes = examination.scenes.iter();
+fn worth_reading(outcome: &Outcome) -> Option<Passage> {
+    let mut tasks = outcome.tasks.iter();
+    let task = tasks.find(|task| !task.passes());
+    let scenes = outcome.scenes.iter();
     let mut scenes = scenes.filter(|scene| !scene.diagnosis.is_empty());
     match (task, scenes.next()) {
         (Some(task), _) => Passage::against(&task.diagnosis, &task.chapter),

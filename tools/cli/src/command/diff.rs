@@ -15,6 +15,7 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::diagnosis::Diagnosis;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::goldens::Goldens;
+use pinhole_course::outcome::FilmOutcome;
 use pinhole_course::shell::{PINHOLE, in_shell};
 use pinhole_course::{escape, mitsuba};
 use pinhole_report::html::{self, Beliefs, Evidence, Report};
@@ -151,8 +152,10 @@ fn film_report(
         [&arguments.golden, &arguments.film].map(|path| path.display().to_string());
     let scene = scene(checkout, arguments)?;
     let (said, verdict) = match verdict {
-        Ok(Ok(verdict)) => (terminal::verdict_in_words(verdict, "pixels"), Some(verdict)),
-        Ok(Err(refusal)) => (format!("refused: {refusal}"), None),
+        Ok(judged) => {
+            let said = terminal::outcome(&FilmOutcome::from(judged));
+            (said, judged.as_ref().ok())
+        }
         Err(error) => (
             format!("refused: {}", escape::printable(&error.problem)),
             None,

@@ -3,8 +3,8 @@
 use super::order::Item;
 use super::state::State;
 use pinhole_course::diagnosis::Diagnosis;
-use pinhole_course::examination::TaskResult;
 use pinhole_course::mistake::Mistake;
+use pinhole_course::outcome::{AnswerFile, TaskOutcome};
 use pinhole_report::passage::Passage;
 
 /// The hints on what is shown, each deeper than the one before; none where nothing is
@@ -20,7 +20,7 @@ pub fn of(state: &State) -> Vec<String> {
     }
 }
 
-fn on_task(task: &TaskResult) -> Vec<String> {
+fn on_task(task: &TaskOutcome) -> Vec<String> {
     let Some(failing) = task.groups.iter().find(|group| !group.outcome.passes()) else {
         return Vec::new();
     };
@@ -28,7 +28,7 @@ fn on_task(task: &TaskResult) -> Vec<String> {
         return known(&task.diagnosis);
     }
     let read = format!("read: {}", Passage::chapter(&task.chapter));
-    if task.replaced.is_some() {
+    if task.file != AnswerFile::Compiled {
         let look = "look: at the first of the compiler's messages; others may follow from it";
         return vec![look.into(), read];
     }
@@ -45,6 +45,7 @@ fn on_task(task: &TaskResult) -> Vec<String> {
 fn on_scenes(state: &State) -> Vec<String> {
     let failing = state
         .known
+        .outcome
         .scenes
         .iter()
         .find(|scene| !scene.outcome.passes());

@@ -16,9 +16,10 @@ use super::order::{Item, Order};
 use super::{Course, Event};
 use pinhole_course::compile::{Attempt, Compiler, Replacements};
 use pinhole_course::error::Result;
-use pinhole_course::examination::{Examination, TaskResult};
 use pinhole_course::examine::{Examiner, Selection};
+use pinhole_course::outcome::{Examination, Outcome, TaskOutcome};
 use pinhole_course::progress::Progress;
+use pinhole_course::submission::flags::flags;
 
 /// Takes orders; the newest wins.
 pub struct Judge {
@@ -163,13 +164,15 @@ impl Bench {
         let assignment = &self.course.assignment;
         match (replaced.get(name), assignment.task(name)) {
             (Some(why), Some(task)) => {
+                let folder = self.order.submission.folder.display().to_string();
+                let sandbox = self.course.sandbox.name();
+                let mut outcome = Outcome::new(&assignment.title, folder, sandbox);
+                outcome.tasks.push(TaskOutcome::replaced(task, why));
+                outcome.flags = flags(&self.order.submission);
+                outcome.add_up();
                 self.tell_judged(Examination {
-                    submission: self.order.submission.folder.display().to_string(),
-                    title: assignment.title.clone(),
-                    tasks: vec![TaskResult::replaced(task, why.clone())],
-                    scenes: Vec::new(),
-                    withheld: 0,
-                    printed: String::new(),
+                    outcome,
+                    films: Vec::new(),
                 });
                 ControlFlow::Break(())
             }

@@ -10,7 +10,7 @@ use serde_json::json;
 use super::state::State;
 use super::{Course, Event, from_here};
 use pinhole_course::escape::printable;
-use pinhole_course::examination::Examination;
+use pinhole_course::outcome::Examination;
 use pinhole_report::{json, terminal};
 
 /// Prints verdicts.
@@ -80,15 +80,15 @@ impl Plain {
     fn verdict(&self, examination: &Examination, after: Option<Duration>) {
         let after = after.map(|after| after.as_secs_f64());
         if self.json {
-            let mut document = json::examination(examination);
+            let mut document = json::document(&examination.outcome);
             document["seconds_after_save"] = json!(after);
             anstream::println!("{document}");
             return;
         }
-        let tasks = examination.tasks.iter();
+        let tasks = examination.outcome.tasks.iter();
         let tasks: String = tasks.map(|task| terminal::task(task, self.width)).collect();
         let scenes = terminal::scenes(examination);
-        let printed = terminal::printed(&examination.printed);
+        let printed = terminal::printed(&examination.outcome.printed);
         anstream::print!("{tasks}{scenes}{printed}");
         if let Some(after) = after {
             anstream::println!("  judged {after:.2} s after you saved");

@@ -122,7 +122,7 @@ fn happened(state: &State) -> String {
 fn progress(state: &State, columns: usize) -> String {
     let (full, count, what) = match state.item() {
         Some(Item::Scenes) => {
-            let scenes = &state.known.scenes;
+            let scenes = &state.known.outcome.scenes;
             let passing = scenes.iter().filter(|scene| scene.outcome.passes());
             (passing.count(), state.scenes, "scenes")
         }

@@ -14,7 +14,7 @@ use super::order::{Item, Order};
 use super::{Course, Event};
 use pinhole_course::assignment::Task;
 use pinhole_course::error::Error;
-use pinhole_course::examination::{Examination, TaskResult};
+use pinhole_course::outcome::{Examination, Outcome, TaskOutcome};
 use pinhole_course::submission::Submission;
 
 /// The whole watch.
@@ -86,16 +86,16 @@ impl State {
         if course.tasks.is_empty() {
             items.push(Item::Scenes);
         }
+        let folder = course.submission.folder.display().to_string();
         State {
             items,
             shown: Some(0),
             known: Examination {
-                submission: course.submission.folder.display().to_string(),
-                title: course.assignment.title.clone(),
-                tasks: Vec::new(),
-                scenes: Vec::new(),
-                withheld: course.assignment.withheld,
-                printed: String::new(),
+                outcome: Outcome {
+                    withheld: course.assignment.withheld,
+                    ..Outcome::new(&course.assignment.title, folder, course.sandbox.name())
+                },
+                films: Vec::new(),
             },
             stamps: BTreeMap::new(),
             saved: BTreeMap::new(),
@@ -194,9 +194,9 @@ impl State {
     }
 
     /// An item's verdict, if it is a task that has one.
-    pub fn task(&self, item: &Item) -> Option<&TaskResult> {
-        let is_it = |task: &&TaskResult| matches!(item, Item::Task(name) if *name == task.name);
-        self.known.tasks.iter().find(is_it)
+    pub fn task(&self, item: &Item) -> Option<&TaskOutcome> {
+        let is_it = |task: &&TaskOutcome| matches!(item, Item::Task(name) if *name == task.name);
+        self.known.outcome.tasks.iter().find(is_it)
     }
 
     /// Whether the judge is at work.
@@ -206,11 +206,10 @@ impl State {
 
     /// Whether an item has all its points.
     pub fn is_full(&self, item: &Item) -> bool {
-        let all = |task: &TaskResult| task.groups.iter().all(|group| group.outcome.passes());
         match item {
-            Item::Task(_) => self.task(item).is_some_and(all),
+            Item::Task(_) => self.task(item).is_some_and(TaskOutcome::passes),
             Item::Scenes => {
-                let mut scenes = self.known.scenes.iter();
+                let mut scenes = self.known.outcome.scenes.iter();
                 self.has_verdict(item) && scenes.all(|scene| scene.outcome.passes())
             }
         }
@@ -218,14 +217,14 @@ impl State {
 
     /// How long the answer that is judged just now has waited since it was saved.
     pub fn waiting(&self, examination: &Examination, at: Instant) -> Option<Duration> {
-        let task = examination.tasks.first()?;
+        let task = examination.outcome.tasks.first()?;
         let saved = self.saved.get(&Item::Task(task.name.clone()))?;
         Some(at.saturating_duration_since(*saved))
     }
 
     /// Points earned, of all that can be earned.
     pub fn points(&self) -> (u32, u32) {
-        (self.known.points().0, self.possible)
+        (self.known.outcome.points.unwrap_or_default(), self.possible)
     }
 
     /// Tells what has happened.
@@ -255,9 +254,16 @@ impl State {
     fn forget(&mut self, item: &Item) {
         self.stamps.remove(item);
         match item {
-            Item::Task(name) => self.known.tasks.retain(|task| task.name != *name),
-            Item::Scenes => self.known.scenes.clear(),
+            Item::Task(name) => {
+                let tasks = &mut self.known.outcome.tasks;
+                tasks.retain(|task| task.name != *name);
+            }
+            Item::Scenes => {
+                self.known.outcome.scenes.clear();
+                self.known.films.clear();
+            }
         }
+        self.known.outcome.add_up();
     }
 
     fn ask_again(&mut self, items: Vec<Item>) -> Vec<Act> {

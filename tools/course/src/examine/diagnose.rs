@@ -6,9 +6,9 @@ use pinhole::judge::Golden;
 use crate::diagnosis::evidence::Evidence;
 use crate::diagnosis::{Diagnosis, Explanation, Reading};
 use crate::error::Result;
-use crate::examination::{Examination, Outcome, TaskResult};
 use crate::goldens::Goldens;
 use crate::goldens::questions::QuestionFilm;
+use crate::outcome::{Examination, FilmOutcome, TaskOutcome};
 
 /// A belief that explains less of a scene than this is not mentioned there.
 const LEAST_SHARE: f64 = 0.02;
@@ -20,7 +20,7 @@ pub struct Cast<'a> {
     /// The film, if it is whole.
     pub film: Option<Film>,
     /// How it was judged.
-    pub end: Outcome,
+    pub end: FilmOutcome,
 }
 
 impl Goldens {
@@ -49,7 +49,7 @@ impl Goldens {
             let name = self.film_name(&asked.golden_path);
             match (film, end) {
                 (Some(film), _) => evidence.extend(self.evidence(&name, &asked.golden, film)?),
-                (None, Outcome::Panicked(_)) => {
+                (None, FilmOutcome::Panicked { .. }) => {
                     evidence.push(Evidence::of_panic(&name, asked.job.len(), &self.known));
                 }
                 // Nothing else tells beliefs apart: no answer in time, say.
@@ -73,19 +73,19 @@ impl Goldens {
     /// the pictures. Only if no task was found wrong do pictures speak for themselves:
     /// all together first, because what looks alike in one may differ in another.
     pub fn diagnose_scenes(&self, examination: &mut Examination) -> Result<()> {
-        let scenes = &mut examination.scenes;
+        let Examination { outcome, films } = examination;
+        let (tasks, scenes) = (&outcome.tasks, &mut outcome.scenes);
         if scenes.iter().all(|scene| scene.outcome.passes()) {
             return Ok(());
         }
         let mut evidence = Vec::new();
-        for scene in scenes.iter() {
-            evidence.push(match &scene.film {
-                Some(film) => self.evidence(&scene.name, &scene.golden, film)?,
+        for (scene, cast) in scenes.iter().zip(films) {
+            evidence.push(match &cast.film {
+                Some(film) => self.evidence(&scene.name, &cast.golden, film)?,
                 None => None,
             });
         }
-        let tasks = &examination.tasks;
-        let together = match tasks.iter().all(TaskResult::passes) {
+        let together = match tasks.iter().all(TaskOutcome::passes) {
             true => {
                 let all: Vec<Evidence> = evidence.iter().flatten().cloned().collect();
                 self.known.explain(&all, &|_| true)
@@ -101,7 +101,7 @@ impl Goldens {
                 let explanation = self.known.explanation_of(&belief.slug, evidence)?;
                 (explanation.explained >= LEAST_SHARE).then_some(explanation)
             });
-            scene.diagnosis = match together.is_empty() && tasks.iter().all(TaskResult::passes) {
+            scene.diagnosis = match together.is_empty() && tasks.iter().all(TaskOutcome::passes) {
                 true => self.known.explain(evidence, &|_| true),
                 false => Diagnosis {
                     beliefs: shown.collect(),
@@ -118,7 +118,7 @@ impl Goldens {
 }
 
 /// The beliefs that tasks were found to be spoiled by, each once.
-fn held(tasks: &[TaskResult]) -> Diagnosis {
+fn held(tasks: &[TaskOutcome]) -> Diagnosis {
     let mut beliefs: Vec<Explanation> = Vec::new();
     for belief in tasks.iter().flat_map(|task| &task.diagnosis.beliefs) {
         if beliefs.iter().all(|other| other.slug != belief.slug) {

@@ -90,8 +90,8 @@ fn same_hit(one: &Option<Hit>, other: &Option<Hit>) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::examination::Outcome;
     use crate::explanation::{Mitsuba, NoAnswer, Said};
+    use crate::outcome::FilmOutcome;
     use glam::DVec3;
     use pinhole::{Plane, Sphere};
 
@@ -153,7 +153,7 @@ mod tests {
         assert_eq!(at_fault(Ok(RAY), None, Ok(hit(1, 5.0))), sphere);
         assert_eq!(at_fault(Ok(RAY), hit(0, 2.0), Ok(hit(1, 5.0))), first_hit);
         assert_eq!(at_fault(Ok(RAY), hit(0, 2.0), Ok(None)), first_hit);
-        let unanswered = Err(NoAnswer::Failed(Outcome::Unanswered));
+        let unanswered = Err(NoAnswer::Failed(FilmOutcome::Unanswered));
         assert_eq!(at_fault(Ok(RAY), hit(0, 2.0), unanswered), first_hit);
     }
 }

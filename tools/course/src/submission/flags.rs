@@ -7,11 +7,13 @@
 //! signs would take the grader with it.
 
 use proc_macro2::{TokenStream, TokenTree};
+use serde::{Deserialize, Serialize};
 
 use super::Submission;
 
 /// One thing to look at.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Flag {
     /// The task whose file it is.
     pub task: String,

@@ -1,18 +1,15 @@
 //! What fresh questions take from what the known ones gave.
 
 use super::record::Record;
-use pinhole_course::examination::{Examination, TaskResult};
 use pinhole_course::examine::Selection;
+use pinhole_course::outcome::{GroupOutcome, Outcome, TaskOutcome};
 
 /// The tasks and scenes that fresh questions could still cost something.
-pub fn worth_asking_again(examination: &Examination) -> Option<Selection> {
-    let has_points = |task: &&TaskResult| task.points().0 > 0;
-    let tasks = examination.tasks.iter().filter(has_points);
+pub fn worth_asking_again(outcome: &Outcome) -> Option<Selection> {
+    let has_points = |task: &&TaskOutcome| task.points > 0;
+    let tasks = outcome.tasks.iter().filter(has_points);
     let tasks: Vec<String> = tasks.map(|task| task.name.clone()).collect();
-    let scenes = examination
-        .scenes
-        .iter()
-        .any(|scene| scene.outcome.passes());
+    let scenes = outcome.scenes.iter().any(|scene| scene.outcome.passes());
     match (tasks.is_empty(), scenes) {
         (true, false) => None,
         (_, true) => Some(Selection::default()),
@@ -23,23 +20,25 @@ pub fn worth_asking_again(examination: &Examination) -> Option<Selection> {
     }
 }
 
-/// Takes from `examination` the groups that pass only the questions that were known, and
-/// names them: task and group.
-pub fn deny(examination: &mut Examination, fresh: &Examination) -> Vec<(String, String)> {
-    let mut denied = Vec::new();
-    for task in &mut examination.tasks {
+/// Takes their points from the groups that pass the known questions and fail fresh ones.
+pub fn revoke_failing_fresh(outcome: &mut Outcome, fresh: &Outcome) {
+    for task in &mut outcome.tasks {
         let Some(again) = fresh.tasks.iter().find(|again| again.name == task.name) else {
             continue;
         };
         for (group, again) in task.groups.iter_mut().zip(&again.groups) {
             if group.outcome.passes() && !again.outcome.passes() {
-                group.outcome = again.outcome.clone();
-                group.worst = again.worst.clone();
-                denied.push((task.name.clone(), group.name.clone()));
+                *group = GroupOutcome {
+                    points: 0,
+                    outcome: again.outcome.clone(),
+                    worst: again.worst.clone(),
+                    fails_fresh: true,
+                    ..group.clone()
+                };
             }
         }
     }
-    denied
+    outcome.add_up();
 }
 
 /// Scenes earn no more than the answers behind them do on questions nobody has seen: the
@@ -47,8 +46,9 @@ pub fn deny(examination: &mut Examination, fresh: &Examination) -> Vec<(String, 
 /// Fresh scenes alone would be too strict, as one wrong shape spoils all of them.
 pub fn most_for_scenes(record: &Record) -> u32 {
     let fresh: u32 = record.fresh_scenes.iter().map(|scene| scene.points).sum();
-    let scenes: u32 = record.scenes.iter().map(|scene| scene.possible).sum();
-    let earned: u32 = record.tasks.iter().map(|task| task.points).sum();
-    let possible: u32 = record.tasks.iter().map(|task| task.possible).sum();
+    let (_, scenes) = record.scene_points();
+    let tasks = &record.got.tasks;
+    let earned: u32 = tasks.iter().map(|task| task.points).sum();
+    let possible: u32 = tasks.iter().map(|task| task.possible).sum();
     fresh.max((scenes * earned).div_ceil(possible.max(1)))
 }

@@ -120,10 +120,9 @@ impl Known {
     pub fn alike(&self, records: &[&Record]) -> Vec<Alike> {
         let mut same: BTreeMap<(String, String), Vec<String>> = BTreeMap::new();
         for record in records {
-            for task in &record.tasks {
-                let hash = task.tokens.iter().filter(|hash| !self.stubs.contains(hash));
-                for hash in hash {
-                    let key = (task.name.clone(), hash.clone());
+            for (task, hash) in &record.tokens {
+                if !self.stubs.contains(hash) {
+                    let key = (task.clone(), hash.clone());
                     same.entry(key).or_default().push(record.id.clone());
                 }
             }

@@ -6,20 +6,19 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
-use super::again::{deny, most_for_scenes, worth_asking_again};
+use super::again::{most_for_scenes, revoke_failing_fresh, worth_asking_again};
+use super::alike;
 use super::clock::{Pace, SubmissionClock};
 use super::intake::Entry;
-use super::kept::{flagged, scenes, tasks};
-use super::kind::Kind;
 use super::provenance::{MadeWith, Provenance};
-use super::record::{Record, SCHEMA, Timings};
-use super::withheld::{self, Withheld};
+use super::record::{Record, Timings, explained};
+use super::redact::{Withheld, redact_scene};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::compile::{Compiler, Program};
 use pinhole_course::error::Result;
-use pinhole_course::examination::Examination;
 use pinhole_course::examine::{Examiner, Selection};
 use pinhole_course::goldens::Goldens;
+use pinhole_course::outcome::{Examination, Outcome, Status};
 use pinhole_course::sandbox::Sandbox;
 use pinhole_course::submission::Submission;
 use pinhole_report::html::{Again, Report};
@@ -98,23 +97,26 @@ impl Bench<'_> {
     pub fn blank(&self, entry: &Entry, submission: &Submission) -> Record {
         let scenes = self.goldens.scenes.iter().map(|scene| scene.worth);
         let groups = self.assignment.tasks.iter().flat_map(|task| &task.points);
+        let (title, name) = (&self.assignment.title, entry.name.clone());
+        let answers = submission.answers.iter().filter_map(|answer| {
+            let hash = alike::tokens(answer.text.as_ref().ok()?)?;
+            Some((answer.task.clone(), hash))
+        });
         Record {
-            schema: SCHEMA,
             id: entry.id.clone(),
-            name: entry.name.clone(),
-            assignment: self.assignment.title.clone(),
-            outcome: Kind::NotGraded,
+            status: Status::NotGraded,
             explanation: String::new(),
-            points: None,
-            possible: scenes.sum::<u32>() + groups.map(|points| points.worth).sum::<u32>(),
-            tasks: Vec::new(),
-            scenes: Vec::new(),
+            got: Outcome {
+                passes: false,
+                points: None,
+                possible: scenes.sum::<u32>() + groups.map(|points| points.worth).sum::<u32>(),
+                ..Outcome::new(title, name, self.sandbox.name())
+            },
             fresh_scenes: Vec::new(),
             most_for_scenes: None,
-            flags: Vec::new(),
+            tokens: answers.collect(),
             provenance: Provenance::of(submission, self.made_with),
             timings: Timings::default(),
-            printed: String::new(),
         }
     }
 
@@ -139,36 +141,40 @@ impl Bench<'_> {
             &everything,
             clock,
         )?;
-        examination.submission = entry.name.clone();
-        let fresh = match (self.fresh, worth_asking_again(&examination)) {
+        let fresh = match (self.fresh, worth_asking_again(&examination.outcome)) {
             (Some(goldens), Some(selection)) => {
                 Some(self.examine(goldens, &program, &sandbox, submission, &selection, clock)?)
             }
             _ => None,
         };
-        let failed = fresh.as_ref().map(|fresh| deny(&mut examination, fresh));
-        let failed = failed.unwrap_or_default();
         let asked = start.elapsed();
 
         let mut record = self.blank(entry, submission);
-        record.tasks = tasks(&examination, submission, &failed, &self.withheld);
-        record.scenes = scenes(&examination.scenes, |name| self.withheld.scene(name));
+        let got = &mut examination.outcome;
+        got.submission = entry.name.clone();
         if let Some(fresh) = &fresh {
-            record.fresh_scenes = scenes(&fresh.scenes, |_| Some(self.withheld.reveal));
+            revoke_failing_fresh(got, &fresh.outcome);
+        }
+        record.status = got.status();
+        record.explanation = explained(record.status).into();
+        self.withheld.redact(got);
+        let possible = record.got.possible;
+        record.got = got.clone();
+        if let Some(fresh) = fresh {
+            record.fresh_scenes = fresh.outcome.scenes;
+            for scene in &mut record.fresh_scenes {
+                redact_scene(scene, self.withheld.reveal);
+            }
             record.most_for_scenes = Some(most_for_scenes(&record));
         }
-        let kinds = record.tasks.iter().map(|task| task.outcome);
-        let kinds = kinds.chain(record.scenes.iter().map(|scene| scene.outcome));
-        record.outcome = kinds.min().unwrap_or(Kind::Graded);
-        record.explanation = record.outcome.explained().into();
-        let by_tasks: u32 = record.tasks.iter().map(|task| task.points).sum();
-        record.points = Some(by_tasks + record.scene_points().0);
-        if !self.withheld.any() {
-            let end = examination.printed.floor_char_boundary(MOST_PRINTED);
-            record.printed = examination.printed[..end].into();
-        }
-        record.flags = flagged(submission);
-        let page = self.report(&record, &examination, &failed)?.html();
+        let by_tasks: u32 = record.got.tasks.iter().map(|task| task.points).sum();
+        let points = by_tasks + record.scene_points().0;
+        (record.got.points, record.got.possible) = (Some(points), possible);
+        record.got.passes = points == possible;
+        examination.outcome = record.got.clone();
+        let page = self.report(&record, &examination)?.html();
+        let printed = &mut record.got.printed;
+        printed.truncate(printed.floor_char_boundary(MOST_PRINTED));
         let total = start.elapsed();
         record.timings = Timings {
             total: total.as_secs_f64(),
@@ -205,32 +211,30 @@ impl Bench<'_> {
         examiner.examine(submission, selection)
     }
 
-    fn report(
-        &self,
-        record: &Record,
-        examination: &Examination,
-        failed: &[(String, String)],
-    ) -> Result<Report> {
+    fn report(&self, record: &Record, examination: &Examination) -> Result<Report> {
         let command = format!("{} check", pinhole_course::shell::PINHOLE);
         let again = Again {
             whole: command.clone(),
             part: command,
         };
         let mut report = Report::of_examination(examination, &self.goldens.folder, &again)?;
-        withheld::veil(&mut report, examination, &self.withheld, failed);
-        report
-            .of
-            .push(("judged on", record.provenance.made_with.judged_on.clone()));
-        report
-            .of
-            .push(("sandbox", record.provenance.made_with.sandbox.clone()));
-        report.points = record.points.map(|points| (points, record.possible));
-        report.passes = record.points == Some(record.possible);
-        if record.outcome != Kind::Graded {
+        self.withheld.redact_report(&mut report, &record.got);
+        let MadeWith {
+            judged_on, sandbox, ..
+        } = &record.provenance.made_with;
+        report.of.push(("judged on", judged_on.clone()));
+        report.of.push(("sandbox", sandbox.clone()));
+        if record.status != Status::Graded {
             report.said = format!("{} {}", report.said, record.explanation);
         }
         if let Some(most) = record.most_for_scenes
-            && record.scenes.iter().map(|scene| scene.points).sum::<u32>() > most
+            && record
+                .got
+                .scenes
+                .iter()
+                .map(|scene| scene.points)
+                .sum::<u32>()
+                > most
         {
             report.said.push_str(&format!(
                 " The scenes earn {most} points at most, as the answers behind them did on \

@@ -21,14 +21,12 @@ impl Change {
     /// How `after` differs from `before`; `None` if all points are the same.
     pub fn between(before: &Record, after: &Record) -> Option<Change> {
         let parts = |record: &Record| {
-            let tasks = record
-                .tasks
-                .iter()
-                .map(|task| (task.name.clone(), task.points));
+            let tasks = record.got.tasks.iter();
+            let tasks = tasks.map(|task| (task.name.clone(), task.points));
             let scenes = ("scenes".to_owned(), record.scene_points().0);
             tasks.chain([scenes]).collect::<Vec<_>>()
         };
-        let (Some(points), Some(now)) = (before.points, after.points) else {
+        let (Some(points), Some(now)) = (before.got.points, after.got.points) else {
             return None;
         };
         let old = parts(before);

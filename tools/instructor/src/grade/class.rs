@@ -6,9 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use super::alike::{Alike, Known};
 use super::intake::Entry;
-use super::kind::Kind;
 use super::record::Record;
 use super::roster::{Person, Placed};
+use pinhole_course::diagnosis::Reading;
+use pinhole_course::outcome::Status;
 
 /// The file of a graded class that holds its roll, for merges to read.
 pub const ROLL: &str = "roll.json";
@@ -92,11 +93,11 @@ impl<'a> Class<'a> {
     }
 
     /// Who ended how.
-    pub fn outcomes(&self) -> BTreeMap<Kind, Vec<&'a str>> {
-        let mut outcomes: BTreeMap<Kind, Vec<&str>> = BTreeMap::new();
+    pub fn outcomes(&self) -> BTreeMap<Status, Vec<&'a str>> {
+        let mut outcomes: BTreeMap<Status, Vec<&str>> = BTreeMap::new();
         for row in &self.rows {
-            let kind = row.record.map_or(Kind::NotGraded, |record| record.outcome);
-            outcomes.entry(kind).or_default().push(&row.entry.id);
+            let status = row.record.map_or(Status::NotGraded, |record| record.status);
+            outcomes.entry(status).or_default().push(&row.entry.id);
         }
         outcomes
     }
@@ -106,11 +107,12 @@ impl<'a> Class<'a> {
     pub fn mistakes(&self) -> Vec<Held> {
         let mut held: BTreeMap<&str, Held> = BTreeMap::new();
         for record in self.graded() {
-            for task in &record.tasks {
-                for belief in task.diagnosis.iter().filter(|belief| !belief.one_of) {
-                    let entry = held.entry(&belief.mistake).or_insert_with(|| Held {
-                        mistake: belief.mistake.clone(),
-                        belief: belief.belief.clone(),
+            let tasks = record.got.tasks.iter();
+            for task in tasks.filter(|task| task.diagnosis.reading == Reading::Together) {
+                for belief in &task.diagnosis.beliefs {
+                    let entry = held.entry(&belief.slug).or_insert_with(|| Held {
+                        mistake: belief.slug.clone(),
+                        belief: belief.mistake.belief.clone(),
                         tasks: Vec::new(),
                         who: Vec::new(),
                     });

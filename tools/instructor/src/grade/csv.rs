@@ -34,16 +34,16 @@ pub fn grades(class: &Class, assignment: &Assignment) -> String {
         let mut line = vec![person.id, person.name, person.section, entry.name.clone()];
         match record {
             Some(record) if record.is_graded() => {
-                line.push(record.points.unwrap_or_default().to_string());
-                line.push(record.possible.to_string());
-                line.push(record.outcome.word().into());
+                line.push(record.got.points.unwrap_or_default().to_string());
+                line.push(record.got.possible.to_string());
+                line.push(record.status.word().into());
                 line.push(record.notes());
                 for name in &tasks {
-                    let task = record.tasks.iter().find(|task| task.name == *name);
+                    let task = record.got.tasks.iter().find(|task| task.name == *name);
                     line.push(task.map(|task| task.points.to_string()).unwrap_or_default());
                 }
                 line.push(record.scene_points().0.to_string());
-                line.push(record.flags.len().to_string());
+                line.push(record.got.flags.len().to_string());
                 line.push(record.provenance.made_with.judged_on.clone());
             }
             _ => {
@@ -79,22 +79,29 @@ pub fn groups(class: &Class) -> String {
     for record in class.graded() {
         let mut line = |task: &str, group: &str, points: u32, possible: u32, outcome: &str| {
             let [points, possible] = [points, possible].map(|points| points.to_string());
-            let words = [&record.name, task, group, &points, &possible, outcome];
+            let words = [
+                &record.got.submission,
+                task,
+                group,
+                &points,
+                &possible,
+                outcome,
+            ];
             table.line(&words.map(str::to_owned));
         };
-        for task in &record.tasks {
+        for task in &record.got.tasks {
             for group in &task.groups {
-                let word = group.outcome.word();
+                let word = group.outcome.status().word();
                 line(&task.name, &group.name, group.points, group.possible, word);
             }
         }
-        for scene in &record.scenes {
+        for scene in &record.got.scenes {
             line(
                 "scenes",
                 &scene.name,
                 scene.points,
                 scene.possible,
-                scene.outcome.word(),
+                scene.outcome.status().word(),
             );
         }
     }

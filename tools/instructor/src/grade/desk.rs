@@ -115,7 +115,7 @@ impl<'a> Desk<'a> {
         if let Some(before) = &before
             && !self.regrade
             && before.provenance == Provenance::of(&submission, made_with)
-            && before.name == entry.name
+            && before.got.submission == entry.name
         {
             return Some(Done {
                 record: before.clone(),
@@ -159,19 +159,16 @@ impl<'a> Desk<'a> {
     fn tell(&self, done: &Done) {
         let count = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         let Record {
-            id,
-            points,
-            possible,
-            outcome,
-            ..
+            id, status, got, ..
         } = &done.record;
         let id = printable(id);
         self.progress
             .show(&id, count as f64 / self.of.max(1) as f64);
         if !std::io::stderr().is_terminal() && done.anew {
-            let points =
-                points.map_or("no mark".into(), |points| format!("{points} of {possible}"));
-            anstream::eprintln!("[{count}/{}] {id}: {points}, {}", self.of, outcome.word());
+            let points = got.points.map_or("no mark".into(), |points| {
+                format!("{points} of {}", got.possible)
+            });
+            anstream::eprintln!("[{count}/{}] {id}: {points}, {}", self.of, status.word());
         }
     }
 }

@@ -84,7 +84,7 @@ fn document(class: &Class, told: &Told) -> serde_json::Value {
     let outcomes: BTreeMap<&str, Vec<&str>> =
         outcomes.map(|(kind, who)| (kind.word(), who)).collect();
     let points = class.rows.iter().map(|row| {
-        let points = row.record.and_then(|record| record.points);
+        let points = row.record.and_then(|record| record.got.points);
         (row.entry.id.as_str(), points)
     });
     json!({

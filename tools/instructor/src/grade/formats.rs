@@ -4,11 +4,12 @@
 use clap::ValueEnum;
 use serde_json::{Value, json};
 
-use super::kind::Kind;
 use super::record::Record;
 use super::store::pretty;
 use pinhole_course::error::Result;
 use pinhole_course::escape::printable;
+use pinhole_course::outcome::{AnswerFile, Status};
+use pinhole_report::terminal;
 
 /// A file to write beside each result.
 #[derive(Clone, Copy, Debug, Eq, PartialEq, ValueEnum)]
@@ -30,7 +31,7 @@ struct Part {
     about: String,
     points: u32,
     possible: u32,
-    outcome: Kind,
+    outcome: Status,
     said: String,
 }
 
@@ -50,32 +51,34 @@ impl Format {
 }
 
 fn parts(record: &Record) -> Vec<Part> {
-    let groups = record.tasks.iter().flat_map(|task| {
+    let groups = record.got.tasks.iter().flat_map(|task| {
         task.groups.iter().map(|group| Part {
             suite: task.name.clone(),
             name: group.name.clone(),
             about: group.about.clone(),
             points: group.points,
             possible: group.possible,
-            outcome: match task.outcome {
-                Kind::MissingFile | Kind::RefusedFile | Kind::DoesNotCompile => task.outcome,
-                _ => group.outcome,
+            outcome: match task.file {
+                AnswerFile::Compiled => group.outcome.status(),
+                _ => task.status(),
             },
-            said: match &task.compiler {
-                Some(text) => text.clone(),
-                None => group.said.clone(),
+            said: match &task.file {
+                AnswerFile::DoesNotCompile { compiler } => {
+                    anstream::adapter::strip_str(compiler).to_string()
+                }
+                _ => terminal::outcome_of(&group.outcome, "questions"),
             },
         })
     });
     // What fresh questions have shown takes points from the scenes one by one, the last
     // first, so that the parts add up to the mark.
     let mut left = record.scene_points().0;
-    let scenes = record.scenes.iter().map(|scene| {
+    let scenes = record.got.scenes.iter().map(|scene| {
         let points = scene.points.min(left);
         left -= points;
         let said = match points < scene.points {
             true => "the picture passes, but the answers behind it fail fresh questions".into(),
-            false => scene.said.clone(),
+            false => terminal::outcome(&scene.outcome),
         };
         Part {
             suite: "scenes".into(),
@@ -83,7 +86,7 @@ fn parts(record: &Record) -> Vec<Part> {
             about: String::new(),
             points,
             possible: scene.possible,
-            outcome: scene.outcome,
+            outcome: scene.outcome.status(),
             said,
         }
     });
@@ -92,7 +95,7 @@ fn parts(record: &Record) -> Vec<Part> {
 
 /// None without a mark: Gradescope then says that grading failed, and records no score.
 fn gradescope(record: &Record) -> Option<Value> {
-    let points = record.points?;
+    let points = record.got.points?;
     let tests = parts(record).into_iter().enumerate().map(|(k, part)| {
         json!({
             "name": format!("{}: {}", part.suite, part.name),
@@ -110,13 +113,13 @@ fn gradescope(record: &Record) -> Option<Value> {
         "output": record.explanation,
         "visibility": "visible",
         "stdout_visibility": "hidden",
-        "extra_data": { "judged_on": record.provenance.made_with.judged_on, "outcome": record.outcome },
+        "extra_data": { "judged_on": record.provenance.made_with.judged_on, "outcome": record.status },
         "tests": tests.collect::<Vec<_>>(),
     }))
 }
 
 fn prairielearn(record: &Record) -> Value {
-    let Some(points) = record.points else {
+    let Some(points) = record.got.points else {
         return json!({ "gradable": false, "message": record.explanation });
     };
     let tests = parts(record).into_iter().map(|part| {
@@ -130,7 +133,7 @@ fn prairielearn(record: &Record) -> Value {
     });
     json!({
         "gradable": true,
-        "score": f64::from(points) / f64::from(record.possible.max(1)),
+        "score": f64::from(points) / f64::from(record.got.possible.max(1)),
         "message": record.explanation,
         "tests": tests.collect::<Vec<_>>(),
     })
@@ -146,7 +149,7 @@ fn junit(record: &Record) -> String {
         let own: Vec<&Part> = parts.iter().filter(|part| part.suite == suite).collect();
         let skipped = own
             .iter()
-            .filter(|part| part.outcome == Kind::Unanswered)
+            .filter(|part| part.outcome == Status::Unanswered)
             .count();
         let passing = own
             .iter()
@@ -169,7 +172,7 @@ fn junit(record: &Record) -> String {
             let said = xml(&text(part));
             body.push_str(&match part.points == part.possible {
                 true => "/>\n".into(),
-                false if part.outcome == Kind::Unanswered => {
+                false if part.outcome == Status::Unanswered => {
                     "><skipped message=\"unanswered\"/></testcase>\n".into()
                 }
                 false => {

@@ -5,10 +5,11 @@ use serde::Serialize;
 
 use super::alike::Alike;
 use super::class::{Class, Held, Row};
-use super::kind::Kind;
+use super::record::explained;
 use super::roster::{Person, Placed};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::escape::printable;
+use pinhole_course::outcome::Status;
 use pinhole_report::html::policy;
 
 const TEMPLATES: [(&str, &str); 2] = [
@@ -110,11 +111,14 @@ pub fn html(class: &Class, assignment: &Assignment) -> String {
 }
 
 fn of<'a>(class: &'a Class<'a>, assignment: &Assignment) -> Page<'a> {
-    let mut points: Vec<u32> = class.graded().filter_map(|record| record.points).collect();
+    let mut points: Vec<u32> = class
+        .graded()
+        .filter_map(|record| record.got.points)
+        .collect();
     points.sort();
     let possible = class
         .graded()
-        .map(|record| record.possible)
+        .map(|record| record.got.possible)
         .max()
         .unwrap_or(0);
     let bins = bins(&points, possible);
@@ -150,7 +154,7 @@ fn of<'a>(class: &'a Class<'a>, assignment: &Assignment) -> Page<'a> {
             .into_iter()
             .map(|(kind, who)| Ended {
                 word: kind.word(),
-                explained: kind.explained(),
+                explained: explained(kind),
                 who: who.into_iter().map(printable).collect(),
             })
             .collect(),
@@ -189,13 +193,13 @@ fn line(row: &Row) -> Line {
         name: printable(&row.entry.name),
         person: person.name,
         section: person.section,
-        points: graded.and_then(|record| record.points),
+        points: graded.and_then(|record| record.got.points),
         outcome: row
             .record
-            .map_or(Kind::NotGraded, |record| record.outcome)
+            .map_or(Status::NotGraded, |record| record.status)
             .word(),
         notes: row.record.map(|record| record.notes()).unwrap_or_default(),
-        flags: row.record.map_or(0, |record| record.flags.len()),
+        flags: row.record.map_or(0, |record| record.got.flags.len()),
         seconds: graded
             .map(|record| format!("{:.1}", record.timings.total))
             .unwrap_or_default(),
@@ -242,9 +246,10 @@ fn parts(class: &Class, assignment: &Assignment) -> Vec<Part> {
     };
     let mut parts = Vec::new();
     for task in &assignment.tasks {
-        let of = class
-            .graded()
-            .filter_map(|record| record.tasks.iter().find(|other| other.name == task.name));
+        let of = class.graded().filter_map(|record| {
+            let mut tasks = record.got.tasks.iter();
+            tasks.find(|other| other.name == task.name)
+        });
         let of: Vec<_> = of.collect();
         let all = of.iter().map(|task| (task.points, task.possible)).collect();
         parts.push(part(&task.name, &task.chapter, false, all));
@@ -258,10 +263,11 @@ fn parts(class: &Class, assignment: &Assignment) -> Vec<Part> {
     }
     let all = class.graded().map(|record| record.scene_points()).collect();
     parts.push(part("scenes", "all answers together", false, all));
-    let names = class.graded().next().map(|record| &record.scenes);
+    let names = class.graded().next().map(|record| &record.got.scenes);
     for scene in names.into_iter().flatten() {
         let scenes = class.graded().filter_map(|record| {
             let scene = record
+                .got
                 .scenes
                 .iter()
                 .find(|other| other.name == scene.name)?;

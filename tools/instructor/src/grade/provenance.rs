@@ -7,13 +7,14 @@ use std::process::Command;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use super::withheld::Reveal;
+use super::redact::Reveal;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::submission::{Submission, Unusable};
 
 /// Hashes and settings; equal ones give equal marks.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Provenance {
     /// The answers: task, and the hash of the file or why there is none.
     pub answers: Vec<(String, String)>,
@@ -23,6 +24,7 @@ pub struct Provenance {
 
 /// What is the same for the whole class.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct MadeWith {
     /// "public goldens and fresh questions", say.
     pub judged_on: String,
@@ -45,6 +47,7 @@ pub struct MadeWith {
 
 /// The program that graded.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Tool {
     pub version: String,
     /// Of the executable.

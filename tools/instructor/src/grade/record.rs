@@ -1,114 +1,56 @@
 //! `result.json`: what is kept of one graded submission. Everything said of a class is
 //! computed from these and the roster, so that shards can be merged.
 //!
-//! `tools/schema/result.schema.json` describes it; a change that breaks readers counts
-//! [`SCHEMA`] up.
+//! It is an [`Outcome`] with what grading adds; `tools/schema/result.schema.json` describes
+//! both.
+
+use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::kind::Kind;
 use super::provenance::Provenance;
-
-/// The version of the schema.
-pub const SCHEMA: u32 = 1;
+use pinhole_course::outcome::{Outcome, SceneOutcome, Status};
 
 /// One graded submission.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Record {
-    pub schema: u32,
     /// Its folder under `submissions`.
     pub id: String,
-    /// The folder's or archive's name as it was handed in.
-    pub name: String,
-    pub assignment: String,
-    pub outcome: Kind,
+    /// How it ended: the gravest of its tasks and scenes.
+    #[serde(rename = "outcome")]
+    #[cfg_attr(test, schemars(with = "tests::StatusReference"))]
+    pub status: Status,
     /// What that means, for the student; for `not graded`, why.
     pub explanation: String,
-    /// None if it was not graded.
-    pub points: Option<u32>,
-    pub possible: u32,
-    pub tasks: Vec<TaskRecord>,
-    pub scenes: Vec<SceneRecord>,
+    /// What it got, as far as students may see it. Its points are those of the mark.
+    #[serde(flatten)]
+    #[cfg_attr(test, schemars(skip))]
+    pub got: Outcome,
     /// Scenes nobody has seen: they earn nothing, but bound what `scenes` may earn.
-    pub fresh_scenes: Vec<SceneRecord>,
-    /// The most that scenes may earn, if fresh questions were asked.
+    #[cfg_attr(test, schemars(with = "Vec<tests::SceneReference>"))]
+    pub fresh_scenes: Vec<SceneOutcome>,
+    /// The most that `scenes` may earn, if fresh questions were asked.
     pub most_for_scenes: Option<u32>,
-    pub flags: Vec<FlagRecord>,
+    /// By task, a hash of the answer's tokens: without comments, spaces and line breaks.
+    pub tokens: BTreeMap<String, String>,
+    /// What the mark was made from: where it is equal, the mark is.
     pub provenance: Provenance,
+    /// Where the time went.
     pub timings: Timings,
-    /// What the student's code printed; empty where anything withheld was asked.
-    pub printed: String,
-}
-
-/// One answer.
-#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
-pub struct TaskRecord {
-    pub name: String,
-    pub points: u32,
-    pub possible: u32,
-    pub outcome: Kind,
-    /// In words: the same as in the report.
-    pub said: String,
-    /// The compiler's words, if it does not compile.
-    pub compiler: Option<String>,
-    pub groups: Vec<GroupRecord>,
-    pub diagnosis: Vec<BeliefRecord>,
-    /// Hash of the answer's tokens: without comments, spaces and line breaks.
-    pub tokens: Option<String>,
-}
-
-/// One all-or-nothing group of questions.
-#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
-pub struct GroupRecord {
-    pub name: String,
-    pub about: String,
-    pub points: u32,
-    pub possible: u32,
-    pub outcome: Kind,
-    pub said: String,
-    /// The worst question in words, if it may be shown.
-    pub worst: Option<String>,
-    /// Whether it passes the known questions and fails fresh ones.
-    pub fails_fresh: bool,
-}
-
-/// One scene.
-#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
-pub struct SceneRecord {
-    pub name: String,
-    pub points: u32,
-    pub possible: u32,
-    pub outcome: Kind,
-    pub said: String,
-    pub diagnosis: Vec<BeliefRecord>,
-}
-
-/// A belief that explains what is wrong.
-#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
-pub struct BeliefRecord {
-    pub mistake: String,
-    pub belief: String,
-    /// The share of what is wrong that it explains, 0 to 1.
-    pub explained: f64,
-    /// Whether others explain as much, so that only one of them is held.
-    pub one_of: bool,
-    pub look: String,
-}
-
-/// Something an instructor may want to read; it costs nothing.
-#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
-pub struct FlagRecord {
-    pub task: String,
-    pub line: usize,
-    pub what: String,
 }
 
 /// Where the time went, in seconds of the wall clock. No mark depends on it.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Timings {
+    /// Of all that follows.
     pub total: f64,
+    /// Building the program.
     pub compiling: f64,
+    /// Running and judging it.
     pub asking: f64,
+    /// Writing the report.
     pub report: f64,
     /// 1 if an answer came too late beside others, so that all was graded again, alone.
     pub second_runs: u32,
@@ -117,35 +59,81 @@ pub struct Timings {
 impl Record {
     /// A submission that could not be graded, through no fault of the student's.
     pub fn not_graded(mut self, why: String) -> Record {
-        self.outcome = Kind::NotGraded;
+        self.status = Status::NotGraded;
         self.explanation = why;
-        self.points = None;
+        self.got.points = None;
         self
     }
 
     /// Whether it has a mark.
     pub fn is_graded(&self) -> bool {
-        self.points.is_some()
+        self.got.points.is_some()
     }
 
     /// What the scenes earn.
     pub fn scene_points(&self) -> (u32, u32) {
-        let earned: u32 = self.scenes.iter().map(|scene| scene.points).sum();
-        let possible = self.scenes.iter().map(|scene| scene.possible).sum();
-        (
-            self.most_for_scenes.map_or(earned, |most| earned.min(most)),
-            possible,
-        )
+        let scenes = self.got.scenes.iter();
+        let earned: u32 = scenes.clone().map(|scene| scene.points).sum();
+        let most = self.most_for_scenes.unwrap_or(earned);
+        (earned.min(most), scenes.map(|scene| scene.possible).sum())
     }
 
     /// Which tasks ended in which way, other than judged: "panicked: sphere, plane".
     pub fn notes(&self) -> String {
-        let of = |kind: Kind| {
-            let tasks = self.tasks.iter().filter(|task| task.outcome == kind);
+        let of = |status: Status| {
+            let tasks = self.got.tasks.iter();
+            let tasks = tasks.filter(|task| task.status() == status);
             let tasks: Vec<&str> = tasks.map(|task| task.name.as_str()).collect();
-            (!tasks.is_empty()).then(|| format!("{}: {}", kind.word(), tasks.join(", ")))
+            (!tasks.is_empty()).then(|| format!("{}: {}", status.word(), tasks.join(", ")))
         };
-        let told = Kind::ALL.into_iter().filter(|kind| *kind != Kind::Graded);
+        let told = Status::ALL.into_iter();
+        let told = told.filter(|status| *status != Status::Graded);
         told.filter_map(of).collect::<Vec<_>>().join("; ")
     }
 }
+
+/// What a status means, for the student who reads it.
+pub fn explained(status: Status) -> &'static str {
+    match status {
+        Status::NotGraded => {
+            "Grading failed for a reason that is not yours, so there is no mark. Nothing is \
+             lost: your instructor grades it again."
+        }
+        Status::RefusedFile => {
+            "A file was not accepted. An answer is one regular UTF-8 text file of at most 256 \
+             KiB; links, devices and archives inside archives do not count."
+        }
+        Status::MissingFile => {
+            "An answer file was not handed in, or not under its name. All other answers were \
+             judged; hand in all files of the handout's `src` folder."
+        }
+        Status::DoesNotCompile => {
+            "An answer does not compile, so its stub stood in for it and all others were \
+             judged. The compiler's words are below; `check` shows the same."
+        }
+        Status::OutOfMemory => {
+            "An answer asked for more memory than it may have, and was stopped. It does not \
+             need a collection that grows with every call."
+        }
+        Status::Killed => {
+            "The program ended before it had answered: it left by itself, crashed, or was \
+             stopped for leaving its bounds."
+        }
+        Status::TimedOut => {
+            "An answer came too late, twice, the second time with the machine to itself. The \
+             limit is far above what any right answer needs: look for a loop that does not end."
+        }
+        Status::Panicked => {
+            "An answer panicked. The message and its line are below; the usual ones are an \
+             index out of bounds, an `unwrap` of nothing, and an integer that overflows."
+        }
+        Status::Unreadable => {
+            "What the program sent back was no answer: not finite, say, or not what was asked."
+        }
+        Status::Unanswered => "An answer is still `todo!`. All others were judged.",
+        Status::Graded => "Every answer was compared with its golden.",
+    }
+}
+
+#[cfg(test)]
+mod tests;

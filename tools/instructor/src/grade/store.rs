@@ -5,8 +5,9 @@ use std::fs::{self, File, TryLockError};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use super::record::{Record, SCHEMA};
+use super::record::Record;
 use pinhole_course::error::{Error, Result};
+use pinhole_course::outcome::SCHEMA;
 
 /// The folder of a graded class, locked for as long as this lives.
 pub struct Store {
@@ -52,9 +53,7 @@ impl Store {
 
     /// The finished grade of a submission; `None` if there is none that can be read.
     pub fn record(&self, id: &str) -> Option<Record> {
-        let text = fs::read_to_string(self.of(id).join("result.json")).ok()?;
-        let record: Record = serde_json::from_str(&text).ok()?;
-        (record.schema == SCHEMA && record.is_graded()).then_some(record)
+        read(&self.of(id).join("result.json")).filter(Record::is_graded)
     }
 
     /// Keeps a finished grade. Its report is there before it, so that a result means
@@ -90,16 +89,22 @@ impl Store {
 /// What a folder of `submissions` holds of one: its grade, or why it has none. A grade
 /// does not stand if other answers could not be graded since.
 pub fn standing(folder: &Path) -> Option<Record> {
-    let read = |name: &str| -> Option<Record> {
-        serde_json::from_str(&fs::read_to_string(folder.join(name)).ok()?).ok()
-    };
-    let (result, fault) = (read("result.json"), read("fault.json"));
+    let (result, fault) = (
+        read(&folder.join("result.json")),
+        read(&folder.join("fault.json")),
+    );
     match (&result, &fault) {
         (Some(result), Some(fault)) if result.provenance == fault.provenance => {}
         (_, Some(_)) => return fault,
         (_, None) => {}
     }
     result
+}
+
+/// A record; `None` if there is none, or of another version.
+fn read(path: &Path) -> Option<Record> {
+    let record: Record = serde_json::from_str(&fs::read_to_string(path).ok()?).ok()?;
+    (record.got.schema == SCHEMA).then_some(record)
 }
 
 /// JSON for people, too.

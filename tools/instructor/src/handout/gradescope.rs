@@ -14,7 +14,7 @@ use zip::{CompressionMethod, ZipWriter};
 use super::sources::{add, add_folder, add_folder_as, add_top};
 use super::workspace::{CLI, INSTRUCTOR, Workspace};
 use super::{Files, Written};
-use crate::grade::withheld::Reveal;
+use crate::grade::redact::Reveal;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};

@@ -8,9 +8,9 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIter
 use pinhole_course::assignment::Assignment;
 use pinhole_course::compile::{Compiler, Program};
 use pinhole_course::error::Result;
-use pinhole_course::examination::Examination;
 use pinhole_course::examine::{Examiner, Selection};
 use pinhole_course::goldens::Goldens;
+use pinhole_course::outcome::Examination;
 use pinhole_course::progress::Progress;
 use pinhole_course::sandbox::Sandbox;
 use pinhole_course::second_judge::SecondJudge;

@@ -18,6 +18,7 @@ use pinhole_course::compile::Program;
 use pinhole_course::error::Result;
 use pinhole_course::examine;
 use pinhole_course::sandbox::Limits;
+use pinhole_report::terminal;
 
 /// How a mutant's answers differ from the reference's.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -120,6 +121,7 @@ impl<'a> Oracle<'a> {
                         let question = questions.map(|all| all.describe(index, &task.name, 17));
                         let (expected, got) = (in_words(expected), in_words(got));
                         difference.example = question.map(|question| {
+                            let question = terminal::facts(&question);
                             format!("{question}\nexpected  {expected}\ngot       {got} {ending:?}")
                         });
                     }

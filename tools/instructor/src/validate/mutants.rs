@@ -135,7 +135,7 @@ fn fate_of_program(
         tasks: vec![mutant.task.clone()],
         scenes: Vec::new(),
     })?;
-    let groups = alone.tasks.iter().flat_map(|task| &task.groups);
+    let groups = alone.outcome.tasks.iter().flat_map(|task| &task.groups);
     let failing = groups.filter(|group| !group.outcome.passes());
     let failing: Vec<String> = failing
         .map(|group| format!("{}.{}", mutant.task, group.name))
@@ -148,7 +148,7 @@ fn fate_of_program(
             tasks: Vec::new(),
             scenes: vec![scene.name.clone()],
         })?;
-        if !examined.passes() {
+        if !examined.outcome.passes {
             return Ok(Fate::Scene(scene.name.clone()));
         }
     }

@@ -7,7 +7,7 @@ use super::bench::Bench;
 use super::submissions::{Judged, Known};
 use pinhole_course::diagnosis::{Diagnosis, Reading};
 use pinhole_course::error::Result;
-use pinhole_course::examination::{Examination, SceneResult};
+use pinhole_course::outcome::Examination;
 
 /// Diagnoses of wrong films, counted.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -74,21 +74,22 @@ impl Naming {
         beliefs: &[String],
     ) -> Result<Naming> {
         let mut naming = Naming::default();
-        for task in examination.tasks.iter().filter(|task| !task.passes()) {
+        let Examination { outcome, films } = examination;
+        for task in outcome.tasks.iter().filter(|task| !task.passes()) {
             let film = format!("{name}: {}", task.name);
             naming.tasks.count(&film, &task.diagnosis, beliefs);
         }
-        let wrong = |scene: &&SceneResult| !scene.outcome.passes();
-        for scene in examination.scenes.iter().filter(wrong) {
+        let scenes = outcome.scenes.iter().zip(films);
+        for (scene, cast) in scenes.filter(|(scene, _)| !scene.outcome.passes()) {
             let film = format!("{name}: {}", scene.name);
-            let Some(cast) = &scene.film else {
+            let Some(film_cast) = &cast.film else {
                 naming.without_film += 1;
                 continue;
             };
             naming.scenes.count(&film, &scene.diagnosis, beliefs);
             let alone = bench
                 .goldens
-                .diagnose_film(&scene.name, &scene.golden, cast)?;
+                .diagnose_film(&scene.name, &cast.golden, film_cast)?;
             naming.pictures.count(&film, &alone, beliefs);
         }
         Ok(naming)

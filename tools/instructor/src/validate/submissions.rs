@@ -9,9 +9,9 @@ use serde::Serialize;
 use super::bench::Bench;
 use super::naming::Naming;
 use pinhole_course::error::{Error, Result};
-use pinhole_course::examination::{Examination, Outcome};
 use pinhole_course::examine::Selection;
 use pinhole_course::mistake;
+use pinhole_course::outcome::{AnswerFile, FilmOutcome, Outcome};
 use pinhole_course::overlay;
 use pinhole_course::stubs;
 use pinhole_course::submission::{Answer, Submission};
@@ -68,14 +68,15 @@ pub fn pristine(bench: &Bench) -> Result<Pristine> {
     };
     let mut faults = Vec::new();
     let is_empty =
-        |outcome: &Outcome| matches!(outcome, Outcome::Unanswered | Outcome::BlockedBy(_));
-    let answered = outcomes(stub).filter(|(_, outcome)| !is_empty(outcome));
+        |film: &FilmOutcome| matches!(film, FilmOutcome::Unanswered | FilmOutcome::Blocked { .. });
+    let (stub, reference) = (&stub.outcome, &reference.outcome);
+    let answered = films(stub).filter(|(_, film)| !is_empty(film));
     faults.extend(answered.map(|(name, _)| format!("the stub is not unanswered in {name}")));
-    let wrong = outcomes(reference).filter(|(_, outcome)| !outcome.passes());
+    let wrong = films(reference).filter(|(_, film)| !film.passes());
     faults.extend(wrong.map(|(name, _)| format!("false fail: the reference fails {name}")));
     Ok(Pristine {
-        reference: reference.points(),
-        stub: stub.points().0,
+        reference: (reference.points.unwrap_or_default(), reference.possible),
+        stub: stub.points.unwrap_or_default(),
         faults,
     })
 }
@@ -96,15 +97,11 @@ fn stub(bench: &Bench) -> Result<Submission> {
 }
 
 /// Everything that was asked, by name.
-fn outcomes(examination: &Examination) -> impl Iterator<Item = (String, &Outcome)> {
-    let groups = examination.tasks.iter().flat_map(|task| {
-        let named = |group: &str| format!("{}.{group}", task.name);
-        task.groups
-            .iter()
-            .map(move |group| (named(&group.name), &group.outcome))
-    });
-    let scenes = examination.scenes.iter();
-    groups.chain(scenes.map(|scene| (scene.name.clone(), &scene.outcome)))
+fn films(outcome: &Outcome) -> impl Iterator<Item = (String, &FilmOutcome)> {
+    outcome.films().map(|(task, name, film)| match task {
+        Some(task) => (format!("{task}.{name}"), film),
+        None => (name.to_owned(), film),
+    })
 }
 
 /// Folders to lay over other answers one after the other, and what must come of it.
@@ -220,7 +217,7 @@ fn judge_all(bench: &Bench, what: &str, all: Vec<Overlay>, named: &str) -> Resul
         let submission = folders.try_fold(base, |under, folder| under.overlaid(folder))?;
         let examination = bench.examine(&submission, &Selection::default())?;
         let naming = Naming::of(&bench, &overlay.name, &examination, &overlay.beliefs)?;
-        Ok(Judged::of(&examination, overlay, naming))
+        Ok(Judged::of(&examination.outcome, overlay, naming))
     })?;
     Ok(Known { judged })
 }
@@ -245,10 +242,10 @@ fn variants_mixed(bench: &Bench, base: Submission, turn: usize) -> Result<Submis
 }
 
 impl Judged {
-    fn of(examination: &Examination, overlay: &Overlay, naming: Naming) -> Judged {
+    fn of(outcome: &Outcome, overlay: &Overlay, naming: Naming) -> Judged {
         let mut tasks = Vec::new();
         let mut groups = Vec::new();
-        for task in &examination.tasks {
+        for task in &outcome.tasks {
             let failing = task.groups.iter().filter(|group| !group.outcome.passes());
             let names: Vec<String> = failing
                 .map(|group| format!("{}.{}", task.name, group.name))
@@ -257,12 +254,10 @@ impl Judged {
             groups.extend(names);
         }
         tasks.sort();
-        let scenes = examination.scenes.iter();
+        let scenes = outcome.scenes.iter();
         let scenes = scenes.filter(|scene| !scene.outcome.passes());
-        let replaced = examination
-            .tasks
-            .iter()
-            .filter(|task| task.replaced.is_some());
+        let tasks_asked = outcome.tasks.iter();
+        let replaced = tasks_asked.filter(|task| task.file != AnswerFile::Compiled);
         Judged {
             name: overlay.name.clone(),
             single: overlay.single,

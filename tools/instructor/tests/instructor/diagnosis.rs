@@ -52,6 +52,8 @@ fn a_belief_in_code_never_seen_is_named_in_its_task_and_in_every_scene_it_spoils
     let folder = student("diagnosed", "sphere_near_root_only");
     let ran = pinhole(&["check", plain(&folder), "--json"]).expect_code(1);
     let examination = ran.json();
+    let faults = crate::grade::faults("outcome.schema.json", &examination);
+    assert!(faults.is_empty(), "{faults:?}");
     let [sphere] = failing(&examination, "tasks")[..] else {
         panic!("only the sphere is wrong: {examination:#}")
     };

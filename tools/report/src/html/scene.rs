@@ -3,7 +3,7 @@
 use image::RgbImage;
 use image::imageops::crop_imm;
 use pinhole::film::HIT_CHANNELS;
-use pinhole::judge::{Golden, Verdict};
+use pinhole::judge::{ChannelVerdict, Golden, Verdict};
 use pinhole::{Film, Pixel, Scene, false_colour};
 use serde::Serialize;
 use serde_json::json;
@@ -102,7 +102,7 @@ impl SceneSection {
         let wrong = comparable.map(|film| Wrong::between(evidence.golden, film));
         let start = start(&evidence, wrong.as_ref());
         let window = Window::around(start, golden.resolution(), share);
-        let view = match evidence.verdict.and_then(terminal::worst_pixel) {
+        let view = match evidence.verdict.and_then(worst_pixel) {
             Some((channel, _)) => View::of(&channel.name),
             None => View::Normal,
         };
@@ -194,11 +194,15 @@ fn shows_hits(film: &Film) -> bool {
     HIT_CHANNELS.iter().all(|name| film.channel(name).is_some())
 }
 
+fn worst_pixel(verdict: &Verdict) -> Option<(&ChannelVerdict, Pixel)> {
+    terminal::worst_pixel(&verdict.channels)
+}
+
 /// The pixel to look at first.
 fn start(evidence: &Evidence, wrong: Option<&Wrong>) -> Pixel {
     let worst = evidence
         .verdict
-        .and_then(terminal::worst_pixel)
+        .and_then(worst_pixel)
         .map(|(_, pixel)| pixel);
     let first = || {
         let failing = wrong?.causes.iter().position(Option::is_some)?;

@@ -5,9 +5,9 @@ use serde::Serialize;
 use super::belief::Beliefs;
 use crate::passage::Passage;
 use crate::terminal;
-use pinhole_course::compile::Replaced;
+use pinhole::Fact;
 use pinhole_course::escape::printable;
-use pinhole_course::examination::{GroupResult, TaskResult};
+use pinhole_course::outcome::{AnswerFile, GroupOutcome, TaskOutcome};
 
 /// One answer, judged alone.
 #[derive(Debug, Serialize)]
@@ -44,31 +44,23 @@ pub struct GroupRow {
     pub worst: Vec<Fact>,
 }
 
-/// "expected" and what was.
-#[derive(Debug, PartialEq, Serialize)]
-pub struct Fact {
-    pub label: String,
-    pub value: String,
-}
-
 impl TaskSection {
     /// The `k`-th task; `again` is the command that examined it.
-    pub fn of(k: usize, task: &TaskResult, again: &str) -> TaskSection {
-        let (earned, possible) = task.points();
-        let passes = earned == possible;
-        let compiler = match &task.replaced {
-            Some(Replaced::DoesNotCompile(text)) => Some(plain(text)),
+    pub fn of(k: usize, task: &TaskOutcome, again: &str) -> TaskSection {
+        let compiler = match &task.file {
+            AnswerFile::DoesNotCompile { compiler } => Some(plain(compiler)),
             _ => None,
         };
+        let replaced = task.file != AnswerFile::Compiled;
         TaskSection {
             id: format!("task-{k}"),
             name: task.name.clone(),
-            passes,
-            earned,
-            possible,
+            passes: task.points == task.possible,
+            earned: task.points,
+            possible: task.possible,
             said: terminal::task_in_words(task),
-            attempted: task.replaced.is_some() || !task.is_unanswered(),
-            replaced: task.replaced.is_some(),
+            attempted: replaced || !task.is_unanswered(),
+            replaced,
             groups: rows(task),
             compiler,
             beliefs: Beliefs::of(&task.diagnosis, &[]),
@@ -79,18 +71,18 @@ impl TaskSection {
 }
 
 /// The groups of a task; a panic in every group is one panic.
-fn rows(task: &TaskResult) -> Vec<GroupRow> {
+fn rows(task: &TaskOutcome) -> Vec<GroupRow> {
     let mut told: Vec<String> = Vec::new();
-    let row = |group: &GroupResult| {
-        let said = terminal::outcome_of(&group.outcome, "questions");
-        let again = group.worst.is_none() && told.contains(&said);
+    let row = |group: &GroupOutcome| {
+        let said = terminal::group_in_words(group);
+        let again = group.worst.is_empty() && told.contains(&said);
         told.push(said.clone());
         GroupRow {
             name: group.name.clone(),
             passes: group.outcome.passes(),
-            worth: group.worth,
+            worth: group.possible,
             said: if again { "the same".into() } else { said },
-            worst: group.worst.as_deref().map(facts).unwrap_or_default(),
+            worst: group.worst.clone(),
         }
     };
     task.groups.iter().map(row).collect()
@@ -103,44 +95,9 @@ fn plain(text: &str) -> String {
     lines.join("\n")
 }
 
-/// Splits what [`describe::worst`](pinhole_course::describe::worst) lays out for a terminal:
-/// labels in the first ten columns, and none where a value goes on.
-fn facts(words: &str) -> Vec<Fact> {
-    let mut facts: Vec<Fact> = Vec::new();
-    for line in words.lines() {
-        let split = line.char_indices().nth(10).map_or(line.len(), |(at, _)| at);
-        let (label, value) = line.split_at(split);
-        match facts.last_mut() {
-            Some(fact) if label.trim().is_empty() => {
-                fact.value.push('\n');
-                fact.value.push_str(value.trim());
-            }
-            _ => facts.push(Fact {
-                label: label.trim().into(),
-                value: value.trim().into(),
-            }),
-        }
-    }
-    facts
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_question_laid_out_for_terminals_is_taken_apart_again() {
-        let words = "camera    perspective, 2 × 1\n          u (1, 0, 0)\nexpected  no hit";
-        let fact = |label: &str, value: &str| Fact {
-            label: label.into(),
-            value: value.into(),
-        };
-        let expected = [
-            fact("camera", "perspective, 2 × 1\nu (1, 0, 0)"),
-            fact("expected", "no hit"),
-        ];
-        assert_eq!(facts(words), expected);
-    }
 
     #[test]
     fn the_compilers_colours_and_what_hides_its_neighbours_stay_out() {

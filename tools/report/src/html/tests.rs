@@ -2,35 +2,38 @@ use super::testing::belief;
 use super::*;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use pinhole::Fact;
 use pinhole_course::diagnosis::{Diagnosis, Reading};
-use pinhole_course::examination::{GroupResult, TaskResult};
+use pinhole_course::outcome::{AnswerFile, GroupOutcome, TaskOutcome};
 use sha2::{Digest, Sha256};
 
 const EVIL: &str = "</script><img src=x onerror=alert(1)>";
 
 /// A report of one task whose answers are explained so, by somebody of an evil name.
 fn report(diagnosis: Diagnosis) -> Report {
-    let group = GroupResult {
-        name: "inside".into(),
-        about: "the ray starts inside the sphere".into(),
-        worth: 3,
-        outcome: Outcome::Died(EVIL.into()),
-        worst: Some(format!("got       {EVIL}")),
-    };
-    let task = TaskResult {
+    let group = GroupOutcome::new(
+        "inside".into(),
+        "the ray starts inside the sphere".into(),
+        3,
+        FilmOutcome::Died { how: EVIL.into() },
+        vec![Fact::new("got", EVIL)],
+    );
+    let task = TaskOutcome {
         name: "sphere".into(),
         chapter: "Sphere".into(),
-        replaced: None,
+        points: 0,
+        possible: 3,
+        file: AnswerFile::Compiled,
         groups: vec![group],
         diagnosis,
     };
+    let mut outcome = Outcome::new("Ray casting", EVIL.into(), "none");
+    outcome.tasks.push(task);
+    outcome.printed = EVIL.into();
+    outcome.add_up();
     let examination = Examination {
-        submission: EVIL.into(),
-        title: "Ray casting".into(),
-        tasks: vec![task],
-        scenes: Vec::new(),
-        withheld: 0,
-        printed: EVIL.into(),
+        outcome,
+        films: Vec::new(),
     };
     let again = Again {
         whole: EVIL.into(),

@@ -1,44 +1,39 @@
 //! The rows of scenes: what is wrong with a film, and where to look.
 
-use pinhole::judge::{ChannelVerdict, Verdict};
+use pinhole::judge::ChannelVerdict;
 
 use super::words::{diagnosis, percent, scene_in_words};
 use super::{QUIET, heading, indent, line, row};
 use pinhole_course::diagnosis::{Diagnosis, Explanation};
-use pinhole_course::examination::{Examination, Outcome, SceneResult};
+use pinhole_course::outcome::{Examination, FilmOutcome, SceneFilm, SceneOutcome};
 use pinhole_course::shell::in_shell;
 
 /// All scenes, under their heading; `width` is that of the names' column.
 pub fn rows(text: &mut String, examination: &Examination, width: usize) {
-    if !examination.scenes.is_empty() {
+    let Examination { outcome, films } = examination;
+    if !outcome.scenes.is_empty() {
         line(text, heading("scene", width));
     }
-    let known = examination.tasks.iter().any(|task| !task.passes());
-    for scene in &examination.scenes {
-        scene_rows(text, scene, width, &examination.submission, known);
+    let known = outcome.tasks.iter().any(|task| !task.passes());
+    for (scene, film) in outcome.scenes.iter().zip(films) {
+        scene_rows(text, scene, film, width, &outcome.submission, known);
     }
 }
 
 fn scene_rows(
     text: &mut String,
-    scene: &SceneResult,
+    scene: &SceneOutcome,
+    film: &SceneFilm,
     width: usize,
     submission: &str,
     known_by_tasks: bool,
 ) {
-    let passes = scene.outcome.passes();
-    let earned = if passes { scene.worth } else { 0 };
-    row(
-        text,
-        &scene.name,
-        width,
-        (earned, scene.worth),
-        scene_in_words(scene),
-    );
-    if let Outcome::Judged(verdict) = &scene.outcome
-        && let Some((channel, mismatch)) = worst_pixel(verdict)
+    let points = (scene.points, scene.possible);
+    row(text, &scene.name, width, points, scene_in_words(scene));
+    if let FilmOutcome::Judged(comparison) = &scene.outcome
+        && let Some((channel, mismatch)) = worst_pixel(&comparison.channels)
     {
-        let rows = verdict
+        let rows = comparison
             .channels
             .iter()
             .filter(|channel| channel.failing > 0)
@@ -46,7 +41,7 @@ fn scene_rows(
         indent(text, &rows.collect::<Vec<_>>().join("\n"));
         scene_diagnosis(text, &scene.diagnosis, known_by_tasks);
         let (i, j) = (mismatch.i, mismatch.j);
-        let (name, folder) = (in_shell(&scene.argument), in_shell(submission));
+        let (name, folder) = (in_shell(&film.argument), in_shell(submission));
         let command =
             format!("cargo run --release -- explain {name} {i} {j} --submission {folder}");
         line(
@@ -76,9 +71,8 @@ fn scene_diagnosis(text: &mut String, of_scene: &Diagnosis, known_by_tasks: bool
 }
 
 /// The pixel to look at first, and the channel it is wrong in.
-pub fn worst_pixel(verdict: &Verdict) -> Option<(&ChannelVerdict, pinhole::Pixel)> {
-    verdict
-        .channels
+pub fn worst_pixel(channels: &[ChannelVerdict]) -> Option<(&ChannelVerdict, pinhole::Pixel)> {
+    channels
         .iter()
         .find_map(|channel| Some((channel, channel.worst?.pixel)))
 }

@@ -1,12 +1,11 @@
 //! The rows of a task: which beliefs explain what is wrong, and which questions show it.
 
-use super::words::{diagnosis, outcome_of, task_in_words};
+use super::words::{diagnosis, facts, group_in_words, task_in_words};
 use super::{FAIL, QUIET, STRONG, indent, line, row};
 use crate::passage::Passage;
-use pinhole_course::compile::Replaced;
 use pinhole_course::diagnosis::Explanation;
 use pinhole_course::escape::printable_coloured;
-use pinhole_course::examination::{GroupResult, TaskResult};
+use pinhole_course::outcome::{AnswerFile, GroupOutcome, TaskOutcome};
 
 /// How much is told of a task that fails.
 #[derive(Clone, Copy, PartialEq)]
@@ -18,12 +17,13 @@ pub enum Extent {
 }
 
 /// A task, and why it fails; `width` is that of the names' column.
-pub fn rows(text: &mut String, task: &TaskResult, width: usize, extent: Extent) {
-    let fails = |group: &&GroupResult| !group.outcome.passes();
-    let failing: Vec<&GroupResult> = task.groups.iter().filter(fails).collect();
-    row(text, &task.name, width, task.points(), task_in_words(task));
-    if let Some(Replaced::DoesNotCompile(diagnostics)) = &task.replaced {
-        indent(text, &printable_coloured(diagnostics.trim_end()));
+pub fn rows(text: &mut String, task: &TaskOutcome, width: usize, extent: Extent) {
+    let fails = |group: &&GroupOutcome| !group.outcome.passes();
+    let failing: Vec<&GroupOutcome> = task.groups.iter().filter(fails).collect();
+    let points = (task.points, task.possible);
+    row(text, &task.name, width, points, task_in_words(task));
+    if let AnswerFile::DoesNotCompile { compiler } = &task.file {
+        indent(text, &printable_coloured(compiler.trim_end()));
     }
     for row in diagnosis(&task.diagnosis).lines() {
         line(text, format!("    {STRONG}{row}{STRONG:#}"));
@@ -35,7 +35,7 @@ pub fn rows(text: &mut String, task: &TaskResult, width: usize, extent: Extent) 
     for Explanation { mistake, .. } in hinted {
         line(text, format!("    look: {}", mistake.hint.look));
     }
-    if task.replaced.is_none() && !task.is_unanswered() {
+    if task.file == AnswerFile::Compiled && !task.is_unanswered() {
         let most = match extent {
             Extent::All => failing.len(),
             Extent::First => 1,
@@ -57,21 +57,19 @@ pub fn rows(text: &mut String, task: &TaskResult, width: usize, extent: Extent) 
 
 /// Groups that fail, and of each a question that shows it; of the first alone, where the
 /// belief behind it is known.
-fn group_rows(text: &mut String, failing: &[&GroupResult], is_explained: bool) {
+fn group_rows(text: &mut String, failing: &[&GroupOutcome], is_explained: bool) {
     let mut told: Vec<String> = Vec::new();
     for group in failing {
-        let said = outcome_of(&group.outcome, "questions");
+        let said = group_in_words(group);
         // A panic in every group is one panic.
-        let said = if group.worst.is_none() && told.contains(&said) {
+        let said = if group.worst.is_empty() && told.contains(&said) {
             "the same".into()
         } else {
             said
         };
         line(text, format!("    {FAIL}{:<18}{FAIL:#}{said}", group.name));
-        if let Some(worst) = &group.worst
-            && (!is_explained || told.is_empty())
-        {
-            indent(text, worst);
+        if !is_explained || told.is_empty() {
+            indent(text, &facts(&group.worst));
         }
         told.push(said);
     }

@@ -1,24 +1,23 @@
 //! What came of something, in a line or a few: of a task, a scene, a film, a belief.
 
-use pinhole::judge::Verdict;
-
-use pinhole_course::compile::Replaced;
+use pinhole::Fact;
 use pinhole_course::diagnosis::{Diagnosis, Explanation, Reading};
 use pinhole_course::escape::printable;
-use pinhole_course::examination::{GroupResult, Outcome, SceneResult, TaskResult};
 use pinhole_course::explanation::NoAnswer;
-use pinhole_course::submission::Unusable;
+use pinhole_course::outcome::{
+    AnswerFile, Comparison, FilmOutcome, GroupOutcome, Outcome, SceneOutcome, Status, TaskOutcome,
+};
 
 /// A task in one line.
-pub fn task_in_words(task: &TaskResult) -> String {
-    let passes = |group: &&GroupResult| group.outcome.passes();
+pub fn task_in_words(task: &TaskOutcome) -> String {
+    let passes = |group: &&GroupOutcome| group.outcome.passes();
     let passing = task.groups.iter().filter(passes).count();
-    match &task.replaced {
-        Some(Replaced::Unusable(Unusable::Missing)) => "there is no such file".into(),
-        Some(Replaced::Unusable(Unusable::Refused(why))) => format!("refused: {why}"),
-        Some(Replaced::DoesNotCompile(_)) => "does not compile".into(),
-        None if task.is_unanswered() => "unanswered".into(),
-        None if passing == task.groups.len() => {
+    match &task.file {
+        AnswerFile::Missing => "there is no such file".into(),
+        AnswerFile::Refused { why } => format!("refused: {why}"),
+        AnswerFile::DoesNotCompile { .. } => "does not compile".into(),
+        AnswerFile::Compiled if task.is_unanswered() => "unanswered".into(),
+        AnswerFile::Compiled if passing == task.groups.len() => {
             let names: Vec<&str> = task
                 .groups
                 .iter()
@@ -26,29 +25,42 @@ pub fn task_in_words(task: &TaskResult) -> String {
                 .collect();
             names.join(", ")
         }
-        None => format!("{passing} of {} groups pass", task.groups.len()),
+        AnswerFile::Compiled => format!("{passing} of {} groups pass", task.groups.len()),
     }
+}
+
+/// That there is more to earn than can be seen here, if there is.
+pub fn withheld_in_words(outcome: &Outcome) -> Option<String> {
+    let (possible, all) = (outcome.possible, outcome.possible + outcome.withheld);
+    let words = "can be seen here; the rest is for scenes that come with grading";
+    (outcome.withheld > 0).then(|| format!("{possible} of {all} points {words}"))
 }
 
 /// A scene in one line.
-pub fn scene_in_words(scene: &SceneResult) -> String {
-    match &scene.outcome {
-        Outcome::Judged(verdict) if verdict.passes() => {
-            let exempt = match verdict.exempt {
+pub fn scene_in_words(scene: &SceneOutcome) -> String {
+    match (&scene.outcome, scene.seconds) {
+        (FilmOutcome::Judged(comparison), Some(seconds)) if comparison.passes => {
+            let exempt = match comparison.exempt {
                 0 => String::new(),
                 some => format!(", {some} exempt"),
             };
-            format!(
-                "{} pixels{exempt}, {:.2} s",
-                verdict.resolution, scene.seconds
-            )
+            format!("{} pixels{exempt}, {seconds:.2} s", comparison.resolution)
         }
-        other => outcome(other),
+        (other, _) => outcome(other),
     }
 }
 
-/// An outcome in one line.
-pub fn outcome(outcome: &Outcome) -> String {
+/// A group in one line.
+pub fn group_in_words(group: &GroupOutcome) -> String {
+    let said = outcome_of(&group.outcome, "questions");
+    match group.fails_fresh {
+        true => format!("the public questions pass, fresh ones do not: {said}"),
+        false => said,
+    }
+}
+
+/// How a film fared, in one line.
+pub fn outcome(outcome: &FilmOutcome) -> String {
     outcome_of(outcome, "pixels")
 }
 
@@ -64,38 +76,58 @@ pub fn no_answer(why: &NoAnswer) -> String {
 }
 
 /// The same, of a film of these.
-pub fn outcome_of(outcome: &Outcome, what: &str) -> String {
+pub fn outcome_of(outcome: &FilmOutcome, what: &str) -> String {
     match outcome {
-        Outcome::Judged(verdict) => verdict_in_words(verdict, what),
-        Outcome::Refused(refusal) => format!("refused: {refusal}"),
-        Outcome::Unanswered => "unanswered".into(),
-        Outcome::BlockedBy(task) => format!("blocked by `{task}`"),
-        Outcome::Panicked(panic) => format!(
-            "your code panicked at {}:{}: {}",
-            printable(&panic.file),
-            panic.line,
-            printable(&panic.message)
-        ),
-        Outcome::TimedOut { seconds } => format!("gave no answer within {seconds:.0} s"),
-        Outcome::OutOfMemory { most } => {
+        FilmOutcome::Judged(comparison) => verdict_in_words(comparison, what),
+        FilmOutcome::Refused { why } => format!("refused: {}", printable(why)),
+        FilmOutcome::Unanswered => "unanswered".into(),
+        FilmOutcome::Blocked { by } => format!("blocked by `{by}`"),
+        FilmOutcome::Panicked {
+            message,
+            file,
+            line,
+        } => {
+            let (file, message) = (printable(file), printable(message));
+            format!("your code panicked at {file}:{line}: {message}")
+        }
+        FilmOutcome::TimedOut { seconds } => format!("gave no answer within {seconds:.0} s"),
+        FilmOutcome::OutOfMemory { most } => {
             format!("your program took more than {} MiB of memory", most >> 20)
         }
-        Outcome::Died(how) => format!("your program did not finish: {}", printable(how)),
-        Outcome::Garbled(why) => format!(
-            "your program's answers could not be read: {}",
-            printable(why)
-        ),
+        FilmOutcome::Died { how } => format!("your program did not finish: {}", printable(how)),
+        FilmOutcome::Garbled { why } => {
+            let why = printable(why);
+            format!("your program's answers could not be read: {why}")
+        }
+        FilmOutcome::Withheld { passes: true, .. } => "passes".into(),
+        FilmOutcome::Withheld {
+            points_only: true, ..
+        } => "does not pass; what was asked is withheld".into(),
+        FilmOutcome::Withheld { ended, .. } => match ended {
+            Status::Panicked => "your code panicked; where is withheld",
+            Status::Killed => "your program did not finish; how is withheld",
+            Status::TimedOut => "gave no answer in time",
+            Status::OutOfMemory => "asked for too much memory",
+            _ => "your program's answers could not be read",
+        }
+        .into(),
     }
 }
 
+/// A question as it stands in a terminal: labels in a column of their own.
+pub fn facts(facts: &[Fact]) -> String {
+    let rows = facts.iter().map(|fact| {
+        let text = fact.text.replace('\n', "\n          ");
+        format!("{:<9} {text}", fact.label)
+    });
+    rows.collect::<Vec<_>>().join("\n")
+}
+
 /// A verdict in one line, on a film of these.
-pub fn verdict_in_words(verdict: &Verdict, what: &str) -> String {
-    match verdict.failing.len() {
+fn verdict_in_words(comparison: &Comparison, what: &str) -> String {
+    match comparison.failing {
         0 => "passes".into(),
-        wrong => format!(
-            "{wrong} of {} {what} are wrong",
-            verdict.resolution.pixels()
-        ),
+        wrong => format!("{wrong} of {} {what} are wrong", comparison.pixels),
     }
 }
 

@@ -74,9 +74,9 @@ fn what_others_have_written_is_shown_and_not_obeyed() {
     let mut watch = Watch::begin();
     let mut examination = watch.examination("viewing_ray", false);
     let rude = "\u{1b}]0;owned\u{7}\u{1b}[2J";
-    examination.printed = rude.into();
-    examination.tasks[0].groups[0].outcome =
-        pinhole_course::examination::Outcome::Died(rude.into());
+    examination.outcome.printed = rude.into();
+    examination.outcome.tasks[0].groups[0].outcome =
+        pinhole_course::outcome::FilmOutcome::Died { how: rude.into() };
     watch.step(Event::Judged {
         order: 1,
         examination: Box::new(examination),

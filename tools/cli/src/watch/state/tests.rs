@@ -6,8 +6,10 @@ use crate::watch::keys::Key;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::Replaced;
-use pinhole_course::examination::{GroupResult, Outcome, SceneResult};
 use pinhole_course::goldens::Goldens;
+use pinhole_course::outcome::{
+    AnswerFile, FilmOutcome, GroupOutcome, Outcome, SceneFilm, SceneOutcome,
+};
 use pinhole_course::sandbox::Sandbox;
 use pinhole_report::html::Again;
 
@@ -133,39 +135,48 @@ impl Watch {
         let goldens = &self.course.goldens;
         let golden = Golden::read(&goldens.folder.join("lone_triangle.exr")).expect("it is there");
         let outcome = match passes {
-            true => Outcome::Judged(judge(&golden, golden.film()).expect("it is like itself")),
-            false => Outcome::Died("badly".into()),
+            true => FilmOutcome::from(&judge(&golden, golden.film())),
+            false => FilmOutcome::Died {
+                how: "badly".into(),
+            },
         };
-        let mut tasks = Vec::new();
-        let mut scenes = Vec::new();
+        let mut made = Outcome::new("a test", "here".into(), "none");
+        let mut films = Vec::new();
         match self.course.assignment.task(item) {
             Some(task) => {
                 let why = Replaced::DoesNotCompile(String::new());
-                let mut task = TaskResult::replaced(task, why);
-                task.replaced = None;
-                let judged = |group: &mut GroupResult| group.outcome = outcome.clone();
-                task.groups.iter_mut().for_each(judged);
-                tasks.push(task);
+                let mut task = TaskOutcome::replaced(task, &why);
+                task.file = AnswerFile::Compiled;
+                for group in &mut task.groups {
+                    let GroupOutcome {
+                        name,
+                        about,
+                        possible,
+                        ..
+                    } = group.clone();
+                    *group = GroupOutcome::new(name, about, possible, outcome.clone(), vec![]);
+                }
+                made.tasks.push(task);
             }
-            None => scenes.extend(goldens.scenes.iter().map(|scene| SceneResult {
-                name: scene.name.clone(),
-                argument: scene.argument.clone(),
-                worth: scene.worth,
-                outcome: outcome.clone(),
-                seconds: 0.5,
-                file: scene.file.clone(),
-                golden: golden.clone(),
-                film: None,
-                diagnosis: Default::default(),
-            })),
+            None => {
+                for scene in &goldens.scenes {
+                    let (name, worth) = (scene.name.clone(), scene.worth);
+                    let scene_outcome = SceneOutcome::new(name, worth, outcome.clone(), 0.5);
+                    made.scenes.push(scene_outcome);
+                    films.push(SceneFilm {
+                        file: scene.file.clone(),
+                        argument: scene.argument.clone(),
+                        golden: golden.clone(),
+                        film: None,
+                        verdict: None,
+                    });
+                }
+            }
         }
+        made.add_up();
         Examination {
-            submission: "here".into(),
-            title: "a test".into(),
-            tasks,
-            scenes,
-            withheld: 0,
-            printed: String::new(),
+            outcome: made,
+            films,
         }
     }
 

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use super::{Act, Stamp, State};
 use crate::watch::order::Item;
-use pinhole_course::examination::Examination;
+use pinhole_course::outcome::{Examination, Outcome};
 use pinhole_course::submission::Submission;
 
 impl State {
@@ -46,22 +46,26 @@ impl State {
     }
 
     pub(super) fn judged(&mut self, examination: Examination, at: Instant) {
-        let Examination {
+        let Examination { outcome, films } = examination;
+        let Outcome {
             tasks,
             scenes,
             printed,
             ..
-        } = examination;
+        } = outcome;
         for task in tasks {
             self.stamp(Item::Task(task.name.clone()), at, printed.clone());
-            self.known.tasks.push(task);
+            self.known.outcome.tasks.push(task);
         }
         let place = |name: &str| self.items.iter().position(|item| item.name() == name);
-        self.known.tasks.sort_by_key(|task| place(&task.name));
+        let known = &mut self.known.outcome.tasks;
+        known.sort_by_key(|task| place(&task.name));
         if !scenes.is_empty() {
             self.stamp(Item::Scenes, at, printed);
-            self.known.scenes = scenes;
+            self.known.outcome.scenes = scenes;
+            self.known.films = films;
         }
+        self.known.outcome.add_up();
         if !self.settled {
             let missing = self.items.iter().position(|item| !self.is_full(item));
             self.shown = Some(missing.unwrap_or(self.items.len() - 1));

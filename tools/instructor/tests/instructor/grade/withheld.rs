@@ -2,6 +2,8 @@
 
 use std::fs;
 
+use serde_json::Value;
+
 use super::{Class, answers};
 use pinhole_testing::root;
 
@@ -54,11 +56,19 @@ fn withheld_scenes_show_no_more_than_the_instructor_chooses() {
         );
         assert_eq!(shows("class=\"viewer\""), reveal == "full", "{reveal}");
         let bob = class.result(reveal, "bob");
-        let said = bob["scenes"][0]["said"].as_str().expect("words");
+        let outcome = &bob["scenes"][0]["outcome"];
+        let (kind, failing) = match reveal {
+            "points" => ("withheld", None),
+            _ => ("judged", Some(true)),
+        };
+        assert_eq!(outcome["kind"], kind, "{reveal}: {outcome}");
+        let is_wrong = outcome["failing"].as_u64().map(|failing| failing > 0);
+        assert_eq!(is_wrong, failing, "{reveal}: {outcome}");
+        assert_eq!(bob["scenes"][0]["seconds"], Value::Null);
         assert_eq!(
-            said.contains("pixels are wrong"),
-            reveal != "points",
-            "{reveal}: {said}"
+            bob["scenes"].to_string().contains("worst"),
+            reveal == "full",
+            "{reveal}: {outcome}"
         );
         assert_eq!(
             (&bob["scenes"][0]["points"], &bob["possible"]),
@@ -66,7 +76,7 @@ fn withheld_scenes_show_no_more_than_the_instructor_chooses() {
         );
         let loud = class.result(reveal, "loud");
         assert_eq!(
-            (&loud["scenes"][0]["outcome"], &loud["printed"]),
+            (&loud["scenes"][0]["outcome"]["ended"], &loud["printed"]),
             (&"panicked".into(), &"".into())
         );
         assert!(

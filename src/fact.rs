@@ -1,0 +1,22 @@
+//! What is said of a question, line by line.
+
+use serde::{Deserialize, Serialize};
+
+/// One thing to know about a question: "expected", and what was.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Fact {
+    /// What it is about, in a word.
+    pub label: String,
+    /// In words; a line break where a second line is needed.
+    pub text: String,
+}
+
+impl Fact {
+    /// A fact.
+    pub fn new(label: impl Into<String>, text: impl Into<String>) -> Fact {
+        Fact {
+            label: label.into(),
+            text: text.into(),
+        }
+    }
+}

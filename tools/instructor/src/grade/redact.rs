@@ -1,0 +1,232 @@
+//! Takes from an outcome and its report what students are not to see.
+//!
+//! A withheld scene would be an oracle if its results said too much: whoever may hand in
+//! often could read it out, by pictures, by panic texts, by exit codes, by time. So a
+//! student's own words never travel from there, whatever is revealed.
+
+use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
+
+use pinhole_course::diagnosis::Diagnosis;
+use pinhole_course::outcome::{FilmOutcome, Outcome, SceneOutcome};
+use pinhole_report::html::{Report, SceneSection};
+
+/// How much of withheld questions results and reports show.
+#[derive(
+    Clone, Copy, Debug, Default, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize, ValueEnum,
+)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum Reveal {
+    /// Points alone
+    Points,
+    /// And what went wrong, in a line
+    #[default]
+    Message,
+    /// And the pictures
+    Picture,
+    /// And every pixel, and the worst question
+    Full,
+}
+
+/// Which parts of an outcome are withheld.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Withheld {
+    /// These scenes, and, if there are any, the questions made of scenes' pixels.
+    pub scenes: Vec<String>,
+    /// Task and group of the questions made of scenes' pixels.
+    pub scene_groups: Vec<(String, String)>,
+    /// The questions to single tasks.
+    pub probes: bool,
+    pub reveal: Reveal,
+}
+
+impl Withheld {
+    /// Whether anything is.
+    pub fn any(&self) -> bool {
+        !self.scenes.is_empty() || self.probes
+    }
+
+    fn holds_group(&self, task: &str, group: &str) -> bool {
+        let mut scene_groups = self.scene_groups.iter();
+        match scene_groups.any(|own| (&*own.0, &*own.1) == (task, group)) {
+            true => !self.scenes.is_empty(),
+            false => self.probes,
+        }
+    }
+
+    fn holds_scene(&self, name: &str) -> bool {
+        self.scenes.iter().any(|scene| scene == name)
+    }
+
+    /// Takes from an outcome what may not be shown.
+    pub fn redact(&self, outcome: &mut Outcome) {
+        for task in &mut outcome.tasks {
+            for group in &mut task.groups {
+                if !group.fails_fresh && !self.holds_group(&task.name, &group.name) {
+                    continue;
+                }
+                group.outcome = redacted(&group.outcome, self.reveal);
+                if self.reveal < Reveal::Full {
+                    group.worst.clear();
+                }
+            }
+            if self.probes && self.reveal == Reveal::Points {
+                task.diagnosis = Diagnosis::default();
+            }
+        }
+        for scene in &mut outcome.scenes {
+            if self.holds_scene(&scene.name) {
+                redact_scene(scene, self.reveal);
+            }
+        }
+        if self.any() {
+            outcome.printed.clear();
+        }
+    }
+
+    /// Takes from the report of an outcome, which is redacted already, what only a report
+    /// shows.
+    pub fn redact_report(&self, report: &mut Report, outcome: &Outcome) {
+        for (section, scene) in report.scenes.iter_mut().zip(&outcome.scenes) {
+            if self.holds_scene(&scene.name) {
+                redact_pictures(section, self.reveal);
+            }
+        }
+        let mut groups = outcome.tasks.iter().flat_map(|task| &task.groups);
+        if self.any() || groups.any(|group| group.fails_fresh) {
+            report.printed.clear();
+            report.more_printed = 0;
+        }
+    }
+}
+
+/// Takes from a scene's outcome what may not be shown of it.
+pub fn redact_scene(scene: &mut SceneOutcome, reveal: Reveal) {
+    scene.outcome = redacted(&scene.outcome, reveal);
+    scene.seconds = None;
+    if reveal == Reveal::Points {
+        scene.diagnosis = Diagnosis::default();
+    }
+}
+
+/// How a film fared, without a word of the student's.
+fn redacted(outcome: &FilmOutcome, reveal: Reveal) -> FilmOutcome {
+    match outcome {
+        FilmOutcome::Judged(comparison) if reveal > Reveal::Points => {
+            let mut comparison = comparison.clone();
+            if reveal < Reveal::Full {
+                comparison.channels.clear();
+            }
+            FilmOutcome::Judged(comparison)
+        }
+        FilmOutcome::Unanswered | FilmOutcome::Blocked { .. } if reveal > Reveal::Points => {
+            outcome.clone()
+        }
+        _ => FilmOutcome::Withheld {
+            passes: outcome.passes(),
+            ended: outcome.status(),
+            points_only: reveal == Reveal::Points,
+        },
+    }
+}
+
+fn redact_pictures(section: &mut SceneSection, reveal: Reveal) {
+    // The instructor's own file is named there.
+    section.explain = None;
+    section.command = "this scene is withheld".into();
+    if reveal < Reveal::Full {
+        section.viewer = None;
+        section.channels.clear();
+    }
+    if reveal < Reveal::Picture {
+        section.expected = None;
+        section.yours = None;
+        section.difference = None;
+        section.cut = None;
+        section.causes.clear();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pinhole_report::terminal;
+
+    use super::*;
+
+    const REVEALS: [Reveal; 4] = [
+        Reveal::Points,
+        Reveal::Message,
+        Reveal::Picture,
+        Reveal::Full,
+    ];
+
+    #[test]
+    fn no_word_of_a_students_comes_from_a_withheld_question() {
+        let words = "0.5 0.25";
+        let spoken = [
+            FilmOutcome::Panicked {
+                message: words.into(),
+                file: words.into(),
+                line: 7,
+            },
+            FilmOutcome::Died { how: words.into() },
+            FilmOutcome::Garbled { why: words.into() },
+            FilmOutcome::Refused { why: words.into() },
+            FilmOutcome::TimedOut { seconds: 7.0 },
+            FilmOutcome::OutOfMemory { most: 7 << 20 },
+        ];
+        for outcome in spoken {
+            for reveal in REVEALS {
+                let redacted = redacted(&outcome, reveal);
+                let kept = serde_json::to_string(&redacted).expect("it can be written");
+                let said = terminal::outcome(&redacted);
+                for shown in [kept, said] {
+                    assert!(!shown.contains(words) && !shown.contains('7'), "{shown}");
+                }
+                assert_eq!(redacted.status(), outcome.status());
+            }
+            let said = terminal::outcome(&outcome);
+            assert!(said.contains(words) || said.contains('7'), "{said}");
+        }
+    }
+
+    #[test]
+    fn points_alone_say_neither_how_many_pixels_nor_how_it_ended() {
+        let scene = |outcome| SceneOutcome::new("exam".into(), 5, outcome, 0.25);
+        for (outcome, said) in [
+            (
+                FilmOutcome::Unanswered,
+                "does not pass; what was asked is withheld",
+            ),
+            (
+                FilmOutcome::TimedOut { seconds: 1.0 },
+                "does not pass; what was asked is withheld",
+            ),
+        ] {
+            let mut scene = scene(outcome);
+            redact_scene(&mut scene, Reveal::Points);
+            assert_eq!(terminal::scene_in_words(&scene), said);
+            assert_eq!(scene.seconds, None);
+        }
+    }
+
+    #[test]
+    fn one_withheld_scene_withholds_itself_and_what_is_asked_of_pixels() {
+        let withheld = |scenes: &[&str]| Withheld {
+            scenes: scenes.iter().map(|name| (*name).to_owned()).collect(),
+            scene_groups: vec![("viewing_ray".into(), "scenes".into())],
+            probes: false,
+            reveal: Reveal::Message,
+        };
+        let one = withheld(&["exam"]);
+        assert!(one.holds_scene("exam"));
+        assert!(!one.holds_scene("bunny"));
+        assert!(one.holds_group("viewing_ray", "scenes"));
+        assert!(!one.holds_group("viewing_ray", "corners"));
+        assert!(one.any());
+        let none = withheld(&[]);
+        assert!(!none.holds_group("viewing_ray", "scenes"));
+        assert!(!none.any());
+    }
+}
