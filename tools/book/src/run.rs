@@ -207,11 +207,12 @@ fn build(checkout: &Checkout) -> Result<PathBuf> {
         .output()
         .map_err(|error| Error::environment(format!("cargo does not start: {error}"), remedy))?;
     let said = String::from_utf8_lossy(&output.stdout);
-    let executables = said
+    let mut executables = said
         .lines()
         .filter_map(|line| serde_json::from_str::<Artifact>(line).ok())
         .filter_map(|artifact| artifact.executable);
-    let executable = executables.last().filter(|_| output.status.success());
+    let executable = executables.next_back();
+    let executable = executable.filter(|_| output.status.success());
     executable.ok_or_else(|| Error::environment("pinhole does not build", remedy))
 }
 
