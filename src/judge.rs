@@ -64,7 +64,7 @@ impl Golden {
             Error::new(
                 &tolerance_path,
                 format!("this tolerance film does not fit its golden: {refusal}"),
-                "make both again: cargo run --release -- golden render",
+                "make both again: cargo pinhole golden render",
             )
         })
     }

@@ -134,7 +134,7 @@ impl Questions {
             Error::new(
                 path,
                 format!("this is no question film for `{task}`: {problem}"),
-                "make the probes again: cargo run --release -- golden render",
+                "make the probes again: cargo pinhole golden render",
             )
         })?;
         Ok((questions, film.resolution()))

@@ -59,7 +59,7 @@ fn hand_on() -> ExitCode {
     }
     eprintln!(
         "This program answers questions of the `pinhole` command. To see what your answers\n\
-         make of a scene, run:\n\n    cargo run --release -- check"
+         make of a scene, run:\n\n    cargo pinhole check"
     );
     ExitCode::from(2)
 }

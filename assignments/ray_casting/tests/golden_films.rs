@@ -286,7 +286,7 @@ fn assert_perfect(name: &str, verdict: Verdict, see_it: &str) {
         passes: verdict.passes,
     }));
     let summary = format!(
-        "{name} {}\nto see more: cargo run --release -- {see_it}",
+        "{name} {}\nto see more: cargo pinhole {see_it}",
         verdict.words
     );
     // Printed as well: a wrong verdict that was accepted shows no difference in insta.

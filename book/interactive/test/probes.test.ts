@@ -13,7 +13,7 @@ interface Probes {
 }
 
 const file = process.env["PINHOLE_PROBES"];
-assert.ok(file !== undefined, "run it by: cargo run --release -- book check --only interactive");
+assert.ok(file !== undefined, "run it by: cargo pinhole book check --only interactive");
 const probes = JSON.parse(readFileSync(file, "utf8")) as Probes;
 
 const off = (got: readonly number[], expected: readonly number[], allowed: readonly number[]): boolean =>

@@ -163,7 +163,7 @@ impl Expand {
                     (format!("there is no command `{id}`"), remedy.into())
                 })?;
                 let output = fs::read_to_string(run::captured(&id, checkout)).map_err(|_| {
-                    let remedy = format!("cargo run --release -p pinhole-book -- capture {id}");
+                    let remedy = format!("cargo pinhole book capture {id}");
                     (format!("what `{id}` prints was never captured"), remedy)
                 })?;
                 Ok(run.shown(&output))

@@ -100,7 +100,7 @@ pub fn shown(
     }
     let drawing = fs::read_to_string(file("svg")).map_err(|_| {
         let remedy = "add its maker to tools/book/src/figures.rs, then: \
-                      cargo run --release -p pinhole-book -- figures";
+                      cargo pinhole book figures";
         (format!("there is no figure `{name}`"), remedy.to_owned())
     })?;
     let named = format!("<svg role=\"img\" aria-label=\"{alternative}\" ");
@@ -144,7 +144,7 @@ fn compare(kept: &Files, made: &Files) -> Vec<Problem> {
     let problem = |name: &String, what: &str, remedy: &str| {
         Problem::of(PathBuf::from("book/src/figures").join(name), what, remedy)
     };
-    let again = "make it again and look at it: cargo run --release -p pinhole-book -- figures";
+    let again = "make it again and look at it: cargo pinhole book figures";
     let mut problems = Vec::new();
     for (name, content) in made {
         match kept.get(name) {

@@ -89,7 +89,7 @@ fn keep_all(strips: Strips, checkout: &Checkout) -> Result<()> {
 /// Kept strips that are not these.
 fn stale(strips: &Strips, checkout: &Checkout) -> Vec<Problem> {
     let list = list(checkout);
-    let remedy = "make it again: cargo run --release -p pinhole-book -- gallery";
+    let remedy = "make it again: cargo pinhole book gallery";
     let mut problems = Vec::new();
     for (slug, strip) in strips {
         let path = strip_path(slug, checkout);
@@ -123,7 +123,7 @@ pub fn shown(
     assignment: &Assignment,
     checkout: &Checkout,
 ) -> std::result::Result<String, Wrong> {
-    let remedy = "make it: cargo run --release -p pinhole-book -- gallery";
+    let remedy = "make it: cargo pinhole book gallery";
     let list = list(checkout);
     let all = mistake::read_all(assignment).map_err(|error| (error.problem, error.remedy))?;
     let mut own: Vec<(&String, &Mistake, Option<&Told>)> = all

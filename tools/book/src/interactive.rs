@@ -31,7 +31,7 @@ const KEPT: &str = "tools/book/assets/interactive.js";
 /// What the script knows of the course.
 const FACTS: &str = "book/interactive/src/facts.json";
 
-const AGAIN: &str = "make them again: cargo run --release -p pinhole-book -- bundle";
+const AGAIN: &str = "make them again: cargo pinhole book bundle";
 
 /// HTML of a figure: its static picture, which the script replaces if it can.
 pub fn shown(
@@ -60,7 +60,7 @@ fn facts(checkout: &Checkout) -> Result<Value> {
     };
     let [r, g, b] = pinhole::false_colour::BACKGROUND.0;
     Ok(json!({
-        "written_by": "cargo run --release -p pinhole-book -- bundle",
+        "written_by": "cargo pinhole book bundle",
         "slide": {
             "camera": camera,
             "forward": forward,

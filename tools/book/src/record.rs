@@ -89,7 +89,7 @@ pub fn add(values: &mut Values, checkout: &Checkout) -> Result<()> {
         return Ok(());
     }
     let record: Record = serde_json::from_str(&checkout.read(&file)?).map_err(|error| {
-        let remedy = "make it again: cargo run --release -- study --out tools/study/record";
+        let remedy = "make it again: cargo pinhole study --out tools/study/record";
         Problem::of(&file, error.to_string(), remedy)
     })?;
     record.add(values);

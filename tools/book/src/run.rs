@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use pinhole_course::checkout::Checkout;
+use pinhole_course::shell::PINHOLE;
 use regex::Regex;
 use serde::Deserialize;
 
@@ -39,9 +40,6 @@ pub type Runs = BTreeMap<String, Run>;
 
 /// Where the commands are listed.
 const LIST: &str = "book/commands.toml";
-
-/// What is typed for `pinhole`.
-const PINHOLE: &str = "cargo run --release --";
 
 /// Reads the list; without one, there are no commands.
 pub fn read(checkout: &Checkout) -> Result<Runs> {
@@ -259,8 +257,7 @@ pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
 
 /// Says where the first difference is.
 fn changed(file: &Path, kept: Option<&str>, output: &str) -> Option<Problem> {
-    let remedy =
-        "look whether the change is right, then: cargo run --release -p pinhole-book -- capture";
+    let remedy = "look whether the change is right, then: cargo pinhole book capture";
     let Some(kept) = kept else {
         return Some(Problem::of(file, "the command was never captured", remedy));
     };
@@ -301,7 +298,7 @@ mod tests {
     fn lines_that_are_left_out_leave_dots() {
         let shown = run(Some([2, 3])).shown("a\nb\nc\nd\n");
         assert!(shown.contains("```text\n…\nb\nc\n…\n```"), "{shown}");
-        assert!(shown.contains("cargo run --release -- check"), "{shown}");
+        assert!(shown.contains("cargo pinhole check"), "{shown}");
         assert!(!run(None).shown("a\nb\n").contains('…'));
     }
 

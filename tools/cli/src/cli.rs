@@ -8,7 +8,7 @@ use pinhole_course::run_options::{AssignmentOption, RunOptions, resolution};
 
 /// Computer graphics assignments, judged against golden films by Mitsuba.
 ///
-/// Run `cargo run --release -- check --watch`, and fill the answers in the folder
+/// Run `cargo pinhole check --watch`, and fill the answers in the folder
 /// `handout/src` of the assignment: each is judged when you save it.
 ///
 /// Exit codes: 0 all well; 1 judged wrong; 2 a file or an argument is wrong; 3 the
@@ -132,7 +132,7 @@ pub struct Render {
 ///
 /// Shows the pixel's place on the image plane, its ray in camera space and in world
 /// space, every object's own answer, the first hit, and, where a golden is
-/// committed, what Mitsuba found. Try: cargo run --release -- explain slide_example 2 3
+/// committed, what Mitsuba found. Try: cargo pinhole explain slide_example 2 3
 #[derive(Args)]
 pub struct Explain {
     /// A scene file, or the name of one of the assignment's scenes

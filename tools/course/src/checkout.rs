@@ -33,7 +33,7 @@ impl Checkout {
             .ok_or_else(|| {
                 Error::environment(
                     "this is no checkout of Pinhole, and the one the command was built from is gone",
-                    "run the command inside the checkout: cargo run --release -- …",
+                    "run the command inside the checkout: cargo pinhole …",
                 )
             })
     }

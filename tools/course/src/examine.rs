@@ -173,7 +173,7 @@ impl Examiner<'_> {
             let (outcome, worst) = result.ok_or_else(|| {
                 Error::environment(
                     format!("group `{name}` of task `{}` has no questions", task.name),
-                    "make the goldens again: cargo run --release -- golden render",
+                    "make the goldens again: cargo pinhole golden render",
                 )
             })?;
             results.push(GroupOutcome::new(

@@ -54,7 +54,7 @@ impl Goldens {
         if !folder.is_dir() {
             return Err(Error::input(
                 format!("there is no folder of goldens {}", folder.display()),
-                "make one: cargo run --release -- golden render --seed 1 --out DIR",
+                "make one: cargo pinhole golden render --seed 1 --out DIR",
             ));
         }
         let entries = fs::read_dir(folder.join("scenes"))

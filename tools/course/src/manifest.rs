@@ -59,14 +59,14 @@ impl Manifest {
             let problem = format!("cannot read {}: {error}", path.display());
             Error::input(
                 problem,
-                "name a folder of goldens, made by `cargo run --release -- golden render`",
+                "name a folder of goldens, made by `cargo pinhole golden render`",
             )
         })?;
         toml::from_str(&text).map_err(|error| {
             let problem = format!("{}: {}", path.display(), error.message());
             Error::input(
                 problem,
-                "make the goldens again: cargo run --release -- golden render",
+                "make the goldens again: cargo pinhole golden render",
             )
         })
     }
@@ -223,7 +223,7 @@ impl Manifest {
                 "goldens in {} cannot be judged by: {first}{more}",
                 folder.display()
             ),
-            "restore them (git checkout), or make them again: cargo run --release -- golden render",
+            "restore them (git checkout), or make them again: cargo pinhole golden render",
         ))
     }
 
@@ -243,8 +243,7 @@ impl Manifest {
         let mistakes = mistake_hashes(assignment, checkout).unwrap_or_default();
         if !mistakes.is_empty() && !self.mistakes.is_empty() && mistakes != self.mistakes {
             problems.push(
-                "the mistakes are not those that were fingerprinted: cargo run --release -- \
-                 golden mistakes"
+                "the mistakes are not those that were fingerprinted: cargo pinhole golden mistakes"
                     .into(),
             );
         }

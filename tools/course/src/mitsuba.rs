@@ -152,13 +152,13 @@ pub fn render(checkout: &Checkout, arguments: &[&OsStr], progress: &Progress) ->
     if !python.is_file() {
         return Err(Error::environment(
             "Mitsuba is not installed here",
-            "make its environment: cargo run --release -- golden setup",
+            "make its environment: cargo pinhole golden setup",
         ));
     }
     let failed = |error: std::io::Error| {
         Error::environment(
             format!("cannot run Mitsuba: {error}"),
-            "make its environment again: cargo run --release -- golden setup",
+            "make its environment again: cargo pinhole golden setup",
         )
     };
     let mut child = Command::new(python)
@@ -204,7 +204,7 @@ pub fn render(checkout: &Checkout, arguments: &[&OsStr], progress: &Progress) ->
         }),
         _ => Err(Error::environment(
             format!("the golden scripts failed ({status}):\n{}", said.trim_end()),
-            "make the environment again: cargo run --release -- golden setup",
+            "make the environment again: cargo pinhole golden setup",
         )),
     }
 }

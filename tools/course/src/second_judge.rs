@@ -29,7 +29,7 @@ impl SecondJudge {
         let tool = Oiiotool::find(&mitsuba::environment(checkout)).ok_or_else(|| {
             Error::environment(
                 "the second judge, oiiotool, is not installed",
-                "install it with Mitsuba: cargo run --release -- golden setup",
+                "install it with Mitsuba: cargo pinhole golden setup",
             )
         })?;
         let folder = checkout.scratch().join("second-judge");
@@ -64,7 +64,7 @@ impl SecondJudge {
         let second = self.tool.judge(golden, &laid.0).map_err(|problem| {
             Error::environment(
                 problem,
-                "install oiiotool again: cargo run --release -- golden setup",
+                "install oiiotool again: cargo pinhole golden setup",
             )
         })?;
         if second.passes == passes {

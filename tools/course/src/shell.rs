@@ -3,7 +3,7 @@
 use crate::escape::printable;
 
 /// How this command is run from its checkout.
-pub const PINHOLE: &str = "cargo run --release --";
+pub const PINHOLE: &str = "cargo pinhole";
 
 /// One word of a command line.
 pub fn in_shell(word: &str) -> String {

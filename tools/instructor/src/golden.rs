@@ -265,7 +265,7 @@ fn verify(
         }
         match problems.len() {
             0 => anstream::println!("{films} films by Mitsuba {} are in step", manifest.mitsuba),
-            _ => anstream::println!("make them again: cargo run --release -- golden render"),
+            _ => anstream::println!("make them again: cargo pinhole golden render"),
         }
     }
     Ok(if problems.is_empty() {

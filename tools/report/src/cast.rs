@@ -101,7 +101,7 @@ impl Cast {
             );
             if hits == 0 && self.problem.is_none() {
                 anstream::println!(
-                    "every ray missed; see one of them: cargo run --release -- explain {} {} {}",
+                    "every ray missed; see one of them: cargo pinhole explain {} {} {}",
                     self.scene,
                     resolution.n_x / 2,
                     resolution.n_y / 2

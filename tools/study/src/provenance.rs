@@ -5,6 +5,8 @@ use std::path::Path;
 use std::process::Command;
 use std::time::{SystemTime, UNIX_EPOCH};
 
+use pinhole_course::shell::PINHOLE;
+
 use crate::result::Provenance;
 
 /// Of this run.
@@ -28,7 +30,7 @@ pub fn provenance(mode: &str, seed: u64) -> Provenance {
 /// What to type for the same; where it is written changes no figure.
 fn command() -> String {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let mut words = vec!["cargo run --release -- study"];
+    let mut words = vec![PINHOLE];
     for (at, word) in arguments.iter().enumerate() {
         if word != "--out" && at.checked_sub(1).is_none_or(|at| arguments[at] != "--out") {
             words.push(word);

@@ -103,7 +103,7 @@ fn film(
     let reply = examine::run(&program, &Sandbox::Trusted, &limits, &job, &mut |_| {})?;
     if reply.ending != Ending::Complete {
         let problem = format!("it casts no film: {:?}", reply.ending);
-        let remedy = "make what is known again: cargo run --release -- golden mistakes";
+        let remedy = "make what is known again: cargo pinhole golden mistakes";
         return Err(Problem::of(checkout.inside(&mistake.folder), problem, remedy).into());
     }
     Ok(reply.film(resolution))

@@ -37,7 +37,7 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Status> {
                 .map_err(|problem| {
                     Error::environment(
                         problem,
-                        "make the environment again: cargo run --release -- golden setup",
+                        "make the environment again: cargo pinhole golden setup",
                     )
                 })?,
         ),
@@ -95,7 +95,7 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Status> {
         match second {
             Some(second) => anstream::println!("oiiotool agrees{}", said(&second)),
             None => anstream::println!(
-                "oiiotool was not asked: it is not installed (cargo run --release -- golden setup installs it)"
+                "oiiotool was not asked: it is not installed (cargo pinhole golden setup installs it)"
             ),
         }
         for line in written.iter().map(|file| format!("wrote {file}")) {

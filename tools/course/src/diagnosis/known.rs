@@ -53,7 +53,7 @@ impl Known {
         toml::from_str(&text).map_err(|error| {
             Error::environment(
                 format!("{}: {}", path.display(), error.message()),
-                "make it again: cargo run --release -- golden mistakes",
+                "make it again: cargo pinhole golden mistakes",
             )
         })
     }
@@ -132,7 +132,7 @@ impl Known {
         let broken = || {
             Error::environment(
                 format!("{} does not fit {FILE}", path.display()),
-                "make both again: cargo run --release -- golden mistakes",
+                "make both again: cargo pinhole golden mistakes",
             )
         };
         let laid_out = Film::read(&path)?;

@@ -187,6 +187,6 @@ fn with_suffix(stem: &Path, suffix: &str) -> PathBuf {
 fn ours(error: pinhole::Error) -> Error {
     Error::environment(
         format!("{}: {}", error.path.display(), error.problem),
-        "restore the goldens, or make them again: cargo run --release -- golden render",
+        "restore the goldens, or make them again: cargo pinhole golden render",
     )
 }

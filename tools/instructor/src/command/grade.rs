@@ -98,7 +98,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     if made.is_none() {
         anstream::eprintln!(
             "judged on {}: an answer could have memorised them. For fresh questions: \
-             cargo run --release -- golden setup",
+             cargo pinhole golden setup",
             made_with.judged_on
         );
     }

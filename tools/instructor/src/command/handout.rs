@@ -43,7 +43,7 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
             words.push_str(&format!("withheld scenes: {}\n", withheld.join(", ")));
         }
         words.push_str(&format!(
-            "\nsee it as students will:\n\n    cd {}\n    cargo run --release -- check\n    \
+            "\nsee it as students will:\n\n    cd {}\n    cargo pinhole check\n    \
              cargo test\n\nthen give it to them: git init, git add . and git commit there, or an \
              archive of the folder\n",
             in_shell(&path)
@@ -103,10 +103,7 @@ fn stubs_in_place(assignment: &Assignment, arguments: &Handout) -> Result<Status
         for path in &stale {
             anstream::println!("out of step with the reference: {}", path.display());
         }
-        anstream::println!(
-            "mend it: cargo run --release -- handout {}",
-            assignment.name
-        );
+        anstream::println!("mend it: cargo pinhole handout {}", assignment.name);
     }
     Ok(match in_step {
         true => Status::Well,

@@ -66,10 +66,7 @@ impl Pace {
             )?;
             if reply.ending != Ending::Complete {
                 let problem = format!("the reference does not answer {what}: {:?}", reply.ending);
-                return Err(Error::environment(
-                    problem,
-                    "run: cargo run --release -- validate",
-                ));
+                return Err(Error::environment(problem, "run: cargo pinhole validate"));
             }
             // What it took at most: the system counts in hundredths of a second, and who
             // has nobody to ask takes all cores for all the time.

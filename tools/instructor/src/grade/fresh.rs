@@ -36,7 +36,7 @@ pub fn find_or_make(
         return match seed {
             Some(_) => Err(Error::environment(
                 "there is no Mitsuba here to make fresh questions with",
-                "make its environment: cargo run --release -- golden setup, or pass --no-fresh",
+                "make its environment: cargo pinhole golden setup, or pass --no-fresh",
             )),
             None => Ok(None),
         };

@@ -11,7 +11,8 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};
 
 /// At the top of the checkout, beside its manifest.
-const TOP: [&str; 5] = [
+const TOP: [&str; 6] = [
+    ".cargo/config.toml",
     "Cargo.lock",
     "LICENSE",
     "README.md",

@@ -42,8 +42,7 @@ fn scene_rows(
         scene_diagnosis(text, &scene.diagnosis, known_by_tasks);
         let (i, j) = (mismatch.i, mismatch.j);
         let (name, folder) = (in_shell(&film.argument), in_shell(submission));
-        let command =
-            format!("cargo run --release -- explain {name} {i} {j} --submission {folder}");
+        let command = format!("cargo pinhole explain {name} {i} {j} --submission {folder}");
         line(
             text,
             format!("    {QUIET}look at {}: {command}{QUIET:#}", channel.name),

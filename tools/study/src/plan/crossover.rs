@@ -2,7 +2,7 @@
 //! more than a count, and is raced on a scene's own rays: [`super::sample`].)
 //!
 //! Made scenes of 1 to 512 balls or triangles that fill the same ball are cast in every
-//! way. `cargo run --release -- study --only crossover` measures again and prints the
+//! way. `cargo pinhole study --only crossover` measures again and prints the
 //! figures below beside its own.
 
 use crate::cast::Search;

@@ -90,7 +90,7 @@ pub struct Study {
 /// Says for spheres, planes and triangles whether f32 will do, or f64, or exact arithmetic,
 /// from bounds of what rounding does in this very scene, and whether boxes around the
 /// parts pay. Then it casts some of the rays so and judges them by exact arithmetic: what
-/// that refuses is planned anew. Try: cargo run --release -- plan bunny --accuracy 1e-6
+/// that refuses is planned anew. Try: cargo pinhole plan bunny --accuracy 1e-6
 #[derive(Args)]
 pub struct Plan {
     /// A scene file, or the name of one of the assignment's scenes

@@ -31,7 +31,7 @@ fn a_failing_pixel_is_read_by_mouse_and_says_what_explain_says() {
     assert!(heard.starts_with("Pixel 80, 30: "), "{heard}");
     let command = browser.text("document.querySelector('.reading code').textContent");
     assert!(
-        command.starts_with("cargo run --release -- explain sphere_and_plane 80 30 --submission "),
+        command.starts_with("cargo pinhole explain sphere_and_plane 80 30 --submission "),
         "{command}"
     );
 

@@ -91,7 +91,7 @@ fn a_machine_with_rust_alone_runs_every_command_red_until_filled_and_green_when_
     let stub = out.join(course).join("stubs/src/sphere.rs");
     let text = fs::read_to_string(&stub).expect("it came along");
     fs::write(&stub, text.replace("todo!", "panic!")).expect("it can be written");
-    run("cargo run --release -- check --task sphere")
+    run("cargo pinhole check --task sphere")
         .expect_code(2)
         .expect_err("stubs/src/sphere.rs is not as it was handed out");
     fs::write(&stub, text).expect("it can be written");
@@ -124,7 +124,7 @@ fn a_machine_with_rust_alone_runs_every_command_red_until_filled_and_green_when_
         run(command).expect_code(0);
     }
     run("cargo run --release -- golden verify").expect_code(0);
-    run("cd assignments/ray_casting/handout && cargo run --release -- check")
+    run("cd assignments/ray_casting/handout && cargo pinhole check")
         .expect_code(0)
         .expect_out("100 / 100");
 }
