@@ -7,6 +7,12 @@ use indicatif::{ProgressBar, ProgressStyle};
 /// A progress line on standard error; on a pipe it says nothing.
 pub struct Progress(ProgressBar);
 
+impl Default for Progress {
+    fn default() -> Progress {
+        Progress::new()
+    }
+}
+
 impl Progress {
     /// Nothing to say yet.
     pub fn new() -> Progress {
