@@ -6,18 +6,16 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use crate::cli::Grade;
-use crate::grade::bench::Bench;
-use crate::grade::changes;
+use crate::grade::cache::{Backlog, ResultCache, pretty};
 use crate::grade::class::{self, Roll};
 use crate::grade::clock::Pace;
-use crate::grade::desk::Desk;
-use crate::grade::finish::{Telling, Told};
+use crate::grade::grader::Grader;
 use crate::grade::intake::{self, Entry};
 use crate::grade::provenance::{self, MadeWith, Tool};
+use crate::grade::queue::GradeQueue;
 use crate::grade::redact::Withheld;
-use crate::grade::store::{Store, pretty};
-use crate::grade::unfinished::Unfinished;
-use crate::grade::{fresh, roster};
+use crate::grade::summary::{ClassOutput, RunSummary};
+use crate::grade::{csv, fresh, roster};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::Compiler;
@@ -34,7 +32,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let public = checkout.golden(&assignment.name);
     let folder = arguments.golden.as_ref().unwrap_or(&public);
     let goldens = Goldens::find(folder, &assignment, checkout)?;
-    let store = Store::open(&arguments.out)?;
+    let cache = ResultCache::open(&arguments.out)?;
 
     let made = match (&arguments.fresh, arguments.no_fresh) {
         (_, true) => None,
@@ -43,7 +41,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
             Some((Goldens::read(folder, &assignment)?, seed))
         }
         (None, _) => {
-            let folder = store.path("fresh");
+            let folder = cache.path("fresh");
             fresh::find_or_make(&folder, arguments.seed, &assignment, checkout)?
         }
     };
@@ -105,7 +103,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let progress = Progress::new();
     progress.say("building");
     let compiler = Compiler::new(&assignment, checkout, &sandbox)?;
-    let rooms = rooms(checkout, &store);
+    let programs = programs(checkout, &cache);
     progress.say("asking the reference");
     let judges: Vec<&Goldens> = [Some(&goldens), made.as_ref().map(|(fresh, _)| fresh)]
         .into_iter()
@@ -113,7 +111,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         .collect();
     let least = Duration::from_secs(arguments.timeout);
     let pace = Pace::measure(&assignment, &judges, checkout, least)?;
-    let bench = Bench {
+    let grader = Grader {
         assignment: &assignment,
         goldens: &goldens,
         fresh: made.as_ref().map(|(goldens, _)| goldens),
@@ -121,30 +119,30 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         compiler: &compiler,
         sandbox: &sandbox,
         pace: &pace,
-        rooms: &rooms,
+        programs: &programs,
         made_with: &made_with,
     };
-    store.write(class::ROLL, &pretty(&roll)?)?;
+    cache.write(class::ROLL, &pretty(&roll)?)?;
     let mine = intake::shard(roll.entries.clone(), arguments.shard);
-    Unfinished::begin(&mine, &store, &assignment, &made_with)?;
+    Backlog::begin(&mine, &cache, &assignment, &made_with)?;
     let start = Instant::now();
-    let desk = Desk::new(&bench, &store, arguments.regrade, &progress, mine.len());
-    let worked = desk.work(&mine, jobs(arguments));
-    Unfinished::end(&store);
+    let queue = GradeQueue::new(&grader, &cache, arguments.regrade, &progress, mine.len());
+    let worked = queue.work(&mine, jobs(arguments));
+    Backlog::end(&cache);
     progress.clear();
-    let _left_for_the_next_run = fs::remove_dir_all(&rooms);
+    let _left_for_the_next_run = fs::remove_dir_all(&programs);
 
     let mut records = BTreeMap::new();
     let mut changes = Vec::new();
     let mut faults = Vec::new();
-    let mut anew = 0;
+    let mut graded = 0;
     for done in worked {
-        anew += usize::from(done.anew);
+        graded += usize::from(done.is_new);
         changes.extend(done.change);
         faults.extend(done.fault);
         records.insert(done.record.id.clone(), done.record);
     }
-    changes::sort(&mut changes);
+    class::sort_changes(&mut changes);
     let roll = match arguments.shard {
         None => roll,
         // A shard speaks of its own; what was not handed in is for the merge to say.
@@ -154,21 +152,21 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         },
     };
     if arguments.regrade {
-        store.write("changes.csv", &changes::csv(&changes))?;
+        cache.write("changes.csv", &csv::changes(&changes))?;
     }
-    let told = Told {
-        anew,
+    let run = RunSummary {
+        graded,
         seconds: start.elapsed().as_secs_f64(),
         changes,
         faults,
     };
-    let telling = Telling {
-        store: &store,
+    let output = ClassOutput {
+        cache: &cache,
         assignment: &assignment,
         formats: &arguments.format,
         as_json: arguments.json,
     };
-    Ok(super::of_class(telling.finish(&roll, &records, &told)?))
+    Ok(super::of_class(output.write(&roll, &records, &run)?))
 }
 
 fn jobs(arguments: &Grade) -> usize {
@@ -178,13 +176,13 @@ fn jobs(arguments: &Grade) -> usize {
 
 /// Where this class's programs lie while they are asked, without those of a run that was
 /// killed. Not in `--out`: whom the code runs as may not get there.
-fn rooms(checkout: &Checkout, store: &Store) -> PathBuf {
-    let out = store.path("");
+fn programs(checkout: &Checkout, cache: &ResultCache) -> PathBuf {
+    let out = cache.path("");
     let out = out.canonicalize().unwrap_or(out);
     let name = provenance::sha256(out.as_os_str().as_encoded_bytes());
-    let rooms = checkout.scratch().join("grading").join(&name[..16]);
-    let _absent = fs::remove_dir_all(&rooms);
-    rooms
+    let programs = checkout.scratch().join("grading").join(&name[..16]);
+    let _absent = fs::remove_dir_all(&programs);
+    programs
 }
 
 /// Students read this, so it does not name the seed: who knows it can make the questions.

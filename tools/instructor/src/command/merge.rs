@@ -4,12 +4,11 @@ use std::collections::BTreeMap;
 use std::fs;
 
 use crate::cli::Merge;
+use crate::grade::cache::{Backlog, ResultCache, pretty, standing, write};
 use crate::grade::class::{ROLL, Roll};
-use crate::grade::finish::{Telling, Told};
 use crate::grade::provenance::MadeWith;
 use crate::grade::record::Record;
-use crate::grade::store::{Store, pretty, standing, write};
-use crate::grade::unfinished::Unfinished;
+use crate::grade::summary::{ClassOutput, RunSummary};
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};
 use pinhole_report::program::Status;
@@ -17,19 +16,19 @@ use pinhole_report::program::Status;
 pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     let assignment = arguments.assignment.find(checkout, None)?;
     let roll = common_roll(arguments)?;
-    let store = Store::open(&arguments.out)?;
+    let cache = ResultCache::open(&arguments.out)?;
     let mut records: BTreeMap<String, Record> = BTreeMap::new();
     let mut with: Option<MadeWith> = None;
     let shards = arguments.shards.iter();
-    let shards = shards.map(|shard| Ok((shard, Unfinished::read(shard)?)));
+    let shards = shards.map(|shard| Ok((shard, Backlog::read(shard)?)));
     let shards: Vec<_> = shards.collect::<Result<_>>()?;
     for entry in &roll.entries {
-        for (shard, unfinished) in &shards {
+        for (shard, backlog) in &shards {
             let from = shard.join("submissions").join(&entry.id);
             let Some(record) = standing(&from) else {
                 continue;
             };
-            let record = unfinished.check(record);
+            let record = backlog.check(record);
             if !record.is_graded() {
                 // Why, if no other shard knows better.
                 records.entry(entry.id.clone()).or_insert(record);
@@ -51,24 +50,24 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
                 let problem = format!("cannot read the report in {}: {error}", from.display());
                 Error::input(problem, "grade that shard again")
             })?;
-            let to = store.of(&entry.id);
+            let to = cache.of(&entry.id);
             write(&to.join("report.html"), &report)?;
             write(&to.join("result.json"), pretty(&record)?.as_bytes())?;
             records.insert(entry.id.clone(), record);
             break;
         }
     }
-    store.write(ROLL, &pretty(&roll)?)?;
-    let telling = Telling {
-        store: &store,
+    cache.write(ROLL, &pretty(&roll)?)?;
+    let output = ClassOutput {
+        cache: &cache,
         assignment: &assignment,
         formats: &arguments.format,
         as_json: arguments.json,
     };
-    Ok(super::of_class(telling.finish(
+    Ok(super::of_class(output.write(
         &roll,
         &records,
-        &Told::default(),
+        &RunSummary::default(),
     )?))
 }
 

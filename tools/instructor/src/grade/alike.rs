@@ -17,7 +17,7 @@ use pinhole_course::stubs;
 
 /// Answers to one task that are the same.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Alike {
+pub struct SharedAnswer {
     pub task: String,
     /// "the reference", "variant sphere_half_b", "each other".
     pub to: String,
@@ -83,14 +83,14 @@ fn is_doc(stream: &TokenStream) -> bool {
 
 /// Answers that everybody may know: the reference's and the variants', by task and hash;
 /// with them those of the stubs, which are nobody's.
-pub struct Known {
+pub struct KnownAnswers {
     named: BTreeMap<(String, String), String>,
     stubs: Vec<String>,
 }
 
-impl Known {
+impl KnownAnswers {
     /// Reads them; an assignment without solutions has none.
-    pub fn read(assignment: &Assignment) -> Result<Known> {
+    pub fn read(assignment: &Assignment) -> Result<KnownAnswers> {
         let mut named = BTreeMap::new();
         let variants = mistake::folders(&assignment.folder.join("variants"));
         for (slug, folder) in variants {
@@ -110,14 +110,14 @@ impl Known {
         }
         let stubs = stubs::generate(assignment)?;
         let stubs = stubs.values().filter_map(|text| tokens(text));
-        Ok(Known {
+        Ok(KnownAnswers {
             named,
             stubs: stubs.collect(),
         })
     }
 
     /// Which answers of a class are the same as a known one, or as each other.
-    pub fn alike(&self, records: &[&Record]) -> Vec<Alike> {
+    pub fn alike(&self, records: &[&Record]) -> Vec<SharedAnswer> {
         let mut same: BTreeMap<(String, String), Vec<String>> = BTreeMap::new();
         for record in records {
             for (task, hash) in &record.tokens {
@@ -131,14 +131,14 @@ impl Known {
             let known = self.named.get(&key).cloned();
             let to = known.or_else(|| (who.len() > 1).then(|| "each other".into()))?;
             let share = who.len() as f64 / records.len().max(1) as f64;
-            Some(Alike {
+            Some(SharedAnswer {
                 task: key.0,
                 to,
                 who,
                 share,
             })
         });
-        let mut alike: Vec<Alike> = alike.collect();
+        let mut alike: Vec<SharedAnswer> = alike.collect();
         alike.sort_by(|a, b| (&a.task, &a.to, &a.who).cmp(&(&b.task, &b.to, &b.who)));
         alike
     }

@@ -1,13 +1,13 @@
-//! All records of a class together.
+//! All records of a class together, and what grading them again has changed.
 
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::alike::{Alike, Known};
+use super::alike::{KnownAnswers, SharedAnswer};
 use super::intake::Entry;
 use super::record::Record;
-use super::roster::{Person, Placed};
+use super::roster::{Person, Placement};
 use pinhole_course::diagnosis::Reading;
 use pinhole_course::outcome::Status;
 
@@ -19,7 +19,7 @@ pub const ROLL: &str = "roll.json";
 pub struct Roll {
     /// Everything that is graded, by id.
     pub entries: Vec<Entry>,
-    pub placed: Placed,
+    pub placed: Placement,
     /// Files that are no submissions.
     pub ignored: Vec<String>,
 }
@@ -30,7 +30,7 @@ pub struct Class<'a> {
     pub roll: &'a Roll,
     /// In the order of the roll; `None` if there is no grade and no record of a fault.
     pub rows: Vec<Row<'a>>,
-    pub alike: Vec<Alike>,
+    pub alike: Vec<SharedAnswer>,
 }
 
 /// A submission's line.
@@ -43,7 +43,7 @@ pub struct Row<'a> {
 
 /// A belief and who seems to hold it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Held {
+pub struct SharedBelief {
     pub mistake: String,
     pub belief: String,
     pub tasks: Vec<String>,
@@ -56,7 +56,7 @@ impl<'a> Class<'a> {
         title: &str,
         roll: &'a Roll,
         records: &'a BTreeMap<String, Record>,
-        known: &Known,
+        known: &KnownAnswers,
     ) -> Class<'a> {
         let row = |entry: &'a Entry| Row {
             entry,
@@ -104,13 +104,13 @@ impl<'a> Class<'a> {
 
     /// What is believed, the commonest first. A belief that several explain alike is
     /// counted only where it is told apart.
-    pub fn mistakes(&self) -> Vec<Held> {
-        let mut held: BTreeMap<&str, Held> = BTreeMap::new();
+    pub fn mistakes(&self) -> Vec<SharedBelief> {
+        let mut held: BTreeMap<&str, SharedBelief> = BTreeMap::new();
         for record in self.graded() {
             let tasks = record.got.tasks.iter();
             for task in tasks.filter(|task| task.diagnosis.reading == Reading::Together) {
                 for belief in &task.diagnosis.beliefs {
-                    let entry = held.entry(&belief.slug).or_insert_with(|| Held {
+                    let entry = held.entry(&belief.slug).or_insert_with(|| SharedBelief {
                         mistake: belief.slug.clone(),
                         belief: belief.mistake.belief.clone(),
                         tasks: Vec::new(),
@@ -125,7 +125,7 @@ impl<'a> Class<'a> {
                 }
             }
         }
-        let mut held: Vec<Held> = held.into_values().collect();
+        let mut held: Vec<SharedBelief> = held.into_values().collect();
         held.sort_by(|a, b| (b.who.len(), &a.mistake).cmp(&(a.who.len(), &b.mistake)));
         held
     }
@@ -140,4 +140,70 @@ impl<'a> Class<'a> {
         times.truncate(10);
         times
     }
+}
+
+/// A mark that is not what it was.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Change {
+    pub id: String,
+    pub before: u32,
+    pub after: u32,
+    /// Tasks and scenes with the points they had and have.
+    pub parts: Vec<(String, u32, u32)>,
+    /// Whether the answers themselves are others.
+    pub answers_changed: bool,
+}
+
+impl Change {
+    /// How `after` differs from `before`; `None` if all points are the same.
+    pub fn between(before: &Record, after: &Record) -> Option<Change> {
+        let parts = |record: &Record| {
+            let tasks = record.got.tasks.iter();
+            let tasks = tasks.map(|task| (task.name.clone(), task.points));
+            let scenes = ("scenes".to_owned(), record.scene_points().0);
+            tasks.chain([scenes]).collect::<Vec<_>>()
+        };
+        let (Some(points), Some(now)) = (before.got.points, after.got.points) else {
+            return None;
+        };
+        let old = parts(before);
+        let had = |name: &String| old.iter().find(|(other, _)| other == name);
+        let changed = parts(after).into_iter().filter_map(|(name, now)| {
+            let had = had(&name).map_or(0, |(_, points)| *points);
+            (had != now).then_some((name, had, now))
+        });
+        let parts: Vec<(String, u32, u32)> = changed.collect();
+        (points != now || !parts.is_empty()).then(|| Change {
+            id: after.id.clone(),
+            before: points,
+            after: now,
+            parts,
+            answers_changed: before.provenance.answers != after.provenance.answers,
+        })
+    }
+
+    /// In a line.
+    pub fn in_words(&self) -> String {
+        let parts = self
+            .parts
+            .iter()
+            .map(|(name, had, has)| format!("{name} {had} → {has}"));
+        let parts: Vec<String> = parts.collect();
+        let same = match self.answers_changed {
+            true => "",
+            false => ", from the same answers",
+        };
+        let (before, after) = (self.before, self.after);
+        format!(
+            "{}: {before} → {after} ({}){same}",
+            self.id,
+            parts.join(", ")
+        )
+    }
+}
+
+/// Drops first, since those are asked about: the deepest at the top.
+pub fn sort_changes(changes: &mut [Change]) {
+    let gain = |change: &Change| i64::from(change.after) - i64::from(change.before);
+    changes.sort_by(|a, b| (gain(a), &a.id).cmp(&(gain(b), &b.id)));
 }

@@ -1,7 +1,7 @@
-//! `grades.csv` and `groups.csv`: marks without times, the same byte for byte whenever
+//! `grades.csv`, `groups.csv` and `changes.csv`: marks without times, the same byte for byte whenever
 //! the marks are.
 
-use super::class::{Class, Row};
+use super::class::{Change, Class, Row};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::escape::printable;
 
@@ -108,12 +108,36 @@ pub fn groups(class: &Class) -> String {
     table.text()
 }
 
+/// One line for each mark that grading again has changed.
+pub fn changes(changes: &[Change]) -> String {
+    let mut table = Table::new(&["submission", "before", "after", "what", "answers"]);
+    for change in changes {
+        let parts = change
+            .parts
+            .iter()
+            .map(|(name, had, has)| format!("{name} {had} to {has}"));
+        table.line(&[
+            change.id.clone(),
+            change.before.to_string(),
+            change.after.to_string(),
+            parts.collect::<Vec<_>>().join(", "),
+            if change.answers_changed {
+                "changed"
+            } else {
+                "the same"
+            }
+            .into(),
+        ]);
+    }
+    table.text()
+}
+
 /// A CSV file in the making.
-pub struct Table(csv::Writer<Vec<u8>>);
+struct Table(csv::Writer<Vec<u8>>);
 
 impl Table {
     /// A table with these columns.
-    pub fn new(head: &[&str]) -> Table {
+    fn new(head: &[&str]) -> Table {
         let mut table = Table(csv::Writer::from_writer(Vec::new()));
         table.line(
             &head
@@ -125,7 +149,7 @@ impl Table {
     }
 
     /// One line.
-    pub fn line(&mut self, cells: &[String]) {
+    fn line(&mut self, cells: &[String]) {
         let cells: Vec<String> = cells.iter().map(|cell| harmless(cell)).collect();
         self.0
             .write_record(&cells)
@@ -133,7 +157,7 @@ impl Table {
     }
 
     /// All of it.
-    pub fn text(self) -> String {
+    fn text(self) -> String {
         let bytes = self.0.into_inner().expect("memory can be written");
         String::from_utf8(bytes).expect("only text was written")
     }

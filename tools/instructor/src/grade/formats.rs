@@ -2,10 +2,12 @@
 //! PrairieLearn's `results.json`. Each is a view of a record.
 
 use clap::ValueEnum;
+use minijinja::{Environment, UndefinedBehavior, context, value::Serde};
+use serde::Serialize;
 use serde_json::{Value, json};
 
+use super::cache::pretty;
 use super::record::Record;
-use super::store::pretty;
 use pinhole_course::error::Result;
 use pinhole_course::escape::printable;
 use pinhole_course::outcome::{AnswerFile, Status};
@@ -139,67 +141,66 @@ fn prairielearn(record: &Record) -> Value {
     })
 }
 
+/// A suite of JUnit's, as `templates/junit.xml` shows it.
+#[derive(Serialize)]
+struct Suite {
+    name: String,
+    cases: Vec<Case>,
+}
+
+#[derive(Serialize)]
+struct Case {
+    name: String,
+    /// The element inside, which says that it does not pass.
+    element: Option<&'static str>,
+    kind: &'static str,
+    said: String,
+}
+
 fn junit(record: &Record) -> String {
-    let parts = parts(record);
-    let mut suites: Vec<&str> = parts.iter().map(|part| part.suite.as_str()).collect();
-    suites.dedup();
-    let mut body = String::new();
-    let mut sums = [0; 3];
-    for suite in suites {
-        let own: Vec<&Part> = parts.iter().filter(|part| part.suite == suite).collect();
-        let skipped = own
-            .iter()
-            .filter(|part| part.outcome == Status::Unanswered)
-            .count();
-        let passing = own
-            .iter()
-            .filter(|part| part.points == part.possible)
-            .count();
-        let failures = own.len() - skipped - passing;
-        for (sum, count) in sums.iter_mut().zip([own.len(), failures, skipped]) {
-            *sum += count;
+    let mut suites: Vec<Suite> = Vec::new();
+    for part in parts(record) {
+        let case = Case {
+            element: match part.outcome {
+                _ if part.points == part.possible => None,
+                Status::Unanswered => Some("skipped"),
+                _ => Some("failure"),
+            },
+            kind: part.outcome.word(),
+            said: xml_text(&text(&part)),
+            name: part.name,
+        };
+        match suites.last_mut().filter(|suite| suite.name == part.suite) {
+            Some(suite) => suite.cases.push(case),
+            None => suites.push(Suite {
+                name: part.suite,
+                cases: vec![case],
+            }),
         }
-        body.push_str(&format!(
-            "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{failures}\" errors=\"0\" skipped=\"{skipped}\" time=\"0\">\n",
-            xml(suite),
-            own.len()
-        ));
-        for part in own {
-            let [name, class] = [&part.name, &part.suite].map(|text| xml(text));
-            body.push_str(&format!(
-                "    <testcase name=\"{name}\" classname=\"{class}\" time=\"0\""
-            ));
-            let said = xml(&text(part));
-            body.push_str(&match part.points == part.possible {
-                true => "/>\n".into(),
-                false if part.outcome == Status::Unanswered => {
-                    "><skipped message=\"unanswered\"/></testcase>\n".into()
-                }
-                false => {
-                    let kind = part.outcome.word();
-                    format!(
-                        "><failure type=\"{kind}\" message=\"{kind}\">{said}</failure></testcase>\n"
-                    )
-                }
-            });
-        }
-        body.push_str("  </testsuite>\n");
     }
     if !record.is_graded() {
-        let why = xml(&record.explanation);
-        body = format!(
-            "  <testsuite name=\"grading\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\" time=\"0\">\n    \
-             <testcase name=\"grading\" classname=\"grading\" time=\"0\"><error type=\"not graded\" message=\"not graded\">{why}</error></testcase>\n  \
-             </testsuite>\n"
-        );
+        let name = "grading".to_owned();
+        let case = Case {
+            name: name.clone(),
+            element: Some("error"),
+            kind: record.status.word(),
+            said: xml_text(&record.explanation),
+        };
+        suites = vec![Suite {
+            name,
+            cases: vec![case],
+        }];
     }
-    let errors = u32::from(!record.is_graded());
-    let [tests, failures, skipped] = sums;
-    let tests = tests.max(errors as usize);
-    format!(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"{}\" tests=\"{tests}\" failures=\"{failures}\" errors=\"{errors}\" skipped=\"{skipped}\" time=\"0\">\n{body}</testsuites>\n",
-        xml(&record.id)
-    )
+    let cases: Vec<&Case> = suites.iter().flat_map(|suite| &suite.cases).collect();
+    let mut environment = Environment::new();
+    environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    let template = environment.add_template("junit.xml", include_str!("../../templates/junit.xml"));
+    let page = template.and_then(|()| {
+        let id = &record.id;
+        let template = environment.get_template("junit.xml")?;
+        template.render(context! { id, suites => Serde(&suites), cases => Serde(&cases) })
+    });
+    page.unwrap_or_else(|error| panic!("junit.xml's template: {error:#}"))
 }
 
 /// What somebody reads of a part; others show it as they please, so it holds nothing that
@@ -213,20 +214,8 @@ fn text(part: &Part) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// Text inside XML: escaped, and without the characters that XML cannot hold.
-fn xml(text: &str) -> String {
-    let mut safe = String::new();
-    for c in text.chars() {
-        match c {
-            '&' => safe.push_str("&amp;"),
-            '<' => safe.push_str("&lt;"),
-            '>' => safe.push_str("&gt;"),
-            '"' => safe.push_str("&quot;"),
-            '\'' => safe.push_str("&apos;"),
-            '\n' => safe.push_str("&#10;"),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => safe.push('\u{fffd}'),
-            c => safe.push(c),
-        }
-    }
-    safe
+/// Text without the characters that XML cannot hold; the template escapes the rest.
+fn xml_text(text: &str) -> String {
+    let cannot = |c: char| c != '\n' && (c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'));
+    text.replace(cannot, "\u{fffd}")
 }

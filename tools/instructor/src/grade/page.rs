@@ -3,10 +3,10 @@
 use minijinja::{Environment, UndefinedBehavior, context, value::Serde};
 use serde::Serialize;
 
-use super::alike::Alike;
-use super::class::{Class, Held, Row};
+use super::alike::SharedAnswer;
+use super::class::{Class, Row, SharedBelief};
 use super::record::explained;
-use super::roster::{Person, Placed};
+use super::roster::{Person, Placement};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::escape::printable;
 use pinhole_course::outcome::Status;
@@ -30,12 +30,12 @@ struct Page<'a> {
     not_graded: Vec<(String, String)>,
     bins: Vec<Bin>,
     most_in_bin: usize,
-    outcomes: Vec<Ended>,
+    outcomes: Vec<StatusRow>,
     tasks: Vec<Part>,
-    mistakes: Vec<Held>,
-    alike: Vec<Alike>,
+    mistakes: Vec<SharedBelief>,
+    alike: Vec<SharedAnswer>,
     slowest: Vec<(String, String)>,
-    placed: &'a Placed,
+    placed: &'a Placement,
     ambiguous: Vec<(String, Vec<String>)>,
     missing: Vec<Person>,
     ignored: Vec<String>,
@@ -51,7 +51,7 @@ struct Bin {
 }
 
 #[derive(Serialize)]
-struct Ended {
+struct StatusRow {
     word: &'static str,
     explained: &'static str,
     who: Vec<String>,
@@ -129,7 +129,7 @@ fn of<'a>(class: &'a Class<'a>, assignment: &Assignment) -> Page<'a> {
     judged_on.sort();
     judged_on.dedup();
     let shown = |ids: &[String]| ids.iter().map(|id| printable(id)).collect::<Vec<_>>();
-    let alike = class.alike.iter().map(|alike| Alike {
+    let alike = class.alike.iter().map(|alike| SharedAnswer {
         who: shown(&alike.who),
         ..alike.clone()
     });
@@ -152,7 +152,7 @@ fn of<'a>(class: &'a Class<'a>, assignment: &Assignment) -> Page<'a> {
         outcomes: class
             .outcomes()
             .into_iter()
-            .map(|(kind, who)| Ended {
+            .map(|(kind, who)| StatusRow {
                 word: kind.word(),
                 explained: explained(kind),
                 who: who.into_iter().map(printable).collect(),

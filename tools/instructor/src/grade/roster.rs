@@ -25,7 +25,7 @@ pub struct Person {
 
 /// Which submission is whose, and what could not be told.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
-pub struct Placed {
+pub struct Placement {
     /// By the submission's id.
     pub of: BTreeMap<String, Person>,
     /// People without a submission.
@@ -72,7 +72,7 @@ pub fn read(path: &Path) -> Result<Vec<Person>> {
 
 /// What a submission's name says.
 #[derive(Clone, Debug, PartialEq)]
-struct Said {
+struct SubmissionName {
     /// A person's name, or an id.
     person: String,
     /// The platform's number for the person.
@@ -81,30 +81,30 @@ struct Said {
     attempt: Option<(u64, u64)>,
 }
 
-impl Said {
-    fn by(name: &str) -> Said {
+impl SubmissionName {
+    fn by(name: &str) -> SubmissionName {
         let stem = name.strip_suffix(".zip").unwrap_or(name);
-        Said::by_moodle(stem)
-            .or_else(|| Said::by_canvas(stem))
-            .unwrap_or(Said {
+        SubmissionName::by_moodle(stem)
+            .or_else(|| SubmissionName::by_canvas(stem))
+            .unwrap_or(SubmissionName {
                 person: stem.into(),
                 number: None,
                 attempt: None,
             })
     }
 
-    fn by_moodle(stem: &str) -> Option<Said> {
+    fn by_moodle(stem: &str) -> Option<SubmissionName> {
         let (before, _) = stem.split_once("_assignsubmission_")?;
         let (person, number) = before.rsplit_once('_')?;
         number.parse::<u64>().ok()?;
-        Some(Said {
+        Some(SubmissionName {
             person: person.into(),
             number: Some(number.into()),
             attempt: None,
         })
     }
 
-    fn by_canvas(stem: &str) -> Option<Said> {
+    fn by_canvas(stem: &str) -> Option<SubmissionName> {
         let mut parts = stem.splitn(5, '_');
         let person = parts.next()?;
         let mut number = parts.next()?;
@@ -118,7 +118,7 @@ impl Said {
         let again = name
             .rsplit_once('-')
             .and_then(|(_, count)| count.parse().ok());
-        Some(Said {
+        Some(SubmissionName {
             person: person.into(),
             number: Some(number.into()),
             attempt: Some((file, again.unwrap_or(0))),
@@ -151,7 +151,7 @@ fn names(person: &Person) -> Vec<String> {
 }
 
 /// Who of `people` may have made what is called so: whoever fits the surest sign.
-fn candidates<'a>(said: &Said, people: &'a [Person]) -> Vec<&'a Person> {
+fn candidates<'a>(said: &SubmissionName, people: &'a [Person]) -> Vec<&'a Person> {
     let is = |sign: &dyn Fn(&Person) -> bool| -> Vec<&'a Person> {
         people.iter().filter(|person| sign(person)).collect()
     };
@@ -172,11 +172,11 @@ fn candidates<'a>(said: &Said, people: &'a [Person]) -> Vec<&'a Person> {
 }
 
 /// Says whose each submission is. Without a roster, only attempts are told apart.
-pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placed {
-    let mut placed = Placed::default();
-    let mut attempts: BTreeMap<String, Vec<(&Entry, Said)>> = BTreeMap::new();
+pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
+    let mut placed = Placement::default();
+    let mut attempts: BTreeMap<String, Vec<(&Entry, SubmissionName)>> = BTreeMap::new();
     for entry in entries {
-        let said = Said::by(&entry.name);
+        let said = SubmissionName::by(&entry.name);
         let found = people.map(|people| candidates(&said, people));
         let key = match found.as_deref() {
             Some([person]) => {
@@ -225,7 +225,7 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placed {
 }
 
 /// Attempts of somebody unknown belong together if a platform numbers the person.
-fn unplaced(entry: &Entry, said: &Said) -> String {
+fn unplaced(entry: &Entry, said: &SubmissionName) -> String {
     match (&said.number, said.attempt) {
         (Some(number), Some(_)) => format!("canvas {number}"),
         _ => format!("entry {}", entry.id),

@@ -1,34 +1,34 @@
-//! What is written and said of a class when its grading, or its merging, ends.
+//! Writes the files of a class and prints its summary, when grading or merging ends.
 
 use std::collections::BTreeMap;
 
 use serde_json::json;
 
-use super::alike::Known;
-use super::changes::Change;
-use super::class::{Class, Roll};
+use super::alike::KnownAnswers;
+use super::cache::ResultCache;
+use super::class::{Change, Class, Roll};
 use super::csv;
 use super::formats::Format;
 use super::page;
 use super::record::Record;
-use super::store::Store;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::error::Result;
 use pinhole_course::escape::printable;
 
-/// What is said of this run alone.
+/// What this run alone has done.
 #[derive(Default)]
-pub struct Told {
-    pub anew: usize,
+pub struct RunSummary {
+    /// How many were graded, not only found valid.
+    pub graded: usize,
     pub seconds: f64,
     pub changes: Vec<Change>,
     /// Whose grading failed, and why; an earlier grade of the same may stand.
     pub faults: Vec<(String, String)>,
 }
 
-/// Where a class is told of, and how.
-pub struct Telling<'a> {
-    pub store: &'a Store,
+/// Where the results of a class go, and how.
+pub struct ClassOutput<'a> {
+    pub cache: &'a ResultCache,
     pub assignment: &'a Assignment,
     /// Written beside the files that are always written.
     pub formats: &'a [Format],
@@ -36,36 +36,41 @@ pub struct Telling<'a> {
     pub as_json: bool,
 }
 
-impl Telling<'_> {
-    /// Writes what is said of the class, and says it; `false` if a mark is missing.
-    pub fn finish(
+impl ClassOutput<'_> {
+    /// Writes the class's files and prints its summary; `false` if a mark is missing.
+    pub fn write(
         &self,
         roll: &Roll,
         records: &BTreeMap<String, Record>,
-        told: &Told,
+        run: &RunSummary,
     ) -> Result<bool> {
-        let Telling {
-            store, assignment, ..
+        let ClassOutput {
+            cache, assignment, ..
         } = self;
-        let class = Class::new(&assignment.title, roll, records, &Known::read(assignment)?);
+        let class = Class::new(
+            &assignment.title,
+            roll,
+            records,
+            &KnownAnswers::read(assignment)?,
+        );
         for record in records.values() {
             for format in self.formats {
                 if let Some((name, content)) = format.of(record)? {
-                    store.write(&format!("submissions/{}/{name}", record.id), &content)?;
+                    cache.write(&format!("submissions/{}/{name}", record.id), &content)?;
                 }
             }
         }
         if self.formats.contains(&Format::Csv) {
-            store.write("groups.csv", &csv::groups(&class))?;
+            cache.write("groups.csv", &csv::groups(&class))?;
         }
-        store.write("grades.csv", &csv::grades(&class, assignment))?;
-        store.write("class.html", &page::html(&class, assignment))?;
+        cache.write("grades.csv", &csv::grades(&class, assignment))?;
+        cache.write("class.html", &page::html(&class, assignment))?;
         match self.as_json {
-            true => anstream::println!("{:#}", document(&class, told)),
-            false => anstream::print!("{}", words(&class, told, store)),
+            true => anstream::println!("{:#}", document(&class, run)),
+            false => anstream::print!("{}", words(&class, run, cache)),
         }
         let not_graded = class.not_graded();
-        if not_graded.is_empty() && told.faults.is_empty() {
+        if not_graded.is_empty() && run.faults.is_empty() {
             return Ok(true);
         }
         anstream::eprintln!(
@@ -73,13 +78,13 @@ impl Telling<'_> {
              see why above; run the same command again, and it grades these alone",
             not_graded.len(),
             class.rows.len(),
-            told.faults.len()
+            run.faults.len()
         );
         Ok(false)
     }
 }
 
-fn document(class: &Class, told: &Told) -> serde_json::Value {
+fn document(class: &Class, run: &RunSummary) -> serde_json::Value {
     let outcomes = class.outcomes().into_iter();
     let outcomes: BTreeMap<&str, Vec<&str>> =
         outcomes.map(|(kind, who)| (kind.word(), who)).collect();
@@ -91,20 +96,20 @@ fn document(class: &Class, told: &Told) -> serde_json::Value {
         "assignment": class.title,
         "submissions": class.rows.len(),
         "not_graded": class.not_graded(),
-        "graded_now": told.anew,
-        "seconds": told.seconds,
+        "graded_now": run.graded,
+        "seconds": run.seconds,
         "points": points.collect::<BTreeMap<_, _>>(),
         "outcomes": outcomes,
         "mistakes": class.mistakes(),
         "alike": class.alike,
-        "changes": told.changes,
-        "faults": told.faults,
+        "changes": run.changes,
+        "faults": run.faults,
         "roster": class.roll.placed,
         "ignored": class.roll.ignored,
     })
 }
 
-fn words(class: &Class, told: &Told, store: &Store) -> String {
+fn words(class: &Class, run: &RunSummary, cache: &ResultCache) -> String {
     let mut text = String::new();
     let mut line = |words: String| {
         text.push_str(&words);
@@ -114,24 +119,24 @@ fn words(class: &Class, told: &Told, store: &Store) -> String {
         line(format!("not graded: {}: {}", printable(id), printable(why)));
     }
     let stands = |id: &String| !class.not_graded().iter().any(|(other, _)| other == id);
-    for (id, why) in told.faults.iter().filter(|(id, _)| stands(id)) {
+    for (id, why) in run.faults.iter().filter(|(id, _)| stands(id)) {
         line(format!(
             "not graded again, the old mark stands: {}: {}",
             printable(id),
             printable(why)
         ));
     }
-    for change in &told.changes {
+    for change in &run.changes {
         line(format!("changed: {}", printable(&change.in_words())));
     }
     let all = class.rows.len();
-    let kept = all.saturating_sub(told.anew);
-    let minutes = told.seconds / 60.0;
+    let kept = all.saturating_sub(run.graded);
+    let minutes = run.seconds / 60.0;
     line(format!(
         "{all} submissions, {} graded now in {:.0} s ({:.0} a minute), {kept} unchanged",
-        told.anew,
-        told.seconds,
-        told.anew as f64 / minutes.max(1e-9)
+        run.graded,
+        run.seconds,
+        run.graded as f64 / minutes.max(1e-9)
     ));
     for (kind, who) in class.outcomes() {
         line(format!("{:>5} {}", who.len(), kind.word()));
@@ -148,7 +153,7 @@ fn words(class: &Class, told: &Told, store: &Store) -> String {
     for (what, count) in lists.into_iter().filter(|(_, count)| *count > 0) {
         line(format!("{count:>5} {what}"));
     }
-    line(format!("\ngrades: {}", store.path("grades.csv").display()));
-    line(format!("class:  {}", store.path("class.html").display()));
+    line(format!("\ngrades: {}", cache.path("grades.csv").display()));
+    line(format!("class:  {}", cache.path("class.html").display()));
     text
 }

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
-use super::again::{most_for_scenes, revoke_failing_fresh, worth_asking_again};
 use super::alike;
 use super::clock::{Pace, SubmissionClock};
+use super::fresh::{most_for_scenes, revoke_failing_fresh, worth_asking_fresh};
 use super::intake::Entry;
 use super::provenance::{MadeWith, Provenance};
 use super::record::{Record, Timings, explained};
@@ -27,7 +27,7 @@ use pinhole_report::html::{Again, Report};
 const MOST_PRINTED: usize = 16 * 1024;
 
 /// What the whole class is graded with.
-pub struct Bench<'a> {
+pub struct Grader<'a> {
     pub assignment: &'a Assignment,
     pub goldens: &'a Goldens,
     /// Questions nobody has seen; a group counts only if it passes these too.
@@ -38,44 +38,44 @@ pub struct Bench<'a> {
     pub sandbox: &'a Sandbox,
     pub pace: &'a Pace,
     /// Where programs lie while they are asked.
-    pub rooms: &'a Path,
+    pub programs: &'a Path,
     pub made_with: &'a MadeWith,
 }
 
 /// A folder for one submission's programs, gone when it is graded: a class's would fill the
 /// disk, and nobody is to find another's.
-struct Room {
+struct ProgramFolder {
     folder: PathBuf,
 }
 
-impl Room {
-    fn new(rooms: &Path) -> Room {
+impl ProgramFolder {
+    fn new(programs: &Path) -> ProgramFolder {
         static NEXT: AtomicUsize = AtomicUsize::new(0);
         let number = NEXT.fetch_add(1, Ordering::Relaxed);
-        Room {
-            folder: rooms.join(number.to_string()),
+        ProgramFolder {
+            folder: programs.join(number.to_string()),
         }
     }
 }
 
-impl Drop for Room {
+impl Drop for ProgramFolder {
     fn drop(&mut self) {
         let _left_for_the_next_run = fs::remove_dir_all(&self.folder);
     }
 }
 
 /// A record, and its report if there is a grade.
-pub struct Graded {
+pub struct Grade {
     pub record: Record,
     pub report: Option<String>,
 }
 
-impl Bench<'_> {
+impl Grader<'_> {
     /// Grades a submission. Whatever goes wrong here is told in the record: it stops
     /// nobody else, and is nobody's zero.
     ///
     /// `None` if an answer came too late and it was not `alone`: see [`clock`](super::clock).
-    pub fn grade(&self, entry: &Entry, submission: &Submission, alone: bool) -> Option<Graded> {
+    pub fn grade(&self, entry: &Entry, submission: &Submission, alone: bool) -> Option<Grade> {
         let clock = SubmissionClock::new(self.pace, alone);
         let work = AssertUnwindSafe(|| self.try_grade(entry, submission, &clock));
         let fault = match catch_unwind(work) {
@@ -87,7 +87,7 @@ impl Bench<'_> {
             Ok(Err(error)) => error.to_string(),
             Err(_) => "the grader itself failed; please report it".into(),
         };
-        Some(Graded {
+        Some(Grade {
             record: self.blank(entry, submission).not_graded(fault),
             report: None,
         })
@@ -125,11 +125,11 @@ impl Bench<'_> {
         entry: &Entry,
         submission: &Submission,
         clock: &SubmissionClock,
-    ) -> Result<Graded> {
+    ) -> Result<Grade> {
         let start = Instant::now();
-        let room = Room::new(self.rooms);
+        let folder = ProgramFolder::new(self.programs);
         let sandbox = self.sandbox.anew();
-        let compiler = self.compiler.apart(&sandbox, room.folder.clone());
+        let compiler = self.compiler.apart(&sandbox, folder.folder.clone());
         let program = compiler.compile(submission)?;
         let compiled = start.elapsed();
         let everything = Selection::default();
@@ -141,7 +141,7 @@ impl Bench<'_> {
             &everything,
             clock,
         )?;
-        let fresh = match (self.fresh, worth_asking_again(&examination.outcome)) {
+        let fresh = match (self.fresh, worth_asking_fresh(&examination.outcome)) {
             (Some(goldens), Some(selection)) => {
                 Some(self.examine(goldens, &program, &sandbox, submission, &selection, clock)?)
             }
@@ -183,7 +183,7 @@ impl Bench<'_> {
             report: (total - asked).as_secs_f64(),
             second_runs: 0,
         };
-        Ok(Graded {
+        Ok(Grade {
             record,
             report: Some(page),
         })

@@ -1,37 +1,36 @@
-//! A class is worked off, several submissions at a time, each only if there is no grade
-//! of the same answers judged by the same.
+//! Grades submissions in parallel and skips those whose result is still valid.
 
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use super::bench::{Bench, Graded};
-use super::changes::Change;
+use super::cache::ResultCache;
+use super::class::Change;
+use super::grader::{Grade, Grader};
 use super::intake::{self, Entry};
 use super::provenance::Provenance;
 use super::record::Record;
-use super::store::Store;
 use pinhole_course::escape::printable;
 use pinhole_course::progress::Progress;
 use pinhole_course::submission::Unusable;
 
-/// Where entries are worked off.
-pub struct Desk<'a> {
-    bench: &'a Bench<'a>,
-    store: &'a Store,
+/// The submissions that are to be graded.
+pub struct GradeQueue<'a> {
+    grader: &'a Grader<'a>,
+    cache: &'a ResultCache,
     /// Whether what is graded already is graded again.
     regrade: bool,
     progress: &'a Progress,
-    /// How many there are, and are done.
+    /// How many there are in all.
     of: usize,
     done: AtomicUsize,
 }
 
-/// What came of one.
-pub struct Done {
+/// The result of one submission.
+pub struct QueueResult {
     pub record: Record,
     /// Whether it was graded in this run.
-    pub anew: bool,
+    pub is_new: bool,
     pub change: Option<Change>,
     /// Whose grading failed now, and why.
     pub fault: Option<(String, String)>,
@@ -41,18 +40,18 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-impl<'a> Desk<'a> {
-    /// A desk for so many entries.
+impl<'a> GradeQueue<'a> {
+    /// A queue of so many entries.
     pub fn new(
-        bench: &'a Bench<'a>,
-        store: &'a Store,
+        grader: &'a Grader<'a>,
+        cache: &'a ResultCache,
         regrade: bool,
         progress: &'a Progress,
         of: usize,
-    ) -> Desk<'a> {
-        Desk {
-            bench,
-            store,
+    ) -> GradeQueue<'a> {
+        GradeQueue {
+            grader,
+            cache,
             regrade,
             progress,
             of,
@@ -62,7 +61,7 @@ impl<'a> Desk<'a> {
 
     /// Grades all entries, `jobs` at a time. One that is late beside others is graded
     /// again when all others are done.
-    pub fn work(&self, entries: &[Entry], jobs: usize) -> Vec<Done> {
+    pub fn work(&self, entries: &[Entry], jobs: usize) -> Vec<QueueResult> {
         let next = AtomicUsize::new(0);
         let all = Mutex::new(Vec::new());
         let late = Mutex::new(Vec::new());
@@ -90,25 +89,25 @@ impl<'a> Desk<'a> {
     }
 
     /// `None` if it is to be graded again, `alone`.
-    fn one(&self, entry: &Entry, alone: bool) -> Option<Done> {
+    fn one(&self, entry: &Entry, alone: bool) -> Option<QueueResult> {
         let done = self.grade(entry, alone)?;
-        self.tell(&done);
+        self.report_progress(&done);
         Some(done)
     }
 
-    fn grade(&self, entry: &Entry, alone: bool) -> Option<Done> {
-        let Bench {
+    fn grade(&self, entry: &Entry, alone: bool) -> Option<QueueResult> {
+        let Grader {
             assignment,
             made_with,
             ..
-        } = self.bench;
-        let before = self.store.record(&entry.id);
+        } = self.grader;
+        let before = self.cache.get(&entry.id);
         let submission = match intake::open(entry, assignment) {
             Ok(submission) => submission,
             Err(error) => {
                 let missing = Unusable::Missing;
                 let nothing = intake::without_answers(entry, assignment, &missing);
-                let record = self.bench.blank(entry, &nothing);
+                let record = self.grader.blank(entry, &nothing);
                 return Some(self.faulty(record.not_graded(error.to_string()), None));
             }
         };
@@ -117,24 +116,24 @@ impl<'a> Desk<'a> {
             && before.provenance == Provenance::of(&submission, made_with)
             && before.got.submission == entry.name
         {
-            return Some(Done {
+            return Some(QueueResult {
                 record: before.clone(),
-                anew: false,
+                is_new: false,
                 change: None,
                 fault: None,
             });
         }
-        let Graded { record, report } = self.bench.grade(entry, &submission, alone)?;
+        let Grade { record, report } = self.grader.grade(entry, &submission, alone)?;
         let Some(report) = report else {
             return Some(self.faulty(record, before));
         };
-        if let Err(error) = self.store.keep(&record, &report) {
+        if let Err(error) = self.cache.put(&record, &report) {
             return Some(self.faulty(record.not_graded(error.to_string()), before));
         }
         let change = before.and_then(|before| Change::between(&before, &record));
-        Some(Done {
+        Some(QueueResult {
             record,
-            anew: true,
+            is_new: true,
             change,
             fault: None,
         })
@@ -142,21 +141,21 @@ impl<'a> Desk<'a> {
 
     /// A fault of ours: told, and kept beside the grade from `before` if there is one,
     /// which stands if it is of the same answers, judged by the same.
-    fn faulty(&self, mut record: Record, before: Option<Record>) -> Done {
-        if let Err(error) = self.store.keep_fault(&record) {
+    fn faulty(&self, mut record: Record, before: Option<Record>) -> QueueResult {
+        if let Err(error) = self.cache.put_fault(&record) {
             record.explanation.push_str(&format!("; {}", error.problem));
         }
         let fault = Some((record.id.clone(), record.explanation.clone()));
         let stands = before.filter(|before| before.provenance == record.provenance);
-        Done {
-            anew: stands.is_none(),
+        QueueResult {
+            is_new: stands.is_none(),
             record: stands.unwrap_or(record),
             change: None,
             fault,
         }
     }
 
-    fn tell(&self, done: &Done) {
+    fn report_progress(&self, done: &QueueResult) {
         let count = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         let Record {
             id, status, got, ..
@@ -164,7 +163,7 @@ impl<'a> Desk<'a> {
         let id = printable(id);
         self.progress
             .show(&id, count as f64 / self.of.max(1) as f64);
-        if !std::io::stderr().is_terminal() && done.anew {
+        if !std::io::stderr().is_terminal() && done.is_new {
             let points = got.points.map_or("no mark".into(), |points| {
                 format!("{points} of {}", got.possible)
             });

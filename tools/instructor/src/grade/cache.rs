@@ -1,24 +1,28 @@
 //! What lies in the folder of a graded class, written so that a power cut at any moment
 //! leaves the old file or the new one, never half of either.
 
+use std::collections::BTreeMap;
 use std::fs::{self, File, TryLockError};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use super::intake::{self, Entry};
+use super::provenance::{MadeWith, Provenance};
 use super::record::Record;
+use pinhole_course::assignment::Assignment;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::outcome::SCHEMA;
 
 /// The folder of a graded class, locked for as long as this lives.
-pub struct Store {
+pub struct ResultCache {
     folder: PathBuf,
     /// The operating system lets go of it however we end: no lock is ever stale.
     _lock: File,
 }
 
-impl Store {
+impl ResultCache {
     /// Opens the folder for one grader alone.
-    pub fn open(folder: &Path) -> Result<Store> {
+    pub fn open(folder: &Path) -> Result<ResultCache> {
         let submissions = folder.join("submissions");
         fs::create_dir_all(&submissions).map_err(|error| failed(&submissions, &error))?;
         let path = folder.join(".lock");
@@ -29,7 +33,7 @@ impl Store {
             .open(&path);
         let lock = lock.map_err(|error| failed(&path, &error))?;
         match lock.try_lock() {
-            Ok(()) => Ok(Store {
+            Ok(()) => Ok(ResultCache {
                 folder: folder.into(),
                 _lock: lock,
             }),
@@ -52,13 +56,13 @@ impl Store {
     }
 
     /// The finished grade of a submission; `None` if there is none that can be read.
-    pub fn record(&self, id: &str) -> Option<Record> {
+    pub fn get(&self, id: &str) -> Option<Record> {
         read(&self.of(id).join("result.json")).filter(Record::is_graded)
     }
 
     /// Keeps a finished grade. Its report is there before it, so that a result means
     /// that all is there.
-    pub fn keep(&self, record: &Record, report: &str) -> Result<()> {
+    pub fn put(&self, record: &Record, report: &str) -> Result<()> {
         let folder = self.of(&record.id);
         write(&folder.join("report.html"), report.as_bytes())?;
         write(&folder.join("result.json"), pretty(record)?.as_bytes())?;
@@ -67,7 +71,7 @@ impl Store {
     }
 
     /// Keeps the record of a fault of ours beside a finished grade, never over it.
-    pub fn keep_fault(&self, record: &Record) -> Result<()> {
+    pub fn put_fault(&self, record: &Record) -> Result<()> {
         let folder = self.of(&record.id);
         let name = match folder.join("result.json").exists() {
             true => "fault.json",
@@ -107,6 +111,72 @@ fn read(path: &Path) -> Option<Record> {
     (record.got.schema == SCHEMA).then_some(record)
 }
 
+/// What a run set out to grade, kept until it has: a run that is stopped leaves grades of
+/// older answers behind, and a merge must not take them for new ones.
+///
+/// By submission: the answers that its grade is to be of. (By what they are judged, all
+/// parts must agree; a merge checks that itself.)
+#[derive(Debug, Default)]
+pub struct Backlog(BTreeMap<String, Hashes>);
+
+/// As [`Provenance::answers`].
+type Hashes = Vec<(String, String)>;
+
+/// The backlog's file, in the folder of a graded class.
+const BACKLOG: &str = "unfinished.json";
+
+impl Backlog {
+    /// Writes down all submissions whose grade is missing or of other answers.
+    pub fn begin(
+        entries: &[Entry],
+        cache: &ResultCache,
+        assignment: &Assignment,
+        made_with: &MadeWith,
+    ) -> Result<()> {
+        let mut unfinished = BTreeMap::new();
+        for entry in entries {
+            // What cannot be opened has no answers; its record tells why.
+            let Ok(submission) = intake::open(entry, assignment) else {
+                continue;
+            };
+            let wanted = Provenance::of(&submission, made_with).answers;
+            let is_of_these = |record: Record| record.provenance.answers == wanted;
+            if !cache.get(&entry.id).is_some_and(is_of_these) {
+                unfinished.insert(entry.id.clone(), wanted);
+            }
+        }
+        cache.write(BACKLOG, &pretty(&unfinished)?)
+    }
+
+    /// All is graded.
+    pub fn end(cache: &ResultCache) {
+        let _was_never_there = fs::remove_file(cache.path(BACKLOG));
+    }
+
+    /// What the last run in a folder left undone; nothing, if it came to its end.
+    pub fn read(folder: &Path) -> Result<Backlog> {
+        let path = folder.join(BACKLOG);
+        let Ok(text) = fs::read_to_string(&path) else {
+            return Ok(Backlog::default());
+        };
+        serde_json::from_str(&text).map(Backlog).map_err(|error| {
+            let problem = format!("{}: {error}", path.display());
+            Error::input(problem, "grade that shard again with this version")
+        })
+    }
+
+    /// The record, if it is of what was to be graded; else, that it is not graded.
+    pub fn check(&self, record: Record) -> Record {
+        match self.0.get(&record.id) {
+            Some(wanted) if *wanted != record.provenance.answers => record.not_graded(
+                "the run was stopped before it came to these answers; an older mark is of others"
+                    .into(),
+            ),
+            _ => record,
+        }
+    }
+}
+
 /// JSON for people, too.
 pub fn pretty(value: &impl serde::Serialize) -> Result<String> {
     let text = serde_json::to_string_pretty(value).map_err(|error| {
@@ -139,4 +209,45 @@ fn failed(path: &Path, error: &std::io::Error) -> Error {
         format!("cannot write {}: {error}", path.display()),
         "free some disk space and check that the folder can be written; run this again and it goes on",
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn result_of_an_older_version_is_no_result() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let cache = ResultCache::open(folder.path()).expect("it is new");
+        let path = cache.of("ada").join("result.json");
+        let mut record = json!({
+            "schema": SCHEMA, "id": "ada", "outcome": "graded", "explanation": "",
+            "assignment": "Ray casting", "submission": "ada", "passes": true, "points": 1,
+            "possible": 1, "withheld": 0, "tasks": [], "scenes": [], "printed": "",
+            "sandbox": "none", "flags": [], "fresh_scenes": [], "most_for_scenes": null,
+            "tokens": {},
+            "provenance": {
+                "answers": [], "judged_on": "", "seed": null, "goldens": "", "fresh": null,
+                "assignment": "", "tool": { "version": "", "sha256": "", "rustc": "" },
+                "sandbox": "none", "timeout": 1, "reveal": null,
+            },
+            "timings": {
+                "total": 1.0, "compiling": 0.5, "asking": 0.5, "report": 0.0, "second_runs": 0,
+            },
+        });
+        let is_there = |record: &serde_json::Value| {
+            write(&path, record.to_string().as_bytes()).expect("there is room");
+            (
+                cache.get("ada").is_some(),
+                standing(&cache.of("ada")).is_some(),
+            )
+        };
+        assert_eq!(is_there(&record), (true, true));
+        record["schema"] = 1.into();
+        assert_eq!(is_there(&record), (false, false));
+        let oldest = json!({ "schema": 1, "id": "ada", "name": "ada", "points": 1 });
+        assert_eq!(is_there(&oldest), (false, false));
+    }
 }
