@@ -7,7 +7,7 @@ use pinhole::{Kind, Scene, ShapeKind};
 use serde::Deserialize;
 
 use crate::checkout::Checkout;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ResultExt};
 
 /// What students are asked, and where it lies.
 #[derive(Clone, Debug)]
@@ -124,21 +124,17 @@ impl Assignment {
 
     fn in_folder(checkout: &Checkout, folder: &Path, name: &str) -> Result<Assignment> {
         let path = folder.join("assignment.toml");
-        let text = fs::read_to_string(&path).map_err(|error| {
-            Error::input(
-                format!("cannot read {}: {error}", path.display()),
-                format!(
-                    "name an assignment of this checkout: {}",
-                    names(checkout).join(", ")
-                ),
-            )
-        })?;
-        let file: File = toml::from_str(&text).map_err(|error| {
-            Error::input(
-                format!("{}: {error}", path.display()),
-                "correct the assignment file",
-            )
-        })?;
+        let text = fs::read_to_string(&path).or_input(
+            format_args!("cannot read {}", path.display()),
+            format!(
+                "name an assignment of this checkout: {}",
+                names(checkout).join(", ")
+            ),
+        )?;
+        let file: File = toml::from_str(&text).or_input(
+            format_args!("{}", path.display()),
+            "correct the assignment file",
+        )?;
         if let Some(task) = file
             .task
             .iter()

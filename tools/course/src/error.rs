@@ -13,7 +13,11 @@ pub struct Error {
     pub problem: String,
     /// What to do about it.
     pub remedy: String,
+    /// What lies behind it; its words are part of the problem's.
+    source: Option<Source>,
 }
+
+type Source = Box<dyn std::error::Error + Send + Sync>;
 
 /// Whose turn it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,6 +38,7 @@ impl Error {
             fault: Fault::Input,
             problem: problem.into(),
             remedy: remedy.into(),
+            source: None,
         }
     }
 
@@ -43,6 +48,7 @@ impl Error {
             fault: Fault::Environment,
             problem: problem.into(),
             remedy: remedy.into(),
+            source: None,
         }
     }
 
@@ -52,6 +58,12 @@ impl Error {
             format!("{}: {error}", path.display()),
             "see that the file can be read, and its folder written",
         )
+    }
+
+    fn caused_by(mut self, source: Source) -> Error {
+        self.problem = format!("{}: {source}", self.problem);
+        self.source = Some(source);
+        self
     }
 
     /// 2 for the user's fault, 3 for any other.
@@ -69,7 +81,33 @@ impl fmt::Display for Error {
     }
 }
 
-impl std::error::Error for Error {}
+impl std::error::Error for Error {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        let source = self.source.as_deref()?;
+        Some(source)
+    }
+}
+
+/// Says what failed, and what to do about it, where somebody else's error comes back.
+pub trait ResultExt<T> {
+    /// The user's file or argument is to blame.
+    fn or_input(self, problem: impl fmt::Display, remedy: impl Into<String>) -> Result<T>;
+
+    /// The machine is, or we are.
+    fn or_environment(self, problem: impl fmt::Display, remedy: impl Into<String>) -> Result<T>;
+}
+
+impl<T, E: Into<Source>> ResultExt<T> for std::result::Result<T, E> {
+    fn or_input(self, problem: impl fmt::Display, remedy: impl Into<String>) -> Result<T> {
+        self.map_err(|source| Error::input(problem.to_string(), remedy).caused_by(source.into()))
+    }
+
+    fn or_environment(self, problem: impl fmt::Display, remedy: impl Into<String>) -> Result<T> {
+        self.map_err(|source| {
+            Error::environment(problem.to_string(), remedy).caused_by(source.into())
+        })
+    }
+}
 
 impl From<pinhole::Error> for Error {
     fn from(error: pinhole::Error) -> Error {
@@ -79,5 +117,25 @@ impl From<pinhole::Error> for Error {
         let place = place.unwrap_or_default();
         let problem = format!("{}{place}: {}", error.path.display(), error.problem);
         Error::input(problem, error.remedy)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::error::Error as _;
+    use std::io;
+
+    use super::*;
+
+    #[test]
+    fn an_error_keeps_what_lies_behind_it_and_says_it_once() {
+        let lost: io::Result<()> = Err(io::Error::other("the disk is gone"));
+        let error = lost.or_environment(format_args!("cannot read {}", "a.toml"), "look for it");
+        let error = error.expect_err("it failed");
+        let said = "cannot read a.toml: the disk is gone\n  remedy: look for it";
+        assert_eq!(error.to_string(), said);
+        assert_eq!(error.fault, Fault::Environment);
+        let source = error.source().expect("there is one");
+        assert_eq!(source.to_string(), "the disk is gone");
     }
 }

@@ -14,7 +14,7 @@ use crate::assignment::{Assignment, Task};
 use crate::compile::Program;
 use crate::describe;
 use crate::diagnosis::Diagnosis;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ResultExt};
 use crate::goldens::questions::{Group, QuestionFilm, Questions};
 use crate::goldens::{GoldenScene, Goldens};
 use crate::outcome::{
@@ -328,10 +328,8 @@ pub fn run(
 ) -> Result<Reply> {
     let stop = program.stop.clone();
     let asked = sandbox.ask(&program.executable, job, limits, stop, progress);
-    asked.map_err(|error| {
-        Error::environment(
-            format!("cannot ask {}: {error}", program.executable.display()),
-            "run this command again; if it persists, remove target/pinhole",
-        )
-    })
+    asked.or_environment(
+        format_args!("cannot ask {}", program.executable.display()),
+        "run this command again; if it persists, remove target/pinhole",
+    )
 }

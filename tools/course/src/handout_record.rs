@@ -10,7 +10,7 @@ use std::path::{Component, Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::checkout::Checkout;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ResultExt};
 use crate::manifest::{self, Hashes};
 
 /// Paths inside a folder, and what files hold there.
@@ -56,9 +56,8 @@ impl HandoutRecord {
 
     /// What stands in the file.
     pub fn text(&self) -> Result<String> {
-        let text = toml::to_string(self).map_err(|error| {
-            Error::environment(format!("cannot write {FILE}: {error}"), "report this")
-        })?;
+        let text = toml::to_string(self)
+            .or_environment(format_args!("cannot write {FILE}"), "report this")?;
         let head = "# Written by `pinhole handout`: the files that are not yours to change.\n\n";
         Ok(format!("{head}{text}"))
     }

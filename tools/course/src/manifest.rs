@@ -11,7 +11,7 @@ use sha2::{Digest, Sha256};
 use crate::assignment::Assignment;
 use crate::checkout::Checkout;
 use crate::diagnosis::known;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ResultExt};
 use crate::mistake;
 use crate::mitsuba::{self, Renderer};
 
@@ -55,13 +55,10 @@ impl Manifest {
     /// The manifest in `folder`.
     pub fn read(folder: &Path) -> Result<Manifest> {
         let path = folder.join(FILE);
-        let text = fs::read_to_string(&path).map_err(|error| {
-            let problem = format!("cannot read {}: {error}", path.display());
-            Error::input(
-                problem,
-                "name a folder of goldens, made by `cargo pinhole golden render`",
-            )
-        })?;
+        let text = fs::read_to_string(&path).or_input(
+            format_args!("cannot read {}", path.display()),
+            "name a folder of goldens, made by `cargo pinhole golden render`",
+        )?;
         toml::from_str(&text).map_err(|error| {
             let problem = format!("{}: {}", path.display(), error.message());
             Error::input(
@@ -179,17 +176,16 @@ impl Manifest {
 
     /// Writes the manifest into `folder`.
     pub fn write(&self, folder: &Path) -> Result<()> {
-        fs::write(folder.join(FILE), self.text()?).map_err(|error| {
-            let problem = format!("cannot write {}: {error}", folder.join(FILE).display());
-            Error::input(problem, "name a folder you may write to")
-        })
+        fs::write(folder.join(FILE), self.text()?).or_input(
+            format_args!("cannot write {}", folder.join(FILE).display()),
+            "name a folder you may write to",
+        )
     }
 
     /// What stands in the file.
     pub fn text(&self) -> Result<String> {
-        let text = toml::to_string(self).map_err(|error| {
-            Error::environment(format!("cannot write a manifest: {error}"), "report this")
-        })?;
+        let text =
+            toml::to_string(self).or_environment("cannot write a manifest", "report this")?;
         let head = "# Written by `pinhole golden render`; checked by `pinhole golden verify`.\n\n";
         Ok(format!("{head}{text}"))
     }
@@ -334,12 +330,10 @@ pub fn meshes_of(scene: &Path) -> Vec<PathBuf> {
 
 /// The hash of a file.
 pub fn hash(path: &Path) -> Result<String> {
-    let bytes = fs::read(path).map_err(|error| {
-        Error::input(
-            format!("cannot read {}: {error}", path.display()),
-            "restore the file",
-        )
-    })?;
+    let bytes = fs::read(path).or_input(
+        format_args!("cannot read {}", path.display()),
+        "restore the file",
+    )?;
     Ok(hash_of(path, bytes))
 }
 

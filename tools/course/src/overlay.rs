@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use crate::assignment::Assignment;
-use crate::error::{Error, Result};
+use crate::error::{Result, ResultExt};
 use crate::submission::{Answer, Submission};
 
 /// The reference's submission.
@@ -19,10 +19,10 @@ impl Submission {
         for answer in &mut self.answers {
             let path = folder.join(&answer.task).with_extension("rs");
             if path.is_file() {
-                let text = fs::read_to_string(&path).map_err(|error| {
-                    let problem = format!("cannot read {}: {error}", path.display());
-                    Error::input(problem, "restore the file")
-                })?;
+                let text = fs::read_to_string(&path).or_input(
+                    format_args!("cannot read {}", path.display()),
+                    "restore the file",
+                )?;
                 answer.text = Ok(text);
             }
         }

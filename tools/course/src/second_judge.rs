@@ -11,7 +11,7 @@ use pinhole::oiiotool::Oiiotool;
 use sha2::{Digest, Sha256};
 
 use crate::checkout::Checkout;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ResultExt};
 use crate::mitsuba;
 
 /// The second judge, with a place to lay films before it.
@@ -33,12 +33,10 @@ impl SecondJudge {
             )
         })?;
         let folder = checkout.scratch().join("second-judge");
-        fs::create_dir_all(&folder).map_err(|error| {
-            Error::environment(
-                format!("cannot make {}: {error}", folder.display()),
-                "check that the checkout can be written",
-            )
-        })?;
+        fs::create_dir_all(&folder).or_environment(
+            format_args!("cannot make {}", folder.display()),
+            "check that the checkout can be written",
+        )?;
         Ok(SecondJudge {
             tool,
             folder,

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::assignment::Assignment;
 use crate::checkout::Checkout;
-use crate::error::{Error, Result};
+use crate::error::{Result, ResultExt};
 use crate::handout_record::{HandoutRecord, Package};
 
 const ANSWER: &str = "// ANCHOR: answer";
@@ -26,12 +26,10 @@ pub fn generate(assignment: &Assignment) -> Result<Package> {
     }
     for task in &assignment.tasks {
         let path = reference.join("src").join(task.file());
-        let stub = stub(&read(&path)?, &task.name).map_err(|problem| {
-            Error::environment(
-                format!("{}: {problem}", path.display()),
-                format!("enclose the answer's whole body by one `{ANSWER}` and one `{ANSWER_END}`"),
-            )
-        })?;
+        let stub = stub(&read(&path)?, &task.name).or_environment(
+            format_args!("{}", path.display()),
+            format!("enclose the answer's whole body by one `{ANSWER}` and one `{ANSWER_END}`"),
+        )?;
         package.insert(Path::new("src").join(task.file()), stub);
     }
     Ok(package)
@@ -83,12 +81,10 @@ pub fn write(package: &Package, folder: &Path) -> Result<()> {
         let parent = path.parent().unwrap_or(folder);
         fs::create_dir_all(parent)
             .and_then(|()| fs::write(&path, text))
-            .map_err(|error| {
-                Error::input(
-                    format!("cannot write {}: {error}", path.display()),
-                    "check that the folder can be written",
-                )
-            })?;
+            .or_input(
+                format_args!("cannot write {}", path.display()),
+                "check that the folder can be written",
+            )?;
     }
     Ok(())
 }
@@ -114,10 +110,8 @@ pub fn out_of_step(package: &Package, folder: &Path) -> Vec<PathBuf> {
 }
 
 fn read(path: &Path) -> Result<String> {
-    fs::read_to_string(path).map_err(|error| {
-        Error::environment(
-            format!("cannot read {}: {error}", path.display()),
-            "restore the assignment's `reference` folder",
-        )
-    })
+    fs::read_to_string(path).or_environment(
+        format_args!("cannot read {}", path.display()),
+        "restore the assignment's `reference` folder",
+    )
 }

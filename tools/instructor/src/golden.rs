@@ -15,7 +15,7 @@ use arguments::{Golden, GoldenMistakes, GoldenRender, GoldenVerify};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::diagnosis::known::Known;
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
 use pinhole_course::mitsuba::{self, Rendered};
@@ -109,10 +109,10 @@ pub fn make(
     for scene in &scenes {
         Scene::read(scene)?;
     }
-    fs::create_dir_all(&folder).map_err(|error| {
-        let problem = format!("cannot make {}: {error}", folder.display());
-        Error::input(problem, "name a folder you may write to")
-    })?;
+    fs::create_dir_all(&folder).or_input(
+        format_args!("cannot make {}", folder.display()),
+        "name a folder you may write to",
+    )?;
 
     let progress = Progress::new();
     progress.say("Mitsuba");

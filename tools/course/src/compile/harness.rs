@@ -12,7 +12,7 @@ use serde::Deserialize;
 use sha2::{Digest, Sha256};
 
 use crate::checkout::Checkout;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ResultExt};
 
 /// A folder with the libraries a submission needs, and nothing else of ours.
 #[derive(Clone, Debug)]
@@ -54,12 +54,9 @@ impl Harness {
         if !cfg!(debug_assertions) {
             cargo.arg("--release");
         }
-        let output = cargo.output().map_err(|error| {
-            Error::environment(
-                format!("cannot start cargo: {error}"),
-                "install Rust from rustup.rs",
-            )
-        })?;
+        let output = cargo
+            .output()
+            .or_environment("cannot start cargo", "install Rust from rustup.rs")?;
         if !output.status.success() {
             return Err(Error::environment(
                 format!(

@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use super::fingerprint::{
     Compared, Fingerprint, MOST_SAMPLED, MOST_TELLING, Witness, channel_names, fingerprints,
 };
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ResultExt};
 use crate::mistake::Mistake;
 
 /// The file of their words.
@@ -60,17 +60,16 @@ impl Known {
 
     /// Writes the words into `folder`.
     pub fn write(&self, folder: &Path) -> Result<()> {
-        fs::write(folder.join(FILE), self.text()?).map_err(|error| {
-            let problem = format!("cannot write {}: {error}", folder.join(FILE).display());
-            Error::input(problem, "name a folder you may write to")
-        })
+        fs::write(folder.join(FILE), self.text()?).or_input(
+            format_args!("cannot write {}", folder.join(FILE).display()),
+            "name a folder you may write to",
+        )
     }
 
     /// What stands in the file.
     pub fn text(&self) -> Result<String> {
-        let text = toml::to_string(self).map_err(|error| {
-            Error::environment(format!("cannot write {FILE}: {error}"), "report this")
-        })?;
+        let text = toml::to_string(self)
+            .or_environment(format_args!("cannot write {FILE}"), "report this")?;
         let head = "# Written by `pinhole golden`: what is known of mistakes, and in how many pixels \
                     of each film each shows.\n\n";
         Ok(format!("{head}{text}"))

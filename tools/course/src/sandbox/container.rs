@@ -17,7 +17,7 @@ use super::confine;
 use super::syscalls::Purpose;
 use super::toolchain::{linker, next_uid, sysroot};
 use crate::checkout::Checkout;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ResultExt};
 
 /// What is needed to draw them.
 #[derive(Clone, Debug)]
@@ -49,12 +49,10 @@ impl Container {
             budget: Budget::default(),
         };
         walls.landlocked = walls.prove().is_ok();
-        walls.prove().map_err(|why| {
-            Error::environment(
-                format!("code cannot be confined here: {why}"),
-                "let every user read the checkout's target folder, or use --sandbox bubblewrap",
-            )
-        })?;
+        walls.prove().or_environment(
+            "code cannot be confined here",
+            "let every user read the checkout's target folder, or use --sandbox bubblewrap",
+        )?;
         walls.refuse_unreachable_toolchain()?;
         if !walls.landlocked {
             walls.refuse_readable(checkout, secrets)?;

@@ -10,7 +10,7 @@ use crate::grade::provenance::MadeWith;
 use crate::grade::record::Record;
 use crate::grade::summary::{ClassOutput, RunSummary};
 use pinhole_course::checkout::Checkout;
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_report::program::Status;
 
 pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
@@ -46,10 +46,10 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
                     "grade all shards by the same: with the same --golden, --fresh or --seed",
                 ));
             }
-            let report = fs::read(from.join("report.html")).map_err(|error| {
-                let problem = format!("cannot read the report in {}: {error}", from.display());
-                Error::input(problem, "grade that shard again")
-            })?;
+            let report = fs::read(from.join("report.html")).or_input(
+                format_args!("cannot read the report in {}", from.display()),
+                "grade that shard again",
+            )?;
             let to = cache.of(&entry.id);
             write(&to.join("report.html"), &report)?;
             write(&to.join("result.json"), pretty(&record)?.as_bytes())?;
@@ -76,14 +76,14 @@ fn common_roll(arguments: &Merge) -> Result<Roll> {
     let mut common: Option<Roll> = None;
     for shard in &arguments.shards {
         let path = shard.join(ROLL);
-        let text = fs::read_to_string(&path).map_err(|error| {
-            let problem = format!("cannot read {}: {error}", path.display());
-            Error::input(problem, "name the --out folders of `pinhole grade --shard`")
-        })?;
-        let roll: Roll = serde_json::from_str(&text).map_err(|error| {
-            let problem = format!("{}: {error}", path.display());
-            Error::input(problem, "grade that shard again with this version")
-        })?;
+        let text = fs::read_to_string(&path).or_input(
+            format_args!("cannot read {}", path.display()),
+            "name the --out folders of `pinhole grade --shard`",
+        )?;
+        let roll: Roll = serde_json::from_str(&text).or_input(
+            format_args!("{}", path.display()),
+            "grade that shard again with this version",
+        )?;
         match &common {
             Some(common) if *common != roll => {
                 return Err(Error::input(

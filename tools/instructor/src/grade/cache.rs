@@ -10,7 +10,7 @@ use super::intake::{self, Entry};
 use super::provenance::{MadeWith, Provenance};
 use super::record::Record;
 use pinhole_course::assignment::Assignment;
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::outcome::SCHEMA;
 
 /// The folder of a graded class, locked for as long as this lives.
@@ -159,10 +159,10 @@ impl Backlog {
         let Ok(text) = fs::read_to_string(&path) else {
             return Ok(Backlog::default());
         };
-        serde_json::from_str(&text).map(Backlog).map_err(|error| {
-            let problem = format!("{}: {error}", path.display());
-            Error::input(problem, "grade that shard again with this version")
-        })
+        serde_json::from_str(&text).map(Backlog).or_input(
+            format_args!("{}", path.display()),
+            "grade that shard again with this version",
+        )
     }
 
     /// The record, if it is of what was to be graded; else, that it is not graded.
@@ -179,9 +179,8 @@ impl Backlog {
 
 /// JSON for people, too.
 pub fn pretty(value: &impl serde::Serialize) -> Result<String> {
-    let text = serde_json::to_string_pretty(value).map_err(|error| {
-        Error::environment(format!("cannot write a result: {error}"), "report this")
-    })?;
+    let text = serde_json::to_string_pretty(value)
+        .or_environment("cannot write a result", "report this")?;
     Ok(text + "\n")
 }
 

@@ -13,13 +13,13 @@ use crate::golden;
 use crate::golden::arguments::GoldenRender;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::examine::Selection;
 use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
 use pinhole_course::mitsuba;
-use pinhole_course::run_options::AssignmentOption;
 use pinhole_course::outcome::{GroupOutcome, Outcome, TaskOutcome};
+use pinhole_course::run_options::AssignmentOption;
 
 /// The fresh goldens in `folder`, made if they are not there; `None` if there is no
 /// Mitsuba to make them.
@@ -59,13 +59,10 @@ pub fn find_or_make(
     };
     golden::make(assignment, checkout, &request)?;
     let _of_another_seed = fs::remove_dir_all(folder);
-    fs::rename(&beside, folder).map_err(|error| {
-        let problem = format!(
-            "cannot keep fresh questions in {}: {error}",
-            folder.display()
-        );
-        Error::environment(problem, "check that the folder can be written")
-    })?;
+    fs::rename(&beside, folder).or_environment(
+        format_args!("cannot keep fresh questions in {}", folder.display()),
+        "check that the folder can be written",
+    )?;
     Ok(Some((Goldens::read(folder, assignment)?, seed)))
 }
 

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::provenance::sha256;
 use pinhole_course::assignment::{Assignment, Task};
-use pinhole_course::error::{Error, Fault, Result};
+use pinhole_course::error::{Error, Fault, Result, ResultExt};
 use pinhole_course::submission::{Answer, Submission, Unusable};
 
 /// Something handed in.
@@ -41,12 +41,10 @@ pub fn find(paths: &[PathBuf], assignment: &Assignment) -> Result<Intake> {
             found.push(path.clone());
             continue;
         }
-        let entries = fs::read_dir(path).map_err(|error| {
-            Error::input(
-                format!("cannot read {}: {error}", path.display()),
-                "name a submission, or a folder of submissions",
-            )
-        })?;
+        let entries = fs::read_dir(path).or_input(
+            format_args!("cannot read {}", path.display()),
+            "name a submission, or a folder of submissions",
+        )?;
         let mut inside: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
         inside.sort();
         for path in inside {

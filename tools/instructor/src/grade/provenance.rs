@@ -9,7 +9,7 @@ use sha2::{Digest, Sha256};
 
 use super::redact::Reveal;
 use pinhole_course::assignment::Assignment;
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::submission::{Submission, Unusable};
 
 /// Hashes and settings; equal ones give equal marks.
@@ -93,10 +93,10 @@ impl Provenance {
 
 /// The hash of a file's content.
 pub fn of_file(path: &Path) -> Result<String> {
-    let bytes = fs::read(path).map_err(|error| {
-        let problem = format!("cannot read {}: {error}", path.display());
-        Error::input(problem, "name a folder of goldens with its manifest")
-    })?;
+    let bytes = fs::read(path).or_input(
+        format_args!("cannot read {}", path.display()),
+        "name a folder of goldens with its manifest",
+    )?;
     Ok(sha256(&bytes))
 }
 

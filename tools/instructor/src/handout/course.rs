@@ -8,7 +8,7 @@ use super::sources::{read, read_text};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::diagnosis::known::{self, Known};
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::manifest::{self, Manifest};
 use pinhole_course::stubs;
 use toml_edit::{DocumentMut, value};
@@ -45,12 +45,7 @@ fn without_withheld(text: &str, assignment: &Assignment) -> Result<String> {
         return Ok(text.into());
     }
     let parsed: std::result::Result<DocumentMut, toml_edit::TomlError> = text.parse();
-    let mut document = parsed.map_err(|error| {
-        Error::input(
-            format!("assignment.toml: {error}"),
-            "correct the assignment file",
-        )
-    })?;
+    let mut document = parsed.or_input("assignment.toml", "correct the assignment file")?;
     let mut points = value(i64::from(withheld));
     if let Some(scenes) = document["scene"].as_array_of_tables_mut() {
         scenes.retain(|scene| {

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use pinhole_course::checkout::Checkout;
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Result, ResultExt};
 use toml_edit::{Array, DocumentMut, Item, Table, value};
 
 use super::Files;
@@ -98,10 +98,10 @@ fn manifest(checkout: &Checkout, folder: &str) -> Result<DocumentMut> {
 
 fn document(path: &Path) -> Result<DocumentMut> {
     let parsed: std::result::Result<DocumentMut, toml_edit::TomlError> = read_text(path)?.parse();
-    parsed.map_err(|error| {
-        let problem = format!("{}: {error}", path.display());
-        Error::input(problem, "restore the file; a checkout of the course has it")
-    })
+    parsed.or_input(
+        format_args!("{}", path.display()),
+        "restore the file; a checkout of the course has it",
+    )
 }
 
 /// The name of the package in a folder.

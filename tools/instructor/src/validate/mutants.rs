@@ -12,7 +12,7 @@ use super::difference::{Difference, Oracle};
 use super::equivalents::{self, Listed};
 use super::mutate::{self, Mutant};
 use pinhole_course::compile::{Attempt, Program, Replacements};
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::examine::Selection;
 use pinhole_course::overlay;
 use pinhole_course::submission::Submission;
@@ -90,12 +90,10 @@ fn generate(reference: &Submission) -> Result<Vec<Mutant>> {
     let mut all = Vec::new();
     for answer in &reference.answers {
         let text = answer.text.as_deref().unwrap_or_default();
-        let mutants = mutate::mutants(&answer.task, text).map_err(|error| {
-            Error::environment(
-                format!("the reference's {}.rs is no Rust: {error}", answer.task),
-                "restore the assignment's `reference` folder",
-            )
-        })?;
+        let mutants = mutate::mutants(&answer.task, text).or_environment(
+            format_args!("the reference's {}.rs is no Rust", answer.task),
+            "restore the assignment's `reference` folder",
+        )?;
         all.extend(mutants);
     }
     Ok(all)

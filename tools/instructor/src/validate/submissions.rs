@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::bench::Bench;
 use super::naming::Naming;
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::examine::Selection;
 use pinhole_course::mistake;
 use pinhole_course::outcome::{AnswerFile, FilmOutcome, Outcome};
@@ -232,10 +232,10 @@ fn variants_mixed(bench: &Bench, base: Submission, turn: usize) -> Result<Submis
         let Some(file) = files.get(turn % files.len().max(1)) else {
             continue;
         };
-        let text = fs::read_to_string(file).map_err(|error| {
-            let problem = format!("cannot read {}: {error}", file.display());
-            Error::input(problem, "restore the file")
-        })?;
+        let text = fs::read_to_string(file).or_input(
+            format_args!("cannot read {}", file.display()),
+            "restore the file",
+        )?;
         mixed = mixed.with_answer(&task.name, text);
     }
     Ok(mixed)
