@@ -8,7 +8,9 @@ use pinhole_course::checkout::Checkout;
 use serde::Deserialize;
 
 use crate::error::{Error, Problem, Result};
-use crate::worked::Values;
+
+/// What is shown, by name.
+pub type Values = BTreeMap<String, String>;
 
 /// Where the record lies.
 const RECORD: &str = "tools/study/record";

@@ -6,7 +6,6 @@
 mod camera;
 mod shapes;
 
-use std::collections::BTreeMap;
 
 use glam::DVec3;
 use pinhole::words::number;
@@ -19,8 +18,7 @@ use crate::silhouette::{DISTANCES, WAYS, wrong};
 pub use camera::{PIXEL, on_plane, slide};
 pub use shapes::{PLANE, Quadratic, RAY, SPHERE, TRIANGLE, weights};
 
-/// What is shown, by name.
-pub type Values = BTreeMap<String, String>;
+pub use crate::record::Values;
 
 /// Digits of every number shown, as `explain` shows them.
 const DIGITS: usize = 6;

@@ -14,10 +14,11 @@
 //! 6. [`leaks`]: closed meshes; [`cast`], [`film`], [`scenes`]: whole scenes; [`record`]:
 //!    the long runs;
 //! 7. [`plan`]: the cheapest way to cast a scene that is accurate enough, and [`plans`],
-//!    whether it is; [`theirs`]: a student's answers among the kernels;
+//!    whether it is; [`theirs`], [`asked`]: a student's answers among the kernels;
 //! 8. [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the whole,
 //!    and how it is told.
 
+pub mod asked;
 pub mod breaking;
 pub mod cast;
 pub mod contestant;

@@ -1,10 +1,9 @@
 //! A student's answers beside the kernels: what they are asked, and what they said.
 //!
-//! Their code never runs in here. [`asked`] writes down the questions, `pinhole study
+//! Their code never runs in here. [`asked`](crate::asked) writes down the questions, `pinhole study
 //! --submission` has them answered in its sandbox, and [`Theirs`] looks up what came. In
 //! tables and plots they are one more kernel, [`NAME`].
 
-mod asked;
 mod told;
 
 use std::collections::{BTreeMap, HashMap};
@@ -13,7 +12,6 @@ use pinhole::job::Job;
 use pinhole::kind::Answer;
 use serde::{Deserialize, Serialize};
 
-pub use asked::asked;
 pub use told::Told;
 
 use crate::family::mesh::Aim;
@@ -95,18 +93,18 @@ impl Theirs {
 }
 
 /// Begins with the task, where there is one.
-fn family_part(shape: &str, family: &str) -> String {
+pub(crate) fn family_part(shape: &str, family: &str) -> String {
     format!("{shape}, {family}")
 }
 
-fn mesh_part(aim: Aim) -> String {
+pub(crate) fn mesh_part(aim: Aim) -> String {
     match aim {
         Aim::Edge => "triangle, edges of closed meshes".into(),
         Aim::Vertex => "triangle, corners of closed meshes".into(),
     }
 }
 
-fn scene_part(scene: &str) -> String {
+pub(crate) fn scene_part(scene: &str) -> String {
     format!("scene {scene}")
 }
 

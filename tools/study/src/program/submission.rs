@@ -14,8 +14,9 @@ use pinhole_course::examine;
 use pinhole_course::progress::Progress;
 use pinhole_course::sandbox::Limits;
 use pinhole_report::terminal;
+use pinhole_study::asked::asked;
 use pinhole_study::run::Extent;
-use pinhole_study::theirs::{Asked, Said, Theirs, asked};
+use pinhole_study::theirs::{Asked, Said, Theirs};
 
 use crate::cli::Study;
 

@@ -4,13 +4,13 @@ use glam::DVec3;
 use pinhole::job::Job;
 use pinhole::kind::{Questions, ShapeQuestion};
 
-use super::{Asked, DATA, MESH_RAYS, family_part, mesh_part, scene_part};
 use crate::family::mesh::{Aim, Inside};
 use crate::family::{Family, Studied, questions};
 use crate::leaks::rays_at;
 use crate::question::Question;
 use crate::scenes;
 use crate::shape::{Plane, Ray, Sphere, Triangle};
+use crate::theirs::{Asked, DATA, MESH_RAYS, family_part, mesh_part, scene_part};
 use crate::vector::Vector;
 
 /// All parts: families of questions, each followed by the same with their numbers near
