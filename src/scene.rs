@@ -3,13 +3,14 @@
 mod document;
 mod tables;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
+use toml::{Table, Value};
 
 use crate::camera::{Camera, Resolution};
 use crate::error::{Error, read_text};
-use crate::shape::Shape;
+use crate::shape::{Shape, ShapeKind};
 use document::Document;
 
 /// No film has more pixels: five channels of them fill 1 GB.
@@ -46,6 +47,19 @@ impl Scene {
             )
         })?;
         Document::parse(&text, path)?.into_scene()
+    }
+
+    /// The files, such as meshes, that the scene file at `path` names; none if it is no
+    /// scene, which [`Scene::read`] says.
+    pub fn files(path: &Path) -> Vec<PathBuf> {
+        let text = read_text(path).unwrap_or_default();
+        let file: Table = text.parse().unwrap_or_default();
+        let objects = file.get("object").and_then(Value::as_array);
+        let named = objects.into_iter().flatten().flat_map(|object| {
+            ShapeKind::file_keys().filter_map(|key| object.get(key).and_then(Value::as_str))
+        });
+        let folder = path.parent().unwrap_or(Path::new(""));
+        named.map(|file| folder.join(file)).collect()
     }
 }
 

@@ -31,6 +31,9 @@ trait Notation: Sized {
     /// The keys of its table in a scene file; all are needed.
     const KEYS: &'static [&'static str];
 
+    /// Those of its keys that name files.
+    const FILE_KEYS: &'static [&'static str] = &[];
+
     /// Reads it from a scene file.
     fn read_table(table: &ObjectTable<'_>) -> Result<Self, Error>;
 
@@ -96,6 +99,11 @@ macro_rules! shapes {
                 match self {
                     $(ShapeKind::$shape => <$data>::KEYS,)*
                 }
+            }
+
+            /// All shapes' keys that name files.
+            pub(crate) fn file_keys() -> impl Iterator<Item = &'static str> {
+                [$(<$data>::FILE_KEYS,)*].into_iter().flatten().copied()
             }
 
             /// Reads such a shape from a pixel of a question film.

@@ -18,6 +18,7 @@ pub struct TriangleSoup<T = Triangle> {
 
 impl Notation for TriangleSoup {
     const KEYS: &'static [&'static str] = &["obj"];
+    const FILE_KEYS: &'static [&'static str] = &["obj"];
 
     fn read_table(table: &ObjectTable<'_>) -> Result<TriangleSoup, Error> {
         let obj: Spanned<String> = table.get("obj")?;

@@ -16,7 +16,7 @@ pub fn assignment(checkout: &Checkout) -> Result<Assignment> {
 
 /// Where its golden films lie.
 pub fn golden(checkout: &Checkout) -> PathBuf {
-    checkout.golden(NAME)
+    checkout.root().join("golden").join(NAME)
 }
 
 /// Scratch space of the book's own.

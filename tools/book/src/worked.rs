@@ -6,7 +6,6 @@
 mod camera;
 mod shapes;
 
-
 use glam::DVec3;
 use pinhole::words::number;
 use pinhole_course::checkout::Checkout;

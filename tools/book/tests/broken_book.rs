@@ -38,7 +38,7 @@ fn checkout(page: &str) -> (TempDir, Checkout) {
         (
             &format!("{assignment}/assignment.toml"),
             "title = \"Small\"\nscene = []\n\
-             [[task]]\nname = \"dot\"\nchapter = \"Dot\"\npoints = []\n",
+             [[task]]\nname = \"dot\"\nkind = \"first_hit\"\nchapter = \"Dot\"\npoints = []\n",
         ),
         (&format!("{assignment}/handout/src/dot.rs"), STUB),
         (&format!("{assignment}/reference/src/dot.rs"), ANSWER),

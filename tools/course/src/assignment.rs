@@ -20,6 +20,8 @@ pub struct Assignment {
     pub title: String,
     /// In the order students meet them.
     pub tasks: Vec<Task>,
+    /// The task that is good to begin with.
+    pub start: String,
     /// In the order they are cast.
     pub scenes: Vec<ScenePoints>,
     /// Points of scenes that students do not have here.
@@ -85,6 +87,7 @@ fn is_public() -> bool {
 #[serde(deny_unknown_fields)]
 struct File {
     title: String,
+    start: Option<String>,
     #[serde(default)]
     withheld: u32,
     task: Vec<Task>,
@@ -105,14 +108,14 @@ impl Assignment {
     }
 
     fn named(checkout: &Checkout, name: &str) -> Result<Assignment> {
-        let folder = Path::new(name);
+        // The whole path, as goldens lie beside the folder above.
+        let folder = Path::new(name).canonicalize().ok();
+        let folder = folder.filter(|folder| folder.join("assignment.toml").is_file());
         match folder
-            .join("assignment.toml")
-            .is_file()
-            .then(|| folder.file_name())
-            .flatten()
+            .as_deref()
+            .and_then(|folder| Some((folder, folder.file_name()?)))
         {
-            Some(own) => Assignment::in_folder(checkout, folder, &own.to_string_lossy()),
+            Some((folder, own)) => Assignment::in_folder(checkout, folder, &own.to_string_lossy()),
             None => Assignment::read(checkout, name),
         }
     }
@@ -152,7 +155,9 @@ impl Assignment {
                 "give a `shape` to tasks that intersect one, and to no others",
             ));
         }
+        let first = file.task.first().map(|task| task.name.clone());
         Ok(Assignment {
+            start: file.start.or(first).unwrap_or_default(),
             name: name.into(),
             folder: folder.into(),
             title: file.title,
@@ -178,6 +183,16 @@ impl Assignment {
     /// The folder of stubs that students start from.
     pub fn handout(&self) -> PathBuf {
         self.folder.join("handout")
+    }
+
+    /// The folder of golden films: for `X/assignments/NAME`, `X/golden/NAME`.
+    pub fn golden(&self) -> PathBuf {
+        self.course().join("golden").join(&self.name)
+    }
+
+    /// The folder of assignments and goldens: `X` of `X/assignments/NAME`.
+    pub fn course(&self) -> &Path {
+        self.folder.ancestors().nth(2).unwrap_or(Path::new(""))
     }
 
     /// The folder of our own answers.
@@ -222,10 +237,10 @@ impl Assignment {
 
     /// The scene a user means: a file, or one of the assignment's by name. With it comes
     /// its golden film's path, if one is committed.
-    pub fn find_scene(&self, named: &str, checkout: &Checkout) -> Result<(Scene, Option<PathBuf>)> {
+    pub fn find_scene(&self, named: &str) -> Result<(Scene, Option<PathBuf>)> {
         let path = self.find_scene_file(named)?;
         let golden = path.file_stem().map(|stem| {
-            let golden = checkout.golden(&self.name).join(stem);
+            let golden = self.golden().join(stem);
             golden.with_extension("exr")
         });
         let folder = path.canonicalize().ok();

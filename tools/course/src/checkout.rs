@@ -69,11 +69,6 @@ impl Checkout {
         })
     }
 
-    /// Where an assignment's golden films lie.
-    pub fn golden(&self, assignment: &str) -> PathBuf {
-        self.root.join("golden").join(assignment)
-    }
-
     /// Where the book's sources lie.
     pub fn book(&self) -> PathBuf {
         self.root.join("book")

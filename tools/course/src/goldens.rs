@@ -8,7 +8,6 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 use crate::assignment::Assignment;
-use crate::checkout::Checkout;
 use crate::diagnosis::known::{self, Known};
 use crate::error::{Error, Result};
 use crate::goldens::questions::{QuestionFilm, Questions};
@@ -97,12 +96,12 @@ impl Goldens {
 
     /// The same, also of a folder with scenes alone, as `golden render my.toml --out DIR`
     /// makes: these share the points of the assignment's, whose public probes are asked.
-    pub fn find(folder: &Path, assignment: &Assignment, checkout: &Checkout) -> Result<Goldens> {
+    pub fn find(folder: &Path, assignment: &Assignment) -> Result<Goldens> {
         let manifest = Manifest::read_or_new(folder)?;
         if manifest.probe_seed.is_some() || manifest.sources.is_empty() {
             return Goldens::read(folder, assignment);
         }
-        let files = manifest.scenes(folder, checkout);
+        let files = manifest.scenes(folder, assignment);
         let mut goldens = Goldens::of_scenes(folder, &files)?;
         let all: u32 = assignment.scenes.iter().map(|scene| scene.points).sum();
         for (scene, worth) in goldens
@@ -112,7 +111,7 @@ impl Goldens {
         {
             scene.worth = worth;
         }
-        let public = Goldens::read(&checkout.golden(&assignment.name), assignment)?;
+        let public = Goldens::read(&assignment.golden(), assignment)?;
         goldens.probes = Some(Box::new(public));
         Ok(goldens)
     }

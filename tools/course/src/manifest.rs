@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use pinhole::Scene;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -34,9 +35,9 @@ pub struct Manifest {
     /// Fingerprints of the scripts behind the films, by scene and by task of the probes.
     pub scripts: Hashes,
     /// Hashes of scenes (of what they say, not of comments and layout) and of meshes,
-    /// relative to this folder or else to the checkout.
+    /// relative to this folder or else to the course: see [`Assignment::course`].
     pub sources: Hashes,
-    /// The known mistakes' sources, relative to the checkout.
+    /// The known mistakes' sources, relative to the course.
     #[serde(default)]
     pub mistakes: Hashes,
     /// Every film, and what is known of mistakes, relative to this folder.
@@ -130,17 +131,22 @@ impl Manifest {
         assignment: &Assignment,
         checkout: &Checkout,
     ) -> Result<Hashes> {
-        let mut scenes = self.scenes(folder, checkout);
+        let mut scenes = self.scenes(folder, assignment);
         scenes.retain(|scene| scene.is_file());
         let questions = self.probe_seed.map(|_| assignment.folder.as_path());
         mitsuba::fingerprints(checkout, &scenes, questions)
     }
 
     /// Enters a scene file and the meshes it names.
-    pub fn add_scene(&mut self, scene: &Path, folder: &Path, checkout: &Checkout) -> Result<()> {
-        for path in [vec![scene.to_owned()], meshes_of(scene)].concat() {
+    pub fn add_scene(
+        &mut self,
+        scene: &Path,
+        folder: &Path,
+        assignment: &Assignment,
+    ) -> Result<()> {
+        for path in [vec![scene.to_owned()], Scene::files(scene)].concat() {
             self.sources
-                .insert(relative(&path, folder, checkout), source_hash(&path)?);
+                .insert(relative(&path, folder, assignment), source_hash(&path)?);
         }
         Ok(())
     }
@@ -152,9 +158,8 @@ impl Manifest {
         written: &[PathBuf],
         folder: &Path,
         assignment: &Assignment,
-        checkout: &Checkout,
     ) -> Result<()> {
-        self.mistakes = mistake_hashes(assignment, checkout)?;
+        self.mistakes = mistake_hashes(assignment)?;
         let words = Some(Path::new(known::FILE)).filter(|file| folder.join(file).is_file());
         let written = written.iter().map(PathBuf::as_path).chain(words);
         written
@@ -163,9 +168,11 @@ impl Manifest {
     }
 
     /// The scene files the films were made from.
-    pub fn scenes(&self, folder: &Path, checkout: &Checkout) -> Vec<PathBuf> {
+    pub fn scenes(&self, folder: &Path, assignment: &Assignment) -> Vec<PathBuf> {
         let scenes = self.sources.keys().filter(|path| path.ends_with(".toml"));
-        scenes.map(|path| source(path, folder, checkout)).collect()
+        scenes
+            .map(|path| source(path, folder, assignment))
+            .collect()
     }
 
     /// Enters a film of `folder`.
@@ -191,9 +198,9 @@ impl Manifest {
     }
 
     /// Films and scenes that are not what they were when the films were made.
-    fn changed_files(&self, folder: &Path, checkout: &Checkout) -> Vec<String> {
+    fn changed_files(&self, folder: &Path, assignment: &Assignment) -> Vec<String> {
         let sources = self.sources.iter().map(|(path, recorded)| {
-            let source = source(path, folder, checkout);
+            let source = source(path, folder, assignment);
             changed(source_hash(&source), path, recorded)
         });
         let films = self.films.iter();
@@ -205,8 +212,8 @@ impl Manifest {
     ///
     /// # Errors
     /// If a film or a scene has changed since.
-    pub fn refuse_changed(&self, folder: &Path, checkout: &Checkout) -> Result<()> {
-        let changed = self.changed_files(folder, checkout);
+    pub fn refuse_changed(&self, folder: &Path, assignment: &Assignment) -> Result<()> {
+        let changed = self.changed_files(folder, assignment);
         let Some(first) = changed.first() else {
             return Ok(());
         };
@@ -236,19 +243,23 @@ impl Manifest {
         let mut problems = Vec::new();
         // Students have the fingerprints without the mistakes, and goldens can be made
         // without either.
-        let mistakes = mistake_hashes(assignment, checkout).unwrap_or_default();
+        let mistakes = mistake_hashes(assignment).unwrap_or_default();
         if !mistakes.is_empty() && !self.mistakes.is_empty() && mistakes != self.mistakes {
             problems.push(
                 "the mistakes are not those that were fingerprinted: cargo pinhole golden mistakes"
                     .into(),
             );
         }
-        let others = self.of_other_scripts(folder, assignment, checkout)?;
+        // Students have neither the scripts nor what is recorded of them.
+        let others = match self.scripts.is_empty() {
+            true => Vec::new(),
+            false => self.of_other_scripts(folder, assignment, checkout)?,
+        };
         if !others.is_empty() {
             let others = others.join(", ");
             problems.push(format!("the scripts are not those that made {others}"));
         }
-        problems.extend(self.changed_files(folder, checkout));
+        problems.extend(self.changed_files(folder, assignment));
         let known: BTreeSet<&String> = self.films.keys().collect();
         for place in [folder.to_owned(), folder.join("probes")] {
             let entries = fs::read_dir(&place).into_iter().flatten().flatten();
@@ -266,17 +277,17 @@ impl Manifest {
     }
 }
 
-/// Where a source lies that is recorded relative to the folder or the checkout.
-fn source(recorded: &str, folder: &Path, checkout: &Checkout) -> PathBuf {
+/// Where a source lies that is recorded relative to the folder or the course.
+fn source(recorded: &str, folder: &Path, assignment: &Assignment) -> PathBuf {
     let inside = folder.join(recorded);
     match inside.is_file() {
         true => inside,
-        false => checkout.root().join(recorded),
+        false => assignment.course().join(recorded),
     }
 }
 
 /// The answer files and words of every mistake that is fingerprinted.
-fn mistake_hashes(assignment: &Assignment, checkout: &Checkout) -> Result<Hashes> {
+fn mistake_hashes(assignment: &Assignment) -> Result<Hashes> {
     let mut hashes = Hashes::new();
     for mistake in mistake::read_all(assignment)? {
         let entries = fs::read_dir(&mistake.folder)
@@ -287,7 +298,10 @@ fn mistake_hashes(assignment: &Assignment, checkout: &Checkout) -> Result<Hashes
             .map(|entry| entry.path())
             .filter(|path| path.is_file());
         for file in files.filter(|_| mistake.mistake.is_single()) {
-            hashes.insert(relative(&file, checkout.root(), checkout), hash(&file)?);
+            hashes.insert(
+                relative(&file, assignment.course(), assignment),
+                hash(&file)?,
+            );
         }
     }
     Ok(hashes)
@@ -305,27 +319,6 @@ fn changed(hash: Result<String>, name: &str, recorded: &str) -> Option<String> {
         }
         Ok(_) => None,
     }
-}
-
-/// The OBJ files a scene names. The scene was read before, so its form is known.
-pub fn meshes_of(scene: &Path) -> Vec<PathBuf> {
-    #[derive(Deserialize)]
-    struct Named {
-        #[serde(default)]
-        object: Vec<Object>,
-    }
-    #[derive(Deserialize)]
-    struct Object {
-        obj: Option<PathBuf>,
-    }
-    let text = fs::read_to_string(scene).unwrap_or_default();
-    let named: Option<Named> = toml::from_str(&text).ok();
-    let folder = scene.parent().unwrap_or(Path::new(""));
-    let objects = named.into_iter().flat_map(|named| named.object);
-    objects
-        .filter_map(|object| object.obj)
-        .map(|obj| folder.join(obj))
-        .collect()
 }
 
 /// The hash of a file.
@@ -360,14 +353,14 @@ pub fn hash_of(path: &Path, mut bytes: Vec<u8>) -> String {
     hex::encode(Sha256::digest(&bytes))
 }
 
-fn relative(path: &Path, folder: &Path, checkout: &Checkout) -> String {
+fn relative(path: &Path, folder: &Path, assignment: &Assignment) -> String {
     let absolute = path.canonicalize().unwrap_or(path.into());
     let within = |root: &Path| {
         let root = root.canonicalize().ok()?;
         absolute.strip_prefix(root).ok().map(slashed)
     };
     within(folder)
-        .or_else(|| within(checkout.root()))
+        .or_else(|| within(assignment.course()))
         .unwrap_or_else(|| slashed(&absolute))
 }
 

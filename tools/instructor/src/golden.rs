@@ -47,10 +47,10 @@ fn mistakes(
     checkout: &Checkout,
     arguments: &GoldenMistakes,
 ) -> Result<Status> {
-    let own = checkout.golden(&assignment.name);
+    let own = assignment.golden();
     let folder = arguments.dir.as_ref().unwrap_or(&own);
     let mut manifest = Manifest::read(folder)?;
-    let scenes = manifest.scenes(folder, checkout);
+    let scenes = manifest.scenes(folder, assignment);
     let said = fingerprint(&mut manifest, folder, &scenes, assignment, checkout)?;
     manifest.write(folder)?;
     anstream::println!("{said}");
@@ -71,7 +71,7 @@ fn fingerprint(
     let probes = manifest.probe_seed.is_some();
     let written = mistake_films::make(assignment, &goldens, probes, checkout, &progress)?;
     progress.clear();
-    manifest.set_mistakes(&written, folder, assignment, checkout)?;
+    manifest.set_mistakes(&written, folder, assignment)?;
     let mistakes = Known::read(folder)?.mistake.len();
     Ok(format!(
         "{mistakes} mistakes show in {} films",
@@ -96,7 +96,7 @@ pub fn make(
     checkout: &Checkout,
     arguments: &GoldenRender,
 ) -> Result<Vec<String>> {
-    let own = checkout.golden(&assignment.name);
+    let own = assignment.golden();
     let folder = arguments.out.clone().unwrap_or_else(|| own.clone());
     let scenes = scenes(arguments, assignment)?;
     let is_own = |scene: &PathBuf| inside(scene, &assignment.folder);
@@ -134,7 +134,7 @@ pub fn make(
             rendered.items.iter().any(|item| *item.name == *stem)
         };
         for scene in scenes.iter().filter(made) {
-            manifest.add_scene(scene, &folder, checkout)?;
+            manifest.add_scene(scene, &folder, assignment)?;
         }
         if let Some(refusal) = rendered.refusal {
             manifest.set_scripts(&folder, assignment, checkout)?;
@@ -151,7 +151,7 @@ pub fn make(
                 .join("scenes")
                 .join(&item.name)
                 .with_extension("toml");
-            manifest.add_scene(&scene, &folder, checkout)?;
+            manifest.add_scene(&scene, &folder, assignment)?;
         }
     }
     if arguments.scenes.is_empty() {
@@ -171,7 +171,7 @@ pub fn make(
     )];
     if !arguments.no_mistakes {
         let scenes = match arguments.scenes.is_empty() {
-            true => manifest.scenes(&folder, checkout),
+            true => manifest.scenes(&folder, assignment),
             false => scenes,
         };
         said.push(fingerprint(
@@ -245,7 +245,7 @@ fn verify(
     checkout: &Checkout,
     arguments: &GoldenVerify,
 ) -> Result<Status> {
-    let own = checkout.golden(&assignment.name);
+    let own = assignment.golden();
     let folder = arguments.dir.as_ref().unwrap_or(&own);
     let manifest = Manifest::read(folder)?;
     let mut problems = manifest.out_of_step(folder, assignment, checkout)?;

@@ -30,6 +30,11 @@ const CHECK: &str = include_str!("../templates/handout/check.yml");
 /// What files hold, by path from the top of a repository, with `/` on every system.
 pub type Files = BTreeMap<String, Vec<u8>>;
 
+/// An assignment's folder in what is handed out, wherever it lies here.
+fn place_of(assignment: &Assignment) -> String {
+    format!("assignments/{}", assignment.name)
+}
+
 /// A student's repository before it is written.
 pub struct Repository {
     assignment: String,
@@ -50,10 +55,10 @@ impl Repository {
     ) -> Result<Repository> {
         let mut files = Files::new();
         sources::add_top(&mut files, checkout)?;
-        let answers = format!("assignments/{}/handout", assignment.name);
+        let answers = format!("{}/handout", place_of(assignment));
         let packages = [answers, workspace::CLI.to_owned()];
         let workspace = Workspace {
-            assignment: &assignment.name,
+            assignment,
             packages: &packages,
             // `cargo test` tests the answers; `cargo run` is the `pinhole` command, since
             // only its package names a program to run.
@@ -64,9 +69,9 @@ impl Repository {
         if let Some(folder) = book {
             sources::add_folder_as(&mut files, folder, "book", &[])?;
         }
-        files.extend(course::files(assignment, checkout)?);
+        files.extend(course::files(assignment)?);
         readme::adapt(&mut files, assignment)?;
-        leak::refuse(&files, assignment, checkout)?;
+        leak::refuse(&files, assignment)?;
         Ok(Repository {
             assignment: assignment.name.clone(),
             files,

@@ -128,7 +128,7 @@ mod tests {
             return; // A student's repository has the built book at most.
         }
         let assignment = Assignment::read(&checkout, "ray_casting").expect("it is there");
-        let known = Known::read(&checkout.golden("ray_casting")).expect("it is there");
+        let known = Known::read(&assignment.golden()).expect("it is there");
         let tasks = assignment.tasks.iter().map(|task| (&task.chapter, None));
         let mistakes = known.mistake.values();
         let mistakes = mistakes.map(|mistake| (&mistake.chapter, Some(&mistake.hint.read)));

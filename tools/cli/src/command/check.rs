@@ -28,8 +28,8 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
         .assignment
         .find(checkout, arguments.dir.as_deref())?;
     let goldens = match &arguments.golden {
-        Some(folder) => Goldens::find(folder, &assignment, checkout)?,
-        None => Goldens::read(&checkout.golden(&assignment.name), &assignment)?,
+        Some(folder) => Goldens::find(folder, &assignment)?,
+        None => Goldens::read(&assignment.golden(), &assignment)?,
     };
     let selection = selection(arguments, &assignment, &goldens)?;
     let submission =

@@ -194,13 +194,10 @@ fn scene(checkout: &Checkout, arguments: &Diff) -> Result<Option<Scene>> {
         .assignment
         .find(checkout, Some(&arguments.golden))?;
     if let Some(named) = &arguments.scene {
-        return Ok(Some(assignment.find_scene(named, checkout)?.0));
+        return Ok(Some(assignment.find_scene(named)?.0));
     }
     let is_own = |scene: &&ScenePoints| {
-        let golden = checkout
-            .golden(&assignment.name)
-            .join(&scene.name)
-            .with_extension("exr");
+        let golden = assignment.golden().join(&scene.name).with_extension("exr");
         match (golden.canonicalize(), arguments.golden.canonicalize()) {
             (Ok(own), Ok(given)) => own == given,
             _ => false,

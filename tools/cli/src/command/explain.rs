@@ -26,7 +26,7 @@ const MOST_MISSES: usize = 12;
 pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Status> {
     let named = arguments.submission.as_deref();
     let assignment = arguments.assignment.find(checkout, named)?;
-    let (scene, golden) = assignment.find_scene(&arguments.scene, checkout)?;
+    let (scene, golden) = assignment.find_scene(&arguments.scene)?;
     let pixel = Pixel {
         i: arguments.i,
         j: arguments.j,

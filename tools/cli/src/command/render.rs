@@ -18,7 +18,7 @@ use crate::cli::Render;
 pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
     let named = arguments.submission.as_deref();
     let assignment = arguments.assignment.find(checkout, named)?;
-    let (mut scene, golden) = assignment.find_scene(&arguments.scene, checkout)?;
+    let (mut scene, golden) = assignment.find_scene(&arguments.scene)?;
     scene.resolution = arguments.resolution.unwrap_or(scene.resolution);
     let (resolution, depth_per_t) = (scene.resolution, scene.camera.depth_per_t());
     let whole = Whole::build(checkout, &assignment, named, &arguments.run)?;

@@ -29,9 +29,9 @@ use pinhole_report::program::Status;
 pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let assignment = arguments.assignment.find(checkout, None)?;
     let roll = roll(arguments, &assignment)?;
-    let public = checkout.golden(&assignment.name);
+    let public = assignment.golden();
     let folder = arguments.golden.as_ref().unwrap_or(&public);
-    let goldens = Goldens::find(folder, &assignment, checkout)?;
+    let goldens = Goldens::find(folder, &assignment)?;
     let cache = ResultCache::open(&arguments.out)?;
 
     let made = match (&arguments.fresh, arguments.no_fresh) {
@@ -49,7 +49,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         .into_iter()
         .flatten()
     {
-        Manifest::read(folder)?.refuse_changed(folder, checkout)?;
+        Manifest::read(folder)?.refuse_changed(folder, &assignment)?;
     }
     let withheld = Withheld {
         scenes: match arguments.golden {

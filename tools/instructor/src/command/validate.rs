@@ -16,7 +16,7 @@ pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Status> {
     let assignment = arguments
         .assignment
         .or(arguments.positional.as_deref(), checkout)?;
-    let goldens = Goldens::read(&checkout.golden(&assignment.name), &assignment)?;
+    let goldens = Goldens::read(&assignment.golden(), &assignment)?;
     let sandbox = Sandbox::around(&assignment.folder, checkout, Choice::Auto, &[])?;
     let second_judge = arguments
         .oiiotool

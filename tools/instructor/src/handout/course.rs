@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use super::Files;
 use super::leak::holds_word;
 use super::sources::{read, read_text};
+use super::{Files, place_of};
+use pinhole::Scene;
 use pinhole_course::assignment::Assignment;
-use pinhole_course::checkout::Checkout;
 use pinhole_course::diagnosis::known::{self, Known};
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::manifest::{self, Manifest};
@@ -18,8 +18,8 @@ const ELSEWHERE: &str =
     "Look at the first thing that is wrong here, and follow it through your code by hand.";
 
 /// The files of the assignment and of its goldens.
-pub fn files(assignment: &Assignment, checkout: &Checkout) -> Result<Files> {
-    let folder = format!("assignments/{}", assignment.name);
+pub fn files(assignment: &Assignment) -> Result<Files> {
+    let folder = place_of(assignment);
     let mut files = Files::new();
     let text = read_text(&assignment.folder.join("assignment.toml"))?;
     let text = without_withheld(&text, assignment)?;
@@ -34,7 +34,7 @@ pub fn files(assignment: &Assignment, checkout: &Checkout) -> Result<Files> {
     }
     add_scenes(&mut files, assignment, &folder)?;
     add_tests(&mut files, assignment, &folder)?;
-    add_goldens(&mut files, assignment, checkout)?;
+    add_goldens(&mut files, assignment)?;
     Ok(files)
 }
 
@@ -85,9 +85,7 @@ fn add_scenes(files: &mut Files, assignment: &Assignment, folder: &str) -> Resul
     for name in public(assignment) {
         let scene = assignment.scene(name);
         add(&scene)?;
-        manifest::meshes_of(&scene)
-            .iter()
-            .try_for_each(|mesh| add(mesh))?;
+        Scene::files(&scene).iter().try_for_each(|mesh| add(mesh))?;
     }
     let terms = scenes.join("meshes").join("README.md");
     match terms.is_file() {
@@ -96,9 +94,12 @@ fn add_scenes(files: &mut Files, assignment: &Assignment, folder: &str) -> Resul
     }
 }
 
-/// The snapshot tests, without those of withheld scenes.
+/// The snapshot tests, if there are any, without those of withheld scenes.
 fn add_tests(files: &mut Files, assignment: &Assignment, folder: &str) -> Result<()> {
     let tests = assignment.folder.join("tests");
+    if !tests.is_dir() {
+        return Ok(());
+    }
     let text = read_text(&tests.join("golden_films.rs"))?;
     let asserts = |part: &str, scene: &str| part.contains(&format!("assert_scene(\"{scene}\")"));
     let is_public = |part: &&str| {
@@ -131,8 +132,8 @@ fn add_tests(files: &mut Files, assignment: &Assignment, folder: &str) -> Result
 }
 
 /// The goldens, as their manifest lists them, without what is withheld.
-fn add_goldens(files: &mut Files, assignment: &Assignment, checkout: &Checkout) -> Result<()> {
-    let folder = checkout.golden(&assignment.name);
+fn add_goldens(files: &mut Files, assignment: &Assignment) -> Result<()> {
+    let folder = assignment.golden();
     let to = format!("golden/{}", assignment.name);
     let mut known = Known::read(&folder)?;
     known.films.retain(|film, _| !assignment.withholds(film));

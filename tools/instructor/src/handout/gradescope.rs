@@ -11,9 +11,9 @@ use clap::ValueEnum;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
-use super::sources::{add, add_folder, add_folder_as, add_top};
+use super::sources::{add_folder_as, add_top, read};
 use super::workspace::{CLI, INSTRUCTOR, Workspace};
-use super::{Files, Written};
+use super::{Files, Written, place_of};
 use crate::grade::redact::Reveal;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
@@ -96,22 +96,27 @@ pub fn write(
 fn course(assignment: &Assignment, checkout: &Checkout) -> Result<Files> {
     let mut files = Files::new();
     add_top(&mut files, checkout)?;
-    let folder = format!("assignments/{}", assignment.name);
-    let mut packages = ["handout", "reference"]
-        .map(|part| format!("{folder}/{part}"))
-        .to_vec();
-    packages.extend([CLI.to_owned(), INSTRUCTOR.to_owned()]);
+    let programs = [CLI.to_owned(), INSTRUCTOR.to_owned()];
+    let folder = place_of(assignment);
+    let mut packages = programs.to_vec();
+    for part in ["handout", "reference", "tests", "scenes"] {
+        let own = assignment.folder.join(part);
+        if own.join("Cargo.toml").is_file() {
+            packages.push(format!("{folder}/{part}"));
+        }
+        if own.is_dir() {
+            add_folder_as(&mut files, &own, &format!("{folder}/{part}"), &[])?;
+        }
+    }
+    let tasks = read(&assignment.folder.join("assignment.toml"))?;
+    files.insert(format!("{folder}/assignment.toml"), tasks);
+    let golden = format!("golden/{}", assignment.name);
+    add_folder_as(&mut files, &assignment.golden(), &golden, &[])?;
     let workspace = Workspace {
-        assignment: &assignment.name,
+        assignment,
         packages: &packages,
-        default: &packages[2..],
+        default: &programs,
     };
     workspace.add(&mut files, checkout)?;
-    add(&mut files, checkout, &format!("{folder}/assignment.toml"))?;
-    for part in ["handout", "reference", "tests", "scenes"] {
-        add_folder(&mut files, checkout, &format!("{folder}/{part}"), &[])?;
-    }
-    let golden = format!("golden/{}", assignment.name);
-    add_folder(&mut files, checkout, &golden, &[])?;
     Ok(files)
 }

@@ -13,8 +13,8 @@ use search::Search;
 
 use super::Files;
 use super::sources::{read, read_text};
+use pinhole::Scene;
 use pinhole_course::assignment::Assignment;
-use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::{manifest, stubs};
 
@@ -22,9 +22,9 @@ use pinhole_course::{manifest, stubs};
 const LEAST_LINE: usize = 24;
 
 /// Refuses files that hold a line of an answer of ours, or anything of a withheld scene.
-pub fn refuse(files: &Files, assignment: &Assignment, checkout: &Checkout) -> Result<()> {
+pub fn refuse(files: &Files, assignment: &Assignment) -> Result<()> {
     let answers = Search::new(answer_lines(assignment)?);
-    let withheld = Withheld::of(assignment, checkout)?;
+    let withheld = Withheld::of(assignment)?;
     for (path, bytes) in files {
         if let Some(line) = answers.first_in(bytes) {
             return Err(Error::input(
@@ -70,21 +70,21 @@ struct Withheld {
 }
 
 impl Withheld {
-    fn of(assignment: &Assignment, checkout: &Checkout) -> Result<Withheld> {
+    fn of(assignment: &Assignment) -> Result<Withheld> {
         let mut hashes = BTreeSet::new();
         let public = assignment.scenes.iter().filter(|scene| scene.public);
         let public_meshes: Vec<_> = public
-            .flat_map(|scene| manifest::meshes_of(&assignment.scene(&scene.name)))
+            .flat_map(|scene| Scene::files(&assignment.scene(&scene.name)))
             .collect();
         for scene in assignment.withheld_scenes() {
             let file = assignment.scene(&scene.name);
-            let mut meshes = manifest::meshes_of(&file);
+            let mut meshes = Scene::files(&file);
             meshes.retain(|mesh| !public_meshes.contains(mesh));
             for path in meshes.into_iter().chain([file]) {
                 hashes.insert(manifest::hash_of(&path, read(&path)?));
             }
         }
-        let entries = fs::read_dir(checkout.golden(&assignment.name));
+        let entries = fs::read_dir(assignment.golden());
         for path in entries
             .into_iter()
             .flatten()

@@ -1,7 +1,8 @@
 //! A student's README: words of its own from a template, the course's sections for
 //! students, and what is worth what.
 
-use super::Files;
+use super::sources::read_text;
+use super::{Files, place_of};
 use pinhole_course::assignment::{Assignment, ScenePoints};
 use pinhole_course::error::{Error, Result};
 
@@ -10,44 +11,52 @@ const TEMPLATE: &str = include_str!("../../templates/handout/README.md");
 /// In the template, a line that stands for a section: this, and the section's heading.
 const QUOTED: &str = "<!-- quoted: ";
 
-/// The line that stands for what each task is worth, and the word that stands for the
-/// names of the answer files.
-const POINTS: &str = "<!-- points -->";
-const ANSWERS: &str = "<!-- answers -->";
+/// In the template, a line that is only for those who get this file: the word before it.
+const ONLY_WITH: [(&str, &str); 2] = [
+    ("<!-- book -->", "book/index.html"),
+    ("<!-- meshes -->", "<!-- folder -->/scenes/meshes/README.md"),
+];
 
-/// In the template, a line that is for those who get the book: this, and the line.
-const BOOK: &str = "<!-- book -->";
-
-/// Replaces the course's README by a student's.
+/// Replaces the course's README by a student's. What the assignment's own README says
+/// under a heading goes before what the course's does.
 pub fn adapt(files: &mut Files, assignment: &Assignment) -> Result<()> {
-    let answers: Vec<String> = assignment.tasks.iter().map(|task| task.file()).collect();
-    let template = TEMPLATE
-        .replace(POINTS, points(assignment).trim_end())
-        .replace(ANSWERS, &answers.join(" "));
-    let has_book = files.keys().any(|path| path == "book/index.html");
-    let mut missing = None;
-    let readme = files
+    let folder = place_of(assignment);
+    let fill = |text: &str| {
+        let answers: Vec<String> = assignment.tasks.iter().map(|task| task.file()).collect();
+        text.replace("<!-- points -->", points(assignment).trim_end())
+            .replace("<!-- answers -->", &answers.join(" "))
+            .replace("<!-- folder -->", &folder)
+            .replace("<!-- name -->", &assignment.name)
+            .replace("<!-- start -->", &assignment.start)
+    };
+    let own = assignment.folder.join("README.md");
+    let own = match own.is_file() {
+        true => read_text(&own)?,
+        false => String::new(),
+    };
+    let course = files
         .get("README.md")
         .map(|bytes| String::from_utf8_lossy(bytes));
-    let readme = readme.unwrap_or_default().replace("\r\n", "\n");
+    let course = course.unwrap_or_default().replace("\r\n", "\n");
+    let mut missing = None;
     let mut text = String::new();
-    {
-        for line in template.lines() {
-            let line = match line.strip_prefix(BOOK) {
-                Some(_) if !has_book => continue,
-                Some(rest) => rest,
-                None => line,
-            };
-            let heading = line
-                .strip_prefix(QUOTED)
-                .and_then(|rest| rest.strip_suffix(" -->"));
-            match heading.map(|heading| (heading, section(&readme, heading))) {
-                Some((_, Some(section))) => text.push_str(section.trim_end()),
-                Some((heading, None)) => missing = Some(heading),
-                None => text.push_str(line),
-            }
-            text.push('\n');
+    for line in TEMPLATE.lines() {
+        let only = ONLY_WITH.iter().find(|(word, _)| line.starts_with(word));
+        let line = match only {
+            Some((_, file)) if !files.contains_key(&fill(file)) => continue,
+            Some((word, _)) => &line[word.len()..],
+            None => line,
+        };
+        let heading = line
+            .strip_prefix(QUOTED)
+            .and_then(|rest| rest.strip_suffix(" -->"));
+        let quoted = |heading| section(&own, heading).or_else(|| section(&course, heading));
+        match heading.map(|heading| (heading, quoted(heading))) {
+            Some((_, Some(section))) => text.push_str(section.trim_end()),
+            Some((heading, None)) => missing = Some(heading),
+            None => text.push_str(&fill(line)),
         }
+        text.push('\n');
     }
     files.insert("README.md".into(), text.into());
     match missing {
@@ -85,6 +94,7 @@ fn points(assignment: &Assignment) -> String {
 /// A section with its heading, or, named `beginning`, all that precedes the first.
 fn section<'a>(readme: &'a str, heading: &str) -> Option<&'a str> {
     let start = match heading {
+        "beginning" if readme.is_empty() => return None,
         "beginning" => 0,
         _ => readme.find(&format!("\n## {heading}\n"))? + 1,
     };

@@ -27,7 +27,7 @@ pub fn add_top(files: &mut Files, checkout: &Checkout) -> Result<()> {
 }
 
 /// Adds one file of the checkout under its own path.
-pub fn add(files: &mut Files, checkout: &Checkout, path: &str) -> Result<()> {
+fn add(files: &mut Files, checkout: &Checkout, path: &str) -> Result<()> {
     files.insert(path.into(), read(&checkout.root().join(path))?);
     Ok(())
 }

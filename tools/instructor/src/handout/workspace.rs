@@ -4,12 +4,13 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Result, ResultExt};
 use toml_edit::{Array, DocumentMut, Item, Table, value};
 
-use super::Files;
 use super::sources::{add_folder, read_text};
+use super::{Files, place_of};
 
 /// The folder of the `pinhole` command.
 pub const CLI: &str = "tools/cli";
@@ -20,7 +21,7 @@ pub const INSTRUCTOR: &str = "tools/instructor";
 /// A workspace to hand out.
 pub struct Workspace<'a> {
     /// The assignment that commands mean if nothing else is said.
-    pub assignment: &'a str,
+    pub assignment: &'a Assignment,
     /// Folders of the packages that are there for their own sake; what they need comes
     /// with them.
     pub packages: &'a [String],
@@ -32,10 +33,10 @@ impl Workspace<'_> {
     /// Adds the manifest at the top, the harness, and every package that is not one of
     /// the assignment's.
     pub fn add(&self, files: &mut Files, checkout: &Checkout) -> Result<()> {
-        let mut top = manifest(checkout, "")?;
+        let mut top = self.manifest(checkout, "")?;
         let members = self.members(checkout, &top)?;
         for folder in members.iter().filter(|folder| folder.starts_with("tools/")) {
-            let mut own = manifest(checkout, folder)?;
+            let mut own = self.manifest(checkout, folder)?;
             leave_tests_at_home(&mut own);
             files.insert(format!("{folder}/Cargo.toml"), own.to_string().into());
             add_folder(files, checkout, &format!("{folder}/src"), &["rs"])?;
@@ -47,14 +48,15 @@ impl Workspace<'_> {
         add_folder(files, checkout, "src", &["rs"])?;
 
         leave_tests_at_home(&mut top);
-        let names = members.iter().map(|folder| name(checkout, folder));
+        let names = members.iter().map(|folder| self.name(checkout, folder));
         let names = names.collect::<Result<Vec<_>>>()?;
         keep_profiles(&mut top, &reachable(checkout, names)?);
         let paths: BTreeSet<&str> = members.iter().map(String::as_str).chain(["."]).collect();
         if let Some(shared) = top["workspace"]["dependencies"].as_table_mut() {
             shared.retain(|_, item| path_of(item).is_none_or(|path| paths.contains(path)));
         }
-        top["workspace"]["metadata"]["pinhole"]["default-assignment"] = value(self.assignment);
+        top["workspace"]["metadata"]["pinhole"]["default-assignment"] =
+            value(&self.assignment.name);
         if let Some(workspace) = top["workspace"].as_table_mut() {
             // The peers stay at home.
             workspace.remove("exclude");
@@ -70,7 +72,7 @@ impl Workspace<'_> {
         let mut members = self.packages.to_vec();
         let mut next = 0;
         while let Some(folder) = members.get(next) {
-            let own = manifest(checkout, folder)?;
+            let own = self.manifest(checkout, folder)?;
             let needed = own.get("dependencies").and_then(Item::as_table);
             for (name, _) in needed.into_iter().flatten() {
                 let shared = top["workspace"]["dependencies"].get(name);
@@ -84,16 +86,28 @@ impl Workspace<'_> {
         }
         Ok(members)
     }
+
+    /// The name of the package in a folder.
+    fn name(&self, checkout: &Checkout, folder: &str) -> Result<String> {
+        let own = self.manifest(checkout, folder)?;
+        let name = own["package"]["name"].as_str();
+        Ok(name.unwrap_or(folder).to_owned())
+    }
+
+    /// The manifest that a folder of the workspace will have.
+    fn manifest(&self, checkout: &Checkout, folder: &str) -> Result<DocumentMut> {
+        let own = Path::new(folder).strip_prefix(place_of(self.assignment));
+        let here = match own {
+            Ok(inside) => self.assignment.folder.join(inside),
+            Err(_) => checkout.root().join(folder),
+        };
+        document(&here.join("Cargo.toml"))
+    }
 }
 
 /// Where an in-house dependency lies.
 fn path_of(dependency: &Item) -> Option<&str> {
     dependency.get("path")?.as_str()
-}
-
-/// The manifest in a folder of the checkout.
-fn manifest(checkout: &Checkout, folder: &str) -> Result<DocumentMut> {
-    document(&checkout.root().join(folder).join("Cargo.toml"))
 }
 
 fn document(path: &Path) -> Result<DocumentMut> {
@@ -102,13 +116,6 @@ fn document(path: &Path) -> Result<DocumentMut> {
         format_args!("{}", path.display()),
         "restore the file; a checkout of the course has it",
     )
-}
-
-/// The name of the package in a folder.
-fn name(checkout: &Checkout, folder: &str) -> Result<String> {
-    let own = manifest(checkout, folder)?;
-    let name = own["package"]["name"].as_str();
-    Ok(name.unwrap_or(folder).to_owned())
 }
 
 fn leave_tests_at_home(manifest: &mut DocumentMut) {

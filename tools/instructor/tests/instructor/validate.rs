@@ -6,27 +6,30 @@ use std::sync::OnceLock;
 
 use pinhole_testing::{Ran, fresh, pinhole, root, trusted};
 
-/// A copy of the assignment without mistakes, variants or listed mutants.
+/// A copy of the assignment without mistakes, variants or listed mutants, and of its goldens.
 fn assignment(name: &str) -> PathBuf {
-    let own = root().join("assignments/ray_casting");
-    let copy = fresh(&trusted(), name).join("ray_casting");
-    for folder in ["reference/src", "scenes/meshes"] {
-        fs::create_dir_all(copy.join(folder)).expect("a folder can be made");
-    }
-    for folder in ["", "reference", "reference/src", "scenes", "scenes/meshes"] {
-        let entries = fs::read_dir(own.join(folder))
-            .expect("it can be read")
-            .flatten();
-        for file in entries
-            .map(|entry| entry.path())
-            .filter(|path| path.is_file())
-        {
+    let course = fresh(&trusted(), name);
+    let own = "assignments/ray_casting";
+    for folder in [
+        own,
+        "assignments/ray_casting/reference",
+        "assignments/ray_casting/reference/src",
+        "assignments/ray_casting/scenes",
+        "assignments/ray_casting/scenes/meshes",
+        "golden/ray_casting",
+        "golden/ray_casting/probes",
+    ] {
+        let copy = course.join(folder);
+        fs::create_dir_all(&copy).expect("a folder can be made");
+        let entries = fs::read_dir(root().join(folder)).expect("it can be read");
+        let paths = entries.flatten().map(|entry| entry.path());
+        for file in paths.filter(|path| path.is_file()) {
             let name = file.file_name().expect("a file has a name");
-            fs::copy(&file, copy.join(folder).join(name)).expect("it can be copied");
+            fs::copy(&file, copy.join(name)).expect("it can be copied");
         }
     }
-    let _had_none = fs::remove_file(copy.join("equivalent.toml"));
-    copy
+    let _had_none = fs::remove_file(course.join(own).join("equivalent.toml"));
+    course.join(own)
 }
 
 fn write(folder: &Path, file: &str, text: &str) {

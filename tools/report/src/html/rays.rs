@@ -81,13 +81,14 @@ mod tests {
     use super::*;
     use glam::DVec3;
     use pinhole::Ray;
+    use pinhole_course::assignment::Assignment;
     use pinhole_course::checkout::Checkout;
 
     #[test]
     fn every_golden_ray_film_is_a_grid() {
-        let golden = Checkout::find()
-            .expect("the checkout")
-            .golden("ray_casting");
+        let checkout = Checkout::find().expect("the checkout");
+        let assignment = Assignment::read(&checkout, "ray_casting").expect("it is there");
+        let golden = assignment.golden();
         let films = std::fs::read_dir(golden).expect("the goldens are committed");
         let films = films.flatten().map(|entry| entry.path());
         let films: Vec<_> = films

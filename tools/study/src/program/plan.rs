@@ -16,12 +16,7 @@ use crate::cli::Plan;
 
 pub fn run(checkout: &Checkout, arguments: &Plan) -> Result<Status> {
     let assignment = arguments.assignment.find(checkout, None)?;
-    let (scene, file, _) = scene(
-        &arguments.scene,
-        arguments.resolution,
-        &assignment,
-        checkout,
-    )?;
+    let (scene, file, _) = scene(&arguments.scene, arguments.resolution, &assignment)?;
     let (plan, _) = plan(&scene, arguments.wanted.wish(arguments.accuracy)).map_err(unplannable)?;
     match arguments.json {
         true => anstream::println!("{:#}", json!(plan)),
@@ -39,9 +34,8 @@ pub fn scene(
     named: &str,
     resolution: Option<Resolution>,
     assignment: &Assignment,
-    checkout: &Checkout,
 ) -> Result<(Scene, PathBuf, Option<PathBuf>)> {
-    let (_, golden) = assignment.find_scene(named, checkout)?;
+    let (_, golden) = assignment.find_scene(named)?;
     let file = assignment.find_scene_file(named)?;
     let mut scene = scenes::read(&file)?;
     scene.resolution = resolution.unwrap_or(scene.resolution);

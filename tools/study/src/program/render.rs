@@ -19,12 +19,7 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
         ));
     }
     let assignment = arguments.assignment.find(checkout, None)?;
-    let (scene, _, golden) = scene(
-        &arguments.scene,
-        arguments.resolution,
-        &assignment,
-        checkout,
-    )?;
+    let (scene, _, golden) = scene(&arguments.scene, arguments.resolution, &assignment)?;
     let (film, seconds, by, exact, planned) = match arguments.plan {
         None => {
             let (film, report) = film::exact(&scene);

@@ -17,7 +17,7 @@ use pinhole_report::html::Again;
 pub(in crate::watch) fn course() -> Course {
     let checkout = Checkout::find().expect("the tests run in a checkout");
     let assignment = Assignment::read(&checkout, "ray_casting").expect("it is committed");
-    let goldens = Goldens::read(&checkout.golden("ray_casting"), &assignment);
+    let goldens = Goldens::read(&assignment.golden(), &assignment);
     let submission = Submission::find(&assignment.reference(), &assignment);
     Course {
         goldens: goldens.expect("they are committed"),
