@@ -1,0 +1,159 @@
+//! A small assignment with one task of its own, on a shape that no other asks about: every
+//! command takes it as data. No source of the tools knows it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use pinhole_testing::{Ran, fresh, pinhole, root, trusted};
+use serde_json::{Value, json};
+
+const DISKS: &str = "tools/instructor/tests/fixture/assignments/disks";
+
+/// Runs a command on the small assignment.
+fn run(arguments: &[&str]) -> Ran {
+    pinhole(&[arguments, &["--assignment", DISKS]].concat())
+}
+
+fn plain(path: &Path) -> &str {
+    path.to_str().expect("test folders have plain names")
+}
+
+/// The folder of a part of the assignment, as an argument.
+fn part(name: &str) -> String {
+    format!("{DISKS}/{name}")
+}
+
+#[test]
+fn the_reference_gets_every_point_and_the_stub_is_unanswered() {
+    run(&["check", &part("reference"), "--no-report"])
+        .expect_code(0)
+        .expect_out("20 / 20");
+    run(&["check", &part("handout"), "--no-report"])
+        .expect_code(1)
+        .expect_out("0 / 12   unanswered")
+        .expect_out("blocked by `disk`");
+}
+
+#[test]
+fn a_mistake_fails_where_it_shows_and_its_rewrite_is_named() {
+    let rewritten = part("mistakes/disk_ignores_min_t/rewrite");
+    run(&["check", &rewritten, "--no-report"])
+        .expect_code(1)
+        .expect_out("10 / 12   4 of 5 groups pass")
+        .expect_out("whoever calls me can compare t with min_t")
+        .expect_out("disk      c = (");
+}
+
+#[test]
+fn a_pixel_is_explained_with_the_shapes_own_words() {
+    run(&["explain", "coins", "32", "18"])
+        .expect_code(0)
+        .expect_out("disk c = (0.1, 0.4, −0.5), n = (0.3, 1, 2), r = 0.7")
+        .expect_out("expected (Mitsuba)   object 0 at t = 3.18863");
+}
+
+#[test]
+fn the_report_shows_the_task() {
+    let report = fresh(&trusted(), "fixture-report").join("report.html");
+    let wrong = part("mistakes/disk_radius_not_squared");
+    run(&["check", &wrong, "--report", plain(&report)]).expect_code(1);
+    let page = fs::read_to_string(&report).expect("it was written");
+    for words in ["Disks", "disk", "coins", "squared distance from the centre"] {
+        assert!(page.contains(words), "no {words:?} in the report");
+    }
+}
+
+#[test]
+fn a_class_of_two_is_graded() {
+    let class = fresh(&trusted(), "fixture-class");
+    let from = [
+        ("ada", "reference/src"),
+        ("bob", "mistakes/disk_ignores_min_t"),
+    ];
+    for (who, folder) in from {
+        let to = class.join("answers").join(who);
+        fs::create_dir_all(&to).expect("a folder can be made");
+        let answer = root().join(part(folder)).join("disk.rs");
+        fs::copy(answer, to.join("disk.rs")).expect("it can be copied");
+    }
+    let (answers, out) = (class.join("answers"), class.join("grades"));
+    run(&["grade", plain(&answers), "--out", plain(&out), "--no-fresh"]).expect_code(0);
+    let grades = fs::read_to_string(out.join("grades.csv")).expect("it was written");
+    assert!(grades.contains(",ada,20,20,graded,,12,8,"), "{grades}");
+    assert!(grades.contains(",bob,14,20,graded,,10,4,"), "{grades}");
+}
+
+#[test]
+fn fresh_questions_and_scenes_are_drawn_and_the_reference_passes_them() {
+    let goldens = fresh(&trusted(), "fixture-fresh").join("golden");
+    let line = ["golden", "render", "--seed", "7", "--no-mistakes", "--out"];
+    run(&[&line[..], &[plain(&goldens)]].concat()).expect_code(0);
+    let arguments = ["check", &part("reference"), "--no-report", "--golden"];
+    run(&[&arguments[..], &[plain(&goldens)]].concat())
+        .expect_code(0)
+        .expect_out("random_7_0")
+        .expect_out("20 / 20");
+}
+
+#[test]
+fn goldens_are_in_step_and_the_grading_meets_every_target() {
+    run(&["golden", "verify"])
+        .expect_code(0)
+        .expect_out("films by Mitsuba");
+    let document = run(&["validate", "--json"]).expect_code(0).json();
+    assert_eq!(document["faults"], json!([]));
+    assert_eq!(document["pristine"]["reference"], json!([20, 20]));
+    for (part, count) in [("mistakes", 2), ("rewrites", 2), ("variants", 1)] {
+        let judged = document[part]["judged"].as_array().map(Vec::len);
+        assert_eq!(judged, Some(count), "{part}");
+    }
+}
+
+#[test]
+fn a_students_repository_has_it_where_assignments_lie() {
+    let out: PathBuf = fresh(&trusted(), "fixture-handout").join("students");
+    run(&["handout", "--check"]).expect_code(0);
+    run(&["handout", "--out", plain(&out)]).expect_code(0);
+    let stub = fs::read_to_string(out.join("assignments/disks/handout/src/disk.rs"));
+    assert!(stub.is_ok_and(|stub| stub.contains("todo!(\"disk\")")));
+    let readme = fs::read_to_string(out.join("README.md")).expect("it has one");
+    assert!(readme.contains("assignments/disks/handout/src"), "{readme}");
+    assert!(!readme.contains("assignments/ray_casting"), "{readme}");
+    for gone in [
+        "assignments/ray_casting",
+        "assignments/disks/reference",
+        "tools/instructor",
+    ] {
+        assert!(!out.join(gone).exists(), "{gone}");
+    }
+
+    let cargo = Command::new(env!("CARGO"))
+        .args([
+            "metadata",
+            "--offline",
+            "--locked",
+            "--no-deps",
+            "--format-version",
+            "1",
+        ])
+        .current_dir(&out)
+        .output()
+        .expect("cargo starts");
+    let said = String::from_utf8_lossy(&cargo.stderr);
+    assert!(cargo.status.success(), "{said}");
+    let metadata: Value = serde_json::from_slice(&cargo.stdout).expect("it is JSON");
+    let packages = metadata["packages"].as_array().expect("a list");
+    let names: Vec<&str> = packages
+        .iter()
+        .filter_map(|it| it["name"].as_str())
+        .collect();
+    assert!(
+        names.contains(&"disks-handout") && names.contains(&"pinhole-cli"),
+        "{names:?}"
+    );
+    let default = &metadata["metadata"]["pinhole"]["default-assignment"];
+    assert_eq!(default, "disks");
+    let goldens = out.join("golden/disks");
+    run(&["golden", "verify", plain(&goldens)]).expect_code(0);
+}
