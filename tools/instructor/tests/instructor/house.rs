@@ -44,7 +44,7 @@ fn every_task_and_scene_has_a_snapshot_test() {
         for entry in table[kind].as_array().expect("a list") {
             let name = entry["name"].as_str().expect("a name");
             assert!(
-                tests.contains(&format!("{assertion}(\"{name}\")")),
+                tests.contains(&format!("{assertion}(\"{name}\"")),
                 "{kind} {name}"
             );
         }

@@ -76,7 +76,7 @@ fn both_judges_agree_on_a_sample_of_mistakes_and_variants() {
 fn the_readme_shows_what_check_prints() {
     let readme = fs::read_to_string(root().join("README.md")).expect("it is there");
     let shown = readme
-        .split("-- check --task sphere\n")
+        .split("cargo pinhole check --task sphere\n")
         .nth(1)
         .expect("the listing is there");
     let shown = shown.split("```").next().expect("the listing ends");

@@ -123,7 +123,9 @@ fn a_machine_with_rust_alone_runs_every_command_red_until_filled_and_green_when_
     {
         run(command).expect_code(0);
     }
-    run("cargo run --release -- golden verify").expect_code(0);
+    run("cargo run --release -- golden verify")
+        .expect_code(2)
+        .expect_err("this is a student's repository");
     run("cd assignments/ray_casting/handout && cargo pinhole check")
         .expect_code(0)
         .expect_out("100 / 100");
