@@ -70,7 +70,7 @@ impl Repository {
             sources::add_folder_as(&mut files, folder, "book", &[])?;
         }
         files.extend(course::files(assignment)?);
-        readme::adapt(&mut files, assignment)?;
+        readme::adapt(&mut files, assignment, checkout)?;
         leak::refuse(&files, assignment)?;
         Ok(Repository {
             assignment: assignment.name.clone(),

@@ -1,7 +1,7 @@
 //! Running the real programs on the real course, for the tests of every package.
 
 use std::collections::BTreeSet;
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::{Mutex, PoisonError};
@@ -152,6 +152,21 @@ pub fn fresh(place: &Path, name: &str) -> PathBuf {
 pub fn trusted() -> PathBuf {
     let folder = root().join("target/tmp");
     fs::create_dir_all(&folder).expect("there is room");
+    folder
+}
+
+/// Goldens of fresh questions and scenes, which Mitsuba makes when a test first asks: that
+/// takes a minute. They are kept for other tests, and for other runs until they are stale.
+pub fn fresh_goldens() -> PathBuf {
+    let folder = trusted().join("fresh-goldens");
+    let lock = File::create(trusted().join("fresh-goldens.lock")).expect("there is room");
+    lock.lock().expect("locks work here");
+    let name = folder.to_str().expect("a plain name");
+    if pinhole(&["golden", "verify", name]).code != 0 {
+        let _absent = fs::remove_dir_all(&folder);
+        let seed = ["golden", "render", "--seed", "7", "--no-mistakes", "--out"];
+        pinhole(&[&seed[..], &[name]].concat()).expect_code(0);
+    }
     folder
 }
 

@@ -1,12 +1,16 @@
-//! A student's README: words of its own from a template, the course's sections for
-//! students, and what is worth what.
+//! A student's README: a template, filled with the course's sections for students, the
+//! book's page about file formats, and a table of points.
 
 use super::sources::read_text;
 use super::{Files, place_of};
 use pinhole_course::assignment::{Assignment, ScenePoints};
+use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};
 
 const TEMPLATE: &str = include_str!("../../templates/handout/README.md");
+
+/// The page of the book that describes scene and film files.
+const FORMATS: &str = "book/src/appendix/scene_and_film_files.md";
 
 /// In the template, a line that stands for a section: this, and the section's heading.
 const QUOTED: &str = "<!-- quoted: ";
@@ -17,9 +21,9 @@ const ONLY_WITH: [(&str, &str); 2] = [
     ("<!-- meshes -->", "<!-- folder -->/scenes/meshes/README.md"),
 ];
 
-/// Replaces the course's README by a student's. What the assignment's own README says
-/// under a heading goes before what the course's does.
-pub fn adapt(files: &mut Files, assignment: &Assignment) -> Result<()> {
+/// Replaces the course's README by a student's. A section is quoted from the first of
+/// these that has it: the assignment's own README, the course's, the page about formats.
+pub fn adapt(files: &mut Files, assignment: &Assignment, checkout: &Checkout) -> Result<()> {
     let folder = place_of(assignment);
     let fill = |text: &str| {
         let answers: Vec<String> = assignment.tasks.iter().map(|task| task.file()).collect();
@@ -38,6 +42,8 @@ pub fn adapt(files: &mut Files, assignment: &Assignment) -> Result<()> {
         .get("README.md")
         .map(|bytes| String::from_utf8_lossy(bytes));
     let course = course.unwrap_or_default().replace("\r\n", "\n");
+    let formats = read_text(&checkout.root().join(FORMATS))?;
+    let sources = [&own, &course, &formats];
     let mut missing = None;
     let mut text = String::new();
     for line in TEMPLATE.lines() {
@@ -50,7 +56,7 @@ pub fn adapt(files: &mut Files, assignment: &Assignment) -> Result<()> {
         let heading = line
             .strip_prefix(QUOTED)
             .and_then(|rest| rest.strip_suffix(" -->"));
-        let quoted = |heading| section(&own, heading).or_else(|| section(&course, heading));
+        let quoted = |heading| sources.iter().find_map(|text| section(text, heading));
         match heading.map(|heading| (heading, quoted(heading))) {
             Some((_, Some(section))) => text.push_str(section.trim_end()),
             Some((heading, None)) => missing = Some(heading),
@@ -62,7 +68,7 @@ pub fn adapt(files: &mut Files, assignment: &Assignment) -> Result<()> {
     match missing {
         None => Ok(()),
         Some(heading) => Err(Error::input(
-            format!("README.md has no section `{heading}` for students"),
+            format!("neither README.md nor {FORMATS} has a section `{heading}` for students"),
             "restore it, or mend tools/instructor/templates/handout/README.md, which quotes it",
         )),
     }

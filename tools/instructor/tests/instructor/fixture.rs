@@ -65,7 +65,7 @@ fn the_report_shows_the_task() {
 }
 
 #[test]
-fn a_class_of_two_is_graded() {
+fn a_class_of_two_is_graded_by_fresh_questions_too() {
     let class = fresh(&trusted(), "fixture-class");
     let from = [
         ("ada", "reference/src"),
@@ -78,19 +78,21 @@ fn a_class_of_two_is_graded() {
         fs::copy(answer, to.join("disk.rs")).expect("it can be copied");
     }
     let (answers, out) = (class.join("answers"), class.join("grades"));
-    run(&["grade", plain(&answers), "--out", plain(&out), "--no-fresh"]).expect_code(0);
+    run(&[
+        "grade",
+        plain(&answers),
+        "--out",
+        plain(&out),
+        "--seed",
+        "7",
+    ])
+    .expect_code(0);
     let grades = fs::read_to_string(out.join("grades.csv")).expect("it was written");
     assert!(grades.contains(",ada,20,20,graded,,12,8,"), "{grades}");
     assert!(grades.contains(",bob,14,20,graded,,10,4,"), "{grades}");
-}
-
-#[test]
-fn fresh_questions_and_scenes_are_drawn_and_the_reference_passes_them() {
-    let goldens = fresh(&trusted(), "fixture-fresh").join("golden");
-    let line = ["golden", "render", "--seed", "7", "--no-mistakes", "--out"];
-    run(&[&line[..], &[plain(&goldens)]].concat()).expect_code(0);
+    let fresh = out.join("fresh");
     let arguments = ["check", &part("reference"), "--no-report", "--golden"];
-    run(&[&arguments[..], &[plain(&goldens)]].concat())
+    run(&[&arguments[..], &[plain(&fresh)]].concat())
         .expect_code(0)
         .expect_out("random_7_0")
         .expect_out("20 / 20");

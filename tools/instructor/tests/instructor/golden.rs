@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use pinhole_testing::{Ran, TASKS, fresh, pinhole, pinhole_with, root, trusted};
+use pinhole_testing::{Ran, TASKS, fresh, fresh_goldens, pinhole, pinhole_with, root, trusted};
 
 fn plain(path: &Path) -> &str {
     path.to_str().expect("test folders have plain names")
@@ -167,17 +167,7 @@ obj = "edge.obj"
 
 #[test]
 fn fresh_probes_and_scenes_are_a_whole_set_of_goldens() {
-    let folder = fresh(&trusted(), "fresh");
-    pinhole(&[
-        "golden",
-        "render",
-        "--seed",
-        "7",
-        "--no-mistakes",
-        "--out",
-        plain(&folder),
-    ])
-    .expect_code(0);
+    let folder = fresh_goldens();
     verify(&folder).expect_code(0);
     let tasks = TASKS
         .iter()

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use super::{examine, scratch, walls};
+use super::{examine, walls};
 use crate::check::{lost, task, with_body};
-use pinhole_testing::{pinhole, submission};
+use pinhole_testing::{fresh_goldens, pinhole, submission};
 
 /// What an answer can learn of a question: one short number of its ray tells it from
 /// others, so that all of them fit into what is kept of its words.
@@ -51,18 +51,8 @@ fn what_was_learnt_by_heart_is_worth_nothing_on_fresh_questions() {
         "it has not learnt all: {public:#}"
     );
 
-    let fresh = scratch("fresh-goldens");
+    let fresh = fresh_goldens();
     let fresh = fresh.to_str().expect("a plain name");
-    pinhole(&[
-        "golden",
-        "render",
-        "--seed",
-        "4711",
-        "--out",
-        fresh,
-        "--no-mistakes",
-    ])
-    .expect_code(0);
     let name = folder.to_str().expect("a plain name");
     let judged = pinhole(&[
         "check",

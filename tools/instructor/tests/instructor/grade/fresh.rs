@@ -5,7 +5,7 @@ use std::fs;
 use pinhole::kind::{Kind, Questions};
 
 use super::{Class, answers};
-use pinhole_testing::{pinhole, root};
+use pinhole_testing::{fresh_goldens, pinhole, root};
 
 /// `sphere.rs` that is right about every public question and says no to all others.
 fn memoriser() -> String {
@@ -52,7 +52,9 @@ fn a_memoriser_gets_nothing_for_what_it_has_memorised() {
     assert_eq!(points, 18);
     assert_eq!(result["provenance"]["judged_on"], "public goldens only");
 
-    pinhole(&["grade", &entry, "--out", &fresh, "--seed", "7"]).expect_code(0);
+    let questions = fresh_goldens();
+    let questions = questions.to_str().expect("a plain name");
+    pinhole(&["grade", &entry, "--out", &fresh, "--fresh", questions]).expect_code(0);
     let (points, task, result) = sphere("fresh");
     assert!(points <= 4, "{task:#}");
     let groups = task["groups"].as_array().expect("groups");
@@ -67,8 +69,9 @@ fn a_memoriser_gets_nothing_for_what_it_has_memorised() {
             .is_some_and(|most| most < 20)
     );
     // The questions are there now: nothing is made or graded again.
-    let again = pinhole(&["grade", &entry, "--out", &fresh, "--json"])
-        .expect_code(0)
-        .json();
+    let line = [
+        "grade", &entry, "--out", &fresh, "--fresh", questions, "--json",
+    ];
+    let again = pinhole(&line).expect_code(0).json();
     assert_eq!(again["graded_now"], 0);
 }
