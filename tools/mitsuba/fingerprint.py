@@ -1,7 +1,7 @@
 """Fingerprints of the scripts that make golden films.
 
-Prints one JSON object: for each scene file, and for each task of an assignment, a
-SHA-256 of all that decides the pixels of its films but the scene and the seed: every
+Prints one JSON object: for each scene file, and for each task of an assignment and its
+ties, a SHA-256 of all that decides the pixels of its films but the scene and the seed: every
 script that is imported on the way, and the versions of the packages. Docstrings,
 comments and layout count for nothing, so only a change that could change a film
 changes its fingerprint. Needs Python's standard library alone.
@@ -100,6 +100,11 @@ def of_task(assignment, task):
     return fingerprint([SHARED, assignment], ["question_films", f"questions.{task}"])
 
 
+def of_ties(assignment):
+    """The fingerprint of an assignment's tie films."""
+    return fingerprint([SHARED, assignment], ["tie_films", "questions.ties"])
+
+
 def main():
     """Read the command line, print the fingerprints."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -111,6 +116,8 @@ def main():
         table = tomllib.loads((arguments.questions / "assignment.toml").read_text("utf-8"))
         for task in table["task"]:
             found[f"probes/{task['name']}"] = of_task(arguments.questions, task["name"])
+        if (arguments.questions / "questions" / "ties.py").is_file():
+            found["ties"] = of_ties(arguments.questions)
     print(json.dumps(found))
 
 

@@ -29,6 +29,13 @@ def render_questions(assignment, task, group, seed, count, folder):
     return render(assignment, task, group, seed, count, folder)
 
 
+def render_ties(assignment, task, seed, folder):
+    """The tie film of a task."""
+    from tie_films import render
+
+    return render(assignment, task, seed, folder)
+
+
 def render_random_scene(assignment, seed, index, folder):
     """One random scene and its four films."""
     from random_scenes import render_random
@@ -88,6 +95,19 @@ def question_items(arguments):
     ]
 
 
+def tie_items(arguments):
+    """One item for each task of the assignment that has ties."""
+    from tie_films import tasks
+
+    folder, assignment = arguments.out / "ties", arguments.assignment
+    items = [
+        (render_ties, (assignment, task, arguments.seed, folder)) for task in tasks(assignment)
+    ]
+    if items:
+        folder.mkdir(parents=True, exist_ok=True)
+    return items
+
+
 def whole_rows(text):
     """A number of questions that fills the rows of a question film."""
     if not (text.isdigit() and int(text) and int(text) % 32 == 0):
@@ -107,18 +127,20 @@ def main():
         "--count", type=whole_rows, help="questions in each group, a multiple of 32"
     )
     questions.set_defaults(items=question_items)
+    ties = commands.add_parser("ties", help="draw questions of which many are exact ties")
+    ties.set_defaults(items=tie_items)
     random = commands.add_parser("random-scenes", help="draw scenes and render them")
     random.add_argument("--count", type=int, default=3, help="how many scenes")
     random.set_defaults(items=lambda a: [
         (render_random_scene, (a.assignment, a.seed, k, a.out)) for k in range(a.count)
     ])
-    for command in (questions, random):
+    for command in (questions, ties, random):
         command.add_argument(
             "assignment", type=lambda folder: Path(folder).resolve(), metavar="ASSIGNMENT",
             help="its folder, with assignment.toml and questions",
         )
         command.add_argument("--seed", type=int, required=True, metavar="N")
-    for command in (scenes, questions, random):
+    for command in (scenes, questions, ties, random):
         command.add_argument("--out", type=Path, required=True, metavar="DIR")
         command.add_argument("--jobs", type=int, default=2, metavar="N")
     arguments = parser.parse_args()

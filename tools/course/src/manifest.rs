@@ -32,7 +32,8 @@ pub struct Manifest {
     pub variant: String,
     /// What the probes were drawn from.
     pub probe_seed: Option<u64>,
-    /// Fingerprints of the scripts behind the films, by scene and by task of the probes.
+    /// Fingerprints of the scripts behind the films, by scene, by task of the probes, and
+    /// of the ties.
     pub scripts: Hashes,
     /// Hashes of scenes (of what they say, not of comments and layout) and of meshes,
     /// relative to this folder or else to the course: see [`Assignment::course`].
@@ -261,8 +262,11 @@ impl Manifest {
         }
         problems.extend(self.changed_files(folder, assignment));
         let known: BTreeSet<&String> = self.films.keys().collect();
-        for place in [folder.to_owned(), folder.join("probes")] {
-            let entries = fs::read_dir(&place).into_iter().flatten().flatten();
+        for place in ["", "probes", "ties"] {
+            let entries = fs::read_dir(folder.join(place))
+                .into_iter()
+                .flatten()
+                .flatten();
             for path in entries
                 .map(|entry| entry.path())
                 .filter(|path| is_film(path))

@@ -64,7 +64,7 @@ fn python() -> Result<&'static str> {
 }
 
 /// Fingerprints of the scripts behind the films of these scenes and, if an assignment's
-/// folder is given, of the questions of its tasks. Needs Python, but not Mitsuba; a
+/// folder is given, of the questions of its tasks and of its ties. Needs Python, but not Mitsuba; a
 /// checkout without scripts, such as a student's, has no fingerprints.
 ///
 /// # Errors

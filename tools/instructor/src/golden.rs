@@ -23,7 +23,7 @@ use pinhole_course::progress::Progress;
 use pinhole_course::run_options::AssignmentOption;
 use pinhole_report::program::Status;
 
-/// The seed of the committed probes.
+/// The seed of the committed probes and ties.
 const COMMITTED_SEED: u64 = 1;
 
 pub fn run(checkout: &Checkout, arguments: &Golden) -> Result<Status> {
@@ -160,6 +160,11 @@ pub fn make(
         let rendered = python(checkout, line, &folder, &progress)?;
         enter(&mut manifest, &rendered, &folder)?;
         manifest.probe_seed = Some(seed);
+    }
+    if whole {
+        let line = drawn("ties", assignment, COMMITTED_SEED);
+        let rendered = python(checkout, line, &folder, &progress)?;
+        enter(&mut manifest, &rendered, &folder)?;
     }
     manifest.set_scripts(&folder, assignment, checkout)?;
     manifest.write(&folder)?;

@@ -10,6 +10,8 @@ import pytest
 
 MITSUBA = Path(__file__).parents[1]
 
+ALL = {"round", "flat", "probes/ball", "probes/floor", "ties"}
+
 SCENE = """
 [[object]]
 type = "sphere"
@@ -32,6 +34,10 @@ from shapes.plane import Plane
 def draw(rng):
     return size(rng)
 """
+TIES = """
+from shapes.plane import Plane
+from whole_numbers import Ray
+"""
 
 
 @pytest.fixture
@@ -45,6 +51,7 @@ def folder(tmp_path):
     (tmp_path / "questions" / "ball.py").write_text(BALL)
     (tmp_path / "questions" / "floor.py").write_text(FLOOR)
     (tmp_path / "questions" / "both.py").write_text("size = 1.0\n")
+    (tmp_path / "questions" / "ties.py").write_text(TIES)
     (tmp_path / "round.toml").write_text(SCENE.format(other="sphere"))
     (tmp_path / "flat.toml").write_text(SCENE.format(other="soup"))
     return tmp_path
@@ -66,7 +73,7 @@ def changed(folder, file, old, new):
     assert old in text
     (folder / file).write_text(text.replace(old, new))
     after = fingerprints(folder)
-    assert before.keys() == after.keys() == {"round", "flat", "probes/ball", "probes/floor"}
+    assert before.keys() == after.keys() == ALL
     return {name for name in before if before[name] != after[name]}
 
 
@@ -85,13 +92,16 @@ def test_words_and_layout_leave_all_goldens_fresh(folder, file, old, new):
 
 
 @pytest.mark.parametrize("file, old, new, stale", (
-    ("mitsuba/camera.py", "+ 0.5", "+ 0.25", {"round", "flat", "probes/ball", "probes/floor"}),
-    ("mitsuba/requirements.txt", "numpy==", "numpy==9", {"round", "flat", "probes/ball", "probes/floor"}),
+    ("mitsuba/camera.py", "+ 0.5", "+ 0.25", ALL),
+    ("mitsuba/requirements.txt", "numpy==", "numpy==9", ALL),
     ("mitsuba/scene_films.py", "displaced = [", "displaced = [] and [", {"round", "flat"}),
     ("mitsuba/shapes/sphere.py", '"sphere"', '"ball"', {"round", "flat", "probes/ball"}),
     ("mitsuba/mesh.py", "k in range(1", "k in range(2", {"flat"}),
     ("questions/floor.py", "size(rng)", "2 * size(rng)", {"probes/floor"}),
     ("questions/both.py", "1.0", "2.0", {"probes/ball"}),
+    ("questions/ties.py", "import Ray", "import vector", {"ties"}),
+    ("mitsuba/tie_films.py", "SIDE = ", "SIDE = 2 * ", {"ties"}),
+    ("mitsuba/whole_numbers.py", "whole(rng, 1, 2)", "whole(rng, 1, 4)", {"ties"}),
 ))
 def test_what_makes_the_pixels_makes_its_own_goldens_stale(folder, file, old, new, stale):
     assert changed(folder, file, old, new) == stale

@@ -1,7 +1,9 @@
 """Questions of a small assignment that no script in this folder's parent knows."""
 
+import numpy as np
 import pytest
 
+import judge
 from test_command import digests, golden
 
 TASK = """
@@ -75,6 +77,40 @@ def test_groups_that_are_drawn_alike_ask_different_questions(tmp_path):
     films = ask(assignment(tmp_path / "fruit", {"apple": ["a", "b"], "ball": ["a"]}), tmp_path)
     questions = [films[path] for path in films if ".ask." in path.name]
     assert len(set(questions)) == 3
+
+
+TIES = """
+from shapes.sphere import Sphere
+from whole_numbers import Ray, vector
+
+
+def starts_in_the_middle(rng):
+    center, ray = vector(rng), Ray.draw(rng)
+    return ray.ask(Sphere(center, 1)), not (ray.origin - center).any()
+
+
+TASKS = {"ball": starts_in_the_middle}
+"""
+
+
+def test_a_tie_film_holds_the_same_questions_each_time_and_says_which_are_ties(tmp_path):
+    folder = assignment(tmp_path / "balls", {"ball": ["a"]})
+    (folder / "questions" / "ties.py").write_text(TIES)
+    for out in ("one", "two"):
+        code, lines, errors = golden("ties", folder, "--seed", 4, "--out", tmp_path / out)
+        assert (code, errors) == (0, "")
+        assert lines[1:] == [{"name": "ball.ties", "files": ["ties/ball.ask.exr"]}]
+    assert digests(tmp_path / "one") == digests(tmp_path / "two")
+    film, _ = judge.read(tmp_path / "one" / "ties" / "ball.ask.exr")
+    in_the_middle = np.all([film[f"O.{axis}"] == film[f"center.{axis}"] for axis in "XYZ"], axis=0)
+    assert in_the_middle.any() and (film["tie"] == in_the_middle).all()
+
+
+def test_an_assignment_without_ties_has_no_tie_films(tmp_path):
+    folder = assignment(tmp_path / "balls", {"ball": ["a"]})
+    code, lines, errors = golden("ties", folder, "--seed", 4, "--out", tmp_path / "out")
+    assert (code, errors, lines[0]["total"]) == (0, "", 0)
+    assert not list((tmp_path / "out").iterdir())
 
 
 @pytest.mark.parametrize("count", (1, 2))

@@ -21,7 +21,8 @@ pub enum Golden {
 /// for its viewing rays, and a manifest of what they were made from. Then the known
 /// mistakes cast the same, and what each does to every film is kept for diagnoses.
 ///
-/// Without scenes, all of the assignment's are made, and its probes, into `golden/`.
+/// Without scenes, all of the assignment's are made, its probes, and the exact ties that
+/// `validate --mutants` asks about, into `golden/`.
 /// A scene is refused if a pixel centre lies on an edge, or if a ray meets a plane
 /// too far out: shift its camera a little.
 #[derive(Args)]

@@ -125,6 +125,7 @@ fn a_students_repository_has_it_where_assignments_lie() {
     for gone in [
         "assignments/ray_casting",
         "assignments/disks/reference",
+        "golden/disks/ties",
         "tools/instructor",
     ] {
         assert!(!out.join(gone).exists(), "{gone}");

@@ -17,8 +17,8 @@ fn verify(folder: &Path) -> Ran {
 fn copy(name: &str) -> std::path::PathBuf {
     let folder = fresh(&trusted(), name);
     let own = root().join("golden/ray_casting");
-    fs::create_dir_all(folder.join("probes")).expect("a folder can be made");
-    for place in ["", "probes"] {
+    for place in ["", "probes", "ties"] {
+        fs::create_dir_all(folder.join(place)).expect("a folder can be made");
         for entry in fs::read_dir(own.join(place))
             .expect("goldens are committed")
             .flatten()
@@ -54,9 +54,13 @@ fn a_missing_film_and_a_film_nobody_made_are_noticed() {
     let folder = copy("golden-strays");
     fs::remove_file(folder.join("bunny.tol.exr")).expect("it was copied");
     fs::copy(folder.join("bunny.exr"), folder.join("hare.exr")).expect("it can be copied");
+    let ties = folder.join("ties");
+    fs::rename(ties.join("plane.ask.exr"), ties.join("level.ask.exr")).expect("it was copied");
     let ran = verify(&folder).expect_code(1);
     ran.expect_out("bunny.tol.exr is missing")
-        .expect_out("hare.exr is not in the manifest");
+        .expect_out("hare.exr is not in the manifest")
+        .expect_out("ties/plane.ask.exr is missing")
+        .expect_out("ties/level.ask.exr is not in the manifest");
 }
 
 #[test]
