@@ -3,11 +3,10 @@
 //!
 //! Reading order: [`bench`] judges one submission; [`submissions`] holds those that
 //! people wrote, and [`mutants`] those that a program writes ([`mutate`]), with
-//! [`equivalents`] for the ones that are no mistakes; [`catches`] counts who catches
+//! [`equivalents`] for the ones that are no mistakes, which [`difference`] searches for; [`catches`] counts who catches
 //! what; [`sensitivity`] says how small an error may be and still be seen; [`table`]
 //! shows it all.
 
-mod adversary;
 pub mod bench;
 mod catches;
 mod difference;
@@ -18,6 +17,7 @@ mod naming;
 mod sensitivity;
 mod submissions;
 mod table;
+mod ties;
 
 use clap::ValueEnum;
 use serde::Serialize;

@@ -1,4 +1,5 @@
-//! A search for questions on which two programs give different answers.
+//! A search for questions on which two programs give different answers: all that goldens
+//! ask of a task, here to the last bit, and the task's [ties](super::ties).
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -7,12 +8,13 @@ use std::sync::{Arc, Mutex, OnceLock};
 use std::time::Duration;
 
 use pinhole::ask::Ending;
+use pinhole::job::Job;
 use pinhole::kind::Answer;
 use pinhole::words;
 use serde::Serialize;
 
-use super::adversary::{self, Asked};
 use super::bench::Bench;
+use super::ties;
 use pinhole_course::assignment::Task;
 use pinhole_course::compile::Program;
 use pinhole_course::error::Result;
@@ -63,7 +65,9 @@ pub struct Oracle<'a> {
 
 /// Questions with the reference's answers.
 struct Answered {
-    asked: Asked,
+    job: Job,
+    /// Which of the questions are ties.
+    is_tie: Vec<bool>,
     answers: Vec<Option<Answer>>,
 }
 
@@ -98,14 +102,13 @@ impl<'a> Oracle<'a> {
         let own = match slot.get() {
             Some(own) => own,
             None => {
-                let asked = adversary::ask(task);
-                let answers = self.answers(&self.program, &asked)?.0;
-                slot.get_or_init(|| Answered { asked, answers })
+                let answered = self.answered(task)?;
+                slot.get_or_init(|| answered)
             }
         };
-        let (answers, ending) = self.answers(other, &own.asked)?;
+        let (answers, ending) = self.answers(other, &own.job)?;
         let mut difference = Difference::default();
-        let pairs = own.answers.iter().zip(&answers).zip(&own.asked.is_tie);
+        let pairs = own.answers.iter().zip(&answers).zip(&own.is_tie);
         for (index, ((expected, got), is_tie)) in pairs.enumerate() {
             let differs = usize::from(!is_same(expected, got));
             match is_tie {
@@ -117,7 +120,7 @@ impl<'a> Oracle<'a> {
                     difference.asked += 1;
                     difference.elsewhere += differs;
                     if differs == 1 && difference.example.is_none() {
-                        let questions = own.asked.job.questions();
+                        let questions = own.job.questions();
                         let question = questions.map(|all| all.describe(index, &task.name, 17));
                         let (expected, got) = (in_words(expected), in_words(got));
                         difference.example = question.map(|question| {
@@ -131,13 +134,33 @@ impl<'a> Oracle<'a> {
         Ok(difference)
     }
 
-    fn answers(&self, program: &Program, asked: &Asked) -> Result<(Vec<Option<Answer>>, Ending)> {
+    /// All questions of a task with the reference's answers.
+    fn answered(&self, task: &Task) -> Result<Answered> {
+        let goldens = self.bench.goldens;
+        let kept = goldens.kept_questions(task)?;
+        let asked = kept.together.as_ref().and_then(Job::questions);
+        let mut questions = asked.cloned().expect("a task's questions are of one kind");
+        let mut is_tie = vec![false; questions.len()];
+        if let Some((more, ties)) = ties::read(goldens, task)? {
+            questions.append(&more);
+            is_tie.extend(ties);
+        }
+        let job = Job::Ask(questions);
+        let answers = self.answers(&self.program, &job)?.0;
+        Ok(Answered {
+            job,
+            is_tie,
+            answers,
+        })
+    }
+
+    fn answers(&self, program: &Program, job: &Job) -> Result<(Vec<Option<Answer>>, Ending)> {
         let sandbox = self.bench.sandbox;
         let reply = examine::run(
             program,
             sandbox,
             &Limits::of_answers(WALL),
-            &asked.job,
+            job,
             &mut |_| {},
         )?;
         Ok((reply.answers, reply.ending))

@@ -18,6 +18,7 @@ fn assignment(name: &str) -> PathBuf {
         "assignments/ray_casting/scenes/meshes",
         "golden/ray_casting",
         "golden/ray_casting/probes",
+        "golden/ray_casting/ties",
     ] {
         let copy = course.join(folder);
         fs::create_dir_all(&copy).expect("a folder can be made");
