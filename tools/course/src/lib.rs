@@ -11,7 +11,6 @@ pub mod compile;
 pub mod describe;
 pub mod diagnosis;
 pub mod error;
-pub mod escape;
 pub mod examine;
 pub mod explanation;
 pub mod goldens;

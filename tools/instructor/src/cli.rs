@@ -8,8 +8,8 @@ use pinhole_course::run_options::AssignmentOption;
 use pinhole_course::sandbox::Choice;
 
 use crate::golden::arguments::Golden;
-use crate::grade::formats::Format;
 use crate::grade::redact::Reveal;
+use crate::grade::views::formats::Format;
 use crate::validate::Part;
 
 /// What instructors do with Pinhole: grade, hand out, make goldens, validate.

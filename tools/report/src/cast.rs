@@ -4,10 +4,10 @@ use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use crate::escape::printable;
 use pinhole::words::number;
 use pinhole::{Film, false_colour};
 use pinhole_course::error::{Error, Result};
-use pinhole_course::escape::printable;
 use serde_json::{Value, json};
 
 use crate::pictures;

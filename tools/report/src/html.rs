@@ -24,14 +24,14 @@ use pinhole::{Film, Scene};
 use rayon::prelude::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use serde::Serialize;
 
+use crate::escape::{printable, printable_word};
 use crate::terminal;
 pub use belief::Beliefs;
 use belief::Told;
 pub use page::{PAGE_CSS, policy};
 use pinhole_course::error::{Error, Result};
-use pinhole_course::escape::printable;
 use pinhole_course::outcome::{Examination, FilmOutcome, Outcome, SceneFilm, SceneOutcome};
-use pinhole_course::shell::{PINHOLE, in_shell};
+use pinhole_course::shell::PINHOLE;
 pub use rays::RayGrid;
 pub use scene::{Evidence, SceneSection};
 use task::TaskSection;
@@ -209,10 +209,14 @@ impl Shown<'_> {
             scene: scene.as_ref(),
             rays,
             beliefs: Beliefs::of(&result.diagnosis, self.told),
-            command: format!("{} --scene {}", self.again.part, in_shell(&result.name)),
+            command: format!(
+                "{} --scene {}",
+                self.again.part,
+                printable_word(&result.name)
+            ),
             explain: Some([
-                format!("{PINHOLE} explain {}", in_shell(&cast.argument)),
-                format!(" --submission {}", in_shell(self.submission)),
+                format!("{PINHOLE} explain {}", printable_word(&cast.argument)),
+                format!(" --submission {}", printable_word(self.submission)),
             ]),
         };
         Ok(SceneSection::of(k, evidence, share))

@@ -5,6 +5,7 @@
 
 pub mod cast;
 pub mod desktop;
+pub mod escape;
 pub mod html;
 pub mod json;
 pub mod passage;

@@ -3,6 +3,7 @@
 use std::panic::{self, PanicHookInfo};
 use std::process::ExitCode;
 
+use crate::escape::printable_coloured;
 use pinhole_course::error::{Error, Result};
 
 /// How a command that did its work ended.
@@ -34,11 +35,17 @@ pub fn run(json: bool, command: impl FnOnce() -> Result<Status>) -> ExitCode {
                     serde_json::json!({ "error": problem, "remedy": remedy })
                 );
             }
-            anstream::eprintln!("pinhole: {error}");
+            anstream::eprint!("{}", in_words(&error));
             error.exit_code()
         }
         Err(_) => ExitCode::from(3),
     }
+}
+
+/// An error for the terminal. It may quote names that students chose and words of the
+/// compiler about their code.
+fn in_words(error: &Error) -> String {
+    printable_coloured(&format!("pinhole: {error}"))
 }
 
 /// What a person reads if this program fails in a way nobody thought of.
@@ -48,5 +55,21 @@ fn report_panic(info: &PanicHookInfo<'_>) {
     if !what.starts_with("failed printing to") {
         let place = info.location().map(ToString::to_string).unwrap_or_default();
         eprintln!("pinhole: a fault of its own at {place}: {what}\n  remedy: report it");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_that_quotes_a_student_sends_the_terminal_no_commands() {
+        let problem = "\u{1b}[31merror\u{1b}[0m: \u{1b}]52;c;eA==\u{7}\u{202e}\nnot compiled";
+        let words = in_words(&Error::input(problem, "mend it"));
+        assert_eq!(
+            words,
+            "pinhole: \u{1b}[31merror\u{1b}[0m: ]52;c;eA==\\u{7}\\u{202e}\nnot compiled\n  \
+             remedy: mend it\n"
+        );
     }
 }

@@ -9,7 +9,7 @@ mod words;
 
 use anstyle::{AnsiColor, Style};
 
-use pinhole_course::escape::printable;
+use crate::escape::printable;
 use pinhole_course::outcome::{Examination, TaskOutcome};
 pub use scenes::worst_pixel;
 pub use words::{

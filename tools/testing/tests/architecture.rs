@@ -44,7 +44,6 @@ const PACKAGES: [(&str, &[&str], &[&str]); 7] = [
         &["pinhole"],
         &[
             "error",
-            "escape",
             "shell",
             "checkout",
             "progress",
@@ -72,7 +71,8 @@ const PACKAGES: [(&str, &[&str], &[&str]); 7] = [
         "tools/report",
         &["pinhole", "pinhole-course"],
         &[
-            "desktop", "passage", "program", "pictures", "cast", "terminal", "json", "html",
+            "desktop", "escape", "passage", "program", "pictures", "cast", "terminal", "json",
+            "html",
         ],
     ),
     (

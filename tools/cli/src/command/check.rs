@@ -8,7 +8,6 @@ use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::compile;
 use pinhole_course::error::{Error, Result};
-use pinhole_course::escape::printable;
 use pinhole_course::examine::{Examiner, Selection};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::outcome::Outcome;
@@ -16,8 +15,9 @@ use pinhole_course::progress::Progress;
 use pinhole_course::run_options::RunOptions;
 use pinhole_course::sandbox::{Choice, Sandbox};
 use pinhole_course::second_judge::SecondJudge;
-use pinhole_course::shell::{PINHOLE, in_shell};
+use pinhole_course::shell::PINHOLE;
 use pinhole_course::submission::Submission;
+use pinhole_report::escape::{printable, printable_word};
 use pinhole_report::html::{Again, Report};
 use pinhole_report::passage::{self, Passage};
 use pinhole_report::program::Status;
@@ -135,7 +135,7 @@ fn again(arguments: &Check) -> Again {
     let mut part = format!("{PINHOLE} check");
     let add = |words: &mut String, word: &str| {
         words.push(' ');
-        words.push_str(&in_shell(word));
+        words.push_str(&printable_word(word));
     };
     if let Some(dir) = &arguments.dir {
         add(&mut part, &dir.display().to_string());

@@ -15,9 +15,10 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::diagnosis::Diagnosis;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::goldens::Goldens;
+use pinhole_course::mitsuba;
 use pinhole_course::outcome::FilmOutcome;
-use pinhole_course::shell::{PINHOLE, in_shell};
-use pinhole_course::{escape, mitsuba};
+use pinhole_course::shell::PINHOLE;
+use pinhole_report::escape::{printable, printable_word};
 use pinhole_report::html::{self, Beliefs, Evidence, Report};
 use pinhole_report::program::Status;
 use pinhole_report::{json, pictures, terminal};
@@ -87,7 +88,7 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Status> {
     } else {
         match &verdict {
             Ok(verdict) => print(verdict),
-            Err(error) => anstream::println!("refused: {}", escape::printable(&error.problem)),
+            Err(error) => anstream::println!("refused: {}", printable(&error.problem)),
         }
         if !diagnosis.is_empty() {
             anstream::println!("{}", terminal::diagnosis(&diagnosis));
@@ -102,7 +103,7 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Status> {
             anstream::println!("{line}");
         }
         if let Some(report) = &report {
-            anstream::println!("report: {}", escape::printable(report));
+            anstream::println!("report: {}", printable(report));
         }
         if !written.is_empty() && !passes {
             for (_, words) in false_colour::Difference::LEGEND {
@@ -120,7 +121,7 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Status> {
 fn said(second: &SecondVerdict) -> String {
     match second.said.as_str() {
         "" => String::new(),
-        words => format!(" ({})", escape::printable(words)),
+        words => format!(" ({})", printable(words)),
     }
 }
 
@@ -156,20 +157,17 @@ fn film_report(
             let said = terminal::outcome(&FilmOutcome::from(judged));
             (said, judged.as_ref().ok())
         }
-        Err(error) => (
-            format!("refused: {}", escape::printable(&error.problem)),
-            None,
-        ),
+        Err(error) => (format!("refused: {}", printable(&error.problem)), None),
     };
     let name = arguments.golden.file_stem().unwrap_or_default();
     let command = format!(
         "{PINHOLE} diff {} {}",
-        in_shell(&golden_path),
-        in_shell(&film_path)
+        printable_word(&golden_path),
+        printable_word(&film_path)
     );
     Ok(Report::of_film(
         Evidence {
-            name: escape::printable(&name.to_string_lossy()),
+            name: printable(&name.to_string_lossy()),
             passes: verdict.is_some_and(Verdict::passes),
             said,
             attempted: true,

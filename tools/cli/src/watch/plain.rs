@@ -9,8 +9,8 @@ use serde_json::json;
 
 use super::state::State;
 use super::{Course, Event, from_here};
-use pinhole_course::escape::printable;
 use pinhole_course::outcome::Examination;
+use pinhole_report::escape::printable;
 use pinhole_report::{json, terminal};
 
 /// Prints verdicts.

@@ -4,10 +4,10 @@ use std::path::Path;
 
 use super::Course;
 use pinhole_course::error::Result;
-use pinhole_course::escape::printable;
 use pinhole_course::outcome::Examination;
 use pinhole_course::shell::in_shell;
 use pinhole_report::desktop;
+use pinhole_report::escape::printable;
 use pinhole_report::html::Report;
 use pinhole_report::passage;
 

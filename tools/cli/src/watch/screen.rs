@@ -7,7 +7,7 @@ use super::hints;
 use super::keys::KEYS;
 use super::order::Item;
 use super::state::State;
-use pinhole_course::escape::printable;
+use pinhole_report::escape::printable;
 use pinhole_report::terminal::{self, FAIL, PASS, QUIET, STRONG};
 
 /// A screenful.

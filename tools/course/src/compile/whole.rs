@@ -7,7 +7,6 @@ use super::{Program, Replaced, compile};
 use crate::assignment::Assignment;
 use crate::checkout::Checkout;
 use crate::error::{Error, Result};
-use crate::escape::printable_coloured;
 use crate::progress::Progress;
 use crate::run_options::RunOptions;
 use crate::sandbox::Sandbox;
@@ -44,9 +43,8 @@ impl Whole {
         progress.clear();
         for (task, why) in &program.replaced {
             if let Replaced::DoesNotCompile(diagnostics) = why {
-                let words = printable_coloured(diagnostics.trim_end());
                 return Err(Error::input(
-                    format!("{words}\n{task}.rs does not compile"),
+                    format!("{}\n{task}.rs does not compile", diagnostics.trim_end()),
                     "mend it and try again",
                 ));
             }

@@ -8,14 +8,15 @@ use std::time::{Duration, Instant};
 use crate::cli::Grade;
 use crate::grade::cache::{Backlog, ResultCache, pretty};
 use crate::grade::class::{self, Roll};
-use crate::grade::clock::Pace;
-use crate::grade::grader::Grader;
-use crate::grade::intake::{self, Entry};
+use crate::grade::grader::clock::Pace;
+use crate::grade::grader::{Grader, fresh};
+use crate::grade::intake::{self, Entry, roster};
 use crate::grade::provenance::{self, MadeWith, Tool};
 use crate::grade::queue::GradeQueue;
 use crate::grade::redact::Withheld;
-use crate::grade::summary::{ClassOutput, RunSummary};
-use crate::grade::{csv, fresh, roster};
+use crate::grade::views::csv;
+use crate::grade::views::progress::GradingProgress;
+use crate::grade::views::summary::{ClassOutput, RunSummary};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::Compiler;
@@ -126,7 +127,12 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let mine = intake::shard(roll.entries.clone(), arguments.shard);
     Backlog::begin(&mine, &cache, &assignment, &made_with)?;
     let start = Instant::now();
-    let queue = GradeQueue::new(&grader, &cache, arguments.regrade, &progress, mine.len());
+    let queue = GradeQueue {
+        grader: &grader,
+        cache: &cache,
+        regrade: arguments.regrade,
+        progress: GradingProgress::new(&progress, mine.len()),
+    };
     let worked = queue.work(&mine, jobs(arguments));
     Backlog::end(&cache);
     progress.clear();

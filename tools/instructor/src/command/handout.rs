@@ -8,8 +8,8 @@ use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::Result;
 use pinhole_course::progress::Progress;
-use pinhole_course::shell::in_shell;
 use pinhole_course::stubs;
+use pinhole_report::escape::printable_word;
 use pinhole_report::program::Status;
 
 pub fn run(checkout: &Checkout, arguments: &Handout) -> Result<Status> {
@@ -46,7 +46,7 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
             "\nsee it as students will:\n\n    cd {}\n    cargo pinhole check\n    \
              cargo test\n\nthen give it to them: git init, git add . and git commit there, or an \
              archive of the folder\n",
-            in_shell(&path)
+            printable_word(&path)
         ));
     }
     if let Some(file) = &arguments.gradescope {

@@ -8,7 +8,7 @@ use crate::grade::cache::{Backlog, ResultCache, pretty, standing, write};
 use crate::grade::class::{ROLL, Roll};
 use crate::grade::provenance::MadeWith;
 use crate::grade::record::Record;
-use crate::grade::summary::{ClassOutput, RunSummary};
+use crate::grade::views::summary::{ClassOutput, RunSummary};
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_report::program::Status;

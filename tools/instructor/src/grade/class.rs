@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use super::alike::{KnownAnswers, SharedAnswer};
 use super::intake::Entry;
+use super::intake::roster::{Person, Placement};
 use super::record::Record;
-use super::roster::{Person, Placement};
 use pinhole_course::diagnosis::Reading;
 use pinhole_course::outcome::Status;
 

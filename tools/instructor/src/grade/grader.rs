@@ -1,14 +1,17 @@
 //! One submission, from what was handed in to its record and its report.
 
+pub mod clock;
+pub mod fresh;
+
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
+use self::clock::{Pace, SubmissionClock};
+use self::fresh::{most_for_scenes, revoke_failing_fresh, worth_asking_fresh};
 use super::alike;
-use super::clock::{Pace, SubmissionClock};
-use super::fresh::{most_for_scenes, revoke_failing_fresh, worth_asking_fresh};
 use super::intake::Entry;
 use super::provenance::{MadeWith, Provenance};
 use super::record::{Record, Timings, explained};
@@ -74,7 +77,7 @@ impl Grader<'_> {
     /// Grades a submission. Whatever goes wrong here is told in the record: it stops
     /// nobody else, and is nobody's zero.
     ///
-    /// `None` if an answer came too late and it was not `alone`: see [`clock`](super::clock).
+    /// `None` if an answer came too late and it was not `alone`: see [`clock`].
     pub fn grade(&self, entry: &Entry, submission: &Submission, alone: bool) -> Option<Grade> {
         let clock = SubmissionClock::new(self.pace, alone);
         let work = AssertUnwindSafe(|| self.try_grade(entry, submission, &clock));

@@ -1,5 +1,7 @@
 //! What was handed in: which of the paths are submissions, and what each is called.
 
+pub mod roster;
+
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};

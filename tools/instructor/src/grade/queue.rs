@@ -1,6 +1,5 @@
 //! Grades submissions in parallel and skips those whose result is still valid.
 
-use std::io::IsTerminal;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -10,20 +9,16 @@ use super::grader::{Grade, Grader};
 use super::intake::{self, Entry};
 use super::provenance::Provenance;
 use super::record::Record;
-use pinhole_course::escape::printable;
-use pinhole_course::progress::Progress;
+use super::views::progress::GradingProgress;
 use pinhole_course::submission::Unusable;
 
 /// The submissions that are to be graded.
 pub struct GradeQueue<'a> {
-    grader: &'a Grader<'a>,
-    cache: &'a ResultCache,
-    /// Whether what is graded already is graded again.
-    regrade: bool,
-    progress: &'a Progress,
-    /// How many there are in all.
-    of: usize,
-    done: AtomicUsize,
+    pub grader: &'a Grader<'a>,
+    pub cache: &'a ResultCache,
+    /// Whether to grade again what has a valid result already.
+    pub regrade: bool,
+    pub progress: GradingProgress<'a>,
 }
 
 /// The result of one submission.
@@ -40,25 +35,7 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-impl<'a> GradeQueue<'a> {
-    /// A queue of so many entries.
-    pub fn new(
-        grader: &'a Grader<'a>,
-        cache: &'a ResultCache,
-        regrade: bool,
-        progress: &'a Progress,
-        of: usize,
-    ) -> GradeQueue<'a> {
-        GradeQueue {
-            grader,
-            cache,
-            regrade,
-            progress,
-            of,
-            done: AtomicUsize::new(0),
-        }
-    }
-
+impl GradeQueue<'_> {
     /// Grades all entries, `jobs` at a time. One that is late beside others is graded
     /// again when all others are done.
     pub fn work(&self, entries: &[Entry], jobs: usize) -> Vec<QueueResult> {
@@ -80,9 +57,7 @@ impl<'a> GradeQueue<'a> {
         let mut all = all.into_inner().unwrap_or_else(PoisonError::into_inner);
         let late = late.into_inner().unwrap_or_else(PoisonError::into_inner);
         for entry in &late {
-            let name = printable(&entry.id);
-            self.progress
-                .say(&format!("{name} again, alone: an answer came too late"));
+            self.progress.again_alone(&entry.id);
             all.extend(self.one(entry, true));
         }
         all
@@ -91,7 +66,7 @@ impl<'a> GradeQueue<'a> {
     /// `None` if it is to be graded again, `alone`.
     fn one(&self, entry: &Entry, alone: bool) -> Option<QueueResult> {
         let done = self.grade(entry, alone)?;
-        self.report_progress(&done);
+        self.progress.graded(&done.record, done.is_new);
         Some(done)
     }
 
@@ -152,22 +127,6 @@ impl<'a> GradeQueue<'a> {
             record: stands.unwrap_or(record),
             change: None,
             fault,
-        }
-    }
-
-    fn report_progress(&self, done: &QueueResult) {
-        let count = self.done.fetch_add(1, Ordering::Relaxed) + 1;
-        let Record {
-            id, status, got, ..
-        } = &done.record;
-        let id = printable(id);
-        self.progress
-            .show(&id, count as f64 / self.of.max(1) as f64);
-        if !std::io::stderr().is_terminal() && done.is_new {
-            let points = got.points.map_or("no mark".into(), |points| {
-                format!("{points} of {}", got.possible)
-            });
-            anstream::eprintln!("[{count}/{}] {id}: {points}, {}", self.of, status.word());
         }
     }
 }

@@ -3,10 +3,10 @@
 use serde::Serialize;
 
 use super::belief::Beliefs;
+use crate::escape::printable;
 use crate::passage::Passage;
 use crate::terminal;
 use pinhole::Fact;
-use pinhole_course::escape::printable;
 use pinhole_course::outcome::{AnswerFile, GroupOutcome, TaskOutcome};
 
 /// One answer, judged alone.

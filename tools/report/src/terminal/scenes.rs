@@ -4,9 +4,9 @@ use pinhole::judge::ChannelVerdict;
 
 use super::words::{diagnosis, percent, scene_in_words};
 use super::{QUIET, heading, indent, line, row};
+use crate::escape::printable_word;
 use pinhole_course::diagnosis::{Diagnosis, Explanation};
 use pinhole_course::outcome::{Examination, FilmOutcome, SceneFilm, SceneOutcome};
-use pinhole_course::shell::in_shell;
 
 /// All scenes, under their heading; `width` is that of the names' column.
 pub fn rows(text: &mut String, examination: &Examination, width: usize) {
@@ -41,7 +41,7 @@ fn scene_rows(
         indent(text, &rows.collect::<Vec<_>>().join("\n"));
         scene_diagnosis(text, &scene.diagnosis, known_by_tasks);
         let (i, j) = (mismatch.i, mismatch.j);
-        let (name, folder) = (in_shell(&film.argument), in_shell(submission));
+        let (name, folder) = (printable_word(&film.argument), printable_word(submission));
         let command = format!("cargo pinhole explain {name} {i} {j} --submission {folder}");
         line(
             text,

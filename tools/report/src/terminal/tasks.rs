@@ -2,9 +2,9 @@
 
 use super::words::{diagnosis, facts, group_in_words, task_in_words};
 use super::{FAIL, QUIET, STRONG, indent, line, row};
+use crate::escape::printable_coloured;
 use crate::passage::Passage;
 use pinhole_course::diagnosis::Explanation;
-use pinhole_course::escape::printable_coloured;
 use pinhole_course::outcome::{AnswerFile, GroupOutcome, TaskOutcome};
 
 /// How much is told of a task that fails.

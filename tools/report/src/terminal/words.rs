@@ -1,8 +1,8 @@
 //! What came of something, in a line or a few: of a task, a scene, a film, a belief.
 
+use crate::escape::printable;
 use pinhole::Fact;
 use pinhole_course::diagnosis::{Diagnosis, Explanation, Reading};
-use pinhole_course::escape::printable;
 use pinhole_course::explanation::NoAnswer;
 use pinhole_course::outcome::{
     AnswerFile, Comparison, FilmOutcome, GroupOutcome, Outcome, SceneOutcome, Status, TaskOutcome,

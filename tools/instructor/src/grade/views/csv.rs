@@ -1,9 +1,9 @@
 //! `grades.csv`, `groups.csv` and `changes.csv`: marks without times, the same byte for byte whenever
 //! the marks are.
 
-use super::class::{Change, Class, Row};
+use crate::grade::class::{Change, Class, Row};
 use pinhole_course::assignment::Assignment;
-use pinhole_course::escape::printable;
+use pinhole_report::escape::printable;
 
 /// One line for each submission, then one for each person without.
 pub fn grades(class: &Class, assignment: &Assignment) -> String {

@@ -11,7 +11,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::intake::Entry;
+use super::Entry;
 use pinhole_course::error::{Error, Result};
 
 /// Somebody on the roster.

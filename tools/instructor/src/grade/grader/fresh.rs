@@ -8,9 +8,9 @@ use std::fs;
 use std::hash::{BuildHasher, RandomState};
 use std::path::Path;
 
-use super::record::Record;
 use crate::golden;
 use crate::golden::arguments::GoldenRender;
+use crate::grade::record::Record;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};

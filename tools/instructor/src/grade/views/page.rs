@@ -3,18 +3,21 @@
 use minijinja::{Environment, UndefinedBehavior, context, value::Serde};
 use serde::Serialize;
 
-use super::alike::SharedAnswer;
-use super::class::{Class, Row, SharedBelief};
-use super::record::explained;
-use super::roster::{Person, Placement};
+use crate::grade::alike::SharedAnswer;
+use crate::grade::class::{Class, Row, SharedBelief};
+use crate::grade::intake::roster::{Person, Placement};
+use crate::grade::record::explained;
 use pinhole_course::assignment::Assignment;
-use pinhole_course::escape::printable;
 use pinhole_course::outcome::Status;
+use pinhole_report::escape::printable;
 use pinhole_report::html::policy;
 
 const TEMPLATES: [(&str, &str); 2] = [
-    ("class.html", include_str!("../../templates/class.html")),
-    ("people.html", include_str!("../../templates/people.html")),
+    ("class.html", include_str!("../../../templates/class.html")),
+    (
+        "people.html",
+        include_str!("../../../templates/people.html"),
+    ),
 ];
 
 /// What stands on the page. Names are a student's: whatever cannot be seen is shown as
@@ -95,10 +98,10 @@ pub fn html(class: &Class, assignment: &Assignment) -> String {
     }
     let style = [
         pinhole_report::html::PAGE_CSS,
-        include_str!("../../templates/class.css"),
+        include_str!("../../../templates/class.css"),
     ];
     let style = style.concat().replace('\r', "");
-    let script = include_str!("../../templates/class.js").replace('\r', "");
+    let script = include_str!("../../../templates/class.js").replace('\r', "");
     let page = environment.get_template("class.html").and_then(|page| {
         page.render(context! {
             class => Serde(of(class, assignment)),

@@ -4,16 +4,16 @@ use std::collections::BTreeMap;
 
 use serde_json::json;
 
-use super::alike::KnownAnswers;
-use super::cache::ResultCache;
-use super::class::{Change, Class, Roll};
 use super::csv;
 use super::formats::Format;
 use super::page;
-use super::record::Record;
+use crate::grade::alike::KnownAnswers;
+use crate::grade::cache::ResultCache;
+use crate::grade::class::{Change, Class, Roll};
+use crate::grade::record::Record;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::error::Result;
-use pinhole_course::escape::printable;
+use pinhole_report::escape::printable;
 
 /// What this run alone has done.
 #[derive(Default)]

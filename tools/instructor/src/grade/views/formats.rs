@@ -6,11 +6,11 @@ use minijinja::{Environment, UndefinedBehavior, context, value::Serde};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::cache::pretty;
-use super::record::Record;
+use crate::grade::cache::pretty;
+use crate::grade::record::Record;
 use pinhole_course::error::Result;
-use pinhole_course::escape::printable;
 use pinhole_course::outcome::{AnswerFile, Status};
+use pinhole_report::escape::printable;
 use pinhole_report::terminal;
 
 /// A file to write beside each result.
@@ -122,7 +122,7 @@ fn gradescope(record: &Record) -> Option<Value> {
 
 fn prairielearn(record: &Record) -> Value {
     let Some(points) = record.got.points else {
-        return json!({ "gradable": false, "message": record.explanation });
+        return json!({ "gradable": false, "message": printable_lines(&record.explanation) });
     };
     let tests = parts(record).into_iter().map(|part| {
         json!({
@@ -184,7 +184,7 @@ fn junit(record: &Record) -> String {
             name: name.clone(),
             element: Some("error"),
             kind: record.status.word(),
-            said: xml_text(&record.explanation),
+            said: xml_text(&printable_lines(&record.explanation)),
         };
         suites = vec![Suite {
             name,
@@ -194,7 +194,8 @@ fn junit(record: &Record) -> String {
     let cases: Vec<&Case> = suites.iter().flat_map(|suite| &suite.cases).collect();
     let mut environment = Environment::new();
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
-    let template = environment.add_template("junit.xml", include_str!("../../templates/junit.xml"));
+    let template =
+        environment.add_template("junit.xml", include_str!("../../../templates/junit.xml"));
     let page = template.and_then(|()| {
         let id = &record.id;
         let template = environment.get_template("junit.xml")?;
@@ -210,8 +211,11 @@ fn text(part: &Part) -> String {
     if part.points < part.possible && !part.about.is_empty() {
         lines.insert(0, &part.about);
     }
-    let lines = lines.iter().flat_map(|text| text.lines()).map(printable);
-    lines.collect::<Vec<_>>().join("\n")
+    printable_lines(&lines.join("\n"))
+}
+
+fn printable_lines(text: &str) -> String {
+    text.lines().map(printable).collect::<Vec<_>>().join("\n")
 }
 
 /// Text without the characters that XML cannot hold; the template escapes the rest.

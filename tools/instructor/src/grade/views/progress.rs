@@ -1,0 +1,68 @@
+//! Says how far grading is: a line on a terminal, a log where there is none.
+
+use std::io::IsTerminal;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use crate::grade::record::Record;
+use pinhole_course::progress::Progress;
+use pinhole_report::escape::printable;
+
+/// Progress through a class; the threads that grade share it.
+pub struct GradingProgress<'a> {
+    line: &'a Progress,
+    /// How many submissions there are in all.
+    of: usize,
+    done: AtomicUsize,
+}
+
+impl GradingProgress<'_> {
+    /// Progress through `of` submissions, of which none is graded yet.
+    pub fn new(line: &Progress, of: usize) -> GradingProgress<'_> {
+        GradingProgress {
+            line,
+            of,
+            done: AtomicUsize::new(0),
+        }
+    }
+
+    /// A submission whose answer came too late beside others is being graded again.
+    pub fn again_alone(&self, id: &str) {
+        self.line.say(&again_line(id));
+    }
+
+    /// A submission is done: graded in this run, or its result is still valid.
+    pub fn graded(&self, record: &Record, is_new: bool) {
+        let count = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        let share = count as f64 / self.of.max(1) as f64;
+        self.line.show(&printable(&record.id), share);
+        if !std::io::stderr().is_terminal() && is_new {
+            let points = record.got.points.map_or("no mark".into(), |points| {
+                format!("{points} of {}", record.got.possible)
+            });
+            let said = format!("{points}, {}", record.status.word());
+            anstream::eprintln!("[{count}/{}] {}", self.of, log_line(&record.id, &said));
+        }
+    }
+}
+
+fn again_line(id: &str) -> String {
+    format!("{} again, alone: an answer came too late", printable(id))
+}
+
+fn log_line(id: &str, said: &str) -> String {
+    format!("{}: {said}", printable(id))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_hostile_name_reaches_no_terminal_and_no_log_as_it_is() {
+        let hostile = "x\u{1b}[2J\u{202e}\n[1/1] eve: 100 of 100";
+        for line in [again_line(hostile), log_line(hostile, "no mark")] {
+            assert!(!line.contains(char::is_control), "{line:?}");
+            assert!(!line.contains('\u{202e}'), "{line:?}");
+        }
+    }
+}
