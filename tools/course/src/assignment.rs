@@ -1,13 +1,16 @@
 //! An assignment: its tasks, scenes and points, read from `assignment.toml`.
 
+mod find;
+mod parts;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use pinhole::{Kind, Scene, ShapeKind};
-use serde::Deserialize;
 
-use crate::checkout::Checkout;
-use crate::error::{Error, Result, ResultExt};
+use crate::error::{Error, Result};
+
+pub use self::parts::{GroupPoints, ScenePoints, Task};
 
 /// What students are asked, and where it lies.
 #[derive(Clone, Debug)]
@@ -28,158 +31,7 @@ pub struct Assignment {
     pub withheld: u32,
 }
 
-/// One answer file and what it is worth.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Task {
-    /// The file is `NAME.rs`.
-    pub name: String,
-    /// What kind of questions it answers.
-    pub kind: Kind,
-    /// Which shape it intersects, if it is of that kind.
-    pub shape: Option<ShapeKind>,
-    /// The chapter of the book that teaches it.
-    pub chapter: String,
-    /// Groups of questions and their points, in the order they are shown.
-    pub points: Vec<GroupPoints>,
-}
-
-/// A group of questions and what it is worth: `["inside", 3, "what is asked"]`.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(from = "(String, u32, String)")]
-pub struct GroupPoints {
-    /// Its name.
-    pub group: String,
-    /// Points for a group without a wrong answer.
-    pub worth: u32,
-    /// What it asks, in words for somebody who fails it.
-    pub about: String,
-}
-
-impl From<(String, u32, String)> for GroupPoints {
-    fn from((group, worth, about): (String, u32, String)) -> GroupPoints {
-        GroupPoints {
-            group,
-            worth,
-            about,
-        }
-    }
-}
-
-/// A scene and what casting it right is worth.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ScenePoints {
-    /// The file is `scenes/NAME.toml`.
-    pub name: String,
-    /// Points for a film that passes.
-    pub points: u32,
-    /// Whether students get it; a withheld scene is cast when it is graded only.
-    #[serde(default = "is_public")]
-    pub public: bool,
-}
-
-fn is_public() -> bool {
-    true
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct File {
-    title: String,
-    start: Option<String>,
-    #[serde(default)]
-    withheld: u32,
-    task: Vec<Task>,
-    scene: Vec<ScenePoints>,
-}
-
 impl Assignment {
-    /// The assignment that is meant: the one of this name, or in the folder of this name;
-    /// without a name, the one that `folder` lies in, or else the checkout's default.
-    ///
-    /// # Errors
-    /// If there is no such assignment, or its file is wrong.
-    pub fn find(checkout: &Checkout, name: Option<&str>, folder: &Path) -> Result<Assignment> {
-        match name {
-            Some(name) => Assignment::named(checkout, name),
-            None => Assignment::around(checkout, folder),
-        }
-    }
-
-    fn named(checkout: &Checkout, name: &str) -> Result<Assignment> {
-        // The whole path, as goldens lie beside the folder above.
-        let folder = Path::new(name).canonicalize().ok();
-        let folder = folder.filter(|folder| folder.join("assignment.toml").is_file());
-        match folder
-            .as_deref()
-            .and_then(|folder| Some((folder, folder.file_name()?)))
-        {
-            Some((folder, own)) => Assignment::in_folder(checkout, folder, &own.to_string_lossy()),
-            None => Assignment::read(checkout, name),
-        }
-    }
-
-    /// The assignment of this name.
-    pub fn read(checkout: &Checkout, name: &str) -> Result<Assignment> {
-        Assignment::in_folder(checkout, &checkout.assignments().join(name), name)
-    }
-
-    fn in_folder(checkout: &Checkout, folder: &Path, name: &str) -> Result<Assignment> {
-        let path = folder.join("assignment.toml");
-        let text = fs::read_to_string(&path).or_input(
-            format_args!("cannot read {}", path.display()),
-            format!(
-                "name an assignment of this checkout: {}",
-                names(checkout).join(", ")
-            ),
-        )?;
-        let file: File = toml::from_str(&text).or_input(
-            format_args!("{}", path.display()),
-            "correct the assignment file",
-        )?;
-        if let Some(task) = file
-            .task
-            .iter()
-            .find(|task| !task.has_shape_if_it_takes_one())
-        {
-            return Err(Error::input(
-                format!(
-                    "{}: task `{}` of kind `{}` names {}",
-                    path.display(),
-                    task.name,
-                    task.kind,
-                    task.shape
-                        .map_or("no shape".into(), |shape| format!("the shape `{shape}`")),
-                ),
-                "give a `shape` to tasks that intersect one, and to no others",
-            ));
-        }
-        let first = file.task.first().map(|task| task.name.clone());
-        Ok(Assignment {
-            start: file.start.or(first).unwrap_or_default(),
-            name: name.into(),
-            folder: folder.into(),
-            title: file.title,
-            tasks: file.task,
-            scenes: file.scene,
-            withheld: file.withheld,
-        })
-    }
-
-    /// The assignment a folder lies in, or else the default.
-    fn around(checkout: &Checkout, folder: &Path) -> Result<Assignment> {
-        let folder = folder.canonicalize();
-        let holds = |name: &String| {
-            let own = checkout.assignments().join(name).canonicalize();
-            own.is_ok_and(|own| folder.as_ref().is_ok_and(|folder| folder.starts_with(own)))
-        };
-        match names(checkout).into_iter().find(holds) {
-            Some(name) => Assignment::read(checkout, &name),
-            None => Assignment::read(checkout, &checkout.default_assignment()?),
-        }
-    }
-
     /// The folder of stubs that students start from.
     pub fn handout(&self) -> PathBuf {
         self.folder.join("handout")
@@ -302,60 +154,5 @@ impl Assignment {
         let is_asked =
             |task: &&Task| task.kind == kind && (task.shape.is_none() || task.shape == shape);
         self.tasks.iter().find(is_asked)
-    }
-}
-
-impl Task {
-    /// Its answer file's name.
-    pub fn file(&self) -> String {
-        format!("{}.rs", self.name)
-    }
-
-    fn has_shape_if_it_takes_one(&self) -> bool {
-        self.kind.takes_shape() == self.shape.is_some()
-    }
-
-    /// Whether a group of its questions is made of all pixels of all scenes.
-    pub fn is_of_scenes(&self, group: &str) -> bool {
-        self.kind.gives_rays() && group == SCENES_GROUP
-    }
-}
-
-/// The group of the viewing rays of all scenes.
-const SCENES_GROUP: &str = "scenes";
-
-/// The assignments of a checkout, by name.
-fn names(checkout: &Checkout) -> Vec<String> {
-    let entries = fs::read_dir(checkout.assignments())
-        .into_iter()
-        .flatten()
-        .flatten();
-    let mut names: Vec<String> = entries
-        .filter(|entry| entry.path().join("assignment.toml").is_file())
-        .filter_map(|entry| entry.file_name().into_string().ok())
-        .collect();
-    names.sort();
-    names
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn task(kind_and_shape: &str) -> Task {
-        let rest = "name = \"a\"\nchapter = \"A\"\npoints = []";
-        toml::from_str(&format!("{kind_and_shape}\n{rest}")).expect("a task")
-    }
-
-    #[test]
-    fn who_intersects_says_what_and_nobody_else_does() {
-        for (text, is_right) in [
-            ("kind = \"intersect\"\nshape = \"disk\"", true),
-            ("kind = \"intersect\"", false),
-            ("kind = \"soup\"", true),
-            ("kind = \"soup\"\nshape = \"soup\"", false),
-        ] {
-            assert_eq!(task(text).has_shape_if_it_takes_one(), is_right, "{text}");
-        }
     }
 }

@@ -1,12 +1,15 @@
 use std::fs;
 use std::path::Path;
 
-use pinhole::judge::{Bounds, Mismatch};
-use pinhole::{Kind, Pixel, ShapeKind};
+use pinhole::judge::{Bounds, ChannelVerdict, Mismatch};
+use pinhole::{Fact, Kind, Pixel, Resolution, ShapeKind};
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 
 use super::*;
+use crate::assignment::Task;
+use crate::compile::Replaced;
+use crate::submission::Unusable;
 
 // The harness has no schemas: these are its types as documents hold them.
 

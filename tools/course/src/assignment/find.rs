@@ -1,0 +1,122 @@
+//! Finds the assignment that somebody means, and reads its `assignment.toml`.
+
+use std::fs;
+use std::path::Path;
+
+use serde::Deserialize;
+
+use super::{Assignment, ScenePoints, Task};
+use crate::checkout::Checkout;
+use crate::error::{Error, Result, ResultExt};
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    title: String,
+    start: Option<String>,
+    #[serde(default)]
+    withheld: u32,
+    task: Vec<Task>,
+    scene: Vec<ScenePoints>,
+}
+
+impl Assignment {
+    /// The assignment that is meant: the one of this name, or in the folder of this name;
+    /// without a name, the one that `folder` lies in, or else the checkout's default.
+    ///
+    /// # Errors
+    /// If there is no such assignment, or its file is wrong.
+    pub fn find(checkout: &Checkout, name: Option<&str>, folder: &Path) -> Result<Assignment> {
+        match name {
+            Some(name) => Assignment::named(checkout, name),
+            None => Assignment::around(checkout, folder),
+        }
+    }
+
+    fn named(checkout: &Checkout, name: &str) -> Result<Assignment> {
+        // The whole path, as goldens lie beside the folder above.
+        let folder = Path::new(name).canonicalize().ok();
+        let folder = folder.filter(|folder| folder.join("assignment.toml").is_file());
+        match folder
+            .as_deref()
+            .and_then(|folder| Some((folder, folder.file_name()?)))
+        {
+            Some((folder, own)) => Assignment::in_folder(checkout, folder, &own.to_string_lossy()),
+            None => Assignment::read(checkout, name),
+        }
+    }
+
+    /// The assignment of this name.
+    pub fn read(checkout: &Checkout, name: &str) -> Result<Assignment> {
+        Assignment::in_folder(checkout, &checkout.assignments().join(name), name)
+    }
+
+    fn in_folder(checkout: &Checkout, folder: &Path, name: &str) -> Result<Assignment> {
+        let path = folder.join("assignment.toml");
+        let text = fs::read_to_string(&path).or_input(
+            format_args!("cannot read {}", path.display()),
+            format!(
+                "name an assignment of this checkout: {}",
+                names(checkout).join(", ")
+            ),
+        )?;
+        let file: File = toml::from_str(&text).or_input(
+            format_args!("{}", path.display()),
+            "correct the assignment file",
+        )?;
+        if let Some(task) = file
+            .task
+            .iter()
+            .find(|task| !task.has_shape_if_it_takes_one())
+        {
+            return Err(Error::input(
+                format!(
+                    "{}: task `{}` of kind `{}` names {}",
+                    path.display(),
+                    task.name,
+                    task.kind,
+                    task.shape
+                        .map_or("no shape".into(), |shape| format!("the shape `{shape}`")),
+                ),
+                "give a `shape` to tasks that intersect one, and to no others",
+            ));
+        }
+        let first = file.task.first().map(|task| task.name.clone());
+        Ok(Assignment {
+            start: file.start.or(first).unwrap_or_default(),
+            name: name.into(),
+            folder: folder.into(),
+            title: file.title,
+            tasks: file.task,
+            scenes: file.scene,
+            withheld: file.withheld,
+        })
+    }
+
+    /// The assignment a folder lies in, or else the default.
+    fn around(checkout: &Checkout, folder: &Path) -> Result<Assignment> {
+        let folder = folder.canonicalize();
+        let holds = |name: &String| {
+            let own = checkout.assignments().join(name).canonicalize();
+            own.is_ok_and(|own| folder.as_ref().is_ok_and(|folder| folder.starts_with(own)))
+        };
+        match names(checkout).into_iter().find(holds) {
+            Some(name) => Assignment::read(checkout, &name),
+            None => Assignment::read(checkout, &checkout.default_assignment()?),
+        }
+    }
+}
+
+/// The assignments of a checkout, by name.
+fn names(checkout: &Checkout) -> Vec<String> {
+    let entries = fs::read_dir(checkout.assignments())
+        .into_iter()
+        .flatten()
+        .flatten();
+    let mut names: Vec<String> = entries
+        .filter(|entry| entry.path().join("assignment.toml").is_file())
+        .filter_map(|entry| entry.file_name().into_string().ok())
+        .collect();
+    names.sort();
+    names
+}

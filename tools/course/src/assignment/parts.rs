@@ -1,0 +1,101 @@
+//! What an assignment consists of and what each part is worth: tasks with their groups of
+//! questions, and scenes.
+
+use pinhole::{Kind, ShapeKind};
+use serde::Deserialize;
+
+/// One answer file and what it is worth.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Task {
+    /// The file is `NAME.rs`.
+    pub name: String,
+    /// What kind of questions it answers.
+    pub kind: Kind,
+    /// Which shape it intersects, if it is of that kind.
+    pub shape: Option<ShapeKind>,
+    /// The chapter of the book that teaches it.
+    pub chapter: String,
+    /// Groups of questions and their points, in the order they are shown.
+    pub points: Vec<GroupPoints>,
+}
+
+/// A group of questions and what it is worth: `["inside", 3, "what is asked"]`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(from = "(String, u32, String)")]
+pub struct GroupPoints {
+    /// Its name.
+    pub group: String,
+    /// Points for a group without a wrong answer.
+    pub worth: u32,
+    /// What it asks, in words for somebody who fails it.
+    pub about: String,
+}
+
+impl From<(String, u32, String)> for GroupPoints {
+    fn from((group, worth, about): (String, u32, String)) -> GroupPoints {
+        GroupPoints {
+            group,
+            worth,
+            about,
+        }
+    }
+}
+
+/// A scene and what casting it right is worth.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ScenePoints {
+    /// The file is `scenes/NAME.toml`.
+    pub name: String,
+    /// Points for a film that passes.
+    pub points: u32,
+    /// Whether students get it; a withheld scene is cast when it is graded only.
+    #[serde(default = "is_public")]
+    pub public: bool,
+}
+
+fn is_public() -> bool {
+    true
+}
+
+impl Task {
+    /// Its answer file's name.
+    pub fn file(&self) -> String {
+        format!("{}.rs", self.name)
+    }
+
+    pub(super) fn has_shape_if_it_takes_one(&self) -> bool {
+        self.kind.takes_shape() == self.shape.is_some()
+    }
+
+    /// Whether a group of its questions is made of all pixels of all scenes.
+    pub fn is_of_scenes(&self, group: &str) -> bool {
+        self.kind.gives_rays() && group == SCENES_GROUP
+    }
+}
+
+/// The group of the viewing rays of all scenes.
+const SCENES_GROUP: &str = "scenes";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn task(kind_and_shape: &str) -> Task {
+        let rest = "name = \"a\"\nchapter = \"A\"\npoints = []";
+        toml::from_str(&format!("{kind_and_shape}\n{rest}")).expect("a task")
+    }
+
+    #[test]
+    fn who_intersects_says_what_and_nobody_else_does() {
+        for (text, is_right) in [
+            ("kind = \"intersect\"\nshape = \"disk\"", true),
+            ("kind = \"intersect\"", false),
+            ("kind = \"soup\"", true),
+            ("kind = \"soup\"\nshape = \"soup\"", false),
+        ] {
+            assert_eq!(task(text).has_shape_if_it_takes_one(), is_right, "{text}");
+        }
+    }
+}

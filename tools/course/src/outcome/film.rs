@@ -1,0 +1,136 @@
+//! How a film fared beside its golden, or why there is no film.
+
+use pinhole::Resolution;
+use pinhole::judge::{ChannelVerdict, Refusal, Verdict};
+use serde::{Deserialize, Serialize};
+
+use super::Status;
+
+/// How a film fared, or the first film of a group that does not pass.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(tag = "kind", rename_all = "lowercase")]
+pub enum FilmOutcome {
+    /// It was compared with its golden, and passes or fails.
+    Judged(Comparison),
+    /// The guards refused it.
+    Refused {
+        /// In words.
+        why: String,
+    },
+    /// The answer is still `todo!`.
+    Unanswered,
+    /// It called another answer that is still `todo!`.
+    Blocked {
+        /// That task.
+        by: String,
+    },
+    /// The student's code panicked.
+    Panicked {
+        /// What it said.
+        message: String,
+        /// The source file, as the compiler named it.
+        file: String,
+        /// Line in that file, from 1; 0 if unknown.
+        line: u32,
+    },
+    /// Not every answer came in time.
+    #[serde(rename = "timed out")]
+    TimedOut {
+        /// The limit, in seconds.
+        seconds: f64,
+    },
+    /// It took more memory than it may.
+    #[serde(rename = "out of memory")]
+    OutOfMemory {
+        /// The limit, in bytes.
+        most: u64,
+    },
+    /// The process ended early.
+    Died {
+        /// In words.
+        how: String,
+    },
+    /// What it sent was no answer.
+    Garbled {
+        /// In words.
+        why: String,
+    },
+    /// The student may not see what was asked, and so not all of how it went.
+    Withheld {
+        /// Whether it earns its points.
+        passes: bool,
+        /// How it ended.
+        ended: Status,
+        /// Whether the student may not even read how it ended.
+        points_only: bool,
+    },
+}
+
+/// A film beside its golden.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct Comparison {
+    /// Whether the film is as good as Mitsuba's.
+    pub passes: bool,
+    /// Size of film and golden.
+    #[cfg_attr(test, schemars(with = "super::tests::ResolutionSchema"))]
+    pub resolution: Resolution,
+    /// How many pixels both have.
+    pub pixels: usize,
+    /// In how many some channel fails.
+    pub failing: usize,
+    /// How many are exempt by tolerance.
+    pub exempt: usize,
+    /// Channel by channel; empty where what was asked is withheld.
+    #[cfg_attr(test, schemars(with = "Vec<super::tests::ChannelSchema>"))]
+    pub channels: Vec<ChannelVerdict>,
+}
+
+impl FilmOutcome {
+    /// All points or none.
+    pub(super) fn earns(&self, worth: u32) -> u32 {
+        if self.passes() { worth } else { 0 }
+    }
+
+    /// Whether it earns its points.
+    pub fn passes(&self) -> bool {
+        match self {
+            FilmOutcome::Judged(comparison) => comparison.passes,
+            FilmOutcome::Withheld { passes, .. } => *passes,
+            _ => false,
+        }
+    }
+
+    /// How it ended, in a word.
+    pub fn status(&self) -> Status {
+        match self {
+            FilmOutcome::Judged(_) => Status::Graded,
+            FilmOutcome::Refused { .. } | FilmOutcome::Garbled { .. } => Status::Unreadable,
+            FilmOutcome::Unanswered | FilmOutcome::Blocked { .. } => Status::Unanswered,
+            FilmOutcome::Panicked { .. } => Status::Panicked,
+            FilmOutcome::TimedOut { .. } => Status::TimedOut,
+            FilmOutcome::OutOfMemory { .. } => Status::OutOfMemory,
+            FilmOutcome::Died { .. } => Status::Killed,
+            FilmOutcome::Withheld { ended, .. } => *ended,
+        }
+    }
+}
+
+impl From<&Result<Verdict, Refusal>> for FilmOutcome {
+    fn from(judged: &Result<Verdict, Refusal>) -> FilmOutcome {
+        match judged {
+            Ok(verdict) => FilmOutcome::Judged(Comparison {
+                passes: verdict.passes(),
+                resolution: verdict.resolution,
+                pixels: verdict.resolution.pixels(),
+                failing: verdict.failing.len(),
+                exempt: verdict.exempt,
+                channels: verdict.channels.clone(),
+            }),
+            Err(refusal) => FilmOutcome::Refused {
+                why: refusal.to_string(),
+            },
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! How something ended, in one word.
+
+use serde::{Deserialize, Serialize};
+
+/// How a submission, a task or a group of questions ended, in one of eleven words. From the
+/// gravest to the best: a submission is called by the gravest of its tasks.
+#[derive(Clone, Copy, Debug, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum Status {
+    /// The grader failed, not the student: there is no mark.
+    #[serde(rename = "not graded")]
+    NotGraded,
+    /// An answer's file was not accepted.
+    #[serde(rename = "refused file")]
+    RefusedFile,
+    /// An answer's file is not there.
+    #[serde(rename = "missing file")]
+    MissingFile,
+    /// An answer does not compile.
+    #[serde(rename = "does not compile")]
+    DoesNotCompile,
+    /// It took more memory than it may.
+    #[serde(rename = "out of memory")]
+    OutOfMemory,
+    /// The process ended early.
+    Killed,
+    /// Not every answer came in time.
+    #[serde(rename = "timed out")]
+    TimedOut,
+    /// The student's code panicked.
+    Panicked,
+    /// What came was no film that could be compared.
+    Unreadable,
+    /// The answer, or one that it calls, is still `todo!`.
+    Unanswered,
+    /// Every answer was compared with its golden.
+    Graded,
+}
+
+impl Status {
+    /// All of them, the gravest first.
+    pub const ALL: [Status; 11] = [
+        Status::NotGraded,
+        Status::RefusedFile,
+        Status::MissingFile,
+        Status::DoesNotCompile,
+        Status::OutOfMemory,
+        Status::Killed,
+        Status::TimedOut,
+        Status::Panicked,
+        Status::Unreadable,
+        Status::Unanswered,
+        Status::Graded,
+    ];
+
+    /// The word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Status::NotGraded => "not graded",
+            Status::RefusedFile => "refused file",
+            Status::MissingFile => "missing file",
+            Status::DoesNotCompile => "does not compile",
+            Status::OutOfMemory => "out of memory",
+            Status::Killed => "killed",
+            Status::TimedOut => "timed out",
+            Status::Panicked => "panicked",
+            Status::Unreadable => "unreadable",
+            Status::Unanswered => "unanswered",
+            Status::Graded => "graded",
+        }
+    }
+}

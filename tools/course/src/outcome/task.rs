@@ -1,0 +1,183 @@
+//! What one answer got: its file, and its groups of questions.
+
+use pinhole::Fact;
+use serde::{Deserialize, Serialize, Serializer};
+
+use super::{FilmOutcome, Status, sum};
+use crate::assignment::{GroupPoints, Task};
+use crate::compile::Replaced;
+use crate::diagnosis::Diagnosis;
+use crate::submission::Unusable;
+
+/// One answer, judged alone.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct TaskOutcome {
+    /// The task.
+    pub name: String,
+    /// The chapter of the book that teaches it.
+    pub chapter: String,
+    /// Points earned by its groups.
+    pub points: u32,
+    /// Points that its groups are worth.
+    pub possible: u32,
+    /// What became of its file.
+    pub file: AnswerFile,
+    /// Its groups of questions.
+    pub groups: Vec<GroupOutcome>,
+    /// Which beliefs explain its wrong answers; null if nothing known does.
+    #[serde(with = "crate::diagnosis::or_null")]
+    #[cfg_attr(test, schemars(with = "Option<Diagnosis>"))]
+    pub diagnosis: Diagnosis,
+}
+
+/// One group of questions, all-or-nothing.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct GroupOutcome {
+    /// The group.
+    pub name: String,
+    /// What it asks.
+    pub about: String,
+    /// All that it is worth, or 0.
+    pub points: u32,
+    /// What it is worth.
+    pub possible: u32,
+    /// How its films fared: the first that does not pass speaks for all.
+    pub outcome: FilmOutcome,
+    /// The worst question: what was asked, expected and given. Empty where no answer is
+    /// wrong.
+    #[cfg_attr(test, schemars(with = "Vec<super::tests::FactSchema>"))]
+    pub worst: Vec<Fact>,
+    /// Whether it passes the known questions and fails fresh ones.
+    pub fails_fresh: bool,
+}
+
+/// What became of an answer's file.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(tag = "state", rename_all = "lowercase")]
+pub enum AnswerFile {
+    /// It was judged. In all other states its stub was.
+    Compiled,
+    /// It is not there.
+    Missing,
+    /// It is no regular UTF-8 file of ordinary size.
+    Refused {
+        /// In words.
+        why: String,
+    },
+    /// The compiler refused it.
+    #[serde(rename = "does not compile")]
+    DoesNotCompile {
+        /// The compiler's own words about it, with their colours; without in documents.
+        #[serde(serialize_with = "without_colours")]
+        compiler: String,
+    },
+}
+
+impl TaskOutcome {
+    /// A task whose groups are judged.
+    pub fn new(
+        task: &Task,
+        replaced: Option<&Replaced>,
+        groups: Vec<GroupOutcome>,
+        diagnosis: Diagnosis,
+    ) -> TaskOutcome {
+        let mut outcome = TaskOutcome {
+            name: task.name.clone(),
+            chapter: task.chapter.clone(),
+            points: 0,
+            possible: 0,
+            file: AnswerFile::of(replaced),
+            groups,
+            diagnosis,
+        };
+        outcome.add_up();
+        outcome
+    }
+
+    /// A task whose answer cannot be asked.
+    pub fn replaced(task: &Task, replaced: &Replaced) -> TaskOutcome {
+        let group = |points: &GroupPoints| {
+            let (name, about) = (points.group.clone(), points.about.clone());
+            GroupOutcome::new(
+                name,
+                about,
+                points.worth,
+                FilmOutcome::Unanswered,
+                Vec::new(),
+            )
+        };
+        let groups = task.points.iter().map(group).collect();
+        TaskOutcome::new(task, Some(replaced), groups, Diagnosis::default())
+    }
+
+    pub(super) fn add_up(&mut self) {
+        let groups = self.groups.iter();
+        (self.points, self.possible) = sum(groups.map(|it| (it.points, it.possible)));
+    }
+
+    /// Whether every group passes.
+    pub fn passes(&self) -> bool {
+        self.groups.iter().all(|group| group.outcome.passes())
+    }
+
+    /// Whether nothing has been attempted yet.
+    pub fn is_unanswered(&self) -> bool {
+        let unanswered = |group: &GroupOutcome| group.outcome == FilmOutcome::Unanswered;
+        !self.groups.is_empty() && self.groups.iter().all(unanswered)
+    }
+
+    /// How it ended: the gravest of its groups, unless its file was the matter.
+    pub fn status(&self) -> Status {
+        let groups = self.groups.iter().map(|group| group.outcome.status());
+        match self.file {
+            AnswerFile::Missing => Status::MissingFile,
+            AnswerFile::Refused { .. } => Status::RefusedFile,
+            AnswerFile::DoesNotCompile { .. } => Status::DoesNotCompile,
+            AnswerFile::Compiled => groups.min().unwrap_or(Status::Graded),
+        }
+    }
+}
+
+impl GroupOutcome {
+    /// A group that is worth so many points.
+    pub fn new(
+        name: String,
+        about: String,
+        worth: u32,
+        outcome: FilmOutcome,
+        worst: Vec<Fact>,
+    ) -> GroupOutcome {
+        GroupOutcome {
+            name,
+            about,
+            points: outcome.earns(worth),
+            possible: worth,
+            outcome,
+            worst,
+            fails_fresh: false,
+        }
+    }
+}
+
+impl AnswerFile {
+    /// The state of a file, unless it was replaced by its stub.
+    pub fn of(replaced: Option<&Replaced>) -> AnswerFile {
+        match replaced {
+            None => AnswerFile::Compiled,
+            Some(Replaced::Unusable(Unusable::Missing)) => AnswerFile::Missing,
+            Some(Replaced::Unusable(Unusable::Refused(why))) => {
+                AnswerFile::Refused { why: why.clone() }
+            }
+            Some(Replaced::DoesNotCompile(compiler)) => AnswerFile::DoesNotCompile {
+                compiler: compiler.clone(),
+            },
+        }
+    }
+}
+
+fn without_colours<S: Serializer>(text: &str, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(&anstream::adapter::strip_str(text))
+}
