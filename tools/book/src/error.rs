@@ -83,7 +83,9 @@ impl Error {
 
     /// A file cannot be read or written.
     pub fn file(path: &Path, error: &dyn fmt::Display) -> Error {
-        pinhole_course::error::Error::file(path, error).into()
+        pinhole_course::error::Error::file(path)
+            .because(error.to_string())
+            .into()
     }
 
     /// 2 if something the book is made of is wrong, 3 for any other fault.

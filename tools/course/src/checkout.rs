@@ -5,7 +5,7 @@ use std::{env, fs};
 
 use toml::Table;
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ResultExt};
 
 /// The checkout the command works in.
 #[derive(Clone, Debug)]
@@ -87,7 +87,7 @@ impl Checkout {
     /// The text of a file, named from the top of the checkout.
     pub fn read(&self, path: impl AsRef<Path>) -> Result<String> {
         let path = self.root.join(path);
-        fs::read_to_string(&path).map_err(|error| Error::file(&path, &error))
+        fs::read_to_string(&path).or_fail(&Error::file(&path))
     }
 
     /// Writes a file, named from the top of the checkout, and the folders it lies in.
@@ -96,7 +96,7 @@ impl Checkout {
         let folder = path.parent().unwrap_or(&path);
         fs::create_dir_all(folder)
             .and_then(|()| fs::write(&path, content))
-            .map_err(|error| Error::file(&path, &error))
+            .or_fail(&Error::file(&path))
     }
 
     /// Whether a folder belongs to the checkout, whose code its user trusts anyway.

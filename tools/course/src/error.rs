@@ -53,17 +53,23 @@ impl Error {
     }
 
     /// A file cannot be read or written.
-    pub fn file(path: &Path, error: &dyn fmt::Display) -> Error {
+    pub fn file(path: &Path) -> Error {
         Error::environment(
-            format!("{}: {error}", path.display()),
+            path.display().to_string(),
             "see that the file can be read, and its folder written",
         )
     }
 
-    fn caused_by(mut self, source: Source) -> Error {
-        self.problem = format!("{}: {source}", self.problem);
-        self.source = Some(source);
-        self
+    /// This error with what lies behind it. Where several steps can fail in the same way,
+    /// the error is made once and given its source where one of them does.
+    pub fn because(&self, source: impl Into<Source>) -> Error {
+        let source = source.into();
+        Error {
+            fault: self.fault,
+            problem: format!("{}: {source}", self.problem),
+            remedy: self.remedy.clone(),
+            source: Some(source),
+        }
     }
 
     /// 2 for the user's fault, 3 for any other.
@@ -95,17 +101,22 @@ pub trait ResultExt<T> {
 
     /// The machine is, or we are.
     fn or_environment(self, problem: impl fmt::Display, remedy: impl Into<String>) -> Result<T>;
+
+    /// `what` failed, [because](Error::because) of this.
+    fn or_fail(self, what: &Error) -> Result<T>;
 }
 
 impl<T, E: Into<Source>> ResultExt<T> for std::result::Result<T, E> {
     fn or_input(self, problem: impl fmt::Display, remedy: impl Into<String>) -> Result<T> {
-        self.map_err(|source| Error::input(problem.to_string(), remedy).caused_by(source.into()))
+        self.or_fail(&Error::input(problem.to_string(), remedy))
     }
 
     fn or_environment(self, problem: impl fmt::Display, remedy: impl Into<String>) -> Result<T> {
-        self.map_err(|source| {
-            Error::environment(problem.to_string(), remedy).caused_by(source.into())
-        })
+        self.or_fail(&Error::environment(problem.to_string(), remedy))
+    }
+
+    fn or_fail(self, what: &Error) -> Result<T> {
+        self.map_err(|source| what.because(source))
     }
 }
 

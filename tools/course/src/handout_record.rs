@@ -36,20 +36,19 @@ impl HandoutRecord {
         if !path.is_file() {
             return Ok(None);
         }
-        let wrong = |problem: String| {
-            let problem = format!("{}: {problem}", path.display());
-            Error::input(problem, "restore the file: git checkout handout.toml")
-        };
-        let text = fs::read_to_string(&path).map_err(|error| wrong(error.to_string()))?;
-        let record: HandoutRecord =
-            toml::from_str(&text).map_err(|error| wrong(error.message().into()))?;
+        let wrong = Error::input(
+            path.display().to_string(),
+            "restore the file: git checkout handout.toml",
+        );
+        let text = fs::read_to_string(&path).or_fail(&wrong)?;
+        let record: HandoutRecord = toml::from_str(&text).or_fail(&wrong)?;
         // Files are replaced and removed by this list.
         let is_inside = |path: &&String| {
             let mut parts = Path::new(path).components();
             parts.all(|part| matches!(part, Component::Normal(_)))
         };
         match record.files.keys().find(|path| !is_inside(path)) {
-            Some(path) => Err(wrong(format!("{path} lies outside the repository"))),
+            Some(path) => Err(wrong.because(format!("{path} lies outside the repository"))),
             None => Ok(Some(record)),
         }
     }

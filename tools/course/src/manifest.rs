@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use crate::assignment::Assignment;
 use crate::checkout::Checkout;
 use crate::diagnosis::known;
-use crate::error::{Error, Result, ResultExt};
+use crate::error::{Result, ResultExt};
 use crate::mitsuba::{self, Renderer};
 
 pub use self::hashes::{Hashes, hash, hash_of};
@@ -61,13 +61,10 @@ impl Manifest {
             format_args!("cannot read {}", path.display()),
             "name a folder of goldens, made by `cargo pinhole golden render`",
         )?;
-        toml::from_str(&text).map_err(|error| {
-            let problem = format!("{}: {}", path.display(), error.message());
-            Error::input(
-                problem,
-                "make the goldens again: cargo pinhole golden render",
-            )
-        })
+        toml::from_str(&text).or_input(
+            path.display(),
+            "make the goldens again: cargo pinhole golden render",
+        )
     }
 
     /// Enters who rendered.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::assignment::{Assignment, Task};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ResultExt};
 
 /// A belief that leads to wrong answers, and what helps somebody who holds it.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -99,19 +99,18 @@ pub fn read_all(assignment: &Assignment) -> Result<Vec<MistakeFolder>> {
         .into_iter()
         .map(|(slug, folder)| {
             let path = folder.join("mistake.toml");
-            let wrong = |problem: String| {
-                let problem = format!("{}: {problem}", path.display());
-                Error::input(problem, "correct the file; the mistakes beside it show how")
-            };
-            let text = fs::read_to_string(&path).map_err(|error| wrong(error.to_string()))?;
-            let mistake: Mistake =
-                toml::from_str(&text).map_err(|error| wrong(error.to_string()))?;
+            let wrong = Error::input(
+                path.display().to_string(),
+                "correct the file; the mistakes beside it show how",
+            );
+            let text = fs::read_to_string(&path).or_fail(&wrong)?;
+            let mistake: Mistake = toml::from_str(&text).or_fail(&wrong)?;
             let unknown = mistake
                 .fails
                 .iter()
                 .find(|task| assignment.task(task).is_none());
             match unknown {
-                Some(task) => Err(wrong(format!("there is no task `{task}`"))),
+                Some(task) => Err(wrong.because(format!("there is no task `{task}`"))),
                 None => Ok(MistakeFolder {
                     slug,
                     folder,

@@ -9,7 +9,7 @@ use std::process::{Command, Stdio};
 use serde::Deserialize;
 
 use crate::checkout::Checkout;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ResultExt};
 use crate::progress::Progress;
 
 /// Where the Python environment lies.
@@ -78,22 +78,19 @@ pub fn fingerprints(
     if !script.is_file() {
         return Ok(BTreeMap::new());
     }
-    let failed = |problem: String| {
-        Error::environment(
-            format!("cannot tell whether the golden scripts have changed: {problem}"),
-            "install Python 3.11 or newer, and restore the scripts",
-        )
-    };
-    let mut command = Command::new(python().map_err(|error| failed(error.problem))?);
+    let failed = Error::environment(
+        "cannot tell whether the golden scripts have changed",
+        "install Python 3.11 or newer, and restore the scripts",
+    );
+    let python = python().map_err(|error| failed.because(error.problem))?;
+    let mut command = Command::new(python);
     command.arg(script).args(scenes);
     if let Some(assignment) = questions {
         command.arg("--questions").arg(assignment);
     }
-    let output = command
-        .output()
-        .map_err(|error| failed(error.to_string()))?;
+    let output = command.output().or_fail(&failed)?;
     serde_json::from_slice(&output.stdout)
-        .map_err(|_| failed(String::from_utf8_lossy(&output.stderr).trim_end().into()))
+        .map_err(|_| failed.because(String::from_utf8_lossy(&output.stderr).trim_end()))
 }
 
 fn complete(command: &mut Command, purpose: &str) -> Result<()> {
@@ -155,12 +152,10 @@ pub fn render(checkout: &Checkout, arguments: &[&OsStr], progress: &Progress) ->
             "make its environment: cargo pinhole golden setup",
         ));
     }
-    let failed = |error: std::io::Error| {
-        Error::environment(
-            format!("cannot run Mitsuba: {error}"),
-            "make its environment again: cargo pinhole golden setup",
-        )
-    };
+    let failed = Error::environment(
+        "cannot run Mitsuba",
+        "make its environment again: cargo pinhole golden setup",
+    );
     let mut child = Command::new(python)
         .arg(scripts(checkout).join("golden.py"))
         .args(arguments)
@@ -168,17 +163,17 @@ pub fn render(checkout: &Checkout, arguments: &[&OsStr], progress: &Progress) ->
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
-        .map_err(failed)?;
+        .or_fail(&failed)?;
     let complaints = child
         .stderr
         .take()
         .map(|pipe| std::thread::spawn(move || std::io::read_to_string(pipe).unwrap_or_default()));
     let mut lines = BufReader::new(child.stdout.take().expect("it was piped")).lines();
-    let renderer = lines.next().transpose().map_err(failed)?;
+    let renderer = lines.next().transpose().or_fail(&failed)?;
     let renderer: Option<Renderer> = renderer.and_then(|line| serde_json::from_str(&line).ok());
     let mut items = Vec::new();
     for line in lines {
-        if let Ok(item) = serde_json::from_str::<Item>(&line.map_err(failed)?) {
+        if let Ok(item) = serde_json::from_str::<Item>(&line.or_fail(&failed)?) {
             items.push(item);
             let total = renderer
                 .as_ref()
@@ -186,7 +181,7 @@ pub fn render(checkout: &Checkout, arguments: &[&OsStr], progress: &Progress) ->
             progress.show("Mitsuba", items.len() as f64 / total as f64);
         }
     }
-    let status = child.wait().map_err(failed)?;
+    let status = child.wait().or_fail(&failed)?;
     let said = complaints
         .and_then(|thread| thread.join().ok())
         .unwrap_or_default();

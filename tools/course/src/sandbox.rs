@@ -33,7 +33,11 @@ use pinhole::ask::{Death, Ending, Limit, Reply, Stop, ask_watched};
 use pinhole::job::Job;
 
 use crate::checkout::Checkout;
-use crate::error::{Error, Result};
+#[cfg(not(target_os = "linux"))]
+use crate::error::Error;
+use crate::error::Result;
+#[cfg(target_os = "linux")]
+use crate::error::ResultExt;
 pub use finish::{Finished, finish};
 pub use limits::Limits;
 use watch::{Exceeded, Watch};
@@ -133,13 +137,11 @@ impl Sandbox {
 
     #[cfg(target_os = "linux")]
     fn bubblewrap(checkout: &Checkout, what: &str) -> Result<Sandbox> {
-        let walls = bubblewrap::Bubblewrap::new(checkout).map_err(|why| {
-            Error::environment(
-                format!("{what} must run in a sandbox, and bubblewrap does not work here: {why}"),
-                "install it (Debian: apt-get install bubblewrap); in a container that is used \
-                 once, pass --sandbox container; or pass --trust if the code is your own",
-            )
-        })?;
+        let walls = bubblewrap::Bubblewrap::new(checkout).or_environment(
+            format_args!("{what} must run in a sandbox, and bubblewrap does not work here"),
+            "install it (Debian: apt-get install bubblewrap); in a container that is used once, \
+             pass --sandbox container; or pass --trust if the code is your own",
+        )?;
         Ok(Sandbox::Bubblewrap(walls))
     }
 
@@ -289,9 +291,9 @@ impl Sandbox {
         match self {
             Sandbox::Trusted => Ok(()),
             #[cfg(target_os = "linux")]
-            Sandbox::Bubblewrap(walls) => walls.prove().map_err(io::Error::other),
+            Sandbox::Bubblewrap(walls) => walls.prove(),
             #[cfg(target_os = "linux")]
-            Sandbox::Container(walls) => walls.prove().map_err(io::Error::other),
+            Sandbox::Container(walls) => walls.prove(),
         }
     }
 

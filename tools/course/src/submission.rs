@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::assignment::Assignment;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ResultExt};
 use archive::Archive;
 use text::Text;
 
@@ -149,7 +149,7 @@ fn places(folder: &Path) -> Result<Vec<PathBuf>> {
     let is_own = |place: &PathBuf| !place.is_symlink();
     let mut places = vec![folder.into()];
     places.extend(Some(folder.join("src")).filter(is_own));
-    let inside = fs::read_dir(folder).map_err(|error| text::unreadable(folder, &error))?;
+    let inside = fs::read_dir(folder).or_fail(&text::unreadable(folder))?;
     let folders: Vec<PathBuf> = inside
         .flatten()
         .filter(|entry| entry.file_name().to_str().is_some_and(is_ordinary))

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::escape::printable;
 use pinhole::words::number;
 use pinhole::{Film, false_colour};
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Result, ResultExt};
 use serde_json::{Value, json};
 
 use crate::pictures;
@@ -49,10 +49,10 @@ impl Cast {
         json: bool,
     ) -> Result<Status> {
         let path = out.join("film.exr");
-        fs::create_dir_all(out).map_err(|error| {
-            let problem = format!("cannot write to {}: {error}", out.display());
-            Error::input(problem, "name a folder you may write to with --out")
-        })?;
+        fs::create_dir_all(out).or_input(
+            format_args!("cannot write to {}", out.display()),
+            "name a folder you may write to with --out",
+        )?;
         self.film.write(&path)?;
         let range = match &golden {
             Some(golden) => false_colour::depth_range(&Film::read(golden)?, depth_per_t),

@@ -29,7 +29,7 @@ use crate::terminal;
 pub use belief::Beliefs;
 use belief::Told;
 pub use page::{PAGE_CSS, policy};
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::outcome::{Examination, FilmOutcome, Outcome, SceneFilm, SceneOutcome};
 use pinhole_course::shell::PINHOLE;
 pub use rays::RayGrid;
@@ -147,12 +147,10 @@ impl Report {
 
     /// Writes the page; folders are made.
     pub fn write(&self, path: &Path) -> Result<()> {
-        page::write(path, &self.html()).map_err(|error| {
-            Error::input(
-                format!("cannot write the report {}: {error}", path.display()),
-                "name a file you may write with --report, or pass --no-report",
-            )
-        })
+        page::write(path, &self.html()).or_input(
+            format_args!("cannot write the report {}", path.display()),
+            "name a file you may write with --report, or pass --no-report",
+        )
     }
 }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 use image::RgbImage;
 use pinhole::{Film, false_colour};
 
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Result, ResultExt};
 
 /// Writes `id`, `depth` and `normal` pictures of a film of hits, their names behind
 /// `prefix`; gives their paths.
@@ -33,10 +33,8 @@ pub fn write(
 
 /// Writes one picture.
 pub fn save(picture: &RgbImage, path: &Path) -> Result<()> {
-    picture.save(path).map_err(|error| {
-        Error::input(
-            format!("cannot write {}: {error}", path.display()),
-            "name a folder you may write to",
-        )
-    })
+    picture.save(path).or_input(
+        format_args!("cannot write {}", path.display()),
+        "name a folder you may write to",
+    )
 }

@@ -13,7 +13,7 @@ use crate::cli::Diff;
 use pinhole_course::assignment::ScenePoints;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::diagnosis::Diagnosis;
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::mitsuba;
 use pinhole_course::outcome::FilmOutcome;
@@ -213,13 +213,10 @@ fn draw(folder: &Path, golden: &Golden, film: &Film) -> Result<Vec<String>> {
     if !drawable(golden.film()) || !drawable(film) {
         return Ok(Vec::new());
     }
-    let cannot = |error: std::io::Error| {
-        Error::input(
-            format!("cannot write to {}: {error}", folder.display()),
-            "name a folder you may write to",
-        )
-    };
-    fs::create_dir_all(folder).map_err(cannot)?;
+    fs::create_dir_all(folder).or_input(
+        format_args!("cannot write to {}", folder.display()),
+        "name a folder you may write to",
+    )?;
     // t, not depth: a film alone does not know its camera, and the two are proportional.
     let range = false_colour::depth_range(golden.film(), 1.0);
     let mut written = Vec::new();

@@ -8,16 +8,12 @@ use pinhole_course::error::Result;
 /// Turns the signals that end a program into an orderly end.
 #[cfg(unix)]
 pub fn listen(events: &Sender<Event>) -> Result<()> {
-    use pinhole_course::error::Error;
+    use pinhole_course::error::ResultExt;
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 
     let signals = signal_hook::iterator::Signals::new([SIGHUP, SIGINT, SIGTERM]);
-    let mut signals = signals.map_err(|error| {
-        Error::environment(
-            format!("cannot listen for signals: {error}"),
-            "run this command again",
-        )
-    })?;
+    let mut signals =
+        signals.or_environment("cannot listen for signals", "run this command again")?;
     let events = events.clone();
     std::thread::spawn(move || {
         for _ in signals.forever() {

@@ -12,7 +12,7 @@ use crossterm::terminal::{self, Clear, ClearType};
 
 use super::state::State;
 use super::{Event, keys, screen};
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Error, Result, ResultExt};
 
 /// A raw terminal; dropping it gives the terminal back.
 pub struct Terminal {
@@ -27,7 +27,7 @@ pub fn is_dumb() -> bool {
 impl Terminal {
     /// Takes the terminal.
     pub fn enter(events: Sender<Event>) -> Result<Terminal> {
-        terminal::enable_raw_mode().map_err(broken)?;
+        terminal::enable_raw_mode().or_fail(&broken())?;
         let terminal = Terminal { shown: Vec::new() };
         // A message that is printed in raw mode would not be readable.
         let hook = panic::take_hook();
@@ -38,7 +38,7 @@ impl Terminal {
         }));
         // What stands on the screen moves up, to where scrolling back finds it.
         let (_, rows) = size();
-        write!(stdout(), "{}", "\r\n".repeat(rows)).map_err(broken)?;
+        write!(stdout(), "{}", "\r\n".repeat(rows)).or_fail(&broken())?;
         keys::listen(events);
         Ok(terminal)
     }
@@ -50,7 +50,7 @@ impl Terminal {
         state.scroll = frame.scroll;
         if frame.lines != self.shown {
             self.shown = frame.lines;
-            self.draw().map_err(broken)?;
+            self.draw().or_fail(&broken())?;
         }
         Ok(())
     }
@@ -64,7 +64,7 @@ impl Terminal {
     pub fn leave(mut self, state: &mut State) -> Result<()> {
         self.show(state)?;
         drop(self);
-        writeln!(stdout()).map_err(broken)
+        writeln!(stdout()).or_fail(&broken())
     }
 
     /// All lines in one write, each over what stood there before, so that nothing
@@ -110,9 +110,9 @@ fn size() -> (usize, usize) {
     }
 }
 
-fn broken(error: io::Error) -> Error {
+fn broken() -> Error {
     Error::environment(
-        format!("cannot use the terminal: {error}"),
+        "cannot use the terminal",
         "run this in another terminal, or in a pipe: … check --watch | cat",
     )
 }

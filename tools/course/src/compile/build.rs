@@ -11,7 +11,7 @@ use sha2::{Digest, Sha256};
 use super::blame::{self, Diagnostic};
 use super::harness::Harness;
 use super::prune;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ResultExt};
 use crate::sandbox::{Finished, Limits, Sandbox};
 
 /// The executable's name, as the system wants it.
@@ -45,12 +45,10 @@ pub fn build(
         prune::keep(&folder);
         return Ok(Built::Program(executable));
     }
-    let failed = |error: std::io::Error| {
-        Error::environment(
-            format!("cannot write to {}: {error}", programs.display()),
-            "free some disk space and check that the folder can be written",
-        )
-    };
+    let failed = Error::environment(
+        format!("cannot write to {}", programs.display()),
+        "free some disk space and check that the folder can be written",
+    );
     // A folder of its own until it is complete: another command may be compiling the
     // same answers.
     static NEXT: AtomicUsize = AtomicUsize::new(0);
@@ -59,36 +57,31 @@ pub fn build(
     let (src, out) = (fresh.join("src"), fresh.join("out"));
     fs::create_dir_all(&out)
         .and_then(|()| fs::create_dir_all(&src))
-        .map_err(failed)?;
+        .or_fail(&failed)?;
     for (name, text) in sources {
-        fs::write(src.join(name), text).map_err(failed)?;
+        fs::write(src.join(name), text).or_fail(&failed)?;
     }
     let limits = Limits::of_compiler();
-    let not_started = |error: std::io::Error| {
-        Error::environment(
-            format!("cannot start rustc: {error}"),
-            "install Rust from rustup.rs",
-        )
-    };
+    let not_started = Error::environment("cannot start rustc", "install Rust from rustup.rs");
     let mut rustc = sandbox
         .compiler(&fresh, &harness.folder, &limits)
-        .map_err(not_started)?;
+        .or_fail(&not_started)?;
     arguments(&mut rustc, harness);
-    let finished = sandbox.compile(rustc, &limits).map_err(not_started)?;
+    let finished = sandbox.compile(rustc, &limits).or_fail(&not_started)?;
     if finished.status.success() && is_program(&out.join(PROGRAM)) {
         return match fs::rename(&fresh, &folder) {
             Err(_) if executable.is_file() => {
-                fs::remove_dir_all(&fresh).map_err(failed)?;
+                fs::remove_dir_all(&fresh).or_fail(&failed)?;
                 Ok(Built::Program(executable))
             }
             renamed => {
-                renamed.map_err(failed)?;
+                renamed.or_fail(&failed)?;
                 prune::prune(programs);
                 Ok(Built::Program(executable))
             }
         };
     }
-    fs::remove_dir_all(&fresh).map_err(failed)?;
+    fs::remove_dir_all(&fresh).or_fail(&failed)?;
     Ok(Built::Refused(said(&finished)))
 }
 

@@ -136,24 +136,22 @@ fn fingerprint(libraries: &[(String, PathBuf)]) -> String {
 
 /// Links the libraries into a folder that appears only when it is complete.
 fn fill(folder: &Path, libraries: &[(String, PathBuf)]) -> Result<()> {
-    let failed = |error: std::io::Error| {
-        Error::environment(
-            format!("cannot gather the harness in {}: {error}", folder.display()),
-            "free some disk space and check that the folder can be written",
-        )
-    };
+    let failed = Error::environment(
+        format!("cannot gather the harness in {}", folder.display()),
+        "free some disk space and check that the folder can be written",
+    );
     let fresh = folder.with_extension(format!("new{}", std::process::id()));
-    fs::create_dir_all(&fresh).map_err(failed)?;
+    fs::create_dir_all(&fresh).or_fail(&failed)?;
     for (_, library) in libraries {
         let copy = fresh.join(library.file_name().unwrap_or_default());
         // A link costs nothing and keeps the old content when cargo writes a new file.
         fs::hard_link(library, &copy)
             .or_else(|_| fs::copy(library, &copy).map(|_| ()))
-            .map_err(failed)?;
+            .or_fail(&failed)?;
     }
     match fs::rename(&fresh, folder) {
         // Another command was quicker with the same.
-        Err(_) if folder.is_dir() => fs::remove_dir_all(&fresh).map_err(failed),
-        renamed => renamed.map_err(failed),
+        Err(_) if folder.is_dir() => fs::remove_dir_all(&fresh).or_fail(&failed),
+        renamed => renamed.or_fail(&failed),
     }
 }

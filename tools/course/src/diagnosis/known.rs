@@ -50,12 +50,10 @@ impl Known {
         let Ok(text) = fs::read_to_string(&path) else {
             return Ok(Known::default());
         };
-        toml::from_str(&text).map_err(|error| {
-            Error::environment(
-                format!("{}: {}", path.display(), error.message()),
-                "make it again: cargo pinhole golden mistakes",
-            )
-        })
+        toml::from_str(&text).or_environment(
+            path.display(),
+            "make it again: cargo pinhole golden mistakes",
+        )
     }
 
     /// Writes the words into `folder`.

@@ -97,9 +97,9 @@ impl Goldens {
     pub fn scene_film(&self, scene: &GoldenScene) -> Result<QuestionFilm> {
         let golden_path = self.folder.join(&scene.name).with_extension("exr");
         let name = scene.name.clone();
-        let scene = Scene::read(&scene.file).map_err(ours)?;
+        let scene = read_scene(&scene.file)?;
         let resolution = scene.resolution;
-        let golden = Golden::read(&golden_path).map_err(ours)?;
+        let golden = read_golden(&golden_path)?;
         Ok(QuestionFilm {
             name,
             job: Job::Film(scene),
@@ -127,12 +127,12 @@ impl Goldens {
     fn ray_film(&self, scene: &GoldenScene) -> Result<QuestionFilm> {
         let golden_path = self.folder.join(&scene.name).with_extension("rays.exr");
         let name = scene.name.clone();
-        let scene = Scene::read(&scene.file).map_err(ours)?;
+        let scene = read_scene(&scene.file)?;
         let resolution = scene.resolution;
         let questions =
             (0..resolution.pixels()).map(|index| CameraQuestion::of_scene(&scene, index));
         let job = Job::Ask(kind::Questions::ViewingRay(questions.collect()));
-        let golden = Golden::read(&golden_path).map_err(ours)?;
+        let golden = read_golden(&golden_path)?;
         Ok(QuestionFilm {
             name,
             job,
@@ -151,7 +151,7 @@ impl Goldens {
         let film = with_suffix(&stem, ".ask.exr");
         let (questions, resolution) =
             kind::Questions::read(&film, &task.name, task.kind, task.shape).map_err(ours)?;
-        let golden = Golden::read(&golden_path).map_err(ours)?;
+        let golden = read_golden(&golden_path)?;
         Ok(QuestionFilm {
             name: group.into(),
             job: Job::Ask(questions),
@@ -181,6 +181,14 @@ fn with_suffix(stem: &Path, suffix: &str) -> PathBuf {
     let mut name = stem.as_os_str().to_owned();
     name.push(suffix);
     name.into()
+}
+
+fn read_scene(path: &Path) -> Result<Scene> {
+    Scene::read(path).map_err(ours)
+}
+
+fn read_golden(path: &Path) -> Result<Golden> {
+    Golden::read(path).map_err(ours)
 }
 
 /// A golden that cannot be used is no fault of whoever is judged by it.

@@ -11,7 +11,6 @@ use super::confine;
 use super::syscalls::Purpose;
 use super::toolchain::{linker, next_uid, sysroot};
 use crate::checkout::Checkout;
-use crate::error::Error;
 
 /// What is needed to draw them.
 #[derive(Clone, Debug)]
@@ -40,11 +39,10 @@ const UNCOUNTED: u64 = 1 << 20;
 
 impl Bubblewrap {
     /// Tries whether walls can be drawn here; if not, says what bubblewrap says.
-    pub fn new(_: &Checkout) -> Result<Bubblewrap, String> {
-        let problem = |error: Error| error.problem;
+    pub fn new(_: &Checkout) -> io::Result<Bubblewrap> {
         let walls = Bubblewrap {
-            sysroot: sysroot().map_err(problem)?,
-            pinhole: std::env::current_exe().map_err(|error| error.to_string())?,
+            sysroot: sysroot().map_err(|error| io::Error::other(error.problem))?,
+            pinhole: std::env::current_exe()?,
             uid: rustix::process::getuid().is_root().then(next_uid),
             budget: Budget::default(),
         };
@@ -69,14 +67,16 @@ impl Bubblewrap {
     }
 
     /// Whether a program can be run inside.
-    pub fn prove(&self) -> Result<(), String> {
+    pub fn prove(&self) -> io::Result<()> {
         let limits = Limits::of_compiler();
         let mut command = self.walled(&limits, Purpose::Answer);
         command.args(["--", "/usr/bin/true"]);
-        let output = command.output().map_err(|error| error.to_string())?;
+        let output = command.output()?;
         match output.status.success() {
             true => Ok(()),
-            false => Err(String::from_utf8_lossy(&output.stderr).trim().to_owned()),
+            false => Err(io::Error::other(
+                String::from_utf8_lossy(&output.stderr).trim(),
+            )),
         }
     }
 

@@ -4,6 +4,7 @@
 //! It is what both sandboxes end in. Bubblewrap has drawn its walls by then; in a
 //! container, where it cannot, another user id and Landlock take their place.
 
+use std::fmt::Display;
 use std::os::unix::process::CommandExt;
 use std::path::PathBuf;
 use std::process::{Command, ExitCode};
@@ -103,19 +104,15 @@ fn run(confine: &Confine) -> ExitCode {
 pub const NOT_CONFINED: u8 = 125;
 
 fn give_up(confine: &Confine) -> Result<(), String> {
-    let failed = |what: &str| {
-        let what = what.to_owned();
-        move |error: rustix::io::Errno| format!("{what}: {error}")
-    };
     if let Some(uid) = confine.uid {
         let (user, group) = (thread::Uid::from_raw(uid), thread::Gid::from_raw(uid));
-        thread::set_thread_groups(&[]).map_err(failed("groups"))?;
-        thread::set_thread_res_gid(group, group, group).map_err(failed("group"))?;
-        thread::set_thread_res_uid(user, user, user).map_err(failed("user"))?;
+        step("groups", thread::set_thread_groups(&[]))?;
+        step("group", thread::set_thread_res_gid(group, group, group))?;
+        step("user", thread::set_thread_res_uid(user, user, user))?;
     }
     // After the user has changed: the change would undo it.
-    rustix::process::set_parent_process_death_signal(Some(Signal::KILL))
-        .map_err(failed("end with the parent"))?;
+    let end_with_parent = rustix::process::set_parent_process_death_signal(Some(Signal::KILL));
+    step("end with the parent", end_with_parent)?;
     for (resource, most) in [
         (Resource::Cpu, confine.cpu),
         (Resource::As, confine.memory),
@@ -139,15 +136,20 @@ fn give_up(confine: &Confine) -> Result<(), String> {
             current: Some(current),
             maximum: Some(most),
         };
-        setrlimit(resource, limit).map_err(failed("limits"))?;
+        step("limits", setrlimit(resource, limit))?;
     }
-    thread::set_no_new_privs(true).map_err(failed("no new privileges"))?;
+    step("no new privileges", thread::set_no_new_privs(true))?;
     fence_files(confine)?;
     let purpose = match confine.compiles {
         true => Purpose::Compile,
         false => Purpose::Answer,
     };
-    syscalls::deny(purpose)
+    step("seccomp", syscalls::deny(purpose))
+}
+
+/// A step with its name in front of what went wrong.
+fn step<T, E: Display>(name: &str, result: Result<T, E>) -> Result<T, String> {
+    result.map_err(|error| format!("{name}: {error}"))
 }
 
 /// Landlock: files and signals outside are out of reach, as far as this kernel knows how.
@@ -164,7 +166,7 @@ fn fence_files(confine: &Confine) -> Result<(), String> {
             .add_rules(path_beneath_rules(&confine.write, AccessFs::from_all(abi)))?
             .restrict_self()
     };
-    let status = fence().map_err(|error| format!("Landlock: {error}"))?;
+    let status = step("Landlock", fence())?;
     if confine.landlocked && status.ruleset == RulesetStatus::NotEnforced {
         return Err("this kernel has no Landlock".into());
     }

@@ -43,7 +43,7 @@ impl Container {
         let mut walls = Container {
             sysroot: sysroot()?,
             pinhole: std::env::current_exe()
-                .map_err(|error| Error::environment(error.to_string(), "run this again"))?,
+                .or_environment("cannot find this program's own file", "run this again")?,
             uid: next_uid(),
             landlocked: true,
             budget: Budget::default(),
@@ -84,13 +84,15 @@ impl Container {
     }
 
     /// Whether a program can be run inside.
-    pub fn prove(&self) -> std::result::Result<(), String> {
+    pub fn prove(&self) -> io::Result<()> {
         let mut command = self.confined(&Limits::of_compiler(), Purpose::Answer);
         let output = command.args(["--", "/usr/bin/true"]).output();
-        let output = output.map_err(|error| error.to_string())?;
+        let output = output?;
         match output.status.success() {
             true => Ok(()),
-            false => Err(String::from_utf8_lossy(&output.stderr).trim().to_owned()),
+            false => Err(io::Error::other(
+                String::from_utf8_lossy(&output.stderr).trim(),
+            )),
         }
     }
 

@@ -86,9 +86,8 @@ const NEVER_WHILE_ANSWERING: [libc::c_long; 6] = [
 /// Denies it all to this process and whatever becomes of it.
 ///
 /// What is denied looks as if this kernel had never heard of it.
-pub fn deny(purpose: Purpose) -> Result<(), String> {
-    let program = program(purpose).map_err(|error| format!("seccomp: {error}"))?;
-    apply_filter(&program).map_err(|error| format!("seccomp: {error}"))
+pub fn deny(purpose: Purpose) -> Result<(), Box<dyn std::error::Error>> {
+    Ok(apply_filter(&program(purpose)?)?)
 }
 
 fn program(purpose: Purpose) -> Result<BpfProgram, seccompiler::BackendError> {

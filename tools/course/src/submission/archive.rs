@@ -2,14 +2,14 @@
 //! disk, and of what is inside only the answers are unpacked at all.
 
 use std::collections::BTreeMap;
-use std::io::{self, Cursor, Read};
+use std::io::{Cursor, Read};
 use std::path::Path;
 
 use zip::ZipArchive;
 
 use super::Unusable;
 use super::text::{self, MOST_BYTES, Text};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ResultExt};
 
 /// A longer archive holds more than answers.
 const MOST_ARCHIVE_BYTES: u64 = 16 << 20;
@@ -35,42 +35,40 @@ impl Archive {
     /// If it is too long, or would put a file anywhere but below its own folder; or if the
     /// machine cannot read it.
     pub fn open(path: &Path) -> Result<Archive> {
-        let refused = |why: String| {
-            Error::input(
-                format!("{} is refused: {why}", path.display()),
-                "pack the answer files alone into a ZIP file, without a password",
-            )
-        };
+        let refused = Error::input(
+            format!("{} is refused", path.display()),
+            "pack the answer files alone into a ZIP file, without a password",
+        );
         // Read whole, so that what goes wrong later is the archive's own fault.
-        let unreadable = |error: io::Error| text::unreadable(path, &error);
-        let file = text::open(path).map_err(unreadable)?;
-        if !file.metadata().map_err(unreadable)?.is_file() {
-            return Err(refused("it is neither a folder nor a regular file".into()));
+        let unreadable = text::unreadable(path);
+        let file = text::open(path).or_fail(&unreadable)?;
+        if !file.metadata().or_fail(&unreadable)?.is_file() {
+            return Err(refused.because("it is neither a folder nor a regular file"));
         }
         let mut bytes = Vec::new();
         file.take(MOST_ARCHIVE_BYTES + 1)
             .read_to_end(&mut bytes)
-            .map_err(unreadable)?;
+            .or_fail(&unreadable)?;
         if bytes.len() as u64 > MOST_ARCHIVE_BYTES {
-            return Err(refused("it is longer than 16 MiB".into()));
+            return Err(refused.because("it is longer than 16 MiB"));
         }
         let mut zip = ZipArchive::new(Cursor::new(bytes))
-            .map_err(|error| refused(format!("it is no ZIP file ({error})")))?;
+            .map_err(|error| refused.because(format!("it is no ZIP file ({error})")))?;
         if zip.len() > MOST_ENTRIES {
-            return Err(refused(format!("it holds more than {MOST_ENTRIES} files")));
+            return Err(refused.because(format!("it holds more than {MOST_ENTRIES} files")));
         }
         if zip.has_duplicate_names() {
-            return Err(refused("it holds two files of one name".into()));
+            return Err(refused.because("it holds two files of one name"));
         }
         let mut files = BTreeMap::new();
         for index in 0..zip.len() {
-            let entry = zip
-                .by_index_raw(index)
-                .map_err(|error| refused(format!("its contents make no sense ({error})")))?;
+            let entry = zip.by_index_raw(index).map_err(|error| {
+                refused.because(format!("its contents make no sense ({error})"))
+            })?;
             let name = String::from_utf8_lossy(entry.name_raw()).into_owned();
-            let place = place(&name).map_err(|why| refused(format!("{name:?} {why}")))?;
+            let place = place(&name).map_err(|why| refused.because(format!("{name:?} {why}")))?;
             if !entry.is_dir() && files.insert(place, index).is_some() {
-                return Err(refused(format!("{name:?} is there twice")));
+                return Err(refused.because(format!("{name:?} is there twice")));
             }
         }
         Ok(Archive { zip, files })

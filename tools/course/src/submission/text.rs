@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use super::Unusable;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ResultExt};
 
 /// An answer's text, or why there is none.
 pub type Text = std::result::Result<String, Unusable>;
@@ -23,12 +23,12 @@ pub fn read(path: &Path) -> Result<Text> {
     let metadata = match std::fs::symlink_metadata(path) {
         Ok(metadata) => metadata,
         Err(error) if is_absent(&error) => return Ok(Err(Unusable::Missing)),
-        Err(error) => return Err(unreadable(path, &error)),
+        Err(error) => return Err(unreadable(path).because(error)),
     };
     if !metadata.is_file() {
         return refused("it is not a regular file");
     }
-    let file = open(path).map_err(|error| unreadable(path, &error))?;
+    let file = open(path).or_fail(&unreadable(path))?;
     // Once more, of what was opened: it may have been exchanged meanwhile.
     if !file.metadata().is_ok_and(|metadata| metadata.is_file()) {
         return refused("it is not a regular file");
@@ -36,7 +36,7 @@ pub fn read(path: &Path) -> Result<Text> {
     let mut bytes = Vec::new();
     file.take(MOST_BYTES + 1)
         .read_to_end(&mut bytes)
-        .map_err(|error| unreadable(path, &error))?;
+        .or_fail(&unreadable(path))?;
     Ok(of_bytes(bytes))
 }
 
@@ -47,9 +47,9 @@ fn is_absent(error: &io::Error) -> bool {
 }
 
 /// What is there and cannot be read.
-pub fn unreadable(path: &Path, error: &io::Error) -> Error {
+pub fn unreadable(path: &Path) -> Error {
     Error::environment(
-        format!("cannot read {}: {error}", path.display()),
+        format!("cannot read {}", path.display()),
         "let whoever runs this read it (chmod -R u+rX), and run this again",
     )
 }

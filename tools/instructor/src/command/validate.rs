@@ -5,7 +5,7 @@ use crate::validate::bench::Bench;
 use crate::validate::{Part, Plan, table, validate};
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::Compiler;
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::progress::Progress;
 use pinhole_course::sandbox::{Choice, Sandbox};
@@ -27,7 +27,10 @@ pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Status> {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(arguments.jobs.map_or(0, usize::from))
         .build()
-        .map_err(|error| Error::environment(error.to_string(), "ask for fewer jobs with --jobs"))?;
+        .or_environment(
+            "cannot start that many threads",
+            "ask for fewer jobs with --jobs",
+        )?;
     let bench = Bench {
         assignment: &assignment,
         goldens: &goldens,
@@ -42,7 +45,7 @@ pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Status> {
 
     if arguments.json {
         let document = serde_json::to_string_pretty(&validation)
-            .map_err(|error| Error::environment(error.to_string(), "report this"))?;
+            .or_environment("cannot write the result as JSON", "report this")?;
         anstream::println!("{document}");
     } else {
         anstream::print!("{}", table(&validation));

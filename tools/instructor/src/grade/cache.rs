@@ -24,14 +24,14 @@ impl ResultCache {
     /// Opens the folder for one grader alone.
     pub fn open(folder: &Path) -> Result<ResultCache> {
         let submissions = folder.join("submissions");
-        fs::create_dir_all(&submissions).map_err(|error| failed(&submissions, &error))?;
+        fs::create_dir_all(&submissions).or_fail(&cannot_write(&submissions))?;
         let path = folder.join(".lock");
         let lock = File::options()
             .create(true)
             .truncate(false)
             .write(true)
             .open(&path);
-        let lock = lock.map_err(|error| failed(&path, &error))?;
+        let lock = lock.or_fail(&cannot_write(&path))?;
         match lock.try_lock() {
             Ok(()) => Ok(ResultCache {
                 folder: folder.into(),
@@ -41,7 +41,7 @@ impl ResultCache {
                 format!("somebody else is grading into {}", folder.display()),
                 "wait until they are done, or name another folder with --out",
             )),
-            Err(TryLockError::Error(error)) => Err(failed(&path, &error)),
+            Err(TryLockError::Error(error)) => Err(cannot_write(&path).because(error)),
         }
     }
 
@@ -190,7 +190,7 @@ pub fn write(path: &Path, content: &[u8]) -> Result<()> {
     let mut beside = path.as_os_str().to_owned();
     beside.push(".new");
     let beside = PathBuf::from(beside);
-    let put = || {
+    let put = || -> std::io::Result<()> {
         fs::create_dir_all(folder)?;
         let mut file = File::create(&beside)?;
         file.write_all(content)?;
@@ -200,12 +200,12 @@ pub fn write(path: &Path, content: &[u8]) -> Result<()> {
         File::open(folder)?.sync_all()?;
         Ok(())
     };
-    put().map_err(|error: std::io::Error| failed(path, &error))
+    put().or_fail(&cannot_write(path))
 }
 
-fn failed(path: &Path, error: &std::io::Error) -> Error {
+fn cannot_write(path: &Path) -> Error {
     Error::environment(
-        format!("cannot write {}: {error}", path.display()),
+        format!("cannot write {}", path.display()),
         "free some disk space and check that the folder can be written; run this again and it goes on",
     )
 }

@@ -9,7 +9,7 @@ use sha2::{Digest, Sha256};
 
 use super::redact::Reveal;
 use pinhole_course::assignment::Assignment;
-use pinhole_course::error::{Error, Result, ResultExt};
+use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::submission::{Submission, Unusable};
 
 /// Hashes and settings; equal ones give equal marks.
@@ -58,11 +58,10 @@ pub struct Tool {
 impl Tool {
     /// This program.
     pub fn this() -> Result<Tool> {
-        let failed = |error: std::io::Error| {
-            let problem = format!("cannot read this program's own file: {error}");
-            Error::environment(problem, "build it again: cargo build --release")
-        };
-        let own = std::env::current_exe().and_then(fs::read).map_err(failed)?;
+        let own = std::env::current_exe().and_then(fs::read).or_environment(
+            "cannot read this program's own file",
+            "build it again: cargo build --release",
+        )?;
         let rustc = Command::new("rustc").arg("--version").output();
         let rustc = rustc.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned());
         Ok(Tool {

@@ -17,7 +17,7 @@ use super::{Files, Written, place_of};
 use crate::grade::redact::Reveal;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::manifest::Manifest;
 
 /// Gradescope runs the first when it builds the container's image, the second for each
@@ -63,32 +63,27 @@ pub fn write(
     let recipe = RECIPE.map(|(name, text, mode)| (name.to_owned(), text.as_bytes(), mode));
     let course = course.iter();
     let course = course.map(|(name, bytes)| (format!("{COURSE}/{name}"), bytes.as_slice(), 0o644));
-    let failed = |error: std::io::Error| {
-        Error::input(
-            format!("cannot write {}: {error}", path.display()),
-            "name a file in a folder you may write to",
-        )
-    };
+    let failed = Error::input(
+        format!("cannot write {}", path.display()),
+        "name a file in a folder you may write to",
+    );
     let mut name = path.as_os_str().to_owned();
     name.push(format!(".new{}", std::process::id()));
     let fresh = Path::new(&name);
-    let mut archive = ZipWriter::new(File::create(fresh).map_err(failed)?);
+    let mut archive = ZipWriter::new(File::create(fresh).or_fail(&failed)?);
     let mut files = 0;
     for (name, bytes, mode) in recipe.into_iter().chain(course) {
         // Films are packed already, and sources are small.
         let options = SimpleFileOptions::default()
             .compression_method(CompressionMethod::Stored)
             .unix_permissions(mode);
-        archive
-            .start_file(name, options)
-            .map_err(std::io::Error::from)
-            .and_then(|()| archive.write_all(bytes))
-            .map_err(failed)?;
+        archive.start_file(name, options).or_fail(&failed)?;
+        archive.write_all(bytes).or_fail(&failed)?;
         files += 1;
     }
-    let file = archive.finish().map_err(|error| failed(error.into()))?;
-    let bytes = file.metadata().map_err(failed)?.len();
-    std::fs::rename(fresh, path).map_err(failed)?;
+    let file = archive.finish().or_fail(&failed)?;
+    let bytes = file.metadata().or_fail(&failed)?.len();
+    std::fs::rename(fresh, path).or_fail(&failed)?;
     Ok(Written { files, bytes })
 }
 

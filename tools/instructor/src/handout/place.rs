@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use super::{Files, Repository};
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::handout_record::{self, HandoutRecord};
 use pinhole_course::manifest::{Hashes, hash, hash_of};
 
@@ -44,7 +44,10 @@ pub fn write(repository: Repository, out: &Path, force: bool) -> Result<Written>
     }
     prune_lock(&fresh.0)?;
     let lock = fresh.0.join("Cargo.lock");
-    files.insert("Cargo.lock".into(), fs::read(&lock).map_err(cannot(&lock))?);
+    files.insert(
+        "Cargo.lock".into(),
+        fs::read(&lock).or_fail(&cannot(&lock))?,
+    );
     let record = HandoutRecord {
         assignment,
         files: hashes(&files),
@@ -66,7 +69,7 @@ pub fn write(repository: Repository, out: &Path, force: bool) -> Result<Written>
         None => {
             // An empty folder; if it is there and not empty, `before` has refused.
             let _absent = fs::remove_dir(out);
-            fs::rename(&fresh.0, out).map_err(cannot(out))?;
+            fs::rename(&fresh.0, out).or_fail(&cannot(out))?;
         }
         Some(old) => replace(&fresh.0, out, &old, &record)?,
     }
@@ -135,7 +138,7 @@ fn replace(fresh: &Path, out: &Path, old: &HandoutRecord, new: &HandoutRecord) -
         let parent = to.parent().unwrap_or(out);
         fs::create_dir_all(parent)
             .and_then(|()| fs::rename(fresh.join(path), &to))
-            .map_err(cannot(&to))?;
+            .or_fail(&cannot(&to))?;
     }
     for path in old
         .files
@@ -145,7 +148,7 @@ fn replace(fresh: &Path, out: &Path, old: &HandoutRecord, new: &HandoutRecord) -
         let stale = out.join(path);
         match fs::remove_file(&stale) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => {
-                return Err(cannot(&stale)(error));
+                return Err(cannot(&stale).because(error));
             }
             _ => {}
         }
@@ -179,16 +182,14 @@ fn prune_lock(folder: &Path) -> Result<()> {
     cargo
         .current_dir(folder)
         .args(["update", "--workspace", "--offline", "--quiet"]);
-    let failed = |why: &str| {
-        Error::environment(
-            format!("cargo cannot prune the lock file: {}", why.trim()),
-            "run `cargo fetch` in the checkout, then this again",
-        )
-    };
-    let output = cargo.output().map_err(|error| failed(&error.to_string()))?;
+    let failed = Error::environment(
+        "cargo cannot prune the lock file",
+        "run `cargo fetch` in the checkout, then this again",
+    );
+    let output = cargo.output().or_fail(&failed)?;
     match output.status.success() {
         true => Ok(()),
-        false => Err(failed(&String::from_utf8_lossy(&output.stderr))),
+        false => Err(failed.because(String::from_utf8_lossy(&output.stderr).trim())),
     }
 }
 
@@ -202,15 +203,12 @@ fn hashes(files: &Files) -> Hashes {
 fn put(path: &Path, bytes: &[u8]) -> Result<()> {
     fs::create_dir_all(path.parent().unwrap_or(Path::new("")))
         .and_then(|()| fs::write(path, bytes))
-        .map_err(cannot(path))
+        .or_fail(&cannot(path))
 }
 
-fn cannot(path: &Path) -> impl Fn(io::Error) -> Error {
-    let path = path.display().to_string();
-    move |error| {
-        Error::input(
-            format!("cannot write {path}: {error}"),
-            "name a folder you may write to, on a disk with some space",
-        )
-    }
+fn cannot(path: &Path) -> Error {
+    Error::input(
+        format!("cannot write {}", path.display()),
+        "name a folder you may write to, on a disk with some space",
+    )
 }

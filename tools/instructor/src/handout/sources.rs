@@ -8,7 +8,7 @@ use std::path::Path;
 
 use super::Files;
 use pinhole_course::checkout::Checkout;
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Error, Result, ResultExt};
 
 /// At the top of the checkout, beside its manifest.
 const TOP: [&str; 6] = [
@@ -45,15 +45,13 @@ pub fn add_folder(
 
 /// The same of any folder, under another path.
 pub fn add_folder_as(files: &mut Files, path: &Path, folder: &str, kinds: &[&str]) -> Result<()> {
-    let entries = fs::read_dir(path).map_err(|error| unreadable(path, &error))?;
+    let entries = fs::read_dir(path).or_fail(&unreadable(path))?;
     for entry in entries.flatten() {
         let Ok(name) = entry.file_name().into_string() else {
             continue;
         };
         let inside = format!("{folder}/{name}");
-        let kind = entry
-            .file_type()
-            .map_err(|error| unreadable(path, &error))?;
+        let kind = entry.file_type().or_fail(&unreadable(path))?;
         let wanted = |kind: &&str| name.ends_with(&format!(".{kind}"));
         if name.starts_with('.') {
             continue;
@@ -68,7 +66,7 @@ pub fn add_folder_as(files: &mut Files, path: &Path, folder: &str, kinds: &[&str
 
 /// What a file holds.
 pub fn read(path: &Path) -> Result<Vec<u8>> {
-    fs::read(path).map_err(|error| unreadable(path, &error))
+    fs::read(path).or_fail(&unreadable(path))
 }
 
 /// What a text file holds, with `\n` line ends.
@@ -82,9 +80,9 @@ pub fn read_text(path: &Path) -> Result<String> {
     }
 }
 
-fn unreadable(path: &Path, error: &std::io::Error) -> Error {
+fn unreadable(path: &Path) -> Error {
     Error::input(
-        format!("cannot read {}: {error}", path.display()),
+        format!("cannot read {}", path.display()),
         "restore it; a checkout of the course has it",
     )
 }

@@ -10,7 +10,7 @@ use serde::Deserialize;
 use super::difference::Difference;
 use super::mutate::Mutant;
 use pinhole_course::assignment::Assignment;
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Error, Result, ResultExt};
 
 /// The file's name in an assignment.
 pub const FILE: &str = "equivalent.toml";
@@ -72,14 +72,12 @@ pub fn read(assignment: &Assignment) -> Result<Vec<Listed>> {
     if !path.is_file() {
         return Ok(Vec::new());
     }
-    let wrong = |problem: String| {
-        Error::input(
-            format!("{}: {problem}", path.display()),
-            "correct the file; its first lines say how",
-        )
-    };
-    let text = fs::read_to_string(&path).map_err(|error| wrong(error.to_string()))?;
-    let file: File = toml::from_str(&text).map_err(|error| wrong(error.to_string()))?;
+    let wrong = Error::input(
+        path.display().to_string(),
+        "correct the file; its first lines say how",
+    );
+    let text = fs::read_to_string(&path).or_fail(&wrong)?;
+    let file: File = toml::from_str(&text).or_fail(&wrong)?;
     Ok(file.mutant)
 }
 

@@ -12,7 +12,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::Entry;
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Error, Result, ResultExt};
 
 /// Somebody on the roster.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
@@ -42,30 +42,25 @@ pub struct Placement {
 
 /// The people of a course, in the file's order.
 pub fn read(path: &Path) -> Result<Vec<Person>> {
-    let wrong = |problem: String| {
-        Error::input(
-            format!("{}: {problem}", path.display()),
-            "a roster is a CSV file with a first line: id,name,section",
-        )
-    };
-    let bytes = std::fs::read(path).map_err(|error| wrong(error.to_string()))?;
+    let wrong = Error::input(
+        path.display().to_string(),
+        "a roster is a CSV file with a first line: id,name,section",
+    );
+    let bytes = std::fs::read(path).or_fail(&wrong)?;
     // Spreadsheets begin their files with a mark.
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .from_reader(bytes);
-    let headers = reader
-        .headers()
-        .map_err(|error| wrong(error.to_string()))?
-        .clone();
+    let headers = reader.headers().or_fail(&wrong)?.clone();
     let lower: csv::StringRecord = headers.iter().map(str::to_lowercase).collect();
     reader.set_headers(lower);
     let people: std::result::Result<Vec<Person>, csv::Error> = reader.deserialize().collect();
-    let people = people.map_err(|error| wrong(error.to_string()))?;
+    let people = people.or_fail(&wrong)?;
     let mut ids: Vec<&str> = people.iter().map(|person| person.id.as_str()).collect();
     ids.sort();
     match ids.windows(2).find(|pair| pair[0] == pair[1]) {
-        Some(pair) => Err(wrong(format!("two people have the id {}", pair[0]))),
+        Some(pair) => Err(wrong.because(format!("two people have the id {}", pair[0]))),
         None => Ok(people),
     }
 }

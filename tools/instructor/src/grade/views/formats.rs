@@ -223,3 +223,80 @@ fn xml_text(text: &str) -> String {
     let cannot = |c: char| c != '\n' && (c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'));
     text.replace(cannot, "\u{fffd}")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grade::provenance::{MadeWith, Provenance, Tool};
+    use crate::grade::record::Timings;
+    use pinhole_course::outcome::{FilmOutcome, Outcome, SceneOutcome};
+
+    /// A terminal's command, a character that reorders others, markup, and a second line.
+    const HOSTILE: &str = "\u{1b}]0;x\u{7}\u{202e}<script>\u{9b}2J\nnext";
+
+    fn record() -> Record {
+        let refused = FilmOutcome::Refused {
+            why: HOSTILE.into(),
+        };
+        let mut got = Outcome::new("Assignment", HOSTILE.into(), "bubblewrap");
+        got.scenes = vec![SceneOutcome::new("scene".into(), 5, refused, 0.25)];
+        got.add_up();
+        Record {
+            id: "ada".into(),
+            status: got.status(),
+            explanation: String::new(),
+            got,
+            fresh_scenes: Vec::new(),
+            most_for_scenes: None,
+            tokens: Default::default(),
+            provenance: Provenance {
+                answers: Vec::new(),
+                made_with: MadeWith {
+                    judged_on: "public goldens only".into(),
+                    seed: None,
+                    goldens: String::new(),
+                    fresh: None,
+                    assignment: String::new(),
+                    tool: Tool {
+                        version: String::new(),
+                        sha256: String::new(),
+                        rustc: String::new(),
+                    },
+                    sandbox: "bubblewrap".into(),
+                    timeout: 10,
+                    reveal: None,
+                },
+            },
+            timings: Timings::default(),
+        }
+    }
+
+    /// Every text in a document.
+    fn texts(value: &Value) -> Vec<&str> {
+        match value {
+            Value::String(text) => vec![text],
+            Value::Array(values) => values.iter().flat_map(texts).collect(),
+            Value::Object(fields) => fields.values().flat_map(texts).collect(),
+            _ => Vec::new(),
+        }
+    }
+
+    #[test]
+    fn no_format_passes_on_commands_or_markup_of_a_students() {
+        let failing = record();
+        let not_graded = record().not_graded(HOSTILE.into());
+        let is_hostile = |c: char| (c.is_control() && c != '\n') || c == '\u{202e}';
+        for record in [&failing, &not_graded] {
+            let documents = [gradescope(record).unwrap_or_default(), prairielearn(record)];
+            for text in documents.iter().flat_map(texts) {
+                assert!(!text.contains(is_hostile), "{text:?}");
+            }
+            let xml = junit(record);
+            assert!(xml.contains("2J"), "{xml}");
+            assert!(
+                !xml.contains(is_hostile) && !xml.contains("<script>"),
+                "{xml:?}"
+            );
+        }
+    }
+}
