@@ -89,7 +89,7 @@ pub enum Event {
     Key(Key),
     /// The terminal has another size.
     Resized,
-    /// Nobody is there to save anything more: end when all is told.
+    /// No more saves will come: end when everything is reported.
     Closed,
     /// End now.
     Quit,
@@ -143,7 +143,7 @@ pub fn run(course: Course, json: bool) -> Result<()> {
     }
 }
 
-/// Who is told.
+/// Where results are shown.
 enum View {
     Screen(Terminal),
     Plain(Plain),

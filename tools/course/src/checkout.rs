@@ -14,7 +14,7 @@ pub struct Checkout {
 }
 
 impl Checkout {
-    /// The checkout, or what stands in for one in a test, in this folder.
+    /// The checkout in this folder; a test may use any folder as one.
     pub fn at(root: &Path) -> Checkout {
         Checkout { root: root.into() }
     }
@@ -48,8 +48,8 @@ impl Checkout {
         self.root.join("assignments")
     }
 
-    /// The assignment that is meant where nobody says which: the workspace's manifest has
-    /// its name.
+    /// The assignment that is used unless another is named. The workspace's manifest names
+    /// it.
     ///
     /// # Errors
     /// If it has none.

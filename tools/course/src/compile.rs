@@ -25,7 +25,7 @@ use build::{Built, Sources, build};
 use harness::Harness;
 pub use whole::Whole;
 
-/// Answers whose stubs stand in for them, by task, and why.
+/// Answers that were replaced by their stubs, by task, and why.
 pub type Replacements = BTreeMap<String, Replaced>;
 
 /// A submission that runs.
@@ -48,7 +48,7 @@ pub enum Replaced {
     DoesNotCompile(String),
 }
 
-/// What every submission is compiled with; gathered once, it serves many.
+/// Compiles submissions; made once, it serves many.
 #[derive(Clone)]
 pub struct Compiler {
     /// Where finished programs lie.
@@ -84,8 +84,7 @@ impl Compiler {
         })
     }
 
-    /// The same for one stranger's answers: behind walls of their own, and in a folder that
-    /// nobody shares.
+    /// A compiler for one untrusted submission, with a sandbox and a folder of its own.
     pub fn apart(&self, sandbox: &Sandbox, programs: PathBuf) -> Compiler {
         Compiler {
             programs,
@@ -106,8 +105,8 @@ impl Compiler {
         }
     }
 
-    /// The same, unless the answers that were to be replaced so far are `enough` to know:
-    /// the compiler says what is wrong long before the others' program is built.
+    /// Compiles a submission, but stops as soon as the answers that have been replaced are
+    /// `enough` to know: the compiler reports errors long before it has built the rest.
     pub fn compile_until(
         &self,
         submission: &Submission,
@@ -155,7 +154,7 @@ impl Compiler {
     }
 }
 
-/// What came of [`Compiler::compile_until`].
+/// The result of [`Compiler::compile_until`].
 pub enum Attempt {
     /// A program.
     Program(Program),

@@ -40,7 +40,7 @@ pub struct Examiner<'a> {
     pub wall: Duration,
     /// Asked about every film too, if there is one; a disagreement is an error.
     pub second_judge: Option<&'a SecondJudge>,
-    /// What says how long each process may take instead, if anything does.
+    /// Says how long each process may take, in place of the usual limits, if there is one.
     pub clock: Option<&'a dyn Clock>,
     /// Told what is being asked, and the share of its answers so far, 0 to 1.
     pub progress: &'a dyn Fn(&str, f64),
@@ -48,7 +48,7 @@ pub struct Examiner<'a> {
 
 /// Limits that differ from one task or scene to another.
 pub trait Clock {
-    /// What the process may take that is asked about `what`, a task or a scene.
+    /// The limits of the process that is asked about `what`, a task or a scene.
     fn limits(&self, what: &str) -> Limits;
 
     /// Sees every reply; an error ends the examination.
@@ -71,7 +71,8 @@ impl Selection {
     }
 }
 
-/// A group asked alone has at least this long: starting a process is no student's fault.
+/// The least time for a group that is asked alone: starting a process takes some of it, and
+/// that must not count against the student.
 const LEAST_WALL: Duration = Duration::from_secs(2);
 
 impl Examiner<'_> {
@@ -103,7 +104,7 @@ impl Examiner<'_> {
                 films.push(film);
             }
         }
-        // Each process may say so much; nobody reads more of them all together.
+        // Each process may print this much; all together are cut to the same length.
         printed.truncate(printed.floor_char_boundary(MOST_PRINTED));
         let folder = submission.folder.display().to_string();
         let mut outcome = Outcome {
@@ -281,7 +282,7 @@ struct Judged {
     verdict: Option<Verdict>,
 }
 
-/// What an ending means for whoever was asked; `None` if all is well so far.
+/// What an ending means for the answers that were asked; `None` if all is well so far.
 pub fn failure(
     ending: &Ending,
     assignment: &Assignment,

@@ -94,8 +94,9 @@ impl Goldens {
         })
     }
 
-    /// The same, also of a folder with scenes alone, as `golden render my.toml --out DIR`
-    /// makes: these share the points of the assignment's, whose public probes are asked.
+    /// Goldens of an assignment from any folder, even one with scenes alone, as `golden
+    /// render my.toml --out DIR` makes it. Its scenes share the points of the assignment's
+    /// scenes, and the assignment's public probes are asked.
     pub fn find(folder: &Path, assignment: &Assignment) -> Result<Goldens> {
         let manifest = Manifest::read_or_new(folder)?;
         if manifest.probe_seed.is_some() || manifest.sources.is_empty() {
@@ -142,14 +143,14 @@ impl Goldens {
         Goldens::of_scenes(folder, &[])
     }
 
-    /// The same, but as if nobody had ever met this mistake.
+    /// These goldens without what is known of this mistake.
     pub fn unaware_of(&self, slug: &str) -> Goldens {
         let mut goldens = self.clone();
         goldens.known.mistake.remove(slug);
         goldens
     }
 
-    /// The same, but nothing is known of mistakes: then nothing is diagnosed.
+    /// These goldens without known mistakes, so that nothing is diagnosed.
     pub fn without_known(&self) -> Goldens {
         Goldens {
             known: Known::default(),

@@ -14,7 +14,7 @@ pub fn reference(assignment: &Assignment) -> Result<Submission> {
 }
 
 impl Submission {
-    /// The same with the answer files of `folder` in place of its own.
+    /// This submission with the answer files of `folder` in place of its own.
     pub fn overlaid(mut self, folder: &Path) -> Result<Submission> {
         for answer in &mut self.answers {
             let path = folder.join(&answer.task).with_extension("rs");
@@ -31,7 +31,7 @@ impl Submission {
         Ok(self)
     }
 
-    /// The same with another answer to one task.
+    /// This submission with another answer to one task.
     pub fn with_answer(mut self, task: &str, text: String) -> Submission {
         for Answer { text: old, .. } in self.answers.iter_mut().filter(|a| a.task == task) {
             *old = Ok(text.clone());

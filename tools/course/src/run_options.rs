@@ -34,7 +34,7 @@ impl AssignmentOption {
         Assignment::find(checkout, self.name.as_deref(), &folder)
     }
 
-    /// The same of a command that takes the name as an argument too.
+    /// The assignment of a command that takes the name as an argument too.
     ///
     /// # Errors
     /// See [`Assignment::find`].

@@ -106,7 +106,7 @@ impl Sandbox {
         }
     }
 
-    /// The same for code that nobody trusts, wherever it lies; `what` names it.
+    /// A sandbox for untrusted code, wherever it lies; `what` names the code in errors.
     ///
     /// # Errors
     /// See [`Sandbox::around`].
@@ -123,8 +123,8 @@ impl Sandbox {
         }
     }
 
-    /// The same walls around somebody else: another user id, so that neither can signal
-    /// or starve the other, and time of their own.
+    /// A new sandbox of the same kind for another submission. It has another user id, so that
+    /// neither can signal or starve the other, and a time budget of its own.
     pub fn anew(&self) -> Sandbox {
         match self {
             Sandbox::Trusted => Sandbox::Trusted,
@@ -254,7 +254,7 @@ impl Sandbox {
                 None if *death == Death::OutOfProcessorTime => {
                     reply.ending = Ending::TimedOut(limits.cpu);
                 }
-                // What Rust itself prints; its end is that of any process that aborts.
+                // Rust itself prints this; otherwise the process ends like any other that aborts.
                 None if reply.printed.contains("memory allocation of ") => {
                     reply.ending = Ending::OutOfMemory(limits.memory);
                 }

@@ -38,7 +38,8 @@ pub struct Answer {
 pub enum Unusable {
     /// It is not there.
     Missing,
-    /// It is no regular UTF-8 file of ordinary size; why, in words.
+    /// The file was not accepted, because it is not a regular UTF-8 file or too long; why, in
+    /// words.
     Refused(String),
 }
 
@@ -52,7 +53,7 @@ impl Submission {
         Submission::find_any(folder, assignment)?.ok_or_else(|| empty(folder, assignment))
     }
 
-    /// The same; `None` if there is no answer file.
+    /// The submission in a folder or an archive; `None` if it holds no answer file.
     pub fn find_any(folder: &Path, assignment: &Assignment) -> Result<Option<Submission>> {
         if folder.is_file() {
             return Submission::unpack(folder, assignment);
@@ -139,7 +140,8 @@ fn empty(folder: &Path, assignment: &Assignment) -> Error {
     )
 }
 
-/// What archives and version control leave beside the answers' folder is not.
+/// Whether a folder may hold answers: not those that archives and version control leave
+/// beside it.
 fn is_ordinary(name: &str) -> bool {
     !name.starts_with('.') && !name.starts_with("__")
 }

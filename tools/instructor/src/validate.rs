@@ -1,11 +1,11 @@
-//! The grading graded: everything whose verdict is known beforehand goes down the one
-//! path, and the verdicts are compared with what is known.
+//! Grades the grading: judges submissions whose verdict is known beforehand, and compares the
+//! verdicts with what is known.
 //!
 //! Reading order: [`bench`] judges one submission; [`submissions`] holds those that
 //! people wrote, and [`mutants`] those that a program writes ([`mutate`]), with
-//! [`equivalents`] for the ones that are no mistakes, which [`difference`] searches for; [`catches`] counts who catches
-//! what; [`sensitivity`] says how small an error may be and still be seen; [`table`]
-//! shows it all.
+//! [`equivalents`] for the ones that are not mistakes, which [`difference`] searches for
+//! differences; [`catches`] counts which questions catch which mistakes; [`sensitivity`]
+//! says how small an error the scenes still detect; [`table`] shows the results.
 
 pub mod bench;
 mod catches;

@@ -1,4 +1,4 @@
-//! The report: one HTML file that opens from disk and asks nobody for anything.
+//! The report: one HTML file that opens from disk and loads nothing else.
 //!
 //! Reading order: [`task`] and [`scene`] for what stands on the page; [`cause`] for
 //! why a pixel is wrong; [`belief`] for diagnoses; [`pixels`], [`window`], [`rays`] for

@@ -1,4 +1,4 @@
-//! A place in the book, for whoever is sent there.
+//! A place in the book that readers are sent to.
 
 use std::fmt;
 use std::path::Path;

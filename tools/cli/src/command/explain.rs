@@ -20,7 +20,7 @@ use pinhole_report::terminal;
 /// Enough digits to follow a computation by hand.
 const DIGITS: usize = 6;
 
-/// More candidates than this are a list nobody reads: those that miss are left out.
+/// Nobody reads a longer list of candidates, so the ones that miss are left out of it.
 const MOST_MISSES: usize = 12;
 
 pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Status> {

@@ -19,7 +19,7 @@ pub enum Key {
     Again,
     Quit,
     Help,
-    /// So many lines down; up if negative.
+    /// Scroll by this many lines: down, or up if negative.
     Scroll(isize),
 }
 

@@ -1,4 +1,4 @@
-//! The same in a pipe: every verdict as it comes, as lines or as JSON.
+//! The watch in a pipe: prints every verdict as it comes, as lines or as JSON.
 
 use std::io::{self, Read, stdin};
 use std::sync::mpsc::Sender;
@@ -20,8 +20,8 @@ pub struct Plain {
     width: usize,
 }
 
-/// Closes the watch with standard input, if that is a pipe: whoever held the other
-/// end is gone then.
+/// Ends the watch when standard input closes, if that is a pipe: the program at its other
+/// end is gone.
 pub fn listen(events: Sender<Event>) {
     if is_pipe() {
         thread::spawn(move || {

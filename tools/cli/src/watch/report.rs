@@ -37,7 +37,7 @@ fn open(path: &Path) -> String {
     }
 }
 
-/// What brings a file to the machine that a user has come from over ssh.
+/// The command that copies a file to the machine from which the user has logged in by ssh.
 fn copy_command(path: &Path) -> Option<String> {
     let connection = std::env::var("SSH_CONNECTION").ok()?;
     // Client's address and port, server's address and port.

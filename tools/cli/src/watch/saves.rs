@@ -1,7 +1,7 @@
 //! Notices saves.
 //!
-//! The system's notices only wake us up: what is true are the six files, which are
-//! read and compared with what they were. So it does not matter whether an editor
+//! The system's notices only wake us up. We then read the answer files and compare them with
+//! what they were, so it does not matter whether an editor
 //! writes in place, renames or deletes, and where there are no notices, on a network
 //! folder say, a look every now and then finds the save a little later.
 

@@ -14,14 +14,14 @@ use pinhole_report::terminal::{self, FAIL, PASS, QUIET, STRONG};
 pub struct Frame {
     /// No more lines than the screen has, none wider than it is.
     pub lines: Vec<String>,
-    /// The scrolling that was possible of what was wanted.
+    /// How far it is scrolled: as far as was asked for, or as far as possible.
     pub scroll: usize,
 }
 
 /// Columns of the progress bar.
 const WIDEST_BAR: usize = 40;
 
-/// What to show on so many columns and rows.
+/// What to show on a terminal of this size.
 pub fn frame(state: &State, columns: usize, rows: usize) -> Frame {
     let mut foot = fold(&foot(state, columns), columns);
     foot.truncate(rows.saturating_sub(3).max(1));

@@ -59,7 +59,7 @@ pub struct State {
 
 /// What belongs to a verdict.
 struct Stamp {
-    /// Of which answers it is.
+    /// The answers it judges.
     generation: u64,
     /// How long after their save it came.
     after_save: Option<Duration>,

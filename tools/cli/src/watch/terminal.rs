@@ -98,7 +98,7 @@ impl Drop for Terminal {
 }
 
 fn give_back() {
-    // There is nobody to tell: the terminal is what we would tell it on.
+    // An error cannot be reported: it would have to be printed on this terminal.
     let _ = terminal::disable_raw_mode();
 }
 

@@ -61,8 +61,9 @@ impl Diagnostic {
     }
 }
 
-/// Errors by the answer they stand in. One that stands in several is nobody's yet: two
-/// answers may contradict each other, and who is wrong shows when each stands among stubs.
+/// Errors by the answer they point at. An error that points at several answers is not blamed
+/// on any yet: two answers may contradict each other, and compiling each among stubs shows
+/// which one is wrong.
 pub fn by_place(
     diagnostics: &[Diagnostic],
     submission: &Submission,

@@ -32,7 +32,7 @@ pub enum Built {
 /// Compiles sources into a folder of `programs`, unless it is there already.
 ///
 /// # Errors
-/// If there is no room for it, or no compiler.
+/// If the disk is full, or there is no compiler.
 pub fn build(
     sources: &Sources,
     programs: &Path,

@@ -4,7 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-/// So many stay, about a megabyte each: what was undone is quick to be done again.
+/// How many programs are kept, about a megabyte each, so that undoing an edit needs no new
+/// build.
 const KEPT: usize = 200;
 
 /// One that is younger may be about to be asked.
@@ -31,7 +32,7 @@ fn prune_to(programs: &Path, kept: usize, young: Duration) {
     old.truncate(old.len().saturating_sub(kept));
     old.retain(|(made, _)| made.elapsed().is_ok_and(|age| age >= young));
     for (_, program) in old {
-        // Whoever removes it first; what cannot be removed is no reason to stop.
+        // Another command may have removed it first; if it cannot be removed, it stays.
         let _gone_or_kept = fs::remove_dir_all(program);
     }
 }

@@ -15,7 +15,7 @@ use crate::error::Result;
 pub struct Evidence {
     /// How many pixels are wrong.
     pub failing: usize,
-    /// Of how many.
+    /// How many pixels there are.
     pub pixels: usize,
     /// For each mistake that would show in this film.
     pub agreements: BTreeMap<String, Agreement>,
@@ -51,7 +51,7 @@ impl Evidence {
         let mut agreements: BTreeMap<String, Agreement> = prints
             .map(|(slug, print)| (slug.to_owned(), agreement(&compared, &print)))
             .collect();
-        // Whoever panics answers nothing; here something was answered.
+        // A mistake that panics gives no answers; here some were given.
         let panicking = Agreement {
             predicted: pixels as f64,
             touched: failing as f64,
@@ -65,7 +65,7 @@ impl Evidence {
         }))
     }
 
-    /// What the known mistakes say of a panic where so many pixels were asked for.
+    /// What the known mistakes say of a panic where `pixels` pixels were asked for.
     pub fn of_panic(name: &str, pixels: usize, known: &Known) -> Evidence {
         let all = Agreement {
             predicted: pixels as f64,
@@ -81,7 +81,7 @@ impl Evidence {
         }
     }
 
-    /// What this mistake says; nothing, if it would not show.
+    /// How well this mistake agrees; all zero if it would not show.
     pub fn agreement(&self, slug: &str) -> Agreement {
         self.agreements.get(slug).copied().unwrap_or_default()
     }

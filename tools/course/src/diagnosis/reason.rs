@@ -139,7 +139,7 @@ struct Sum {
     shared: f64,
     /// What they predict and is right.
     absent: f64,
-    /// What either has and the other has not, or has otherwise.
+    /// What only one of the two has, or where they differ.
     apart: f64,
     /// What a single pixel of each film adds up to.
     grain: f64,

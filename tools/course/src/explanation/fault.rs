@@ -5,8 +5,8 @@ use pinhole::{Hit, Intersection, Kind, Ray, Shape, ShapeKind};
 use super::Explanation;
 use crate::assignment::{Assignment, Task};
 
-/// A page to read is no verdict: what differs by less than this share of itself, or of 1,
-/// is told apart by goldens with their tolerances alone.
+/// An explanation calls two numbers different only if they differ by more than this share of
+/// themselves, or of 1. Only goldens with their tolerances can tell closer ones apart.
 const CLEAR: f64 = 1e-3;
 
 impl Explanation {

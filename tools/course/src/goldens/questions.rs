@@ -56,7 +56,7 @@ impl Goldens {
         groups.map(|points| self.group(task, points)).collect()
     }
 
-    /// The same, read once and kept: an examination may be one of many.
+    /// The questions of a task, cached: many submissions may be examined in one run.
     pub fn kept_questions(&self, task: &Task) -> Result<Arc<Questions>> {
         let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(questions) = kept.get(&task.name) {
@@ -109,7 +109,7 @@ impl Goldens {
         })
     }
 
-    /// The same, read once and kept.
+    /// The film of a scene, cached.
     pub fn kept_scene(&self, scene: &GoldenScene) -> Result<Arc<QuestionFilm>> {
         let kept = || {
             self.kept_scenes
@@ -191,7 +191,7 @@ fn read_golden(path: &Path) -> Result<Golden> {
     Golden::read(path).map_err(ours)
 }
 
-/// A golden that cannot be used is no fault of whoever is judged by it.
+/// An unusable golden is our fault, not that of the submission it judges.
 fn ours(error: pinhole::Error) -> Error {
     Error::environment(
         format!("{}: {}", error.path.display(), error.problem),

@@ -34,7 +34,7 @@ const BWRAP: &str = "/usr/bin/bwrap";
 /// Where this program lies inside.
 const PINHOLE_INSIDE: &str = "/pinhole";
 
-/// A user cannot own so many.
+/// More processes than one user can own, so that this limit never applies.
 const UNCOUNTED: u64 = 1 << 20;
 
 impl Bubblewrap {

@@ -1,5 +1,5 @@
-//! The inner wall: this program, started anew, gives up everything that foreign code
-//! has no need of, and then becomes that code.
+//! The inner wall: a new process of this program gives up every right that foreign code does
+//! not need, and then becomes that code.
 //!
 //! It is what both sandboxes end in. Bubblewrap has drawn its walls by then; in a
 //! container, where it cannot, another user id and Landlock take their place.
@@ -127,7 +127,7 @@ fn give_up(confine: &Confine) -> Result<(), String> {
         let most = getrlimit(resource)
             .maximum
             .map_or(most, |least| least.min(most));
-        // Time that is up is told by a signal of its own; a second later all is over.
+        // When the time is up, the kernel sends a signal of its own; a second later it kills.
         let current = match resource {
             Resource::Cpu => most.saturating_sub(1),
             _ => most,

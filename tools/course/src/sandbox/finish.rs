@@ -47,7 +47,7 @@ pub fn finish(
             let mut kept = Vec::new();
             let beginning = (&mut pipe).take(MOST_SAID as u64).read_to_end(&mut kept);
             let rest = beginning.and_then(|_| io::copy(&mut pipe, &mut io::sink()));
-            // A broken pipe ends the text; nobody waiting for it is no fault either.
+            // A broken pipe ends the text, and it does no harm if nobody waits for it.
             let _ = (rest, sender.send(kept));
         });
     }
@@ -64,7 +64,7 @@ pub fn finish(
         }
     };
     let exceeded = watch.stop();
-    // Whoever still holds the pipe was left behind, and is not waited for.
+    // Don't wait for a process that was left behind and still holds the pipe.
     let stderr = said
         .recv_timeout(Duration::from_secs(2))
         .unwrap_or_default();

@@ -62,8 +62,8 @@ impl Limits {
         }
     }
 
-    /// For so many seconds of the processor, on however few cores; if much time is lost,
-    /// for `shortest`.
+    /// Limits for `cpu` seconds of the processor, however few cores there are. They never
+    /// become shorter than `shortest`, however much time a submission has lost.
     pub fn of_processor(cpu: Duration, shortest: Duration) -> Limits {
         Limits {
             cpu,
@@ -74,7 +74,7 @@ impl Limits {
         }
     }
 
-    /// The same for less time.
+    /// These limits, but for at most `time`.
     pub fn at_most(self, time: Duration) -> Limits {
         Limits {
             cpu: self.cpu.min(time * cores() as u32 + Duration::from_secs(2)),

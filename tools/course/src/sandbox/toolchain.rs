@@ -39,8 +39,8 @@ pub fn linker(sysroot: &Path) -> Vec<OsString> {
     arguments
 }
 
-/// User ids that no system gives to people or services; those of one program's
-/// sandboxes differ, so that none can starve or signal another.
+/// A user id that no system gives to people or services. Each sandbox of this program gets
+/// a different one, so that none can starve or signal another.
 pub fn next_uid() -> u32 {
     use std::sync::atomic::{AtomicU32, Ordering};
 

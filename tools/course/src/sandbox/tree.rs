@@ -15,7 +15,7 @@ pub struct Used {
     pub memory: u64,
 }
 
-/// What `pid` and its descendants use now. Who vanishes meanwhile counts as nothing.
+/// What `pid` and its descendants use now. A process that ends meanwhile counts as nothing.
 pub fn used_by(pid: u32) -> Used {
     let mut used = Used::default();
     let mut ticks = 0;

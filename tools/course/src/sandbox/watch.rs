@@ -1,5 +1,5 @@
-//! Somebody who looks at a process and all it starts, and ends it when it takes more
-//! than it may: the kernel's own limits count each process by itself.
+//! Watchdog: kills a process tree that exceeds its limits. The kernel's own limits count each
+//! process by itself.
 
 use std::fmt;
 use std::sync::mpsc::Sender;
@@ -26,7 +26,7 @@ impl fmt::Display for Exceeded {
     }
 }
 
-/// Looks until it is told to stop.
+/// Watches until it is stopped.
 pub struct Watch {
     looking: Option<(Sender<()>, JoinHandle<Option<Exceeded>>)>,
 }
@@ -37,7 +37,7 @@ impl Watch {
         Watch { looking: None }
     }
 
-    /// What was exceeded, if anything was. Nothing is ended any more after this.
+    /// Stops watching. Which limit was exceeded, if any was.
     pub fn stop(self) -> Option<Exceeded> {
         let (enough, thread) = self.looking?;
         drop(enough);
@@ -77,7 +77,7 @@ mod looking {
                     } else {
                         continue;
                     };
-                    // If it has ended by itself meanwhile, it passed the limit all the same.
+                    // The process may have ended by now, but it exceeded the limit all the same.
                     let _ended = pidfd_send_signal(&handle, Signal::KILL);
                     return Some(exceeded);
                 }

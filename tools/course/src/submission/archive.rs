@@ -1,5 +1,5 @@
-//! A submission that comes as a ZIP file, read where it lies: nothing is unpacked to a
-//! disk, and of what is inside only the answers are unpacked at all.
+//! A submission that comes as a ZIP file. Nothing is unpacked to disk, and only the answers
+//! are unpacked at all.
 
 use std::collections::BTreeMap;
 use std::io::{Cursor, Read};
@@ -14,7 +14,8 @@ use crate::error::{Error, Result, ResultExt};
 /// A longer archive holds more than answers.
 const MOST_ARCHIVE_BYTES: u64 = 16 << 20;
 
-/// So many files are no submission, and their names alone take a while to read.
+/// An archive with more files is not a submission, and it would take long to read even their
+/// names.
 const MOST_ENTRIES: usize = 5000;
 
 /// A file type in the upper bits of a mode, as Unix packs it.

@@ -2,9 +2,8 @@
 //! the network, the compiler's environment. Flagged, never scored.
 //!
 //! The text is split into tokens as the compiler does it, so no comment or string is
-//! taken for code, and what stands inside a macro is seen too. There is no parser
-//! behind it: those work their way down by recursion, and an answer of 100,000 minus
-//! signs would take the grader with it.
+//! taken for code, and the inside of a macro is seen too. We don't parse it: parsers recurse,
+//! and an answer of 100,000 minus signs would overflow the grader's stack.
 
 use proc_macro2::{TokenStream, TokenTree};
 use serde::{Deserialize, Serialize};
@@ -111,7 +110,7 @@ enum Token {
     Text,
 }
 
-/// What stands for `::`, which is no character of the language.
+/// Stands for `::`; no Rust source has this character outside strings.
 const PATH: char = '∷';
 
 /// All tokens with their lines. Not by recursion: delimiters may be nested without end.

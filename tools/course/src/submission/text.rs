@@ -16,7 +16,7 @@ pub const MOST_BYTES: u64 = 256 * 1024;
 /// Reads a file that is what it seems.
 ///
 /// # Errors
-/// If the machine cannot read what is there, which is no fault of the file's.
+/// If there is a file, but this machine cannot read it.
 pub fn read(path: &Path) -> Result<Text> {
     let refused = |why: &str| Ok(Err(Unusable::Refused(why.into())));
     // `symlink_metadata` looks at the link itself: a link could lead anywhere.
@@ -29,7 +29,7 @@ pub fn read(path: &Path) -> Result<Text> {
         return refused("it is not a regular file");
     }
     let file = open(path).or_fail(&unreadable(path))?;
-    // Once more, of what was opened: it may have been exchanged meanwhile.
+    // Check again what was opened: the file may have been replaced in the meantime.
     if !file.metadata().is_ok_and(|metadata| metadata.is_file()) {
         return refused("it is not a regular file");
     }

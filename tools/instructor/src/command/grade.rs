@@ -151,7 +151,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     class::sort_changes(&mut changes);
     let roll = match arguments.shard {
         None => roll,
-        // A shard speaks of its own; what was not handed in is for the merge to say.
+        // A shard reports only its own submissions; the merge says what was not handed in.
         Some(_) => Roll {
             entries: mine,
             ..Roll::default()
@@ -181,7 +181,7 @@ fn jobs(arguments: &Grade) -> usize {
 }
 
 /// Where this class's programs lie while they are asked, without those of a run that was
-/// killed. Not in `--out`: whom the code runs as may not get there.
+/// killed. Not in `--out`: the user that the code runs as may have no access there.
 fn programs(checkout: &Checkout, cache: &ResultCache) -> PathBuf {
     let out = cache.path("");
     let out = out.canonicalize().unwrap_or(out);

@@ -1,7 +1,7 @@
 //! Answers that are the same but for comments, spaces and line breaks.
 //!
-//! Short answers may well coincide: this is told with how many share it, and scores
-//! nothing.
+//! Short answers may well coincide, so this is reported with how many share an answer and
+//! costs no points.
 
 use std::collections::BTreeMap;
 
@@ -81,8 +81,8 @@ fn is_doc(stream: &TokenStream) -> bool {
     matches!(first, Some(TokenTree::Ident(name)) if name == "doc")
 }
 
-/// Answers that everybody may know: the reference's and the variants', by task and hash;
-/// with them those of the stubs, which are nobody's.
+/// Answers that are not the students' own work: the stubs, the reference's and the variants',
+/// by task and hash.
 pub struct KnownAnswers {
     named: BTreeMap<(String, String), String>,
     stubs: Vec<String>,

@@ -70,7 +70,7 @@ impl ResultCache {
         Ok(())
     }
 
-    /// Keeps the record of a fault of ours beside a finished grade, never over it.
+    /// Stores the record of a fault of ours beside a finished grade, which it never overwrites.
     pub fn put_fault(&self, record: &Record) -> Result<()> {
         let folder = self.of(&record.id);
         let name = match folder.join("result.json").exists() {
@@ -90,8 +90,8 @@ impl ResultCache {
     }
 }
 
-/// What a folder of `submissions` holds of one: its grade, or why it has none. A grade
-/// does not stand if other answers could not be graded since.
+/// The record in the folder of one submission: its grade, or why it has none. A grade is no
+/// longer valid if grading newer answers has failed.
 pub fn standing(folder: &Path) -> Option<Record> {
     let (result, fault) = (
         read(&folder.join("result.json")),
@@ -111,8 +111,8 @@ fn read(path: &Path) -> Option<Record> {
     (record.got.schema == SCHEMA).then_some(record)
 }
 
-/// What a run set out to grade, kept until it has: a run that is stopped leaves grades of
-/// older answers behind, and a merge must not take them for new ones.
+/// What a run has still to grade, stored until it is done: a run that is stopped leaves grades
+/// of older answers behind, and a merge must not take them for new ones.
 ///
 /// By submission: the answers that its grade is to be of. (By what they are judged, all
 /// parts must agree; a merge checks that itself.)
@@ -135,7 +135,7 @@ impl Backlog {
     ) -> Result<()> {
         let mut unfinished = BTreeMap::new();
         for entry in entries {
-            // What cannot be opened has no answers; its record tells why.
+            // A submission that cannot be opened has no answers; its record says why.
             let Ok(submission) = intake::open(entry, assignment) else {
                 continue;
             };
@@ -153,7 +153,7 @@ impl Backlog {
         let _was_never_there = fs::remove_file(cache.path(BACKLOG));
     }
 
-    /// What the last run in a folder left undone; nothing, if it came to its end.
+    /// What the last run in a folder left undone; empty if it was finished.
     pub fn read(folder: &Path) -> Result<Backlog> {
         let path = folder.join(BACKLOG);
         let Ok(text) = fs::read_to_string(&path) else {
@@ -165,7 +165,7 @@ impl Backlog {
         )
     }
 
-    /// The record, if it is of what was to be graded; else, that it is not graded.
+    /// The record, if it belongs to what was to be graded; otherwise the record as not graded.
     pub fn check(&self, record: Record) -> Record {
         match self.0.get(&record.id) {
             Some(wanted) if *wanted != record.provenance.answers => record.not_graded(
@@ -184,7 +184,7 @@ pub fn pretty(value: &impl serde::Serialize) -> Result<String> {
     Ok(text + "\n")
 }
 
-/// Writes beside, makes sure that it is on the disk, and puts it in its place at once.
+/// Writes a file atomically: beside its place, flushed to disk, then renamed.
 pub fn write(path: &Path, content: &[u8]) -> Result<()> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut beside = path.as_os_str().to_owned();

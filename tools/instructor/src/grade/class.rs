@@ -20,7 +20,7 @@ pub struct Roll {
     /// Everything that is graded, by id.
     pub entries: Vec<Entry>,
     pub placed: Placement,
-    /// Files that are no submissions.
+    /// Files that are not submissions.
     pub ignored: Vec<String>,
 }
 
@@ -79,7 +79,7 @@ impl<'a> Class<'a> {
         records.filter(|record| record.is_graded())
     }
 
-    /// Those without a mark, and why.
+    /// The submissions without a mark, and why.
     pub fn not_graded(&self) -> Vec<(&'a str, &'a str)> {
         let without = self.rows.iter().filter_map(|row| match row.record {
             Some(record) if record.is_graded() => None,
@@ -92,7 +92,7 @@ impl<'a> Class<'a> {
         without.collect()
     }
 
-    /// Who ended how.
+    /// The submissions by how they ended.
     pub fn outcomes(&self) -> BTreeMap<Status, Vec<&'a str>> {
         let mut outcomes: BTreeMap<Status, Vec<&str>> = BTreeMap::new();
         for row in &self.rows {
@@ -102,8 +102,8 @@ impl<'a> Class<'a> {
         outcomes
     }
 
-    /// What is believed, the commonest first. A belief that several explain alike is
-    /// counted only where it is told apart.
+    /// The mistakes that submissions make, the commonest first. A mistake is counted only
+    /// where it can be told apart from the others that would explain the same.
     pub fn mistakes(&self) -> Vec<SharedBelief> {
         let mut held: BTreeMap<&str, SharedBelief> = BTreeMap::new();
         for record in self.graded() {

@@ -26,7 +26,7 @@ use pinhole_course::sandbox::Sandbox;
 use pinhole_course::submission::Submission;
 use pinhole_report::html::{Again, Report};
 
-/// More of what a student's code prints is not kept.
+/// The most that is kept of what a student's code prints.
 const MOST_PRINTED: usize = 16 * 1024;
 
 /// What the whole class is graded with.
@@ -35,7 +35,7 @@ pub struct Grader<'a> {
     pub goldens: &'a Goldens,
     /// Questions nobody has seen; a group counts only if it passes these too.
     pub fresh: Option<&'a Goldens>,
-    /// What is withheld; of fresh questions as much is shown.
+    /// What is withheld. Fresh questions are shown to the same extent.
     pub withheld: Withheld,
     pub compiler: &'a Compiler,
     pub sandbox: &'a Sandbox,
@@ -45,8 +45,8 @@ pub struct Grader<'a> {
     pub made_with: &'a MadeWith,
 }
 
-/// A folder for one submission's programs, gone when it is graded: a class's would fill the
-/// disk, and nobody is to find another's.
+/// A folder for one submission's programs, removed when it is graded: a whole class's would
+/// fill the disk, and no submission may find another's.
 struct ProgramFolder {
     folder: PathBuf,
 }
@@ -74,8 +74,8 @@ pub struct Grade {
 }
 
 impl Grader<'_> {
-    /// Grades a submission. Whatever goes wrong here is told in the record: it stops
-    /// nobody else, and is nobody's zero.
+    /// Grades a submission. If grading itself fails, the record says so: that stops no other
+    /// submission and gives no one a zero.
     ///
     /// `None` if an answer came too late and it was not `alone`: see [`clock`].
     pub fn grade(&self, entry: &Entry, submission: &Submission, alone: bool) -> Option<Grade> {

@@ -16,7 +16,7 @@ use pinhole_course::submission::{Answer, Submission, Unusable};
 /// Something handed in.
 #[derive(Clone, Debug, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize)]
 pub struct Entry {
-    /// Its folder in the results: plain, and nobody else's.
+    /// Its folder in the results: a plain name that no other entry has.
     pub id: String,
     /// The folder's or archive's name as it was handed in.
     pub name: String,
@@ -30,7 +30,7 @@ pub struct Entry {
 pub struct Intake {
     /// By id.
     pub entries: Vec<Entry>,
-    /// What lies in a folder of submissions and is none: listed, never dropped silently.
+    /// What lies among the submissions but is not one: listed, never dropped silently.
     pub ignored: Vec<String>,
 }
 
@@ -101,7 +101,8 @@ fn is_archive(path: &Path) -> bool {
 /// Longer names are cut.
 const MOST_CHARACTERS: usize = 80;
 
-/// A name that is safe as a folder's anywhere; told apart by a hash if it had to change.
+/// A name that is safe for a folder on every system. A hash keeps names apart that had to
+/// change.
 fn plain(name: &str) -> String {
     let stem = match name.get(name.len().saturating_sub(4)..) {
         Some(end) if end.eq_ignore_ascii_case(".zip") => &name[..name.len() - 4],

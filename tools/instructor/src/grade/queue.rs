@@ -114,8 +114,8 @@ impl GradeQueue<'_> {
         })
     }
 
-    /// A fault of ours: told, and kept beside the grade from `before` if there is one,
-    /// which stands if it is of the same answers, judged by the same.
+    /// A fault of ours. It is reported and kept, but the grade from `before` stands if the
+    /// same answers would be judged by the same goldens, tools and settings.
     fn faulty(&self, mut record: Record, before: Option<Record>) -> QueueResult {
         if let Err(error) = self.cache.put_fault(&record) {
             record.explanation.push_str(&format!("; {}", error.problem));

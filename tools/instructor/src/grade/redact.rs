@@ -1,7 +1,7 @@
 //! Takes from an outcome and its report what students are not to see.
 //!
-//! A withheld scene would be an oracle if its results said too much: whoever may hand in
-//! often could read it out, by pictures, by panic texts, by exit codes, by time. So a
+//! A withheld scene would be an oracle if its results said too much: a student who may hand
+//! in often could read it out, by pictures, by panic texts, by exit codes, by time. So a
 //! student's own words never travel from there, whatever is revealed.
 
 use clap::ValueEnum;

@@ -28,7 +28,8 @@ pub fn files(assignment: &Assignment) -> Result<Files> {
     files.insert(format!("{folder}/handout/Cargo.toml"), read(&manifest)?);
     for (path, text) in stubs::generate(assignment)? {
         let path = path.to_string_lossy().replace('\\', "/");
-        // Once to be filled, and once to stand in for an answer that does not compile.
+        // One copy is for the student to fill in, the other replaces answers that do not
+        // compile.
         files.insert(format!("{folder}/stubs/{path}"), text.clone().into());
         files.insert(format!("{folder}/handout/{path}"), text.into());
     }

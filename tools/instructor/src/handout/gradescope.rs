@@ -1,7 +1,7 @@
 //! An autograder for Gradescope: the course, and the two scripts that Gradescope runs.
 //!
-//! It holds every golden and our answers, and is for instructors alone: that is why it
-//! is no part of a student's repository.
+//! It holds every golden and our answers, so it is for instructors alone and never part of a
+//! student's repository.
 
 use std::fs::File;
 use std::io::Write;
@@ -21,7 +21,7 @@ use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::manifest::Manifest;
 
 /// Gradescope runs the first when it builds the container's image, the second for each
-/// submission; the third is for whoever unpacks the archive.
+/// submission; the third is for people who unpack the archive.
 const RECIPE: [(&str, &str, u32); 3] = [
     (
         "setup.sh",
@@ -56,7 +56,7 @@ pub fn write(
     let word = word.map_or(String::new(), |word| word.get_name().to_owned());
     course.insert("reveal".into(), word.into_bytes());
     if let Some(folder) = fresh {
-        // Read first: a folder that is none of goldens should be refused here, not there.
+        // Read the manifest first, to refuse here a folder that does not hold goldens.
         Manifest::read(folder)?;
         add_folder_as(&mut course, folder, "fresh", &[])?;
     }

@@ -18,7 +18,7 @@ use pinhole_course::assignment::Assignment;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::{manifest, stubs};
 
-/// A shorter line of an answer, `return None;` say, is nobody's secret.
+/// Shorter lines of an answer, such as `return None;`, give nothing away.
 const LEAST_LINE: usize = 24;
 
 /// Refuses files that hold a line of an answer of ours, or anything of a withheld scene.
@@ -50,7 +50,7 @@ fn answer_lines(assignment: &Assignment) -> Result<BTreeSet<String>> {
     for task in &assignment.tasks {
         let text = read_text(&assignment.reference().join("src").join(task.file()))?;
         let own = text.lines().map(str::trim);
-        // What opens a block, `match camera.projection {` say, asks and does not answer.
+        // A line that opens a block, such as `match camera.projection {`, gives no answer away.
         let tells = |line: &&str| {
             line.len() >= LEAST_LINE && !line.ends_with('{') && !line.starts_with("// ANCHOR")
         };
@@ -60,12 +60,12 @@ fn answer_lines(assignment: &Assignment) -> Result<BTreeSet<String>> {
     Ok(lines)
 }
 
-/// What tells of withheld scenes.
+/// What would give withheld scenes away.
 struct Withheld {
     names: Vec<String>,
-    /// Of their files, in hexadecimal.
+    /// The hashes of their files, in hexadecimal.
     hashes: BTreeSet<String>,
-    /// The same, to be found in other files.
+    /// The hashes, to be searched for in other files.
     hash_search: Search,
 }
 
@@ -106,7 +106,7 @@ impl Withheld {
         })
     }
 
-    /// What a file tells, in words for an instructor.
+    /// What a file gives away, in words for an instructor.
     fn shown_by(&self, path: &str, bytes: &[u8]) -> Option<String> {
         if self.names.is_empty() {
             return None;

@@ -18,7 +18,7 @@ pub struct Written {
     pub bytes: u64,
 }
 
-/// A repository that students fetch again and again is no larger.
+/// The largest repository: students fetch it again and again.
 const MOST_BYTES: u64 = 20_000_000;
 
 /// Files that are named in an error.

@@ -32,8 +32,8 @@ fn add(files: &mut Files, checkout: &Checkout, path: &str) -> Result<()> {
     Ok(())
 }
 
-/// Adds the files of these kinds in a folder and below; no kinds, all files. Links stay,
-/// and so do hidden files: what they lead to is nobody's to hand out.
+/// Adds the files of these kinds in a folder and below; without kinds, all files. Links and
+/// hidden files are left out, because they may lead to what must not be handed out.
 pub fn add_folder(
     files: &mut Files,
     checkout: &Checkout,
@@ -43,7 +43,7 @@ pub fn add_folder(
     add_folder_as(files, &checkout.root().join(folder), folder, kinds)
 }
 
-/// The same of any folder, under another path.
+/// Like [`add_folder`], but for any folder, and under another path.
 pub fn add_folder_as(files: &mut Files, path: &Path, folder: &str, kinds: &[&str]) -> Result<()> {
     let entries = fs::read_dir(path).or_fail(&unreadable(path))?;
     for entry in entries.flatten() {

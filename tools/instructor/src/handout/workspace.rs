@@ -25,7 +25,7 @@ pub struct Workspace<'a> {
     /// Folders of the packages that are there for their own sake; what they need comes
     /// with them.
     pub packages: &'a [String],
-    /// Those that cargo builds, runs and tests if nothing else is said.
+    /// The packages that cargo builds, runs and tests by default.
     pub default: &'a [String],
 }
 

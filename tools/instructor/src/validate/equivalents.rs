@@ -1,7 +1,7 @@
-//! Mutants that are known to be no mistakes, each with what it differs in and why.
+//! Mutants that are known not to be mistakes, each with what it differs in and why.
 //!
-//! The list proves nothing: every entry is held against a search for differences each
-//! time the mutants are judged.
+//! The list proves nothing: every time the mutants are judged, we search for a difference
+//! that refutes an entry.
 
 use std::fs;
 
@@ -60,7 +60,7 @@ struct File {
 }
 
 impl Listed {
-    /// Whether this entry speaks of `mutant`.
+    /// Whether this entry is about `mutant`.
     pub fn is(&self, mutant: &Mutant) -> bool {
         self.task == mutant.task && self.was == mutant.was && self.becomes == mutant.becomes
     }

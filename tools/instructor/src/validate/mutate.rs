@@ -30,7 +30,7 @@ pub struct Mutant {
     pub operator: Operator,
     /// The line, or lines, as the reference has them, without indentation.
     pub was: String,
-    /// The same as the mutant has them.
+    /// What the mutant has in their place.
     pub becomes: String,
     /// The whole file.
     #[serde(skip)]

@@ -25,11 +25,11 @@ pub struct Names {
 /// The diagnoses of one submission, or of many.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Naming {
-    /// Of tasks, by their questions.
+    /// Diagnoses of tasks, by their questions.
     pub tasks: Names,
-    /// Of scenes, as `check` diagnoses them after the tasks.
+    /// Diagnoses of scenes, as `check` makes them after the tasks.
     pub scenes: Names,
-    /// Of single pictures, as `diff` does, of which nothing else is known.
+    /// Diagnoses of single pictures, as `diff` makes them, with nothing else known.
     pub pictures: Names,
     /// Films that no diagnosis can look at, because the code panicked.
     pub without_film: usize,

@@ -33,8 +33,8 @@ pub struct Sensitivity {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
-    /// Every ray passes so many pixels beside its pixel's centre, along the rows or
-    /// along the columns, whichever is detected later.
+    /// Every ray misses its pixel's centre by this many pixels, along the rows or along the
+    /// columns, whichever is detected later.
     CameraShift,
     /// The image plane is this share of its distance too far away.
     FocalLength,

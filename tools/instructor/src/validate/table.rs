@@ -15,7 +15,7 @@ const FAIL: Style = AnsiColor::Red.on_default();
 const QUIET: Style = AnsiColor::BrightBlack.on_default();
 const STRONG: Style = Style::new().bold();
 
-/// What misses a target first, then each part that was judged.
+/// The table: first what misses a target, then each part that was judged.
 pub fn validation(validation: &Validation) -> String {
     let mut text = format!(
         "{STRONG}{}{STRONG:#}  {QUIET}the grading graded{QUIET:#}\n\n",

@@ -6,7 +6,7 @@ use crate::passage::Passage;
 use crate::terminal::percent;
 use pinhole_course::diagnosis::{Diagnosis, Explanation, Reading};
 
-/// What somebody may believe, with hints.
+/// A belief that explains wrong answers, with hints.
 #[derive(Debug, PartialEq, Serialize)]
 pub struct Beliefs {
     /// How several of them are meant; none for a single one.
@@ -23,7 +23,7 @@ pub struct Belief {
     pub belief: String,
     /// The share it explains; none where only one of several is held.
     pub explains: Option<String>,
-    /// How many others held it, if not nobody.
+    /// How many others held it; none if nobody else did.
     pub company: Option<u32>,
     pub look: String,
     pub think: String,

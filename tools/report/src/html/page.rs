@@ -120,8 +120,8 @@ fn legend() -> Vec<(&'static str, &'static str)> {
         .into()
 }
 
-/// Puts the page in its place at once: whoever has it open may load it again at any
-/// time, and two checks may end together.
+/// Writes the page in one step, because a browser may reload it at any time and two checks
+/// may end together.
 pub fn write(path: &Path, page: &str) -> std::io::Result<()> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder)?;

@@ -12,7 +12,7 @@ use pinhole_course::outcome::{AnswerFile, GroupOutcome, TaskOutcome};
 pub enum Extent {
     /// Every failing group, and where to look.
     All,
-    /// The first failing group; hints are for whoever asks.
+    /// The first failing group, without hints.
     First,
 }
 

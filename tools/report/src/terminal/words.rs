@@ -29,7 +29,7 @@ pub fn task_in_words(task: &TaskOutcome) -> String {
     }
 }
 
-/// That there is more to earn than can be seen here, if there is.
+/// Says that withheld scenes are worth points too, if there are any.
 pub fn withheld_in_words(outcome: &Outcome) -> Option<String> {
     let (possible, all) = (outcome.possible, outcome.possible + outcome.withheld);
     let words = "can be seen here; the rest is for scenes that come with grading";

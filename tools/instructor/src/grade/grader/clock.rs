@@ -1,7 +1,7 @@
 //! How long an answer may take: seconds of the processor, never less than a hundred times
 //! what the reference took for the same questions in the same run.
 //!
-//! Jobs run side by side, and a loaded machine is no student's fault. So an answer that
+//! Jobs run side by side, and students must not pay for a loaded machine. So an answer that
 //! comes too late beside others costs nothing yet: its whole submission is put back, and
 //! graded again when all others are done and it has the machine to itself. What is late
 //! then is late.
@@ -22,7 +22,7 @@ use pinhole_course::goldens::Goldens;
 use pinhole_course::overlay;
 use pinhole_course::sandbox::{Limits, Sandbox, time_of_children};
 
-/// So many times the reference's own time a right answer may take.
+/// A right answer may take this many times the reference's own time.
 const TIMES: u32 = 100;
 
 /// Two clocks, of user and system, each a tick behind.
@@ -68,8 +68,8 @@ impl Pace {
                 let problem = format!("the reference does not answer {what}: {:?}", reply.ending);
                 return Err(Error::environment(problem, "run: cargo pinhole validate"));
             }
-            // What it took at most: the system counts in hundredths of a second, and who
-            // has nobody to ask takes all cores for all the time.
+            // An upper bound: the system counts in hundredths of a second, and where it does
+            // not count at all, assume that every core was busy.
             let counted = before.zip(time_of_children());
             let counted = counted.map(|(before, after)| after.saturating_sub(before) + TICKS);
             let all = start.elapsed() * cores();

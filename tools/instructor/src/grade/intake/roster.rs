@@ -23,16 +23,16 @@ pub struct Person {
     pub section: String,
 }
 
-/// Which submission is whose, and what could not be told.
+/// Which submission is whose, and which could not be placed.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Placement {
     /// By the submission's id.
     pub of: BTreeMap<String, Person>,
     /// People without a submission.
     pub missing: Vec<Person>,
-    /// Submissions that nobody on the roster made. They are graded.
+    /// Submissions by people who are not on the roster. They are graded.
     pub unknown: Vec<String>,
-    /// Submissions that several people may have made: whom. They are graded.
+    /// Submissions that several people may have made, and who these are. They are graded.
     pub ambiguous: BTreeMap<String, Vec<Person>>,
     /// Earlier attempts that are not graded, and the later one that is.
     pub superseded: BTreeMap<String, String>,
@@ -145,7 +145,8 @@ fn names(person: &Person) -> Vec<String> {
     [all, ascii].concat()
 }
 
-/// Who of `people` may have made what is called so: whoever fits the surest sign.
+/// The people who may have handed in a submission of this name: those who match its most
+/// reliable part.
 fn candidates<'a>(said: &SubmissionName, people: &'a [Person]) -> Vec<&'a Person> {
     let is = |sign: &dyn Fn(&Person) -> bool| -> Vec<&'a Person> {
         people.iter().filter(|person| sign(person)).collect()
@@ -219,7 +220,8 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
     placed
 }
 
-/// Attempts of somebody unknown belong together if a platform numbers the person.
+/// Attempts of a person who is not on the roster belong together if the platform numbers
+/// people.
 fn unplaced(entry: &Entry, said: &SubmissionName) -> String {
     match (&said.number, said.attempt) {
         (Some(number), Some(_)) => format!("canvas {number}"),

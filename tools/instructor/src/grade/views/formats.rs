@@ -204,8 +204,8 @@ fn junit(record: &Record) -> String {
     page.unwrap_or_else(|error| panic!("junit.xml's template: {error:#}"))
 }
 
-/// What somebody reads of a part; others show it as they please, so it holds nothing that
-/// could be taken for a command or markup.
+/// The text about a part. We don't know how other graders show it, so it holds nothing that
+/// a terminal takes for a command.
 fn text(part: &Part) -> String {
     let mut lines = vec![part.said.as_str()];
     if part.points < part.possible && !part.about.is_empty() {

@@ -45,7 +45,7 @@ struct Page<'a> {
     rows: Vec<Line>,
 }
 
-/// How many have so many points.
+/// How many submissions have `from` to `to` points.
 #[derive(Serialize)]
 struct Bin {
     from: u32,

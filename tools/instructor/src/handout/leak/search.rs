@@ -7,7 +7,7 @@ pub struct Search {
     by_beginning: HashMap<[u8; BEGINNING], Vec<String>>,
 }
 
-/// So many bytes decide whether more is compared.
+/// Only where this many bytes agree is the rest compared.
 const BEGINNING: usize = 8;
 
 impl Search {
