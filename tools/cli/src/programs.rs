@@ -12,10 +12,12 @@ use pinhole_course::error::{Error, Result};
 use pinhole_course::handout_record::HandoutRecord;
 use pinhole_report::program::{self, Status};
 
-/// A program of the course: its package, folder and subcommands.
+/// A program of the course.
 struct Program {
     package: &'static str,
     folder: &'static str,
+    /// The profile that cargo builds it with.
+    profile: &'static str,
     commands: &'static [&'static str],
 }
 
@@ -23,16 +25,19 @@ const PROGRAMS: [Program; 3] = [
     Program {
         package: "pinhole-instructor",
         folder: "tools/instructor",
+        profile: "instructor",
         commands: &["golden", "grade", "merge", "handout", "validate"],
     },
     Program {
         package: "pinhole-study",
         folder: "tools/study",
+        profile: "release",
         commands: &["study", "plan"],
     },
     Program {
         package: "pinhole-book",
         folder: "tools/book",
+        profile: "release",
         commands: &["book"],
     },
 ];
@@ -79,8 +84,8 @@ impl Program {
         let manifest = checkout.root().join(self.folder).join("Cargo.toml");
         if !manifest.is_file() || HandoutRecord::read(checkout.root())?.is_some() {
             return Err(Error::input(
-                "this is a student's repository: it holds no answers of ours, no known mistakes, \
-                 and nothing that renders goldens or builds the book",
+                "this is a student's repository, which has neither the instructor's commands nor \
+                 the study and the book",
                 "run this in a checkout of the course",
             ));
         }
@@ -88,7 +93,7 @@ impl Program {
         let mut command = Command::new(cargo);
         // Not from the checkout's top folder: paths are relative to where the user stands.
         command
-            .args(["run", "--release", "--manifest-path"])
+            .args(["run", "--profile", self.profile, "--manifest-path"])
             .arg(manifest);
         if self.is_built(&checkout) {
             command.arg("--quiet");
@@ -107,7 +112,7 @@ impl Program {
 
     fn is_built(&self, checkout: &Checkout) -> bool {
         let name = format!("{}{}", self.package, env::consts::EXE_SUFFIX);
-        let executable: PathBuf = checkout.root().join("target/release").join(name);
+        let executable: PathBuf = checkout.root().join("target").join(self.profile).join(name);
         fs::metadata(executable).is_ok()
     }
 }

@@ -47,28 +47,39 @@ const OF_INSTRUCTORS: [&str; 5] = ["golden", "grade", "handout", "merge", "valid
 /// The program with this subcommand.
 pub fn program_of(subcommand: &str) -> PathBuf {
     match OF_INSTRUCTORS.contains(&subcommand) {
-        true => built("pinhole-instructor", "pinhole-instructor"),
-        false => built("pinhole-cli", "pinhole"),
+        true => built("pinhole-instructor", "pinhole-instructor", "instructor"),
+        false => built("pinhole-cli", "pinhole", "release"),
     }
 }
 
-/// A program of the course, built as the test that asks for it: a test's own package alone
-/// is sure to be built before it runs.
-fn built(package: &str, name: &str) -> PathBuf {
+/// A program of the course, built by its own profile, or by the tests' if that has debug
+/// assertions.
+fn built(package: &str, name: &str, profile: &str) -> PathBuf {
+    let (profile, folder) = match cfg!(debug_assertions) {
+        true => ("dev", "debug"),
+        false => (profile, profile),
+    };
     static BUILT: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
     let mut built = BUILT.lock().unwrap_or_else(PoisonError::into_inner);
     if built.insert(package.into()) {
-        let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
-        cargo.args(["build", "--quiet", "--package", package]);
-        if !cfg!(debug_assertions) {
-            cargo.arg("--release");
-        }
-        let status = cargo.current_dir(root()).status().expect("cargo starts");
+        let status = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()))
+            .args([
+                "build",
+                "--quiet",
+                "--package",
+                package,
+                "--profile",
+                profile,
+            ])
+            .current_dir(root())
+            .status()
+            .expect("cargo starts");
         assert!(status.success(), "{package} does not build");
     }
     let test = std::env::current_exe().expect("a test is a file");
-    let folder = test.ancestors().nth(2).expect("it lies in `deps`");
-    folder.join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
+    let target = test.ancestors().nth(3).expect("it lies in `PROFILE/deps`");
+    let file = format!("{name}{}", std::env::consts::EXE_SUFFIX);
+    target.join(folder).join(file)
 }
 
 /// Runs `pinhole` in a folder.

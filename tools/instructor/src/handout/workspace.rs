@@ -138,8 +138,13 @@ fn leave_tests_at_home(manifest: &mut DocumentMut) {
 
 /// Cargo warns of profiles for packages that are not there.
 fn keep_profiles(top: &mut DocumentMut, packages: &BTreeSet<String>) {
-    let profiles = top.get_mut("profile").and_then(Item::as_table_mut);
-    for (_, profile) in profiles.into_iter().flat_map(|all| all.iter_mut()) {
+    let Some(profiles) = top.get_mut("profile").and_then(Item::as_table_mut) else {
+        return;
+    };
+    if !packages.contains("pinhole-instructor") {
+        profiles.remove("instructor");
+    }
+    for (_, profile) in profiles.iter_mut() {
         if let Some(own) = profile.get_mut("package").and_then(Item::as_table_mut) {
             own.retain(|name, _| name == "*" || packages.contains(name));
         }

@@ -14,7 +14,8 @@ curl --proto '=https' --tlsv1.2 -sSf https://sh.rustup.rs |
 chmod -R a+rX /opt/rust
 
 cd /autograder/source/pinhole
-/opt/rust/cargo/bin/cargo build --release -p pinhole -p pinhole-cli -p pinhole-instructor
+/opt/rust/cargo/bin/cargo build --release -p pinhole -p pinhole-cli
+/opt/rust/cargo/bin/cargo build --profile instructor -p pinhole-instructor
 
 # Goldens and answers are the grader's alone; what submissions are linked against is not.
 chmod 755 . target
