@@ -114,41 +114,6 @@ fn an_answer_that_no_known_belief_explains_gets_no_name() {
 }
 
 #[test]
-fn a_film_of_an_instructors_own_scene_is_diagnosed_by_diff() {
-    let folder = fresh(&trusted(), "own-scene");
-    let scene = folder.join("ball.toml");
-    let text = "[camera]\nprojection = \"perspective\"\neye = [0.1, 0.2, 0.3]\nview = [0.2, 0.1, \
-                -1.0]\nup = [0.0, 1.0, 0.0]\nfocal_length = 1.0\nwidth = 2.0\nheight = \
-                1.5\nresolution = [32, 24]\n\n[[object]]\ntype = \"sphere\"\ncenter = [0.5, 0.0, \
-                -1.0]\nradius = 3.0\n\n[[object]]\ntype = \"plane\"\npoint = [0.0, -0.5, \
-                0.0]\nnormal = [0.0, 3.0, 0.0]\n";
-    fs::write(&scene, text).expect("it can be written");
-    let (mine, films) = (folder.join("mine"), folder.join("films"));
-    pinhole(&["golden", "render", plain(&scene), "--out", plain(&mine)])
-        .expect_code(0)
-        .expect_out("mistakes show in");
-    pinhole(&["golden", "verify", plain(&mine)]).expect_code(0);
-
-    let wrong = student("own-scene-wrong", "plane_normal_not_unit");
-    let line = [
-        "render",
-        plain(&scene),
-        "--submission",
-        plain(&wrong),
-        "--out",
-        plain(&films),
-    ];
-    pinhole(&line).expect_code(0);
-    let (golden, film) = (mine.join("ball.exr"), films.join("film.exr"));
-    let line = ["diff", plain(&golden), plain(&film), "--json"];
-    let verdict = pinhole(&line).expect_code(1).json();
-    assert_eq!(named(&verdict["diagnosis"]), ["plane_normal_not_unit"]);
-    pinhole(&["diff", plain(&golden), plain(&film)])
-        .expect_code(1)
-        .expect_out("You may believe: “");
-}
-
-#[test]
 fn mistakes_that_changed_since_they_were_fingerprinted_are_noticed() {
     let folder = fresh(&trusted(), "stale-mistakes");
     let own = root().join("golden/ray_casting");

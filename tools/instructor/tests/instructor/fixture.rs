@@ -160,3 +160,29 @@ fn a_students_repository_has_it_where_assignments_lie() {
     let goldens = out.join("golden/disks");
     run(&["golden", "verify", plain(&goldens)]).expect_code(0);
 }
+
+#[test]
+fn a_film_of_an_instructors_own_scene_is_diagnosed_by_diff() {
+    let folder = fresh(&trusted(), "own-scene");
+    let scene = folder.join("coin.toml");
+    let text = fs::read_to_string(root().join(part("scenes/coins.toml"))).expect("a scene");
+    let text = text.replace("eye = [0.2, 0.9, 4.3]", "eye = [0.1, 0.7, 4.1]");
+    fs::write(&scene, text).expect("it can be written");
+    let (scene, mine, films) = (plain(&scene), folder.join("mine"), folder.join("films"));
+    run(&["golden", "render", scene, "--out", plain(&mine)])
+        .expect_code(0)
+        .expect_out("mistakes show in");
+    run(&["golden", "verify", plain(&mine)]).expect_code(0);
+
+    let wrong = part("mistakes/disk_radius_not_squared/rewrite");
+    let line = ["render", scene, "--submission", &wrong, "--out"];
+    run(&[&line[..], &[plain(&films)]].concat()).expect_code(0);
+    let (golden, film) = (mine.join("coin.exr"), films.join("film.exr"));
+    let line = ["diff", plain(&golden), plain(&film)];
+    let verdict = run(&[&line[..], &["--json"]].concat())
+        .expect_code(1)
+        .json();
+    let named = &verdict["diagnosis"]["beliefs"][0]["mistake"];
+    assert_eq!(named, "disk_radius_not_squared");
+    run(&line).expect_code(1).expect_out("You may believe: “");
+}

@@ -159,6 +159,7 @@ obj = "edge.obj"
         "render",
         plain(&good),
         plain(&scene),
+        "--no-mistakes",
         "--out",
         plain(&out),
     ];

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 
 use super::{BROKEN, Class, answers, wrong_plane};
-use pinhole_testing::{pinhole, root};
+use pinhole_testing::{pinhole, program_of, root};
 
 #[test]
 fn killed_grader_resumes_without_losing_a_grade() {
@@ -18,7 +18,7 @@ fn killed_grader_resumes_without_losing_a_grade() {
     let (folder, out) = (class.path("class"), class.path("killed"));
     let mut graded = 0;
     for least in [1, 3] {
-        let mut grader = Command::new(env!("CARGO_BIN_EXE_pinhole-instructor"))
+        let mut grader = Command::new(program_of("grade"))
             .current_dir(root())
             .args(["grade", &folder, "--out", &out, "--no-fresh", "--jobs", "1"])
             .stderr(Stdio::null())
@@ -128,7 +128,7 @@ fn a_merge_takes_no_older_mark_for_answers_that_a_stopped_part_did_not_come_to()
     class.hand_in("ada", &[("plane.rs", &endless)]);
     class.hand_in("dora", &[]);
     let (folder, out) = (class.path("class"), class.path("out"));
-    let mut grader = Command::new(env!("CARGO_BIN_EXE_pinhole-instructor"))
+    let mut grader = Command::new(program_of("grade"))
         .current_dir(root())
         .args(["grade", &folder, "--out", &out, "--no-fresh", "--jobs", "1"])
         .stderr(Stdio::null())

@@ -189,7 +189,7 @@ fn pinhole_where(files: &[(&str, &Path)], arguments: &[&str]) -> Ran {
         walled.arg("--ro-bind").arg(instead).arg(root().join(path));
     }
     let output = walled
-        .arg(pinhole_testing::program_of("check"))
+        .arg(pinhole_testing::program_of(arguments[0]))
         .args(arguments)
         .current_dir(root())
         .output()

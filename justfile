@@ -1,0 +1,13 @@
+# The three checks that CONTRIBUTING.md explains. They are scripts, so `just` is not needed.
+
+# Formatting and unit tests: a minute, with nothing to install.
+quick:
+    .ci/quick
+
+# Every test, with the real Mitsuba, sandbox and browser.
+test:
+    tools/test
+
+# Everything that CI runs.
+all:
+    .ci/run
