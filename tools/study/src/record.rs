@@ -1,5 +1,5 @@
 //! The long runs: whether exact casting is ever wrong, in as many rays as one has time
-//! for. `study record` prints what came as rows for `tools/RECORDS.md`.
+//! for. `study record` prints results to record in `tools/RECORDS.md`.
 //!
 //! Every answer is judged by the oracle, in fractions; that is what takes the time, about
 //! ten times as much as is judged. A tie (tangent, on an edge, t = `min_t`) has no wrong
