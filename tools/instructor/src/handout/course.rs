@@ -116,18 +116,10 @@ fn add_tests(files: &mut Files, assignment: &Assignment, folder: &str) -> Result
     let snapshots = tests.join("snapshots");
     let of_tasks = assignment.tasks.iter().map(|task| task.name.clone());
     let of_scenes = public(assignment).map(str::to_owned);
-    let of_both = assignment.scene_groups().into_iter();
-    let of_both = of_both.map(|(task, group)| format!("{task}_in_{group}"));
-    for name in of_tasks.chain(of_scenes).chain(of_both) {
-        let text = read_text(&snapshots.join(format!("{name}.snap")))?;
-        // The questions made of all scenes share a snapshot, a line for each.
-        let is_public = |line: &&str| {
-            let scene = line.split(' ').next().unwrap_or(line);
-            !assignment.withholds(scene)
-        };
-        let kept: Vec<&str> = text.lines().filter(is_public).collect();
-        let text = format!("{}\n", kept.join("\n"));
-        files.insert(format!("{folder}/tests/snapshots/{name}.snap"), text.into());
+    for name in of_tasks.chain(of_scenes) {
+        let file = format!("{name}.snap");
+        let text = read(&snapshots.join(&file))?;
+        files.insert(format!("{folder}/tests/snapshots/{file}"), text);
     }
     Ok(())
 }
