@@ -5,11 +5,11 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { type Camera, type Pixel, type Ray, type Resolution, type Shape, intersect, viewingRay } from "../src/rays";
+import { type Camera, type Ray, type Resolution, type Shape, intersect, viewingRay } from "../src/rays";
 
 interface Probes {
     readonly shapes: readonly { readonly group: string; readonly shape: Shape; readonly ray: Ray; readonly min_t: number; readonly expected: readonly number[]; readonly allowed: readonly number[] }[];
-    readonly rays: readonly { readonly group: string; readonly camera: Camera; readonly pixel: Pixel; readonly resolution: Resolution; readonly expected: readonly number[]; readonly allowed: readonly number[] }[];
+    readonly rays: readonly { readonly group: string; readonly camera: Camera; readonly pixel: readonly [number, number]; readonly resolution: Resolution; readonly expected: readonly number[]; readonly allowed: readonly number[] }[];
 }
 
 const file = process.env["PINHOLE_PROBES"];
@@ -22,7 +22,8 @@ const off = (got: readonly number[], expected: readonly number[], allowed: reado
 test("the figures' rays are Mitsuba's", () => {
     assert.ok(probes.rays.length > 500);
     const wrong = probes.rays.filter(({ camera, pixel, resolution, expected, allowed }) => {
-        const ray = viewingRay(camera, pixel, resolution);
+        const [i, j] = pixel;
+        const ray = viewingRay(camera, { i, j }, resolution);
         return off([...ray.origin, ...ray.direction], expected, allowed);
     });
     assert.deepEqual(wrong.slice(0, 3), []);

@@ -14,7 +14,7 @@ use pinhole_book::{figures, gallery, interactive, run, worked};
 use pinhole_course::checkout::Checkout;
 
 #[derive(Parser)]
-#[command(name = "pinhole", version, max_term_width = 100)]
+#[command(name = "pinhole", bin_name = "pinhole", version, max_term_width = 100)]
 struct Cli {
     #[command(subcommand)]
     program: Program,

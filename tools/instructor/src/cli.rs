@@ -17,7 +17,7 @@ use crate::validate::Part;
 /// Exit codes: 0 all well; 1 judged wrong; 2 a file or an argument is wrong; 3 the
 /// machine or this program is at fault.
 #[derive(Parser)]
-#[command(name = "pinhole", version, max_term_width = 100)]
+#[command(name = "pinhole", bin_name = "pinhole", version, max_term_width = 100)]
 pub struct Cli {
     #[command(subcommand)]
     pub command: Command,

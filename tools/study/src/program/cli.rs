@@ -12,7 +12,7 @@ use pinhole_study::plan::Wish;
 /// Exit codes: 0 all well; 1 measured otherwise than promised; 2 a file or an argument is
 /// wrong; 3 the machine or this program is at fault.
 #[derive(Parser)]
-#[command(name = "pinhole", version, max_term_width = 100)]
+#[command(name = "pinhole", bin_name = "pinhole", version, max_term_width = 100)]
 pub struct Cli {
     #[command(subcommand)]
     pub command: Command,
