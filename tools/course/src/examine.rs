@@ -125,7 +125,7 @@ impl Examiner<'_> {
     }
 
     fn task(&self, task: &Task, printed: &mut String) -> Result<TaskOutcome> {
-        let questions = self.goldens.kept_questions(task)?;
+        let questions = self.goldens.cached_questions(task)?;
         let together = self.ask_together(task, &questions, printed)?;
         let mut together = together.map(Vec::into_iter);
         // An endless loop shall cost no more than twice the limit, whichever group it is in.
@@ -220,7 +220,7 @@ impl Examiner<'_> {
         scene: &GoldenScene,
         printed: &mut String,
     ) -> Result<(SceneOutcome, SceneFilm)> {
-        let film = self.goldens.kept_scene(scene)?;
+        let film = self.goldens.cached_scene(scene)?;
         let start = Instant::now();
         let reply = self.ask(&scene.name, &film.job, self.wall)?;
         let seconds = start.elapsed().as_secs_f64();
@@ -252,10 +252,10 @@ impl Examiner<'_> {
     }
 
     /// How the film of a reply fares; `task` if one answer was asked alone.
-    fn judge(&self, reply: &Reply, asked: &QuestionFilm, task: Option<&str>) -> Result<Judged> {
+    fn judge(&self, reply: &Reply, asked: &QuestionFilm, task: Option<&str>) -> Result<JudgedFilm> {
         let complete = reply.answers.iter().all(Option::is_some);
         if let Some(failure) = failure(&reply.ending, self.assignment, task).filter(|_| !complete) {
-            return Ok(Judged {
+            return Ok(JudgedFilm {
                 outcome: failure,
                 film: None,
                 verdict: None,
@@ -267,7 +267,7 @@ impl Examiner<'_> {
         if let Some(second) = self.second_judge {
             second.confirm(&film, &asked.golden_path, outcome.passes())?;
         }
-        Ok(Judged {
+        Ok(JudgedFilm {
             outcome,
             film: Some(film),
             verdict: verdict.ok(),
@@ -276,7 +276,7 @@ impl Examiner<'_> {
 }
 
 /// How a film fared, and the film if it is whole.
-struct Judged {
+struct JudgedFilm {
     outcome: FilmOutcome,
     film: Option<Film>,
     verdict: Option<Verdict>,

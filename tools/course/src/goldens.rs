@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 use crate::assignment::Assignment;
-use crate::diagnosis::known::{self, Known};
+use crate::diagnosis::known::{self, KnownMistakes};
 use crate::error::{Error, Result};
 use crate::goldens::questions::{QuestionFilm, Questions};
 use crate::manifest::Manifest;
@@ -21,11 +21,11 @@ pub struct Goldens {
     /// In the order they are cast.
     pub scenes: Vec<GoldenScene>,
     /// What is known of mistakes.
-    pub known: Known,
+    pub known: KnownMistakes,
     /// Questions that were read already, by task.
     pub kept: Arc<Mutex<BTreeMap<String, Arc<Questions>>>>,
     /// Films of scenes that were read already, by name.
-    pub kept_scenes: Arc<Mutex<BTreeMap<String, Arc<QuestionFilm>>>>,
+    pub scene_cache: Arc<Mutex<BTreeMap<String, Arc<QuestionFilm>>>>,
     /// Whose probes are asked, if this folder has scenes alone.
     pub probes: Option<Box<Goldens>>,
 }
@@ -87,9 +87,9 @@ impl Goldens {
         Ok(Goldens {
             folder: folder.into(),
             scenes,
-            known: Known::read(folder)?,
+            known: KnownMistakes::read(folder)?,
             kept: Arc::default(),
-            kept_scenes: Arc::default(),
+            scene_cache: Arc::default(),
             probes: None,
         })
     }
@@ -127,9 +127,9 @@ impl Goldens {
         Ok(Goldens {
             folder: folder.into(),
             scenes: files.iter().cloned().map(|file| own(file, 0)).collect(),
-            known: Known::read(folder)?,
+            known: KnownMistakes::read(folder)?,
             kept: Arc::default(),
-            kept_scenes: Arc::default(),
+            scene_cache: Arc::default(),
             probes: None,
         })
     }
@@ -153,7 +153,7 @@ impl Goldens {
     /// These goldens without known mistakes, so that nothing is diagnosed.
     pub fn without_known(&self) -> Goldens {
         Goldens {
-            known: Known::default(),
+            known: KnownMistakes::default(),
             ..self.clone()
         }
     }

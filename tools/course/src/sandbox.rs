@@ -102,7 +102,7 @@ impl Sandbox {
     ) -> Result<Sandbox> {
         match choice {
             Choice::Auto if checkout.contains(folder) => Ok(Sandbox::Trusted),
-            _ => Sandbox::for_strangers(&folder.display().to_string(), checkout, choice, secrets),
+            _ => Sandbox::for_untrusted(&folder.display().to_string(), checkout, choice, secrets),
         }
     }
 
@@ -110,7 +110,7 @@ impl Sandbox {
     ///
     /// # Errors
     /// See [`Sandbox::around`].
-    pub fn for_strangers(
+    pub fn for_untrusted(
         what: &str,
         checkout: &Checkout,
         choice: Choice,
@@ -125,13 +125,13 @@ impl Sandbox {
 
     /// A new sandbox of the same kind for another submission. It has another user id, so that
     /// neither can signal or starve the other, and a time budget of its own.
-    pub fn anew(&self) -> Sandbox {
+    pub fn new_instance(&self) -> Sandbox {
         match self {
             Sandbox::Trusted => Sandbox::Trusted,
             #[cfg(target_os = "linux")]
-            Sandbox::Bubblewrap(walls) => Sandbox::Bubblewrap(walls.anew()),
+            Sandbox::Bubblewrap(walls) => Sandbox::Bubblewrap(walls.new_instance()),
             #[cfg(target_os = "linux")]
-            Sandbox::Container(walls) => Sandbox::Container(walls.anew()),
+            Sandbox::Container(walls) => Sandbox::Container(walls.new_instance()),
         }
     }
 
@@ -259,7 +259,7 @@ impl Sandbox {
                     reply.ending = Ending::OutOfMemory(limits.memory);
                 }
                 // Perhaps it was never started.
-                None => self.prove()?,
+                None => self.self_test()?,
             }
         }
         if let Ending::TimedOut(lost) = reply.ending {
@@ -287,13 +287,13 @@ impl Sandbox {
 
     /// Whether the walls can still be drawn, so that no fault of the machine passes for
     /// a student's.
-    fn prove(&self) -> io::Result<()> {
+    fn self_test(&self) -> io::Result<()> {
         match self {
             Sandbox::Trusted => Ok(()),
             #[cfg(target_os = "linux")]
-            Sandbox::Bubblewrap(walls) => walls.prove(),
+            Sandbox::Bubblewrap(walls) => walls.self_test(),
             #[cfg(target_os = "linux")]
-            Sandbox::Container(walls) => walls.prove(),
+            Sandbox::Container(walls) => walls.self_test(),
         }
     }
 

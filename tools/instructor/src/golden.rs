@@ -14,7 +14,7 @@ use serde_json::json;
 use arguments::{Golden, GoldenMistakes, GoldenRender, GoldenVerify};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
-use pinhole_course::diagnosis::known::Known;
+use pinhole_course::diagnosis::known::KnownMistakes;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
@@ -72,7 +72,7 @@ fn fingerprint(
     let written = mistake_films::make(assignment, &goldens, probes, checkout, &progress)?;
     progress.clear();
     manifest.set_mistakes(&written, folder, assignment)?;
-    let mistakes = Known::read(folder)?.mistake.len();
+    let mistakes = KnownMistakes::read(folder)?.mistake.len();
     Ok(format!(
         "{mistakes} mistakes show in {} films",
         written.len()

@@ -1,13 +1,12 @@
 //! Grades the grading: judges submissions whose verdict is known beforehand, and compares the
 //! verdicts with what is known.
 //!
-//! Reading order: [`bench`] judges one submission; [`submissions`] holds those that
+//! Reading order: [`validator`] judges one submission; [`submissions`] holds those that
 //! people wrote, and [`mutants`] those that a program writes ([`mutate`]), with
 //! [`equivalents`] for the ones that are not mistakes, which [`difference`] searches for
 //! differences; [`catches`] counts which questions catch which mistakes; [`sensitivity`]
 //! says how small an error the scenes still detect; [`table`] shows the results.
 
-pub mod bench;
 mod catches;
 mod difference;
 mod equivalents;
@@ -18,17 +17,18 @@ mod sensitivity;
 mod submissions;
 mod table;
 mod ties;
+pub mod validator;
 
 use clap::ValueEnum;
 use serde::Serialize;
 
-use bench::Bench;
 use catches::Catches;
 use mutants::Mutants;
 use naming::Diagnoses;
 use pinhole_course::error::Result;
 use sensitivity::Sensitivity;
-use submissions::{Known, Pristine};
+use submissions::{Pristine, SubmissionVerdicts};
+use validator::Validator;
 
 pub use table::validation as table;
 
@@ -65,13 +65,13 @@ pub struct Validation {
     pub pristine: Pristine,
     /// The known mistakes, if they were judged.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub mistakes: Option<Known>,
+    pub mistakes: Option<SubmissionVerdicts>,
     /// Rewrites of the known mistakes, if they were judged.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub rewrites: Option<Known>,
+    pub rewrites: Option<SubmissionVerdicts>,
     /// The variants, if they were judged.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub variants: Option<Known>,
+    pub variants: Option<SubmissionVerdicts>,
     /// The mutants, if they were judged.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mutants: Option<Mutants>,
@@ -92,32 +92,32 @@ pub struct Validation {
 ///
 /// # Errors
 /// If something cannot be judged at all; a wrong verdict is in the result.
-pub fn validate(bench: &Bench, plan: &Plan) -> Result<Validation> {
+pub fn validate(validator: &Validator, plan: &Plan) -> Result<Validation> {
     let start = std::time::Instant::now();
     let wants = |part| plan.parts.contains(&part);
-    let pristine = submissions::pristine(bench)?;
+    let pristine = submissions::pristine(validator)?;
     let (mistakes, rewrites) = match wants(Part::Mistakes) {
         true => {
-            let (mistakes, rewrites) = submissions::mistakes(bench, &plan.named)?;
+            let (mistakes, rewrites) = submissions::mistakes(validator, &plan.named)?;
             (Some(mistakes), Some(rewrites))
         }
         false => (None, None),
     };
     let variants = match wants(Part::Variants) {
-        true => Some(submissions::variants(bench, &plan.named)?),
+        true => Some(submissions::variants(validator, &plan.named)?),
         false => None,
     };
     let mutants = match wants(Part::Mutants) {
-        true => Some(mutants::judge(bench, &plan.named)?),
+        true => Some(mutants::judge(validator, &plan.named)?),
         false => None,
     };
     let sensitivity = match wants(Part::Sensitivity) {
-        true => Some(sensitivity::measure(bench, &plan.named)?),
+        true => Some(sensitivity::measure(validator, &plan.named)?),
         false => None,
     };
     let catches = (mistakes.is_some() || mutants.is_some()).then(|| {
         let judged = mistakes.as_ref().map_or(&[][..], |known| &known.judged);
-        Catches::count(bench, judged, mutants.as_ref())
+        Catches::count(validator, judged, mutants.as_ref())
     });
 
     let diagnoses = match (&mistakes, &rewrites) {
@@ -132,7 +132,7 @@ pub fn validate(bench: &Bench, plan: &Plan) -> Result<Validation> {
     }
     faults.extend(mutants.iter().flat_map(|mutants| mutants.faults.clone()));
     Ok(Validation {
-        assignment: bench.assignment.title.clone(),
+        assignment: validator.assignment.title.clone(),
         faults,
         pristine,
         mistakes,

@@ -98,7 +98,7 @@ mod tests {
     use super::*;
     use pinhole_course::assignment::Assignment;
     use pinhole_course::checkout::Checkout;
-    use pinhole_course::diagnosis::known::Known;
+    use pinhole_course::diagnosis::known::KnownMistakes;
 
     #[test]
     fn a_passage_names_the_page_and_the_place_on_it() {
@@ -128,7 +128,7 @@ mod tests {
             return; // A student's repository has the built book at most.
         }
         let assignment = Assignment::read(&checkout, "ray_casting").expect("it is there");
-        let known = Known::read(&assignment.golden()).expect("it is there");
+        let known = KnownMistakes::read(&assignment.golden()).expect("it is there");
         let tasks = assignment.tasks.iter().map(|task| (&task.chapter, None));
         let mistakes = known.mistake.values();
         let mistakes = mistakes.map(|mistake| (&mistake.chapter, Some(&mistake.hint.read)));

@@ -12,7 +12,7 @@ use pinhole::{Film, Scene, false_colour};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::Compiler;
-use pinhole_course::diagnosis::known::Known;
+use pinhole_course::diagnosis::known::KnownMistakes;
 use pinhole_course::mistake::{self, MistakeFolder};
 use pinhole_course::sandbox::{Limits, Sandbox};
 use pinhole_course::{examine, overlay};
@@ -41,7 +41,7 @@ const WALL: Duration = Duration::from_secs(30);
 /// The strips of all mistakes, or of those named.
 pub fn strips(slugs: &[String], checkout: &Checkout) -> Result<Strips> {
     let assignment = assignment(checkout)?;
-    let known = Known::read(&golden(checkout))?;
+    let known = KnownMistakes::read(&golden(checkout))?;
     let compiler = Compiler::new(&assignment, checkout, &Sandbox::Trusted)?;
     let mut strips = Vec::new();
     for mistake in mistake::read_all(&assignment)? {
@@ -67,7 +67,7 @@ pub fn strips(slugs: &[String], checkout: &Checkout) -> Result<Strips> {
 fn best<'a>(
     slug: &str,
     assignment: &'a Assignment,
-    known: &Known,
+    known: &KnownMistakes,
     checkout: &Checkout,
 ) -> Result<Option<(&'a str, Golden)>> {
     let mut shows = Vec::new();

@@ -55,7 +55,7 @@ impl Judge {
         self.stop.raise();
         self.stop = Stop::default();
         self.threads.retain(|thread| !thread.is_finished());
-        let bench = Bench {
+        let bench = OrderJudge {
             course: Arc::clone(&self.course),
             compiler: Arc::clone(&self.compiler),
             events: self.events.clone(),
@@ -82,7 +82,7 @@ fn gather(course: &Course) -> Result<Arc<Compiler>> {
 }
 
 /// Where one order is worked on.
-struct Bench {
+struct OrderJudge {
     course: Arc<Course>,
     compiler: Arc<Mutex<Option<Arc<Compiler>>>>,
     events: Sender<Event>,
@@ -90,7 +90,7 @@ struct Bench {
     order: Order,
 }
 
-impl Bench {
+impl OrderJudge {
     fn work(&self) {
         let _alarm = Alarm(&self.events);
         let order = self.order.number;

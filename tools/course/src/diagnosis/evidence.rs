@@ -6,8 +6,8 @@ use std::path::Path;
 use pinhole::Film;
 use pinhole::judge::Golden;
 
-use super::fingerprint::{Compared, Fingerprint};
-use super::known::Known;
+use super::fingerprint::{FilmComparison, Fingerprint};
+use super::known::KnownMistakes;
 use crate::error::Result;
 
 /// A film's wrong pixels, and what known mistakes say of them.
@@ -40,10 +40,10 @@ impl Evidence {
         name: &str,
         golden: &Golden,
         film: &Film,
-        known: &Known,
+        known: &KnownMistakes,
         folder: &Path,
     ) -> Result<Option<Evidence>> {
-        let Some(compared) = Compared::new(golden, film) else {
+        let Some(compared) = FilmComparison::new(golden, film) else {
             return Ok(None);
         };
         let (failing, pixels) = (compared.failing(), compared.pixels());
@@ -66,7 +66,7 @@ impl Evidence {
     }
 
     /// What the known mistakes say of a panic where `pixels` pixels were asked for.
-    pub fn of_panic(name: &str, pixels: usize, known: &Known) -> Evidence {
+    pub fn of_panic(name: &str, pixels: usize, known: &KnownMistakes) -> Evidence {
         let all = Agreement {
             predicted: pixels as f64,
             touched: pixels as f64,
@@ -96,7 +96,7 @@ impl Agreement {
     }
 }
 
-fn agreement(film: &Compared, print: &Fingerprint) -> Agreement {
+fn agreement(film: &FilmComparison, print: &Fingerprint) -> Agreement {
     let predicted = print.failing as f64;
     let share = |count: usize| match print.sample.len() {
         0 => 0.0,

@@ -49,7 +49,7 @@ enum Quantity {
 }
 
 /// A film and the golden it is held against.
-pub struct Compared<'a> {
+pub struct FilmComparison<'a> {
     film: Vec<&'a [f32]>,
     tolerance: Vec<&'a [f32]>,
     quantities: Vec<Quantity>,
@@ -57,9 +57,9 @@ pub struct Compared<'a> {
     failing: usize,
 }
 
-impl<'a> Compared<'a> {
+impl<'a> FilmComparison<'a> {
     /// `None` if they differ in size or channels.
-    pub fn new(golden: &'a Golden, film: &'a Film) -> Option<Compared<'a>> {
+    pub fn new(golden: &'a Golden, film: &'a Film) -> Option<FilmComparison<'a>> {
         if golden.film().resolution() != film.resolution() {
             return None;
         }
@@ -79,7 +79,7 @@ impl<'a> Compared<'a> {
         let wrong: Vec<bool> = (0..golden.film().resolution().pixels())
             .map(|pixel| !right(pixel))
             .collect();
-        Some(Compared {
+        Some(FilmComparison {
             film,
             tolerance,
             quantities: quantities(&names),
@@ -150,7 +150,7 @@ impl<'a> Compared<'a> {
 
 /// The fingerprints of mistakes' films of one golden, in their order; `None` for a film
 /// that passes.
-pub fn fingerprints(films: &[Compared<'_>]) -> Vec<Option<Fingerprint>> {
+pub fn fingerprints(films: &[FilmComparison<'_>]) -> Vec<Option<Fingerprint>> {
     let orders: Vec<Vec<usize>> = films.iter().map(shuffled).collect();
     let fingerprint = |own: usize| {
         let film = &films[own];
@@ -182,7 +182,7 @@ pub fn fingerprints(films: &[Compared<'_>]) -> Vec<Option<Fingerprint>> {
 
 /// The wrong pixels in an order without pattern, the same each time (Knuth's
 /// multiplicative hash, The Art of Computer Programming, vol. 3, §6.4).
-fn shuffled(film: &Compared<'_>) -> Vec<usize> {
+fn shuffled(film: &FilmComparison<'_>) -> Vec<usize> {
     let mut pixels: Vec<usize> = (0..film.pixels()).filter(|p| film.is_wrong(*p)).collect();
     pixels.sort_by_key(|pixel| (*pixel as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15));
     pixels

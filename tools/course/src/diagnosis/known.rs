@@ -13,7 +13,7 @@ use pinhole::{Film, Resolution};
 use serde::{Deserialize, Serialize};
 
 use super::fingerprint::{
-    Compared, Fingerprint, MOST_SAMPLED, MOST_TELLING, Witness, channel_names, fingerprints,
+    FilmComparison, Fingerprint, MOST_SAMPLED, MOST_TELLING, Witness, channel_names, fingerprints,
 };
 use crate::error::{Error, Result, ResultExt};
 use crate::mistake::Mistake;
@@ -30,7 +30,7 @@ const UNUSED: f32 = -1.0;
 /// What a folder of goldens knows of mistakes.
 #[derive(Clone, Debug, Default, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
-pub struct Known {
+pub struct KnownMistakes {
     /// By name.
     #[serde(default)]
     pub mistake: BTreeMap<String, Mistake>,
@@ -43,12 +43,12 @@ pub struct Known {
     pub panics: BTreeMap<String, BTreeSet<String>>,
 }
 
-impl Known {
+impl KnownMistakes {
     /// What the folder knows; nothing if it has no such file.
-    pub fn read(folder: &Path) -> Result<Known> {
+    pub fn read(folder: &Path) -> Result<KnownMistakes> {
         let path = folder.join(FILE);
         let Ok(text) = fs::read_to_string(&path) else {
-            return Ok(Known::default());
+            return Ok(KnownMistakes::default());
         };
         toml::from_str(&text).or_environment(
             path.display(),
@@ -90,8 +90,8 @@ impl Known {
         }
         let comparable = casts
             .iter()
-            .filter_map(|(slug, film)| Some((slug, Compared::new(golden, film.as_ref()?)?)));
-        let (slugs, compared): (Vec<&String>, Vec<Compared>) = comparable.unzip();
+            .filter_map(|(slug, film)| Some((slug, FilmComparison::new(golden, film.as_ref()?)?)));
+        let (slugs, compared): (Vec<&String>, Vec<FilmComparison>) = comparable.unzip();
         let shown: BTreeMap<&String, Fingerprint> = slugs
             .into_iter()
             .zip(fingerprints(&compared))

@@ -5,7 +5,7 @@
 //! pixels, pixels that are wrong in different ways counting as different.
 
 use super::evidence::Evidence;
-use super::known::Known;
+use super::known::KnownMistakes;
 use super::{Diagnosis, Explanation, Reading};
 
 /// Less agreement than this earns no name. Rewrites of known mistakes agree to 0.95 and
@@ -21,7 +21,7 @@ const FEW: f64 = 0.01;
 /// More candidates than this say nothing.
 const MOST_ALIKE: usize = 3;
 
-impl Known {
+impl KnownMistakes {
     /// The belief that explains these films: all of one task, or one of a scene.
     ///
     /// `is_candidate` tells which mistakes come into question.

@@ -3,7 +3,7 @@ use pinhole::judge::Golden;
 use pinhole::{Film, Resolution};
 
 use super::evidence::Evidence;
-use super::known::Known;
+use super::known::KnownMistakes;
 use super::{Diagnosis, Reading};
 use crate::mistake::{Hint, Mistake};
 
@@ -64,9 +64,9 @@ fn diagnosis(known_films: &[(&str, &[&Film])], films: &[&Film]) -> Diagnosis {
     let folder = tempfile::tempdir().expect("a folder can be made");
     let golden = golden();
     let slugs = known_films.iter().map(|(slug, _)| slug.to_string());
-    let mut known = Known {
+    let mut known = KnownMistakes {
         mistake: slugs.map(|slug| (slug, mistake())).collect(),
-        ..Known::default()
+        ..KnownMistakes::default()
     };
     for place in 0..films.len() {
         let casts = known_films
@@ -79,7 +79,7 @@ fn diagnosis(known_films: &[(&str, &[&Film])], films: &[&Film]) -> Diagnosis {
     known
         .write(folder.path())
         .expect("the folder can be written");
-    let known = Known::read(folder.path()).expect("it was written");
+    let known = KnownMistakes::read(folder.path()).expect("it was written");
     let evidence = films.iter().enumerate().map(|(place, film)| {
         Evidence::of(&place.to_string(), &golden, film, &known, folder.path())
             .expect("the files are there")
@@ -202,7 +202,7 @@ fn a_belief_beside_something_unknown_is_not_named() {
 fn a_mistake_that_panics_is_recognised_by_where_it_panics() {
     let folder = tempfile::tempdir().expect("a folder can be made");
     let golden = golden();
-    let mut known = Known::default();
+    let mut known = KnownMistakes::default();
     known.mistake.insert("panics".into(), mistake());
     let far = late(0.5);
     for (name, film) in [("some", Some(far.clone())), ("none", None)] {

@@ -57,7 +57,7 @@ impl Goldens {
     }
 
     /// The questions of a task, cached: many submissions may be examined in one run.
-    pub fn kept_questions(&self, task: &Task) -> Result<Arc<Questions>> {
+    pub fn cached_questions(&self, task: &Task) -> Result<Arc<Questions>> {
         let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(questions) = kept.get(&task.name) {
             return Ok(Arc::clone(questions));
@@ -110,9 +110,9 @@ impl Goldens {
     }
 
     /// The film of a scene, cached.
-    pub fn kept_scene(&self, scene: &GoldenScene) -> Result<Arc<QuestionFilm>> {
+    pub fn cached_scene(&self, scene: &GoldenScene) -> Result<Arc<QuestionFilm>> {
         let kept = || {
-            self.kept_scenes
+            self.scene_cache
                 .lock()
                 .unwrap_or_else(PoisonError::into_inner)
         };

@@ -46,14 +46,14 @@ impl Bubblewrap {
             uid: rustix::process::getuid().is_root().then(next_uid),
             budget: Budget::default(),
         };
-        walls.prove()?;
+        walls.self_test()?;
         // What the user's shell has open would be open inside as well.
         close_fds::set_fds_cloexec(3, &[]);
         Ok(walls)
     }
 
     /// See [`Sandbox::anew`](super::Sandbox::anew).
-    pub fn anew(&self) -> Bubblewrap {
+    pub fn new_instance(&self) -> Bubblewrap {
         Bubblewrap {
             uid: self.uid.map(|_| next_uid()),
             budget: Budget::default(),
@@ -67,7 +67,7 @@ impl Bubblewrap {
     }
 
     /// Whether a program can be run inside.
-    pub fn prove(&self) -> io::Result<()> {
+    pub fn self_test(&self) -> io::Result<()> {
         let limits = Limits::of_compiler();
         let mut command = self.walled(&limits, Purpose::Answer);
         command.args(["--", "/usr/bin/true"]);

@@ -48,8 +48,8 @@ impl Container {
             landlocked: true,
             budget: Budget::default(),
         };
-        walls.landlocked = walls.prove().is_ok();
-        walls.prove().or_environment(
+        walls.landlocked = walls.self_test().is_ok();
+        walls.self_test().or_environment(
             "code cannot be confined here",
             "let every user read the checkout's target folder, or use --sandbox bubblewrap",
         )?;
@@ -62,7 +62,7 @@ impl Container {
     }
 
     /// See [`Sandbox::anew`](super::Sandbox::anew).
-    pub fn anew(&self) -> Container {
+    pub fn new_instance(&self) -> Container {
         Container {
             uid: next_uid(),
             budget: Budget::default(),
@@ -84,7 +84,7 @@ impl Container {
     }
 
     /// Whether a program can be run inside.
-    pub fn prove(&self) -> io::Result<()> {
+    pub fn self_test(&self) -> io::Result<()> {
         let mut command = self.confined(&Limits::of_compiler(), Purpose::Answer);
         let output = command.args(["--", "/usr/bin/true"]).output();
         let output = output?;

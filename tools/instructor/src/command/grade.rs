@@ -78,7 +78,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         .chain([arguments.out.clone()])
         .collect();
     // Submissions are never trusted for lying in the checkout.
-    let sandbox = Sandbox::for_strangers("submissions", checkout, arguments.walls(), &secrets)?;
+    let sandbox = Sandbox::for_untrusted("submissions", checkout, arguments.walls(), &secrets)?;
     let of_manifest = |folder: &Path| provenance::of_file(&folder.join("manifest.toml"));
     let made_with = MadeWith {
         judged_on: judged_on(arguments.golden.is_some(), made.is_some()),

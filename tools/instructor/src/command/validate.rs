@@ -1,7 +1,7 @@
 //! `pinhole validate`: the grading graded.
 
 use crate::cli::Validate;
-use crate::validate::bench::Bench;
+use crate::validate::validator::Validator;
 use crate::validate::{Part, Plan, table, validate};
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::Compiler;
@@ -31,7 +31,7 @@ pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Status> {
             "cannot start that many threads",
             "ask for fewer jobs with --jobs",
         )?;
-    let bench = Bench {
+    let validator = Validator {
         assignment: &assignment,
         goldens: &goldens,
         compiler: &Compiler::new(&assignment, checkout, &sandbox)?,
@@ -40,7 +40,7 @@ pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Status> {
         pool: &pool,
         progress: &progress,
     };
-    let validation = validate(&bench, &plan(arguments))?;
+    let validation = validate(&validator, &plan(arguments))?;
     progress.clear();
 
     if arguments.json {

@@ -10,7 +10,7 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::{Program, compile};
-use pinhole_course::diagnosis::known::Known;
+use pinhole_course::diagnosis::known::KnownMistakes;
 use pinhole_course::error::Result;
 use pinhole_course::examine;
 use pinhole_course::goldens::Goldens;
@@ -24,7 +24,7 @@ use pinhole_course::sandbox::{Limits, Sandbox};
 const WALL: Duration = Duration::from_secs(60);
 
 /// Films to fingerprint, each with the task it tests alone, if it does.
-type Asked = Vec<(Option<String>, QuestionFilm)>;
+type FilmsToCast = Vec<(Option<String>, QuestionFilm)>;
 
 /// Fingerprints the mistakes on scenes and, with `probes`, on every group of questions;
 /// what was known of other films stays. Gives the files written, inside the folder.
@@ -44,11 +44,11 @@ pub fn make(
         let submission = overlay::reference(assignment)?.overlaid(&folder.folder)?;
         compile(&submission, assignment, checkout, &Sandbox::Trusted)
     };
-    let told = Told::new("building the mistakes", mistakes.len(), progress);
+    let told = Counter::new("building the mistakes", mistakes.len(), progress);
     let programs = mistakes.par_iter().map(|folder| told.after(build(folder)));
     let programs: Vec<Program> = programs.collect::<Result<_>>()?;
 
-    let mut known = Known::read(&goldens.folder)?;
+    let mut known = KnownMistakes::read(&goldens.folder)?;
     let words = |folder: &MistakeFolder| (folder.slug.clone(), folder.mistake.clone());
     known.mistake = mistakes.iter().map(words).collect();
     let asked = asked(assignment, goldens, probes)?;
@@ -65,7 +65,7 @@ pub fn make(
         }
         Ok(casts)
     };
-    let told = Told::new("casting the mistakes", asked.len(), progress);
+    let told = Counter::new("casting the mistakes", asked.len(), progress);
     let films = asked.par_iter().map(|film| told.after(cast_all(film)));
     let casts: Vec<Vec<(String, Option<Film>)>> = films.collect::<Result<_>>()?;
     let mut written = Vec::new();
@@ -81,8 +81,8 @@ pub fn make(
     Ok(written)
 }
 
-fn asked(assignment: &Assignment, goldens: &Goldens, probes: bool) -> Result<Asked> {
-    let mut asked = Asked::new();
+fn asked(assignment: &Assignment, goldens: &Goldens, probes: bool) -> Result<FilmsToCast> {
+    let mut asked = FilmsToCast::new();
     for scene in &goldens.scenes {
         asked.push((None, goldens.scene_film(scene)?));
     }
@@ -112,17 +112,17 @@ fn cast(program: &Program, film: &QuestionFilm) -> Result<Option<Film>> {
 }
 
 /// Counts what is done, for the progress line.
-struct Told<'a> {
+struct Counter<'a> {
     what: &'a str,
     all: usize,
     done: AtomicUsize,
     progress: &'a Progress,
 }
 
-impl<'a> Told<'a> {
-    fn new(what: &'a str, all: usize, progress: &'a Progress) -> Told<'a> {
+impl<'a> Counter<'a> {
+    fn new(what: &'a str, all: usize, progress: &'a Progress) -> Counter<'a> {
         let done = AtomicUsize::new(0);
-        Told {
+        Counter {
             what,
             all,
             done,

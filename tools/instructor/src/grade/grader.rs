@@ -131,7 +131,7 @@ impl Grader<'_> {
     ) -> Result<Grade> {
         let start = Instant::now();
         let folder = ProgramFolder::new(self.programs);
-        let sandbox = self.sandbox.anew();
+        let sandbox = self.sandbox.new_instance();
         let compiler = self.compiler.apart(&sandbox, folder.folder.clone());
         let program = compiler.compile(submission)?;
         let compiled = start.elapsed();

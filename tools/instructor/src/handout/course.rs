@@ -7,7 +7,7 @@ use super::sources::{read, read_text};
 use super::{Files, place_of};
 use pinhole::Scene;
 use pinhole_course::assignment::Assignment;
-use pinhole_course::diagnosis::known::{self, Known};
+use pinhole_course::diagnosis::known::{self, KnownMistakes};
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::manifest::{self, Manifest};
 use pinhole_course::stubs;
@@ -128,7 +128,7 @@ fn add_tests(files: &mut Files, assignment: &Assignment, folder: &str) -> Result
 fn add_goldens(files: &mut Files, assignment: &Assignment) -> Result<()> {
     let folder = assignment.golden();
     let to = format!("golden/{}", assignment.name);
-    let mut known = Known::read(&folder)?;
+    let mut known = KnownMistakes::read(&folder)?;
     known.films.retain(|film, _| !assignment.withholds(film));
     known.panics.retain(|film, _| !assignment.withholds(film));
     for mistake in known.mistake.values_mut() {

@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
-use super::bench::Bench;
 use super::mutants::Mutants;
-use super::submissions::Judged;
+use super::submissions::SubmissionVerdict;
+use super::validator::Validator;
 use pinhole_course::assignment::GroupPoints;
 
 /// One row for each film, probes and scenes apart.
@@ -41,10 +41,15 @@ pub struct Catch {
 
 impl Catches {
     /// Counts over single mistakes and mutants.
-    pub fn count(bench: &Bench, judged: &[Judged], mutants: Option<&Mutants>) -> Catches {
-        let single: Vec<&Judged> = judged.iter().filter(|judged| judged.single).collect();
+    pub fn count(
+        validator: &Validator,
+        judged: &[SubmissionVerdict],
+        mutants: Option<&Mutants>,
+    ) -> Catches {
+        let single: Vec<&SubmissionVerdict> =
+            judged.iter().filter(|judged| judged.single).collect();
         let by_group = mutants.map(Mutants::by_group).unwrap_or_default();
-        let groups = bench.assignment.tasks.iter().flat_map(|task| {
+        let groups = validator.assignment.tasks.iter().flat_map(|task| {
             let named = |points: &GroupPoints| format!("{}.{}", task.name, points.group);
             task.points.iter().map(named)
         });
@@ -56,7 +61,7 @@ impl Catches {
                 ..Catch::count(name, &single, |judged| &judged.groups)
             }
         };
-        let scenes = bench.goldens.scenes.iter();
+        let scenes = validator.goldens.scenes.iter();
         let scene = |name| Catch::count(name, &single, |judged| &judged.scenes);
         Catches {
             mistakes: single.len(),
@@ -68,12 +73,16 @@ impl Catches {
 }
 
 impl Catch {
-    fn count(name: String, judged: &[&Judged], kind: impl Fn(&Judged) -> &Vec<String>) -> Catch {
-        let here: Vec<&&Judged> = judged
+    fn count(
+        name: String,
+        judged: &[&SubmissionVerdict],
+        kind: impl Fn(&SubmissionVerdict) -> &Vec<String>,
+    ) -> Catch {
+        let here: Vec<&&SubmissionVerdict> = judged
             .iter()
             .filter(|judged| kind(judged).contains(&name))
             .collect();
-        let names = |keep: &dyn Fn(&Judged) -> bool| {
+        let names = |keep: &dyn Fn(&SubmissionVerdict) -> bool| {
             let kept = here.iter().filter(|judged| keep(judged));
             kept.map(|judged| judged.name.clone()).collect()
         };

@@ -13,8 +13,8 @@ use pinhole::kind::Answer;
 use pinhole::words;
 use serde::Serialize;
 
-use super::bench::Bench;
 use super::ties;
+use super::validator::Validator;
 use pinhole_course::assignment::Task;
 use pinhole_course::compile::Program;
 use pinhole_course::error::Result;
@@ -58,7 +58,7 @@ impl fmt::Display for Difference {
 
 /// The reference, its program and its answers.
 pub struct Oracle<'a> {
-    bench: &'a Bench<'a>,
+    validator: &'a Validator<'a>,
     program: Program,
     tasks: Mutex<BTreeMap<String, Arc<OnceLock<Answered>>>>,
 }
@@ -76,9 +76,9 @@ const WALL: Duration = Duration::from_secs(60);
 
 impl<'a> Oracle<'a> {
     /// Asks `program`, the reference, when something is to be compared with it.
-    pub fn new(bench: &'a Bench<'a>, program: Program) -> Oracle<'a> {
+    pub fn new(validator: &'a Validator<'a>, program: Program) -> Oracle<'a> {
         Oracle {
-            bench,
+            validator,
             program,
             tasks: Mutex::default(),
         }
@@ -136,8 +136,8 @@ impl<'a> Oracle<'a> {
 
     /// All questions of a task with the reference's answers.
     fn answered(&self, task: &Task) -> Result<Answered> {
-        let goldens = self.bench.goldens;
-        let kept = goldens.kept_questions(task)?;
+        let goldens = self.validator.goldens;
+        let kept = goldens.cached_questions(task)?;
         let asked = kept.together.as_ref().and_then(Job::questions);
         let mut questions = asked.cloned().expect("a task's questions are of one kind");
         let mut is_tie = vec![false; questions.len()];
@@ -155,7 +155,7 @@ impl<'a> Oracle<'a> {
     }
 
     fn answers(&self, program: &Program, job: &Job) -> Result<(Vec<Option<Answer>>, Ending)> {
-        let sandbox = self.bench.sandbox;
+        let sandbox = self.validator.sandbox;
         let reply = examine::run(
             program,
             sandbox,

@@ -18,7 +18,7 @@ pub const FILE: &str = "equivalent.toml";
 /// One entry.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Listed {
+pub struct EquivalentMutant {
     /// Whose answer it changes.
     pub task: String,
     /// The changed line as the reference has it, without indentation.
@@ -56,10 +56,10 @@ impl Claim {
 #[serde(deny_unknown_fields)]
 struct File {
     #[serde(default)]
-    mutant: Vec<Listed>,
+    mutant: Vec<EquivalentMutant>,
 }
 
-impl Listed {
+impl EquivalentMutant {
     /// Whether this entry is about `mutant`.
     pub fn is(&self, mutant: &Mutant) -> bool {
         self.task == mutant.task && self.was == mutant.was && self.becomes == mutant.becomes
@@ -67,7 +67,7 @@ impl Listed {
 }
 
 /// The list of an assignment; empty if it has none.
-pub fn read(assignment: &Assignment) -> Result<Vec<Listed>> {
+pub fn read(assignment: &Assignment) -> Result<Vec<EquivalentMutant>> {
     let path = assignment.folder.join(FILE);
     if !path.is_file() {
         return Ok(Vec::new());
@@ -82,12 +82,12 @@ pub fn read(assignment: &Assignment) -> Result<Vec<Listed>> {
 }
 
 /// Entries for which no mutant is written any more.
-pub fn without_mutant(listed: &[Listed], mutants: &[Mutant]) -> Vec<String> {
+pub fn without_mutant(listed: &[EquivalentMutant], mutants: &[Mutant]) -> Vec<String> {
     let gone = listed
         .iter()
         .filter(|listed| !mutants.iter().any(|mutant| listed.is(mutant)));
     gone.map(|listed| {
-        let Listed { task, becomes, .. } = listed;
+        let EquivalentMutant { task, becomes, .. } = listed;
         format!("listed, but no longer a mutant of {task}: {becomes}")
     })
     .collect()

@@ -7,10 +7,10 @@ use std::time::Duration;
 
 use serde::Serialize;
 
-use super::bench::Bench;
 use super::difference::{Difference, Oracle};
-use super::equivalents::{self, Listed};
+use super::equivalents::{self, EquivalentMutant};
 use super::mutate::{self, Mutant};
+use super::validator::Validator;
 use pinhole_course::compile::{Attempt, Program, Replacements};
 use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::examine::Selection;
@@ -21,14 +21,14 @@ use pinhole_course::submission::Submission;
 #[derive(Debug, Serialize)]
 pub struct Mutants {
     /// One for each, in the order of tasks and lines.
-    pub judged: Vec<Judged>,
+    pub judged: Vec<MutantVerdict>,
     /// Of the list of those that are no mistakes, what is not as it says.
     pub faults: Vec<String>,
 }
 
 /// One mutant and what came of it.
 #[derive(Debug, Serialize)]
-pub struct Judged {
+pub struct MutantVerdict {
     /// The mutant.
     pub mutant: Mutant,
     /// What came of it.
@@ -59,29 +59,29 @@ pub enum Fate {
 const WALL: Duration = Duration::from_secs(10);
 
 /// Judges the mutants of every answer whose names contain `named`.
-pub fn judge(bench: &Bench, named: &str) -> Result<Mutants> {
+pub fn judge(validator: &Validator, named: &str) -> Result<Mutants> {
     // Nobody believes a mutant, so no belief need be sought for it.
-    let goldens = bench.goldens.without_known();
-    let bench = &Bench {
+    let goldens = validator.goldens.without_known();
+    let validator = &Validator {
         goldens: &goldens,
-        ..*bench
+        ..*validator
     };
-    let reference = overlay::reference(bench.assignment)?;
+    let reference = overlay::reference(validator.assignment)?;
     let all = generate(&reference)?;
-    let listed = equivalents::read(bench.assignment)?;
+    let listed = equivalents::read(validator.assignment)?;
     let mut faults = equivalents::without_mutant(&listed, &all);
     let wanted = all
         .into_iter()
         .filter(|mutant| mutant.name().contains(named));
     let wanted: Vec<Mutant> = wanted.collect();
 
-    let oracle = Oracle::new(bench, bench.compiler.compile(&reference)?);
+    let oracle = Oracle::new(validator, validator.compiler.compile(&reference)?);
     let judge = |mutant: &Mutant| {
-        let fate = fate(bench, &reference, mutant, &oracle, &listed)?;
+        let fate = fate(validator, &reference, mutant, &oracle, &listed)?;
         let mutant = mutant.clone();
-        Ok(Judged { mutant, fate })
+        Ok(MutantVerdict { mutant, fate })
     };
-    let judged = bench.all("mutants", &wanted, judge)?;
+    let judged = validator.all("mutants", &wanted, judge)?;
     faults.extend(judged.iter().filter_map(|judged| judged.fault(&listed)));
     Ok(Mutants { judged, faults })
 }
@@ -100,34 +100,36 @@ fn generate(reference: &Submission) -> Result<Vec<Mutant>> {
 }
 
 fn fate(
-    bench: &Bench,
+    validator: &Validator,
     reference: &Submission,
     mutant: &Mutant,
     oracle: &Oracle,
-    listed: &[Listed],
+    listed: &[EquivalentMutant],
 ) -> Result<Fate> {
     let submission = reference
         .clone()
         .with_answer(&mutant.task, mutant.text.clone());
     let is_not_viable = &mut |replaced: &Replacements| replaced.contains_key(&mutant.task);
-    let Attempt::Program(program) = bench.compiler.compile_until(&submission, is_not_viable)?
+    let Attempt::Program(program) = validator
+        .compiler
+        .compile_until(&submission, is_not_viable)?
     else {
         return Ok(Fate::NotViable);
     };
-    let fate = fate_of_program(bench, &submission, &program, mutant, oracle, listed);
+    let fate = fate_of_program(validator, &submission, &program, mutant, oracle, listed);
     discard(&program);
     fate
 }
 
 fn fate_of_program(
-    bench: &Bench,
+    validator: &Validator,
     submission: &Submission,
     program: &Program,
     mutant: &Mutant,
     oracle: &Oracle,
-    listed: &[Listed],
+    listed: &[EquivalentMutant],
 ) -> Result<Fate> {
-    let ask = |selection: Selection| bench.examine_built(program, submission, &selection, WALL);
+    let ask = |selection: Selection| validator.examine_built(program, submission, &selection, WALL);
     // A task is asked alone, so no other task's questions can show the mutant.
     let alone = ask(Selection {
         tasks: vec![mutant.task.clone()],
@@ -141,7 +143,7 @@ fn fate_of_program(
     if !failing.is_empty() {
         return Ok(Fate::Probes(failing));
     }
-    for scene in &bench.goldens.scenes {
+    for scene in &validator.goldens.scenes {
         let examined = ask(Selection {
             tasks: Vec::new(),
             scenes: vec![scene.name.clone()],
@@ -150,7 +152,7 @@ fn fate_of_program(
             return Ok(Fate::Scene(scene.name.clone()));
         }
     }
-    let task = bench.assignment.task(&mutant.task);
+    let task = validator.assignment.task(&mutant.task);
     let task = task.expect("a mutant is of one of the assignment's tasks");
     let difference = oracle.compare(task, program)?;
     let listed = listed.iter().find(|listed| listed.is(mutant));
@@ -161,7 +163,7 @@ fn fate_of_program(
     })
 }
 
-impl Judged {
+impl MutantVerdict {
     /// Whether it compiles.
     pub fn is_viable(&self) -> bool {
         !matches!(self.fate, Fate::NotViable)
@@ -185,7 +187,7 @@ impl Judged {
         matches!(self.fate, Fate::Escaped { why: None, .. })
     }
 
-    fn fault(&self, listed: &[Listed]) -> Option<String> {
+    fn fault(&self, listed: &[EquivalentMutant]) -> Option<String> {
         let name = self.mutant.name();
         let diff = self.mutant.diff();
         let is_listed = listed.iter().any(|listed| listed.is(&self.mutant));
@@ -218,7 +220,7 @@ impl Judged {
 
 impl Mutants {
     /// How many are such.
-    pub fn count(&self, such: impl Fn(&Judged) -> bool) -> usize {
+    pub fn count(&self, such: impl Fn(&MutantVerdict) -> bool) -> usize {
         self.judged.iter().filter(|judged| such(judged)).count()
     }
 
@@ -226,7 +228,7 @@ impl Mutants {
     /// other group.
     pub fn by_group(&self) -> BTreeMap<&str, (usize, usize)> {
         let mut counts = BTreeMap::new();
-        for groups in self.judged.iter().filter_map(Judged::groups) {
+        for groups in self.judged.iter().filter_map(MutantVerdict::groups) {
             for group in groups {
                 let (all, only) = counts.entry(group.as_str()).or_insert((0, 0));
                 *all += 1;

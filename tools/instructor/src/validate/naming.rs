@@ -3,8 +3,8 @@
 
 use serde::Serialize;
 
-use super::bench::Bench;
-use super::submissions::{Judged, Known};
+use super::submissions::{SubmissionVerdict, SubmissionVerdicts};
+use super::validator::Validator;
 use pinhole_course::diagnosis::{Diagnosis, Reading};
 use pinhole_course::error::Result;
 use pinhole_course::outcome::Examination;
@@ -68,7 +68,7 @@ impl Names {
 impl Naming {
     /// The diagnoses of an examination of somebody who holds these beliefs.
     pub fn of(
-        bench: &Bench,
+        validator: &Validator,
         name: &str,
         examination: &Examination,
         beliefs: &[String],
@@ -87,7 +87,7 @@ impl Naming {
                 continue;
             };
             naming.scenes.count(&film, &scene.diagnosis, beliefs);
-            let alone = bench
+            let alone = validator
                 .goldens
                 .diagnose_film(&scene.name, &cast.golden, film_cast)?;
             naming.pictures.count(&film, &alone, beliefs);
@@ -124,15 +124,16 @@ pub struct Diagnoses {
 
 impl Diagnoses {
     /// Counts the names of everything that was judged.
-    pub fn of(mistakes: &Known, rewrites: &Known) -> Diagnoses {
-        let sum = |judged: &[&Judged]| Naming::sum(judged.iter().map(|judged| &judged.naming));
+    pub fn of(mistakes: &SubmissionVerdicts, rewrites: &SubmissionVerdicts) -> Diagnoses {
+        let sum =
+            |judged: &[&SubmissionVerdict]| Naming::sum(judged.iter().map(|judged| &judged.naming));
         let (unmet, compounds): (Vec<_>, Vec<_>) =
             mistakes.judged.iter().partition(|judged| judged.single);
         let (rewrites, composed): (Vec<_>, Vec<_>) =
             rewrites.judged.iter().partition(|judged| judged.single);
         // What is composed of the beliefs' own answers shows little: their films are stored.
         let written = compounds.into_iter().filter(|judged| !judged.composed);
-        let compounds: Vec<&Judged> = written.chain(composed).collect();
+        let compounds: Vec<&SubmissionVerdict> = written.chain(composed).collect();
         Diagnoses {
             rewrites: sum(&rewrites),
             compounds: sum(&compounds),

@@ -12,7 +12,7 @@ use pinhole::judge::{Golden, judge};
 use pinhole::{Camera, Film, Projection, Scene};
 use serde::Serialize;
 
-use super::bench::{Bench, WALL};
+use super::validator::{Validator, WALL};
 use pinhole_course::compile::Program;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::examine;
@@ -77,17 +77,17 @@ fn size(step: i32) -> f64 {
 const FIRST_STEP: i32 = -90;
 
 /// Measures the scenes whose names contain `named`.
-pub fn measure(bench: &Bench, named: &str) -> Result<Vec<Sensitivity>> {
-    let program = bench
+pub fn measure(validator: &Validator, named: &str) -> Result<Vec<Sensitivity>> {
+    let program = validator
         .compiler
-        .compile(&overlay::reference(bench.assignment)?)?;
-    let scenes = bench.goldens.scenes.iter();
+        .compile(&overlay::reference(validator.assignment)?)?;
+    let scenes = validator.goldens.scenes.iter();
     let scenes: Vec<_> = scenes.filter(|scene| scene.name.contains(named)).collect();
     let mut subjects = Vec::new();
     for golden_scene in &scenes {
-        let asked = bench.goldens.scene_film(golden_scene)?;
+        let asked = validator.goldens.scene_film(golden_scene)?;
         let scene = Scene::read(&golden_scene.file)?;
-        let film = cast(bench, &program, &scene)?;
+        let film = cast(validator, &program, &scene)?;
         subjects.push(Subject {
             scene,
             film,
@@ -104,8 +104,8 @@ pub fn measure(bench: &Bench, named: &str) -> Result<Vec<Sensitivity>> {
         kinds.map(move |kind| (place, *kind))
     });
     let kinds: Vec<(usize, Kind)> = kinds.collect();
-    let least = bench.all("sensitivity", &kinds, |(place, kind)| {
-        subjects[*place].least(bench, &program, *kind)
+    let least = validator.all("sensitivity", &kinds, |(place, kind)| {
+        subjects[*place].least(validator, &program, *kind)
     })?;
     let mut measured: Vec<Sensitivity> = scenes
         .iter()
@@ -120,11 +120,11 @@ pub fn measure(bench: &Bench, named: &str) -> Result<Vec<Sensitivity>> {
     Ok(measured)
 }
 
-fn cast(bench: &Bench, program: &Program, scene: &Scene) -> Result<Film> {
+fn cast(validator: &Validator, program: &Program, scene: &Scene) -> Result<Film> {
     let job = Job::Film(scene.clone());
     let reply = examine::run(
         program,
-        bench.sandbox,
+        validator.sandbox,
         &Limits::of_answers(WALL),
         &job,
         &mut |_| {},
@@ -152,13 +152,13 @@ struct Subject {
 type Disturb<'a> = dyn Fn(f64) -> Result<Film> + 'a;
 
 impl Subject {
-    fn least(&self, bench: &Bench, program: &Program, kind: Kind) -> Result<Option<f64>> {
+    fn least(&self, validator: &Validator, program: &Program, kind: Kind) -> Result<Option<f64>> {
         let with_camera = |camera| {
             let scene = Scene {
                 camera,
                 ..self.scene.clone()
             };
-            cast(bench, program, &scene)
+            cast(validator, program, &scene)
         };
         let search = |disturb: &Disturb| self.search(kind, disturb);
         Ok(match kind {

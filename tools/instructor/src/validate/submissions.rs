@@ -6,8 +6,8 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
-use super::bench::Bench;
 use super::naming::Naming;
+use super::validator::Validator;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::examine::Selection;
 use pinhole_course::mistake;
@@ -29,14 +29,14 @@ pub struct Pristine {
 
 /// Submissions of one kind.
 #[derive(Debug, Serialize)]
-pub struct Known {
+pub struct SubmissionVerdicts {
     /// One for each, by name.
-    pub judged: Vec<Judged>,
+    pub judged: Vec<SubmissionVerdict>,
 }
 
 /// One submission's verdict.
 #[derive(Clone, Debug, Serialize)]
-pub struct Judged {
+pub struct SubmissionVerdict {
     /// Its folder inside the assignment.
     pub name: String,
     /// Whether it holds one belief alone.
@@ -58,10 +58,10 @@ pub struct Judged {
 }
 
 /// Judges the stub and the reference by everything.
-pub fn pristine(bench: &Bench) -> Result<Pristine> {
-    let all = [stub(bench)?, overlay::reference(bench.assignment)?];
-    let examined = bench.all("stub and reference", &all, |submission| {
-        bench.examine(submission, &Selection::default())
+pub fn pristine(validator: &Validator) -> Result<Pristine> {
+    let all = [stub(validator)?, overlay::reference(validator.assignment)?];
+    let examined = validator.all("stub and reference", &all, |submission| {
+        validator.examine(submission, &Selection::default())
     })?;
     let [stub, reference] = &examined[..] else {
         unreachable!("two go in, two come out");
@@ -82,16 +82,16 @@ pub fn pristine(bench: &Bench) -> Result<Pristine> {
 }
 
 /// The handout as it is generated, whatever a student has made of the committed one.
-fn stub(bench: &Bench) -> Result<Submission> {
-    let package = stubs::generate(bench.assignment)?;
+fn stub(validator: &Validator) -> Result<Submission> {
+    let package = stubs::generate(validator.assignment)?;
     let text = |file: String| package.get(&PathBuf::from("src").join(file)).cloned();
-    let answers = bench.assignment.tasks.iter().map(|task| Answer {
+    let answers = validator.assignment.tasks.iter().map(|task| Answer {
         task: task.name.clone(),
         text: Ok(text(task.file()).unwrap_or_default()),
     });
     Ok(Submission {
-        folder: bench.assignment.handout(),
-        place: bench.assignment.handout().join("src"),
+        folder: validator.assignment.handout(),
+        place: validator.assignment.handout().join("src"),
         answers: answers.collect(),
     })
 }
@@ -128,10 +128,13 @@ enum Base {
 }
 
 /// Judges the mistakes and their rewrites whose names contain `named`.
-pub fn mistakes(bench: &Bench, named: &str) -> Result<(Known, Known)> {
+pub fn mistakes(
+    validator: &Validator,
+    named: &str,
+) -> Result<(SubmissionVerdicts, SubmissionVerdicts)> {
     let mut mistakes = Vec::new();
     let mut rewrites = Vec::new();
-    for found in mistake::read_all(bench.assignment)? {
+    for found in mistake::read_all(validator.assignment)? {
         let mut declared = found.mistake.fails.clone();
         declared.sort();
         let single = found.mistake.is_single();
@@ -139,7 +142,7 @@ pub fn mistakes(bench: &Bench, named: &str) -> Result<(Known, Known)> {
             true => vec![found.slug.clone()],
             false => found.mistake.beliefs.clone(),
         };
-        let folders = found.overlays(bench.assignment)?;
+        let folders = found.overlays(validator.assignment)?;
         let rewritten = folders.iter().map(|folder| folder.join("rewrite"));
         let rewritten: Vec<PathBuf> = rewritten.collect();
         if rewritten.iter().all(|folder| folder.is_dir()) {
@@ -164,14 +167,14 @@ pub fn mistakes(bench: &Bench, named: &str) -> Result<(Known, Known)> {
             },
         });
     }
-    let mistakes = judge_all(bench, "mistakes", mistakes, named)?;
-    let rewrites = judge_all(bench, "rewrites of mistakes", rewrites, named)?;
+    let mistakes = judge_all(validator, "mistakes", mistakes, named)?;
+    let rewrites = judge_all(validator, "rewrites of mistakes", rewrites, named)?;
     Ok((mistakes, rewrites))
 }
 
 /// Judges the variants whose names contain `named`.
-pub fn variants(bench: &Bench, named: &str) -> Result<Known> {
-    let found = mistake::folders(&bench.assignment.folder.join("variants"));
+pub fn variants(validator: &Validator, named: &str) -> Result<SubmissionVerdicts> {
+    let found = mistake::folders(&validator.assignment.folder.join("variants"));
     let overlay = |(slug, folder)| Overlay {
         name: format!("variants/{slug}"),
         folders: vec![folder],
@@ -181,15 +184,20 @@ pub fn variants(bench: &Bench, named: &str) -> Result<Known> {
         base: Base::Reference,
     };
     let overlays = found.into_iter().map(overlay).collect();
-    judge_all(bench, "variants", overlays, named)
+    judge_all(validator, "variants", overlays, named)
 }
 
-fn judge_all(bench: &Bench, what: &str, all: Vec<Overlay>, named: &str) -> Result<Known> {
+fn judge_all(
+    validator: &Validator,
+    what: &str,
+    all: Vec<Overlay>,
+    named: &str,
+) -> Result<SubmissionVerdicts> {
     let wanted = |overlay: &Overlay| overlay.name.contains(named);
     let wanted: Vec<Overlay> = all.into_iter().filter(wanted).collect();
-    let judged = bench.all(what, &wanted, |overlay| {
+    let judged = validator.all(what, &wanted, |overlay| {
         let is_empty = |folder: &&PathBuf| {
-            let mut tasks = bench.assignment.tasks.iter();
+            let mut tasks = validator.assignment.tasks.iter();
             !tasks.any(|task| folder.join(task.file()).is_file())
         };
         if let Some(folder) = overlay.folders.iter().find(is_empty) {
@@ -199,34 +207,34 @@ fn judge_all(bench: &Bench, what: &str, all: Vec<Overlay>, named: &str) -> Resul
                  what names it",
             ));
         }
-        let mut base = overlay::reference(bench.assignment)?;
+        let mut base = overlay::reference(validator.assignment)?;
         let mut goldens = None;
         match overlay.base {
             Base::Reference => {}
             Base::ReferenceUnaware => {
                 let own = overlay.beliefs.first().map_or("", String::as_str);
-                goldens = Some(bench.goldens.unaware_of(own));
+                goldens = Some(validator.goldens.unaware_of(own));
             }
-            Base::Variants(turn) => base = variants_mixed(bench, base, turn)?,
+            Base::Variants(turn) => base = variants_mixed(validator, base, turn)?,
         }
-        let bench = Bench {
-            goldens: goldens.as_ref().unwrap_or(bench.goldens),
-            ..*bench
+        let validator = Validator {
+            goldens: goldens.as_ref().unwrap_or(validator.goldens),
+            ..*validator
         };
         let mut folders = overlay.folders.iter();
         let submission = folders.try_fold(base, |under, folder| under.overlaid(folder))?;
-        let examination = bench.examine(&submission, &Selection::default())?;
-        let naming = Naming::of(&bench, &overlay.name, &examination, &overlay.beliefs)?;
-        Ok(Judged::of(&examination.outcome, overlay, naming))
+        let examination = validator.examine(&submission, &Selection::default())?;
+        let naming = Naming::of(&validator, &overlay.name, &examination, &overlay.beliefs)?;
+        Ok(SubmissionVerdict::of(&examination.outcome, overlay, naming))
     })?;
-    Ok(Known { judged })
+    Ok(SubmissionVerdicts { judged })
 }
 
 /// Every task's answer by some variant's route, if there is one.
-fn variants_mixed(bench: &Bench, base: Submission, turn: usize) -> Result<Submission> {
-    let variants = mistake::folders(&bench.assignment.folder.join("variants"));
+fn variants_mixed(validator: &Validator, base: Submission, turn: usize) -> Result<Submission> {
+    let variants = mistake::folders(&validator.assignment.folder.join("variants"));
     let mut mixed = base;
-    for task in &bench.assignment.tasks {
+    for task in &validator.assignment.tasks {
         let mut files = variants.iter().map(|(_, folder)| folder.join(task.file()));
         let files: Vec<PathBuf> = files.by_ref().filter(|file| file.is_file()).collect();
         let Some(file) = files.get(turn % files.len().max(1)) else {
@@ -241,8 +249,8 @@ fn variants_mixed(bench: &Bench, base: Submission, turn: usize) -> Result<Submis
     Ok(mixed)
 }
 
-impl Judged {
-    fn of(outcome: &Outcome, overlay: &Overlay, naming: Naming) -> Judged {
+impl SubmissionVerdict {
+    fn of(outcome: &Outcome, overlay: &Overlay, naming: Naming) -> SubmissionVerdict {
         let mut tasks = Vec::new();
         let mut groups = Vec::new();
         for task in &outcome.tasks {
@@ -258,7 +266,7 @@ impl Judged {
         let scenes = scenes.filter(|scene| !scene.outcome.passes());
         let tasks_asked = outcome.tasks.iter();
         let replaced = tasks_asked.filter(|task| task.file != AnswerFile::Compiled);
-        Judged {
+        SubmissionVerdict {
             name: overlay.name.clone(),
             single: overlay.single,
             composed: overlay.folders.len() > 1,
@@ -284,7 +292,7 @@ impl Judged {
 
     /// What is not as it must be.
     pub fn faults(&self) -> Option<String> {
-        let Judged { name, .. } = self;
+        let SubmissionVerdict { name, .. } = self;
         let listed = |names: &[String]| match names {
             [] => "no task".into(),
             names => names.join(", "),

@@ -8,7 +8,7 @@ mod sensitivity;
 use anstyle::{AnsiColor, Style};
 
 use super::Validation;
-use super::submissions::Known;
+use super::submissions::SubmissionVerdicts;
 
 const PASS: Style = AnsiColor::Green.on_default();
 const FAIL: Style = AnsiColor::Red.on_default();
@@ -77,7 +77,7 @@ fn submissions(validation: &Validation) -> String {
 }
 
 /// A row of submissions that must fail.
-fn failing(name: &str, known: &Known, more: &str) -> String {
+fn failing(name: &str, known: &SubmissionVerdicts, more: &str) -> String {
     let judged = || known.judged.iter();
     let all = known.judged.len();
     let caught = judged().filter(|judged| judged.is_caught()).count();

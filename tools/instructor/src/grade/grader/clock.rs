@@ -80,12 +80,12 @@ impl Pace {
         };
         for goldens in goldens {
             for task in &assignment.tasks {
-                if let Some(job) = &goldens.kept_questions(task)?.together {
+                if let Some(job) = &goldens.cached_questions(task)?.together {
                     measure(&task.name, job)?;
                 }
             }
             for scene in &goldens.scenes {
-                measure(&scene.name, &goldens.kept_scene(scene)?.job)?;
+                measure(&scene.name, &goldens.cached_scene(scene)?.job)?;
             }
         }
         Ok(Pace { least, took })

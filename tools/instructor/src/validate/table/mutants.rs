@@ -1,12 +1,12 @@
 //! What came of the mutants.
 
 use super::{QUIET, row};
-use crate::validate::mutants::{Fate, Judged, Mutants};
+use crate::validate::mutants::{Fate, MutantVerdict, Mutants};
 
 /// Sums, then each mutant that is no mistake, and what shows it.
 pub fn table(mutants: &Mutants) -> String {
-    let viable = mutants.count(Judged::is_viable);
-    let missed = mutants.count(Judged::is_missed);
+    let viable = mutants.count(MutantVerdict::is_viable);
+    let missed = mutants.count(MutantVerdict::is_missed);
     let said = format!(
         "{missed} of {viable} viable ones missed ({} do not compile); {} caught by their own\n{:18}\
          task's questions, {} by a scene only, {} no mistakes, listed and shown",
@@ -14,7 +14,7 @@ pub fn table(mutants: &Mutants) -> String {
         mutants.count(|judged| judged.groups().is_some()),
         "",
         mutants.count(|judged| matches!(judged.fate, Fate::Scene(_))),
-        mutants.count(Judged::is_equivalent),
+        mutants.count(MutantVerdict::is_equivalent),
     );
     let mut text = row(missed == 0 && mutants.faults.is_empty(), "mutants", said);
     for judged in &mutants.judged {
@@ -37,7 +37,7 @@ pub fn table(mutants: &Mutants) -> String {
     text
 }
 
-fn equivalent_row(judged: &Judged) -> String {
+fn equivalent_row(judged: &MutantVerdict) -> String {
     let Fate::Escaped { difference, .. } = &judged.fate else {
         return String::new();
     };

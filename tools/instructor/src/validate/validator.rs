@@ -18,7 +18,7 @@ use pinhole_course::submission::Submission;
 
 /// What every submission is judged with.
 #[derive(Clone, Copy)]
-pub struct Bench<'a> {
+pub struct Validator<'a> {
     /// Whose tasks.
     pub assignment: &'a Assignment,
     /// By what.
@@ -38,7 +38,7 @@ pub struct Bench<'a> {
 /// As long as `check` gives an answer.
 pub const WALL: Duration = Duration::from_secs(30);
 
-impl Bench<'_> {
+impl Validator<'_> {
     /// Does the same work on all items, as many at a time as the pool has threads.
     /// Results come in the items' order.
     pub fn all<T: Sync, R: Send>(
