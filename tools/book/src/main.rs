@@ -24,8 +24,8 @@ struct Cli {
 enum Program {
     /// Build or check the book
     ///
-    /// Exit codes: 0 all well; 1 the check found something; 2 a page is wrong; 3 the machine
-    /// or this program is at fault.
+    /// Exit codes: 0 if all is well; 1 if the check found something; 2 if a page is wrong; 3 if
+    /// the machine or this program is at fault.
     #[command(subcommand)]
     Book(Command),
 }
@@ -36,31 +36,31 @@ enum Command {
     Build {
         #[command(flatten)]
         which: Which,
-        /// Mark in the pages what is missing or wrong, and build all the same
+        /// Build even if something is missing or wrong, and mark it in the pages
         #[arg(long)]
         draft: bool,
     },
-    /// Build the book, and look for whatever in it is not so
+    /// Build the book, and check everything that it says
     Check {
         #[command(flatten)]
         which: Which,
-        /// Only this part; may be given more than once
+        /// Check only this part (repeatable)
         #[arg(long, value_enum, value_name = "PART")]
         only: Vec<Part>,
     },
-    /// Run the commands of book/commands.toml, and keep what they print
+    /// Run the commands of book/commands.toml, and save what they print
     Capture {
         /// Only these
         ids: Vec<String>,
     },
-    /// Cast the mistakes, and keep their pictures
+    /// Cast the known mistakes, and save their pictures
     Gallery {
         /// Only these
         mistakes: Vec<String>,
     },
-    /// Bundle the script of the interactive figures, and keep it (needs Node.js)
+    /// Bundle and save the script of the interactive figures (needs Node.js)
     Bundle,
-    /// Make the figures, and keep them
+    /// Draw and save the figures
     Figures {
         /// Only these
         names: Vec<String>,
@@ -72,7 +72,7 @@ struct Which {
     /// Only this edition
     #[arg(long, value_enum)]
     edition: Option<Edition>,
-    /// The folder that gets one for each edition [default: book/build]
+    /// Write a folder for each edition into this folder [default: book/build]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }

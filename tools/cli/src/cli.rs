@@ -8,13 +8,19 @@ use pinhole_course::run_options::{AssignmentOption, RunOptions, resolution};
 
 /// Computer graphics assignments, judged against golden films by Mitsuba.
 ///
-/// Run `cargo pinhole check --watch`, and fill the answers in the folder
-/// `handout/src` of the assignment: each is judged when you save it.
+/// To begin, run `cargo pinhole check --watch` and write your answers in the assignment's
+/// folder `handout/src`. Each answer is judged when you save it.
 ///
-/// Exit codes: 0 all well; 1 judged wrong; 2 a file or an argument is wrong; 3 the
-/// machine or this program is at fault.
+/// Exit codes: 0 if all is well; 1 if an answer is wrong; 2 if a file or an argument is
+/// wrong; 3 if the machine or this program is at fault.
 #[derive(Parser)]
-#[command(version, max_term_width = 100)]
+#[command(
+    bin_name = "pinhole",
+    version,
+    max_term_width = 100,
+    after_help = "A checkout of the course has more commands, each with --help: golden, grade, merge, \
+                  handout, validate (for instructors), study, plan (accuracy), book."
+)]
 pub struct Cli {
     #[command(subcommand)]
     pub command: Command,
@@ -22,13 +28,9 @@ pub struct Cli {
 
 #[derive(Subcommand)]
 pub enum Command {
-    /// Build a submission, ask it everything, and judge what it answers
     Check(Check),
-    /// Cast a scene: writes film.exr, id.png, depth.png and normal.png
     Render(Render),
-    /// One pixel in words: its ray, every candidate intersection, what was expected
     Explain(Explain),
-    /// Judge any renderer's film against a golden, by both judges
     Diff(Diff),
 }
 
@@ -44,52 +46,51 @@ impl Command {
     }
 }
 
-/// Build a submission, ask it everything, and judge what it answers.
+/// Compile a submission and judge its answers
 ///
-/// Each task is asked alone, in groups of questions that Mitsuba has answered too;
-/// then every scene is cast by all answers together. For each group and scene that
-/// fails, the table says what was asked, what was expected and what came.
+/// Each task is judged alone, by groups of questions that Mitsuba has answered too. Then all
+/// answers together cast every scene. For each group and scene that fails, the table says
+/// what was asked, what was expected and what your code answered.
 ///
-/// With --watch it stays, and judges an answer whenever you save it: one task at a
-/// time, from the first with missing points on, then the scenes. Keys give a hint, go to
-/// the next task, quit; ? tells them all. In a pipe, and with --json, which then prints
-/// a document on each line, it tells every verdict as it comes, and ends when standard
-/// input was a pipe and is closed, or with Ctrl-C. However it ends, the exit code is 0.
+/// With --watch, this keeps running and judges an answer whenever you save it: first the
+/// tasks, one at a time, then the scenes. Press h for a hint and ? for all keys. Without a
+/// terminal, or with --json, it prints each verdict on a line of its own, and stops when
+/// standard input is closed or at Ctrl-C. Its exit code is always 0.
 ///
-/// Only the six answer files are taken from the folder. A folder outside this
-/// checkout is compiled and run in a sandbox.
+/// Only the answer files are taken from the folder. Code from outside this checkout is
+/// compiled and run in a sandbox.
 ///
-/// A report of it all is written too, one HTML file to open in a browser: expected and
-/// given pictures of every scene that fails, each pixel to click on, and hints.
+/// A report is written as well: one HTML file with the expected picture and yours for every
+/// scene that fails, where you can click on each pixel, and hints.
 #[derive(Args)]
 pub struct Check {
-    /// A folder with the answer files, itself or in `src` [default: the current folder
-    /// if it is a submission, else the handout]
+    /// The folder with the answer files, or with a folder `src` that has them [default: the
+    /// current folder if it is a submission, else the handout]
     pub dir: Option<PathBuf>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Stay, and judge an answer whenever it is saved
+    /// Keep running, and judge each answer when it is saved
     #[arg(long, conflicts_with_all = ["scene", "oiiotool", "no_report"])]
     pub watch: bool,
-    /// Only this task; may be given more than once
+    /// Judge only this task (repeatable)
     #[arg(long, value_name = "TASK")]
     pub task: Vec<String>,
-    /// Only this scene; may be given more than once
+    /// Judge only this scene (repeatable)
     #[arg(long, value_name = "SCENE")]
     pub scene: Vec<String>,
     /// Judge by the goldens in this folder
     #[arg(long, value_name = "DIR")]
     pub golden: Option<PathBuf>,
-    /// Ask oiiotool, the second judge, about every film too
+    /// Let oiiotool, the second judge, compare every film too
     #[arg(long)]
     pub oiiotool: bool,
     #[command(flatten)]
     pub run: RunOptions,
-    /// Where to write the report, one HTML file [default: target/pinhole/report.html of
-    /// the checkout]
+    /// Write the report to this HTML file [default: target/pinhole/report.html in the
+    /// checkout]
     #[arg(long, value_name = "FILE")]
     pub report: Option<PathBuf>,
-    /// Write no report
+    /// Don't write a report
     #[arg(long, conflicts_with = "report")]
     pub no_report: bool,
     /// Open the page of the book that helps with the first thing that is wrong
@@ -100,25 +101,25 @@ pub struct Check {
     pub json: bool,
 }
 
-/// Cast a scene and write its film and three pictures.
+/// Cast a scene, and write its film and three pictures
 ///
-/// film.exr holds id, t and normal per pixel; id.png, depth.png and normal.png show
-/// them in false colour. Where a golden of the scene is committed, depth.png spans
-/// the golden's depths, so that yours and the golden's can be compared.
+/// film.exr holds the id, t and normal of each pixel. id.png, depth.png and normal.png show
+/// them in false colours. If the scene has a golden, depth.png uses the golden's range of
+/// depths, so that you can compare the two pictures.
 #[derive(Args)]
 pub struct Render {
     /// A scene file, or the name of one of the assignment's scenes
     pub scene: String,
-    /// Whose answers cast [default: the current folder if it is a submission, else the
-    /// reference, or the handout where there is none]
+    /// Cast with the answers in this folder [default: the current folder if it is a
+    /// submission, else the reference if it is there, else the handout]
     #[arg(long, value_name = "DIR")]
     pub submission: Option<PathBuf>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Cast this many pixels instead of the scene's own; the image plane stays
+    /// Cast this many pixels instead of the scene's own number; the image plane keeps its size
     #[arg(long, value_name = "NXxNY", value_parser = resolution)]
     pub resolution: Option<Resolution>,
-    /// Where to write
+    /// Write the files to this folder
     #[arg(long, value_name = "DIR", default_value = "render")]
     pub out: PathBuf,
     #[command(flatten)]
@@ -128,28 +129,28 @@ pub struct Render {
     pub json: bool,
 }
 
-/// One pixel in words.
+/// Explain one pixel in words
 ///
-/// Shows the pixel's place on the image plane, its ray in camera space and in world
-/// space, every object's own answer, the first hit, and, where a golden is
-/// committed, what Mitsuba found. Try: cargo pinhole explain slide_example 2 3
+/// Shows where the pixel lies on the image plane, its ray in camera space and in world space,
+/// what each object answers, the first hit and, if the scene has a golden, what Mitsuba
+/// found. Try: cargo pinhole explain slide_example 2 3
 #[derive(Args)]
 pub struct Explain {
     /// A scene file, or the name of one of the assignment's scenes
     pub scene: String,
-    /// Column, from the left, from 0
+    /// The pixel's column, counted from the left, starting at 0
     pub i: usize,
-    /// Row, from the bottom, from 0
+    /// The pixel's row, counted from the bottom, starting at 0
     pub j: usize,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Whose answers to explain [default: the current folder if it is a submission,
-    /// else the reference, or the handout where there is none]
+    /// Explain the answers in this folder [default: the current folder if it is a
+    /// submission, else the reference if it is there, else the handout]
     #[arg(long, value_name = "DIR")]
     pub submission: Option<PathBuf>,
     #[command(flatten)]
     pub run: RunOptions,
-    /// Open the page of the book on the answer that is wrong first
+    /// Open the page of the book that helps with the first wrong answer
     #[arg(long, conflicts_with = "json")]
     pub read: bool,
     /// Print one JSON document on standard output
@@ -157,12 +158,12 @@ pub struct Explain {
     pub json: bool,
 }
 
-/// Judge any renderer's film against a golden.
+/// Compare a film of any renderer with a golden
 ///
-/// The rule: same size, same channels, all finite, and at every pixel
-/// |film − golden| ≤ tolerance in every channel, with the tolerance film that lies
-/// beside the golden as NAME.tol.exr. The Rust judge rules; oiiotool, if it is
-/// installed, is asked the same, and a disagreement is reported as our fault.
+/// The rule: both films have the same size and channels, all values are finite, and at every
+/// pixel |film − golden| ≤ tolerance in every channel. The tolerance film lies beside the
+/// golden as NAME.tol.exr. If oiiotool is installed, it compares the films as well; should
+/// the two judges disagree, that is reported as our fault.
 #[derive(Args)]
 pub struct Diff {
     /// The golden film: NAME.exr, with NAME.tol.exr beside it
@@ -171,15 +172,15 @@ pub struct Diff {
     pub film: PathBuf,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Write pictures of what was expected, what came, and where they differ, and
-    /// report.html, which shows both films pixel by pixel
+    /// Write pictures of both films and of their difference to this folder, and report.html,
+    /// which shows both films pixel by pixel
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Where to write the report [default: report.html in the folder of --out]
+    /// Write the report to this file [default: report.html in the folder of --out]
     #[arg(long, value_name = "FILE")]
     pub report: Option<PathBuf>,
-    /// The scene that was cast, so that the report can name its objects: a scene file,
-    /// or the name of one of the assignment's scenes [default: the one whose golden this is]
+    /// The scene that the films show, so that the report can name its objects: a scene file, or
+    /// the name of one of the assignment's scenes [default: the scene of this golden]
     #[arg(long, value_name = "SCENE")]
     pub scene: Option<String>,
     /// Print one JSON document on standard output

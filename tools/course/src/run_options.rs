@@ -16,8 +16,8 @@ use crate::sandbox::Choice;
 /// Which assignment is meant.
 #[derive(Args, Default)]
 pub struct AssignmentOption {
-    /// The assignment, by name or folder [default: the one that the folder at hand lies in,
-    /// else the checkout's default]
+    /// The assignment, by name or folder [default: the one that contains the folder in
+    /// question, else the checkout's default]
     #[arg(long = "assignment", value_name = "NAME")]
     pub name: Option<String>,
 }
@@ -49,11 +49,11 @@ impl AssignmentOption {
 /// Which sandbox untrusted code runs in.
 #[derive(Args)]
 pub struct SandboxOptions {
-    /// Which walls the code runs behind
-    #[arg(long, value_enum, value_name = "WALLS", default_value_t)]
+    /// The sandbox that the code runs in
+    #[arg(long, value_enum, value_name = "SANDBOX", default_value_t)]
     pub sandbox: Choice,
-    /// Run a folder outside this checkout without a sandbox: your own code only
-    /// (--sandbox none)
+    /// Run code from outside this checkout without a sandbox; only for your own code
+    /// (short for --sandbox none)
     #[arg(long, conflicts_with = "sandbox")]
     pub trust: bool,
 }
@@ -71,7 +71,7 @@ impl SandboxOptions {
 /// How a submission's program is run.
 #[derive(Args)]
 pub struct RunOptions {
-    /// Seconds after which an answer no longer counts
+    /// Give up on a task or a scene after this many seconds
     #[arg(long, value_name = "SECONDS", default_value_t = RunOptions::TIMEOUT,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,

@@ -64,14 +64,14 @@ pub fn time_of_children() -> Option<std::time::Duration> {
 /// What a user asks for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
 pub enum Choice {
-    /// None for a folder of this checkout, bubblewrap for any other
+    /// No sandbox for a folder of this checkout, bubblewrap for any other
     #[default]
     Auto,
-    /// Namespaces of its own, made by bubblewrap
+    /// Linux namespaces, made by bubblewrap
     Bubblewrap,
-    /// Another user id and Landlock: as root, in a container that is used once
+    /// Another user id and Landlock; for root, in a container that is used once
     Container,
-    /// None: your own code only
+    /// No sandbox; only for your own code
     None,
 }
 

@@ -12,10 +12,10 @@ use crate::grade::redact::Reveal;
 use crate::grade::views::formats::Format;
 use crate::validate::Part;
 
-/// What instructors do with Pinhole: grade, hand out, make goldens, validate.
+/// The instructor's commands: grade, hand out, make goldens, validate.
 ///
-/// Exit codes: 0 all well; 1 judged wrong; 2 a file or an argument is wrong; 3 the
-/// machine or this program is at fault.
+/// Exit codes: 0 if all is well; 1 if something is judged wrong; 2 if a file or an argument
+/// is wrong; 3 if the machine or this program is at fault.
 #[derive(Parser)]
 #[command(name = "pinhole", bin_name = "pinhole", version, max_term_width = 100)]
 pub struct Cli {
@@ -28,13 +28,9 @@ pub enum Command {
     /// Make goldens with Mitsuba, or verify the committed ones
     #[command(subcommand)]
     Golden(Golden),
-    /// Grade a class of submissions: marks, reports and a page of them all
     Grade(Grade),
-    /// Put shards of a class that were graded apart together
     Merge(Merge),
-    /// Generate the handout, students' stubs, from the reference, or their whole repository
     Handout(Handout),
-    /// Grade the grading: does it catch every known mistake, and fail nobody who is right?
     Validate(Validate),
 }
 
@@ -52,70 +48,72 @@ impl Command {
     }
 }
 
-/// Grade a class of submissions.
+/// Grade a class of submissions
 ///
-/// Each path is a submission, a folder or a zip archive with the answer files, or a folder
-/// of submissions. For each, a result and a report are written to DIR/submissions; for the
-/// class, DIR/grades.csv and DIR/class.html. Foreign code runs in a sandbox.
+/// Each path is a submission (a folder or a zip archive with the answer files) or a folder of
+/// submissions. The result and the report of each submission go to DIR/submissions; the whole
+/// class is in DIR/grades.csv and DIR/class.html. All code runs in a sandbox.
 ///
-/// Whatever is finished is kept: killed at any moment and run again, this goes on, and
-/// grades again only what has changed. A fault of the grader's is nobody's zero: such a
-/// submission has no mark, is listed first, and the exit code is 3.
+/// You can stop this at any moment and run it again: it continues, and grades again only what
+/// has changed. If the grader itself fails on a submission, that submission gets no mark
+/// instead of a zero, is listed first, and the exit code is 3.
 ///
-/// If Mitsuba is installed, questions from a fresh seed are asked too, the same of the
-/// whole class: a group of questions earns its points only if it passes both, and scenes
-/// earn no more than the larger of what fresh scenes earn and the tasks' share of their
-/// points.
+/// If Mitsuba is installed, the whole class is also asked fresh questions from a new seed. A
+/// group of questions then earns its points only if it passes both the public and the fresh
+/// ones. Scenes earn no more than the larger of two shares: that of the fresh scenes that
+/// pass, and that of the tasks' points.
 #[derive(Args)]
 pub struct Grade {
-    /// Submissions, and folders of submissions
+    /// Submissions and folders of submissions
     #[arg(required = true, value_name = "PATH")]
     pub paths: Vec<PathBuf>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Where results are written, and kept for the next time
+    /// Write results to this folder, and reuse those that it has
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
-    /// How many submissions to grade at a time [default: one for each core]
+    /// Grade this many submissions at a time [default: one for each core]
     #[arg(long, value_name = "N")]
     pub jobs: Option<usize>,
-    /// Judge by the goldens in this folder, which stay withheld from students; such as
-    /// `golden render my.toml --out DIR` makes
+    /// Judge by the goldens in this folder instead, and withhold them from students; `golden
+    /// render my.toml --out DIR` makes them
     #[arg(long, value_name = "DIR")]
     pub golden: Option<PathBuf>,
-    /// What results and reports show of withheld and fresh questions
+    /// How much results and reports show of withheld and fresh questions
     #[arg(long, value_enum, default_value_t)]
     pub reveal: Reveal,
-    /// The seed of fresh questions [default: that of DIR/fresh, or else a random one]
+    /// Draw fresh questions from this seed [default: that of DIR/fresh, else a random one]
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
-    /// Fresh questions that were made before, by `golden render --seed N --out DIR`
+    /// Ask the fresh questions in this folder; `golden render --seed N --out DIR` makes them
     #[arg(long, value_name = "DIR", conflicts_with = "seed")]
     pub fresh: Option<PathBuf>,
-    /// Ask the known questions only
+    /// Ask no fresh questions
     #[arg(long, conflicts_with_all = ["seed", "fresh"])]
     pub no_fresh: bool,
-    /// A CSV file with a first line `id,name,section`: who should have handed in
+    /// The list of students: a CSV file whose first line is `id,name,section`
     #[arg(long, value_name = "CSV")]
     pub roster: Option<PathBuf>,
-    /// Another format to write results in; may be given more than once
+    /// Write results in this format too (repeatable)
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub format: Vec<Format>,
-    /// Grade everything again, and list each mark that changes, drops first
+    /// Grade everything again, and list the marks that change, those that drop first
     #[arg(long)]
     pub regrade: bool,
-    /// Grade only part K of N, for `pinhole merge`
+    /// Grade only part K of N; `pinhole merge` puts the parts together
     #[arg(long, value_name = "K/N", value_parser = shard)]
     pub shard: Option<(usize, usize)>,
-    /// Seconds of processor time that each task and scene has at least; never less than a
-    /// hundred times what the reference takes. Late is only what is late again, alone
+    /// Give each task and scene at least this many seconds of processor time, and at least a
+    /// hundred times what the reference takes. What is late is asked again with the machine to
+    /// itself before it counts as late
     #[arg(long, value_name = "SECONDS", default_value_t = 4,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
-    /// Which walls the code runs behind, wherever it lies; `auto` is bubblewrap
-    #[arg(long, value_enum, value_name = "WALLS", default_value_t)]
+    /// The sandbox that all code runs in; `auto` means bubblewrap
+    #[arg(long, value_enum, value_name = "SANDBOX", default_value_t)]
     pub sandbox: Choice,
-    /// Run without a sandbox, as every result says: your own code only (--sandbox none)
+    /// Run without a sandbox, which every result then says; only for your own code (short for
+    /// --sandbox none)
     #[arg(long, conflicts_with = "sandbox")]
     pub trust: bool,
     /// Print one JSON document on standard output
@@ -133,19 +131,21 @@ impl Grade {
     }
 }
 
-/// Put shards of a class together: the --out folders of `grade --shard K/N`, all of the
-/// same paths, roster and goldens. What comes is what grading all at once had given.
+/// Put together the parts of a class that were graded apart
+///
+/// The parts are the --out folders of `grade --shard K/N`, all made with the same paths,
+/// roster and goldens. The result is the same as that of grading the class in one run.
 #[derive(Args)]
 pub struct Merge {
-    /// The shards' folders
+    /// The folders of the parts
     #[arg(required = true, value_name = "DIR")]
     pub shards: Vec<PathBuf>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Where the whole class is written
+    /// Write the whole class to this folder
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
-    /// Another format to write results in; may be given more than once
+    /// Write results in this format too (repeatable)
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub format: Vec<Format>,
     /// Print one JSON document on standard output
@@ -153,42 +153,41 @@ pub struct Merge {
     pub json: bool,
 }
 
-/// Generate the handout from the reference, or a whole repository for students.
+/// Make the students' stubs from the reference, or a whole repository for them
 ///
-/// Signatures and documentation stay, answers become `todo!`. Everything else is
-/// copied as it is.
+/// In the stubs, signatures and documentation stay, and answers become `todo!`.
 ///
-/// With --out, a repository of its own is made around the stubs: the harness, this
-/// command, the public scenes and their goldens, tests, a README and a workflow for
-/// GitHub. It needs Rust and nothing else, and holds no answer of ours, no source of a
-/// mistake or a variant, and nothing of a scene that says `public = false`.
+/// With --out, this writes a repository around the stubs: the harness, the student's
+/// commands, the public scenes and their goldens, tests, a README and a workflow for GitHub.
+/// It needs only Rust. It contains none of our answers, no source of a mistake or a variant,
+/// and nothing of a scene with `public = false`.
 #[derive(Args)]
 pub struct Handout {
-    /// The assignment
+    /// The assignment, by name or folder
     #[arg(value_name = "ASSIGNMENT", conflicts_with = "name")]
     pub positional: Option<String>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Change nothing; fail if the committed handout is out of step
+    /// Change nothing, and fail if the committed stubs don't match the reference
     #[arg(long, conflicts_with_all = ["out", "gradescope"])]
     pub check: bool,
-    /// Write a student's repository here; the folder must be new or empty
+    /// Write a student's repository to this folder, which must be new or empty
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Put this built book into the repository, as `book/`: the students' edition that
-    /// `book build` makes in book/build/student
+    /// Put this built book into the repository; `book build` makes the students' edition in
+    /// book/build/student
     #[arg(long, value_name = "DIR", requires = "out")]
     pub book: Option<PathBuf>,
-    /// Replace what an earlier run wrote to DIR; a file that was changed since is never
-    /// touched, and then nothing is
+    /// Replace what an earlier run wrote to DIR. If somebody has changed one of those files,
+    /// nothing is written
     #[arg(long, requires = "out")]
     pub force: bool,
-    /// Write an autograder for Gradescope here, for instructors alone: it holds all
+    /// Write an autograder for Gradescope to this file. Keep it to yourself: it contains all
     /// goldens and our answers
     #[arg(long, value_name = "FILE.zip")]
     pub gradescope: Option<PathBuf>,
-    /// Put these fresh questions into the autograder, as `golden render --seed N --out DIR`
-    /// makes them: public goldens alone could be memorised
+    /// Put the fresh questions in this folder into the autograder, because public goldens can
+    /// be memorised; `golden render --seed N --out DIR` makes them
     #[arg(long, value_name = "DIR", requires = "gradescope")]
     pub fresh: Option<PathBuf>,
     /// What the autograder shows of withheld and fresh questions
@@ -199,42 +198,41 @@ pub struct Handout {
     pub json: bool,
 }
 
-/// Grade the grading.
+/// Test the grading: does it catch every known mistake and pass every right answer?
 ///
-/// Everything whose verdict is known beforehand goes down the same path as a student's
-/// answers, and the verdicts are compared with what is known:
+/// Judges everything whose verdict is known, in the same way as a student's answers:
 ///
-/// - the stub is unanswered, the reference and every variant pass;
-/// - every known mistake fails in exactly the tasks that it declares, and so does its
-///   rewrite, which starts from another algorithm;
-/// - with --mutants: of the reference with one small fault each (a sign, a comparison, a
-///   constant, a vector for its neighbour, …) none that compiles passes, unless
-///   equivalent.toml lists it and a search for differences agrees.
+/// - the stub must be unanswered, and the reference and every variant must pass;
+/// - every known mistake must fail in exactly the tasks that it declares, and so must its
+///   rewrite, which uses another algorithm;
+/// - with --mutants, every copy of the reference with one small fault (a sign, a comparison, a
+///   constant, …) must fail if it compiles, unless equivalent.toml lists it and a search for
+///   differences agrees.
 ///
-/// The tables say for each group of questions and each scene how many mistakes it catches
-/// and how many only it does, and what the smallest error is that each scene detects.
-/// Exit 0 if every target is met; otherwise 1, and what misses one comes first.
+/// The tables say how many mistakes each group of questions and each scene catches, how many
+/// of them nothing else catches, and how small an error each scene detects. The exit code is
+/// 0 if every target is met; otherwise it is 1, and the misses come first.
 #[derive(Args)]
 pub struct Validate {
-    /// The assignment: its name, or its folder
+    /// The assignment, by name or folder
     #[arg(value_name = "ASSIGNMENT", conflicts_with = "name")]
     pub positional: Option<String>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Write mutants of the reference, and judge them too: some 600, a minute or two
+    /// Judge mutants of the reference too: about 600, which takes some minutes
     #[arg(long)]
     pub mutants: bool,
-    /// Only this part; may be given more than once
+    /// Judge only this part (repeatable)
     #[arg(long, value_name = "PART")]
     pub only: Vec<Part>,
-    /// Only what has this in its name, as `mistakes/sphere_`, `variants/`, `triangle.rs:26:`
-    /// (a mutant) or `bunny`
+    /// Judge only what has this in its name, such as `mistakes/sphere_`, `variants/`,
+    /// `triangle.rs:26:` (a mutant) or `bunny`
     #[arg(long, value_name = "TEXT")]
     pub named: Option<String>,
-    /// Ask oiiotool, the second judge, about every film too
+    /// Let oiiotool, the second judge, compare every film too
     #[arg(long)]
     pub oiiotool: bool,
-    /// Judge so many at a time [default: one for each core]
+    /// Judge this many submissions at a time [default: one for each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
     /// Print one JSON document on standard output

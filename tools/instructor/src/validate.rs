@@ -46,11 +46,11 @@ pub struct Plan {
 pub enum Part {
     /// Known mistakes and rewrites of them: each must fail in its own tasks
     Mistakes,
-    /// Right answers by other routes: each must pass
+    /// Right answers that work differently: each must pass
     Variants,
-    /// The reference with one small fault each, written by a program: all must be caught
+    /// Copies of the reference with one small fault each: all must be caught
     Mutants,
-    /// The smallest error of each kind that each scene detects
+    /// How small an error each scene still detects
     Sensitivity,
 }
 

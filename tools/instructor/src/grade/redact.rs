@@ -18,14 +18,14 @@ use pinhole_report::html::{Report, SceneSection};
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Reveal {
-    /// Points alone
+    /// The points alone
     Points,
-    /// And what went wrong, in a line
+    /// The points, and a line about what went wrong
     #[default]
     Message,
-    /// And the pictures
+    /// The same, and the pictures
     Picture,
-    /// And every pixel, and the worst question
+    /// Everything, down to each pixel and the worst question
     Full,
 }
 

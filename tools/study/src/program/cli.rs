@@ -9,8 +9,8 @@ use pinhole_study::plan::Wish;
 
 /// The trade between speed and accuracy in ray casting.
 ///
-/// Exit codes: 0 all well; 1 measured otherwise than promised; 2 a file or an argument is
-/// wrong; 3 the machine or this program is at fault.
+/// Exit codes: 0 if all is well; 1 if a measurement differs from what was promised; 2 if a
+/// file or an argument is wrong; 3 if the machine or this program is at fault.
 #[derive(Parser)]
 #[command(name = "pinhole", bin_name = "pinhole", version, max_term_width = 100)]
 pub struct Cli {
@@ -20,13 +20,9 @@ pub struct Cli {
 
 #[derive(Subcommand)]
 pub enum Command {
-    /// Measure the trade between speed and accuracy, and the extremes
     Study(Study),
-    /// The cheapest way to cast a scene that is as accurate as you wish, and why
     Plan(Plan),
-    /// Cast a scene exactly, or as planned
     Render(Render),
-    /// Ask exact casting as many questions as there is time for, and print what came
     Record(Record),
     /// Cast one kernel's workload: what runs under callgrind
     #[command(hide = true)]
@@ -49,33 +45,33 @@ impl Command {
     }
 }
 
-/// Measure the trade between speed and accuracy, and the extremes.
+/// Measure what speed costs in accuracy, down to the extremes
 ///
-/// Many ways to intersect a sphere, a plane and a triangle are asked the same questions,
-/// which get harder step by step, and are judged by exact arithmetic; then every scene is
-/// cast, and every pixel judged. Writes study.json, summary.md and plots; prints what was
-/// measured before, or promised, beside what came. Exit 0 if all of that agrees but for
-/// times, which depend on the machine; otherwise 1.
+/// Asks many ways to intersect a sphere, a plane and a triangle the same questions, which get
+/// harder step by step, and judges them with exact arithmetic. Then it casts every scene and
+/// judges every pixel. Writes study.json, summary.md and plots, and prints each figure beside
+/// the one that was measured before or promised. The exit code is 0 if they agree, apart from
+/// times, which depend on the machine; otherwise it is 1.
 #[derive(Args)]
 pub struct Study {
-    /// Ask fewer questions: less than a minute
+    /// Ask fewer questions, which takes less than a minute
     #[arg(long)]
     pub quick: bool,
-    /// Put these answers among the kernels, by the questions of --quick: their sphere,
-    /// plane and triangle through the extremes, all six through the scenes. Nothing of it
-    /// is graded
+    /// Measure these answers beside the study's own, with the questions of --quick: their
+    /// sphere, plane and triangle at the extremes, and all six in the scenes. This gives no
+    /// marks
     #[arg(long, value_name = "DIR")]
     pub submission: Option<PathBuf>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Where to write
+    /// Write the files to this folder
     #[arg(long, value_name = "DIR", default_value = "study")]
     pub out: PathBuf,
     /// Only this family of questions (distance, surface, …), or crossover, mesh, plans, scenes,
     /// spoilt or speed
     #[arg(long, value_name = "FAMILY")]
     pub only: Option<String>,
-    /// What random questions come from
+    /// The seed of random questions
     #[arg(long, value_name = "N", default_value_t = 20_261_121)]
     pub seed: u64,
     #[command(flatten)]
@@ -85,12 +81,12 @@ pub struct Study {
     pub json: bool,
 }
 
-/// The cheapest way to cast a scene that is as accurate as you wish, and why.
+/// Find the cheapest way to cast a scene as accurately as you wish, and explain it
 ///
-/// Says for spheres, planes and triangles whether f32 will do, or f64, or exact arithmetic,
-/// from bounds of what rounding does in this very scene, and whether boxes around the
-/// parts pay. Then it casts some of the rays so and judges them by exact arithmetic: what
-/// that refuses is planned anew. Try: cargo pinhole plan bunny --accuracy 1e-6
+/// Chooses f32, f64 or exact arithmetic for each kind of shape, from bounds on what rounding
+/// does in this scene, and says whether a tree of boxes is worth building. Then it casts some
+/// of the rays that way and judges them with exact arithmetic; if that finds an error, it
+/// plans again. Try: cargo pinhole plan bunny --accuracy 1e-6
 #[derive(Args)]
 pub struct Plan {
     /// A scene file, or the name of one of the assignment's scenes
@@ -111,11 +107,11 @@ pub struct Plan {
     pub json: bool,
 }
 
-/// Cast a scene by the study's own casters, and write its film and three pictures.
+/// Cast a scene with the study's own casters, and write its film and three pictures
 ///
-/// film.exr holds id, t and normal per pixel; id.png, depth.png and normal.png show
-/// them in false colour. Where a golden of the scene is committed, depth.png spans
-/// the golden's depths, so that yours and the golden's can be compared.
+/// film.exr holds the id, t and normal of each pixel. id.png, depth.png and normal.png show
+/// them in false colours. If the scene has a golden, depth.png uses the golden's range of
+/// depths, so that you can compare the two pictures.
 #[derive(Args)]
 #[command(group = ArgGroup::new("caster").required(true).args(["exact", "plan"]))]
 pub struct Render {
@@ -123,21 +119,21 @@ pub struct Render {
     pub scene: String,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Cast by the exact caster, whose objects are never wrong, whatever the scene: what
-    /// rounding leaves open is decided by exact arithmetic, and it is told how often.
-    /// Exact for the rays as rounded to f64
+    /// Cast with the exact caster, which never shows a wrong object: what rounding leaves
+    /// undecided is decided by exact arithmetic, and counted. The rays themselves are rounded
+    /// to f64 first
     #[arg(long)]
     pub exact: bool,
-    /// Cast by the cheapest way that keeps t and normals to this accuracy, as `pinhole plan`
-    /// chooses it
+    /// Cast in the cheapest way that keeps t and normals this accurate, which `pinhole plan`
+    /// explains
     #[arg(long, value_name = "X", value_parser = accuracy)]
     pub plan: Option<f64>,
     #[command(flatten)]
     pub wanted: Wanted,
-    /// Cast this many pixels instead of the scene's own; the image plane stays
+    /// Cast this many pixels instead of the scene's own number; the image plane keeps its size
     #[arg(long, value_name = "NXxNY", value_parser = resolution)]
     pub resolution: Option<Resolution>,
-    /// Where to write
+    /// Write the files to this folder
     #[arg(long, value_name = "DIR", default_value = "render")]
     pub out: PathBuf,
     /// Print one JSON document on standard output
@@ -145,22 +141,23 @@ pub struct Render {
     pub json: bool,
 }
 
-/// Ask exact casting as many questions as there is time for, and print what came.
+/// Ask the exact caster as many questions as you have time for
 ///
-/// The promise is for 100 million random and 10 million adversarial questions, and
-/// 500 million rays at edges and as many at vertices: about two hours of a core.
+/// The default is a million of each. What was promised is 100 million random questions, 10
+/// million adversarial ones, and 500 million rays each at edges and at vertices, which takes
+/// one core about two hours.
 #[derive(Args)]
 pub struct Record {
-    /// Everyday questions
+    /// How many everyday questions
     #[arg(long, value_name = "N", default_value_t = 1_000_000)]
     pub random: u64,
-    /// Questions at the extremes
+    /// How many questions at the extremes
     #[arg(long, value_name = "N", default_value_t = 1_000_000)]
     pub adversarial: u64,
-    /// Rays at edges, and as many at vertices, of closed meshes
+    /// How many rays at edges of closed meshes, and as many at their vertices
     #[arg(long, value_name = "N", default_value_t = 1_000_000)]
     pub edges: u64,
-    /// What random questions come from
+    /// The seed of random questions
     #[arg(long, value_name = "N", default_value_t = 20_261_121)]
     pub seed: u64,
 }
@@ -168,11 +165,10 @@ pub struct Record {
 /// What is wanted of a planned film.
 #[derive(Args)]
 pub struct Wanted {
-    /// With a plan: whether a pixel may show another object where rounding decides
-    /// [default: rounded]
+    /// For a plan: whether rounding may decide which object a pixel shows [default: rounded]
     #[arg(long, value_enum, value_name = "IDS")]
     pub ids: Option<Ids>,
-    /// With a plan: what is worked out for a pixel; the rest is 0 in the film [default:
+    /// For a plan: what to compute for each pixel; the rest is 0 in the film [default:
     /// id,depth,normal]
     #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',')]
     pub outputs: Vec<Output>,
