@@ -51,14 +51,16 @@ fn every_task_and_scene_has_a_snapshot_test() {
     }
 }
 
-/// Runs the handout's snapshot tests, built already, in a copy of their folder.
+/// Runs a snapshot test of the stubs and of the reference in a copy of their folder. It
+/// passes for the reference, so the stubs alone decide.
 fn handout_tests(settings: &[(&str, &str)], workspace: &Path) -> (bool, String) {
     let cargo = std::env::var("CARGO").unwrap_or("cargo".into());
     let mut command = Command::new(cargo);
+    // Of the whole workspace, so that nothing is built again with other features.
     command
         .current_dir(root())
-        .args(["test", "--release", "-p", "ray-casting-handout"]);
-    command.args(["--test", "golden_films", "--", "sphere_agrees_with_mitsuba"]);
+        .args(["test", "--release", "--workspace", "--test", "golden_films"])
+        .args(["--no-fail-fast", "--", "sphere_agrees_with_mitsuba"]);
     command.env("INSTA_WORKSPACE_ROOT", workspace);
     command.env_remove("INSTA_UPDATE");
     command.envs(settings.iter().copied());
@@ -76,7 +78,10 @@ fn no_setting_of_insta_turns_a_wrong_film_green_or_touches_a_golden() {
     let snapshots = "assignments/ray_casting/tests/snapshots";
     let copy = workspace.join(snapshots);
     // insta names the folder by way of the package, which must exist as well.
-    fs::create_dir_all(workspace.join("assignments/ray_casting/handout")).expect("it can be made");
+    for package in ["handout", "reference"] {
+        let folder = workspace.join("assignments/ray_casting").join(package);
+        fs::create_dir_all(folder).expect("it can be made");
+    }
     fs::create_dir_all(&copy).expect("it can be made");
     for entry in fs::read_dir(root().join(snapshots))
         .expect("they are committed")
