@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 use pinhole_testing::{Ran, fresh, pinhole, root, trusted};
 
@@ -107,6 +107,9 @@ fn is_named(fault: &str) {
     assert!(out.contains(fault), "no {fault:?} in:\n{out}\n{err}");
 }
 
+/// Held by tests that judge the same mutants: each removes their programs when it is done.
+static MUTANTS: Mutex<()> = Mutex::new(());
+
 #[test]
 fn a_mistake_that_passes_everything_is_missed() {
     is_named("✗ missed: mistakes/plane_harmless passes everything\n");
@@ -198,6 +201,7 @@ fn listed(becomes: &str, differs: &str) -> String {
 
 #[test]
 fn a_mutant_that_escapes_is_missed_unless_it_is_listed_as_what_it_is() {
+    let _alone = MUTANTS.lock().unwrap_or_else(PoisonError::into_inner);
     let course = assignment("escaped");
     let only_these = ["--only", "mutants", "--named", &of_the_discriminant()];
     let never = listed("if false {", "nowhere");
@@ -218,6 +222,7 @@ fn a_mutant_that_escapes_is_missed_unless_it_is_listed_as_what_it_is() {
 
 #[test]
 fn a_list_of_mutants_that_is_out_of_step_is_named() {
+    let _alone = MUTANTS.lock().unwrap_or_else(PoisonError::into_inner);
     let course = assignment("out-of-step");
     let only_these = ["--only", "mutants", "--named", &of_the_discriminant()];
     let caught = listed("if discriminant > 0.0 {", "nowhere");
