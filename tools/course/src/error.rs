@@ -108,11 +108,11 @@ pub trait ResultExt<T> {
 
 impl<T, E: Into<Source>> ResultExt<T> for std::result::Result<T, E> {
     fn or_input(self, problem: impl fmt::Display, remedy: impl Into<String>) -> Result<T> {
-        self.or_fail(&Error::input(problem.to_string(), remedy))
+        self.map_err(|source| Error::input(problem.to_string(), remedy).because(source))
     }
 
     fn or_environment(self, problem: impl fmt::Display, remedy: impl Into<String>) -> Result<T> {
-        self.or_fail(&Error::environment(problem.to_string(), remedy))
+        self.map_err(|source| Error::environment(problem.to_string(), remedy).because(source))
     }
 
     fn or_fail(self, what: &Error) -> Result<T> {

@@ -28,7 +28,7 @@ use crate::escape::{printable, printable_word};
 use crate::terminal;
 pub use belief::Beliefs;
 use belief::Told;
-pub use page::{PAGE_CSS, policy};
+pub use page::{PAGE_CSS, environment, policy};
 use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::outcome::{Examination, FilmOutcome, Outcome, SceneFilm, SceneOutcome};
 use pinhole_course::shell::PINHOLE;

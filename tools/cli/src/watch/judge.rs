@@ -55,14 +55,14 @@ impl Judge {
         self.stop.raise();
         self.stop = Stop::default();
         self.threads.retain(|thread| !thread.is_finished());
-        let bench = OrderJudge {
+        let judge = OrderJudge {
             course: Arc::clone(&self.course),
             compiler: Arc::clone(&self.compiler),
             events: self.events.clone(),
             stop: self.stop.clone(),
             order,
         };
-        self.threads.push(thread::spawn(move || bench.work()));
+        self.threads.push(thread::spawn(move || judge.work()));
     }
 }
 

@@ -25,7 +25,7 @@ impl Assignment {
     /// without a name, the one that `folder` lies in, or else the checkout's default.
     ///
     /// # Errors
-    /// If there is no such assignment, or its file is wrong.
+    /// If no assignment has this name, or its `assignment.toml` is wrong.
     pub fn find(checkout: &Checkout, name: Option<&str>, folder: &Path) -> Result<Assignment> {
         match name {
             Some(name) => Assignment::named(checkout, name),

@@ -32,7 +32,7 @@ pub enum Built {
 /// Compiles sources into a folder of `programs`, unless it is there already.
 ///
 /// # Errors
-/// If the disk is full, or there is no compiler.
+/// If a file cannot be written, or the compiler is not installed.
 pub fn build(
     sources: &Sources,
     programs: &Path,

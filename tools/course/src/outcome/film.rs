@@ -1,4 +1,4 @@
-//! How a film fared beside its golden, or why there is no film.
+//! How a film compares with its golden, or why the submission made none.
 
 use pinhole::Resolution;
 use pinhole::judge::{ChannelVerdict, Refusal, Verdict};

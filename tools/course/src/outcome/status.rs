@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Status {
-    /// The grader failed, not the student: there is no mark.
+    /// The grader failed, so there is no mark.
     #[serde(rename = "not graded")]
     NotGraded,
     /// An answer's file was not accepted.

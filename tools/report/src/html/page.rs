@@ -34,16 +34,25 @@ const SCRIPT: [&str; 5] = [
     include_str!("../../templates/viewer.js"),
 ];
 
+/// Our own templates, by name; one that asks for a value it was not given is an error.
+///
+/// # Panics
+/// If a template has a mistake in its syntax.
+pub fn environment(templates: &[(&'static str, &'static str)]) -> Environment<'static> {
+    let mut environment = Environment::new();
+    environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    for (name, text) in templates {
+        environment
+            .add_template(name, text)
+            .unwrap_or_else(|error| panic!("{name}: {error:#}"));
+    }
+    environment
+}
+
 impl Report {
     /// The page.
     pub fn html(&self) -> String {
-        let mut environment = Environment::new();
-        environment.set_undefined_behavior(UndefinedBehavior::Strict);
-        for (name, text) in TEMPLATES {
-            environment
-                .add_template(name, text)
-                .unwrap_or_else(|error| panic!("{name}: {error:#}"));
-        }
+        let environment = environment(&TEMPLATES);
         // A browser reads line ends as `\n` before it hashes.
         let [style, script] =
             [STYLE.concat() + &swatches(), SCRIPT.concat()].map(|text| text.replace('\r', ""));

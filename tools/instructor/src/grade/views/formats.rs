@@ -2,7 +2,7 @@
 //! PrairieLearn's `results.json`. Each is a view of a record.
 
 use clap::ValueEnum;
-use minijinja::{Environment, UndefinedBehavior, context, value::Serde};
+use minijinja::{context, value::Serde};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -11,6 +11,7 @@ use crate::grade::record::Record;
 use pinhole_course::error::Result;
 use pinhole_course::outcome::{AnswerFile, Status};
 use pinhole_report::escape::printable;
+use pinhole_report::html::environment;
 use pinhole_report::terminal;
 
 /// A file to write beside each result.
@@ -192,13 +193,10 @@ fn junit(record: &Record) -> String {
         }];
     }
     let cases: Vec<&Case> = suites.iter().flat_map(|suite| &suite.cases).collect();
-    let mut environment = Environment::new();
-    environment.set_undefined_behavior(UndefinedBehavior::Strict);
-    let template =
-        environment.add_template("junit.xml", include_str!("../../../templates/junit.xml"));
-    let page = template.and_then(|()| {
+    let junit = include_str!("../../../templates/junit.xml");
+    let environment = environment(&[("junit.xml", junit)]);
+    let page = environment.get_template("junit.xml").and_then(|template| {
         let id = &record.id;
-        let template = environment.get_template("junit.xml")?;
         template.render(context! { id, suites => Serde(&suites), cases => Serde(&cases) })
     });
     page.unwrap_or_else(|error| panic!("junit.xml's template: {error:#}"))

@@ -1,6 +1,6 @@
 //! `class.html`: the whole class on one page.
 
-use minijinja::{Environment, UndefinedBehavior, context, value::Serde};
+use minijinja::{context, value::Serde};
 use serde::Serialize;
 
 use crate::grade::alike::SharedAnswer;
@@ -10,7 +10,7 @@ use crate::grade::record::explained;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::outcome::Status;
 use pinhole_report::escape::printable;
-use pinhole_report::html::policy;
+use pinhole_report::html::{PAGE_CSS, environment, policy};
 
 const TEMPLATES: [(&str, &str); 2] = [
     ("class.html", include_str!("../../../templates/class.html")),
@@ -89,17 +89,8 @@ struct Line {
 
 /// The page of a class.
 pub fn html(class: &Class, assignment: &Assignment) -> String {
-    let mut environment = Environment::new();
-    environment.set_undefined_behavior(UndefinedBehavior::Strict);
-    for (name, text) in TEMPLATES {
-        environment
-            .add_template(name, text)
-            .unwrap_or_else(|error| panic!("{name}: {error:#}"));
-    }
-    let style = [
-        pinhole_report::html::PAGE_CSS,
-        include_str!("../../../templates/class.css"),
-    ];
+    let environment = environment(&TEMPLATES);
+    let style = [PAGE_CSS, include_str!("../../../templates/class.css")];
     let style = style.concat().replace('\r', "");
     let script = include_str!("../../../templates/class.js").replace('\r', "");
     let page = environment.get_template("class.html").and_then(|page| {
