@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use hmac_sha256::Hash;
 use pinhole::Film;
 use pinhole::oiiotool::Oiiotool;
-use sha2::{Digest, Sha256};
 
 use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
@@ -94,7 +94,7 @@ impl Drop for Laid {
 
 /// Equal only for the same film before the same golden with the same first verdict.
 fn fingerprint(film: &Film, golden: &Path, passes: bool) -> [u8; 32] {
-    let mut hash = Sha256::new();
+    let mut hash = Hash::new();
     hash.update(golden.as_os_str().as_encoded_bytes());
     hash.update(format!("\n{} {passes}\n", film.resolution()));
     for channel in film.channels() {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use sha2::{Digest, Sha256};
+use hmac_sha256::Hash;
 
 use super::blame::{self, Diagnostic};
 use super::harness::Harness;
@@ -131,7 +131,7 @@ fn prefixed(prefix: &str, path: &Path) -> std::ffi::OsString {
 /// What is compiled, against what, and where: what a trusted compiler could read must
 /// not reach a walled one by way of a finished program.
 fn fingerprint(sources: &Sources, harness: &Harness, sandbox: &Sandbox) -> String {
-    let mut hash = Sha256::new();
+    let mut hash = Hash::new();
     hash.update(sandbox.fingerprint());
     for (name, text) in sources {
         hash.update((name.len() as u64).to_le_bytes());

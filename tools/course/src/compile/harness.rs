@@ -8,8 +8,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use hmac_sha256::Hash;
 use serde::Deserialize;
-use sha2::{Digest, Sha256};
 
 use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
@@ -125,7 +125,7 @@ fn is_library(file: &Path) -> bool {
 
 /// Cargo's file names carry a hash, but not every change of content changes it.
 fn fingerprint(libraries: &[(String, PathBuf)]) -> String {
-    let mut hash = Sha256::new();
+    let mut hash = Hash::new();
     for (_, file) in libraries {
         let metadata = fs::metadata(file);
         let state = metadata.map(|metadata| (metadata.len(), metadata.modified().ok()));

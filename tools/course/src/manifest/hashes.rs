@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use sha2::{Digest, Sha256};
+use hmac_sha256::Hash;
 
 use crate::assignment::Assignment;
 use crate::error::{Result, ResultExt};
@@ -42,7 +42,7 @@ pub fn hash_of(path: &Path, mut bytes: Vec<u8>) -> String {
     if !is_film(path) && !is_picture {
         bytes.retain(|byte| *byte != b'\r');
     }
-    hex::encode(Sha256::digest(&bytes))
+    hex::encode(Hash::hash(&bytes))
 }
 
 /// The answer files and words of every mistake that is fingerprinted.

@@ -46,9 +46,9 @@ fn handed_out(name: &str) -> PathBuf {
 }
 
 fn sha256(bytes: &[u8]) -> String {
-    use sha2::{Digest, Sha256};
+    use hmac_sha256::Hash;
 
-    hex::encode(Sha256::digest(bytes))
+    hex::encode(Hash::hash(bytes))
 }
 
 #[test]
