@@ -11,7 +11,7 @@ use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use crate::camera::Resolution;
 use crate::film::Film;
@@ -22,13 +22,15 @@ pub use ending::{Death, Ending};
 use transport::Exchange;
 
 /// What came of one job.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Reply {
     /// In the job's order; `None` where nothing came.
     pub answers: Vec<Option<Answer>>,
     missing: usize,
     /// How it ended.
     pub ending: Ending,
+    /// How long it took to start: until the first answers came.
+    pub start: Duration,
     /// What the student's code printed, standard output and error, cut at
     /// [`MOST_PRINTED`] bytes each.
     pub printed: String,
@@ -37,8 +39,10 @@ pub struct Reply {
 /// How long an answer is waited for.
 #[derive(Clone, Debug)]
 pub struct Limit {
-    /// In time.
+    /// For all answers together.
     pub wall: Duration,
+    /// Since it last sent anything. An endless loop is found out long before `wall` is over.
+    pub silence: Duration,
     /// Raised by whoever no longer wants the answer.
     pub stop: Stop,
 }
@@ -61,8 +65,11 @@ impl Stop {
 
 impl From<Duration> for Limit {
     fn from(wall: Duration) -> Limit {
-        let stop = Stop::default();
-        Limit { wall, stop }
+        Limit {
+            wall,
+            silence: wall,
+            stop: Stop::default(),
+        }
     }
 }
 
@@ -105,6 +112,8 @@ pub fn ask_watched(
     started: &mut dyn FnMut(u32),
 ) -> io::Result<Reply> {
     command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    let spawned = Instant::now();
+    let patience = limit.wall.min(limit.silence);
     let mut exchange = Exchange::start(command, limit.clone())?;
     started(exchange.child.id());
     let out = drain(exchange.child.stdout.take());
@@ -114,9 +123,13 @@ pub fn ask_watched(
         answers: vec![None; job.len()],
         missing: job.len(),
         ending: Ending::Complete,
+        start: Duration::ZERO,
         printed: String::new(),
     };
     let ended = exchange.converse(job, MOST_MESSAGE, &mut |message| {
+        if reply.start.is_zero() {
+            reply.start = spawned.elapsed();
+        }
         let more = reply.take(job, message)?;
         progress(job.len() - reply.missing);
         Ok(more)
@@ -128,7 +141,8 @@ pub fn ask_watched(
     reply.printed = printed(out) + &printed(err);
     if reply.ending == Ending::Complete && reply.missing > 0 {
         reply.ending = match ended {
-            Err(error) if is_timeout(&error) => Ending::TimedOut(limit.wall),
+            Err(error) if is_timeout(&error) && exchange.is_late() => Ending::TimedOut(limit.wall),
+            Err(error) if is_timeout(&error) => Ending::TimedOut(patience),
             Err(error) if is_broken(&error) => Ending::died(status, &reply.printed),
             Err(error) => Ending::Garbled(error.to_string()),
             Ok(()) => Ending::died(status, &reply.printed),
@@ -157,6 +171,11 @@ impl Reply {
         self.answers.iter().map(ray).collect()
     }
 
+    /// Whether every question is answered.
+    pub fn is_whole(&self) -> bool {
+        self.missing == 0
+    }
+
     /// The answers as a film: of rays if every one is a ray, of hits otherwise.
     pub fn film(&self, resolution: Resolution) -> Film {
         match self.rays() {
@@ -182,6 +201,7 @@ impl Reply {
                 answers,
                 missing,
                 ending: self.ending.clone(),
+                start: self.start,
                 printed: String::new(),
             });
         }

@@ -9,10 +9,10 @@ use std::io::{self, Read, Write};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use crate::kind::{self, Answer, AnswerFn, CameraQuestion, Questions, Unregistered};
+use crate::kind::{self, Answer, AnswerFn, CameraQuestion, Kind, Questions, Unregistered};
 use crate::ray::Ray;
 use crate::scene::Scene;
-use crate::shape::Shape;
+use crate::shape::{Shape, ShapeKind};
 
 /// One thing to do, giving a fixed number of answers.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -44,6 +44,16 @@ impl Job {
     pub fn gives_rays(&self) -> bool {
         self.questions()
             .is_some_and(|questions| questions.kind().gives_rays())
+    }
+
+    /// Whether it cannot be answered without the answer to this kind of task, about this
+    /// shape where the kind takes one.
+    pub fn needs(&self, kind: Kind, shape: Option<ShapeKind>) -> bool {
+        match self {
+            Job::Film(scene) => kind.is_needed_by(shape, scene),
+            Job::Ask(questions) => kind == questions.kind(),
+            Job::Cast(..) => true,
+        }
     }
 
     /// The questions it asks one by one, if it does.

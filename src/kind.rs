@@ -25,7 +25,8 @@ use crate::camera::Resolution;
 use crate::error::Error;
 use crate::fact::Fact;
 use crate::film::{Film, Samples};
-use crate::shape::ShapeKind;
+use crate::scene::Scene;
+use crate::shape::{Shape, ShapeKind};
 use crate::words;
 
 pub use answer::{Answer, AnswerFn, Unregistered};
@@ -101,6 +102,18 @@ impl Kind {
         match shape {
             ShapeKind::Soup => Kind::Soup,
             _ => Kind::Intersect,
+        }
+    }
+
+    /// Whether a scene cannot be cast without the answer to this kind of task, about this
+    /// shape where the kind takes one.
+    pub fn is_needed_by(self, shape: Option<ShapeKind>, scene: &Scene) -> bool {
+        let objects = scene.objects.iter().map(Shape::kind);
+        let mut shapes = objects.flat_map(|object| [&[object], object.parts()].concat());
+        match self {
+            Kind::ViewingRay | Kind::FirstHit => true,
+            Kind::Intersect => shapes.any(|other| Some(other) == shape),
+            Kind::Soup => shapes.any(|other| Kind::of_shape(other) == Kind::Soup),
         }
     }
 

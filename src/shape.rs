@@ -137,6 +137,16 @@ impl Shape {
     }
 }
 
+impl ShapeKind {
+    /// The shapes that it is made of, if any: who intersects it intersects those.
+    pub fn parts(self) -> &'static [ShapeKind] {
+        match self {
+            ShapeKind::Soup => &[ShapeKind::Triangle],
+            _ => &[],
+        }
+    }
+}
+
 impl fmt::Display for ShapeKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name())

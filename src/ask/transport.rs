@@ -6,9 +6,7 @@
 
 use std::io;
 use std::process::{Child, Command};
-#[cfg(unix)]
-use std::time::Duration;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use super::{Limit, PULSE, Stop};
 use crate::job::{self, Job, Message};
@@ -19,6 +17,9 @@ pub(super) struct Exchange {
     pub(super) child: Child,
     link: Link,
     deadline: Instant,
+    /// Where answers come through a socket; a file is read when it is complete.
+    #[cfg_attr(not(unix), expect(dead_code))]
+    silence: Duration,
     stop: Stop,
 }
 
@@ -32,6 +33,11 @@ type Link = std::os::unix::net::UnixStream;
 type Link = std::path::PathBuf;
 
 impl Exchange {
+    /// Whether all its time is over.
+    pub(super) fn is_late(&self) -> bool {
+        Instant::now() >= self.deadline
+    }
+
     #[cfg(unix)]
     pub(super) fn start(mut command: Command, limit: Limit) -> io::Result<Exchange> {
         let (link, theirs) = Link::pair()?;
@@ -45,6 +51,7 @@ impl Exchange {
             child,
             link,
             deadline: Instant::now() + limit.wall,
+            silence: limit.silence,
             stop: limit.stop,
         })
     }
@@ -59,6 +66,7 @@ impl Exchange {
         let mut timed = Timed {
             link: &self.link,
             deadline: self.deadline,
+            silence: self.silence,
             stop: &self.stop,
         };
         job::send(job, &mut io::BufWriter::new(&mut timed))?;
@@ -85,6 +93,7 @@ impl Exchange {
             child,
             link,
             deadline: Instant::now() + limit.wall,
+            silence: limit.silence,
             stop: limit.stop,
         })
     }
@@ -145,6 +154,7 @@ fn receive_all(
 struct Timed<'a> {
     link: &'a Link,
     deadline: Instant,
+    silence: Duration,
     stop: &'a Stop,
 }
 
@@ -156,8 +166,9 @@ impl Timed<'_> {
         arm: impl Fn(&Link, Duration) -> io::Result<()>,
         mut work: impl FnMut() -> io::Result<usize>,
     ) -> io::Result<usize> {
+        let deadline = self.deadline.min(Instant::now() + self.silence);
         loop {
-            let left = self.deadline.saturating_duration_since(Instant::now());
+            let left = deadline.saturating_duration_since(Instant::now());
             if left.is_zero() || self.stop.is_raised() {
                 return Err(io::ErrorKind::TimedOut.into());
             }

@@ -179,8 +179,10 @@ fn examine(selection: &Selection) -> Result<Outcome> {
         program: &program,
         sandbox: &Sandbox::Trusted,
         wall: WALL,
+        interactive: true,
         second_judge: second_judge.as_ref(),
         clock: None,
+        known: None,
         progress: &|_, _| {},
     };
     let submission = Submission::find(package, &assignment)?;

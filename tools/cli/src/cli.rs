@@ -96,6 +96,9 @@ pub struct Check {
     /// Open the page of the book that helps with the first thing that is wrong
     #[arg(long, conflicts_with_all = ["json", "watch"])]
     pub read: bool,
+    /// Show how long each stage took
+    #[arg(long, conflicts_with = "watch")]
+    pub timings: bool,
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,

@@ -21,6 +21,7 @@ use crate::handout_record::Package;
 use crate::sandbox::Sandbox;
 use crate::stubs;
 use crate::submission::{Submission, Unusable};
+use crate::timings::timed;
 use build::{Built, Sources, build};
 use harness::Harness;
 pub use whole::Whole;
@@ -79,7 +80,7 @@ impl Compiler {
         Ok(Compiler {
             programs: checkout.scratch().join("programs"),
             sandbox: sandbox.clone(),
-            harness: Harness::gather(checkout)?,
+            harness: timed("find the harness", || Harness::gather(checkout))?,
             pristine: stubs::pristine(assignment, checkout)?,
         })
     }

@@ -1,14 +1,13 @@
 //! Runs a submission through every group of questions and every scene.
 
 mod diagnose;
+mod judged;
 
-use std::path::Path;
 use std::time::{Duration, Instant};
 
-use pinhole::Film;
 use pinhole::ask::{Ending, MOST_PRINTED, Reply};
-use pinhole::job::{Job, Panic};
-use pinhole::judge::{Verdict, judge};
+use pinhole::job::Job;
+use rayon::prelude::*;
 
 use crate::assignment::{Assignment, Task};
 use crate::compile::Program;
@@ -18,13 +17,15 @@ use crate::error::{Error, Result, ResultExt};
 use crate::goldens::questions::{Group, QuestionFilm, Questions};
 use crate::goldens::{GoldenScene, Goldens};
 use crate::outcome::{
-    Examination, FilmOutcome, GroupOutcome, Outcome, SceneFilm, SceneOutcome, TaskOutcome,
+    Examination, FilmOutcome, GroupOutcome, Outcome, SceneFilm, SceneOutcome, Status, TaskOutcome,
 };
 use crate::sandbox::{Limits, Sandbox};
 use crate::second_judge::SecondJudge;
 use crate::submission::Submission;
 use crate::submission::flags::flags;
+use crate::timings::{self, timed};
 use diagnose::Cast;
+pub use judged::failure;
 
 /// A built submission and what it is measured against.
 pub struct Examiner<'a> {
@@ -38,21 +39,36 @@ pub struct Examiner<'a> {
     pub sandbox: &'a Sandbox,
     /// How long each process may take.
     pub wall: Duration,
+    /// Whether somebody waits for the result. Then several processes run at a time, one that
+    /// sends nothing for a fifteenth of `wall` is given up, and no scene is cast that needs an
+    /// answer which did not come in time.
+    pub interactive: bool,
     /// Asked about every film too, if there is one; a disagreement is an error.
     pub second_judge: Option<&'a SecondJudge>,
     /// Says how long each process may take, in place of the usual limits, if there is one.
     pub clock: Option<&'a dyn Clock>,
+    /// Replies that need not be asked for again, if there are any.
+    pub known: Option<&'a dyn KnownReplies>,
     /// Told what is being asked, and the share of its answers so far, 0 to 1.
-    pub progress: &'a dyn Fn(&str, f64),
+    pub progress: &'a (dyn Fn(&str, f64) + Sync),
 }
 
 /// Limits that differ from one task or scene to another.
-pub trait Clock {
+pub trait Clock: Sync {
     /// The limits of the process that is asked about `what`, a task or a scene.
     fn limits(&self, what: &str) -> Limits;
 
     /// Sees every reply; an error ends the examination.
     fn check(&self, reply: &Reply) -> Result<()>;
+}
+
+/// Complete replies of another submission, for whatever is answered by the same files.
+pub trait KnownReplies: Sync {
+    /// The reply to all questions of a task, or to a scene.
+    fn get(&self, what: &str) -> Option<Reply>;
+
+    /// Sees every such reply that was asked for.
+    fn keep(&self, what: &str, reply: &Reply);
 }
 
 /// What to examine; empty lists mean everything.
@@ -69,11 +85,32 @@ impl Selection {
     pub fn is_everything(&self) -> bool {
         self.tasks.is_empty() && self.scenes.is_empty()
     }
+
+    /// Whether this task is selected.
+    pub fn has_task(&self, name: &str) -> bool {
+        match self.tasks.is_empty() {
+            true => self.scenes.is_empty(),
+            false => self.tasks.iter().any(|task| task == name),
+        }
+    }
+
+    /// Whether this scene is selected.
+    pub fn has_scene(&self, name: &str) -> bool {
+        match self.scenes.is_empty() {
+            true => self.tasks.is_empty(),
+            false => self.scenes.iter().any(|scene| scene == name),
+        }
+    }
 }
 
-/// The least time for a group that is asked alone: starting a process takes some of it, and
+/// The least time for a film that is asked alone: starting a process takes some of it, and
 /// that must not count against the student.
 const LEAST_WALL: Duration = Duration::from_secs(2);
+
+/// Where somebody waits, a process may be silent for this share of its time: 2 s of 30. A
+/// message holds 256 answers. On the largest mesh the reference gives them in 8 ms, so a
+/// program that is sixty times slower still takes a quarter of that time.
+const SILENCE: u32 = 15;
 
 impl Examiner<'_> {
     /// Asks everything that is selected.
@@ -82,29 +119,31 @@ impl Examiner<'_> {
     /// If a golden or a scene cannot be read, or the program cannot be started;
     /// whatever the submission does wrong is in the examination.
     pub fn examine(&self, submission: &Submission, selection: &Selection) -> Result<Examination> {
-        let mut printed = String::new();
-        let mut tasks = Vec::new();
-        let wants_task = |task: &&Task| match selection {
-            Selection { tasks, scenes } if tasks.is_empty() => scenes.is_empty(),
-            Selection { tasks, .. } => tasks.contains(&task.name),
+        let tasks = self.assignment.tasks.iter();
+        let tasks: Vec<&Task> = tasks
+            .filter(|task| selection.has_task(&task.name))
+            .collect();
+        let (tasks, mut printed): (Vec<TaskOutcome>, Vec<String>) = self
+            .each(&tasks, |task| self.task(task))?
+            .into_iter()
+            .unzip();
+        let scenes = self.goldens.scenes.iter();
+        let scenes: Vec<&GoldenScene> = scenes
+            .filter(|scene| selection.has_scene(&scene.name))
+            .collect();
+        let late: Vec<&Task> = match self.interactive {
+            true => self.late(&tasks).collect(),
+            false => Vec::new(),
         };
-        for task in self.assignment.tasks.iter().filter(wants_task) {
-            tasks.push(self.task(task, &mut printed)?);
-        }
-        let mut scenes = Vec::new();
+        let mut outcomes = Vec::new();
         let mut films = Vec::new();
-        for scene in &self.goldens.scenes {
-            let wanted = match selection {
-                Selection { tasks, scenes } if scenes.is_empty() => tasks.is_empty(),
-                Selection { scenes, .. } => scenes.contains(&scene.name),
-            };
-            if wanted {
-                let (scene, film) = self.scene(scene, &mut printed)?;
-                scenes.push(scene);
-                films.push(film);
-            }
+        for (outcome, film, text) in self.each(&scenes, |scene| self.scene(scene, &late))? {
+            outcomes.push(outcome);
+            films.push(film);
+            printed.push(text);
         }
         // Each process may print this much; all together are cut to the same length.
+        let mut printed = printed.concat();
         printed.truncate(printed.floor_char_boundary(MOST_PRINTED));
         let folder = submission.folder.display().to_string();
         let mut outcome = Outcome {
@@ -113,29 +152,63 @@ impl Examiner<'_> {
                 false => 0,
             },
             tasks,
-            scenes,
+            scenes: outcomes,
             printed,
             flags: flags(submission),
             ..Outcome::new(&self.assignment.title, folder, self.sandbox.name())
         };
         outcome.add_up();
         let mut examination = Examination { outcome, films };
-        self.goldens.diagnose_scenes(&mut examination)?;
+        timed("diagnose scenes", || {
+            self.goldens.diagnose_scenes(&mut examination)
+        })?;
         Ok(examination)
     }
 
-    fn task(&self, task: &Task, printed: &mut String) -> Result<TaskOutcome> {
+    /// Reads the goldens of everything that is selected into memory, while a submission is
+    /// being compiled, say. What cannot be read is told by [`Examiner::examine`].
+    pub fn warm_up(assignment: &Assignment, goldens: &Goldens, selection: &Selection) {
+        let wants_task = |task: &&Task| selection.has_task(&task.name);
+        let wants_scene = |scene: &&GoldenScene| selection.has_scene(&scene.name);
+        rayon::join(
+            || {
+                let tasks = assignment.tasks.par_iter().filter(wants_task);
+                tasks.for_each(|task| drop(goldens.cached_questions(task)));
+            },
+            || {
+                let scenes = goldens.scenes.par_iter().filter(wants_scene);
+                scenes.for_each(|scene| drop(goldens.cached_scene(scene)));
+            },
+        );
+    }
+
+    /// The same work on all items, in their order: several at a time where somebody waits.
+    fn each<T: Sync, R: Send>(
+        &self,
+        items: &[T],
+        work: impl Fn(&T) -> Result<R> + Sync,
+    ) -> Result<Vec<R>> {
+        match self.interactive {
+            true => items.par_iter().with_max_len(1).map(&work).collect(),
+            false => items.iter().map(work).collect(),
+        }
+    }
+
+    /// The tasks that have an answer which did not come in time.
+    fn late<'t>(&'t self, tasks: &'t [TaskOutcome]) -> impl Iterator<Item = &'t Task> {
+        let is_late = |outcome: &&TaskOutcome| {
+            let mut groups = outcome.groups.iter();
+            groups.any(|group| group.outcome.status() == Status::TimedOut)
+        };
+        let late = tasks.iter().filter(is_late);
+        late.filter_map(|outcome| self.assignment.task(&outcome.name))
+    }
+
+    fn task(&self, task: &Task) -> Result<(TaskOutcome, String)> {
         let questions = self.goldens.cached_questions(task)?;
-        let together = self.ask_together(task, &questions, printed)?;
-        let mut together = together.map(Vec::into_iter);
-        // An endless loop shall cost no more than twice the limit, whichever group it is in.
-        let films = questions
-            .groups
-            .iter()
-            .map(|group| group.films.len())
-            .sum::<usize>()
-            .max(1);
-        let share = (self.wall / films as u32).max(LEAST_WALL);
+        let replies = self.ask_task(task, &questions)?;
+        let printed = replies.iter().map(|reply| reply.printed.as_str()).collect();
+        let mut replies = replies.iter();
         let mut results = Vec::new();
         let mut casts = Vec::new();
         for Group {
@@ -146,15 +219,10 @@ impl Examiner<'_> {
         } in &questions.groups
         {
             let mut result = None;
-            for film in films {
-                let reply = match &mut together {
-                    Some(replies) => replies.next().expect("a reply was split off for each film"),
-                    None => self.ask(&task.name, &film.job, share)?,
-                };
-                printed.push_str(&reply.printed);
-                let judged = self.judge(&reply, film, Some(&task.name))?;
+            for (film, reply) in films.iter().zip(replies.by_ref()) {
+                let judged = self.judge(reply, film, Some(&task.name))?;
                 let worst = match &judged.verdict {
-                    Some(verdict) => describe::worst(verdict, film, &reply),
+                    Some(verdict) => describe::worst(verdict, film, reply),
                     None => Vec::new(),
                 };
                 let outcome = judged.outcome;
@@ -188,135 +256,117 @@ impl Examiner<'_> {
         let passes = results.iter().all(|group| group.outcome.passes());
         let diagnosis = match passes {
             true => Diagnosis::default(),
-            false => self.goldens.diagnose_task(&task.name, &casts)?,
+            false => timed("diagnose tasks", || {
+                self.goldens.diagnose_task(&task.name, &casts)
+            })?,
         };
         let replaced = self.program.replaced.get(&task.name);
-        Ok(TaskOutcome::new(task, replaced, results, diagnosis))
+        let outcome = TaskOutcome::new(task, replaced, results, diagnosis);
+        Ok((outcome, printed))
     }
 
-    /// All groups of a task in one process; `None` if some answer fails in a way that
-    /// could hide the others. Then each is to be asked alone, so that it costs its own
-    /// group only.
-    fn ask_together(
-        &self,
-        task: &Task,
-        questions: &Questions,
-        printed: &mut String,
-    ) -> Result<Option<Vec<Reply>>> {
-        let Some(job) = &questions.together else {
-            return Ok(None);
-        };
-        let mut reply = self.ask(&task.name, job, self.wall)?;
-        if reply.ending != Ending::Complete {
-            return Ok(None);
-        }
-        printed.push_str(&std::mem::take(&mut reply.printed));
+    /// A reply to each film of a task. All are asked in one process; if some answer fails,
+    /// each film that is not complete by then is asked alone, so that the answer costs its
+    /// own group only.
+    fn ask_task(&self, task: &Task, questions: &Questions) -> Result<Vec<Reply>> {
         let films = questions.groups.iter().flat_map(|group| &group.films);
-        Ok(Some(reply.split(films.map(|film| film.job.len()))))
+        let films: Vec<&QuestionFilm> = films.collect();
+        let together = match &questions.together {
+            Some(job) => Some(self.ask_whole(&task.name, job)?),
+            None => None,
+        };
+        let mut parts: Vec<Option<Reply>> = match together {
+            Some(mut reply) => {
+                let printed = std::mem::take(&mut reply.printed);
+                let is_complete = reply.ending == Ending::Complete;
+                let mut parts = reply.split(films.iter().map(|film| film.job.len()));
+                if let (true, Some(first)) = (is_complete, parts.first_mut()) {
+                    first.printed = printed;
+                }
+                let whole = |part: Reply| part.is_whole().then_some(part);
+                parts.into_iter().map(whole).collect()
+            }
+            None => films.iter().map(|_| None).collect(),
+        };
+        let missing: Vec<usize> = (0..films.len())
+            .filter(|place| parts[*place].is_none())
+            .collect();
+        // An endless loop shall cost no more than twice the limit, whichever group it is in.
+        let share = (self.wall / films.len().max(1) as u32).max(LEAST_WALL);
+        let alone = self.each(&missing, |place| {
+            self.ask(&task.name, &films[*place].job, share)
+        })?;
+        for (place, reply) in missing.into_iter().zip(alone) {
+            parts[place] = Some(reply);
+        }
+        Ok(parts.into_iter().flatten().collect())
     }
 
     fn scene(
         &self,
         scene: &GoldenScene,
-        printed: &mut String,
-    ) -> Result<(SceneOutcome, SceneFilm)> {
+        late: &[&Task],
+    ) -> Result<(SceneOutcome, SceneFilm, String)> {
         let film = self.goldens.cached_scene(scene)?;
+        let mut late = late
+            .iter()
+            .filter(|task| film.job.needs(task.kind, task.shape));
         let start = Instant::now();
-        let reply = self.ask(&scene.name, &film.job, self.wall)?;
+        let (outcome, printed, judged) = match late.next() {
+            Some(task) => {
+                let by = task.name.clone();
+                (FilmOutcome::Blocked { by }, String::new(), None)
+            }
+            None => {
+                let reply = self.ask_whole(&scene.name, &film.job)?;
+                let judged = self.judge(&reply, &film, None)?;
+                (judged.outcome.clone(), reply.printed, Some(judged))
+            }
+        };
         let seconds = start.elapsed().as_secs_f64();
-        printed.push_str(&reply.printed);
-        let judged = self.judge(&reply, &film, None)?;
-        let outcome = SceneOutcome::new(scene.name.clone(), scene.worth, judged.outcome, seconds);
+        let outcome = SceneOutcome::new(scene.name.clone(), scene.worth, outcome, seconds);
+        let (cast, verdict) = judged.map_or((None, None), |judged| (judged.film, judged.verdict));
         let film = SceneFilm {
             file: scene.file.clone(),
             argument: scene.argument.clone(),
             golden: film.golden.clone(),
-            film: judged.film,
-            verdict: judged.verdict,
+            film: cast,
+            verdict,
         };
-        Ok((outcome, film))
+        Ok((outcome, film, printed))
+    }
+
+    /// The reply to all that is asked about a task or a scene.
+    fn ask_whole(&self, what: &str, job: &Job) -> Result<Reply> {
+        if let Some(reply) = self.known.and_then(|known| known.get(what)) {
+            return Ok(reply);
+        }
+        let reply = self.ask(what, job, self.wall)?;
+        if let (Some(known), Ending::Complete) = (self.known, &reply.ending) {
+            known.keep(what, &reply);
+        }
+        Ok(reply)
     }
 
     fn ask(&self, what: &str, job: &Job, wall: Duration) -> Result<Reply> {
-        let limits = match self.clock {
+        let mut limits = match self.clock {
             Some(clock) => clock.limits(what),
             None => Limits::of_answers(wall),
         };
-        let reply = run(self.program, self.sandbox, &limits, job, &mut |done| {
-            (self.progress)(what, done as f64 / job.len().max(1) as f64);
+        if self.interactive {
+            limits.silence = limits.silence.min(self.wall / SILENCE);
+        }
+        let reply = timed(&format!("ask {what}"), || {
+            run(self.program, self.sandbox, &limits, job, &mut |done| {
+                (self.progress)(what, done as f64 / job.len().max(1) as f64);
+            })
         })?;
+        timings::add("start programs, of asking", reply.start);
         if let Some(clock) = self.clock {
             clock.check(&reply)?;
         }
         Ok(reply)
     }
-
-    /// How the film of a reply fares; `task` if one answer was asked alone.
-    fn judge(&self, reply: &Reply, asked: &QuestionFilm, task: Option<&str>) -> Result<JudgedFilm> {
-        let complete = reply.answers.iter().all(Option::is_some);
-        if let Some(failure) = failure(&reply.ending, self.assignment, task).filter(|_| !complete) {
-            return Ok(JudgedFilm {
-                outcome: failure,
-                film: None,
-                verdict: None,
-            });
-        }
-        let film = reply.film(asked.resolution);
-        let verdict = judge(&asked.golden, &film);
-        let outcome = FilmOutcome::from(&verdict);
-        if let Some(second) = self.second_judge {
-            second.confirm(&film, &asked.golden_path, outcome.passes())?;
-        }
-        Ok(JudgedFilm {
-            outcome,
-            film: Some(film),
-            verdict: verdict.ok(),
-        })
-    }
-}
-
-/// How a film fared, and the film if it is whole.
-struct JudgedFilm {
-    outcome: FilmOutcome,
-    film: Option<Film>,
-    verdict: Option<Verdict>,
-}
-
-/// What an ending means for the answers that were asked; `None` if all is well so far.
-pub fn failure(
-    ending: &Ending,
-    assignment: &Assignment,
-    task: Option<&str>,
-) -> Option<FilmOutcome> {
-    Some(match ending {
-        Ending::Complete => return None,
-        Ending::Panicked(panic) if panic.is_unanswered() => match task_of(panic, assignment) {
-            Some(other) if Some(other) != task => FilmOutcome::Blocked { by: other.into() },
-            _ => FilmOutcome::Unanswered,
-        },
-        Ending::Panicked(panic) => FilmOutcome::Panicked {
-            message: panic.message.clone(),
-            file: panic.file.clone(),
-            line: panic.line,
-        },
-        Ending::Unregistered(missing) => FilmOutcome::Died {
-            how: missing.to_string(),
-        },
-        Ending::TimedOut(limit) => FilmOutcome::TimedOut {
-            seconds: limit.as_secs_f64(),
-        },
-        Ending::OutOfMemory(most) => FilmOutcome::OutOfMemory { most: *most },
-        Ending::Died(death) => FilmOutcome::Died {
-            how: death.to_string(),
-        },
-        Ending::Garbled(why) => FilmOutcome::Garbled { why: why.clone() },
-    })
-}
-
-/// The task in whose file a panic happened.
-fn task_of<'a>(panic: &Panic, assignment: &'a Assignment) -> Option<&'a str> {
-    let stem = Path::new(&panic.file).file_stem()?.to_str()?;
-    assignment.task(stem).map(|task| task.name.as_str())
 }
 
 /// Runs a program on one job.

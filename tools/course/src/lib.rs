@@ -27,3 +27,4 @@ pub mod second_judge;
 pub mod shell;
 pub mod stubs;
 pub mod submission;
+pub mod timings;

@@ -238,6 +238,7 @@ impl Sandbox {
         let mut watch = None;
         let limit = Limit {
             wall: limits.wall,
+            silence: limits.silence,
             stop,
         };
         let asked = ask_watched(command, job, limit, progress, &mut |pid| {

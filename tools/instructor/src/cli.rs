@@ -116,6 +116,9 @@ pub struct Grade {
     /// --sandbox none)
     #[arg(long, conflicts_with = "sandbox")]
     pub trust: bool,
+    /// Show on standard error how long each stage took, for all submissions together
+    #[arg(long)]
+    pub timings: bool,
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,

@@ -1,5 +1,7 @@
 //! `pinhole check`: a student's loop.
 
+use std::thread;
+
 use clap::ValueEnum;
 
 use crate::cli::Check;
@@ -17,6 +19,7 @@ use pinhole_course::sandbox::{Choice, Sandbox};
 use pinhole_course::second_judge::SecondJudge;
 use pinhole_course::shell::PINHOLE;
 use pinhole_course::submission::Submission;
+use pinhole_course::timings::{Timings, timed};
 use pinhole_report::escape::{printable, printable_word};
 use pinhole_report::html::{Again, Report};
 use pinhole_report::passage::{self, Passage};
@@ -63,15 +66,20 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
         .transpose()?;
     let progress = Progress::new();
     progress.say("building");
-    let program = compile(&submission, &assignment, checkout, &sandbox)?;
+    let program = thread::scope(|scope| {
+        scope.spawn(|| Examiner::warm_up(&assignment, &goldens, &selection));
+        compile(&submission, &assignment, checkout, &sandbox)
+    })?;
     let examiner = Examiner {
         assignment: &assignment,
         goldens: &goldens,
         program: &program,
         sandbox: &sandbox,
         wall: arguments.run.wall(),
+        interactive: true,
         second_judge: second_judge.as_ref(),
         clock: None,
+        known: None,
         progress: &|what, share| progress.show(what, share),
     };
     let examination = examiner.examine(&submission, &selection)?;
@@ -86,9 +94,12 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
     // The verdict is worth more than its report: it is shown before anything is said of
     // a report that could not be written.
     let written = path.map(|path| {
-        let mut report = Report::of_examination(&examination, &goldens.folder, &again(arguments))?;
-        report.book = passage::built(checkout.root());
-        report.write(&path).map(|()| path)
+        timed("write the report", || {
+            let mut report =
+                Report::of_examination(&examination, &goldens.folder, &again(arguments))?;
+            report.book = passage::built(checkout.root());
+            report.write(&path).map(|()| path)
+        })
     });
     let path = match &written {
         Some(Ok(path)) => Some(path.display().to_string()),
@@ -97,11 +108,17 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
     if arguments.json {
         let mut document = json::document(outcome);
         document["report"] = path.into();
+        if arguments.timings {
+            document["timings"] = json::document(&Timings::so_far());
+        }
         anstream::println!("{document:#}");
     } else {
         anstream::print!("{}", terminal::examination(&examination));
         if let Some(path) = path {
             anstream::println!("\nreport: {}", printable(&path));
+        }
+        if arguments.timings {
+            anstream::print!("\n{}", Timings::so_far());
         }
         if let Some(passage) = arguments.read.then(|| worth_reading(outcome)).flatten() {
             anstream::println!("\n{}", printable(&passage.open(checkout.root())));

@@ -3,7 +3,6 @@
 //! What can be kept is kept in memory: the harness, the stubs, the golden films. What
 //! is left is one call of the compiler and one process for each task.
 
-use std::cell::RefCell;
 use std::ops::ControlFlow;
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -122,17 +121,21 @@ impl OrderJudge {
             return Ok(());
         };
         program.stop = self.stop.clone();
-        let asking = RefCell::new(String::new());
+        let asking = Mutex::new(String::new());
         let examiner = Examiner {
             assignment,
             goldens: &self.course.goldens,
             program: &program,
             sandbox,
             wall: self.course.wall,
+            interactive: true,
             second_judge: None,
             clock: None,
+            known: None,
             progress: &|what, _| {
-                if asking.replace(what.into()) != what {
+                let mut asking = asking.lock().unwrap_or_else(PoisonError::into_inner);
+                if *asking != what {
+                    *asking = what.into();
                     self.tell(Event::Asking {
                         order: self.order.number,
                         what: what.into(),

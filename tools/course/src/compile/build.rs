@@ -13,6 +13,7 @@ use super::harness::Harness;
 use super::prune;
 use crate::error::{Error, Result, ResultExt};
 use crate::sandbox::{Finished, Limits, Sandbox};
+use crate::timings::timed;
 
 /// The executable's name, as the system wants it.
 const PROGRAM: &str = match cfg!(windows) {
@@ -67,7 +68,7 @@ pub fn build(
         .compiler(&fresh, &harness.folder, &limits)
         .or_fail(&not_started)?;
     arguments(&mut rustc, harness);
-    let finished = sandbox.compile(rustc, &limits).or_fail(&not_started)?;
+    let finished = timed("rustc", || sandbox.compile(rustc, &limits)).or_fail(&not_started)?;
     if finished.status.success() && is_program(&out.join(PROGRAM)) {
         return match fs::rename(&fresh, &folder) {
             Err(_) if executable.is_file() => {

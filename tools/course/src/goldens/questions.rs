@@ -12,6 +12,7 @@ use pinhole::{Resolution, Scene};
 use crate::assignment::{GroupPoints, Task};
 use crate::error::{Error, Result};
 use crate::goldens::{GoldenScene, Goldens};
+use crate::timings::timed;
 
 /// All that is asked of a task.
 #[derive(Debug)]
@@ -58,14 +59,14 @@ impl Goldens {
 
     /// The questions of a task, cached: many submissions may be examined in one run.
     pub fn cached_questions(&self, task: &Task) -> Result<Arc<Questions>> {
-        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(questions) = kept.get(&task.name) {
+        let kept = || self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(questions) = kept().get(&task.name) {
             return Ok(Arc::clone(questions));
         }
-        let groups = self.groups(task)?;
+        let groups = timed("read goldens", || self.groups(task))?;
         let together = join(&groups);
         let questions = Arc::new(Questions { groups, together });
-        kept.insert(task.name.clone(), Arc::clone(&questions));
+        kept().insert(task.name.clone(), Arc::clone(&questions));
         Ok(questions)
     }
 
@@ -119,7 +120,7 @@ impl Goldens {
         if let Some(film) = kept().get(&scene.name) {
             return Ok(Arc::clone(film));
         }
-        let film = Arc::new(self.scene_film(scene)?);
+        let film = Arc::new(timed("read goldens", || self.scene_film(scene))?);
         kept().insert(scene.name.clone(), Arc::clone(&film));
         Ok(film)
     }

@@ -20,7 +20,7 @@ pub enum FilmOutcome {
     },
     /// The answer is still `todo!`.
     Unanswered,
-    /// It called another answer that is still `todo!`.
+    /// It needs another answer, which is still `todo!` or never ends.
     Blocked {
         /// That task.
         by: String,

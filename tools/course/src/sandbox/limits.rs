@@ -15,6 +15,8 @@ pub struct Limits {
     pub cpu: Duration,
     /// Time on the clock.
     pub wall: Duration,
+    /// Time on the clock between two answers, at most `wall`.
+    pub silence: Duration,
     /// Bytes: the address space of each process, and the memory in use of all together.
     pub memory: u64,
     /// Processes and threads together.
@@ -42,6 +44,7 @@ impl Limits {
         Limits {
             cpu: Duration::from_secs(20),
             wall: Duration::from_secs(60),
+            silence: Duration::from_secs(60),
             memory: MEMORY,
             processes: cores() + SPARE_PROCESSES,
             file_size: 64 << 20,
@@ -56,6 +59,7 @@ impl Limits {
         Limits {
             cpu: wall * cores() as u32 + Duration::from_secs(2),
             wall,
+            silence: wall,
             file_size: 0,
             open_files: 64,
             ..Limits::of_compiler()
@@ -69,6 +73,7 @@ impl Limits {
             cpu,
             // Twice, for a machine that does other things as well.
             wall: cpu * 2 + Duration::from_secs(2),
+            silence: cpu * 2 + Duration::from_secs(2),
             shortest: shortest.max(SHORTEST),
             ..Limits::of_answers(cpu)
         }

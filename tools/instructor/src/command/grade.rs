@@ -25,6 +25,7 @@ use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
 use pinhole_course::progress::Progress;
 use pinhole_course::sandbox::Sandbox;
+use pinhole_course::timings::Timings;
 use pinhole_report::program::Status;
 
 pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
@@ -136,6 +137,9 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let worked = queue.work(&mine, jobs(arguments));
     Backlog::end(&cache);
     progress.clear();
+    if arguments.timings {
+        anstream::eprint!("{}", Timings::so_far());
+    }
     let _left_for_the_next_run = fs::remove_dir_all(&programs);
 
     let mut records = BTreeMap::new();

@@ -24,6 +24,7 @@ use pinhole_course::goldens::Goldens;
 use pinhole_course::outcome::{Examination, Outcome, Status};
 use pinhole_course::sandbox::Sandbox;
 use pinhole_course::submission::Submission;
+use pinhole_course::timings::timed;
 use pinhole_report::html::{Again, Report};
 
 /// The most that is kept of what a student's code prints.
@@ -175,7 +176,9 @@ impl Grader<'_> {
         (record.got.points, record.got.possible) = (Some(points), possible);
         record.got.passes = points == possible;
         examination.outcome = record.got.clone();
-        let page = self.report(&record, &examination)?.html();
+        let report = || Ok(self.report(&record, &examination)?.html());
+        let page: Result<String> = timed("write the report", report);
+        let page = page?;
         let printed = &mut record.got.printed;
         printed.truncate(printed.floor_char_boundary(MOST_PRINTED));
         let total = start.elapsed();
@@ -207,8 +210,10 @@ impl Grader<'_> {
             program,
             sandbox,
             wall: Duration::MAX,
+            interactive: false,
             second_judge: None,
             clock: Some(clock),
+            known: None,
             progress: &|_, _| {},
         };
         examiner.examine(submission, selection)

@@ -129,7 +129,8 @@ fn fate_of_program(
     oracle: &Oracle,
     listed: &[EquivalentMutant],
 ) -> Result<Fate> {
-    let ask = |selection: Selection| validator.examine_built(program, submission, &selection, WALL);
+    let ask =
+        |selection: Selection| validator.examine_built(program, submission, &selection, WALL, None);
     // A task is asked alone, so no other task's questions can show the mutant.
     let alone = ask(Selection {
         tasks: vec![mutant.task.clone()],

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use super::naming::Naming;
-use super::validator::Validator;
+use super::validator::{Base, Validator};
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::examine::Selection;
 use pinhole_course::mistake;
@@ -111,20 +111,47 @@ struct Overlay {
     single: bool,
     declared: Vec<String>,
     beliefs: Vec<String>,
-    base: Base,
+    under: Under,
 }
 
 /// Whose answers lie under an overlay.
 #[derive(Clone, Copy)]
-enum Base {
+enum Under {
     /// The reference's.
     Reference,
     /// The reference's, and its belief is diagnosed as if nobody had met it before: its
     /// own films are those that are stored.
     ReferenceUnaware,
-    /// Variants', each task's by another route; the number turns them over. So the
-    /// program has nothing in common with the films' but the belief.
+    /// A mixture of variants, each task's by another route; the number turns them over. So
+    /// the program has nothing in common with the films' but the belief.
     Variants(usize),
+}
+
+/// There are so many mixtures of variants. More would be asked the same questions again.
+const MIXTURES: usize = 8;
+
+/// What lies under overlays, with the replies that they have in common.
+struct Bases {
+    reference: Base,
+    mixtures: Vec<Base>,
+}
+
+impl Bases {
+    fn new(validator: &Validator) -> Result<Bases> {
+        let reference = overlay::reference(validator.assignment)?;
+        let mixed = |turn| variants_mixed(validator, reference.clone(), turn).map(Base::new);
+        Ok(Bases {
+            mixtures: (0..MIXTURES).map(mixed).collect::<Result<_>>()?,
+            reference: Base::new(reference),
+        })
+    }
+
+    fn of(&self, under: Under) -> &Base {
+        match under {
+            Under::Reference | Under::ReferenceUnaware => &self.reference,
+            Under::Variants(turn) => &self.mixtures[turn % MIXTURES],
+        }
+    }
 }
 
 /// Judges the mistakes and their rewrites whose names contain `named`.
@@ -152,7 +179,7 @@ pub fn mistakes(
                 single,
                 declared: declared.clone(),
                 beliefs: beliefs.clone(),
-                base: Base::Variants(rewrites.len()),
+                under: Under::Variants(rewrites.len()),
             });
         }
         mistakes.push(Overlay {
@@ -161,9 +188,9 @@ pub fn mistakes(
             folders,
             declared,
             beliefs,
-            base: match single {
-                true => Base::ReferenceUnaware,
-                false => Base::Reference,
+            under: match single {
+                true => Under::ReferenceUnaware,
+                false => Under::Reference,
             },
         });
     }
@@ -181,7 +208,7 @@ pub fn variants(validator: &Validator, named: &str) -> Result<SubmissionVerdicts
         single: false,
         declared: Vec::new(),
         beliefs: Vec::new(),
-        base: Base::Reference,
+        under: Under::Reference,
     };
     let overlays = found.into_iter().map(overlay).collect();
     judge_all(validator, "variants", overlays, named)
@@ -193,6 +220,7 @@ fn judge_all(
     all: Vec<Overlay>,
     named: &str,
 ) -> Result<SubmissionVerdicts> {
+    let bases = Bases::new(validator)?;
     let wanted = |overlay: &Overlay| overlay.name.contains(named);
     let wanted: Vec<Overlay> = all.into_iter().filter(wanted).collect();
     let judged = validator.all(what, &wanted, |overlay| {
@@ -207,23 +235,22 @@ fn judge_all(
                  what names it",
             ));
         }
-        let mut base = overlay::reference(validator.assignment)?;
-        let mut goldens = None;
-        match overlay.base {
-            Base::Reference => {}
-            Base::ReferenceUnaware => {
+        let base = bases.of(overlay.under);
+        let goldens = match overlay.under {
+            Under::ReferenceUnaware => {
                 let own = overlay.beliefs.first().map_or("", String::as_str);
-                goldens = Some(validator.goldens.unaware_of(own));
+                Some(validator.goldens.unaware_of(own))
             }
-            Base::Variants(turn) => base = variants_mixed(validator, base, turn)?,
-        }
+            _ => None,
+        };
         let validator = Validator {
             goldens: goldens.as_ref().unwrap_or(validator.goldens),
             ..*validator
         };
         let mut folders = overlay.folders.iter();
-        let submission = folders.try_fold(base, |under, folder| under.overlaid(folder))?;
-        let examination = validator.examine(&submission, &Selection::default())?;
+        let under = base.submission.clone();
+        let submission = folders.try_fold(under, |under, folder| under.overlaid(folder))?;
+        let examination = validator.examine_over(&submission, base)?;
         let naming = Naming::of(&validator, &overlay.name, &examination, &overlay.beliefs)?;
         Ok(SubmissionVerdict::of(&examination.outcome, overlay, naming))
     })?;

@@ -1,14 +1,18 @@
 //! The one path: compile a submission, ask it, judge what it answers, just as `check`.
 
+mod base;
+
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
+
+pub use base::Base;
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
 use pinhole_course::assignment::Assignment;
 use pinhole_course::compile::{Compiler, Program};
 use pinhole_course::error::Result;
-use pinhole_course::examine::{Examiner, Selection};
+use pinhole_course::examine::{Examiner, KnownReplies, Selection};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::outcome::Examination;
 use pinhole_course::progress::Progress;
@@ -62,7 +66,16 @@ impl Validator<'_> {
     /// Compiles a submission and asks it what is selected.
     pub fn examine(&self, submission: &Submission, selection: &Selection) -> Result<Examination> {
         let program = self.compiler.compile(submission)?;
-        self.examine_built(&program, submission, selection, WALL)
+        self.examine_built(&program, submission, selection, WALL, None)
+    }
+
+    /// The same for everything, but what is answered by the files of `base` alone is asked
+    /// of one submission only.
+    pub fn examine_over(&self, submission: &Submission, base: &Base) -> Result<Examination> {
+        let program = self.compiler.compile(submission)?;
+        let known = base.replies_for(submission, self)?;
+        let everything = Selection::default();
+        self.examine_built(&program, submission, &everything, WALL, Some(&known))
     }
 
     /// Asks a built submission what is selected, for at most `wall` a task or scene.
@@ -72,6 +85,7 @@ impl Validator<'_> {
         submission: &Submission,
         selection: &Selection,
         wall: Duration,
+        known: Option<&dyn KnownReplies>,
     ) -> Result<Examination> {
         let examiner = Examiner {
             assignment: self.assignment,
@@ -79,8 +93,10 @@ impl Validator<'_> {
             program,
             sandbox: self.sandbox,
             wall,
+            interactive: false,
             second_judge: self.second_judge,
             clock: None,
+            known,
             progress: &|_, _| {},
         };
         examiner.examine(submission, selection)

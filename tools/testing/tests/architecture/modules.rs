@@ -41,6 +41,7 @@ const FOLDERS: [(&str, &[&str]); 8] = [
         &[
             "error",
             "shell",
+            "timings",
             "checkout",
             "progress",
             "mitsuba",

@@ -6,8 +6,8 @@
 //! graded again when all others are done and it has the machine to itself. What is late
 //! then is late.
 
-use std::cell::Cell;
 use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use pinhole::ask::{Ending, Reply};
@@ -113,7 +113,7 @@ pub struct SubmissionClock<'a> {
     pace: &'a Pace,
     /// Whether nothing else is graded meanwhile.
     alone: bool,
-    late: Cell<bool>,
+    late: AtomicBool,
 }
 
 impl<'a> SubmissionClock<'a> {
@@ -122,13 +122,13 @@ impl<'a> SubmissionClock<'a> {
         SubmissionClock {
             pace,
             alone,
-            late: Cell::new(false),
+            late: AtomicBool::new(false),
         }
     }
 
     /// Whether it is to be graded again, alone.
     pub fn was_late(&self) -> bool {
-        self.late.get()
+        self.late.load(Ordering::Relaxed)
     }
 }
 
@@ -143,7 +143,7 @@ impl Clock for SubmissionClock<'_> {
         if self.alone || !matches!(reply.ending, Ending::TimedOut(_)) {
             return Ok(());
         }
-        self.late.set(true);
+        self.late.store(true, Ordering::Relaxed);
         Err(Error::environment(
             "an answer came too late, beside others",
             "grade the submission again, alone",

@@ -1,0 +1,102 @@
+//! How long each stage takes, counted for all threads together.
+//!
+//! Stages are entered deep inside the work, so their times are kept in one place for the
+//! whole process instead of being handed through every call.
+
+use std::fmt;
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use serde::Serialize;
+
+/// A stage and what it took.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Stage {
+    /// What was done.
+    pub name: String,
+    /// How often.
+    pub times: usize,
+    /// Seconds on the clock, summed. Stages run side by side, so the sum of all stages may
+    /// exceed the time of the whole.
+    pub seconds: f64,
+}
+
+static STAGES: Mutex<Vec<Stage>> = Mutex::new(Vec::new());
+
+/// Does some work and counts its time to a stage.
+pub fn timed<T>(stage: &str, work: impl FnOnce() -> T) -> T {
+    let start = Instant::now();
+    let done = work();
+    add(stage, start.elapsed());
+    done
+}
+
+/// Counts a time to a stage.
+pub fn add(stage: &str, time: Duration) {
+    let mut stages = STAGES.lock().unwrap_or_else(PoisonError::into_inner);
+    let seconds = time.as_secs_f64();
+    match stages.iter_mut().find(|known| known.name == stage) {
+        Some(known) => {
+            known.times += 1;
+            known.seconds += seconds;
+        }
+        None => stages.push(Stage {
+            name: stage.into(),
+            times: 1,
+            seconds,
+        }),
+    }
+}
+
+/// All stages so far.
+#[derive(Clone, Debug, Serialize)]
+#[serde(transparent)]
+pub struct Timings(Vec<Stage>);
+
+impl Timings {
+    /// What this process has spent its time on so far, in the order it began.
+    pub fn so_far() -> Timings {
+        Timings(
+            STAGES
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner)
+                .clone(),
+        )
+    }
+}
+
+impl fmt::Display for Timings {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "{:<32} {:>6} {:>9} {:>9}",
+            "stage", "times", "seconds", "each"
+        )?;
+        for Stage {
+            name,
+            times,
+            seconds,
+        } in &self.0
+        {
+            let each = seconds / *times as f64;
+            writeln!(f, "{name:<32} {times:>6} {seconds:>9.3} {each:>9.3}")?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_times_of_a_stage_are_summed() {
+        assert_eq!(timed("summed here", || 7), 7);
+        add("summed here", Duration::from_millis(250));
+        let Timings(stages) = Timings::so_far();
+        let stage = stages.iter().find(|stage| stage.name == "summed here");
+        let stage = stage.expect("it was entered");
+        assert_eq!(stage.times, 2);
+        assert!(stage.seconds >= 0.25, "{stage:?}");
+    }
+}

@@ -1,0 +1,105 @@
+//! Answers that many submissions have in common, and what they answer.
+//!
+//! A known mistake changes one answer file of the reference. A task is answered by its own
+//! file, and a scene by the files of the tasks it needs, so what the changed file has no part
+//! in is asked once, not again for each mistake.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::{Mutex, PoisonError};
+
+use pinhole::ask::Reply;
+
+use super::Validator;
+use pinhole_course::assignment::{Assignment, Task};
+use pinhole_course::error::Result;
+use pinhole_course::examine::KnownReplies;
+use pinhole_course::submission::Submission;
+
+/// Answers, and their replies so far by task or scene.
+pub struct Base {
+    /// The answers.
+    pub submission: Submission,
+    replies: Mutex<BTreeMap<String, Reply>>,
+}
+
+/// A base's replies, as far as they are a submission's too.
+pub struct RepliesInCommon<'a> {
+    base: &'a Base,
+    /// The tasks and scenes that are answered by files of the base alone.
+    unchanged: BTreeSet<String>,
+}
+
+impl Base {
+    /// Nothing was asked yet.
+    pub fn new(submission: Submission) -> Base {
+        Base {
+            submission,
+            replies: Mutex::default(),
+        }
+    }
+
+    /// What this base and a submission over it have in common.
+    pub fn replies_for(
+        &self,
+        submission: &Submission,
+        validator: &Validator,
+    ) -> Result<RepliesInCommon<'_>> {
+        let tasks = &validator.assignment.tasks;
+        let is_changed = |task: &&Task| {
+            let answer = |whose: &Submission| {
+                let mut answers = whose.answers.iter();
+                answers.find(|answer| answer.task == task.name).cloned()
+            };
+            answer(&self.submission) != answer(submission)
+        };
+        let changed: Vec<&Task> = tasks.iter().filter(is_changed).collect();
+        let mut unchanged = BTreeSet::new();
+        if is_apart(submission, validator.assignment) {
+            let same = tasks.iter().filter(|task| !is_changed(task));
+            unchanged.extend(same.map(|task| task.name.clone()));
+            for scene in &validator.goldens.scenes {
+                let job = &validator.goldens.cached_scene(scene)?.job;
+                if !changed.iter().any(|task| job.needs(task.kind, task.shape)) {
+                    unchanged.insert(scene.name.clone());
+                }
+            }
+        }
+        Ok(RepliesInCommon {
+            base: self,
+            unchanged,
+        })
+    }
+}
+
+/// Whether no answer calls another by itself, or remembers anything: what one file does
+/// could then show in the tasks of others.
+fn is_apart(submission: &Submission, assignment: &Assignment) -> bool {
+    let fixed = assignment.fixed_files();
+    let is_fixed = |rest: &str| {
+        let mut stems = fixed.iter().filter_map(|file| file.strip_suffix(".rs"));
+        stems.any(|stem| rest.starts_with(&format!("{stem}::")))
+    };
+    let texts = submission.answers.iter();
+    let mut texts = texts.filter_map(|answer| answer.text.as_deref().ok());
+    texts.all(|text| {
+        let mut names = text.split("crate::").skip(1);
+        names.all(is_fixed) && !text.contains("super::") && !text.contains("static ")
+    })
+}
+
+impl KnownReplies for RepliesInCommon<'_> {
+    fn get(&self, what: &str) -> Option<Reply> {
+        let replies = &self.base.replies;
+        let replies = replies.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_same = self.unchanged.contains(what);
+        replies.get(what).filter(|_| is_same).cloned()
+    }
+
+    fn keep(&self, what: &str, reply: &Reply) {
+        if self.unchanged.contains(what) {
+            let replies = &self.base.replies;
+            let mut replies = replies.lock().unwrap_or_else(PoisonError::into_inner);
+            replies.insert(what.into(), reply.clone());
+        }
+    }
+}
