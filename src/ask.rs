@@ -116,8 +116,8 @@ pub fn ask_watched(
     let patience = limit.wall.min(limit.silence);
     let mut exchange = Exchange::start(command, limit.clone())?;
     started(exchange.child.id());
-    let out = drain(exchange.child.stdout.take());
-    let err = drain(exchange.child.stderr.take());
+    let out = drain(exchange.child.stdout.take(), exchange.hush());
+    let err = drain(exchange.child.stderr.take(), exchange.hush());
 
     let mut reply = Reply {
         answers: vec![None; job.len()],
@@ -281,13 +281,20 @@ fn is_broken(error: &io::Error) -> bool {
     matches!(error.kind(), BrokenPipe | ConnectionReset | UnexpectedEof)
 }
 
-/// Reads a pipe to its end on a thread of its own, keeping only the beginning.
-fn drain(pipe: Option<impl Read + Send + 'static>) -> Receiver<Vec<u8>> {
+/// Reads a pipe to its end on a thread of its own, keeping only the beginning; says so when
+/// it has that.
+fn drain(
+    pipe: Option<impl Read + Send + 'static>,
+    enough: impl FnOnce() + Send + 'static,
+) -> Receiver<Vec<u8>> {
     let (sender, receiver) = mpsc::channel();
     if let Some(mut pipe) = pipe {
         std::thread::spawn(move || {
             let mut kept = Vec::new();
             let beginning = (&mut pipe).take(MOST_PRINTED as u64).read_to_end(&mut kept);
+            if kept.len() == MOST_PRINTED {
+                enough();
+            }
             let rest = beginning.and_then(|_| io::copy(&mut pipe, &mut io::sink()));
             // A broken pipe ends the text; nobody waiting for it is no fault either.
             let _ = (rest, sender.send(kept));

@@ -11,6 +11,8 @@ use std::time::{Duration, Instant};
 use super::{Limit, PULSE, Stop};
 use crate::job::{self, Job, Message};
 use crate::serve::ANSWER;
+#[cfg(unix)]
+use crate::serve::ENOUGH_PRINTED;
 
 /// A running submission and the way to it.
 pub(super) struct Exchange {
@@ -36,6 +38,21 @@ impl Exchange {
     /// Whether all its time is over.
     pub(super) fn is_late(&self) -> bool {
         Instant::now() >= self.deadline
+    }
+
+    /// Tells the submission that enough was printed.
+    #[cfg(unix)]
+    pub(super) fn hush(&self) -> impl FnOnce() + Send + 'static {
+        let link = self.link.try_clone();
+        move || {
+            // If it is not told, it goes on printing into the pipe.
+            let _ = link.and_then(|mut link| io::Write::write_all(&mut link, &[ENOUGH_PRINTED]));
+        }
+    }
+
+    #[cfg(not(unix))]
+    pub(super) fn hush(&self) -> impl FnOnce() + Send + 'static {
+        || {}
     }
 
     #[cfg(unix)]

@@ -267,7 +267,7 @@ impl Examiner<'_> {
 
     /// A reply to each film of a task. All are asked in one process; if some answer fails,
     /// each film that is not complete by then is asked alone, so that the answer costs its
-    /// own group only.
+    /// own group only. Nobody waits for a second try if no film was complete in time.
     fn ask_task(&self, task: &Task, questions: &Questions) -> Result<Vec<Reply>> {
         let films = questions.groups.iter().flat_map(|group| &group.films);
         let films: Vec<&QuestionFilm> = films.collect();
@@ -279,7 +279,11 @@ impl Examiner<'_> {
             Some(mut reply) => {
                 let printed = std::mem::take(&mut reply.printed);
                 let is_complete = reply.ending == Ending::Complete;
+                let is_late = matches!(reply.ending, Ending::TimedOut(_));
                 let mut parts = reply.split(films.iter().map(|film| film.job.len()));
+                if self.interactive && is_late && !parts.iter().any(Reply::is_whole) {
+                    return Ok(parts);
+                }
                 if let (true, Some(first)) = (is_complete, parts.first_mut()) {
                     first.printed = printed;
                 }
