@@ -40,7 +40,7 @@ pub struct Examiner<'a> {
     /// How long each process may take.
     pub wall: Duration,
     /// Whether somebody waits for the result. Then several processes run at a time, one that
-    /// sends nothing for a fifteenth of `wall` is given up, and no scene is cast that needs an
+    /// sends nothing for a fifteenth of `wall` (2 s at least) is given up, and no scene is cast that needs an
     /// answer which did not come in time.
     pub interactive: bool,
     /// Asked about every film too, if there is one; a disagreement is an error.
@@ -103,8 +103,8 @@ impl Selection {
     }
 }
 
-/// The least time for a film that is asked alone: starting a process takes some of it, and
-/// that must not count against the student.
+/// The least time for a process: starting it takes some, and that must not count against the
+/// student.
 const LEAST_WALL: Duration = Duration::from_secs(2);
 
 /// Where somebody waits, a process may be silent for this share of its time: 2 s of 30. A
@@ -358,7 +358,8 @@ impl Examiner<'_> {
             None => Limits::of_answers(wall),
         };
         if self.interactive {
-            limits.silence = limits.silence.min(self.wall / SILENCE);
+            let silence = (self.wall / SILENCE).max(LEAST_WALL);
+            limits.silence = limits.silence.min(silence);
         }
         let reply = timed(&format!("ask {what}"), || {
             run(self.program, self.sandbox, &limits, job, &mut |done| {

@@ -71,7 +71,8 @@ impl SandboxOptions {
 /// How a submission's program is run.
 #[derive(Args)]
 pub struct RunOptions {
-    /// Give up on a task or a scene after this many seconds
+    /// Give up on a task or a scene after this many seconds. `check` gives up after a fifteenth
+    /// of them, but at least 2, in which no answer comes
     #[arg(long, value_name = "SECONDS", default_value_t = RunOptions::TIMEOUT,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,

@@ -115,6 +115,63 @@ fn a_deleted_impl_is_blamed_on_its_own_file() {
 }
 
 #[test]
+fn scenes_that_need_an_endless_answer_are_not_cast() {
+    let text = with_body("plane", "loop { std::hint::black_box(0); }");
+    let folder = submission(&trusted(), "endless-scenes", &[("plane.rs", &text)]);
+    let examination = check(
+        &folder,
+        &[
+            "--task",
+            "plane",
+            "--scene",
+            "lone_triangle",
+            "--scene",
+            "sphere_and_plane",
+        ],
+    );
+    let examination = examination.expect_code(1).json();
+    let outcomes = examination["scenes"].as_array().expect("a list").iter();
+    let outcomes: Vec<_> = outcomes.map(|scene| &scene["outcome"]).collect();
+    assert_eq!(outcomes[0]["kind"], "blocked", "{examination:#}");
+    assert_eq!(outcomes[0]["by"], "plane");
+    assert_eq!(outcomes[1]["passes"], true);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_nobody_reads_of_its_printing_goes_nowhere() {
+    let text = with_body(
+        "plane",
+        "for _ in 0..100 { println!(\"{}\", \"x\".repeat(1000)); }
+         for _ in 0..1000 {
+             let to = std::fs::read_link(\"/proc/self/fd/1\").unwrap();
+             if to.starts_with(\"/dev\") { panic!(\"prints to {}\", to.display()); }
+             std::thread::sleep(std::time::Duration::from_millis(1));
+         }",
+    );
+    let folder = submission(&trusted(), "prints", &[("plane.rs", &text)]);
+    let examination = check(&folder, &["--task", "plane"]).expect_code(1).json();
+    let outcome = &task(&examination, "plane")["groups"][0]["outcome"];
+    assert_eq!(outcome["message"], "prints to /dev/null", "{outcome:#}");
+    let printed = examination["printed"].as_str().expect("it printed");
+    assert!(printed.len() >= 10_000, "{}", printed.len());
+}
+
+#[test]
+fn timings_tell_what_each_stage_took() {
+    let folder = submission(&trusted(), "timings", &[]);
+    let examination = check(&folder, &["--task", "plane", "--timings"]).json();
+    let stages = examination["timings"].as_array().expect("a list");
+    for name in ["find the harness", "read goldens", "ask plane", "judge"] {
+        let mut same = stages.iter().filter(|stage| stage["name"] == name);
+        let stage = same
+            .next()
+            .unwrap_or_else(|| panic!("no {name} in {stages:?}"));
+        assert!(stage["seconds"].as_f64() > Some(0.0), "{stage}");
+    }
+}
+
+#[test]
 fn a_missing_file_costs_its_own_task() {
     let folder = submission(&trusted(), "missing-file", &[]);
     std::fs::remove_file(folder.join("sphere.rs")).expect("the copy has it");
