@@ -11,11 +11,13 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
 
 /// At the top of the checkout, beside its manifest.
-const TOP: [&str; 6] = [
+const TOP: [&str; 8] = [
     ".cargo/config.toml",
+    ".vscode/settings.json",
     "Cargo.lock",
     "LICENSE",
     "README.md",
+    "rust-analyzer.toml",
     ".gitignore",
     ".gitattributes",
 ];
