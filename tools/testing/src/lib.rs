@@ -181,6 +181,47 @@ pub fn fresh_goldens() -> PathBuf {
     folder
 }
 
+/// A copy of the assignment, and of its goldens, in a folder: without mistakes, variants and
+/// listed mutants, and with three small scenes for the points of all. The others take most of
+/// the time of a check.
+pub fn small_assignment(course: &Path) -> PathBuf {
+    let own = "assignments/ray_casting";
+    for folder in [
+        own,
+        "assignments/ray_casting/reference",
+        "assignments/ray_casting/reference/src",
+        "assignments/ray_casting/scenes",
+        "assignments/ray_casting/scenes/meshes",
+        "golden/ray_casting",
+        "golden/ray_casting/probes",
+        "golden/ray_casting/ties",
+    ] {
+        let copy = course.join(folder);
+        fs::create_dir_all(&copy).expect("a folder can be made");
+        let entries = fs::read_dir(root().join(folder)).expect("it can be read");
+        let paths = entries.flatten().map(|entry| entry.path());
+        for file in paths.filter(|path| path.is_file()) {
+            let name = file.file_name().expect("a file has a name");
+            fs::copy(&file, copy.join(name)).expect("it can be copied");
+        }
+    }
+    let assignment = course.join(own);
+    let _had_none = fs::remove_file(assignment.join("equivalent.toml"));
+    let file = assignment.join("assignment.toml");
+    let text = fs::read_to_string(&file).expect("it was copied");
+    let (tasks, _) = text.split_once("[[scene]]").expect("it has scenes");
+    let mut text = tasks.to_owned();
+    for (scene, points) in [
+        ("sphere_and_plane", 8),
+        ("inside_a_sphere", 8),
+        ("in_front_of_the_image_plane", 4),
+    ] {
+        text += &format!("[[scene]]\nname = {scene:?}\npoints = {points}\n");
+    }
+    fs::write(file, text).expect("it can be written");
+    assignment
+}
+
 /// The answers of the reference with some files replaced, in a folder of `place`.
 pub fn submission(place: &Path, name: &str, overlay: &[(&str, &str)]) -> PathBuf {
     let folder = fresh(place, name);

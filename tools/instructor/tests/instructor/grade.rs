@@ -6,12 +6,25 @@ mod withheld;
 
 use std::fs;
 use std::path::PathBuf;
+use std::sync::OnceLock;
 
 use serde_json::Value;
 
-use pinhole_testing::{Ran, fresh, pinhole, root, submission};
+use pinhole_testing::{Ran, fresh, pinhole, root, small_assignment, submission, trusted};
 
 const BROKEN: &str = "fn oops( {";
+
+/// Runs a command on an assignment without large scenes, which nothing here depends on.
+fn on_small_assignment(arguments: &[&str]) -> Ran {
+    pinhole(&[arguments, &["--assignment", assignment()]].concat())
+}
+
+/// The folder of that assignment.
+fn assignment() -> &'static str {
+    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+    let folder = FOLDER.get_or_init(|| small_assignment(&fresh(&trusted(), "small")));
+    folder.to_str().expect("a plain name")
+}
 
 /// Submissions in a folder outside the checkout: right, wrong twice, not compiling,
 /// panicking, incomplete, and a copy with noise.
@@ -59,7 +72,7 @@ impl Class {
     fn grade(&self, out: &str, more: &[&str]) -> Ran {
         let (class, out) = (self.path("class"), self.path(out));
         let fixed = ["grade", &class, "--out", &out, "--no-fresh"];
-        pinhole(&[&fixed[..], more].concat())
+        on_small_assignment(&[&fixed[..], more].concat())
     }
 
     fn read(&self, path: &str) -> String {
@@ -238,7 +251,7 @@ fn an_archive_without_answers_misses_them_and_one_that_makes_no_sense_is_refused
     archive.finish().expect("writable");
     fs::write(folder.join("broken.zip"), "PK no archive").expect("writable");
     let (folder, out) = (class.path("archives"), class.path("out"));
-    pinhole(&["grade", &folder, "--out", &out, "--no-fresh"]).expect_code(0);
+    on_small_assignment(&["grade", &folder, "--out", &out, "--no-fresh"]).expect_code(0);
     for (id, outcome) in [
         ("without", "missing file"),
         ("broken", "refused file"),
@@ -266,7 +279,7 @@ fn an_endless_answer_is_asked_again_alone_and_costs_its_own_points_only() {
     class.hand_in("endless", &[("plane.rs", &endless)]);
     let out = class.path("out");
     let more = ["--no-fresh", "--timeout", "1"];
-    pinhole(&[&["grade", &entry, "--out", &out][..], &more].concat()).expect_code(0);
+    on_small_assignment(&[&["grade", &entry, "--out", &out][..], &more].concat()).expect_code(0);
     let result = class.result("out", "endless");
     assert_eq!(result["outcome"], "timed out");
     assert_eq!(result["timings"]["second_runs"], 1);

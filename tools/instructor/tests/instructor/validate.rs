@@ -4,33 +4,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-use pinhole_testing::{Ran, fresh, pinhole, root, trusted};
+use pinhole_testing::{Ran, fresh, pinhole, root, small_assignment, trusted};
 
-/// A copy of the assignment without mistakes, variants or listed mutants, and of its goldens.
+/// A small assignment of one test's own.
 fn assignment(name: &str) -> PathBuf {
-    let course = fresh(&trusted(), name);
-    let own = "assignments/ray_casting";
-    for folder in [
-        own,
-        "assignments/ray_casting/reference",
-        "assignments/ray_casting/reference/src",
-        "assignments/ray_casting/scenes",
-        "assignments/ray_casting/scenes/meshes",
-        "golden/ray_casting",
-        "golden/ray_casting/probes",
-        "golden/ray_casting/ties",
-    ] {
-        let copy = course.join(folder);
-        fs::create_dir_all(&copy).expect("a folder can be made");
-        let entries = fs::read_dir(root().join(folder)).expect("it can be read");
-        let paths = entries.flatten().map(|entry| entry.path());
-        for file in paths.filter(|path| path.is_file()) {
-            let name = file.file_name().expect("a file has a name");
-            fs::copy(&file, copy.join(name)).expect("it can be copied");
-        }
-    }
-    let _had_none = fs::remove_file(course.join(own).join("equivalent.toml"));
-    course.join(own)
+    small_assignment(&fresh(&trusted(), name))
 }
 
 fn write(folder: &Path, file: &str, text: &str) {

@@ -7,30 +7,39 @@ use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-use super::{BROKEN, Class, answers, wrong_plane};
-use pinhole_testing::{pinhole, program_of, root};
+use super::{BROKEN, Class, answers, assignment, on_small_assignment, wrong_plane};
+use pinhole_testing::{program_of, root};
+
+impl Class {
+    /// Grades one submission at a time, and is killed when it has come so far.
+    fn kill_grader(&self, out: &str, has_come: impl Fn() -> bool) {
+        let (class, out) = (self.path("class"), self.path(out));
+        let mut grader = Command::new(program_of("grade"))
+            .current_dir(root())
+            .args(["grade", &class, "--out", &out, "--no-fresh", "--jobs", "1"])
+            .args(["--assignment", assignment()])
+            .stderr(Stdio::null())
+            .stdout(Stdio::null())
+            .spawn()
+            .expect("pinhole starts");
+        let end = Instant::now() + Duration::from_secs(120);
+        while !has_come() && Instant::now() < end {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        grader.kill().expect("it can be killed");
+        grader.wait().expect("it is gone");
+    }
+}
 
 #[test]
 fn killed_grader_resumes_without_losing_a_grade() {
     let class = Class::new("killed");
     let undisturbed = class.grade("whole", &[]).expect_code(0);
     drop(undisturbed);
-    let (folder, out) = (class.path("class"), class.path("killed"));
+    let out = class.path("killed");
     let mut graded = 0;
     for least in [1, 3] {
-        let mut grader = Command::new(program_of("grade"))
-            .current_dir(root())
-            .args(["grade", &folder, "--out", &out, "--no-fresh", "--jobs", "1"])
-            .stderr(Stdio::null())
-            .stdout(Stdio::null())
-            .spawn()
-            .expect("pinhole starts");
-        let end = Instant::now() + Duration::from_secs(120);
-        while finished(Path::new(&out)).len() < least && Instant::now() < end {
-            std::thread::sleep(Duration::from_millis(5));
-        }
-        grader.kill().expect("it can be killed");
-        grader.wait().expect("it is gone");
+        class.kill_grader("killed", || finished(Path::new(&out)).len() >= least);
         let now = finished(Path::new(&out)).len();
         assert!(now >= graded.max(least) && now < 7, "{now} were graded");
         graded = now;
@@ -102,10 +111,10 @@ fn shards_merge_to_the_grades_of_one_run() {
             .expect_code(0);
     }
     let (one, two, merged) = (class.path("1-2"), class.path("2-2"), class.path("merged"));
-    pinhole(&["merge", &one, "--out", &merged])
+    on_small_assignment(&["merge", &one, "--out", &merged])
         .expect_code(3)
         .expect_out("not graded");
-    pinhole(&["merge", &two, &one, "--out", &merged]).expect_code(0);
+    on_small_assignment(&["merge", &two, &one, "--out", &merged]).expect_code(0);
     assert_eq!(
         class.read("merged/grades.csv"),
         class.read("whole/grades.csv")
@@ -127,24 +136,12 @@ fn a_merge_takes_no_older_mark_for_answers_that_a_stopped_part_did_not_come_to()
     let endless = reference.replacen("-> Option<Intersection> {", endless, 1);
     class.hand_in("ada", &[("plane.rs", &endless)]);
     class.hand_in("dora", &[]);
-    let (folder, out) = (class.path("class"), class.path("out"));
-    let mut grader = Command::new(program_of("grade"))
-        .current_dir(root())
-        .args(["grade", &folder, "--out", &out, "--no-fresh", "--jobs", "1"])
-        .stderr(Stdio::null())
-        .stdout(Stdio::null())
-        .spawn()
-        .expect("pinhole starts");
+    let out = class.path("out");
     let to_do = class.folder.join("out/unfinished.json");
-    let end = Instant::now() + Duration::from_secs(120);
-    while !to_do.is_file() && Instant::now() < end {
-        std::thread::sleep(Duration::from_millis(5));
-    }
-    grader.kill().expect("it can be killed");
-    grader.wait().expect("it is gone");
+    class.kill_grader("out", || to_do.is_file());
 
     let merged = class.path("merged");
-    let told = pinhole(&["merge", &out, "--out", &merged, "--json"]).expect_code(3);
+    let told = on_small_assignment(&["merge", &out, "--out", &merged, "--json"]).expect_code(3);
     let told = told.json();
     assert_eq!(told["points"]["dora"], Value::Null, "of other answers");
     assert_eq!(told["points"]["gus"], class.result("out", "gus")["points"]);
@@ -155,7 +152,7 @@ fn a_merge_takes_no_older_mark_for_answers_that_a_stopped_part_did_not_come_to()
 
     class.grade("out", &[]).expect_code(0);
     assert!(!to_do.exists(), "nothing is left to do");
-    let told = pinhole(&["merge", &out, "--out", &merged, "--json"]).expect_code(0);
+    let told = on_small_assignment(&["merge", &out, "--out", &merged, "--json"]).expect_code(0);
     assert_eq!(told.json()["points"]["dora"], 100);
 }
 
@@ -201,7 +198,7 @@ fn a_fault_of_the_graders_is_no_zero_and_spares_the_finished_grade() {
     assert_eq!(told["not_graded"][0][0], "ada");
     assert_eq!(told["points"]["ada"], Value::Null);
     let (out, merged) = (class.path("out"), class.path("merged"));
-    pinhole(&["merge", &out, "--out", &merged])
+    on_small_assignment(&["merge", &out, "--out", &merged])
         .expect_code(3)
         .expect_out("not graded: ada: cannot write");
 }
