@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use super::{Class, answers};
+use super::{Class, answers, on_small_assignment};
 use pinhole_testing::root;
 
 /// A folder of goldens as `golden render SCENE --out` makes it: films and a manifest, and
@@ -43,10 +43,12 @@ fn withheld_scenes_show_no_more_than_the_instructor_chooses() {
         1,
     );
     class.hand_in("loud", &[("first_hit.rs", &loud)]);
+    let (bob, loud) = (class.path("class/bob"), class.path("class/loud"));
     for reveal in ["points", "message", "picture", "full"] {
-        class
-            .grade(reveal, &["--golden", &mine, "--reveal", reveal])
-            .expect_code(0);
+        let out = class.path(reveal);
+        let shown = ["--golden", &mine, "--reveal", reveal];
+        let line = ["grade", &bob, &loud, "--out", &out, "--no-fresh"];
+        on_small_assignment(&[&line[..], &shown].concat()).expect_code(0);
         let report = class.read(&format!("{reveal}/submissions/bob/report.html"));
         let shows = |text: &str| report.contains(text);
         assert_eq!(
