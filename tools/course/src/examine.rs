@@ -39,8 +39,8 @@ pub struct Examiner<'a> {
     pub sandbox: &'a Sandbox,
     /// How long each process may take.
     pub wall: Duration,
-    /// Whether somebody waits for the result. Then several processes run at a time, one that
-    /// sends nothing for a fifteenth of `wall` (2 s at least) is given up, and no scene is cast that needs an
+    /// Whether somebody waits for the result. Then trusted code is asked several things at a
+    /// time, a process that sends nothing for a fifteenth of `wall` (2 s at least) is given up, and no scene is cast that needs an
     /// answer which did not come in time.
     pub interactive: bool,
     /// Asked about every film too, if there is one; a disagreement is an error.
@@ -182,13 +182,14 @@ impl Examiner<'_> {
         );
     }
 
-    /// The same work on all items, in their order: several at a time where somebody waits.
+    /// The same work on all items, in their order: several at a time where somebody waits for
+    /// code of their own. Processes of foreign code share a user id, and so what it may use.
     fn each<T: Sync, R: Send>(
         &self,
         items: &[T],
         work: impl Fn(&T) -> Result<R> + Sync,
     ) -> Result<Vec<R>> {
-        match self.interactive {
+        match self.interactive && matches!(self.sandbox, Sandbox::Trusted) {
             true => items.par_iter().with_max_len(1).map(&work).collect(),
             false => items.iter().map(work).collect(),
         }
