@@ -56,6 +56,7 @@ fn reply_to(job: &Job) -> Reply {
         answers: vec![None; job.len()],
         missing: job.len(),
         ending: Ending::Complete,
+        start: Duration::ZERO,
         printed: String::new(),
     }
 }

@@ -105,5 +105,5 @@ fn fingerprint(film: &Film, golden: &Path, passes: bool) -> [u8; 32] {
             .flat_map(|sample| sample.to_bits().to_le_bytes());
         hash.update(bytes.collect::<Vec<u8>>());
     }
-    hash.finalize().into()
+    hash.finalize()
 }
