@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 
 use crate::cli::Merge;
-use crate::grade::cache::{Backlog, ResultCache, pretty, standing, write};
+use crate::grade::cache::{Backlog, ResultCache, link, pretty, standing, write_unflushed};
 use crate::grade::class::{ROLL, Roll};
 use crate::grade::provenance::MadeWith;
 use crate::grade::record::Record;
@@ -46,13 +46,16 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
                     "grade all shards by the same: with the same --golden, --fresh or --seed",
                 ));
             }
-            let report = fs::read(from.join("report.html")).or_input(
-                format_args!("cannot read the report in {}", from.display()),
-                "grade that shard again",
-            )?;
+            let report = from.join("report.html");
+            if !report.is_file() {
+                return Err(Error::input(
+                    format!("there is no report in {}", from.display()),
+                    "grade that shard again",
+                ));
+            }
             let to = cache.of(&entry.id);
-            write(&to.join("report.html"), &report)?;
-            write(&to.join("result.json"), pretty(&record)?.as_bytes())?;
+            link(&report, &to.join("report.html"))?;
+            write_unflushed(&to.join("result.json"), pretty(&record)?.as_bytes())?;
             records.insert(entry.id.clone(), record);
             break;
         }

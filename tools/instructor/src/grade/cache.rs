@@ -186,21 +186,44 @@ pub fn pretty(value: &impl serde::Serialize) -> Result<String> {
 
 /// Writes a file atomically: beside its place, flushed to disk, then renamed.
 pub fn write(path: &Path, content: &[u8]) -> Result<()> {
-    let folder = path.parent().unwrap_or(Path::new(""));
+    put(path, |beside| {
+        let mut file = File::create(beside)?;
+        file.write_all(content)?;
+        file.sync_all()
+    })?;
+    #[cfg(unix)]
+    File::open(folder_of(path))
+        .and_then(|folder| folder.sync_all())
+        .or_fail(&cannot_write(path))?;
+    Ok(())
+}
+
+/// Writes a file atomically, but does not wait for the disk: for what can be made again.
+pub fn write_unflushed(path: &Path, content: &[u8]) -> Result<()> {
+    put(path, |beside| fs::write(beside, content))
+}
+
+/// Puts a file in another place too: by a link, or where there are none, by a copy.
+pub fn link(from: &Path, to: &Path) -> Result<()> {
+    let _absent = fs::remove_file(to);
+    fs::create_dir_all(folder_of(to))
+        .and_then(|()| fs::hard_link(from, to).or_else(|_| fs::copy(from, to).map(drop)))
+        .or_fail(&cannot_write(to))
+}
+
+/// Has a file made beside its place, and renames it.
+fn put(path: &Path, make: impl FnOnce(&Path) -> std::io::Result<()>) -> Result<()> {
     let mut beside = path.as_os_str().to_owned();
     beside.push(".new");
     let beside = PathBuf::from(beside);
-    let put = || -> std::io::Result<()> {
-        fs::create_dir_all(folder)?;
-        let mut file = File::create(&beside)?;
-        file.write_all(content)?;
-        file.sync_all()?;
-        fs::rename(&beside, path)?;
-        #[cfg(unix)]
-        File::open(folder)?.sync_all()?;
-        Ok(())
-    };
-    put().or_fail(&cannot_write(path))
+    fs::create_dir_all(folder_of(path))
+        .and_then(|()| make(&beside))
+        .and_then(|()| fs::rename(&beside, path))
+        .or_fail(&cannot_write(path))
+}
+
+fn folder_of(path: &Path) -> &Path {
+    path.parent().unwrap_or(Path::new(""))
 }
 
 fn cannot_write(path: &Path) -> Error {
