@@ -18,6 +18,7 @@ use crate::film::Film;
 use crate::job::{CHUNK, Job, MOST_PANIC_TEXT, Message};
 use crate::kind::Answer;
 use crate::ray::{Hit, Ray};
+use crate::serve::{ENOUGH_ERRORS, ENOUGH_OUTPUT};
 pub use ending::{Death, Ending};
 use transport::Exchange;
 
@@ -116,8 +117,8 @@ pub fn ask_watched(
     let patience = limit.wall.min(limit.silence);
     let mut exchange = Exchange::start(command, limit.clone())?;
     started(exchange.child.id());
-    let out = drain(exchange.child.stdout.take(), exchange.hush());
-    let err = drain(exchange.child.stderr.take(), exchange.hush());
+    let out = drain(exchange.child.stdout.take(), exchange.tell(ENOUGH_OUTPUT));
+    let err = drain(exchange.child.stderr.take(), exchange.tell(ENOUGH_ERRORS));
 
     let mut reply = Reply {
         answers: vec![None; job.len()],

@@ -75,8 +75,11 @@ fn serve_through_stdin(functions: &[AnswerFn]) -> io::Result<()> {
     answer_job(functions, &job, &mut io::BufWriter::new(socket))
 }
 
-/// What the asker sends when it has read as much as it wants of what is printed.
-pub(crate) const ENOUGH_PRINTED: u8 = 1;
+/// What the asker sends when it has read as much of standard output as it wants.
+pub(crate) const ENOUGH_OUTPUT: u8 = 1;
+
+/// The same of standard error.
+pub(crate) const ENOUGH_ERRORS: u8 = 2;
 
 /// Ends this process when nobody is there any more to read its answers, even if the
 /// student's code never comes to an end; and throws away what is printed when the asker has
@@ -84,10 +87,10 @@ pub(crate) const ENOUGH_PRINTED: u8 = 1;
 #[cfg(unix)]
 fn listen_to(mut asker: std::os::unix::net::UnixStream) {
     std::thread::spawn(move || {
-        let mut word = [0];
         loop {
-            match asker.read(&mut word) {
-                Ok(1) if word[0] == ENOUGH_PRINTED => print_nothing(),
+            let mut word = [0];
+            match asker.read(&mut word).map(|_| word[0]) {
+                Ok(stream @ (ENOUGH_OUTPUT | ENOUGH_ERRORS)) => print_nothing_to(stream),
                 Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
                 _ => std::process::exit(UNSENT.into()),
             }
@@ -96,11 +99,13 @@ fn listen_to(mut asker: std::os::unix::net::UnixStream) {
 }
 
 #[cfg(unix)]
-fn print_nothing() {
+fn print_nothing_to(stream: u8) {
     // Where there is no such device, printing stays slow.
     if let Ok(nowhere) = std::fs::OpenOptions::new().write(true).open("/dev/null") {
-        let _ = rustix::stdio::dup2_stdout(&nowhere);
-        let _ = rustix::stdio::dup2_stderr(&nowhere);
+        let _ = match stream {
+            ENOUGH_OUTPUT => rustix::stdio::dup2_stdout(&nowhere),
+            _ => rustix::stdio::dup2_stderr(&nowhere),
+        };
     }
 }
 

@@ -11,8 +11,6 @@ use std::time::{Duration, Instant};
 use super::{Limit, PULSE, Stop};
 use crate::job::{self, Job, Message};
 use crate::serve::ANSWER;
-#[cfg(unix)]
-use crate::serve::ENOUGH_PRINTED;
 
 /// A running submission and the way to it.
 pub(super) struct Exchange {
@@ -40,18 +38,18 @@ impl Exchange {
         Instant::now() >= self.deadline
     }
 
-    /// Tells the submission that enough was printed.
+    /// Tells the submission something when it is called, once the job is sent.
     #[cfg(unix)]
-    pub(super) fn hush(&self) -> impl FnOnce() + Send + 'static {
+    pub(super) fn tell(&self, word: u8) -> impl FnOnce() + Send + 'static {
         let link = self.link.try_clone();
         move || {
             // If it is not told, it goes on printing into the pipe.
-            let _ = link.and_then(|mut link| io::Write::write_all(&mut link, &[ENOUGH_PRINTED]));
+            let _ = link.and_then(|mut link| io::Write::write_all(&mut link, &[word]));
         }
     }
 
     #[cfg(not(unix))]
-    pub(super) fn hush(&self) -> impl FnOnce() + Send + 'static {
+    pub(super) fn tell(&self, _: u8) -> impl FnOnce() + Send + 'static {
         || {}
     }
 
