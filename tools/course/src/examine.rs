@@ -1,29 +1,30 @@
 //! Runs a submission through every group of questions and every scene.
 
+mod asking;
 mod diagnose;
 mod judged;
 
 use std::time::{Duration, Instant};
 
-use pinhole::ask::{Ending, MOST_PRINTED, Reply};
-use pinhole::job::Job;
+use pinhole::ask::MOST_PRINTED;
 use rayon::prelude::*;
 
 use crate::assignment::{Assignment, Task};
 use crate::compile::Program;
 use crate::describe;
 use crate::diagnosis::Diagnosis;
-use crate::error::{Error, Result, ResultExt};
-use crate::goldens::questions::{Group, QuestionFilm, Questions};
+use crate::error::{Error, Result};
+use crate::goldens::questions::Group;
 use crate::goldens::{GoldenScene, Goldens};
 use crate::outcome::{
     Examination, FilmOutcome, GroupOutcome, Outcome, SceneFilm, SceneOutcome, Status, TaskOutcome,
 };
-use crate::sandbox::{Limits, Sandbox};
+use crate::sandbox::Sandbox;
 use crate::second_judge::SecondJudge;
 use crate::submission::Submission;
 use crate::submission::flags::flags;
-use crate::timings::{self, timed};
+use crate::timings::timed;
+pub use asking::{Clock, KnownReplies, run};
 use diagnose::Cast;
 pub use judged::failure;
 
@@ -51,24 +52,6 @@ pub struct Examiner<'a> {
     pub known: Option<&'a dyn KnownReplies>,
     /// Told what is being asked, and the share of its answers so far, 0 to 1.
     pub progress: &'a (dyn Fn(&str, f64) + Sync),
-}
-
-/// Limits that differ from one task or scene to another.
-pub trait Clock: Sync {
-    /// The limits of the process that is asked about `what`, a task or a scene.
-    fn limits(&self, what: &str) -> Limits;
-
-    /// Sees every reply; an error ends the examination.
-    fn check(&self, reply: &Reply) -> Result<()>;
-}
-
-/// Complete replies of another submission, for whatever is answered by the same files.
-pub trait KnownReplies: Sync {
-    /// The reply to all questions of a task, or to a scene.
-    fn get(&self, what: &str) -> Option<Reply>;
-
-    /// Sees every such reply that was asked for.
-    fn keep(&self, what: &str, reply: &Reply);
 }
 
 /// What to examine; empty lists mean everything.
@@ -102,15 +85,6 @@ impl Selection {
         }
     }
 }
-
-/// The least time for a process: starting it takes some, and that must not count against the
-/// student.
-const LEAST_WALL: Duration = Duration::from_secs(2);
-
-/// Where somebody waits, a process may be silent for this share of its time: 2 s of 30. A
-/// message holds 256 answers. On the largest mesh the reference gives them in 8 ms, so a
-/// program that is sixty times slower still takes a quarter of that time.
-const SILENCE: u32 = 15;
 
 impl Examiner<'_> {
     /// Asks everything that is selected.
@@ -266,47 +240,6 @@ impl Examiner<'_> {
         Ok((outcome, printed))
     }
 
-    /// A reply to each film of a task. All are asked in one process; if some answer fails,
-    /// each film that is not complete by then is asked alone, so that the answer costs its
-    /// own group only. Nobody waits for a second try if no film was complete in time.
-    fn ask_task(&self, task: &Task, questions: &Questions) -> Result<Vec<Reply>> {
-        let films = questions.groups.iter().flat_map(|group| &group.films);
-        let films: Vec<&QuestionFilm> = films.collect();
-        let together = match &questions.together {
-            Some(job) => Some(self.ask_whole(&task.name, job)?),
-            None => None,
-        };
-        let mut parts: Vec<Option<Reply>> = match together {
-            Some(mut reply) => {
-                let printed = std::mem::take(&mut reply.printed);
-                let is_complete = reply.ending == Ending::Complete;
-                let is_late = matches!(reply.ending, Ending::TimedOut(_));
-                let mut parts = reply.split(films.iter().map(|film| film.job.len()));
-                if self.interactive && is_late && !parts.iter().any(Reply::is_whole) {
-                    return Ok(parts);
-                }
-                if let (true, Some(first)) = (is_complete, parts.first_mut()) {
-                    first.printed = printed;
-                }
-                let whole = |part: Reply| part.is_whole().then_some(part);
-                parts.into_iter().map(whole).collect()
-            }
-            None => films.iter().map(|_| None).collect(),
-        };
-        let missing: Vec<usize> = (0..films.len())
-            .filter(|place| parts[*place].is_none())
-            .collect();
-        // An endless loop shall cost no more than twice the limit, whichever group it is in.
-        let share = (self.wall / films.len().max(1) as u32).max(LEAST_WALL);
-        let alone = self.each(&missing, |place| {
-            self.ask(&task.name, &films[*place].job, share)
-        })?;
-        for (place, reply) in missing.into_iter().zip(alone) {
-            parts[place] = Some(reply);
-        }
-        Ok(parts.into_iter().flatten().collect())
-    }
-
     fn scene(
         &self,
         scene: &GoldenScene,
@@ -340,53 +273,4 @@ impl Examiner<'_> {
         };
         Ok((outcome, film, printed))
     }
-
-    /// The reply to all that is asked about a task or a scene.
-    fn ask_whole(&self, what: &str, job: &Job) -> Result<Reply> {
-        if let Some(reply) = self.known.and_then(|known| known.get(what)) {
-            return Ok(reply);
-        }
-        let reply = self.ask(what, job, self.wall)?;
-        if let (Some(known), Ending::Complete) = (self.known, &reply.ending) {
-            known.keep(what, &reply);
-        }
-        Ok(reply)
-    }
-
-    fn ask(&self, what: &str, job: &Job, wall: Duration) -> Result<Reply> {
-        let mut limits = match self.clock {
-            Some(clock) => clock.limits(what),
-            None => Limits::of_answers(wall),
-        };
-        if self.interactive {
-            let silence = (self.wall / SILENCE).max(LEAST_WALL);
-            limits.silence = limits.silence.min(silence);
-        }
-        let reply = timed(&format!("ask {what}"), || {
-            run(self.program, self.sandbox, &limits, job, &mut |done| {
-                (self.progress)(what, done as f64 / job.len().max(1) as f64);
-            })
-        })?;
-        timings::add("start programs, of asking", reply.start);
-        if let Some(clock) = self.clock {
-            clock.check(&reply)?;
-        }
-        Ok(reply)
-    }
-}
-
-/// Runs a program on one job.
-pub fn run(
-    program: &Program,
-    sandbox: &Sandbox,
-    limits: &Limits,
-    job: &Job,
-    progress: &mut dyn FnMut(usize),
-) -> Result<Reply> {
-    let stop = program.stop.clone();
-    let asked = sandbox.ask(&program.executable, job, limits, stop, progress);
-    asked.or_environment(
-        format_args!("cannot ask {}", program.executable.display()),
-        "run this command again; if it persists, remove target/pinhole",
-    )
 }

@@ -1,0 +1,133 @@
+//! Asking a submission: each task and each scene in a process of its own.
+
+use std::time::Duration;
+
+use pinhole::ask::{Ending, Reply};
+use pinhole::job::Job;
+
+use super::Examiner;
+use crate::assignment::Task;
+use crate::compile::Program;
+use crate::error::{Result, ResultExt};
+use crate::goldens::questions::{QuestionFilm, Questions};
+use crate::sandbox::{Limits, Sandbox};
+use crate::timings::{self, timed};
+
+/// Limits that differ from one task or scene to another.
+pub trait Clock: Sync {
+    /// The limits of the process that is asked about `what`, a task or a scene.
+    fn limits(&self, what: &str) -> Limits;
+
+    /// Sees every reply; an error ends the examination.
+    fn check(&self, reply: &Reply) -> Result<()>;
+}
+
+/// Complete replies of another submission, for whatever is answered by the same files.
+pub trait KnownReplies: Sync {
+    /// The reply to all questions of a task, or to a scene.
+    fn get(&self, what: &str) -> Option<Reply>;
+
+    /// Sees every such reply that was asked for.
+    fn keep(&self, what: &str, reply: &Reply);
+}
+
+/// The least time for a process: starting it takes some, and that must not count against the
+/// student.
+const LEAST_WALL: Duration = Duration::from_secs(2);
+
+/// Where somebody waits, a process may be silent for this share of its time: 2 s of 30. A
+/// message holds 256 answers. On the largest mesh the reference gives them in 13 ms, and a
+/// program that is sixty times slower in less than half of that time.
+const SILENCE: u32 = 15;
+
+impl Examiner<'_> {
+    /// A reply to each film of a task. All are asked in one process; if some answer fails,
+    /// each film that is not complete by then is asked alone, so that the answer costs its
+    /// own group only. Nobody waits for a second try if no film was complete in time.
+    pub(super) fn ask_task(&self, task: &Task, questions: &Questions) -> Result<Vec<Reply>> {
+        let films = questions.groups.iter().flat_map(|group| &group.films);
+        let films: Vec<&QuestionFilm> = films.collect();
+        let together = match &questions.together {
+            Some(job) => Some(self.ask_whole(&task.name, job)?),
+            None => None,
+        };
+        let mut parts: Vec<Option<Reply>> = match together {
+            Some(mut reply) => {
+                let printed = std::mem::take(&mut reply.printed);
+                let is_complete = reply.ending == Ending::Complete;
+                let is_late = matches!(reply.ending, Ending::TimedOut(_));
+                let mut parts = reply.split(films.iter().map(|film| film.job.len()));
+                if self.interactive && is_late && !parts.iter().any(Reply::is_whole) {
+                    return Ok(parts);
+                }
+                if let (true, Some(first)) = (is_complete, parts.first_mut()) {
+                    first.printed = printed;
+                }
+                let whole = |part: Reply| part.is_whole().then_some(part);
+                parts.into_iter().map(whole).collect()
+            }
+            None => films.iter().map(|_| None).collect(),
+        };
+        let missing: Vec<usize> = (0..films.len())
+            .filter(|place| parts[*place].is_none())
+            .collect();
+        // An endless loop shall cost no more than twice the limit, whichever group it is in.
+        let share = (self.wall / films.len().max(1) as u32).max(LEAST_WALL);
+        let alone = self.each(&missing, |place| {
+            self.ask(&task.name, &films[*place].job, share)
+        })?;
+        for (place, reply) in missing.into_iter().zip(alone) {
+            parts[place] = Some(reply);
+        }
+        Ok(parts.into_iter().flatten().collect())
+    }
+
+    /// The reply to all that is asked about a task or a scene.
+    pub(super) fn ask_whole(&self, what: &str, job: &Job) -> Result<Reply> {
+        if let Some(reply) = self.known.and_then(|known| known.get(what)) {
+            return Ok(reply);
+        }
+        let reply = self.ask(what, job, self.wall)?;
+        if let (Some(known), Ending::Complete) = (self.known, &reply.ending) {
+            known.keep(what, &reply);
+        }
+        Ok(reply)
+    }
+
+    fn ask(&self, what: &str, job: &Job, wall: Duration) -> Result<Reply> {
+        let mut limits = match self.clock {
+            Some(clock) => clock.limits(what),
+            None => Limits::of_answers(wall),
+        };
+        if self.interactive {
+            let silence = (self.wall / SILENCE).max(LEAST_WALL);
+            limits.silence = limits.silence.min(silence);
+        }
+        let reply = timed(&format!("ask {what}"), || {
+            run(self.program, self.sandbox, &limits, job, &mut |done| {
+                (self.progress)(what, done as f64 / job.len().max(1) as f64);
+            })
+        })?;
+        timings::add("start programs, of asking", reply.start);
+        if let Some(clock) = self.clock {
+            clock.check(&reply)?;
+        }
+        Ok(reply)
+    }
+}
+
+/// Runs a program on one job.
+pub fn run(
+    program: &Program,
+    sandbox: &Sandbox,
+    limits: &Limits,
+    job: &Job,
+    progress: &mut dyn FnMut(usize),
+) -> Result<Reply> {
+    let stop = program.stop.clone();
+    let asked = sandbox.ask(&program.executable, job, limits, stop, progress);
+    asked.or_environment(
+        format_args!("cannot ask {}", program.executable.display()),
+        "run this command again; if it persists, remove target/pinhole",
+    )
+}
