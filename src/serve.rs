@@ -100,7 +100,7 @@ fn listen_to(mut asker: std::os::unix::net::UnixStream) {
 
 #[cfg(unix)]
 fn print_nothing_to(stream: u8) {
-    // Where there is no such device, printing stays slow.
+    // If it cannot be opened, prints go on into the pipe, which is only slower.
     if let Ok(nowhere) = std::fs::OpenOptions::new().write(true).open("/dev/null") {
         let _ = match stream {
             ENOUGH_OUTPUT => rustix::stdio::dup2_stdout(&nowhere),

@@ -3,7 +3,7 @@
 use super::*;
 use crate::camera::{Pixel, Projection};
 use crate::ray::Intersection;
-use crate::shape::{Disk, Plane, Shape, Sphere, Triangle};
+use crate::shape::{Disk, Plane, Shape, Sphere, Triangle, TriangleSoup};
 use crate::testing::{self, row};
 use glam::{DVec3, dvec3};
 
@@ -171,4 +171,38 @@ fn a_camera_travels_once_for_all_its_pixels() {
         panic!("other questions came");
     };
     assert_eq!(received, questions);
+}
+
+#[test]
+fn a_scene_needs_the_tasks_of_every_ray_and_of_its_shapes() {
+    let soup = Shape::Soup(TriangleSoup {
+        triangles: Vec::new(),
+    });
+    let disk = Shape::Disk(Disk {
+        center: DVec3::ZERO,
+        normal: DVec3::Z,
+        radius: 1.0,
+    });
+    for (object, shapes) in [
+        (soup, &["triangle", "triangle_soup"][..]),
+        (disk, &["disk"]),
+    ] {
+        let projection = Projection::Orthographic;
+        let size = (1.0, 1.0);
+        let camera = crate::Camera::new(DVec3::Z, -DVec3::Z, DVec3::Y, size, projection);
+        let scene = Scene {
+            camera: camera.unwrap(),
+            resolution: Resolution { n_x: 1, n_y: 1 },
+            min_t: 0.0,
+            objects: vec![object],
+        };
+        for task in ["sphere", "plane", "triangle", "triangle_soup", "disk"] {
+            let (kind, shape) = of_task(task);
+            let needed = kind.is_needed_by(shape, &scene);
+            assert_eq!(needed, shapes.contains(&task), "{task}");
+        }
+        for task in ["viewing_ray", "first_hit"] {
+            assert!(of_task(task).0.is_needed_by(None, &scene), "{task}");
+        }
+    }
 }

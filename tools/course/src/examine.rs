@@ -41,8 +41,8 @@ pub struct Examiner<'a> {
     /// How long each process may take.
     pub wall: Duration,
     /// Whether somebody waits for the result. Then trusted code is asked several things at a
-    /// time, a process that sends nothing for a fifteenth of `wall` (2 s at least) is given up, and no scene is cast that needs an
-    /// answer which did not come in time.
+    /// time, a process that sends nothing for a fifteenth of `wall` (2 s at least) is given
+    /// up, and no scene is cast that needs an answer which did not come in time.
     pub interactive: bool,
     /// Asked about every film too, if there is one; a disagreement is an error.
     pub second_judge: Option<&'a SecondJudge>,

@@ -8,6 +8,7 @@ mod diff;
 mod explain;
 #[cfg(target_os = "linux")]
 mod hostile;
+mod patience;
 mod report;
 mod sandbox;
 mod watch;

@@ -41,45 +41,51 @@ const LEAST_WALL: Duration = Duration::from_secs(2);
 const SILENCE: u32 = 15;
 
 impl Examiner<'_> {
-    /// A reply to each film of a task. All are asked in one process; if some answer fails,
-    /// each film that is not complete by then is asked alone, so that the answer costs its
-    /// own group only. Nobody waits for a second try if no film was complete in time.
+    /// A reply to each film of a task.
     pub(super) fn ask_task(&self, task: &Task, questions: &Questions) -> Result<Vec<Reply>> {
         let films = questions.groups.iter().flat_map(|group| &group.films);
         let films: Vec<&QuestionFilm> = films.collect();
-        let together = match &questions.together {
-            Some(job) => Some(self.ask_whole(&task.name, job)?),
-            None => None,
+        let parts = match self.ask_together(task, questions, &films)? {
+            // Either all is well, or each film would be as late again.
+            Some(parts) if parts.iter().all(Reply::is_whole) => return Ok(parts),
+            Some(parts) if !parts.iter().any(Reply::is_whole) => return Ok(parts),
+            Some(parts) => parts.into_iter().map(Some).collect(),
+            None => vec![None; films.len()],
         };
-        let mut parts: Vec<Option<Reply>> = match together {
-            Some(mut reply) => {
-                let printed = std::mem::take(&mut reply.printed);
-                let is_complete = reply.ending == Ending::Complete;
-                let is_late = matches!(reply.ending, Ending::TimedOut(_));
-                let mut parts = reply.split(films.iter().map(|film| film.job.len()));
-                if self.interactive && is_late && !parts.iter().any(Reply::is_whole) {
-                    return Ok(parts);
-                }
-                if let (true, Some(first)) = (is_complete, parts.first_mut()) {
-                    first.printed = printed;
-                }
-                let whole = |part: Reply| part.is_whole().then_some(part);
-                parts.into_iter().map(whole).collect()
-            }
-            None => films.iter().map(|_| None).collect(),
-        };
-        let missing: Vec<usize> = (0..films.len())
-            .filter(|place| parts[*place].is_none())
-            .collect();
         // An endless loop shall cost no more than twice the limit, whichever group it is in.
         let share = (self.wall / films.len().max(1) as u32).max(LEAST_WALL);
-        let alone = self.each(&missing, |place| {
-            self.ask(&task.name, &films[*place].job, share)
-        })?;
-        for (place, reply) in missing.into_iter().zip(alone) {
-            parts[place] = Some(reply);
+        let films: Vec<(&QuestionFilm, Option<Reply>)> = films.into_iter().zip(parts).collect();
+        self.each(&films, |(film, part)| match part {
+            Some(part) if part.is_whole() => Ok(part.clone()),
+            _ => self.ask(&task.name, &film.job, share),
+        })
+    }
+
+    /// All films of a task in one process; `None` if some answer fails in a way that could
+    /// hide the others. Then each film is to be asked alone, so that the answer costs its own
+    /// group only. Where somebody waits, films count that were complete before an answer was
+    /// late.
+    fn ask_together(
+        &self,
+        task: &Task,
+        questions: &Questions,
+        films: &[&QuestionFilm],
+    ) -> Result<Option<Vec<Reply>>> {
+        let Some(job) = &questions.together else {
+            return Ok(None);
+        };
+        let mut reply = self.ask_whole(&task.name, job)?;
+        match &reply.ending {
+            Ending::Complete => {}
+            Ending::TimedOut(_) if self.interactive => {}
+            _ => return Ok(None),
         }
-        Ok(parts.into_iter().flatten().collect())
+        let printed = std::mem::take(&mut reply.printed);
+        let mut parts = reply.split(films.iter().map(|film| film.job.len()));
+        if let Some(first) = parts.first_mut() {
+            first.printed = printed;
+        }
+        Ok(Some(parts))
     }
 
     /// The reply to all that is asked about a task or a scene.

@@ -75,16 +75,21 @@ impl Base {
 /// could then show in the tasks of others.
 fn is_apart(submission: &Submission, assignment: &Assignment) -> bool {
     let fixed = assignment.fixed_files();
-    let is_fixed = |rest: &str| {
-        let mut stems = fixed.iter().filter_map(|file| file.strip_suffix(".rs"));
-        stems.any(|stem| rest.starts_with(&format!("{stem}::")))
-    };
-    let texts = submission.answers.iter();
-    let mut texts = texts.filter_map(|answer| answer.text.as_deref().ok());
-    texts.all(|text| {
-        let mut names = text.split("crate::").skip(1);
-        names.all(is_fixed) && !text.contains("super::") && !text.contains("static ")
+    let mut answers = submission.answers.iter();
+    answers.all(|answer| {
+        let text = answer.text.as_deref().unwrap_or_default();
+        stands_alone(text, &fixed)
     })
+}
+
+/// Whether an answer names no module of its crate but the fixed files, and no `static`.
+fn stands_alone(text: &str, fixed: &[String]) -> bool {
+    let is_fixed = |path: &str| {
+        let mut modules = fixed.iter().filter_map(|file| file.strip_suffix(".rs"));
+        modules.any(|module| path.starts_with(&format!("{module}::")))
+    };
+    let mut paths = text.split("crate::").skip(1);
+    paths.all(is_fixed) && !text.contains("super::") && !text.contains("static ")
 }
 
 impl KnownReplies for RepliesInCommon<'_> {
@@ -100,6 +105,25 @@ impl KnownReplies for RepliesInCommon<'_> {
             let replies = &self.base.replies;
             let mut replies = replies.lock().unwrap_or_else(PoisonError::into_inner);
             replies.insert(what.into(), reply.clone());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_answer_that_reaches_others_or_remembers_does_not_stand_alone() {
+        let fixed = ["main.rs".to_owned(), "ours.rs".to_owned()];
+        for (text, alone) in [
+            ("use crate::ours::Trait;", true),
+            ("use crate::ours::Trait; use crate::theirs::helper;", false),
+            ("use crate::ours_too::Trait;", false),
+            ("use super::theirs;", false),
+            ("static COUNT: AtomicUsize = AtomicUsize::new(0);", false),
+        ] {
+            assert_eq!(stands_alone(text, &fixed), alone, "{text}");
         }
     }
 }
