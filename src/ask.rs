@@ -1,4 +1,5 @@
-//! The asker's side: start a submission, send it a job, believe nothing it says.
+//! The asker's side: starts a submission, sends it a job, and reads its answers without
+//! trusting them.
 //!
 //! What comes back is bounded in time and size, must be well formed, must answer
 //! every question once, and is only ever data to be judged.
@@ -22,7 +23,7 @@ use crate::serve::{ENOUGH_ERRORS, ENOUGH_OUTPUT};
 pub use ending::{Death, Ending};
 use transport::Exchange;
 
-/// What came of one job.
+/// The reply to one job.
 #[derive(Clone, Debug)]
 pub struct Reply {
     /// In the job's order; `None` where nothing came.
@@ -44,7 +45,7 @@ pub struct Limit {
     pub wall: Duration,
     /// Since it last sent anything. An endless loop is found out long before `wall` is over.
     pub silence: Duration,
-    /// Raised by whoever no longer wants the answer.
+    /// Raised when the answer is no longer wanted.
     pub stop: Stop,
 }
 
@@ -89,8 +90,8 @@ const MOST_MESSAGE: usize = CHUNK * 64 + 4 * MOST_PANIC_TEXT;
 /// returns.
 ///
 /// # Errors
-/// Only if the program cannot be started, or nobody wants its answer any more;
-/// whatever it does later is in the reply.
+/// If the program cannot be started, or its answer is no longer wanted. Whatever goes
+/// wrong later is in the reply.
 pub fn ask(
     command: Command,
     job: &Job,
@@ -100,8 +101,8 @@ pub fn ask(
     ask_watched(command, job, limit.into(), progress, &mut |_| {})
 }
 
-/// The same, and tells `started` the number of the process, for somebody who watches
-/// what it takes and may end it at any time.
+/// Like [`ask`], but first passes the process id to `started`, so that the caller can
+/// watch the process and kill it.
 ///
 /// # Errors
 /// As [`ask`].
@@ -120,13 +121,7 @@ pub fn ask_watched(
     let out = drain(exchange.child.stdout.take(), exchange.tell(ENOUGH_OUTPUT));
     let err = drain(exchange.child.stderr.take(), exchange.tell(ENOUGH_ERRORS));
 
-    let mut reply = Reply {
-        answers: vec![None; job.len()],
-        missing: job.len(),
-        ending: Ending::Complete,
-        start: Duration::ZERO,
-        printed: String::new(),
-    };
+    let mut reply = Reply::before(job);
     let ended = exchange.converse(job, MOST_MESSAGE, &mut |message| {
         if reply.start.is_zero() {
             reply.start = spawned.elapsed();
@@ -137,7 +132,7 @@ pub fn ask_watched(
     });
     let status = end(&mut exchange.child);
     if limit.stop.is_raised() {
-        return Err(io::Error::other("its answer is not wanted any more"));
+        return Err(io::Error::other("its answer is no longer wanted"));
     }
     reply.printed = printed(out) + &printed(err);
     if reply.ending == Ending::Complete && reply.missing > 0 {
@@ -153,6 +148,17 @@ pub fn ask_watched(
 }
 
 impl Reply {
+    /// The reply to a job before anything came.
+    pub(crate) fn before(job: &Job) -> Reply {
+        Reply {
+            answers: vec![None; job.len()],
+            missing: job.len(),
+            ending: Ending::Complete,
+            start: Duration::ZERO,
+            printed: String::new(),
+        }
+    }
+
     /// The film of a job of hits, missing answers as misses; `None` if it has rays.
     pub fn hits(&self) -> Option<Vec<Option<Hit>>> {
         let hit = |answer: &Option<Answer>| match answer {
@@ -210,7 +216,7 @@ impl Reply {
         parts
     }
 
-    /// Files one message; `false` when no more is needed.
+    /// Stores one message; `false` when no more is needed.
     fn take(&mut self, job: &Job, message: Message) -> Result<bool, String> {
         match message {
             Message::Panicked(mut panic) => {
@@ -297,7 +303,8 @@ fn drain(
                 enough();
             }
             let rest = beginning.and_then(|_| io::copy(&mut pipe, &mut io::sink()));
-            // A broken pipe ends the text; nobody waiting for it is no fault either.
+            // A broken pipe ends the text. It is no error if nobody waits for the text
+            // any more.
             let _ = (rest, sender.send(kept));
         });
     }

@@ -1,4 +1,4 @@
-//! What is said of a question, line by line.
+//! What an explanation says about a question, line by line.
 
 use serde::{Deserialize, Serialize};
 

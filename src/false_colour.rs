@@ -1,4 +1,5 @@
-//! False-colour pictures of a film of hits: what people look at, never what judges.
+//! False-colour pictures of a film of hits. They are for people; no verdict is made
+//! from them.
 
 use std::ops::Range;
 
@@ -10,7 +11,7 @@ use crate::judge::Golden;
 /// What a pixel that hits nothing looks like.
 pub const BACKGROUND: Rgb<u8> = Rgb([24, 24, 28]);
 
-/// Eight colours that stay apart for colour-blind eyes (Okabe & Ito, "Color
+/// Eight colours that colour-blind readers can tell apart (Okabe & Ito, "Color
 /// Universal Design", 2008), without their black and with a light grey instead.
 const OBJECTS: [[u8; 3]; 8] = [
     [230, 159, 0],
@@ -28,7 +29,7 @@ pub fn id(film: &Film) -> RgbImage {
     picture(film, |hit| object(hit.id as usize))
 }
 
-/// After so many objects the colours begin again.
+/// The number of objects after which the colours repeat.
 pub const OBJECT_COLOURS: usize = 4 * OBJECTS.len();
 
 /// The colour of an object in [`id`] pictures.
@@ -48,8 +49,7 @@ pub fn depth(film: &Film, depth_per_t: f64, range: Range<f64>) -> RgbImage {
     })
 }
 
-/// The colour in [`depth`] pictures of what lies so far into their range, from 0,
-/// near, to 1.
+/// The colour in [`depth`] pictures at a share of their range, from 0 (near) to 1.
 pub fn far(share: f64) -> Rgb<u8> {
     let colour = colorous::VIRIDIS.eval_continuous(1.0 - share.clamp(0.0, 1.0));
     Rgb([colour.r, colour.g, colour.b])
@@ -128,14 +128,23 @@ impl Difference {
         ),
     ];
 
-    /// What it looks like; the three stay apart, and from the faint rest, for
-    /// colour-blind eyes too.
+    /// Its colour. All three differ from each other and from the faint background for
+    /// colour-blind readers too.
     pub fn colour(self) -> Rgb<u8> {
         Rgb(match self {
             Difference::Object => [255, 120, 20],
             Difference::T => [60, 150, 255],
             Difference::Normal => [255, 255, 255],
         })
+    }
+}
+
+/// Fades these pixels of a picture, in image order, towards the background.
+pub fn fade(picture: &mut RgbImage, faded: &[bool]) {
+    for (pixel, _) in picture.pixels_mut().zip(faded).filter(|(_, faded)| **faded) {
+        for (value, background) in pixel.0.iter_mut().zip(BACKGROUND.0) {
+            *value = ((u16::from(*value) + 2 * u16::from(background)) / 3) as u8;
+        }
     }
 }
 
@@ -154,7 +163,8 @@ fn picture(film: &Film, colour: impl Fn(HitSample) -> Rgb<u8>) -> RgbImage {
         let index = y as usize * resolution.n_x + x as usize;
         let at = |samples: &[f32]| samples.get(index).copied().unwrap_or(MISS);
         match at(ids) {
-            // Whatever is no object is background: another program's film may hold anything.
+            // Every other value is background, because another program's film may hold
+            // anything.
             id if id >= 0.0 => colour(HitSample {
                 id,
                 t: at(ts),

@@ -1,4 +1,4 @@
-//! Films: what a cast leaves behind, one sample per pixel and channel.
+//! Films: the result of a cast, with one sample per pixel and channel.
 
 use std::path::Path;
 

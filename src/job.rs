@@ -1,8 +1,8 @@
 //! What may be asked of a submission, what it may answer, and how both travel.
 //!
-//! A submission runs as a process of its own. It reads one [`Job`] and writes a
-//! stream of [`Message`]s: each a four-byte little-endian length and that many
-//! bytes of postcard. Whoever reads them trusts nothing (see [`ask`](crate::ask)).
+//! A submission runs as a process of its own. It reads one [`Job`] and writes a stream
+//! of [`Message`]s: each a four-byte little-endian length and that many bytes of
+//! postcard. The reader trusts none of it (see [`ask`](crate::ask)).
 
 use std::io::{self, Read, Write};
 
@@ -23,6 +23,8 @@ pub enum Job {
     Ask(Questions),
     /// The first hit of one ray among real shapes: a single answer.
     Cast(Ray, f64, Vec<Shape>),
+    /// Where each of these rays meets the object of the scene at this place in its list.
+    Meet(Scene, Vec<(Ray, usize)>),
 }
 
 impl Job {
@@ -32,6 +34,7 @@ impl Job {
             Job::Film(scene) => scene.resolution.pixels(),
             Job::Ask(questions) => questions.len(),
             Job::Cast(..) => 1,
+            Job::Meet(_, rays) => rays.len(),
         }
     }
 
@@ -50,7 +53,7 @@ impl Job {
     /// shape where the kind takes one.
     pub fn needs(&self, kind: Kind, shape: Option<ShapeKind>) -> bool {
         match self {
-            Job::Film(scene) => kind.is_needed_by(shape, scene),
+            Job::Film(scene) | Job::Meet(scene, _) => kind.is_needed_by(shape, scene),
             Job::Ask(questions) => kind == questions.kind(),
             Job::Cast(..) => true,
         }
@@ -60,7 +63,7 @@ impl Job {
     pub fn questions(&self) -> Option<&Questions> {
         match self {
             Job::Ask(questions) => Some(questions),
-            Job::Film(_) | Job::Cast(..) => None,
+            Job::Film(_) | Job::Cast(..) | Job::Meet(..) => None,
         }
     }
 
@@ -77,6 +80,10 @@ impl Job {
             }
             Job::Ask(questions) => questions.answer(index, functions),
             Job::Cast(ray, min_t, objects) => kind::cast(ray, *min_t, objects, functions),
+            Job::Meet(scene, rays) => {
+                let (ray, object) = rays[index];
+                kind::meet(&ray, scene.min_t, &scene.objects[object], functions)
+            }
         }
     }
 }

@@ -21,7 +21,7 @@ pub use verdict::{Bounds, ChannelVerdict, Mismatch, Refusal, Verdict};
 /// The tolerance that lets every finite sample pass.
 pub const EXEMPT: f32 = f32::MAX;
 
-/// A film made by Mitsuba and how far each of its samples may be missed.
+/// A film made by Mitsuba, and the tolerance of each of its samples.
 #[derive(Clone, Debug)]
 pub struct Golden {
     film: Film,
@@ -48,7 +48,7 @@ impl Golden {
         }
     }
 
-    /// How many of so many pixels may be exempt: one or 0.05 %, whichever is more.
+    /// How many of this many pixels may be exempt: one or 0.05 %, whichever is more.
     pub fn most_exempt(pixels: usize) -> usize {
         (pixels / 2000).max(1)
     }
@@ -69,7 +69,7 @@ impl Golden {
         })
     }
 
-    /// What Mitsuba saw.
+    /// Mitsuba's film.
     pub fn film(&self) -> &Film {
         &self.film
     }
@@ -79,7 +79,8 @@ impl Golden {
         &self.tolerance
     }
 
-    /// Whether the pixel at `index` is exempt: Mitsuba itself is of two minds there.
+    /// Whether the pixel at `index` is exempt, because Mitsuba's own answer changes
+    /// there when its ray moves slightly.
     pub fn is_exempt(&self, index: usize) -> bool {
         self.tolerance
             .channels()
@@ -87,12 +88,11 @@ impl Golden {
             .all(|channel| channel.samples[index] == EXEMPT)
     }
 
-    /// Where a film of the golden's size misses it by more than the tolerance, pixel
-    /// by pixel in image order. What is no number misses it, and so does a channel
-    /// that is not there.
+    /// Where a film of the golden's size misses it by more than the tolerance, pixel by
+    /// pixel in image order. NaN misses it, and so does a missing channel.
     ///
-    /// For pictures and explanations, which show refused films as well; the ruling is
-    /// [`judge`]'s.
+    /// For pictures and explanations, which show refused films as well. Only [`judge`]
+    /// decides.
     pub fn missed(&self, film: &Film, channel: &str) -> Vec<bool> {
         let pixels = 0..self.film.resolution().pixels();
         match comparison(self, film, channel) {

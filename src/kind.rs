@@ -17,6 +17,7 @@ mod soup;
 mod viewing_ray;
 
 use std::fmt;
+use std::ops::Range;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
@@ -25,6 +26,7 @@ use crate::camera::Resolution;
 use crate::error::Error;
 use crate::fact::Fact;
 use crate::film::{Film, Samples};
+use crate::part::{Condition, Part, Quantity};
 use crate::scene::Scene;
 use crate::shape::{Shape, ShapeKind};
 use crate::words;
@@ -33,6 +35,7 @@ pub use answer::{Answer, AnswerFn, Unregistered};
 pub use first_hit::ObjectsQuestion;
 pub(crate) use first_hit::cast;
 pub use intersect::ShapeQuestion;
+pub(crate) use intersect::meet;
 pub use soup::SoupQuestion;
 pub use viewing_ray::CameraQuestion;
 
@@ -79,6 +82,25 @@ trait Question {
             Answer::Ray(ray) => words::ray(ray, digits),
         }
     }
+
+    /// An answer to it part by part; `None` if it says that nothing is there.
+    fn parts(&self, answer: &Answer) -> Option<Vec<Part>> {
+        match answer {
+            Answer::Hit(hit) => hit.map(|hit| hit.parts()),
+            Answer::Ray(_) => None,
+        }
+    }
+
+    /// Numbers that a wrong answer may be off by, if this one is right; the same names for
+    /// all questions of a task.
+    fn quantities(&self, right: &Answer) -> Vec<Quantity>;
+
+    /// Conditions on it and on an answer to it, each met or not; the same names for all
+    /// questions of a task.
+    fn conditions(&self, answer: &Answer) -> Vec<Condition>;
+
+    /// Answers that a wrong one may be taken for, each with a name, if this one is right.
+    fn others(&self, right: &Answer) -> Vec<(&'static str, Answer)>;
 }
 
 impl Kind {
@@ -197,13 +219,13 @@ impl Questions {
         self.len() == 0
     }
 
-    /// All but the first so many.
-    pub fn skip(&self, count: usize) -> Questions {
+    /// Those in this range.
+    pub fn part(&self, range: Range<usize>) -> Questions {
         match self {
-            Questions::ViewingRay(all) => Questions::ViewingRay(all[count..].to_vec()),
-            Questions::Intersect(all) => Questions::Intersect(all[count..].to_vec()),
-            Questions::FirstHit(all) => Questions::FirstHit(all[count..].to_vec()),
-            Questions::Soup(all) => Questions::Soup(all[count..].to_vec()),
+            Questions::ViewingRay(all) => Questions::ViewingRay(all[range].to_vec()),
+            Questions::Intersect(all) => Questions::Intersect(all[range].to_vec()),
+            Questions::FirstHit(all) => Questions::FirstHit(all[range].to_vec()),
+            Questions::Soup(all) => Questions::Soup(all[range].to_vec()),
         }
     }
 
@@ -247,6 +269,28 @@ impl Questions {
     /// An answer to one of them in words.
     pub fn describe_answer(&self, index: usize, answer: &Answer, digits: usize) -> String {
         self.question(index).describe_answer(answer, digits)
+    }
+
+    /// An answer to one of them part by part; `None` if it says that nothing is there.
+    pub fn parts(&self, index: usize, answer: &Answer) -> Option<Vec<Part>> {
+        self.question(index).parts(answer)
+    }
+
+    /// Numbers that belong to one of them and its right answer, under the same names for all
+    /// of a task.
+    pub fn quantities(&self, index: usize, right: &Answer) -> Vec<Quantity> {
+        self.question(index).quantities(right)
+    }
+
+    /// Conditions on one of them and on an answer to it, each met or not, under the same
+    /// names for all of a task.
+    pub fn conditions(&self, index: usize, answer: &Answer) -> Vec<Condition> {
+        self.question(index).conditions(answer)
+    }
+
+    /// Answers that a wrong one may be taken for, each with a name, if this one is right.
+    pub fn others(&self, index: usize, right: &Answer) -> Vec<(&'static str, Answer)> {
+        self.question(index).others(right)
     }
 
     /// The answer to one of them that its golden film holds.

@@ -4,14 +4,14 @@
 //! A *submission* is a few small files of student's code; a *film* is the only thing it
 //! can say; a *golden* film, made by Mitsuba, is the only thing that judges it. The
 //! harness knows no submission: a submission's `main` hands its functions to [`serve()`],
-//! and whoever wants a film starts that program and [`ask`](mod@ask)s it.
+//! and to get a film, you start that program and [`ask`](mod@ask) it.
 //!
 //! Reading order:
 //!
 //! 1. [`ray`], [`camera`], [`shape`]: the words of the lecture;
 //! 2. [`scene`], [`mesh`]: where they are read from;
 //! 3. [`film`], [`judge`], [`oiiotool`]: what a cast leaves behind, and who judges it;
-//! 4. [`words`], [`report`], [`false_colour`]: how people look at it;
+//! 4. [`words`], [`report`], [`false_colour`], [`part`]: how people look at it;
 //! 5. [`kind`], [`job`], [`serve`](mod@serve), [`ask`](mod@ask): the seam between harness
 //!    and submission.
 //!
@@ -62,6 +62,8 @@ pub mod judge;
 pub mod kind;
 pub mod mesh;
 pub mod oiiotool;
+pub mod part;
+pub mod preview;
 pub mod ray;
 pub mod report;
 pub mod scene;

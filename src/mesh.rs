@@ -155,7 +155,7 @@ fn not_finite(text: &str, path: &Path) -> Error {
     }
 }
 
-/// Knows how far a parser has come, for its error message.
+/// Keeps track of the parser's line, for its error message.
 struct CountLines<R> {
     inner: R,
     line: usize,

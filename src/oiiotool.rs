@@ -64,13 +64,19 @@ impl Oiiotool {
         Some(Oiiotool { binary })
     }
 
+    /// The program's file.
+    pub fn binary(&self) -> &Path {
+        &self.binary
+    }
+
     /// Judges the film at `film` against the golden at `golden` and its tolerance.
     ///
     /// # Errors
     /// If the golden cannot be read, or the tool cannot be started.
     pub fn judge(&self, golden: &Path, film: &Path) -> Result<SecondVerdict, String> {
         let layout = Film::read(golden).map_err(|error| error.to_string())?;
-        // Under names of ours: in a path, the tool would take `#` and `{…}` for its own.
+        // Under plain names, because `#` and `{…}` in a path have a meaning of their own
+        // for the tool.
         let table =
             Table::lay(golden, film).map_err(|error| format!("cannot copy films: {error}"))?;
         let output = Command::new(&self.binary)
@@ -137,7 +143,7 @@ fn arguments(layout: &Film) -> Vec<OsString> {
 
     let mut line = words("--native --fail 0 --failpercent 0 --hardfail 0");
     line.push(FILM.into());
-    // Reading a file that is not there is how a guard says no.
+    // A guard refuses a film by reading a file that does not exist.
     for (what, value) in expected {
         line.extend(words(&format!(
             "--if {{TOP.{what}!={value}}} --i WRONG_LAYOUT --endif"

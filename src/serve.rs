@@ -43,8 +43,8 @@ pub fn serve(functions: &[AnswerFn]) -> ExitCode {
     }
 }
 
-/// Somebody has started the submission by hand. In its folder `cargo run` means this
-/// program, though `pinhole` was meant: that is asked in its place.
+/// Runs `pinhole` instead, because a person has started the submission by hand: in its
+/// folder, `cargo run` means this program.
 fn hand_on() -> ExitCode {
     let words: Vec<_> = std::env::args_os().skip(1).collect();
     let cargo = std::env::var_os("CARGO").filter(|_| !words.is_empty());
@@ -78,12 +78,12 @@ fn serve_through_stdin(functions: &[AnswerFn]) -> io::Result<()> {
 /// What the asker sends when it has read as much of standard output as it wants.
 pub(crate) const ENOUGH_OUTPUT: u8 = 1;
 
-/// The same of standard error.
+/// What the asker sends when it has read as much of standard error as it wants.
 pub(crate) const ENOUGH_ERRORS: u8 = 2;
 
-/// Ends this process when nobody is there any more to read its answers, even if the
-/// student's code never comes to an end; and throws away what is printed when the asker has
-/// read enough, because a pipe takes ten times as long.
+/// Ends this process when the asker is gone, even if the student's code loops forever. Once
+/// the asker has read enough, discards what the code prints, because writing to a pipe
+/// takes ten times as long.
 #[cfg(unix)]
 fn listen_to(mut asker: std::os::unix::net::UnixStream) {
     std::thread::spawn(move || {
@@ -100,7 +100,7 @@ fn listen_to(mut asker: std::os::unix::net::UnixStream) {
 
 #[cfg(unix)]
 fn print_nothing_to(stream: u8) {
-    // If it cannot be opened, prints go on into the pipe, which is only slower.
+    // If it cannot be opened, printing still works, only more slowly.
     if let Ok(nowhere) = std::fs::OpenOptions::new().write(true).open("/dev/null") {
         let _ = match stream {
             ENOUGH_OUTPUT => rustix::stdio::dup2_stdout(&nowhere),
@@ -143,7 +143,7 @@ fn answer_job(functions: &[AnswerFn], job: &Job, out: &mut (impl Write + Send)) 
     })
 }
 
-/// The answers to these questions, or else why there is none to one of them.
+/// The answers to these questions, or why one of them has none.
 fn answer_all(
     functions: &[AnswerFn],
     job: &Job,
@@ -184,7 +184,7 @@ fn remember(info: &PanicHookInfo<'_>) {
     }));
 }
 
-/// A panic of which the hook saw nothing, because it happened on another thread.
+/// A panic that the hook did not see, because it happened on another thread.
 fn unknown_panic() -> Panic {
     Panic {
         message: "(no message)".into(),

@@ -1,4 +1,4 @@
-//! The shapes a ray can meet. How it meets them is the student's work.
+//! The shapes a ray can meet. Students write how it meets them.
 //!
 //! A shape is one file of this folder: its data, how it is read from a scene file and
 //! from a question film, and how it is put into words. The table below lists them all.
@@ -13,10 +13,13 @@ mod triangle;
 
 use std::fmt;
 
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
 use crate::film::Samples;
+use crate::part::{Condition, Quantity};
+use crate::ray::{Intersection, Ray};
 
 pub use canned::Canned;
 pub use disk::Disk;
@@ -42,6 +45,22 @@ trait Notation: Sized {
 
     /// What stands behind its name when it is described.
     fn words(&self, digits: usize) -> String;
+
+    /// Numbers that belong to it and a ray, under the same names for every shape of its kind.
+    fn quantities(&self, _ray: &Ray) -> Vec<Quantity> {
+        Vec::new()
+    }
+
+    /// Conditions on it and on a ray that meets it, or should, at `point`, which is not
+    /// finite for a miss. The same names for every shape of its kind.
+    fn conditions(&self, _ray: &Ray, _point: DVec3) -> Vec<Condition> {
+        Vec::new()
+    }
+
+    /// Another point where the same ray meets it, and what that point is called.
+    fn other(&self, _ray: &Ray, _there: Intersection) -> Option<(&'static str, Intersection)> {
+        None
+    }
 }
 
 /// Makes [`Shape`] and [`ShapeKind`] from a table of names and types.
@@ -76,10 +95,32 @@ macro_rules! shapes {
                 }
             }
 
-            /// What it is made of, in words, with so many digits.
+            /// Its numbers in words, with this many digits.
             pub fn words(&self, digits: usize) -> String {
                 match self {
                     $(Shape::$shape(data) => data.words(digits),)*
+                }
+            }
+
+            pub(crate) fn quantities(&self, ray: &Ray) -> Vec<Quantity> {
+                match self {
+                    $(Shape::$shape(data) => data.quantities(ray),)*
+                }
+            }
+
+            pub(crate) fn conditions(&self, ray: &Ray, point: DVec3) -> Vec<Condition> {
+                match self {
+                    $(Shape::$shape(data) => data.conditions(ray, point),)*
+                }
+            }
+
+            pub(crate) fn other(
+                &self,
+                ray: &Ray,
+                there: Intersection,
+            ) -> Option<(&'static str, Intersection)> {
+                match self {
+                    $(Shape::$shape(data) => data.other(ray, there),)*
                 }
             }
         }
@@ -138,7 +179,7 @@ impl Shape {
 }
 
 impl ShapeKind {
-    /// The shapes that it is made of, if any: who intersects it intersects those.
+    /// The shapes that it is made of, if any: its intersections are theirs.
     pub fn parts(self) -> &'static [ShapeKind] {
         match self {
             ShapeKind::Soup => &[ShapeKind::Triangle],

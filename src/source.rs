@@ -1,4 +1,5 @@
-//! TOML text under check: values that know where they stand, and errors that say so.
+//! TOML with positions: values that know their line and column, and errors that show
+//! them.
 
 use std::ops::Range;
 use std::path::Path;
@@ -130,7 +131,7 @@ impl Source<'_> {
     }
 }
 
-/// Problem and remedy of a key that nothing here has.
+/// Problem and remedy for a key that no table has.
 fn unknown_key(key: &str, message: &str) -> (String, String) {
     if NOT_MODELLED.contains(&key) {
         let problem = format!(

@@ -1,4 +1,4 @@
-//! What several test modules need: files to read, and numbers nobody chose.
+//! What several test modules need: files to read, and random numbers.
 
 pub(crate) mod fuzz;
 

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::ray::{Hit, Ray};
 
-/// A number with at most so many significant digits, no trailing zeros, and a real
+/// A number with at most this many significant digits, no trailing zeros, and a real
 /// minus sign.
 pub fn number(value: f64, digits: usize) -> String {
     let text = match value.abs() {
@@ -58,7 +58,7 @@ pub fn hit(hit: Option<Hit>, digits: usize) -> String {
     }
 }
 
-/// The same where it is clear which object is meant: "t = 3.2, normal (0, 1, 0)".
+/// A hit without its object: "t = 3.2, normal (0, 1, 0)".
 pub fn intersection(hit: Option<Hit>, digits: usize) -> String {
     match hit {
         Some(Hit {

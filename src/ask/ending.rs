@@ -26,7 +26,7 @@ pub enum Ending {
 }
 
 impl Ending {
-    /// The end of a process that left early, by its status and what it printed.
+    /// How a process died, told by its exit status and what it printed.
     pub(super) fn died(status: Option<ExitStatus>, printed: &str) -> Ending {
         Ending::Died(Death::of(status, printed))
     }
@@ -45,7 +45,7 @@ pub enum Death {
     Exit(i32),
     /// It was killed, and the system tells no more than this.
     Killed(String),
-    /// Nobody knows.
+    /// The cause is unknown.
     Lost,
 }
 

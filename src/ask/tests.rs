@@ -18,7 +18,7 @@ const RAY: Ray = Ray {
     direction: DVec3::Z,
 };
 
-/// A job of so many hits.
+/// A job with this many hits.
 fn hits(count: usize) -> Job {
     let question = ObjectsQuestion {
         objects: Vec::new(),
@@ -28,7 +28,7 @@ fn hits(count: usize) -> Job {
     Job::Ask(Questions::FirstHit(vec![question; count]))
 }
 
-/// A job of so many rays.
+/// A job with this many rays.
 fn rays(count: usize) -> Job {
     let projection = Projection::Orthographic;
     let camera = Camera::new(DVec3::ZERO, DVec3::X, DVec3::Y, (1.0, 1.0), projection);
@@ -51,16 +51,6 @@ fn hit(object: usize) -> Answer {
     }))
 }
 
-fn reply_to(job: &Job) -> Reply {
-    Reply {
-        answers: vec![None; job.len()],
-        missing: job.len(),
-        ending: Ending::Complete,
-        start: Duration::ZERO,
-        printed: String::new(),
-    }
-}
-
 fn answers(first: usize, answers: &[Answer]) -> Message {
     let answers = answers.to_vec();
     Message::Answers { first, answers }
@@ -69,7 +59,7 @@ fn answers(first: usize, answers: &[Answer]) -> Message {
 /// Expects all of these messages to be taken but the last.
 #[track_caller]
 fn refused(job: &Job, messages: &[Message], why: &str) -> Reply {
-    let mut reply = reply_to(job);
+    let mut reply = Reply::before(job);
     let (last, before) = messages.split_last().unwrap();
     for message in before {
         reply.take(job, message.clone()).unwrap();
@@ -86,7 +76,7 @@ mod message {
     #[test]
     fn answers_may_come_in_any_order() {
         let job = hits(5);
-        let mut reply = reply_to(&job);
+        let mut reply = Reply::before(&job);
         let take = |reply: &mut Reply, first, given: &[_]| reply.take(&job, answers(first, given));
         assert_eq!(take(&mut reply, 3, &[hit(3), hit(4)]), Ok(true));
         assert_eq!(take(&mut reply, 0, &[hit(0)]), Ok(true));
@@ -109,7 +99,7 @@ mod message {
     }
 
     #[test]
-    fn a_message_without_an_answer_is_none() {
+    fn message_without_an_answer_is_refused() {
         // Or a stream of them would keep its reader busy until time is up.
         refused(&hits(5), &[answers(0, &[])], "without an answer");
     }
@@ -130,7 +120,7 @@ mod message {
     }
 
     #[test]
-    fn a_ray_is_no_hit_and_a_hit_no_ray() {
+    fn ray_for_a_hit_or_hit_for_a_ray_is_refused() {
         refused(
             &hits(2),
             &[answers(0, &[Answer::Ray(RAY)])],
@@ -147,7 +137,7 @@ mod message {
     #[test]
     fn a_panic_ends_the_reply_and_stays_within_the_job() {
         let job = hits(3);
-        let mut reply = reply_to(&job);
+        let mut reply = Reply::before(&job);
         let panic = Panic {
             message: "é".repeat(MOST_PANIC_TEXT),
             file: "a.rs".into(),
@@ -163,7 +153,7 @@ mod message {
     }
 
     #[test]
-    fn a_panic_in_a_job_without_questions_is_still_told() {
+    fn panic_in_a_job_without_questions_is_reported() {
         let job = hits(0);
         let panic = Panic {
             message: String::new(),
@@ -172,7 +162,7 @@ mod message {
             index: 5,
         };
         assert_eq!(
-            reply_to(&job).take(&job, Message::Panicked(panic)),
+            Reply::before(&job).take(&job, Message::Panicked(panic)),
             Ok(false)
         );
     }
@@ -199,7 +189,7 @@ mod message {
         let mut random = Random::new(1);
         for _ in 0..3000 {
             let job = [hits(4), rays(4)][random.below(2)].clone();
-            let mut reply = reply_to(&job);
+            let mut reply = Reply::before(&job);
             for _ in 0..random.below(6) {
                 let first = *random.one_of(&[0, 1, 2, 3, 4, 5, usize::MAX]);
                 let given = (0..random.below(4))
@@ -220,7 +210,7 @@ mod reply {
     use super::*;
 
     fn complete(answers: &[Answer]) -> Reply {
-        let mut reply = reply_to(&hits(0));
+        let mut reply = Reply::before(&hits(0));
         reply.answers = answers.iter().copied().map(Some).collect();
         reply
     }
@@ -230,7 +220,7 @@ mod reply {
     }
 
     #[test]
-    fn what_was_not_answered_is_a_miss() {
+    fn missing_answer_becomes_a_miss() {
         let mut reply = complete(&[hit(3), Answer::Hit(None), hit(5)]);
         reply.answers[2] = None;
         assert_eq!(reply.film(row(3)).channel("id").unwrap(), [3.0, -1.0, -1.0]);

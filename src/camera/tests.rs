@@ -64,7 +64,7 @@ fn seen_from_the_front_right_is_x_and_up_is_y() {
 }
 
 #[test]
-fn parallel_directions_make_no_frame() {
+fn parallel_directions_have_no_frame() {
     let mut random = Random::new(4);
     for _ in 0..500 {
         let view = random.vector();
@@ -88,7 +88,7 @@ fn nearly_parallel_directions_make_a_frame_or_none() {
 }
 
 #[test]
-fn a_direction_of_no_length_makes_no_frame() {
+fn direction_of_length_zero_has_no_frame() {
     for nothing in [DVec3::ZERO, DVec3::splat(f64::NAN), DVec3::splat(1e-320)] {
         assert_eq!(camera(nothing, DVec3::Y), None);
         assert_eq!(camera(DVec3::NEG_Z, nothing), None);

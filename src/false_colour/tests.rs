@@ -52,7 +52,7 @@ fn depths_twice_too_large_look_wrong_in_the_goldens_range() {
 }
 
 #[test]
-fn what_is_nearer_is_brighter() {
+fn nearer_pixels_are_brighter() {
     let film = at(&[1.0, 1.5, 2.0, 3.0, 5.0]);
     let picture = depth(&film, 1.0, 1.0..5.0);
     let shades: Vec<u32> = picture.pixels().map(brightness).collect();
@@ -74,7 +74,7 @@ fn depth_is_t_times_the_cameras_factor() {
 }
 
 #[test]
-fn what_lies_outside_the_range_looks_like_its_end() {
+fn depth_outside_the_range_is_clamped() {
     let picture = depth(&at(&[0.5, 1.0, 2.0, 9.0]), 1.0, 1.0..2.0);
     assert_eq!(picture.get_pixel(0, 0), picture.get_pixel(1, 0));
     assert_eq!(picture.get_pixel(2, 0), picture.get_pixel(3, 0));
@@ -95,7 +95,7 @@ fn misses_have_no_depth() {
 }
 
 #[test]
-fn what_hits_nothing_is_background_in_every_picture() {
+fn misses_are_background_in_every_picture() {
     let film = hits(&[-1.0, 0.0], &[0.0, 1.0]);
     for picture in [id(&film), normal(&film), depth(&film, 1.0, 0.0..2.0)] {
         assert_eq!(*picture.get_pixel(0, 0), BACKGROUND);
@@ -179,7 +179,7 @@ fn each_kind_of_difference_has_its_colour_and_the_worst_wins() {
 }
 
 #[test]
-fn what_is_no_number_is_a_difference() {
+fn nan_is_a_difference() {
     let golden = golden(at(&[1.0]));
     let picture = difference(&golden, &at(&[f32::NAN]));
     assert_eq!(*picture.get_pixel(0, 0), Difference::T.colour());
@@ -232,7 +232,7 @@ fn golden(film: Film) -> Golden {
 }
 
 #[test]
-fn kinds_of_difference_stay_apart_for_colour_blind_eyes() {
+fn colour_blind_readers_can_tell_the_kinds_of_difference_apart() {
     // What is left of a colour without the long, middle or short cones (Machado, Oliveira
     // & Fernandes, "A Physiologically-based Model for Simulation of Color Vision
     // Deficiency", 2009, table 1, severity 1), on linear samples.
@@ -280,4 +280,12 @@ fn kinds_of_difference_stay_apart_for_colour_blind_eyes() {
             }
         }
     }
+}
+
+#[test]
+fn faded_pixels_go_two_thirds_of_the_way_to_the_background() {
+    let mut picture = RgbImage::from_pixel(2, 1, Rgb([255, 24, 0]));
+    fade(&mut picture, &[false, true]);
+    assert_eq!(picture.get_pixel(0, 0), &Rgb([255, 24, 0]));
+    assert_eq!(picture.get_pixel(1, 0), &Rgb([101, 24, 18]));
 }

@@ -20,8 +20,8 @@ use crate::error::Error;
 /// No more samples than this over all channels: they fill 1 GiB.
 const MOST_SAMPLES: usize = 1 << 28;
 
-/// Deflate cannot shrink data further than this, so a file that claims to hold more
-/// is lying, and would have us allocate what it never fills.
+/// Deflate can't compress data further than this, so a file that claims to hold more is
+/// damaged or hostile. Believing it would allocate memory that is never filled.
 const MOST_COMPRESSION: usize = 1100;
 
 pub(super) fn read(path: &Path) -> Result<Film, Error> {
@@ -34,7 +34,7 @@ pub(super) fn read(path: &Path) -> Result<Film, Error> {
     }
     let bytes =
         fs::read(path).map_err(|error| refuse(format!("cannot read this film: {error}")))?;
-    // The bytes may be anybody's: a decoder that stumbles over them must not take us along.
+    // The bytes are untrusted: a panic in the decoder must not end this program.
     let decoded = catch_unwind(AssertUnwindSafe(|| decode(&bytes)));
     let image = match decoded {
         Ok(image) => image.map_err(&refuse)?,

@@ -1,5 +1,5 @@
-//! One pixel of a film that holds questions: its samples by channel name, none of them
-//! taken on trust.
+//! One pixel of a film that holds questions: its samples by channel name, each of them
+//! checked.
 
 use glam::DVec3;
 
@@ -42,7 +42,7 @@ impl<'a> Samples<'a> {
         match self.number(name)? {
             value if value >= 0.0 && value.fract() == 0.0 => Ok(value as usize),
             value => Err(format!(
-                "channel `{name}` holds {value}, which counts nothing"
+                "channel `{name}` holds {value}, which is not a count"
             )),
         }
     }
@@ -61,7 +61,7 @@ impl<'a> Samples<'a> {
         })
     }
 
-    /// From which t on an intersection counts.
+    /// The smallest t at which an intersection counts.
     pub fn min_t(self) -> Result<f64, String> {
         match self.number("min_t")? {
             min_t if min_t < 0.0 => Err(format!(

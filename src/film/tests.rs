@@ -127,7 +127,7 @@ fn a_ray_is_an_origin_and_a_direction() {
 }
 
 #[test]
-fn what_a_film_shows_is_what_it_was_made_of() {
+fn samples_are_read_back_as_the_hits_they_were_made_of() {
     let resolution = Resolution { n_x: 2, n_y: 1 };
     let met = Some(Hit {
         object: 7,
@@ -160,7 +160,7 @@ fn a_channel_is_found_by_its_exact_name() {
 }
 
 #[test]
-fn a_film_that_is_not_there_is_told_so() {
+fn missing_film_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
     for path in [folder.path().join("absent.exr"), folder.path().into()] {
         let error = Film::read(&path).unwrap_err();

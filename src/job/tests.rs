@@ -84,12 +84,12 @@ fn a_message_as_long_as_allowed_is_received_and_a_longer_one_is_not() {
 }
 
 #[test]
-fn a_message_that_only_claims_to_be_long_is_refused_before_it_comes() {
+fn message_with_too_large_a_length_is_refused_before_it_is_read() {
     refused(&u32::MAX.to_le_bytes(), "a message of 4294967295 bytes");
 }
 
 #[test]
-fn a_message_that_breaks_off_is_no_message() {
+fn message_that_breaks_off_is_refused() {
     let whole = sent(&message());
     for length in 1..whole.len() {
         let error = receive_from(&whole[..length]).unwrap_err();
@@ -152,7 +152,7 @@ fn a_job_is_as_long_as_its_answers() {
 }
 
 #[test]
-fn only_what_nobody_wrote_yet_is_unanswered() {
+fn only_a_todo_is_unanswered() {
     let panic = |message: &str| Panic {
         message: message.into(),
         file: "src/sphere.rs".into(),

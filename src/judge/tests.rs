@@ -152,7 +152,7 @@ fn the_worst_pixel_is_found_even_where_no_pixel_shows_the_right_object() {
 }
 
 #[test]
-fn a_tolerance_of_nothing_is_missed_by_infinitely_many() {
+fn error_over_a_tolerance_of_zero_is_infinite() {
     let golden = one_channel(&[1.0, 1.0], &[0.1, 0.0]);
     let verdict = judge(&golden, &row(&[("t", &[9.0, 1.1])])).unwrap();
     let worst = channel(&verdict, "t").worst.unwrap();

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Kind;
 use crate::camera::{Camera, Pixel, Resolution};
+use crate::part::Part;
 use crate::ray::{Hit, Intersection, Ray};
 use crate::shape::{Canned, Shape, TriangleSoup};
 
@@ -52,12 +53,45 @@ pub enum Answer {
 }
 
 impl Answer {
+    /// What was hit, if it is about hits and anything was.
+    pub(super) fn hit(&self) -> Option<Hit> {
+        match self {
+            Answer::Hit(hit) => *hit,
+            Answer::Ray(_) => None,
+        }
+    }
+
     /// What a shape that is asked alone answers.
     pub(super) fn alone(intersection: Option<Intersection>) -> Answer {
         Answer::Hit(intersection.map(|intersection| Hit {
             object: 0,
             intersection,
         }))
+    }
+}
+
+impl Hit {
+    /// What can be right or wrong in it.
+    pub(super) fn parts(&self) -> Vec<Part> {
+        let part = |name, values, axes, channels| Part {
+            name,
+            values,
+            axes,
+            unit: "",
+            channels,
+            scale: 1.0,
+        };
+        let Intersection { t, normal } = self.intersection;
+        vec![
+            part("the object", vec![self.object as f64], &[], &["id"]),
+            part("t", vec![t], &[], &["t"]),
+            part(
+                "the normal",
+                normal.to_array().to_vec(),
+                &["x", "y", "z"],
+                &["N.X", "N.Y", "N.Z"],
+            ),
+        ]
     }
 }
 

@@ -1,5 +1,5 @@
-//! How questions to cameras travel: every pixel of a film asks the same one, which is
-//! sent once.
+//! How questions about cameras are sent: all pixels of a film ask about the same
+//! camera, which is sent once.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 

@@ -3,7 +3,8 @@ use serde::{Deserialize, Serialize};
 use super::{Answer, AnswerFn, Kind, Question, Unregistered};
 use crate::fact::Fact;
 use crate::film::Samples;
-use crate::ray::Ray;
+use crate::part::{Condition, Quantity};
+use crate::ray::{Hit, Ray};
 use crate::shape::{Canned, Shape};
 use crate::words::{self, number};
 
@@ -41,6 +42,18 @@ impl Question for ObjectsQuestion {
         facts(&self.objects, self.min_t, digits)
     }
 
+    fn quantities(&self, _: &Answer) -> Vec<Quantity> {
+        Quantity::of_ray(&self.ray, self.min_t)
+    }
+
+    fn conditions(&self, answer: &Answer) -> Vec<Condition> {
+        conditions(&self.objects, self.min_t, answer)
+    }
+
+    fn others(&self, _: &Answer) -> Vec<(&'static str, Answer)> {
+        others(&self.objects, self.min_t)
+    }
+
     /// Only here does it matter which object is hit.
     fn describe_answer(&self, answer: &Answer, digits: usize) -> String {
         match answer {
@@ -57,6 +70,87 @@ pub(super) fn facts(objects: &[Canned], min_t: f64, digits: usize) -> Vec<Fact> 
         Fact::new("min_t", number(min_t, digits)),
         Fact::new("objects", format!("met at t = {{ {objects} }}")),
     ]
+}
+
+/// Conditions on a list of canned objects and an answer about it.
+pub(super) fn conditions(objects: &[Canned], min_t: f64, answer: &Answer) -> Vec<Condition> {
+    let found: Vec<bool> = objects
+        .iter()
+        .map(|object| object.intersect(min_t).is_some())
+        .collect();
+    let hits = found.iter().filter(|found| **found).count();
+    let before = |object: &Canned| object.intersections.iter().any(|at| at.t < min_t);
+    let t = answer.hit().map_or(f64::NAN, |hit| hit.intersection.t);
+    let is = |condition: Option<&bool>| condition == Some(&true);
+    vec![
+        Condition::new("t is below min_t", "t is min_t or more", t < min_t),
+        Condition::new(
+            "the list is empty",
+            "the list is not empty",
+            objects.is_empty(),
+        ),
+        Condition::new(
+            "one alone of the list is met",
+            "several or none are met",
+            hits == 1,
+        ),
+        Condition::new(
+            "the first of the list is met",
+            "the first of the list is not met",
+            is(found.first()),
+        ),
+        Condition::new(
+            "the last of the list is met",
+            "the last of the list is not met",
+            is(found.last()),
+        ),
+        Condition::new(
+            "one of the list is not met",
+            "all of the list are met",
+            hits < objects.len(),
+        ),
+        Condition::new(
+            "one of the list is met before min_t",
+            "none of the list is met before min_t",
+            objects.iter().any(before),
+        ),
+    ]
+}
+
+/// Answers that a search gives if it looks for something else in the list.
+pub(super) fn others(objects: &[Canned], min_t: f64) -> Vec<(&'static str, Answer)> {
+    let from = |min_t: f64| -> Vec<Hit> {
+        let hit = |(object, canned): (usize, &Canned)| {
+            let intersection = canned.intersect(min_t)?;
+            Some(Hit {
+                object,
+                intersection,
+            })
+        };
+        objects.iter().enumerate().filter_map(hit).collect()
+    };
+    let (met, anywhere) = (from(min_t), from(f64::NEG_INFINITY));
+    let in_front = from(0.0);
+    let by_t = |a: &&Hit, b: &&Hit| a.intersection.t.total_cmp(&b.intersection.t);
+    let mut sorted: Vec<&Hit> = met.iter().collect();
+    sorted.sort_by(by_t);
+    let farthest = sorted.last().copied();
+    let all = [
+        ("that of the first of the list that is met", met.first()),
+        ("that of the last of the list that is met", met.last()),
+        ("that of the farthest", farthest),
+        ("that of the second nearest", sorted.get(1).copied()),
+        (
+            "that of the nearest from t = 0 on",
+            in_front.iter().min_by(by_t),
+        ),
+        (
+            "that of the nearest whatever min_t is",
+            anywhere.iter().min_by(by_t),
+        ),
+    ];
+    let answer = |(name, hit): (_, Option<&Hit>)| Some((name, Answer::Hit(Some(*hit?))));
+    all.into_iter().filter_map(answer).collect()
 }
 
 /// What the submission's function finds first of real shapes.

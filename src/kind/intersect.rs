@@ -3,7 +3,8 @@ use serde::{Deserialize, Serialize};
 use super::{Answer, AnswerFn, Kind, Question, Unregistered};
 use crate::fact::Fact;
 use crate::film::Samples;
-use crate::ray::Ray;
+use crate::part::{Condition, Quantity};
+use crate::ray::{Hit, Ray};
 use crate::shape::{Shape, ShapeKind};
 use crate::words::{self, number};
 
@@ -30,11 +31,7 @@ impl ShapeQuestion {
 
 impl Question for ShapeQuestion {
     fn answer(&self, functions: &[AnswerFn]) -> Result<Answer, Unregistered> {
-        let intersect = AnswerFn::find(functions, Kind::Intersect, |function| match function {
-            AnswerFn::Intersect(intersect) => Some(*intersect),
-            _ => None,
-        })?;
-        Ok(Answer::alone(intersect(&self.shape, &self.ray, self.min_t)))
+        meet(&self.ray, self.min_t, &self.shape, functions)
     }
 
     fn describe(&self, _: &str, digits: usize) -> Vec<Fact> {
@@ -44,4 +41,58 @@ impl Question for ShapeQuestion {
             Fact::new(self.shape.kind().name(), self.shape.words(digits)),
         ]
     }
+
+    fn quantities(&self, _: &Answer) -> Vec<Quantity> {
+        let mut quantities = Quantity::of_ray(&self.ray, self.min_t);
+        quantities.extend(self.shape.quantities(&self.ray));
+        quantities
+    }
+
+    fn conditions(&self, answer: &Answer) -> Vec<Condition> {
+        let hit = answer.hit().map(|hit| hit.intersection);
+        let t = hit.map_or(f64::NAN, |hit| hit.t);
+        let leaves = hit.is_some_and(|hit| self.ray.direction.dot(hit.normal) > 0.0);
+        let mut conditions = vec![
+            Condition::new("t is below 0", "t is 0 or more", t < 0.0),
+            Condition::new("t is below min_t", "t is min_t or more", t < self.min_t),
+            Condition::new("t is below 1", "t is 1 or more", t < 1.0),
+            Condition::new(
+                "d · n > 0 (met from behind)",
+                "d · n < 0 (met from the front)",
+                leaves,
+            ),
+        ];
+        conditions.extend(self.shape.conditions(&self.ray, self.ray.at(t)));
+        conditions
+    }
+
+    fn others(&self, right: &Answer) -> Vec<(&'static str, Answer)> {
+        let hit = right.hit();
+        let other = hit.and_then(|hit| self.shape.other(&self.ray, hit.intersection));
+        let named = |(name, intersection)| {
+            let object = 0;
+            (
+                name,
+                Answer::Hit(Some(Hit {
+                    object,
+                    intersection,
+                })),
+            )
+        };
+        other.into_iter().map(named).collect()
+    }
+}
+
+/// Where the submission's function says that a ray meets a shape.
+pub(crate) fn meet(
+    ray: &Ray,
+    min_t: f64,
+    shape: &Shape,
+    functions: &[AnswerFn],
+) -> Result<Answer, Unregistered> {
+    let intersect = AnswerFn::find(functions, Kind::Intersect, |function| match function {
+        AnswerFn::Intersect(intersect) => Some(*intersect),
+        _ => None,
+    })?;
+    Ok(Answer::alone(intersect(shape, ray, min_t)))
 }

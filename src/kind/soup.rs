@@ -3,6 +3,7 @@ use serde::{Deserialize, Serialize};
 use super::{Answer, AnswerFn, Kind, Question, Unregistered, first_hit};
 use crate::fact::Fact;
 use crate::film::Samples;
+use crate::part::{Condition, Quantity};
 use crate::ray::Ray;
 use crate::shape::{Canned, TriangleSoup};
 
@@ -39,5 +40,23 @@ impl Question for SoupQuestion {
 
     fn describe(&self, _: &str, digits: usize) -> Vec<Fact> {
         first_hit::facts(&self.soup.triangles, self.min_t, digits)
+    }
+
+    fn quantities(&self, _: &Answer) -> Vec<Quantity> {
+        Quantity::of_ray(&self.ray, self.min_t)
+    }
+
+    fn conditions(&self, answer: &Answer) -> Vec<Condition> {
+        first_hit::conditions(&self.soup.triangles, self.min_t, answer)
+    }
+
+    /// Whichever triangle is met, the soup is one object.
+    fn others(&self, _: &Answer) -> Vec<(&'static str, Answer)> {
+        let others = first_hit::others(&self.soup.triangles, self.min_t).into_iter();
+        let alone = |(name, other): (_, Answer)| {
+            let intersection = other.hit().map(|hit| hit.intersection);
+            (name, Answer::alone(intersection))
+        };
+        others.map(alone).collect()
     }
 }

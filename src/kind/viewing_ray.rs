@@ -1,9 +1,11 @@
+use glam::{DMat3, DVec3};
 use serde::Serialize;
 
 use super::{Answer, AnswerFn, Kind, Question, Unregistered};
 use crate::camera::{Camera, Pixel, Projection, Resolution};
 use crate::fact::Fact;
-use crate::film::Samples;
+use crate::film::{RAY_CHANNELS, Samples};
+use crate::part::{Condition, Part, Quantity};
 use crate::ray::Ray;
 use crate::scene::Scene;
 use crate::words::{number, vector};
@@ -95,5 +97,142 @@ impl Question for CameraQuestion {
             ),
             Fact::new("camera", camera),
         ]
+    }
+
+    /// A ray in the camera's own frame: where it crosses the image plane, where it starts,
+    /// and its direction.
+    fn parts(&self, answer: &Answer) -> Option<Vec<Part>> {
+        let Answer::Ray(ray) = answer else {
+            return None;
+        };
+        let camera = &self.camera;
+        let Ray {
+            origin: start,
+            direction,
+        } = self.in_camera_space(ray);
+        let [across_u, across_v] = self.on_image_plane(ray);
+        let Resolution { n_x, n_y } = self.resolution;
+        let per_unit = [n_x as f64 / camera.width, n_y as f64 / camera.height];
+        let (origin, along) = RAY_CHANNELS.split_at(3);
+        let channels = match self.focal_length() {
+            Some(_) => along,
+            None => origin,
+        };
+        let of_frame = |name, vector: DVec3, channels| Part {
+            name,
+            values: vector.to_array().to_vec(),
+            axes: &["u", "v", "w"],
+            unit: "",
+            channels,
+            scale: 1.0,
+        };
+        Some(vec![
+            Part {
+                name: "the ray's point on the image plane",
+                values: vec![across_u * per_unit[0], across_v * per_unit[1]],
+                axes: &["u", "v"],
+                unit: " pixels",
+                channels,
+                scale: 1.0 / per_unit[0].max(per_unit[1]),
+            },
+            of_frame("the origin", start, origin),
+            of_frame("the direction", direction, along),
+        ])
+    }
+
+    fn quantities(&self, right: &Answer) -> Vec<Quantity> {
+        let Camera { width, height, .. } = self.camera;
+        let [n_x, n_y] = [self.resolution.n_x, self.resolution.n_y].map(|count| count as f64);
+        let length = match right {
+            Answer::Ray(ray) => ray.direction.length(),
+            Answer::Hit(_) => f64::NAN,
+        };
+        let focal_length = self.focal_length().unwrap_or(f64::NAN);
+        vec![
+            Quantity::new("the focal length", focal_length),
+            Quantity::new("|s − e|", length),
+            Quantity::new("n_x", n_x),
+            Quantity::new("n_y", n_y),
+            Quantity::new("n_x / (n_x − 1)", n_x / (n_x - 1.0)),
+            Quantity::new("n_y / (n_y − 1)", n_y / (n_y - 1.0)),
+            Quantity::new("the width", width),
+            Quantity::new("the height", height),
+            Quantity::new("the aspect ratio", width / height),
+            Quantity::new("n_x / n_y", n_x / n_y),
+        ]
+    }
+
+    fn conditions(&self, _: &Answer) -> Vec<Condition> {
+        vec![Condition::new(
+            "the camera is orthographic",
+            "the camera is perspective",
+            self.focal_length().is_none(),
+        )]
+    }
+
+    fn others(&self, right: &Answer) -> Vec<(&'static str, Answer)> {
+        let Answer::Ray(right) = right else {
+            return Vec::new();
+        };
+        let Camera { eye, u, v, w, .. } = self.camera;
+        let [start, direction] = [right.origin - eye, right.direction];
+        let frame = DMat3::from_cols(u, v, w);
+        let turned = |matrix: DMat3| Ray {
+            origin: eye + matrix * self.in_frame(start),
+            direction: matrix * self.in_frame(direction),
+        };
+        let to_point = Ray {
+            direction: right.at(1.0),
+            ..*right
+        };
+        [
+            (
+                "what you get with columns and rows of the frame exchanged",
+                turned(frame.transpose()),
+            ),
+            (
+                "what you get without the camera's frame",
+                turned(DMat3::IDENTITY),
+            ),
+            (
+                "the point on the image plane instead of the way to it",
+                to_point,
+            ),
+        ]
+        .map(|(name, ray)| (name, Answer::Ray(ray)))
+        .to_vec()
+    }
+}
+
+impl CameraQuestion {
+    /// A ray of world space in camera space.
+    pub fn in_camera_space(&self, ray: &Ray) -> Ray {
+        Ray {
+            origin: self.in_frame(ray.origin - self.camera.eye),
+            direction: self.in_frame(ray.direction),
+        }
+    }
+
+    /// Where a ray of world space meets the image plane, along u and v from its middle; not
+    /// finite where it never does.
+    pub fn on_image_plane(&self, ray: &Ray) -> [f64; 2] {
+        let Ray { origin, direction } = self.in_camera_space(ray);
+        let plane = -self.focal_length().unwrap_or(0.0);
+        let at = origin + (plane - origin.z) / direction.z * direction;
+        [at.x, at.y]
+    }
+
+    /// `None` if the camera is orthographic.
+    fn focal_length(&self) -> Option<f64> {
+        match self.camera.projection {
+            Projection::Perspective { focal_length } => Some(focal_length),
+            Projection::Orthographic => None,
+        }
+    }
+
+    /// A vector by its components along u, v and w.
+    fn in_frame(&self, vector: DVec3) -> DVec3 {
+        let Camera { u, v, w, .. } = self.camera;
+        DVec3::new(vector.dot(u), vector.dot(v), vector.dot(w))
     }
 }

@@ -113,7 +113,7 @@ fn windows_line_ends_change_nothing() {
 }
 
 #[test]
-fn a_mesh_that_is_not_there_is_told_so() {
+fn missing_mesh_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
     for path in [folder.path().join("absent.obj"), folder.path().into()] {
         let error = read(&path).unwrap_err();
@@ -124,7 +124,7 @@ fn a_mesh_that_is_not_there_is_told_so() {
 }
 
 #[test]
-fn a_mesh_without_a_face_is_no_mesh() {
+fn mesh_without_a_face_is_refused() {
     for text in ["", "\n\n", "# nothing\n", SQUARE, "l 1 2\n", "{}"] {
         let error = from(text).unwrap_err();
         assert_eq!(error.problem, "this mesh has no face", "{text:?}");
@@ -132,7 +132,7 @@ fn a_mesh_without_a_face_is_no_mesh() {
 }
 
 #[test]
-fn a_face_without_its_vertex_is_pointed_at() {
+fn error_points_at_a_face_whose_vertex_is_missing() {
     for (face, bad) in [
         ("f 1 2 5", "vertex 5"),
         ("f 0 1 2", "vertex 0"),
@@ -150,7 +150,7 @@ fn a_vertex_must_come_before_its_face() {
 }
 
 #[test]
-fn a_vertex_that_is_no_number_is_pointed_at() {
+fn error_points_at_a_vertex_that_is_not_a_number() {
     for vertex in ["v 0 nan 0", "v inf 0 0", "v 0 0 -inf", "v 1e999 0 0"] {
         let text = format!("# a mesh\n{SQUARE}{vertex}\nf 1 2 5\n");
         refused(&text, 6, "a vertex is not finite");
@@ -158,7 +158,7 @@ fn a_vertex_that_is_no_number_is_pointed_at() {
 }
 
 #[test]
-fn a_line_that_is_no_obj_is_pointed_at() {
+fn error_points_at_a_line_that_is_not_obj() {
     for line in ["v 1 2", "v", "v a b c", "f 1 2 x", "f 1 2 3.5", "f 1,2,3"] {
         let text = format!("{SQUARE}f 1 2 3\n{line}\nf 1 2 4\n");
         refused(&text, 6, "this is not a mesh");
@@ -230,7 +230,7 @@ fn no_bytes_make_the_reader_panic() {
 }
 
 #[test]
-fn no_spoilt_mesh_harms_its_reader() {
+fn spoilt_meshes_do_not_harm_the_reader() {
     let seeds = [
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
         "# a\r\nv 0 0 0 1\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\no b\nf -1/1/1 -2//1 -3/1\n",

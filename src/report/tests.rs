@@ -56,7 +56,7 @@ fn a_film_that_fails_says_where_and_how_badly_channel_by_channel() {
 }
 
 #[test]
-fn an_object_that_is_not_hit_is_called_so() {
+fn wrong_miss_is_described_as_no_hit() {
     let text = verdict(&[-1.0, 0.0, 0.0, 0.0, 0.0, 0.0], &[1.25; 6]);
     assert!(text.contains("got no hit, expected object 0"), "{text}");
 }

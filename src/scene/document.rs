@@ -1,4 +1,5 @@
-//! From the tables of a scene file to a scene, and every way they can be wrong.
+//! Turns the tables of a scene file into a scene, and reports everything that can be
+//! wrong with them.
 
 use std::path::Path;
 

@@ -35,7 +35,7 @@ pub(super) enum ProjectionName {
     Orthographic,
 }
 
-/// What an object says first; its shape reads the rest.
+/// The part of an object that is the same for all shapes; its shape reads the rest.
 #[derive(Deserialize)]
 pub(super) struct ObjectType {
     #[serde(rename = "type")]

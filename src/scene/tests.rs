@@ -83,7 +83,7 @@ fn refused_text(marked: &str, problem: &str, remedy: &str) {
 }
 
 #[test]
-fn a_good_file_is_the_scene_it_describes() {
+fn good_file_is_read_as_the_scene_it_describes() {
     let scene = read(GOOD).unwrap();
     assert_eq!(scene.resolution, Resolution { n_x: 8, n_y: 5 });
     assert_eq!(scene.camera.eye, dvec3(0.0, 1.0, 5.0));

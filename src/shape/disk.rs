@@ -4,6 +4,8 @@ use serde::{Deserialize, Serialize};
 use super::{Notation, ObjectTable};
 use crate::error::Error;
 use crate::film::Samples;
+use crate::part::{Condition, Quantity};
+use crate::ray::Ray;
 use crate::words::{number, vector};
 
 /// All points p of a plane, (p − `center`) · `normal` = 0, no farther than `radius` from
@@ -44,5 +46,21 @@ impl Notation for Disk {
             "c = {center}, n = {normal}, r = {}",
             number(self.radius, digits)
         )
+    }
+
+    fn quantities(&self, _: &Ray) -> Vec<Quantity> {
+        vec![
+            Quantity::new("the radius", self.radius),
+            Quantity::new("|n|", self.normal.length()),
+        ]
+    }
+
+    fn conditions(&self, _: &Ray, point: DVec3) -> Vec<Condition> {
+        let is_beyond = point.distance(self.center) > self.radius;
+        vec![Condition::new(
+            "the point lies beyond the edge",
+            "the point lies inside the edge",
+            is_beyond,
+        )]
     }
 }

@@ -4,6 +4,8 @@ use serde::{Deserialize, Serialize};
 use super::{Notation, ObjectTable};
 use crate::error::Error;
 use crate::film::Samples;
+use crate::part::{Condition, Quantity};
+use crate::ray::Ray;
 use crate::words::vector;
 
 /// All points p with (p − `point`) · `normal` = 0; it has no edge.
@@ -36,5 +38,34 @@ impl Notation for Plane {
     fn words(&self, digits: usize) -> String {
         let (point, normal) = (vector(self.point, digits), vector(self.normal, digits));
         format!("through {point}, n = {normal}")
+    }
+
+    fn quantities(&self, ray: &Ray) -> Vec<Quantity> {
+        let along = ray.direction.dot(self.normal).abs();
+        vec![
+            Quantity::new("|n|", self.normal.length()),
+            Quantity::new("|d · n|", along),
+        ]
+    }
+
+    fn conditions(&self, ray: &Ray, _: DVec3) -> Vec<Condition> {
+        let [along, height] = [ray.direction, ray.origin - self.point].map(|v| v.dot(self.normal));
+        vec![
+            Condition::new(
+                "the ray is parallel to the plane",
+                "the ray is not parallel to the plane",
+                along == 0.0,
+            ),
+            Condition::new(
+                "the plane lies behind the ray's origin",
+                "the plane lies in front of the ray's origin",
+                along * height > 0.0,
+            ),
+            Condition::new(
+                "the ray comes from the side that n points to",
+                "the ray comes from the side that n points away from",
+                height > 0.0,
+            ),
+        ]
     }
 }

@@ -22,7 +22,7 @@ impl Notation for TriangleSoup {
 
     fn read_table(table: &ObjectTable<'_>) -> Result<TriangleSoup, Error> {
         let obj: Spanned<String> = table.get("obj")?;
-        // Where a mesh cannot be read at all, the line that names it is wrong.
+        // If the mesh can't be read at all, the error points at the line that names it.
         let mesh = mesh::read(&table.folder().join(obj.get_ref()));
         let corners = mesh.map_err(|error| match error.position {
             Some(_) => error,

@@ -4,6 +4,8 @@ use serde::{Deserialize, Serialize};
 use super::{Notation, ObjectTable};
 use crate::error::Error;
 use crate::film::Samples;
+use crate::part::{Condition, Quantity};
+use crate::ray::{Intersection, Ray};
 use crate::words::{number, vector};
 
 /// All points at distance `radius` from `center`.
@@ -35,5 +37,39 @@ impl Notation for Sphere {
     fn words(&self, digits: usize) -> String {
         let (center, radius) = (vector(self.center, digits), number(self.radius, digits));
         format!("c = {center}, r = {radius}")
+    }
+
+    fn quantities(&self, _: &Ray) -> Vec<Quantity> {
+        vec![Quantity::new("the radius", self.radius)]
+    }
+
+    fn conditions(&self, ray: &Ray, _: DVec3) -> Vec<Condition> {
+        let to_center = self.center - ray.origin;
+        let starts_inside = to_center.length() < self.radius;
+        let is_behind = to_center.dot(ray.direction) < 0.0;
+        vec![
+            Condition::new(
+                "the ray starts inside the sphere",
+                "the ray starts outside the sphere",
+                starts_inside,
+            ),
+            Condition::new(
+                "the centre lies behind the ray's origin",
+                "the centre lies in front of the ray's origin",
+                is_behind,
+            ),
+        ]
+    }
+
+    /// Both points lie at the same distance from the one nearest to the centre.
+    fn other(&self, ray: &Ray, there: Intersection) -> Option<(&'static str, Intersection)> {
+        let to_center = self.center - ray.at(there.t);
+        let step = 2.0 * to_center.dot(ray.direction) / ray.direction.dot(ray.direction);
+        let normal = there.normal + step / self.radius * ray.direction;
+        let t = there.t + step;
+        Some((
+            "that of the other of the two points",
+            Intersection { t, normal },
+        ))
     }
 }

@@ -5,6 +5,8 @@ use toml::Spanned;
 use super::{Notation, ObjectTable};
 use crate::error::Error;
 use crate::film::Samples;
+use crate::part::{Condition, Quantity};
+use crate::ray::Ray;
 use crate::words::vector;
 
 /// A flat triangle, edges included.
@@ -18,6 +20,13 @@ pub struct Triangle {
 /// as 0.3 are rounded, which lifts corners off a line by about 1e-16 of their size.
 const ON_ONE_LINE: f64 = 1e-14;
 
+/// The unit vector from one corner to another; 0 if they coincide. Halved and divided by its
+/// largest component first, because the square of a long edge overflows.
+fn direction(from: DVec3, to: DVec3) -> DVec3 {
+    let half = 0.5 * to - 0.5 * from;
+    (half / half.abs().max_element()).normalize_or_zero()
+}
+
 impl Notation for Triangle {
     const KEYS: &'static [&'static str] = &["corners"];
 
@@ -27,7 +36,7 @@ impl Notation for Triangle {
         if !(a.is_finite() && b.is_finite() && c.is_finite()) {
             return Err(table.source.not_finite("corners", corners.span()));
         }
-        let (t_1, t_2) = ((b - a).normalize_or_zero(), (c - a).normalize_or_zero());
+        let (t_1, t_2) = (direction(a, b), direction(a, c));
         if t_1.cross(t_2).length() < ON_ONE_LINE {
             return Err(table.source.error(
                 corners.span(),
@@ -48,5 +57,53 @@ impl Notation for Triangle {
     fn words(&self, digits: usize) -> String {
         let [a, b, c] = self.corners.map(|corner| vector(corner, digits));
         format!("a = {a}, b = {b}, c = {c}")
+    }
+
+    fn quantities(&self, ray: &Ray) -> Vec<Quantity> {
+        let edge = |from: usize| self.corners[(from + 1) % 3] - self.corners[from];
+        let lengths = [0, 1, 2].map(|from| edge(from).length());
+        let sine = edge(0).angle_between(edge(2)).sin();
+        vec![
+            Quantity::new("the longest edge", lengths.into_iter().fold(0.0, f64::max)),
+            Quantity::new("twice the area", lengths[0] * lengths[2] * sine),
+            Quantity::new(
+                "|d · (b − a) × (c − a)|",
+                ray.direction.dot(edge(0).cross(-edge(2))).abs(),
+            ),
+        ]
+    }
+
+    fn conditions(&self, _: &Ray, point: DVec3) -> Vec<Condition> {
+        // Beyond an edge is where the corner opposite to it is not.
+        let is_beyond = |[from, to, opposite]: [usize; 3]| {
+            let [from, to, opposite] = [from, to, opposite].map(|k| self.corners[k]);
+            let away = (opposite - from).reject_from(to - from);
+            (point - from).dot(away) < 0.0
+        };
+        let beyond = [[0, 1, 2], [1, 2, 0], [2, 0, 1]].map(is_beyond);
+        let beside = beyond.contains(&true);
+        let [ab, bc, ca] = beyond;
+        vec![
+            Condition::new(
+                "the point lies beside the triangle",
+                "the point lies on the triangle",
+                beside,
+            ),
+            Condition::new(
+                "the point lies beyond edge ab",
+                "it does not lie beyond ab",
+                ab,
+            ),
+            Condition::new(
+                "the point lies beyond edge bc",
+                "it does not lie beyond bc",
+                bc,
+            ),
+            Condition::new(
+                "the point lies beyond edge ca",
+                "it does not lie beyond ca",
+                ca,
+            ),
+        ]
     }
 }

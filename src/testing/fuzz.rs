@@ -1,4 +1,4 @@
-//! Valid inputs, spoilt at random, for as long as one likes.
+//! Fuzzing: valid inputs, spoilt at random, for as long as you like.
 //!
 //! `PINHOLE_FUZZ_SECONDS` says how long each parser is tried; the seed is the clock's,
 //! so that every run tries something new. An input that does harm is kept as a file.
@@ -12,7 +12,7 @@ use super::Random;
 /// No parser of bytes like these may make this process grow further.
 const MOST_MEMORY: u64 = 1 << 30;
 
-/// Numbers at which programs stumble, as bytes of a file.
+/// Numbers that often break programs, as bytes of a file.
 const EDGES: [&[u8]; 7] = [
     &[0],
     &[255, 255, 255, 255],
@@ -97,7 +97,8 @@ fn spoilt(random: &mut Random, seeds: &[Vec<u8>], words: &[&[u8]]) -> Vec<u8> {
     bytes
 }
 
-/// The most this process has had in memory so far, in bytes; 0 where nobody says.
+/// The most memory that this process has used so far, in bytes; 0 where the system
+/// doesn't tell.
 fn peak_memory() -> u64 {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));

@@ -18,7 +18,7 @@ fn a_number_has_no_more_than_its_digits() {
 }
 
 #[test]
-fn a_number_has_no_zeros_behind() {
+fn number_has_no_trailing_zeros() {
     for (value, text) in [
         (1.0, "1"),
         (2.5, "2.5"),
@@ -33,7 +33,7 @@ fn a_number_has_no_zeros_behind() {
 }
 
 #[test]
-fn nothing_is_0_and_has_no_sign() {
+fn zero_has_no_sign() {
     assert_eq!(number(0.0, 6), "0");
     assert_eq!(number(-0.0, 6), "0");
 }
@@ -46,7 +46,7 @@ fn minus_is_a_minus_sign_in_number_and_exponent() {
 }
 
 #[test]
-fn what_is_no_number_is_said_to_be_none() {
+fn nan_and_infinity_are_words() {
     assert_eq!(number(f64::NAN, 6), "NaN");
     assert_eq!(number(f64::INFINITY, 6), "inf");
 }

@@ -57,7 +57,7 @@ class Camera:
 
     @property
     def has_square_pixels(self):
-        """Whether a sensor of Mitsuba's, which has square pixels, can stand in."""
+        """Whether Mitsuba's own sensor, which has square pixels, can be used instead."""
         n_x, n_y = self.resolution
         return bool(np.isclose(self.width * n_y, self.height * n_x, rtol=1e-9, atol=0))
 

@@ -25,7 +25,7 @@ class Hits:
     normal: np.ndarray  # (N, 3) unit, outward, never flipped towards the ray
 
     def split(self):
-        """The same, one `Hits` for each ray."""
+        """Splits this into one `Hits` for each ray."""
         columns = (self.id, self.face, self.t, self.normal)
         return [Hits(*(column[k : k + 1] for column in columns)) for k in range(len(self.id))]
 

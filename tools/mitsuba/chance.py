@@ -8,7 +8,7 @@ from camera import normalize
 
 
 def generator(seed, name):
-    """A random generator for what has this name.
+    """A random generator for the film of this name.
 
     It is seeded by the SHA-256 of `SEED:NAME`, so a film depends on its own name and
     the seed alone: adding or moving a group changes no other film.
@@ -34,7 +34,7 @@ def perpendicular(rng, axis):
 
 
 def log_uniform(rng, low, high):
-    """A number whose logarithm is uniform: every magnitude is as likely."""
+    """A number whose logarithm is uniform, so that all magnitudes are equally likely."""
     return float(np.exp(rng.uniform(np.log(low), np.log(high))))
 
 

@@ -1,7 +1,7 @@
 """Fingerprints of the scripts that make golden films.
 
 Prints one JSON object: for each scene file, and for each task of an assignment and its
-ties, a SHA-256 of all that decides the pixels of its films but the scene and the seed: every
+ties (or, of fresh questions, its random scenes), a SHA-256 of all that decides the pixels of its films but the scene and the seed: every
 script that is imported on the way, and the versions of the packages. Docstrings,
 comments and layout count for nothing, so only a change that could change a film
 changes its fingerprint. Needs Python's standard library alone.
@@ -95,9 +95,14 @@ def of_scene(path):
     return fingerprint([SHARED], ["scene_films", *shapes])
 
 
-def of_task(assignment, task):
-    """The fingerprint of the films of a task's questions."""
-    return fingerprint([SHARED, assignment], ["question_films", f"questions.{task}"])
+def of_task(assignment, task, films="question_films"):
+    """The fingerprint of the films of a task's questions, made by the module `films`."""
+    return fingerprint([SHARED, assignment], [films, f"questions.{task}"])
+
+
+def of_random_scenes(assignment):
+    """The fingerprint of what is drawn for random scenes."""
+    return fingerprint([SHARED, assignment], ["random_scenes", "questions.random_scene"])
 
 
 def of_ties(assignment):
@@ -105,19 +110,32 @@ def of_ties(assignment):
     return fingerprint([SHARED, assignment], ["tie_films", "questions.ties"])
 
 
+def tasks(assignment):
+    """The names of an assignment's tasks."""
+    table = tomllib.loads((assignment / "assignment.toml").read_text("utf-8"))
+    return [task["name"] for task in table["task"]]
+
+
 def main():
     """Read the command line, print the fingerprints."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("scenes", nargs="*", type=Path, metavar="SCENE.toml")
-    parser.add_argument("--questions", type=Path, metavar="ASSIGNMENT", help="of its tasks, too")
+    questions = parser.add_mutually_exclusive_group()
+    questions.add_argument("--questions", type=Path, metavar="ASSIGNMENT", help="of its tasks, too")
+    questions.add_argument(
+        "--fresh", type=Path, metavar="ASSIGNMENT", help="of its fresh questions and random scenes"
+    )
     arguments = parser.parse_args()
     found = {path.stem: of_scene(path) for path in arguments.scenes}
     if arguments.questions:
-        table = tomllib.loads((arguments.questions / "assignment.toml").read_text("utf-8"))
-        for task in table["task"]:
-            found[f"probes/{task['name']}"] = of_task(arguments.questions, task["name"])
+        for task in tasks(arguments.questions):
+            found[f"probes/{task}"] = of_task(arguments.questions, task)
         if (arguments.questions / "questions" / "ties.py").is_file():
             found["ties"] = of_ties(arguments.questions)
+    if arguments.fresh:
+        for task in tasks(arguments.fresh):
+            found[f"probes/{task}"] = of_task(arguments.fresh, task, "fresh_questions")
+        found["random_scenes"] = of_random_scenes(arguments.fresh)
     print(json.dumps(found))
 
 

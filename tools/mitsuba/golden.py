@@ -29,6 +29,13 @@ def render_questions(assignment, task, group, seed, count, folder):
     return render(assignment, task, group, seed, count, folder)
 
 
+def render_fresh_questions(assignment, task, group, seed, count, folder):
+    """The three films of a group of fresh questions."""
+    from fresh_questions import render
+
+    return render(assignment, task, group, seed, count, folder)
+
+
 def render_ties(assignment, task, seed, folder):
     """The tie film of a task."""
     from tie_films import render
@@ -44,7 +51,7 @@ def render_random_scene(assignment, seed, index, folder):
 
 
 def run(item):
-    """Do one item in a worker: (report or None, what to tell people or None).
+    """Do one item in a worker: (report or None, message for people or None).
 
     `item` is (function, arguments). Mitsuba is imported by the functions, in the
     workers only: its threads would not survive a fork, and `--help` stays quick.
@@ -80,18 +87,32 @@ def say(line):
 
 
 def question_items(arguments):
-    """One item for each group of each task of the assignment."""
-    from question_films import QUESTIONS, questions_of
+    """One item for each group of the committed questions."""
+    from question_films import QUESTIONS
 
-    folder = arguments.out / "probes"
+    return group_items(arguments, render_questions, lambda task: QUESTIONS)
+
+
+def fresh_question_items(arguments):
+    """One item for each group of fresh questions."""
+    from fresh_questions import count_of
+
+    return group_items(arguments, render_fresh_questions, lambda task: count_of(task["kind"]))
+
+
+def group_items(arguments, render, count_of):
+    """One item for each group of each task of the assignment."""
+    from question_films import questions_of
+
+    folder, assignment = arguments.out / "probes", arguments.assignment
     folder.mkdir(parents=True, exist_ok=True)
-    assignment, count = arguments.assignment, arguments.count or QUESTIONS
     with (assignment / "assignment.toml").open("rb") as file:
-        tasks = [task["name"] for task in tomllib.load(file)["task"]]
+        tasks = tomllib.load(file)["task"]
     return [
-        (render_questions, (assignment, task, group, arguments.seed, count, folder))
+        (render, (assignment, task["name"], group, arguments.seed, count, folder))
         for task in tasks
-        for group in questions_of(assignment, task).GROUPS
+        for count in [arguments.count or count_of(task)]
+        for group in questions_of(assignment, task["name"]).GROUPS
     ]
 
 
@@ -123,10 +144,13 @@ def main():
     scenes.add_argument("scenes", nargs="+", type=Path, metavar="SCENE.toml")
     scenes.set_defaults(items=lambda a: [(render_scene, (s, a.out)) for s in a.scenes])
     questions = commands.add_parser("questions", help="ask an assignment's questions")
-    questions.add_argument(
-        "--count", type=whole_rows, help="questions in each group, a multiple of 32"
-    )
     questions.set_defaults(items=question_items)
+    fresh = commands.add_parser("fresh-questions", help="ask questions that nobody has seen")
+    fresh.set_defaults(items=fresh_question_items)
+    for command in (questions, fresh):
+        command.add_argument(
+            "--count", type=whole_rows, help="questions in each group, a multiple of 32"
+        )
     ties = commands.add_parser("ties", help="draw questions of which many are exact ties")
     ties.set_defaults(items=tie_items)
     random = commands.add_parser("random-scenes", help="draw scenes and render them")
@@ -134,13 +158,13 @@ def main():
     random.set_defaults(items=lambda a: [
         (render_random_scene, (a.assignment, a.seed, k, a.out)) for k in range(a.count)
     ])
-    for command in (questions, ties, random):
+    for command in (questions, fresh, ties, random):
         command.add_argument(
             "assignment", type=lambda folder: Path(folder).resolve(), metavar="ASSIGNMENT",
             help="its folder, with assignment.toml and questions",
         )
         command.add_argument("--seed", type=int, required=True, metavar="N")
-    for command in (scenes, questions, ties, random):
+    for command in (scenes, questions, fresh, ties, random):
         command.add_argument("--out", type=Path, required=True, metavar="DIR")
         command.add_argument("--jobs", type=int, default=2, metavar="N")
     arguments = parser.parse_args()

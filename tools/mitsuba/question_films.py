@@ -21,7 +21,7 @@ from chance import generator
 COLUMNS = 32
 
 QUESTIONS = 512
-"""How many there are in a group, unless somebody wants another number."""
+"""The default number of questions in a group."""
 
 
 def questions_of(assignment, name):
@@ -43,14 +43,19 @@ def draw(rng, draw_question):
 def render(assignment, task, group, seed, count, folder):
     """Make the three films of a group in `folder`; return the report."""
     name = f"{task}.{group}"
-    rng, draw_question = generator(seed, name), questions_of(assignment, task).GROUPS[group]
+    draw_question = questions_of(assignment, task).GROUPS[group]
+    return films(name, generator(seed, name), draw_question, count, folder)
+
+
+def films(name, rng, draw_question, count, folder):
+    """Draw questions and make their three films in `folder`; return the report."""
     rows = [draw(rng, draw_question) for _ in range(count)]
     questions, golden, tolerance = zip(*rows)
     channels, answer_channels = questions[0].channels, questions[0].answer_channels
-    films = {
+    made = {
         folder / f"{name}.ask.exr": (channels, [question.values() for question in questions]),
         folder / f"{name}.exr": (answer_channels, golden),
         folder / f"{name}.tol.exr": (answer_channels, tolerance),
     }
-    film.write_all(films, (COLUMNS, count // COLUMNS))
-    return {"name": name, "files": [f"{folder.name}/{path.name}" for path in films]}
+    film.write_all(made, (COLUMNS, count // COLUMNS))
+    return {"name": name, "files": [f"{folder.name}/{path.name}" for path in made]}

@@ -1,4 +1,4 @@
-"""Random scenes: fresh goldens nobody has seen.
+"""Random scenes: fresh goldens that nobody has seen before.
 
 The camera is drawn here. What stands before it is the assignment's: the function
 `objects(rng, view)` in its `questions/random_scene.py` gives the tables of a scene
@@ -23,7 +23,7 @@ TRIES = 50
 
 @dataclass(frozen=True)
 class View:
-    """What the camera sees, for those who put objects into it."""
+    """What the camera sees, for the code that places objects."""
 
     eye: np.ndarray
     frame: np.ndarray  # rows: right, up, towards the eye; unit
@@ -40,8 +40,9 @@ class View:
 def render_random(assignment, seed, index, folder):
     """Draw scene `index` of `seed` until it shows every shape and is not refused; films
     and report."""
-    name = f"random_{seed}_{index}"
-    rng = generator(seed, name)
+    # Students see the name, and must not learn the seed from it.
+    name = f"random_{index}"
+    rng = generator(seed, f"random_{seed}_{index}")
     scenes = folder / "scenes"
     scenes.mkdir(exist_ok=True)
     path = scenes / f"{name}.toml"
@@ -50,7 +51,7 @@ def render_random(assignment, seed, index, folder):
         camera, view = _camera(rng)
         tables = [("[camera]", camera)]
         tables += [("[[object]]", table) for table in draw_objects(rng, view)]
-        head = f"# Random scene {index} of seed {seed}: made by tools/mitsuba/golden.py, not by hand."
+        head = f"# Random scene {index}: made by tools/mitsuba/golden.py, not by hand."
         path.write_text("\n\n".join([head, *map(_toml, tables)]) + "\n", encoding="utf-8")
         try:
             _require_every_shape(load(path))

@@ -44,8 +44,8 @@ def triangle(rng, direction, t, hit):
 
 
 def draw(rng, group, kind, things):
-    """A question of `group` and `kind` about objects that the functions `things` draw,
-    or None to be asked again."""
+    """A question of `group` and `kind` about objects that the functions `things` draw, or
+    None if it must be drawn again."""
     wanted = _wanted(rng, group)
     direction = as_f32(rng.uniform(0.5, 2) * unit_vector(rng))
     origin = as_f32(rng.uniform(-3, 3, 3))
@@ -64,9 +64,10 @@ def draw(rng, group, kind, things):
 
 
 def _wanted(rng, group):
-    """Which objects the ray shall meet."""
-    if group == "empty":
-        return [False] * int(rng.choice((0, rng.integers(1, SLOTS + 1))))
+    """Which objects the ray is to hit."""
+    if group == "empty":  # with a hit now and then, or "no hit" were always right
+        hit = [True] if rng.uniform() < 0.25 else []
+        return hit + [False] * int(rng.choice((0, rng.integers(1, SLOTS + 1 - len(hit)))))
     if group == "last_only":
         return [False] * int(rng.integers(1, SLOTS)) + [True]
     if group == "absent":

@@ -1,4 +1,4 @@
-"""What stands in a random scene: every shape, in view."""
+"""The objects of a random scene: one of every shape, all in view."""
 
 from camera import normalize
 from chance import log_uniform, sign, unit_vector

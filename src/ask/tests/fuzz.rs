@@ -13,7 +13,7 @@ fn stream(messages: &[Message]) -> Vec<u8> {
 }
 
 #[test]
-fn no_stream_harms_its_reader_or_completes_a_reply_it_does_not_answer() {
+fn no_stream_harms_the_reader_or_completes_a_reply_without_answers() {
     let panic = Panic {
         message: "index out of bounds".into(),
         file: "src/plane.rs".into(),
@@ -29,7 +29,7 @@ fn no_stream_harms_its_reader_or_completes_a_reply_it_does_not_answer() {
     ];
     fuzz("stream", &seeds, &[], |bytes| {
         for job in [hits(6), rays(6)] {
-            let mut reply = reply_to(&job);
+            let mut reply = Reply::before(&job);
             let mut input = bytes;
             while let Ok(Some(message)) = job::receive(&mut input, MOST_MESSAGE) {
                 if !reply.take(&job, message).unwrap_or(false) {

@@ -35,14 +35,14 @@ fn after_the_job(script: &str) -> String {
 }
 
 #[test]
-fn who_exits_at_once_has_died() {
+fn submission_that_exits_at_once_is_reported() {
     for code in [0, 3] {
         ends(&format!("exit {code}"), Ending::Died(Death::Exit(code)));
     }
 }
 
 #[test]
-fn who_is_killed_has_died_by_a_signal() {
+fn killed_submission_is_reported_with_its_signal() {
     let Ending::Died(how) = asked("kill -9 $$", &hits(1), SOON).ending else {
         panic!("it ended otherwise");
     };
@@ -53,7 +53,7 @@ fn who_is_killed_has_died_by_a_signal() {
 }
 
 #[test]
-fn who_sleeps_is_ended_when_time_is_up() {
+fn sleeping_submission_is_ended_at_the_time_limit() {
     let reply = asked("echo $$; exec sleep 600", &hits(1), SECOND);
     assert_eq!(reply.ending, Ending::TimedOut(SECOND));
     let process = reply.printed.trim();
@@ -63,14 +63,14 @@ fn who_sleeps_is_ended_when_time_is_up() {
 }
 
 #[test]
-fn who_never_reads_a_large_job_is_ended_when_time_is_up() {
+fn submission_that_never_reads_its_job_is_ended_at_the_time_limit() {
     let job = hits(200_000);
     let reply = asked("exec sleep 600", &job, SECOND);
     assert_eq!(reply.ending, Ending::TimedOut(SECOND));
 }
 
 #[test]
-fn who_drips_bytes_gains_no_time() {
+fn sending_bytes_slowly_gains_no_time() {
     // A message of 4095 bytes, one every tenth of a second.
     let drip = after_the_job(
         "printf '\\377\\017\\000\\000' >&0; while :; do printf x >&0; sleep 0.1; done",
@@ -80,7 +80,7 @@ fn who_drips_bytes_gains_no_time() {
 }
 
 #[test]
-fn who_floods_the_output_is_read_and_forgotten() {
+fn flood_of_output_is_read_and_discarded() {
     let reply = asked("exec yes", &hits(1), SECOND);
     assert_eq!(reply.ending, Ending::TimedOut(SECOND));
     assert!(reply.printed.len() <= MOST_PRINTED);
@@ -103,7 +103,7 @@ fn output_need_not_be_text() {
 }
 
 #[test]
-fn who_leaves_a_process_behind_is_not_waited_for() {
+fn process_left_behind_is_not_waited_for() {
     let start = Instant::now();
     let reply = asked("sleep 30 & exit 0", &hits(1), SOON);
     assert!(matches!(reply.ending, Ending::Died(_)));
@@ -111,7 +111,7 @@ fn who_leaves_a_process_behind_is_not_waited_for() {
 }
 
 #[test]
-fn who_answers_with_garbage_is_garbled() {
+fn garbage_in_place_of_answers_is_reported() {
     ends(
         &after_the_job("printf garbage >&0"),
         Ending::Garbled("a message of 1651663207 bytes is too long".into()),
@@ -132,7 +132,7 @@ fn who_answers_with_garbage_is_garbled() {
 }
 
 #[test]
-fn who_breaks_off_inside_a_message_has_died() {
+fn submission_that_breaks_off_inside_a_message_is_reported() {
     let reply = asked(
         &after_the_job("printf '\\012\\000\\000\\000ab' >&0"),
         &hits(1),
@@ -155,19 +155,19 @@ fn one_answer_is_enough_for_one_question() {
 }
 
 #[test]
-fn who_is_asked_nothing_need_not_answer() {
+fn job_without_questions_needs_no_answer() {
     assert_eq!(asked("exit 3", &hits(0), SOON).ending, Ending::Complete);
 }
 
 #[test]
-fn who_cannot_be_started_is_told_so() {
+fn submission_that_cannot_be_started_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
     let absent: &Path = &folder.path().join("absent");
     assert!(ask(Command::new(absent), &hits(1), SOON, &mut |_| {}).is_err());
 }
 
 #[test]
-fn whose_answer_is_not_wanted_any_more_is_ended_long_before_its_time() {
+fn cancelled_submission_is_ended_long_before_its_time_limit() {
     let limit = Limit::from(10 * SOON);
     let stop = limit.stop.clone();
     let start = Instant::now();
@@ -178,6 +178,6 @@ fn whose_answer_is_not_wanted_any_more_is_ended_long_before_its_time() {
         asking.join().expect("it does not panic")
     });
     let error = reply.expect_err("there is no answer");
-    assert!(error.to_string().contains("not wanted"), "{error}");
+    assert!(error.to_string().contains("no longer wanted"), "{error}");
     assert!(start.elapsed() < SOON, "it took {:?}", start.elapsed());
 }

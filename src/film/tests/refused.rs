@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn what_is_no_film_is_refused() {
+fn file_that_is_not_a_film_is_refused() {
     let mut random = Random::new(3);
     refused("", "this is not a readable OpenEXR file");
     refused("a film, honestly", "this is not a readable OpenEXR file");
@@ -75,7 +75,7 @@ fn claiming(film: &Film, n_x: i32, n_y: i32) -> Vec<u8> {
 }
 
 #[test]
-fn a_film_that_claims_more_than_it_can_hold_is_refused() {
+fn film_that_claims_more_pixels_than_it_holds_is_refused() {
     same(&small(), &read(claiming(&small(), 3, 2)).unwrap());
     for (n_x, n_y) in [(1 << 30, 1), (1, 1 << 30), (i32::MAX, i32::MAX)] {
         refused(claiming(&small(), n_x, n_y), "");
@@ -110,7 +110,7 @@ fn a_window_that_is_not_the_whole_picture_is_refused() {
 }
 
 #[test]
-fn halves_are_not_precise_enough() {
+fn half_floats_are_refused() {
     use exr::prelude::*;
     let (_folder, path) = testing::file("film.exr", "");
     let channel = SpecificChannels::build()
@@ -125,7 +125,7 @@ fn halves_are_not_precise_enough() {
 }
 
 #[test]
-fn a_film_has_no_two_channels_of_one_name() {
+fn two_channels_of_one_name_are_refused() {
     let film = row(&[("ta", &[1.0]), ("tb", &[2.0])]);
     let mut bytes = bytes(&film);
     let place = bytes.windows(3).position(|w| w == b"tb\0").unwrap();
@@ -134,7 +134,7 @@ fn a_film_has_no_two_channels_of_one_name() {
 }
 
 #[test]
-fn no_spoilt_film_harms_its_reader() {
+fn spoilt_films_do_not_harm_the_reader() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("film.exr");
     let goldens = concat!(env!("CARGO_MANIFEST_DIR"), "/golden/ray_casting");
@@ -157,7 +157,7 @@ fn no_spoilt_film_harms_its_reader() {
         b"box2i\0",
         b"lineOrder\0",
     ];
-    // Whoever reads a damaged film is told so by a panic that goes no further.
+    // A panic in the decoder becomes an error.
     std::panic::set_hook(Box::new(|_| ()));
     testing::fuzz::fuzz("film", &seeds, &words, |bytes| {
         fs::write(&path, bytes).unwrap();

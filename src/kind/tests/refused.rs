@@ -1,4 +1,4 @@
-//! What is no question is refused, and why.
+//! Question films that are refused, and why.
 
 use super::*;
 
@@ -58,7 +58,7 @@ fn counts_are_whole_and_not_negative() {
     ] {
         for value in [-1.0, 0.5, 1e-20] {
             let shown = f64::from(value);
-            let problem = format!("channel `{name}` holds {shown}, which counts nothing");
+            let problem = format!("channel `{name}` holds {shown}, which is not a count");
             refused(task, &with(question(), name, value), &problem);
         }
     }
@@ -92,7 +92,7 @@ fn nothing_behind_the_origin_is_asked_about() {
 }
 
 #[test]
-fn too_many_objects_are_not_quietly_dropped() {
+fn too_many_objects_are_refused() {
     for count in [7.0, 1e30] {
         let question = with(canned(), "count", count);
         refused("first_hit", &question, "more than 6 objects");
@@ -108,13 +108,13 @@ fn a_pixel_lies_in_its_picture() {
 }
 
 #[test]
-fn a_camera_without_a_frame_is_no_question() {
+fn camera_without_a_frame_is_refused() {
     let question = with(with(camera(), "up.Y", 0.0), "up.Z", 3.0);
     refused("viewing_ray", &question, "its view and up are parallel");
 }
 
 #[test]
-fn who_intersects_must_say_what() {
+fn intersection_task_must_name_its_shape() {
     let no_questions = |shape| {
         let questions = Questions::from_film(&film(&sphere()), Kind::Intersect, shape);
         questions.expect_err("there is no shape to ask about")
@@ -125,7 +125,7 @@ fn who_intersects_must_say_what() {
 }
 
 #[test]
-fn a_question_film_that_is_not_there_is_told_so() {
+fn missing_question_film_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("absent.ask.exr");
     let (kind, shape) = of_task("sphere");

@@ -60,7 +60,7 @@ fn canned_objects_are_described_by_where_they_are_met() {
 }
 
 #[test]
-fn which_object_is_hit_is_told_where_it_was_asked() {
+fn id_is_described_only_where_it_was_asked() {
     let met = Answer::Hit(Some(crate::ray::Hit {
         object: 1,
         intersection: Intersection {

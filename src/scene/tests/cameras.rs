@@ -22,7 +22,7 @@ fn min_t_may_be_chosen() {
 }
 
 #[test]
-fn an_unknown_projection_is_told_the_two() {
+fn unknown_projection_lists_both() {
     refused(
         "\"perspective\"",
         "▶\"fisheye\"",

@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn an_unknown_key_is_pointed_at() {
+fn error_points_at_an_unknown_key() {
     refused(
         "radius = 0.75",
         "radius = 0.75\n▶radios = 1.0",
@@ -25,7 +25,7 @@ fn an_unknown_key_is_pointed_at() {
 }
 
 #[test]
-fn who_adds_a_light_learns_why_there_is_none() {
+fn light_is_refused_with_the_reason() {
     let why = "scenes have no lights, materials or lenses";
     refused(
         "[[object]]\ntype = \"plane\"",
@@ -48,7 +48,7 @@ fn who_adds_a_light_learns_why_there_is_none() {
 }
 
 #[test]
-fn a_missing_key_is_missed_where_its_table_begins() {
+fn missing_key_is_reported_at_its_table() {
     let object = "[[object]]\ntype = \"sphere\"\ncenter = [0.0, 1.0, -1.0]\nradius = 0.75";
     refused(
         object,
@@ -71,13 +71,13 @@ fn a_missing_key_is_missed_where_its_table_begins() {
 }
 
 #[test]
-fn a_scene_without_a_camera_is_told_so() {
+fn scene_without_a_camera_is_refused() {
     let objects = &GOOD[GOOD.find("[[object]]").unwrap()..];
     refused_text(&format!("▶{objects}"), "missing field `camera`", "README");
 }
 
 #[test]
-fn a_value_of_the_wrong_kind_is_pointed_at() {
+fn error_points_at_a_value_of_the_wrong_kind() {
     refused(
         "radius = 0.75",
         "radius = ▶\"big\"",

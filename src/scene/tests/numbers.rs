@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn nan_and_inf_are_no_numbers() {
+fn nan_and_infinity_are_refused_in_scenes() {
     let remedy = "replace nan or inf by a number";
     refused(
         "radius = 0.75",
@@ -54,7 +54,7 @@ fn a_vector_of_length_zero_has_no_direction() {
 }
 
 #[test]
-fn a_length_is_more_than_nothing() {
+fn length_of_zero_or_less_is_refused() {
     for (key, value) in [
         ("width", "2.0"),
         ("height", "1.25"),
@@ -73,7 +73,7 @@ fn a_length_is_more_than_nothing() {
 }
 
 #[test]
-fn nothing_behind_the_eye_is_seen() {
+fn negative_min_t_is_refused() {
     refused(
         "width = 2.0",
         "width = 2.0\nmin_t = ▶-0.5",

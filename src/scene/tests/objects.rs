@@ -5,7 +5,7 @@ use std::fs;
 use super::*;
 
 #[test]
-fn an_unknown_shape_is_told_all_there_are() {
+fn unknown_shape_lists_all_shapes() {
     refused(
         "type = \"sphere\"",
         "type = ▶\"cube\"",
@@ -54,7 +54,7 @@ fn a_key_of_another_shape_is_refused() {
 }
 
 #[test]
-fn corners_on_one_line_are_no_triangle() {
+fn corners_on_one_line_are_refused() {
     for corners in [
         "[[0, 0, 0], [1, 1, 1], [3, 3, 3]]",
         "[[1, 2, 3], [1, 2, 3], [4, 4, 5]]",
@@ -72,10 +72,19 @@ fn corners_on_one_line_are_no_triangle() {
 }
 
 #[test]
-fn a_thin_triangle_is_a_triangle() {
+fn thin_triangle_is_accepted() {
     let thin = "[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1e-12, 0.0]]";
     let corners = "[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]";
     assert_eq!(read(&with(corners, thin)).unwrap().objects.len(), 3);
+}
+
+#[test]
+fn triangle_may_be_of_any_size() {
+    let corners = "[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]";
+    for size in ["1e-300", "1e200", "1.7e308"] {
+        let of_size = format!("[[-{size}, 0, 0], [{size}, 0, 0], [0, {size}, 0]]");
+        assert!(read(&with(corners, &of_size)).is_ok(), "{size}");
+    }
 }
 
 #[test]
@@ -96,7 +105,7 @@ fn a_mesh_is_looked_for_beside_its_scene() {
 }
 
 #[test]
-fn a_mesh_that_is_not_there_is_missed_where_it_is_named() {
+fn error_points_at_the_line_that_names_a_missing_mesh() {
     refused_text(
         &format!("{GOOD}\n[[object]]\ntype = \"soup\"\nobj = ▶\"no such.obj\"\n"),
         "no such.obj: cannot read this mesh",
@@ -105,7 +114,7 @@ fn a_mesh_that_is_not_there_is_missed_where_it_is_named() {
 }
 
 #[test]
-fn a_broken_mesh_is_pointed_at_itself() {
+fn error_points_into_a_broken_mesh() {
     let (folder, path) = testing::file(
         "a scene.toml",
         format!("{GOOD}\n[[object]]\ntype = \"soup\"\nobj = \"broken.obj\"\n"),
@@ -117,7 +126,7 @@ fn a_broken_mesh_is_pointed_at_itself() {
 }
 
 #[test]
-fn a_disk_is_the_disk_it_describes() {
+fn disk_is_read_as_described() {
     let disk =
         "\n[[object]]\ntype = \"disk\"\ncenter = [1, 2, 3]\nnormal = [0, 0, 2]\nradius = 0.5\n";
     let objects = read(&format!("{GOOD}{disk}")).unwrap().objects;

@@ -1,11 +1,11 @@
-//! Texts and files that hold no scene, whoever wrote them.
+//! Texts and files that hold no scene.
 
 use std::fs;
 
 use super::*;
 
 #[test]
-fn what_is_no_toml_is_pointed_at() {
+fn error_points_at_text_that_is_not_toml() {
     refused("width = 2.0", "width = ▶two", "invalid", "README.md");
     refused(
         "eye = [0.0, 1.0, 5.0]",
@@ -32,7 +32,7 @@ fn columns_count_characters_and_not_bytes() {
 }
 
 #[test]
-fn a_scene_that_is_not_there_is_told_so() {
+fn missing_scene_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
     for path in [folder.path().join("absent.toml"), folder.path().into()] {
         let error = Scene::read(&path).unwrap_err();
@@ -68,7 +68,7 @@ fn no_text_makes_the_reader_panic() {
 }
 
 #[test]
-fn no_spoilt_scene_harms_its_reader() {
+fn spoilt_scenes_do_not_harm_the_reader() {
     let folder = concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/assignments/ray_casting/scenes"

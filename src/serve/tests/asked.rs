@@ -68,7 +68,7 @@ fn hit(object: usize, t: f64, normal: DVec3) -> Answer {
 }
 
 #[test]
-fn every_pixel_of_a_film_is_cast_and_none_is_mixed_up() {
+fn every_pixel_gets_its_own_ray() {
     let resolution = Resolution { n_x: 50, n_y: 21 };
     for (index, answer) in answered(&film()).into_iter().enumerate() {
         let Pixel { i, j } = resolution.pixel(index);
@@ -150,7 +150,7 @@ fn canned_objects_are_asked_of_first_hit_or_of_the_soup() {
 }
 
 #[test]
-fn what_is_not_registered_is_named() {
+fn missing_function_is_named() {
     let shape = ShapeQuestion {
         shape: sphere(),
         ray: RAY,
@@ -194,7 +194,7 @@ fn a_todo_is_unanswered_and_names_its_file() {
 }
 
 #[test]
-fn a_panic_names_the_question_it_stumbled_over() {
+fn panic_names_its_question() {
     let panic = panicked("stumbling", &rays(9));
     assert_eq!(panic.index, 7);
     assert!(panic.message.contains("the len is 3"), "{panic:?}");
@@ -202,7 +202,7 @@ fn a_panic_names_the_question_it_stumbled_over() {
 }
 
 #[test]
-fn a_stumbling_stone_off_the_path_harms_nobody() {
+fn panic_that_no_question_reaches_has_no_effect() {
     assert_eq!(asked("stumbling", &rays(7)).ending, Ending::Complete);
 }
 
@@ -213,7 +213,7 @@ fn a_long_panic_is_cut_between_characters() {
 }
 
 #[test]
-fn a_stack_overflow_is_called_one() {
+fn stack_overflow_is_recognised() {
     let ending = asked("bottomless", &rays(1)).ending;
     assert_eq!(ending, Ending::Died(Death::StackOverflow));
 }
@@ -225,7 +225,7 @@ fn a_submission_that_exits_in_an_answer_has_died() {
 }
 
 #[test]
-fn an_endless_loop_costs_its_time_and_no_more() {
+fn endless_loop_ends_at_its_time_limit() {
     let second = Duration::from_secs(1);
     let reply = ask(submission("endless"), &rays(1), second, &mut |_| {}).unwrap();
     assert_eq!(reply.ending, Ending::TimedOut(second));
@@ -241,7 +241,7 @@ fn what_a_student_prints_is_kept_apart_from_the_answers() {
 }
 
 #[test]
-fn an_endless_answer_ends_when_nobody_waits_for_it() {
+fn endless_answer_ends_when_the_asker_is_gone() {
     use std::os::fd::OwnedFd;
     use std::os::unix::net::UnixStream;
     use std::process::Stdio;

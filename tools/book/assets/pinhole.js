@@ -11,6 +11,14 @@ const reachable = () => {
 addEventListener("load", reachable);
 addEventListener("resize", reachable);
 
+// Paper cannot be unfolded: printing opens what is folded, and closes it afterwards.
+let opened = [];
+addEventListener("beforeprint", () => {
+    opened = [...document.querySelectorAll("details:not([open])")];
+    opened.forEach((one) => (one.open = true));
+});
+addEventListener("afterprint", () => opened.forEach((one) => (one.open = false)));
+
 // mdBook's switch of the sidebar is a label: for the keyboard, and for who hears the page,
 // it becomes the button that it looks like.
 const sidebarSwitch = document.getElementById("mdbook-sidebar-toggle");

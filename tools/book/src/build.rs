@@ -1,4 +1,4 @@
-//! The book of all pages, one edition at a time.
+//! Builds the book, one edition at a time.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
@@ -34,7 +34,7 @@ pub struct Built {
     pub edition: Edition,
     /// Where its `index.html` lies.
     pub folder: PathBuf,
-    /// What is wrong in its pages; there they are marked.
+    /// Problems in its pages, where they are marked too.
     pub problems: Vec<Problem>,
 }
 

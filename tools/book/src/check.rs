@@ -1,14 +1,15 @@
-//! What would make the book lie, looked for where a reader would find it: in the built
-//! pages.
+//! Checks the built pages for everything that would make the book wrong.
 
 mod headings;
 mod images;
 mod left_over;
 mod links;
 mod pages;
+mod reading;
 mod solutions;
 mod spelling;
 
+use clap::ValueEnum as _;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::mistake;
 
@@ -45,12 +46,18 @@ impl Part {
         Part::Interactive,
         Part::Spelling,
     ];
+
+    fn name(self) -> String {
+        let value = self.to_possible_value().expect("none is hidden");
+        value.get_name().to_owned()
+    }
 }
 
 /// Everything that is wrong, found by these parts.
 pub fn check(built: &[Built], parts: &[Part], checkout: &Checkout) -> Result<Vec<Problem>> {
     let mut problems: Vec<Problem> = Vec::new();
-    for part in parts {
+    for (step, part) in (1..).zip(parts) {
+        eprintln!("check {step} of {}: {}", parts.len(), part.name());
         match part {
             Part::Pages => {
                 for edition in built {
@@ -81,6 +88,8 @@ fn built(built: &Built, checkout: &Checkout) -> Result<Vec<Problem>> {
     problems.extend(images::silent(&pages));
     problems.extend(left_over::left_over(&pages));
     if built.edition == Edition::Student {
+        print!("{}", reading::grades(&pages));
+        problems.extend(reading::hard(&pages));
         let assignment = assignment(checkout)?;
         let mistakes = mistake::read_all(&assignment)?;
         problems.extend(headings::missing(&pages, &assignment, &mistakes, checkout));

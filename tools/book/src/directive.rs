@@ -1,8 +1,8 @@
-//! What a writer asks for between `{{#` and `}}`.
+//! The directives that a writer puts between `{{#` and `}}`.
 
 use crate::error::Wrong;
 
-/// Something to be put in.
+/// A directive: something to insert.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Directive {
     /// Code between two anchors of a file.
@@ -20,23 +20,23 @@ pub enum Directive {
     Figure {
         /// Which one.
         name: String,
-        /// For who does not see it.
+        /// The alternative text, for readers who can't see it.
         alternative: String,
         /// Below it.
         caption: String,
     },
     /// What the mistakes of a task look like.
     Gallery(String),
-    /// A figure that answers to a hand.
+    /// An interactive figure.
     Interactive {
         /// Which one.
         name: String,
-        /// For who does not see it.
+        /// The alternative text, for readers who can't see it.
         alternative: String,
     },
 }
 
-/// How each is written; what a writer reads who wrote it otherwise.
+/// The syntax of each, for error messages.
 const USES: [(&str, &str); 6] = [
     ("listing", "{{#listing PATH:ANCHOR}}"),
     ("run", "{{#run ID}}"),

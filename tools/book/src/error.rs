@@ -1,4 +1,4 @@
-//! What can be wrong: the book, or the machine that builds it.
+//! Errors: in the book, or on the machine that builds it.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -68,8 +68,7 @@ pub enum Error {
     Course(pinhole_course::error::Error),
 }
 
-/// The problem and the remedy, said by what does not know which line of which page it is
-/// put into.
+/// A problem and its remedy, from code that doesn't know the page and line.
 pub type Wrong = (String, String);
 
 /// The result of everything here that can fail.

@@ -1,4 +1,4 @@
-//! A page with everything put in.
+//! Expands the directives of a page.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -44,7 +44,7 @@ impl Sources {
     }
 }
 
-/// Puts everything into the pages of one edition, as a preprocessor of mdBook.
+/// Expands the pages of one edition, as a preprocessor of mdBook.
 pub struct Expand {
     sources: Arc<Sources>,
     edition: Edition,
@@ -93,7 +93,7 @@ impl Expand {
         }
     }
 
-    /// The page's Markdown with everything put in; `path` is from `SUMMARY.md`.
+    /// The page's Markdown with its directives expanded; `path` is from `SUMMARY.md`.
     pub fn page(&self, text: &str, path: &Path) -> String {
         let file = Path::new("book/src").join(path);
         let mut problems = self

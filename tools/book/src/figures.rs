@@ -1,10 +1,14 @@
-//! Every figure of the book, by name: made by a program, kept, compared by every check.
+//! Every figure of the book, by name. A program makes it; each check compares the
+//! stored file with what the program makes.
 
 mod camera;
 mod drawing;
+mod lit;
 pub mod loops;
+mod nine_pixels;
 mod pictures;
 mod shapes;
+mod so_far;
 mod stills;
 
 use std::collections::BTreeMap;
@@ -14,7 +18,7 @@ use std::path::PathBuf;
 use pinhole_course::checkout::Checkout;
 
 use crate::error::{Problem, Result, Wrong};
-use crate::html::escaped;
+use crate::html::{escaped, heads};
 use crate::record;
 pub use drawing::colour;
 
@@ -31,7 +35,7 @@ pub type Maker = fn(&Checkout) -> Result<Made>;
 
 /// All makers by the figure's name.
 pub fn makers() -> BTreeMap<&'static str, Maker> {
-    let makers: [(&'static str, Maker); 31] = [
+    let makers: [(&'static str, Maker); 43] = [
         ("camera_obscura", camera::camera_obscura),
         ("ray_parameter", camera::ray_parameter),
         ("pinhole_and_image_plane", camera::pinhole_and_image_plane),
@@ -57,6 +61,15 @@ pub fn makers() -> BTreeMap<&'static str, Maker> {
             pictures::projections_side_by_side,
         ),
         ("normal_colours", pictures::normal_colours),
+        ("lit", lit::lit),
+        ("so_far_viewing_rays", |it| so_far::so_far(0, it)),
+        ("so_far_plane", |it| so_far::so_far(1, it)),
+        ("so_far_sphere", |it| so_far::so_far(2, it)),
+        ("so_far_triangle", |it| so_far::so_far(3, it)),
+        ("so_far_soup", |it| so_far::so_far(4, it)),
+        ("nine_plane", nine_pixels::nine_plane),
+        ("nine_sphere", nine_pixels::nine_sphere),
+        ("nine_triangle", nine_pixels::nine_triangle),
         ("pixel_to_ray", stills::pixel_to_ray),
         ("sphere_roots", stills::sphere_roots),
         ("projections", stills::projections),
@@ -64,7 +77,10 @@ pub fn makers() -> BTreeMap<&'static str, Maker> {
         ("breaking_distance", stills::breaking_distance),
         ("sphere_from_afar", stills::sphere_from_afar),
         ("study_sphere", |it| plot("trade-sphere", it)),
-        ("study_distance", |it| plot("sphere-distance-f64", it)),
+        ("study_plane", |it| plot("trade-plane", it)),
+        ("study_triangle", |it| plot("trade-triangle", it)),
+        ("study_conditioning", |it| plot("conditioning", it)),
+        ("study_distance", |it| plot("sphere-distance", it)),
         ("study_leaks", |it| plot("mesh", it)),
     ];
     makers.into()
@@ -83,6 +99,19 @@ pub fn folder(checkout: &Checkout) -> PathBuf {
     checkout.book().join("src/figures")
 }
 
+/// What stands above each picture of a file that has several beside each other.
+fn heads_of(name: &str) -> &'static [&'static str] {
+    match name {
+        "three_outputs_boxes" | "three_outputs_bunny" => &["id", "depth", "normal"],
+        name if name.starts_with("so_far") => &["id", "normal"],
+        "image_function" => &["16 × 9", "160 × 90"],
+        "projections_side_by_side" => &["perspective", "orthographic"],
+        "sphere_from_afar" => &["10", "10³", "10⁵", "10⁷", "10⁸", "10⁹"],
+        "breaking_distance" => &["textbook, f32", "textbook, f64", "stable, f64"],
+        _ => &[],
+    }
+}
+
 /// HTML of a kept figure. A drawing stands in the page itself, so that it takes the
 /// page's colours, light or dark; its file is one line for each element.
 pub fn shown(
@@ -94,8 +123,12 @@ pub fn shown(
     let alternative = escaped(alternative);
     let file = |extension: &str| folder(checkout).join(format!("{name}.{extension}"));
     if file("png").is_file() {
+        let heads = match heads_of(name) {
+            [] => String::new(),
+            words => heads(words),
+        };
         return Ok(format!(
-            "<img src=\"{to_root}figures/{name}.png\" alt=\"{alternative}\" loading=\"lazy\">"
+            "{heads}<img src=\"{to_root}figures/{name}.png\" alt=\"{alternative}\" loading=\"lazy\">"
         ));
     }
     let drawing = fs::read_to_string(file("svg")).map_err(|_| {
@@ -103,7 +136,7 @@ pub fn shown(
                       cargo pinhole book figures";
         (format!("there is no figure `{name}`"), remedy.to_owned())
     })?;
-    let named = format!("<svg role=\"img\" aria-label=\"{alternative}\" ");
+    let named = format!("<svg class=\"drawing\" role=\"img\" aria-label=\"{alternative}\" ");
     Ok(drawing.trim_end().replacen("<svg ", &named, 1))
 }
 

@@ -1,54 +1,217 @@
-//! What the real mistakes of a task look like: expected, theirs, and where they differ.
+//! Pictures of a task's known mistakes: expected, yours, and where they differ.
 //!
-//! Each mistake is compiled as a student's answers are, and casts the scene that shows it
-//! best ([`strip`]). The strips of three pictures are kept beside the chapters, and a list
-//! of what each shows, so that building the book needs none of that; the check makes them
-//! anew and compares.
+//! Each mistake is compiled as a student's answers are, and casts the scenes that show
+//! it; [`choice`] picks the one that tells it from the others. The strips of three
+//! pictures are kept beside the chapters, and a list of what each shows, so that building
+//! the book needs none of that; the check casts each strip again and compares.
 
+pub mod cast;
+pub mod choice;
+mod page;
 pub mod strip;
 
-use std::cmp::Reverse;
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::PathBuf;
+use std::{fmt, fs};
 
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
-use pinhole_course::mistake::{self, Mistake, MistakeFolder};
+use pinhole_course::diagnosis::known::KnownMistakes;
+use pinhole_course::mistake::{self, MistakeFolder};
 use serde::{Deserialize, Serialize};
 
-use crate::error::{Problem, Result, Wrong};
-use crate::html::escaped;
-use strip::{Strip, Strips, strips};
+use crate::course;
+use crate::error::{Problem, Result};
+use cast::Caster;
+use choice::{Candidate, Shot, choose, difference};
+pub use page::shown;
+use strip::{SceneGolden, Strip};
 
-/// What is told of a strip.
+/// In which colours a film is shown.
+#[derive(Clone, Copy, Debug, Deserialize, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum View {
+    /// Objects.
+    Id,
+    /// Depths.
+    Depth,
+    /// Normals.
+    Normal,
+}
+
+impl View {
+    const ALL: [View; 3] = [View::Id, View::Depth, View::Normal];
+}
+
+impl fmt::Display for View {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            View::Id => "id",
+            View::Depth => "depth",
+            View::Normal => "normal",
+        })
+    }
+}
+
+/// What a strip shows.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
-pub struct Told {
+pub struct Shown {
     /// The scene that was cast.
     pub scene: String,
-    /// Which of the three pictures: `id`, `depth` or `normal`.
-    pub picture: String,
+    /// In which colours.
+    pub view: View,
     /// In how many pixels it differs.
     pub pixels: usize,
     /// Of how many.
     pub of: usize,
 }
 
-/// In how many public solutions mistakes were counted.
-const SOLUTIONS_COUNTED: u32 = 115;
+/// The strip of each mistake; `None` if it shows in no scene.
+type Strips = Vec<(String, Option<Strip>)>;
 
-/// Makes strips, of all mistakes or of those named, and keeps them.
-pub fn keep(slugs: &[String], checkout: &Checkout) -> Result<()> {
-    keep_all(strips(slugs, checkout)?, checkout)
+const AGAIN: &str = "choose and cast again: cargo pinhole book gallery";
+
+/// The single mistakes, the scenes, and who casts them.
+struct Studio<'a> {
+    mistakes: Vec<MistakeFolder>,
+    scenes: Vec<SceneGolden>,
+    caster: Caster<'a>,
 }
 
-/// Strips that are not what their mistake casts.
+impl<'a> Studio<'a> {
+    fn new(assignment: &'a Assignment, checkout: &'a Checkout) -> Result<Studio<'a>> {
+        let all = mistake::read_all(assignment)?.into_iter();
+        let scenes = assignment.scenes.iter();
+        let scenes = scenes.map(|scene| SceneGolden::read(&scene.name, assignment, checkout));
+        Ok(Studio {
+            mistakes: all.filter(|one| one.mistake.is_single()).collect(),
+            scenes: scenes.collect::<Result<_>>()?,
+            caster: Caster::new(assignment, checkout)?,
+        })
+    }
+
+    /// Every picture that could show a mistake.
+    fn candidate(&self, mistake: &MistakeFolder, known: &KnownMistakes) -> Result<Candidate> {
+        let shows = |scene: &&SceneGolden| {
+            let film = known.films.get(&scene.name);
+            film.is_some_and(|film| film.contains_key(&mistake.slug))
+        };
+        let scenes: Vec<&SceneGolden> = self.scenes.iter().filter(shows).collect();
+        let films = self.caster.films(mistake, &scenes)?;
+        let mut shots = Vec::new();
+        for (scene, film) in scenes.iter().zip(&films) {
+            for view in View::ALL {
+                let picture = scene.picture(film, view);
+                let expected = scene.picture(scene.golden.film(), view);
+                let visible = difference(&expected, &picture);
+                if visible > 0.0 {
+                    shots.push(Shot {
+                        scene: scene.name.clone(),
+                        view,
+                        visible,
+                        picture,
+                    });
+                }
+            }
+        }
+        Ok(Candidate {
+            slug: mistake.slug.clone(),
+            tasks: mistake.mistake.fails.clone(),
+            shots,
+        })
+    }
+
+    /// The strip of a mistake in this scene and view.
+    fn strip(&self, mistake: &MistakeFolder, scene: &str, view: View) -> Result<Option<Strip>> {
+        let Some(scene) = self.scenes.iter().find(|own| own.name == scene) else {
+            return Ok(None);
+        };
+        let films = self.caster.films(mistake, &[scene])?;
+        films
+            .first()
+            .map(|film| scene.strip(film, view))
+            .transpose()
+    }
+}
+
+/// Chooses a scene and a view for every mistake, and keeps the strips.
+pub fn keep(checkout: &Checkout) -> Result<()> {
+    let assignment = course::assignment(checkout)?;
+    let known = KnownMistakes::read(&course::golden(checkout))?;
+    let studio = Studio::new(&assignment, checkout)?;
+    let count = studio.mistakes.len();
+    let mut candidates = Vec::new();
+    for (number, mistake) in (1..).zip(&studio.mistakes) {
+        eprintln!("mistake {number} of {count}: {}", mistake.slug);
+        candidates.push(studio.candidate(mistake, &known)?);
+    }
+    let chosen = choose(&candidates);
+    let mut strips = Strips::new();
+    for mistake in &studio.mistakes {
+        let strip = match chosen.get(mistake.slug.as_str()) {
+            Some(shot) => studio.strip(mistake, &shot.scene, shot.view)?,
+            None => None,
+        };
+        strips.push((mistake.slug.clone(), strip));
+    }
+    keep_all(strips, checkout)
+}
+
+/// Strips that are not what their mistake casts, or that look like another of their
+/// chapter.
 pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
-    Ok(stale(&strips(&[], checkout)?, checkout))
+    let assignment = course::assignment(checkout)?;
+    let studio = Studio::new(&assignment, checkout)?;
+    let list = list(checkout);
+    let mut strips = Strips::new();
+    for mistake in &studio.mistakes {
+        let strip = match list.get(&mistake.slug) {
+            Some(shown) => studio.strip(mistake, &shown.scene, shown.view)?,
+            None => None,
+        };
+        strips.push((mistake.slug.clone(), strip));
+    }
+    let known = KnownMistakes::read(&course::golden(checkout))?;
+    let shows = |slug: &String| {
+        known.films.iter().any(|(film, its)| {
+            assignment.scenes.iter().any(|scene| &scene.name == film) && its.contains_key(slug)
+        })
+    };
+    let mut problems = stale(&strips, checkout);
+    for (slug, _) in strips
+        .iter()
+        .filter(|(slug, strip)| strip.is_none() && shows(slug))
+    {
+        let path = checkout.inside(&strip_path(slug, checkout));
+        problems.push(Problem::of(
+            path,
+            "a scene shows this mistake, no strip does",
+            AGAIN,
+        ));
+    }
+    problems.extend(alike(&strips, &studio.mistakes, checkout));
+    Ok(problems)
+}
+
+/// Strips of one chapter that are the same picture.
+fn alike(strips: &Strips, mistakes: &[MistakeFolder], checkout: &Checkout) -> Vec<Problem> {
+    let mut seen: BTreeMap<(&str, &[u8]), &str> = BTreeMap::new();
+    let mut problems = Vec::new();
+    for (MistakeFolder { mistake, .. }, (slug, strip)) in mistakes.iter().zip(strips) {
+        let Some(strip) = strip else { continue };
+        for task in &mistake.fails {
+            if let Some(twin) = seen.insert((task, &strip.png), slug) {
+                let path = checkout.inside(&strip_path(slug, checkout));
+                let problem = format!("in the gallery of {task} it is the picture of {twin}");
+                problems.push(Problem::of(path, problem, AGAIN));
+            }
+        }
+    }
+    problems
 }
 
 /// By mistake.
-type List = BTreeMap<String, Told>;
+type List = BTreeMap<String, Shown>;
 
 fn list_path(checkout: &Checkout) -> PathBuf {
     checkout.book().join("gallery.toml")
@@ -61,24 +224,22 @@ fn strip_path(slug: &str, checkout: &Checkout) -> PathBuf {
         .join(format!("{slug}.png"))
 }
 
-/// What is told of each strip; nothing if none was ever made.
+/// What each strip shows; nothing if none was ever made.
 fn list(checkout: &Checkout) -> List {
     let text = fs::read_to_string(list_path(checkout)).unwrap_or_default();
     toml::from_str(&text).unwrap_or_default()
 }
 
-/// Keeps strips, and what is told of them.
+/// Keeps strips, and what each shows, in the place of those that were there.
 fn keep_all(strips: Strips, checkout: &Checkout) -> Result<()> {
-    let mut list = list(checkout);
+    for slug in list(checkout).keys() {
+        let _absent = fs::remove_file(strip_path(slug, checkout));
+    }
+    let mut list = List::new();
     for (slug, strip) in strips {
-        match strip {
-            Some(Strip { told, png }) => {
-                checkout.write(strip_path(&slug, checkout), png)?;
-                list.insert(slug, told);
-            }
-            None => {
-                list.remove(&slug);
-            }
+        if let Some(Strip { shown, png }) = strip {
+            checkout.write(strip_path(&slug, checkout), png)?;
+            list.insert(slug, shown);
         }
     }
     let text = toml::to_string(&list).expect("it is a table of tables");
@@ -89,18 +250,19 @@ fn keep_all(strips: Strips, checkout: &Checkout) -> Result<()> {
 /// Kept strips that are not these.
 fn stale(strips: &Strips, checkout: &Checkout) -> Vec<Problem> {
     let list = list(checkout);
-    let remedy = "make it again: cargo pinhole book gallery";
     let mut problems = Vec::new();
     for (slug, strip) in strips {
         let path = strip_path(slug, checkout);
         let kept = fs::read(&path).ok();
         let same = match strip {
-            Some(Strip { told, png }) => list.get(slug) == Some(told) && kept.as_ref() == Some(png),
+            Some(Strip { shown, png }) => {
+                list.get(slug) == Some(shown) && kept.as_ref() == Some(png)
+            }
             None => kept.is_none() && !list.contains_key(slug),
         };
         if !same {
             let problem = "the strip is not what this mistake casts";
-            problems.push(Problem::of(checkout.inside(&path), problem, remedy));
+            problems.push(Problem::of(checkout.inside(&path), problem, AGAIN));
         }
     }
     for slug in list.keys() {
@@ -113,132 +275,5 @@ fn stale(strips: &Strips, checkout: &Checkout) -> Vec<Problem> {
     problems
 }
 
-/// So many stand open; the others are folded.
-const OPEN: usize = 4;
-
-/// HTML of a task's gallery: the mistakes made most often, then all others, folded.
-pub fn shown(
-    task: &str,
-    to_root: &str,
-    assignment: &Assignment,
-    checkout: &Checkout,
-) -> std::result::Result<String, Wrong> {
-    let remedy = "make it: cargo pinhole book gallery";
-    let list = list(checkout);
-    let all = mistake::read_all(assignment).map_err(|error| (error.problem, error.remedy))?;
-    let mut own: Vec<(&String, &Mistake, Option<&Told>)> = all
-        .iter()
-        .filter(|MistakeFolder { mistake, .. }| {
-            mistake.is_single() && mistake.fails.iter().any(|own| own == task)
-        })
-        .map(|MistakeFolder { slug, mistake, .. }| (slug, mistake, list.get(slug)))
-        .collect();
-    if own.iter().all(|(_, _, told)| told.is_none()) {
-        return Err((
-            format!("the gallery of {task} was never made"),
-            remedy.into(),
-        ));
-    }
-    // What was met most often first; of those never counted, what shows in most pixels.
-    own.sort_by_key(|(slug, mistake, told)| {
-        let share = told.map_or(0, |told| told.pixels * 1000 / told.of);
-        (
-            Reverse((told.is_some(), mistake.submissions, share)),
-            (*slug).clone(),
-        )
-    });
-    let one = |(slug, mistake, told): &(&String, &Mistake, Option<&Told>)| {
-        one(slug, mistake, *told, to_root)
-    };
-    let (open, folded) = own.split_at(OPEN.min(own.len()));
-    let open: String = open.iter().map(one).collect();
-    let count = folded.len();
-    let folded: String = folded.iter().map(one).collect();
-    Ok(format!(
-        "<div class=\"gallery\">\n{open}<details><summary>{count} more, less often \
-         seen</summary>\n{folded}</details>\n</div>\n"
-    ))
-}
-
-fn one(slug: &str, mistake: &Mistake, told: Option<&Told>, to_root: &str) -> String {
-    let belief = escaped(&mistake.belief);
-    let often = match mistake.submissions {
-        Some(count) => format!(" Seen in {count} of {SOLUTIONS_COUNTED} solutions."),
-        None => String::new(),
-    };
-    let read = escaped(&mistake.hint.read);
-    let reading = format!("Read “{read}” in {}.{often}", escaped(&mistake.chapter));
-    let Some(Told {
-        scene,
-        picture,
-        pixels,
-        of,
-    }) = told
-    else {
-        return format!(
-            "<figure class=\"mistake\" id=\"{slug}\"><figcaption>You may believe: “{belief}” No scene \
-             shows it: questions do. {reading}</figcaption></figure>\n"
-        );
-    };
-    let alternative = format!(
-        "Scene {scene} as {picture} picture: as expected, as somebody with this belief casts it, and \
-         the {pixels} of {of} pixels that differ"
-    );
-    format!(
-        "<figure class=\"mistake\" id=\"{slug}\">\
-         <div class=\"heads\" aria-hidden=\"true\"><span>expected</span><span>theirs</span>\
-         <span>difference</span></div>\
-         <img src=\"{to_root}gallery/{slug}.png\" alt=\"{alternative}\" loading=\"lazy\">\
-         <figcaption>You may believe: “{belief}” <span class=\"where\"><code>{scene}</code>, {picture}: \
-         {pixels} of {of} pixels. {reading}</span></figcaption></figure>\n"
-    )
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn strip(pixels: usize, png: &str) -> Strip {
-        let told = Told {
-            scene: "bunny".into(),
-            picture: "id".into(),
-            pixels,
-            of: 100,
-        };
-        let png = png.into();
-        Strip { told, png }
-    }
-
-    #[test]
-    fn a_strip_that_its_mistake_no_longer_casts_is_a_problem() {
-        let folder = tempfile::tempdir().expect("there is room");
-        let checkout = Checkout::at(folder.path());
-        let strips = || {
-            vec![
-                ("seen".to_owned(), Some(strip(7, "a picture"))),
-                ("unseen".to_owned(), None),
-            ]
-        };
-        keep_all(strips(), &checkout).expect("there is room");
-        let told = |strips: &Strips| -> Vec<String> {
-            let problems = stale(strips, &checkout).into_iter();
-            problems.map(|problem| problem.problem).collect()
-        };
-        assert!(told(&strips()).is_empty());
-
-        let changed = ["the strip is not what this mistake casts"];
-        let mut other_picture = strips();
-        other_picture[0].1 = Some(strip(7, "another"));
-        assert_eq!(told(&other_picture), changed);
-        let mut other_count = strips();
-        other_count[0].1 = Some(strip(8, "a picture"));
-        assert_eq!(told(&other_count), changed);
-        let mut shown_now = strips();
-        shown_now[1].1 = Some(strip(1, "a picture"));
-        assert_eq!(told(&shown_now), changed);
-        let mut hidden_now = strips();
-        hidden_now[0].1 = None;
-        assert_eq!(told(&hidden_now), changed);
-        assert_eq!(told(&strips().split_off(1)), ["there is no such mistake"]);
-    }
-}
+mod tests;

@@ -14,3 +14,16 @@ pub fn figure(class: &str, content: &str, caption: &str) -> String {
         "<figure class=\"{class}\">\n{content}\n<figcaption>\n\n{caption}\n\n</figcaption>\n</figure>\n"
     )
 }
+
+/// Words above pictures that stand beside each other in one file; its alternative text
+/// says the same.
+pub fn heads(words: &[&str]) -> String {
+    let columns = words.len();
+    let spans: String = words
+        .iter()
+        .map(|word| format!("<span>{}</span>", escaped(word)))
+        .collect();
+    format!(
+        "<div class=\"heads\" style=\"--columns: {columns}\" aria-hidden=\"true\">{spans}</div>"
+    )
+}

@@ -7,7 +7,7 @@ use pinhole_course::checkout::Checkout;
 use crate::edition::Edition;
 use crate::error::Wrong;
 
-/// Folders whose code gives an answer away, or a wrong one.
+/// Folders whose code gives an answer away.
 const SOLUTIONS: [&str; 3] = ["/reference/", "/variants/", "/mistakes/"];
 
 /// Markdown of a listing with the file's path above it.

@@ -53,11 +53,8 @@ enum Command {
         /// Only these
         ids: Vec<String>,
     },
-    /// Cast the known mistakes, and save their pictures
-    Gallery {
-        /// Only these
-        mistakes: Vec<String>,
-    },
+    /// Cast the known mistakes, choose the picture that tells each from the others, and save it
+    Gallery,
     /// Bundle and save the script of the interactive figures (needs Node.js)
     Bundle,
     /// Draw and save the figures
@@ -116,7 +113,7 @@ fn run_command(command: Command) -> Result<Vec<Problem>> {
             check(&editions(&which, &checkout)?, &parts, &checkout)
         }
         Command::Capture { ids } => run::capture(&ids, &checkout).map(|()| Vec::new()),
-        Command::Gallery { mistakes } => gallery::keep(&mistakes, &checkout).map(|()| Vec::new()),
+        Command::Gallery => gallery::keep(&checkout).map(|()| Vec::new()),
         Command::Bundle => interactive::bundle(&checkout).map(|()| Vec::new()),
         Command::Figures { names } => figures::keep(&names, &checkout).map(|()| Vec::new()),
     }
@@ -128,12 +125,17 @@ fn editions(which: &Which, checkout: &Checkout) -> Result<Vec<Built>> {
         Some(out) => here.join(out),
         None => checkout.book().join("build"),
     };
+    let mut wanted = Edition::ALL.to_vec();
+    wanted.retain(|own| which.edition.is_none_or(|one| one == *own));
+    let steps = 1 + wanted.len();
+    eprintln!("1 of {steps}: the numbers of the worked examples");
     let sources = Arc::new(Sources::read(worked::values(checkout)?, checkout)?);
-    let wanted = Edition::ALL
-        .into_iter()
-        .filter(|own| which.edition.is_none_or(|one| one == *own));
     let mut all = Vec::new();
-    for edition in wanted {
+    for (step, edition) in (2..).zip(wanted) {
+        eprintln!(
+            "{step} of {steps}: the edition in the folder `{}`",
+            edition.name()
+        );
         let built = build(&sources, edition, &out.join(edition.name()), checkout)?;
         println!("{}", built.folder.join("index.html").display());
         all.push(built);

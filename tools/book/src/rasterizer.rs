@@ -1,13 +1,13 @@
 //! The other loop: for each triangle its pixels, with a depth buffer.
 //!
-//! It is here to be compared with ray casting, which must draw the same picture, and to
-//! count what each loop does. A triangle with a corner nearer than min_t is refused: to
+//! The book compares it with ray casting, which must draw the same picture, and counts
+//! the steps of both loops. A triangle with a corner nearer than min_t is refused: to
 //! clip it is what rasterizers need besides, and no idea of the chapter's.
 
 use glam::{DVec2, DVec3, dvec2};
 use pinhole::{Camera, Projection, Resolution, Triangle};
 
-/// What came, and what it cost.
+/// The picture, and the number of steps.
 pub struct Drawn {
     /// For each pixel, in the film's order, the nearest triangle.
     pub nearest: Vec<Option<usize>>,

@@ -23,10 +23,14 @@ const NUMBERS: &str = "f64";
 struct Record {
     provenance: Provenance,
     families: Vec<Family>,
-    speed: Vec<Speed>,
+    trades: Vec<Trade>,
+    tiers: Vec<Tier>,
+    conditioning: Vec<Conditioned>,
+    secondary: Vec<Secondary>,
     breaking: Vec<Breaking>,
     meshes: Vec<Mesh>,
     scenes: Vec<Scene>,
+    plans: Vec<Plan>,
 }
 
 #[derive(Deserialize)]
@@ -44,11 +48,45 @@ struct Family {
 }
 
 #[derive(Deserialize)]
-struct Speed {
+struct Trade {
+    shape: String,
+    class: String,
+    kernel: String,
+    numbers: String,
+    asked: u64,
+    wrong: u64,
+    median_ulp: Option<f64>,
+    instructions: Option<f64>,
+}
+
+#[derive(Deserialize)]
+struct Tier {
+    shape: String,
+    class: String,
+    tier: String,
+    decided: u64,
+    asked: u64,
+    instructions: Option<f64>,
+}
+
+#[derive(Deserialize)]
+struct Conditioned {
     shape: String,
     kernel: String,
     numbers: String,
-    ratio: f64,
+    decade: i32,
+    median_ulp: f64,
+}
+
+#[derive(Deserialize)]
+struct Secondary {
+    shape: String,
+    method: String,
+    offset: f64,
+    leaving: u64,
+    self_hits: u64,
+    near: u64,
+    lost: u64,
 }
 
 #[derive(Deserialize)]
@@ -58,8 +96,6 @@ struct Breaking {
     kernel: String,
     numbers: String,
     above: Option<i32>,
-    wrong: u64,
-    asked: u64,
 }
 
 #[derive(Deserialize)]
@@ -79,8 +115,16 @@ struct Scene {
     search: Option<String>,
     rays: u64,
     wrong_ids: u64,
+    instructions: Option<f64>,
     nanoseconds: Option<f64>,
     tests: Option<f64>,
+}
+
+#[derive(Deserialize)]
+struct Plan {
+    rays: u64,
+    violations: u64,
+    wrong_ids: u64,
 }
 
 /// Adds the record's numbers; without a record there are none, and a page that wants one
@@ -115,11 +159,32 @@ impl Record {
         add("machine".into(), machine.clone());
         add("date".into(), date.clone());
         add("command".into(), command.clone());
-        for speed in self.speed.iter().filter(|speed| speed.numbers == NUMBERS) {
-            let name = format!("cost_{}_{}", speed.shape, word(&speed.kernel));
-            add(name, format!("{:.2}", speed.ratio));
+        for trade in &self.trades {
+            let Trade { class, shape, .. } = trade;
+            let mut name = format!("{class}_{shape}_{}", word(&trade.kernel));
+            if trade.numbers != NUMBERS {
+                name = format!("{name}_{}", word(&trade.numbers));
+            }
+            add(format!("cost_{name}"), count(trade.instructions));
+            add(format!("wrong_{name}"), share(trade.wrong, trade.asked));
+            if let Some(ulp) = trade.median_ulp {
+                add(format!("ulp_{name}"), ulps(ulp));
+            }
         }
-        let mut decisions: BTreeMap<(&str, &str), (u64, u64)> = BTreeMap::new();
+        for tier in &self.tiers {
+            let name = format!("{}_{}_{}", tier.class, tier.shape, word(&tier.tier));
+            add(format!("tier_{name}"), share(tier.decided, tier.asked));
+            add(format!("tier_cost_{name}"), count(tier.instructions));
+        }
+        for it in self.conditioning.iter().filter(|it| it.numbers == NUMBERS) {
+            let name = format!("{}_{}_1e{}", it.shape, word(&it.kernel), it.decade);
+            add(format!("conditioned_{name}"), ulps(it.median_ulp));
+        }
+        for it in &self.secondary {
+            let name = format!("{}_{}_{}", it.shape, word(&it.method), it.offset);
+            add(format!("self_{name}"), share(it.self_hits, it.leaving));
+            add(format!("lost_{name}"), share(it.lost, it.near));
+        }
         for it in self.breaking.iter().filter(|it| it.numbers == NUMBERS) {
             let name = format!(
                 "breaks_{}_{}_{}",
@@ -130,15 +195,31 @@ impl Record {
             let sign = if self.shrinks(it) { -1 } else { 1 };
             let breaks = it.above.map(|exponent| decade(sign * exponent));
             add(name, breaks.unwrap_or("never".into()));
-            let (wrong, asked) = decisions.entry((&it.shape, &it.kernel)).or_default();
-            *wrong += it.wrong;
-            *asked += it.asked;
         }
-        for ((shape, kernel), (wrong, asked)) in decisions {
+        let (rays, broken) = self.plans.iter().fold((0, 0), |(rays, broken), plan| {
+            (rays + plan.rays, broken + plan.violations + plan.wrong_ids)
+        });
+        add("plans_broken".into(), share(broken, rays));
+        // By instructions, or by time if they were not counted.
+        let costs = |model: &str| -> Vec<f64> {
+            let films = self.scenes.iter().filter(|film| film.model == model);
+            let in_boxes = films.filter(|film| film.search.as_deref() == Some("boxes"));
+            in_boxes
+                .filter_map(|film| film.instructions.or(film.nanoseconds))
+                .collect()
+        };
+        let mut ratios: Vec<f64> = costs("exact")
+            .into_iter()
+            .zip(costs(NUMBERS))
+            .map(|(exact, plain)| exact / plain)
+            .collect();
+        ratios.sort_by(f64::total_cmp);
+        if let Some(worst) = ratios.last() {
             add(
-                format!("wrong_{shape}_{}", word(kernel)),
-                share(wrong, asked),
+                "exact_ratio_median".into(),
+                format!("{:.2}", ratios[ratios.len() / 2]),
             );
+            add("exact_ratio_worst".into(), format!("{worst:.2}"));
         }
         for mesh in self.meshes.iter().filter(|mesh| mesh.numbers == NUMBERS) {
             let name = format!("{}_{}", word(&mesh.kernel), mesh.aimed_at);
@@ -165,8 +246,6 @@ impl Record {
             })
         };
         if let (Some(brute), Some(boxes)) = (bunny("brute force"), bunny("boxes")) {
-            let count =
-                |tests: Option<f64>| tests.map_or("?".into(), |tests| format!("{tests:.0}"));
             add("bunny_tests_brute".into(), count(brute.tests));
             add("bunny_tests_boxes".into(), count(boxes.tests));
             if let (Some(slow), Some(fast)) = (brute.nanoseconds, boxes.nanoseconds) {
@@ -195,8 +274,23 @@ fn word(name: &str) -> String {
 
 fn share(part: u64, all: u64) -> String {
     match part {
-        0 => format!("0 of {all}"),
+        // Two digits of a percentage would be zeros.
+        part if part == 0 || part * 10_000 < all => format!("{part} of {all}"),
         _ => format!("{:.2} %", 100.0 * part as f64 / all as f64),
+    }
+}
+
+/// A cost, or that it was not counted.
+fn count(number: Option<f64>) -> String {
+    number.map_or("–".into(), |number| format!("{number:.0}"))
+}
+
+/// An error: all digits that tell something.
+fn ulps(error: f64) -> String {
+    match error {
+        1e4.. => decade(error.log10().round() as i32),
+        10.0.. => format!("{error:.0}"),
+        _ => format!("{error:.1}"),
     }
 }
 
@@ -220,8 +314,8 @@ mod tests {
         assert_eq!(word("M–T with epsilon"), "m_t_with_epsilon");
         assert_eq!(decade(-17), "10⁻¹⁷");
         assert_eq!(
-            (share(0, 30), share(1, 8)),
-            ("0 of 30".into(), "12.50 %".into())
+            [share(0, 30), share(1, 8), share(1, 10_001)],
+            ["0 of 30", "12.50 %", "1 of 10001"]
         );
     }
 
@@ -231,8 +325,11 @@ mod tests {
         let mut values = Values::new();
         add(&mut values, &checkout).expect("it can be read");
         for name in [
-            "cost_sphere_textbook",
-            "wrong_triangle_adaptive_exact",
+            "cost_everyday_sphere_textbook",
+            "wrong_hard_triangle_adaptive_exact",
+            "ulp_everyday_plane_shifted_origin_f64_on_f32",
+            "tier_hard_triangle_double_double",
+            "self_sphere_pbrt_v4_1000",
             "breaks_sphere_distance_textbook",
             "leaks_moeller_trumbore_edge",
             "bunny_faster",

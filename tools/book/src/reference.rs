@@ -1,4 +1,5 @@
-//! The compiled reference, asked as any submission is: over the seam, not linked.
+//! The compiled reference, asked like any submission: as a process of its own, not
+//! linked.
 //!
 //! No tool may import a submission. So a number that the book says "comes from the
 //! reference" comes from the program that is judged against Mitsuba.
@@ -62,6 +63,46 @@ impl Reference {
         }
     }
 
+    /// The ray through each pixel's centre, row by row from the top.
+    pub fn viewing_rays(&self, camera: Camera, resolution: Resolution) -> Result<Vec<Ray>> {
+        let pixels = (0..resolution.n_y)
+            .rev()
+            .flat_map(|j| (0..resolution.n_x).map(move |i| Pixel { i, j }));
+        let question = |pixel| CameraQuestion {
+            camera,
+            pixel,
+            resolution,
+        };
+        let questions = Questions::ViewingRay(pixels.map(question).collect());
+        let ray = |answer| match answer {
+            Some(Answer::Ray(ray)) => Ok(ray),
+            _ => Err(odd()),
+        };
+        let answers = self.reply(&Job::Ask(questions))?.answers;
+        answers.into_iter().map(ray).collect()
+    }
+
+    /// Where each of these rays meets a shape, alone.
+    pub fn intersect_all(
+        &self,
+        shape: &Shape,
+        rays: &[Ray],
+        min_t: f64,
+    ) -> Result<Vec<Option<Intersection>>> {
+        let question = |ray: &Ray| ShapeQuestion {
+            shape: shape.clone(),
+            ray: *ray,
+            min_t,
+        };
+        let questions = Questions::Intersect(rays.iter().map(question).collect());
+        let met = |answer| match answer {
+            Some(Answer::Hit(hit)) => Ok(hit.map(|hit: Hit| hit.intersection)),
+            _ => Err(odd()),
+        };
+        let answers = self.reply(&Job::Ask(questions))?.answers;
+        answers.into_iter().map(met).collect()
+    }
+
     /// Where a ray meets each of these triangles that it meets.
     pub fn each(&self, triangles: &[Triangle], ray: Ray, min_t: f64) -> Result<Vec<f64>> {
         let question = |triangle: &Triangle| ShapeQuestion {
@@ -98,7 +139,8 @@ impl Reference {
         answers.into_iter().next().flatten().ok_or_else(odd)
     }
 
-    fn reply(&self, job: &Job) -> Result<Reply> {
+    /// The reply to a job, with all its answers.
+    pub fn reply(&self, job: &Job) -> Result<Reply> {
         let limits = Limits::of_answers(WALL);
         let reply = examine::run(&self.program, &Sandbox::Trusted, &limits, job, &mut |_| {})?;
         match &reply.ending {

@@ -1,4 +1,5 @@
-//! Commands and what they print: captured once, shown, run again by every check.
+//! Commands and their output: captured once, shown in the book, and run again by every
+//! check.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -26,7 +27,7 @@ pub struct Run {
     pub answers: String,
     /// First and last line shown, from 1.
     pub lines: Option<[usize; 2]>,
-    /// Regular expressions, and what stands in their place, for what differs each time.
+    /// Regular expressions and replacements, for text that differs each time.
     #[serde(default)]
     pub replace: Vec<[String; 2]>,
 }
@@ -134,9 +135,11 @@ impl<'a> Runner<'a> {
         let handout = self.checkout.inside(&assignment(self.checkout)?.handout());
         let handout = handout.display().to_string();
         let mut arguments: Vec<String> = words.map(|word| word.replace(&handout, &named)).collect();
-        // Without a folder `check` takes the handout: the one folder that is not touched.
-        if arguments.first().is_some_and(|word| word == "check") {
-            arguments.push(named.clone());
+        // Without a folder they take the handout: the one folder that is not touched.
+        match arguments.first().map(String::as_str) {
+            Some("check") => arguments.push(named.clone()),
+            Some("explain" | "render") => arguments.extend(["--submission".into(), named.clone()]),
+            _ => {}
         }
         let here = scratch(self.checkout).join("run");
         fs::create_dir_all(&here).map_err(|error| Error::file(&here, &error))?;
@@ -145,7 +148,7 @@ impl<'a> Runner<'a> {
             .current_dir(&here)
             .output()
             .map_err(|error| Error::file(&self.pinhole, &error))?;
-        // 1 is a verdict, as any other.
+        // Exit code 1 is a verdict, not an error.
         if !matches!(output.status.code(), Some(0 | 1)) {
             let said = String::from_utf8_lossy(&output.stderr);
             return Err(wrong(format!("it fails: {said}"), "mend the command").into());
@@ -255,9 +258,9 @@ pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
     Runner::new(checkout)?.changed()
 }
 
-/// Says where the first difference is.
+/// Shows where the first difference is.
 fn changed(file: &Path, kept: Option<&str>, output: &str) -> Option<Problem> {
-    let remedy = "look whether the change is right, then: cargo pinhole book capture";
+    let remedy = "check that the change is right, then run: cargo pinhole book capture";
     let Some(kept) = kept else {
         return Some(Problem::of(file, "the command was never captured", remedy));
     };

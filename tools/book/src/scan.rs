@@ -1,4 +1,4 @@
-//! Takes a page apart: directives, formulas, and Markdown that stays as it is.
+//! Splits a page into directives, formulas, and Markdown that stays as it is.
 //!
 //! Only what Markdown would not show as code is looked at: a `$` or a `{{#` in a code
 //! block or a code span is text.
@@ -102,7 +102,7 @@ impl<'a> Scan<'a> {
     }
 }
 
-/// The length of a code block that begins with so many backticks.
+/// The length of a code block that begins with this many backticks.
 fn fenced(rest: &str, ticks: usize) -> usize {
     let mut length = 0;
     for (number, line) in rest.split_inclusive('\n').enumerate() {
@@ -115,8 +115,8 @@ fn fenced(rest: &str, ticks: usize) -> usize {
     length
 }
 
-/// The length of a code span that begins with so many backticks; of the backticks alone
-/// if it has no end, for then Markdown takes them as text.
+/// The length of a code span that begins with this many backticks. If it has no end,
+/// the length of the backticks alone, because Markdown then takes them as text.
 fn span(rest: &str, ticks: usize) -> usize {
     let mut at = ticks;
     let end = paragraph(rest).len();
@@ -142,7 +142,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn formulas_directives_and_text_come_apart_with_their_lines() {
+    fn formulas_directives_and_text_are_separated_with_their_lines() {
         let page = "a $x$ b\n{{#value t}}\n$$y\nz$$\n";
         let expected = vec![
             (1, Text("a ")),
@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_end_says_where_it_begins() {
+    fn unclosed_part_is_reported_at_its_beginning() {
         let open = |page| {
             pieces(page)
                 .into_iter()

@@ -1,4 +1,4 @@
-//! The silhouette of one sphere from far away, decided in three ways.
+//! The silhouette of one sphere from far away, computed in three ways.
 //!
 //! The unit sphere stands at distance `far` from the origin, where rays begin; each leads
 //! to a point (x, y) of the plane through the centre. However far that is, the picture
@@ -15,7 +15,7 @@ const UP: DVec3 = dvec3(0.48, 0.64, -0.6);
 /// Whether the ray to (x, y) meets the sphere at distance `far`.
 pub type Meets = fn(f64, f64, f64) -> bool;
 
-/// The ways, by the names that values have.
+/// The three ways, by their names in values.
 pub const WAYS: [(&str, Meets); 3] = [("f32", in_f32), ("f64", in_f64), ("foot", from_the_foot)];
 
 /// The distances, in radii, that the book shows.

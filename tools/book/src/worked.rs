@@ -4,6 +4,7 @@
 //! holds it against what the reference does return.
 
 mod camera;
+pub mod nine_pixels;
 mod shapes;
 
 use glam::DVec3;
@@ -28,6 +29,7 @@ pub fn values(checkout: &Checkout) -> Result<Values> {
     let mut values = Values::new();
     camera::add(&mut values, &reference, checkout)?;
     shapes::add(&mut values, &reference)?;
+    nine_pixels::add(&mut values, &reference)?;
     let colours = pinhole::false_colour::OBJECT_COLOURS;
     for (name, meets) in WAYS {
         for far in DISTANCES {
@@ -41,12 +43,12 @@ pub fn values(checkout: &Checkout) -> Result<Values> {
 }
 
 /// A number as the book shows it.
-fn shown(value: f64) -> String {
+pub(crate) fn shown(value: f64) -> String {
     number(value, DIGITS)
 }
 
 /// A vector as the book shows it.
-fn vector(DVec3 { x, y, z }: DVec3) -> String {
+pub(crate) fn vector(DVec3 { x, y, z }: DVec3) -> String {
     format!("({}, {}, {})", shown(x), shown(y), shown(z))
 }
 

@@ -6,7 +6,6 @@ use std::sync::Arc;
 
 use pinhole_book::build::{Built, build};
 use pinhole_book::check::{Part, check};
-use pinhole_book::course::assignment;
 use pinhole_book::edition::Edition;
 use pinhole_book::expand::Sources;
 use pinhole_book::run::Runner;
@@ -84,7 +83,7 @@ fn assert_told(page: &str, expected: &str) {
 }
 
 #[test]
-fn a_sound_page_is_told_nothing() {
+fn sound_page_has_no_problems() {
     let page = "# Dot\n\n## The sum\n\n[up](#the-sum) $a\\,b$\n\n\
                 {{#listing assignments/ray_casting/handout/src/dot.rs:stub}}\n";
     assert_eq!(told(page), Vec::<String>::new());
@@ -178,24 +177,4 @@ fn a_command_that_prints_something_else_now_is_a_problem_at_its_line() {
     let changed = "the command now prints `check assignments/ray_casting/handout`, not \
                    `grade assignments/ray_casting/handout`";
     assert_eq!(told(), one(Some(1), changed));
-}
-
-#[test]
-fn facts_that_are_not_the_courses_are_a_problem() {
-    let (_folder, checkout) = checkout("# Dot\n");
-    let slide = "scenes/slide_example.toml";
-    let course = Checkout::find().expect("tests run in a checkout");
-    let folder = |checkout| assignment(checkout).expect("it can be read").folder;
-    let scene = fs::read(folder(&course).join(slide)).expect("it is there");
-    let copy = folder(&checkout).join(slide);
-    checkout.write(copy, scene).expect("there is room");
-    let script = checkout.book().join("interactive/src");
-    fs::create_dir_all(&script).expect("there is room");
-    fs::write(script.join("facts.json"), "{}\n").expect("there is room");
-    let problems = check(&[], &[Part::Interactive], &checkout).expect("it reads them");
-    let told: Vec<&str> = problems
-        .iter()
-        .map(|problem| problem.problem.as_str())
-        .collect();
-    assert_eq!(told, ["the facts are not those of the course"]);
 }

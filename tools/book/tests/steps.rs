@@ -3,26 +3,24 @@
 use pinhole_book::course::assignment;
 use pinhole_course::checkout::Checkout;
 
-/// What stands on the page of a task: picture and idea, then the derivation, whose
-/// sections are its own, then these.
+/// What stands on the page of a task: the question, a picture, the derivation and worked
+/// numbers, whose sections are its own, then the stub, what mistakes look like, the command,
+/// and questions.
 fn parts(task: &str) -> Vec<String> {
     let parts = [
-        "{{#figure ",
         "\n**",
+        "{{#figure ",
         "\n$$",
-        "\n## The question\n",
-        "{{#listing assignments/ray_casting/handout/src/TASK.rs:stub}}",
-        "\n## A worked number\n",
         "{{#value ",
-        "\n## What to watch for\n",
+        "{{#listing assignments/ray_casting/handout/src/TASK.rs:stub}}",
         "\n## If your picture looks like this\n",
         "{{#gallery TASK}}",
         "\n## Try it\n",
         "{{#run check_TASK}}",
-        "\n## Check yourself\n",
         "\n<details><summary>",
         "\n<details><summary>",
         "\n<details><summary>",
+        "\n## Open challenges\n",
         "\n## For the curious: the numerics\n",
     ];
     let parts = parts.map(|part| part.replace("TASK", task));

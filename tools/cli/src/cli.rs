@@ -32,6 +32,9 @@ pub enum Command {
     Render(Render),
     Explain(Explain),
     Diff(Diff),
+    Reset(Reset),
+    Doctor(Doctor),
+    Completions(Completions),
 }
 
 impl Command {
@@ -42,6 +45,9 @@ impl Command {
             Command::Render(arguments) => arguments.json,
             Command::Explain(arguments) => arguments.json,
             Command::Diff(arguments) => arguments.json,
+            Command::Reset(arguments) => arguments.json,
+            Command::Doctor(arguments) => arguments.json,
+            Command::Completions(_) => false,
         }
     }
 }
@@ -96,12 +102,18 @@ pub struct Check {
     /// Open the page of the book that helps with the first thing that is wrong
     #[arg(long, conflicts_with_all = ["json", "watch"])]
     pub read: bool,
+    /// Write the answers to this ZIP file too, to hand in
+    #[arg(long, value_name = "FILE", conflicts_with = "watch")]
+    pub pack: Option<PathBuf>,
     /// Show how long each stage took
     #[arg(long, conflicts_with = "watch")]
     pub timings: bool,
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,
+    /// Compile answers with any attribute and macro, for tests of the sandbox
+    #[arg(long, hide = true)]
+    pub allow_everything: bool,
 }
 
 /// Cast a scene, and write its film and three pictures
@@ -109,12 +121,15 @@ pub struct Check {
 /// film.exr holds the id, t and normal of each pixel. id.png, depth.png and normal.png show
 /// them in false colours. If the scene has a golden, depth.png uses the golden's range of
 /// depths, so that you can compare the two pictures.
+///
+/// While some of your answers are missing, Mitsuba's film fills in for them, faded in the
+/// pictures, so that you see what your own code makes after each task.
 #[derive(Args)]
 pub struct Render {
     /// A scene file, or the name of one of the assignment's scenes
     pub scene: String,
     /// Cast with the answers in this folder [default: the current folder if it is a
-    /// submission, else the reference if it is there, else the handout]
+    /// submission, else the handout]
     #[arg(long, value_name = "DIR")]
     pub submission: Option<PathBuf>,
     #[command(flatten)]
@@ -134,9 +149,10 @@ pub struct Render {
 
 /// Explain one pixel in words
 ///
-/// Shows where the pixel lies on the image plane, its ray in camera space and in world space,
-/// what each object answers, the first hit and, if the scene has a golden, what Mitsuba
-/// found. Try: cargo pinhole explain slide_example 2 3
+/// Shows your ray beside the expected one: where it meets the image plane, in camera space and
+/// in world space. Then it shows what each object answers, what your code printed meanwhile,
+/// the first hit and, if the scene has a golden, what Mitsuba found.
+/// Try: cargo pinhole explain slide_example 2 3
 #[derive(Args)]
 pub struct Explain {
     /// A scene file, or the name of one of the assignment's scenes
@@ -148,7 +164,7 @@ pub struct Explain {
     #[command(flatten)]
     pub assignment: AssignmentOption,
     /// Explain the answers in this folder [default: the current folder if it is a
-    /// submission, else the reference if it is there, else the handout]
+    /// submission, else the handout]
     #[arg(long, value_name = "DIR")]
     pub submission: Option<PathBuf>,
     #[command(flatten)]
@@ -189,4 +205,87 @@ pub struct Diff {
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,
+}
+
+/// Start an answer again from the stub that was handed out
+///
+/// What you had is kept beside it: the file's name gets the ending .old, the next time
+/// .old2, and so on.
+#[derive(Args)]
+pub struct Reset {
+    /// The task
+    pub task: String,
+    /// The folder with the answer files, or with a folder `src` that has them [default: the
+    /// current folder if it is a submission, else the handout]
+    pub dir: Option<PathBuf>,
+    #[command(flatten)]
+    pub assignment: AssignmentOption,
+    /// Print one JSON document on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Check this machine for everything that Pinhole uses
+///
+/// Prints a line for each thing: the Rust compiler, the linker, the sandbox, Mitsuba and so
+/// on. If one is missing, it says what it is used for and how to get it. The exit code is 3
+/// if answers can't be compiled here; all other things are optional.
+#[derive(Args)]
+pub struct Doctor {
+    /// Print one JSON document on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Print a script that completes commands and options in your shell
+///
+/// It completes the program `pinhole`, not `cargo pinhole`. To have both, run
+/// `cargo install --path tools/cli` in the checkout, and for Bash:
+/// pinhole completions bash > ~/.local/share/bash-completion/completions/pinhole
+#[derive(Args)]
+pub struct Completions {
+    /// The shell to write for
+    pub shell: clap_complete::Shell,
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+    use clap::error::ErrorKind;
+    use pinhole_testing::documented::documented;
+
+    use super::Cli;
+
+    #[test]
+    fn every_documented_command_parses() {
+        let own = Cli::command();
+        let subcommands: Vec<&str> = own.get_subcommands().map(clap::Command::get_name).collect();
+        let mut count = 0;
+        for command in documented(&subcommands) {
+            let words = &command.words;
+            let is_own = words[0] == "pinhole" && subcommands.contains(&&*words[1]);
+            if !is_own
+                // Only the study casts exactly or by a plan.
+                || words.iter().any(|word| word == "--exact" || word == "--plan")
+            {
+                continue;
+            }
+            count += 1;
+            let Err(error) = Cli::command().try_get_matches_from(words) else {
+                continue;
+            };
+            // In a sentence, a command may lack what it needs, and have a name for a value.
+            let is_short = matches!(
+                error.kind(),
+                ErrorKind::MissingRequiredArgument
+                    | ErrorKind::MissingSubcommand
+                    | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
+                    | ErrorKind::InvalidValue
+                    | ErrorKind::ValueValidation
+            );
+            let place = format!("{}:{}", command.page, command.line);
+            assert!(!command.is_block && is_short, "{place}: {error}");
+        }
+        assert!(count > 10, "only {count} commands were found");
+    }
 }

@@ -1,9 +1,13 @@
 //! One file for each thing the command does.
 
 mod check;
+mod completions;
 mod diff;
+mod doctor;
 mod explain;
+mod read;
 mod render;
+mod reset;
 
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::Result;
@@ -19,5 +23,8 @@ pub fn run(cli: Cli) -> Result<Status> {
         Command::Render(arguments) => render::run(&checkout, &arguments),
         Command::Explain(arguments) => explain::run(&checkout, &arguments),
         Command::Diff(arguments) => diff::run(&checkout, &arguments),
+        Command::Reset(arguments) => reset::run(&checkout, &arguments),
+        Command::Doctor(arguments) => doctor::run(&checkout, &arguments),
+        Command::Completions(arguments) => Ok(completions::run(&arguments)),
     }
 }

@@ -1,12 +1,13 @@
 //! The `pinhole` command: what a student has.
 //!
-//! Reading order: [`cli`] for what can be asked; one file in `command` for each thing it
+//! Reading order: [`cli`] for the command line; one file in `command` for each thing it
 //! does; [`watch`] for doing it at every save; [`programs`] for the subcommands that other
-//! programs of the course have.
+//! programs of the course have; [`version`] for `--version`.
 
 mod cli;
 mod command;
 mod programs;
+mod version;
 mod watch;
 
 use std::process::ExitCode;
@@ -22,6 +23,10 @@ fn main() -> ExitCode {
     }
     if let Some(code) = programs::pass_on() {
         return code;
+    }
+    if let Some(version) = version::asked() {
+        anstream::println!("{version}");
+        return ExitCode::SUCCESS;
     }
     let cli = cli::Cli::parse();
     program::run(cli.command.wants_json(), || command::run(cli))

@@ -4,20 +4,21 @@
 
 use std::ffi::OsString;
 use std::path::PathBuf;
-use std::process::{Command, ExitCode};
+use std::process::{Command, ExitCode, Stdio};
 use std::{env, fs};
 
 use pinhole_course::checkout::Checkout;
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::handout_record::HandoutRecord;
+use pinhole_course::progress::patiently;
+use pinhole_course::rust_tool::rust_tool;
 use pinhole_report::program::{self, Status};
+use serde_json::Value;
 
 /// A program of the course.
 struct Program {
     package: &'static str,
     folder: &'static str,
-    /// The profile that cargo builds it with.
-    profile: &'static str,
     commands: &'static [&'static str],
 }
 
@@ -25,25 +26,30 @@ const PROGRAMS: [Program; 3] = [
     Program {
         package: "pinhole-instructor",
         folder: "tools/instructor",
-        profile: "instructor",
-        commands: &["golden", "grade", "merge", "handout", "validate"],
+        commands: &["golden", "grade", "dispute", "merge", "handout", "validate"],
     },
     Program {
         package: "pinhole-study",
         folder: "tools/study",
-        profile: "release",
         commands: &["study", "plan"],
     },
     Program {
         package: "pinhole-book",
         folder: "tools/book",
-        profile: "release",
         commands: &["book"],
     },
 ];
 
+/// The subcommands that are passed on.
+pub fn commands() -> impl Iterator<Item = &'static str> {
+    PROGRAMS
+        .iter()
+        .flat_map(|program| program.commands)
+        .copied()
+}
+
 /// Runs the program that has the subcommand on the command line; `None` if it is one of
-/// ours, or nobody's.
+/// ours, or unknown.
 pub fn pass_on() -> Option<ExitCode> {
     let words: Vec<OsString> = env::args_os().skip(1).collect();
     let program = program_of(&words)?;
@@ -53,7 +59,7 @@ pub fn pass_on() -> Option<ExitCode> {
         code = program.run(&words)?;
         Ok(Status::Well)
     });
-    // What the other program said with its exit code, unless it could not be started.
+    // The other program's exit code, unless it could not be started.
     Some(if started == ExitCode::SUCCESS {
         code
     } else {
@@ -89,32 +95,60 @@ impl Program {
                 "run this in a checkout of the course",
             ));
         }
-        let cargo = env::var_os("CARGO").unwrap_or("cargo".into());
-        let mut command = Command::new(cargo);
-        // Not from the checkout's top folder: paths are relative to where the user stands.
-        command
-            .args(["run", "--profile", self.profile, "--manifest-path"])
-            .arg(manifest);
-        if self.is_built(&checkout) {
-            command.arg("--quiet");
-        } else {
-            anstream::eprintln!(
-                "building {}, which takes a while the first time …",
-                self.package
-            );
+        // Build in the checkout, and then run in the user's folder: paths are relative to that,
+        // and `cargo run` would obey the settings of that folder.
+        let mut cargo = rust_tool("cargo", checkout.root());
+        cargo
+            .args(["build", "--release", "--manifest-path"])
+            .arg(manifest)
+            .arg("--message-format=json-render-diagnostics")
+            .stderr(Stdio::inherit());
+        // Optimisation settings that the program's manifest can't hold.
+        let settings = checkout.root().join(self.folder).join("release.toml");
+        if settings.is_file() {
+            cargo.arg("--config").arg(settings);
         }
-        let status = command.arg("--").args(words).status().map_err(|error| {
-            Error::environment(format!("cargo does not start: {error}"), "install Rust")
+        let what = format!("building {}", self.package);
+        let built = if self.is_built(&checkout) {
+            cargo.arg("--quiet");
+            let record = checkout.scratch().join(format!("{}.seconds", self.package));
+            patiently(&what, &record, || cargo.output())
+        } else {
+            // Cargo says what it does.
+            anstream::eprintln!("{what}, which takes a while the first time …");
+            cargo.output()
+        };
+        let built = built.or_environment("cargo does not start", "install Rust")?;
+        let executable = executable(&built.stdout).ok_or_else(|| {
+            Error::environment(
+                format!("{} does not build", self.package),
+                "see cargo's message above",
+            )
         })?;
+        let status = Command::new(&executable)
+            .args(words)
+            .status()
+            .or_environment(
+                format_args!("{} does not start", executable.display()),
+                "run `cargo clean`, then this again",
+            )?;
         let code = status.code().and_then(|code| u8::try_from(code).ok());
         Ok(ExitCode::from(code.unwrap_or(3)))
     }
 
     fn is_built(&self, checkout: &Checkout) -> bool {
         let name = format!("{}{}", self.package, env::consts::EXE_SUFFIX);
-        let executable: PathBuf = checkout.root().join("target").join(self.profile).join(name);
+        let executable: PathBuf = checkout.root().join("target/release").join(name);
         fs::metadata(executable).is_ok()
     }
+}
+
+/// The program that cargo says it has built.
+fn executable(messages: &[u8]) -> Option<PathBuf> {
+    let lines = messages.split(|byte| *byte == b'\n');
+    let messages = lines.filter_map(|line| serde_json::from_slice::<Value>(line).ok());
+    let mut programs = messages.filter_map(|message| Some(message["executable"].as_str()?.into()));
+    programs.next_back()
 }
 
 #[cfg(test)]

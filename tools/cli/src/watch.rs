@@ -18,7 +18,7 @@ mod state;
 mod terminal;
 
 use std::io::{IsTerminal, stdin, stdout};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
@@ -37,7 +37,7 @@ use plain::Plain;
 use state::{Act, State};
 use terminal::Terminal;
 
-/// What is watched, and what it is judged by.
+/// The watched submission, and what it is judged with.
 pub struct Course {
     pub assignment: Assignment,
     pub goldens: Goldens,
@@ -58,7 +58,7 @@ pub struct Course {
 /// Whatever can happen.
 #[derive(Debug)]
 pub enum Event {
-    /// The answers are other ones now.
+    /// The answers have changed.
     Saved {
         /// All of them.
         submission: Submission,
@@ -163,10 +163,4 @@ impl View {
             View::Plain(_) => Ok(()),
         }
     }
-}
-
-/// A path as short as it can be from where the user stands.
-fn from_here(path: &Path) -> &Path {
-    let here = std::env::current_dir().unwrap_or_default();
-    path.strip_prefix(here).unwrap_or(path)
 }

@@ -10,7 +10,7 @@ use pinhole::{Kind, Scene, ShapeKind};
 
 use crate::error::{Error, Result};
 
-pub use self::parts::{GroupPoints, ScenePoints, Task};
+pub use self::parts::{Dropped, DroppedPoints, Finish, GroupPoints, ScenePoints, Task};
 
 /// What students are asked, and where it lies.
 #[derive(Clone, Debug)]
@@ -29,6 +29,10 @@ pub struct Assignment {
     pub scenes: Vec<ScenePoints>,
     /// Points of scenes that students do not have here.
     pub withheld: u32,
+    /// What follows when all points are earned.
+    pub finish: Option<Finish>,
+    /// Groups of questions that do not count when a class is graded.
+    pub dropped: Vec<Dropped>,
 }
 
 impl Assignment {
@@ -50,15 +54,6 @@ impl Assignment {
     /// The folder of our own answers.
     pub fn reference(&self) -> PathBuf {
         self.folder.join("reference")
-    }
-
-    /// The answers that cast when nobody says whose: our own, or, in a student's
-    /// repository, which has none of ours, the student's.
-    pub fn own_answers(&self) -> PathBuf {
-        match self.reference().is_dir() {
-            true => self.reference(),
-            false => self.handout(),
-        }
     }
 
     /// The stubs as they were handed out, in a student's repository: the handout's
@@ -87,7 +82,7 @@ impl Assignment {
         self.folder.join("scenes").join(name).with_extension("toml")
     }
 
-    /// The scene a user means: a file, or one of the assignment's by name. With it comes
+    /// The scene a user means: a file, or one of the assignment's by name. Also returns
     /// its golden film's path, if one is committed.
     pub fn find_scene(&self, named: &str) -> Result<(Scene, Option<PathBuf>)> {
         let path = self.find_scene_file(named)?;

@@ -19,8 +19,10 @@ use crate::checkout::Checkout;
 use crate::error::{Error, Result};
 use crate::handout_record::Package;
 use crate::sandbox::Sandbox;
+use crate::shell;
 use crate::stubs;
-use crate::submission::{Submission, Unusable};
+use crate::submission::allow_list::{self, Verdict};
+use crate::submission::{Answer, Submission, Unusable};
 use crate::timings::timed;
 use build::{Built, Sources, build};
 use harness::Harness;
@@ -36,7 +38,9 @@ pub struct Program {
     pub executable: PathBuf,
     /// Answers that were replaced by their stubs, and why.
     pub replaced: Replacements,
-    /// Raised when nobody wants its answers any more.
+    /// What the compiler warned of, by task.
+    pub warnings: BTreeMap<String, String>,
+    /// Raised when its answers are no longer wanted.
     pub stop: Stop,
 }
 
@@ -58,16 +62,22 @@ pub struct Compiler {
     harness: Harness,
     /// Not the handout's folder: students fill that.
     pristine: Package,
+    /// Whether answers may use any attribute and macro.
+    allows_everything: bool,
+    /// Whether messages name the student's files by a path that opens from the current folder.
+    names_places: bool,
 }
 
-/// Compiles one submission: see [`Compiler::compile`].
+/// Compiles one submission for somebody who can edit it: see [`Compiler::compile`] and
+/// [`Compiler::naming_places`].
 pub fn compile(
     submission: &Submission,
     assignment: &Assignment,
     checkout: &Checkout,
     sandbox: &Sandbox,
 ) -> Result<Program> {
-    Compiler::new(assignment, checkout, sandbox)?.compile(submission)
+    let compiler = Compiler::new(assignment, checkout, sandbox)?;
+    compiler.naming_places().compile(submission)
 }
 
 impl Compiler {
@@ -78,11 +88,32 @@ impl Compiler {
         sandbox: &Sandbox,
     ) -> Result<Compiler> {
         Ok(Compiler {
-            programs: checkout.scratch().join("programs"),
+            programs: sandbox.scratch(checkout).join("programs"),
             sandbox: sandbox.clone(),
-            harness: timed("find the harness", || Harness::gather(checkout))?,
+            harness: timed("find the harness", || {
+                Harness::find(checkout, &sandbox.scratch(checkout))
+            })?,
             pristine: stubs::pristine(assignment, checkout)?,
+            allows_everything: false,
+            names_places: false,
         })
+    }
+
+    /// Without the [`allow_list`], for tests of the sandbox.
+    pub fn allowing(self, everything: bool) -> Compiler {
+        Compiler {
+            allows_everything: everything,
+            ..self
+        }
+    }
+
+    /// This compiler, whose messages name a student's files by a path that opens from the
+    /// current folder, and not by their names alone.
+    pub fn naming_places(self) -> Compiler {
+        Compiler {
+            names_places: true,
+            ..self
+        }
     }
 
     /// A compiler for one untrusted submission, with a sandbox and a folder of its own.
@@ -114,11 +145,27 @@ impl Compiler {
         enough: &mut dyn FnMut(&Replacements) -> bool,
     ) -> Result<Attempt> {
         let mut replaced = Replacements::new();
-        for answer in &submission.answers {
-            if let Err(unusable) = &answer.text {
-                replaced.insert(answer.task.clone(), Replaced::Unusable(unusable.clone()));
-            }
+        let mut unclear = Vec::new();
+        for Answer { task, text } in &submission.answers {
+            let why = match text {
+                Err(unusable) => Replaced::Unusable(unusable.clone()),
+                Ok(_) if self.allows_everything => continue,
+                Ok(text) => match allow_list::verdict(task, text) {
+                    Verdict::Allowed => continue,
+                    Verdict::Refused(why) => Replaced::DoesNotCompile(why),
+                    Verdict::NotTokens => {
+                        unclear.push(task);
+                        continue;
+                    }
+                },
+            };
+            replaced.insert(task.clone(), why);
         }
+        let shown_in = match self.names_places {
+            true => place_from_here(submission),
+            false => None,
+        };
+        let shown_in = shown_in.unwrap_or(build::SRC.into());
         // Each round replaces at least one answer, so there are at most as many rounds.
         for _ in 0..=submission.answers.len() {
             if enough(&replaced) {
@@ -126,12 +173,26 @@ impl Compiler {
             }
             let compile = |replaced: &Replacements| {
                 let sources = sources(submission, &self.pristine, replaced);
-                build(&sources, &self.programs, &self.harness, &self.sandbox)
+                let Compiler {
+                    programs, harness, ..
+                } = self;
+                build(&sources, &shown_in, programs, harness, &self.sandbox)
             };
             match compile(&replaced)? {
-                Built::Program(executable) => {
+                Built::Program {
+                    executable,
+                    warnings,
+                } => {
+                    unclear.retain(|task| !replaced.contains_key(*task));
+                    if !unclear.is_empty() {
+                        let tasks = unclear.drain(..);
+                        replaced.extend(tasks.map(|task| (task.clone(), unclear_tokens(task))));
+                        continue;
+                    }
+                    let warnings = blame::warnings(&warnings, submission, &replaced);
                     return Ok(Attempt::Program(Program {
                         executable,
+                        warnings,
                         replaced,
                         stop: Stop::default(),
                     }));
@@ -155,12 +216,28 @@ impl Compiler {
     }
 }
 
+/// For an answer that the compiler can split into tokens, and we can't.
+fn unclear_tokens(task: &str) -> Replaced {
+    Replaced::DoesNotCompile(format!(
+        "error: src/{task}.rs holds characters that Pinhole can't read as Rust\n  = help: write \
+         plain Rust 2024\n"
+    ))
+}
+
 /// The result of [`Compiler::compile_until`].
 pub enum Attempt {
     /// A program.
     Program(Program),
     /// The caller knows enough without one.
     Enough,
+}
+
+/// The folder of the answer files, as it opens from the current one; `None` for an archive, and
+/// for a name that the compiler's option cannot hold.
+fn place_from_here(submission: &Submission) -> Option<String> {
+    let place = shell::from_here(&submission.place);
+    let name = place.to_str().filter(|name| !name.contains('='))?;
+    submission.place.is_dir().then(|| name.to_owned())
 }
 
 /// The fixed files, and each answer or its stub.
@@ -182,10 +259,10 @@ fn sources(submission: &Submission, pristine: &Package, replaced: &Replacements)
     sources
 }
 
-/// The answers that fail even among stubs. This finds who is to blame for an error
-/// that shows in a file of ours: a deleted function or `impl`, say.
+/// The answers that fail even among stubs. This finds the cause of an error that shows
+/// in one of our files, such as a deleted function or `impl`.
 ///
-/// Nobody is, if the stubs alone fail too: then the fault is the machine's or ours.
+/// If the stubs alone fail too, there is none: the fault is the machine's or ours.
 fn blame_alone(
     submission: &Submission,
     already: &Replacements,

@@ -1,20 +1,25 @@
 //! The worst question of a film in words.
 
 use pinhole::Fact;
-use pinhole::ask::Reply;
-use pinhole::judge::Verdict;
+use pinhole::ask::{Ending, Reply};
+use pinhole::judge::{ChannelVerdict, Mismatch, Verdict};
 use pinhole::report::digits_to_tell;
 use pinhole::words::number;
 
 use crate::goldens::questions::QuestionFilm;
 
+/// The first channel that is wrong, and where it is worst.
+pub fn worst_of(verdict: &Verdict) -> Option<(&ChannelVerdict, Mismatch)> {
+    let mut channels = verdict.channels.iter();
+    channels.find_map(|channel| Some((channel, channel.worst?)))
+}
+
 /// The worst question of a verdict: what was asked, expected, and given.
 ///
 /// Nothing if the verdict passes, or is on a scene.
 pub fn worst(verdict: &Verdict, asked: &QuestionFilm, reply: &Reply) -> Vec<Fact> {
-    let mut channels = verdict.channels.iter();
-    let worst = channels.find_map(|channel| Some((channel, channel.worst?)));
-    let (Some(questions), Some((channel, mismatch))) = (asked.job.questions(), worst) else {
+    let (Some(questions), Some((channel, mismatch))) = (asked.job.questions(), worst_of(verdict))
+    else {
         return Vec::new();
     };
     let index = verdict.resolution.index(mismatch.pixel);
@@ -27,7 +32,7 @@ pub fn worst(verdict: &Verdict, asked: &QuestionFilm, reply: &Reply) -> Vec<Fact
         None => "nothing".into(),
     };
     facts.extend([Fact::new("expected", expected), Fact::new("got", got)]);
-    // An object is right or wrong; for all else it helps to see how near is near enough.
+    // An object is right or wrong; for all other channels it helps to see the tolerance.
     if channel.name != "id" {
         let allowed = number(f64::from(mismatch.allowed), 2);
         let allowed = format!("{} ± {allowed}", channel.name);
@@ -35,3 +40,18 @@ pub fn worst(verdict: &Verdict, asked: &QuestionFilm, reply: &Reply) -> Vec<Fact
     }
     facts
 }
+
+/// The question at which an answer panicked; nothing if there was no panic, or no answer yet.
+pub fn panicked(asked: &QuestionFilm, reply: &Reply) -> Vec<Fact> {
+    match (&reply.ending, asked.job.questions()) {
+        (Ending::Panicked(panic), Some(questions))
+            if !panic.is_unanswered() && panic.index < questions.len() =>
+        {
+            questions.describe(panic.index, &asked.name, DIGITS)
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Digits of a question that is not compared with anything.
+const DIGITS: usize = 6;

@@ -3,18 +3,20 @@
 pub mod evidence;
 pub mod fingerprint;
 pub mod known;
+pub mod measure;
+pub mod parts;
 mod reason;
 
 use serde::{Deserialize, Serialize};
 
 use crate::mistake::Mistake;
 
-/// What is known of why something is wrong.
+/// The known beliefs that explain why something is wrong.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Diagnosis {
-    /// Beliefs that explain what came. Empty if nothing known does: a false name is
-    /// worse than none.
+    /// Beliefs that explain the answers. Empty if no known belief does, because a false
+    /// name is worse than none.
     pub beliefs: Vec<Explanation>,
     /// How several beliefs are meant.
     pub reading: Reading,
@@ -28,7 +30,7 @@ pub enum Reading {
     /// All of them are held, each spoiling its part.
     #[default]
     Together,
-    /// One of them is held; what came cannot tell them apart.
+    /// One of them is held; the answers cannot tell them apart.
     #[serde(rename = "one of")]
     OneOf,
 }

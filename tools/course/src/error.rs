@@ -13,7 +13,7 @@ pub struct Error {
     pub problem: String,
     /// What to do about it.
     pub remedy: String,
-    /// What lies behind it; its words are part of the problem's.
+    /// The error that caused it, whose message is part of the problem's.
     source: Option<Source>,
 }
 
@@ -22,9 +22,9 @@ type Source = Box<dyn std::error::Error + Send + Sync>;
 /// Whose turn it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
-    /// The user's: a file or an argument.
+    /// The user: a file or an argument is wrong.
     Input,
-    /// The machine's, or our own.
+    /// The machine's administrator, or we.
     Environment,
 }
 
@@ -60,8 +60,8 @@ impl Error {
         )
     }
 
-    /// This error with what lies behind it. Where several steps can fail in the same way,
-    /// the error is made once and given its source where one of them does.
+    /// This error with its cause. Where several steps can fail in the same way, the error
+    /// is made once and given its source where one of them does.
     pub fn because(&self, source: impl Into<Source>) -> Error {
         let source = source.into();
         Error {
@@ -94,7 +94,7 @@ impl std::error::Error for Error {
     }
 }
 
-/// Says what failed, and what to do about it, where somebody else's error comes back.
+/// Adds what failed, and the remedy, to an error of another library.
 pub trait ResultExt<T> {
     /// The user's file or argument is to blame.
     fn or_input(self, problem: impl fmt::Display, remedy: impl Into<String>) -> Result<T>;
@@ -139,7 +139,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_error_keeps_what_lies_behind_it_and_says_it_once() {
+    fn error_keeps_its_cause_and_prints_it_once() {
         let lost: io::Result<()> = Err(io::Error::other("the disk is gone"));
         let error = lost.or_environment(format_args!("cannot read {}", "a.toml"), "look for it");
         let error = error.expect_err("it failed");

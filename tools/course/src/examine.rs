@@ -6,18 +6,24 @@ mod judged;
 
 use std::time::{Duration, Instant};
 
+use pinhole::Fact;
 use pinhole::ask::MOST_PRINTED;
+use pinhole::job::Job;
+use pinhole::judge::Verdict;
+use pinhole::kind::{CameraQuestion, Questions};
 use rayon::prelude::*;
 
 use crate::assignment::{Assignment, Task};
 use crate::compile::Program;
 use crate::describe;
 use crate::diagnosis::Diagnosis;
+use crate::diagnosis::measure::measure;
 use crate::error::{Error, Result};
-use crate::goldens::questions::Group;
+use crate::goldens::questions::{Group, QuestionFilm};
 use crate::goldens::{GoldenScene, Goldens};
 use crate::outcome::{
-    Examination, FilmOutcome, GroupOutcome, Outcome, SceneFilm, SceneOutcome, Status, TaskOutcome,
+    Examination, FilmOutcome, GroupOutcome, Outcome, OwnRays, SceneFilm, SceneOutcome, Status,
+    TaskOutcome,
 };
 use crate::sandbox::Sandbox;
 use crate::second_judge::SecondJudge;
@@ -26,7 +32,11 @@ use crate::submission::flags::flags;
 use crate::timings::timed;
 pub use asking::{Clock, KnownReplies, run};
 use diagnose::Cast;
+pub use diagnose::asked;
 pub use judged::failure;
+
+/// A person reads no more of what one question printed.
+const MOST_PRINTED_BY_ONE: usize = 1000;
 
 /// A built submission and what it is measured against.
 pub struct Examiner<'a> {
@@ -40,17 +50,18 @@ pub struct Examiner<'a> {
     pub sandbox: &'a Sandbox,
     /// How long each process may take.
     pub wall: Duration,
-    /// Whether somebody waits for the result. Then trusted code is asked several things at a
-    /// time, a process that sends nothing for a fifteenth of `wall` (2 s at least) is given
-    /// up, and no scene is cast that needs an answer which did not come in time.
+    /// Whether somebody waits for the result. If so, trusted code is asked several things at
+    /// a time, and a process that sends nothing for a fifteenth of `wall` (2 s at least) is
+    /// given up.
     pub interactive: bool,
-    /// Asked about every film too, if there is one; a disagreement is an error.
+    /// The second judge, if every film is to be judged by it too; a disagreement is an
+    /// error.
     pub second_judge: Option<&'a SecondJudge>,
-    /// Says how long each process may take, in place of the usual limits, if there is one.
+    /// Limits for each process, in place of the usual ones.
     pub clock: Option<&'a dyn Clock>,
     /// Replies that need not be asked for again, if there are any.
     pub known: Option<&'a dyn KnownReplies>,
-    /// Told what is being asked, and the share of its answers so far, 0 to 1.
+    /// Called with what is being asked, and the share of answers so far, from 0 to 1.
     pub progress: &'a (dyn Fn(&str, f64) + Sync),
 }
 
@@ -105,13 +116,13 @@ impl Examiner<'_> {
         let scenes: Vec<&GoldenScene> = scenes
             .filter(|scene| selection.has_scene(&scene.name))
             .collect();
-        let late: Vec<&Task> = match self.interactive {
-            true => self.late(&tasks).collect(),
-            false => Vec::new(),
-        };
+        // A scene that needs such an answer would be as late again.
+        let late: Vec<&Task> = self.late(&tasks).collect();
         let mut outcomes = Vec::new();
         let mut films = Vec::new();
-        for (outcome, film, text) in self.each(&scenes, |scene| self.scene(scene, &late))? {
+        let rays_pass = self.rays_pass(&tasks);
+        let scenes = self.each(&scenes, |scene| self.scene(scene, &late, rays_pass))?;
+        for (outcome, film, text) in scenes {
             outcomes.push(outcome);
             films.push(film);
             printed.push(text);
@@ -140,7 +151,7 @@ impl Examiner<'_> {
     }
 
     /// Reads the goldens of everything that is selected into memory, while a submission is
-    /// being compiled, say. What cannot be read is told by [`Examiner::examine`].
+    /// being compiled, say. [`Examiner::examine`] reports what cannot be read.
     pub fn warm_up(assignment: &Assignment, goldens: &Goldens, selection: &Selection) {
         let wants_task = |task: &&Task| selection.has_task(&task.name);
         let wants_scene = |scene: &&GoldenScene| selection.has_scene(&scene.name);
@@ -156,14 +167,20 @@ impl Examiner<'_> {
         );
     }
 
-    /// The same work on all items, in their order: several at a time where somebody waits for
-    /// code of their own. Processes of foreign code share a user id, and so what it may use.
+    /// Whether several things are asked at a time: somebody waits, for their own code.
+    fn asks_several(&self) -> bool {
+        self.interactive && matches!(self.sandbox, Sandbox::Trusted)
+    }
+
+    /// Does the same work on all items, in their order: several at a time if somebody waits
+    /// for their own code. Processes of untrusted code run one by one, because they share a
+    /// user id and its limits.
     fn each<T: Sync, R: Send>(
         &self,
         items: &[T],
         work: impl Fn(&T) -> Result<R> + Sync,
     ) -> Result<Vec<R>> {
-        match self.interactive && matches!(self.sandbox, Sandbox::Trusted) {
+        match self.asks_several() {
             true => items.par_iter().with_max_len(1).map(&work).collect(),
             false => items.iter().map(work).collect(),
         }
@@ -181,9 +198,9 @@ impl Examiner<'_> {
 
     fn task(&self, task: &Task) -> Result<(TaskOutcome, String)> {
         let questions = self.goldens.cached_questions(task)?;
-        let replies = self.ask_task(task, &questions)?;
-        let printed = replies.iter().map(|reply| reply.printed.as_str()).collect();
-        let mut replies = replies.iter();
+        let all = self.ask_task(task, &questions)?;
+        let printed: String = all.iter().map(|reply| reply.printed.as_str()).collect();
+        let mut replies = all.iter();
         let mut results = Vec::new();
         let mut casts = Vec::new();
         for Group {
@@ -197,7 +214,14 @@ impl Examiner<'_> {
             for (film, reply) in films.iter().zip(replies.by_ref()) {
                 let judged = self.judge(reply, film, Some(&task.name))?;
                 let worst = match &judged.verdict {
-                    Some(verdict) => describe::worst(verdict, film, reply),
+                    Some(verdict) => {
+                        let mut facts = describe::worst(verdict, film, reply);
+                        if self.interactive && !printed.is_empty() {
+                            facts.extend(self.printed_by_worst(task, verdict, film)?);
+                        }
+                        facts
+                    }
+                    None if self.interactive => describe::panicked(film, reply),
                     None => Vec::new(),
                 };
                 let outcome = judged.outcome;
@@ -206,7 +230,7 @@ impl Examiner<'_> {
                     film: judged.film,
                     end: outcome.clone(),
                 });
-                // The first film that fails speaks for its group.
+                // The first film that fails is reported for its group.
                 if result
                     .as_ref()
                     .is_none_or(|(earlier, _): &(FilmOutcome, _)| earlier.passes())
@@ -217,7 +241,7 @@ impl Examiner<'_> {
             let (outcome, worst) = result.ok_or_else(|| {
                 Error::environment(
                     format!("group `{name}` of task `{}` has no questions", task.name),
-                    "make the goldens again: cargo pinhole golden render",
+                    "restore the goldens: git checkout -- golden",
                 )
             })?;
             results.push(GroupOutcome::new(
@@ -235,15 +259,68 @@ impl Examiner<'_> {
                 self.goldens.diagnose_task(&task.name, &casts)
             })?,
         };
+        let measured = match passes {
+            true => Vec::new(),
+            false => timed("measure errors", || measure(&asked(task, &questions, &all))),
+        };
         let replaced = self.program.replaced.get(&task.name);
-        let outcome = TaskOutcome::new(task, replaced, results, diagnosis);
+        let findings = measured.into_iter().map(|measured| measured.finding);
+        let mut outcome = TaskOutcome::new(task, replaced, results, diagnosis, findings.collect());
+        if self.interactive && !passes && !outcome.is_unanswered() {
+            let warnings = self.program.warnings.get(&task.name);
+            outcome.warnings = warnings.cloned().unwrap_or_default();
+        }
         Ok((outcome, printed))
+    }
+
+    /// Whether the answer that gives rays was judged, and passes.
+    fn rays_pass(&self, tasks: &[TaskOutcome]) -> bool {
+        let is_asked = |task: &&TaskOutcome| {
+            let task = self.assignment.task(&task.name);
+            task.is_some_and(|task| task.kind.gives_rays())
+        };
+        tasks.iter().find(is_asked).is_some_and(TaskOutcome::passes)
+    }
+
+    /// The rays that a submission sends through the pixels of a scene.
+    fn own_rays(&self, name: &str, film: &QuestionFilm) -> Result<OwnRays> {
+        let Job::Film(scene) = &film.job else {
+            return Ok(OwnRays::Unknown);
+        };
+        let pixels = 0..scene.resolution.pixels();
+        let questions = pixels.map(|index| CameraQuestion::of_scene(scene, index));
+        let job = Job::Ask(Questions::ViewingRay(questions.collect()));
+        let reply = self.ask(name, &job, self.wall)?;
+        Ok(match reply.is_whole() {
+            true => OwnRays::Asked(reply.film(scene.resolution)),
+            false => OwnRays::Unknown,
+        })
+    }
+
+    /// What the answer prints when it is asked the worst question of a verdict alone.
+    fn printed_by_worst(
+        &self,
+        task: &Task,
+        verdict: &Verdict,
+        film: &QuestionFilm,
+    ) -> Result<Option<Fact>> {
+        let questions = film.job.questions();
+        let Some((questions, (_, mismatch))) = questions.zip(describe::worst_of(verdict)) else {
+            return Ok(None);
+        };
+        let index = verdict.resolution.index(mismatch.pixel);
+        let job = Job::Ask(questions.part(index..index + 1));
+        let reply = self.ask(&task.name, &job, self.wall)?;
+        let text = reply.printed.trim_end();
+        let text = &text[..text.floor_char_boundary(MOST_PRINTED_BY_ONE)];
+        Ok((!text.is_empty()).then(|| Fact::new("printed", text)))
     }
 
     fn scene(
         &self,
         scene: &GoldenScene,
         late: &[&Task],
+        rays_pass: bool,
     ) -> Result<(SceneOutcome, SceneFilm, String)> {
         let film = self.goldens.cached_scene(scene)?;
         let mut late = late
@@ -262,6 +339,12 @@ impl Examiner<'_> {
             }
         };
         let seconds = start.elapsed().as_secs_f64();
+        let is_wrong = judged.as_ref().is_some_and(|judged| judged.film.is_some());
+        let rays = match is_wrong && self.interactive && !outcome.passes() {
+            true if rays_pass => OwnRays::Right,
+            true => self.own_rays(&scene.name, &film)?,
+            false => OwnRays::Unknown,
+        };
         let outcome = SceneOutcome::new(scene.name.clone(), scene.worth, outcome, seconds);
         let (cast, verdict) = judged.map_or((None, None), |judged| (judged.film, judged.verdict));
         let film = SceneFilm {
@@ -270,6 +353,7 @@ impl Examiner<'_> {
             golden: film.golden.clone(),
             film: cast,
             verdict,
+            rays,
         };
         Ok((outcome, film, printed))
     }

@@ -1,4 +1,4 @@
-//! One pixel, asked answer by answer, so that one that fails hides no other.
+//! Explains one pixel by asking each answer alone, so that one failure hides no other.
 
 mod fault;
 
@@ -8,6 +8,7 @@ use std::time::Duration;
 use pinhole::job::Job;
 use pinhole::kind::{Answer, CameraQuestion, Questions, ShapeQuestion};
 use pinhole::{Film, Hit, Kind, Pixel, Ray, Scene};
+use serde::Serialize;
 
 use crate::assignment::{Assignment, Task};
 use crate::compile::{Program, Replaced};
@@ -37,7 +38,7 @@ impl Mitsuba {
     }
 }
 
-/// What an answer said, or why it said nothing.
+/// An answer's reply, or why there is none.
 pub type Said<T> = std::result::Result<T, NoAnswer>;
 
 /// Why there is no answer.
@@ -65,8 +66,21 @@ pub struct Explanation {
     pub candidates: Vec<Said<Option<Hit>>>,
     /// The nearest object.
     pub nearest: Said<Option<Hit>>,
-    /// What it should all come to.
+    /// What Mitsuba found at this pixel.
     pub mitsuba: Option<Mitsuba>,
+    /// What the submission's code printed meanwhile.
+    pub printed: Printed,
+}
+
+/// What a submission's code printed while it was asked one thing after the other.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Printed {
+    /// For the ray.
+    pub ray: String,
+    /// For each object alone.
+    pub candidates: Vec<String>,
+    /// For the nearest.
+    pub nearest: String,
 }
 
 /// A built submission that can be asked about one pixel.
@@ -100,6 +114,7 @@ impl Witness<'_> {
             pixel,
             resolution,
         };
+        let mut printed = Printed::default();
         let ray = self.ask(
             self.assignment.task_of_kind(Kind::ViewingRay, None),
             &Job::Ask(Questions::ViewingRay(vec![question])),
@@ -107,6 +122,7 @@ impl Witness<'_> {
                 Answer::Ray(ray) => Some(ray),
                 Answer::Hit(_) => None,
             },
+            &mut printed.ray,
         )?;
         let asked = ray
             .as_ref()
@@ -133,17 +149,20 @@ impl Witness<'_> {
                     .assignment
                     .task_of_kind(Kind::of_shape(kind), Some(kind));
                 let job = Job::Ask(Questions::Intersect(vec![question]));
+                let mut text = String::new();
                 let said = match &endless {
                     Some((known, why)) if *known == kind => Err(NoAnswer::clone(why)),
-                    _ => self.ask(task, &job, hit)?,
+                    _ => self.ask(task, &job, hit, &mut text)?,
                 };
+                printed.candidates.push(text);
                 if let Err(why @ NoAnswer::Failed(FilmOutcome::TimedOut { .. })) = &said {
                     endless = Some((kind, why.clone()));
                 }
                 candidates.push(said);
             }
             let task = self.assignment.task_of_kind(Kind::FirstHit, None);
-            nearest = self.ask(task, &Job::Cast(ray, min_t, objects.clone()), hit)?;
+            let job = Job::Cast(ray, min_t, objects.clone());
+            nearest = self.ask(task, &job, hit, &mut printed.nearest)?;
         }
         Ok(Explanation {
             ray,
@@ -151,6 +170,7 @@ impl Witness<'_> {
             candidates,
             nearest,
             mitsuba,
+            printed,
         })
     }
 
@@ -160,6 +180,7 @@ impl Witness<'_> {
         task: Option<&Task>,
         job: &Job,
         pick: impl Fn(Answer) -> Option<T>,
+        printed: &mut String,
     ) -> Result<Said<T>> {
         let replaced = |task: &Task| self.program.replaced.get(&task.name);
         if let Some((task, replaced)) = task.and_then(|task| Some((task, replaced(task)?))) {
@@ -172,10 +193,11 @@ impl Witness<'_> {
         let reply = examine::run(
             self.program,
             self.sandbox,
-            &Limits::of_answers(self.wall),
+            &Limits::of_own_answers(self.wall),
             job,
             &mut |_| {},
         )?;
+        printed.push_str(&reply.printed);
         let answer = reply.answers.first().copied().flatten().and_then(pick);
         Ok(answer.ok_or_else(|| {
             let task = task.map(|task| task.name.as_str());

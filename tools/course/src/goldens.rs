@@ -26,7 +26,7 @@ pub struct Goldens {
     pub kept: Arc<Mutex<BTreeMap<String, Arc<Questions>>>>,
     /// Films of scenes that were read already, by name.
     pub scene_cache: Arc<Mutex<BTreeMap<String, Arc<QuestionFilm>>>>,
-    /// Whose probes are asked, if this folder has scenes alone.
+    /// The goldens whose probes are asked if this folder has only scenes.
     pub probes: Option<Box<Goldens>>,
 }
 
@@ -117,6 +117,17 @@ impl Goldens {
         Ok(goldens)
     }
 
+    /// For each scene, the tasks that it can't be cast without.
+    pub fn needs_of_scenes<'a>(&self, assignment: &'a Assignment) -> Result<Vec<Vec<&'a str>>> {
+        let needs = |scene: &GoldenScene| {
+            let film = self.cached_scene(scene)?;
+            let tasks = assignment.tasks.iter();
+            let needed = tasks.filter(|task| film.job.needs(task.kind, task.shape));
+            Ok(needed.map(|task| task.name.as_str()).collect())
+        };
+        self.scenes.iter().map(needs).collect()
+    }
+
     /// The goldens that single tasks are judged by.
     pub fn judge_of_probes(&self) -> &Goldens {
         self.probes.as_deref().unwrap_or(self)
@@ -180,7 +191,7 @@ fn own(file: PathBuf, worth: u32) -> GoldenScene {
     }
 }
 
-/// `all` points in `count` shares as even as whole numbers allow.
+/// Splits `all` points into `count` shares that differ by at most 1.
 fn shares(all: u32, count: u32) -> impl Iterator<Item = u32> {
     (0..count).map(move |k| all / count + u32::from(k < all % count))
 }

@@ -1,7 +1,7 @@
 //! `handout.toml`: what `pinhole handout` wrote to a student's repository.
 //!
-//! By it a repository is known as a student's, its stubs are known to be unchanged, and
-//! a later handout knows which files are its own to replace.
+//! It marks a student's repository, shows whether the stubs are unchanged, and lists
+//! the files that a later handout may replace.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -13,7 +13,7 @@ use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
 use crate::manifest::{self, Hashes};
 
-/// Paths inside a folder, and what files hold there.
+/// Paths inside a folder, and the files' contents.
 pub type Package = BTreeMap<PathBuf, String>;
 
 /// The file's name, at the top.
@@ -53,7 +53,7 @@ impl HandoutRecord {
         }
     }
 
-    /// What stands in the file.
+    /// The text of the file.
     pub fn text(&self) -> Result<String> {
         let text = toml::to_string(self)
             .or_environment(format_args!("cannot write {FILE}"), "report this")?;

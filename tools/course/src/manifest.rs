@@ -1,5 +1,5 @@
-//! `manifest.toml`: what goldens were made from and by, so that nothing can fall out
-//! of step unnoticed.
+//! `manifest.toml`: what goldens were made from and by, so that `golden verify` can
+//! notice changes.
 
 mod check;
 mod hashes;
@@ -14,7 +14,8 @@ use crate::assignment::Assignment;
 use crate::checkout::Checkout;
 use crate::diagnosis::known;
 use crate::error::{Result, ResultExt};
-use crate::mitsuba::{self, Renderer};
+use crate::mitsuba::{self, Drawn, Renderer};
+use crate::seed::Seed;
 
 pub use self::hashes::{Hashes, hash, hash_of};
 use self::hashes::{mistake_hashes, relative, slashed, source_hash};
@@ -31,7 +32,7 @@ pub struct Manifest {
     /// Its variant.
     pub variant: String,
     /// What the probes were drawn from.
-    pub probe_seed: Option<u64>,
+    pub probe_seed: Option<Seed>,
     /// Fingerprints of the scripts behind the films, by scene, by task of the probes, and
     /// of the ties.
     pub scripts: Hashes,
@@ -63,7 +64,7 @@ impl Manifest {
         )?;
         toml::from_str(&text).or_input(
             path.display(),
-            "make the goldens again: cargo pinhole golden render",
+            "restore the goldens: git checkout -- golden",
         )
     }
 
@@ -93,8 +94,17 @@ impl Manifest {
     ) -> Result<Hashes> {
         let mut scenes = self.scenes(folder, assignment);
         scenes.retain(|scene| scene.is_file());
-        let questions = self.probe_seed.map(|_| assignment.folder.as_path());
-        mitsuba::fingerprints(checkout, &scenes, questions)
+        let drawn = self.probe_seed.map(|_| match self.is_fresh() {
+            true => Drawn::Fresh(&assignment.folder),
+            false => Drawn::Public(&assignment.folder),
+        });
+        mitsuba::fingerprints(checkout, &scenes, drawn)
+    }
+
+    /// Whether questions and scenes were drawn for this folder: then its scenes lie in it.
+    fn is_fresh(&self) -> bool {
+        let mut sources = self.sources.keys();
+        sources.any(|source| source.starts_with("scenes/"))
     }
 
     /// Enters a scene file and the meshes it names.
@@ -149,7 +159,7 @@ impl Manifest {
         )
     }
 
-    /// What stands in the file.
+    /// The text of the file.
     pub fn text(&self) -> Result<String> {
         let text =
             toml::to_string(self).or_environment("cannot write a manifest", "report this")?;

@@ -8,12 +8,12 @@ use serde::{Deserialize, Serialize};
 use crate::assignment::{Assignment, Task};
 use crate::error::{Error, Result, ResultExt};
 
-/// A belief that leads to wrong answers, and what helps somebody who holds it.
+/// A belief that leads to wrong answers, and hints for somebody who holds it.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Mistake {
-    /// In a student's own words.
+    /// The belief, in a student's own words.
     pub belief: String,
     /// Tasks that lose points by it; all others keep theirs.
     pub fails: Vec<String>,
@@ -30,7 +30,8 @@ pub struct Mistake {
     pub hint: Hint,
 }
 
-/// Help that never gives the answer away, each part deeper than the one before.
+/// Help in three depths, none of which gives the answer away: `look`, `think`, and
+/// `example` together with `read`.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -39,6 +40,10 @@ pub struct Hint {
     pub look: String,
     /// What to think about.
     pub think: String,
+    /// A small case in numbers, to be worked out by hand. Only compounds have none: no
+    /// diagnosis names them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub example: Option<String>,
     /// The section of the chapter to read.
     pub read: String,
 }

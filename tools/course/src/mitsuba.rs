@@ -27,14 +27,22 @@ pub fn is_there(checkout: &Checkout) -> bool {
     interpreter(&environment(checkout)).is_file()
 }
 
+/// The environment's Python, to be given arguments.
+pub fn python(checkout: &Checkout) -> Command {
+    Command::new(interpreter(&environment(checkout)))
+}
+
 /// Makes the environment, or mends it.
 pub fn setup(checkout: &Checkout) -> Result<()> {
     let environment = environment(checkout);
-    let python = python()?;
-    if !interpreter(&environment).is_file() {
+    let python = system_python()?;
+    // After an upgrade of the system's Python the old environment finds nothing of its own.
+    let mut own_pip = Command::new(interpreter(&environment));
+    let own_pip = own_pip.args(["-c", "import pip"]).stderr(Stdio::null());
+    if !own_pip.status().is_ok_and(|status| status.success()) {
         let mut venv = Command::new(python);
         complete(
-            venv.arg("-m").arg("venv").arg(&environment),
+            venv.args(["-m", "venv", "--clear"]).arg(&environment),
             "make a Python environment",
         )?;
     }
@@ -53,7 +61,7 @@ pub fn setup(checkout: &Checkout) -> Result<()> {
 }
 
 /// The system's Python.
-fn python() -> Result<&'static str> {
+fn system_python() -> Result<&'static str> {
     let runs = |name: &&str| {
         let version = Command::new(name).arg("--version").output();
         version.is_ok_and(|output| output.status.success())
@@ -63,8 +71,17 @@ fn python() -> Result<&'static str> {
     })
 }
 
-/// Fingerprints of the scripts behind the films of these scenes and, if an assignment's
-/// folder is given, of the questions of its tasks and of its ties. Needs Python, but not Mitsuba; a
+/// What is drawn of the assignment in a folder.
+#[derive(Clone, Copy, Debug)]
+pub enum Drawn<'a> {
+    /// The committed questions of its tasks, and its ties.
+    Public(&'a Path),
+    /// Questions and scenes that nobody has seen.
+    Fresh(&'a Path),
+}
+
+/// Fingerprints of the scripts behind the films of these scenes and of what was drawn. Needs
+/// Python, but not Mitsuba; a
 /// checkout without scripts, such as a student's, has no fingerprints.
 ///
 /// # Errors
@@ -72,7 +89,7 @@ fn python() -> Result<&'static str> {
 pub fn fingerprints(
     checkout: &Checkout,
     scenes: &[PathBuf],
-    questions: Option<&Path>,
+    drawn: Option<Drawn>,
 ) -> Result<BTreeMap<String, String>> {
     let script = scripts(checkout).join("fingerprint.py");
     if !script.is_file() {
@@ -82,12 +99,14 @@ pub fn fingerprints(
         "cannot tell whether the golden scripts have changed",
         "install Python 3.11 or newer, and restore the scripts",
     );
-    let python = python().map_err(|error| failed.because(error.problem))?;
+    let python = system_python().map_err(|error| failed.because(error.problem))?;
     let mut command = Command::new(python);
     command.arg(script).args(scenes);
-    if let Some(assignment) = questions {
-        command.arg("--questions").arg(assignment);
-    }
+    match drawn {
+        Some(Drawn::Public(assignment)) => command.arg("--questions").arg(assignment),
+        Some(Drawn::Fresh(assignment)) => command.arg("--fresh").arg(assignment),
+        None => &mut command,
+    };
     let output = command.output().or_fail(&failed)?;
     serde_json::from_slice(&output.stdout)
         .map_err(|_| failed.because(String::from_utf8_lossy(&output.stderr).trim_end()))

@@ -47,6 +47,20 @@ pub struct SceneFilm {
     pub film: Option<Film>,
     /// What the judge says of it, if it could be compared.
     pub verdict: Option<Verdict>,
+    /// The submission's rays through its pixels.
+    pub rays: OwnRays,
+}
+
+/// What is known of the rays that a submission sends through the pixels of a scene.
+#[derive(Debug, Default)]
+pub enum OwnRays {
+    /// Nothing.
+    #[default]
+    Unknown,
+    /// The task that asks for them passes.
+    Right,
+    /// This is what it answers.
+    Asked(Film),
 }
 
 /// Everything the judge can say of one submission.
@@ -61,7 +75,7 @@ pub struct Outcome {
     pub submission: String,
     /// Whether everything that was asked passes.
     pub passes: bool,
-    /// Points earned; null if it could not be graded, which is no zero.
+    /// Points earned; null if it could not be graded, which is not the same as zero.
     pub points: Option<u32>,
     /// Points that what was asked is worth.
     pub possible: u32,
@@ -74,7 +88,7 @@ pub struct Outcome {
     /// What the student's code printed, cut to its beginning; empty where anything that was
     /// asked is withheld.
     pub printed: String,
-    /// What kept the student's code from the rest of the machine.
+    /// The sandbox that the student's code ran in.
     pub sandbox: String,
     /// What an instructor may want to look at.
     pub flags: Vec<Flag>,
@@ -159,7 +173,7 @@ fn film_of_group<'a>(
 }
 
 impl SceneOutcome {
-    /// A scene that is worth so many points.
+    /// A scene that is worth this many points.
     pub fn new(name: String, worth: u32, outcome: FilmOutcome, seconds: f64) -> SceneOutcome {
         SceneOutcome {
             name,

@@ -1,10 +1,14 @@
-//! A line that says what is going on, on a terminal only.
+//! What is going on: a line on a terminal, and words wherever something takes long.
 
-use std::time::Duration;
+use std::fs;
+use std::path::Path;
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// A progress line on standard error; on a pipe it says nothing.
+/// A progress line on standard error; nothing is printed into a pipe.
 pub struct Progress(ProgressBar);
 
 impl Default for Progress {
@@ -40,5 +44,56 @@ impl Progress {
     /// Done; the line disappears.
     pub fn clear(&self) {
         self.0.finish_and_clear();
+    }
+}
+
+/// So long nobody waits without a word.
+const MOST_SILENCE: Duration = Duration::from_secs(4);
+
+/// Works, and meanwhile says on standard error every few seconds what it is, for how long, and
+/// how long it took last time, which `record` keeps.
+pub fn patiently<T>(what: &str, record: &Path, work: impl FnOnce() -> T) -> T {
+    let start = Instant::now();
+    let (working, done) = mpsc::channel::<()>();
+    let before = fs::read_to_string(record).ok();
+    let what = what.to_owned();
+    let teller = thread::spawn(move || {
+        while done.recv_timeout(MOST_SILENCE) == Err(RecvTimeoutError::Timeout) {
+            let words = still_at(&what, start.elapsed(), before.as_deref());
+            anstream::eprintln!("{words}");
+        }
+    });
+    let made = work();
+    drop(working);
+    // It only prints, and ends at once.
+    let _ended = teller.join();
+    let took = start.elapsed();
+    if took > MOST_SILENCE {
+        // Without a record, less is said next time.
+        let folder = record.parent().map_or(Ok(()), fs::create_dir_all);
+        let _kept = folder.and_then(|()| fs::write(record, took.as_secs().to_string()));
+    }
+    made
+}
+
+fn still_at(what: &str, so_far: Duration, before: Option<&str>) -> String {
+    let before: Option<u64> = before.and_then(|text| text.trim().parse().ok());
+    let before = before.map_or(String::new(), |seconds| format!("; {seconds} s last time"));
+    format!("{what}, {} s so far{before} …", so_far.as_secs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn who_waits_is_told_for_what_and_how_long_it_took_before() {
+        let told = |before| still_at("building the book", Duration::from_secs(8), before);
+        assert_eq!(told(None), "building the book, 8 s so far …");
+        assert_eq!(
+            told(Some("83\n")),
+            "building the book, 8 s so far; 83 s last time …"
+        );
+        assert_eq!(told(Some("nonsense")), told(None));
     }
 }

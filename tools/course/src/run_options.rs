@@ -23,8 +23,8 @@ pub struct AssignmentOption {
 }
 
 impl AssignmentOption {
-    /// The assignment, where nothing else tells which the one around `folder`, or else
-    /// around the current folder.
+    /// The named assignment. Without a name: the one around `folder`, or else around
+    /// the current folder.
     ///
     /// # Errors
     /// See [`Assignment::find`].
@@ -71,8 +71,8 @@ impl SandboxOptions {
 /// How a submission's program is run.
 #[derive(Args)]
 pub struct RunOptions {
-    /// Give up on a task or a scene after this many seconds; in `check` also after a fifteenth
-    /// of them (2 s at least) without an answer
+    /// Give up on a task or a scene after this many seconds, or after a fifteenth of them (2 s
+    /// at least) without an answer
     #[arg(long, value_name = "SECONDS", default_value_t = RunOptions::TIMEOUT,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,

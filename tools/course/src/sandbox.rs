@@ -1,10 +1,10 @@
-//! Where a submission is compiled and run: in the open if its user trusts it, or
-//! walled off.
+//! Where a submission is compiled and run: unprotected if its user trusts it, or in a
+//! sandbox.
 //!
-//! Inside the walls there are a read-only system, the compiler, the harness library
-//! and the submission's own files: no golden, no other submission, no home, no
-//! network, no environment. Only the compiler may write, into one folder. Whatever
-//! runs there is bounded by [`Limits`], as one tree, and gone when its job is.
+//! Inside the sandbox there are a read-only system, the compiler, the harness library
+//! and the submission's own files: no golden, no other submission, no home, no network,
+//! no environment. Only the compiler may write, into one folder. Whatever runs there is
+//! bounded by [`Limits`], as one tree, and gone when its job is.
 
 mod budget;
 mod finish;
@@ -22,6 +22,10 @@ mod syscalls;
 mod toolchain;
 #[cfg(target_os = "linux")]
 mod tree;
+#[cfg(target_os = "linux")]
+mod user_id;
+#[cfg(target_os = "linux")]
+mod visible;
 mod watch;
 
 use std::io;
@@ -38,13 +42,14 @@ use crate::error::Error;
 use crate::error::Result;
 #[cfg(target_os = "linux")]
 use crate::error::ResultExt;
+use crate::rust_tool::rust_tool;
 pub use finish::{Finished, finish};
 pub use limits::Limits;
 use watch::{Exceeded, Watch};
 
 /// Becomes a confined program if this process was started to be one: both sandboxes start
-/// the current program anew, as `confine`, inside their walls. Every binary calls this
-/// before anything else. Returns only if it was not, or that failed.
+/// this program again inside, as `confine`. Every binary calls this before anything else.
+/// Returns only if it was not, or that failed.
 pub fn become_confined() -> Option<std::process::ExitCode> {
     #[cfg(target_os = "linux")]
     return confine::become_confined();
@@ -71,6 +76,9 @@ pub enum Choice {
     Bubblewrap,
     /// Another user id and Landlock; for root, in a container that is used once
     Container,
+    /// The same where the kernel has no Landlock; weaker, as file modes alone guard the
+    /// container's files
+    ContainerWithoutLandlock,
     /// No sandbox; only for your own code
     None,
 }
@@ -89,11 +97,12 @@ pub enum Sandbox {
 }
 
 impl Sandbox {
-    /// The walls a user has chosen for the code in `folder`. `secrets` are folders that
-    /// the code must not read, beside the goldens and answers of the checkout.
+    /// The sandbox that the user has chosen for the code in `folder`. The code must not
+    /// read the folders of `secrets`, nor the goldens and answers of the checkout.
     ///
     /// # Errors
-    /// If there can be no such walls here: code is never run without them instead.
+    /// If this machine can't provide that sandbox. Code is never run without it
+    /// instead.
     pub fn around(
         folder: &Path,
         checkout: &Checkout,
@@ -118,40 +127,45 @@ impl Sandbox {
     ) -> Result<Sandbox> {
         match choice {
             Choice::None => Ok(Sandbox::Trusted),
-            Choice::Auto | Choice::Bubblewrap => Sandbox::bubblewrap(checkout, what),
-            Choice::Container => Sandbox::container(checkout, secrets),
+            Choice::Auto | Choice::Bubblewrap => Sandbox::bubblewrap(checkout, what, secrets),
+            Choice::Container => Sandbox::container(checkout, secrets, false),
+            Choice::ContainerWithoutLandlock => Sandbox::container(checkout, secrets, true),
         }
     }
 
     /// A new sandbox of the same kind for another submission. It has another user id, so that
     /// neither can signal or starve the other, and a time budget of its own.
-    pub fn new_instance(&self) -> Sandbox {
-        match self {
+    ///
+    /// # Errors
+    /// If no user id is left.
+    pub fn new_instance(&self) -> Result<Sandbox> {
+        Ok(match self {
             Sandbox::Trusted => Sandbox::Trusted,
             #[cfg(target_os = "linux")]
-            Sandbox::Bubblewrap(walls) => Sandbox::Bubblewrap(walls.new_instance()),
+            Sandbox::Bubblewrap(walls) => Sandbox::Bubblewrap(walls.new_instance()?),
             #[cfg(target_os = "linux")]
-            Sandbox::Container(walls) => Sandbox::Container(walls.new_instance()),
-        }
+            Sandbox::Container(walls) => Sandbox::Container(walls.new_instance()?),
+        })
     }
 
     #[cfg(target_os = "linux")]
-    fn bubblewrap(checkout: &Checkout, what: &str) -> Result<Sandbox> {
+    fn bubblewrap(checkout: &Checkout, what: &str, secrets: &[PathBuf]) -> Result<Sandbox> {
         let walls = bubblewrap::Bubblewrap::new(checkout).or_environment(
             format_args!("{what} must run in a sandbox, and bubblewrap does not work here"),
             "install it (Debian: apt-get install bubblewrap); in a container that is used once, \
              pass --sandbox container; or pass --trust if the code is your own",
         )?;
+        visible::refuse_visible(&walls.visible(), checkout, secrets)?;
         Ok(Sandbox::Bubblewrap(walls))
     }
 
     #[cfg(target_os = "linux")]
-    fn container(checkout: &Checkout, secrets: &[PathBuf]) -> Result<Sandbox> {
-        container::Container::new(checkout, secrets).map(Sandbox::Container)
+    fn container(checkout: &Checkout, secrets: &[PathBuf], accepts_modes: bool) -> Result<Sandbox> {
+        container::Container::new(checkout, secrets, accepts_modes).map(Sandbox::Container)
     }
 
     #[cfg(not(target_os = "linux"))]
-    fn bubblewrap(_: &Checkout, what: &str) -> Result<Sandbox> {
+    fn bubblewrap(_: &Checkout, what: &str, _: &[PathBuf]) -> Result<Sandbox> {
         Err(Error::environment(
             format!("{what} must run in a sandbox, and there is none for this system"),
             "use a Linux machine, or pass --trust if the code is your own",
@@ -159,11 +173,20 @@ impl Sandbox {
     }
 
     #[cfg(not(target_os = "linux"))]
-    fn container(checkout: &Checkout, _: &[PathBuf]) -> Result<Sandbox> {
-        Sandbox::bubblewrap(checkout, "the code")
+    fn container(checkout: &Checkout, secrets: &[PathBuf], _: bool) -> Result<Sandbox> {
+        Sandbox::bubblewrap(checkout, "the code", secrets)
     }
 
-    /// Which walls these are, for results.
+    /// Where the harness and the programs lie: where the code may reach them, if it must.
+    pub fn scratch(&self, checkout: &Checkout) -> PathBuf {
+        match self {
+            #[cfg(target_os = "linux")]
+            Sandbox::Container(walls) => walls.scratch().to_owned(),
+            _ => checkout.scratch(),
+        }
+    }
+
+    /// The sandbox's name, for results.
     pub fn name(&self) -> &'static str {
         match self {
             Sandbox::Trusted => "none",
@@ -174,8 +197,8 @@ impl Sandbox {
         }
     }
 
-    /// What a finished program depends on beside its sources: one that was compiled
-    /// where more could be read must not pass for another.
+    /// What a compiled program depends on besides its sources. A program that was
+    /// compiled where more files could be read must not be reused for another sandbox.
     pub fn fingerprint(&self) -> String {
         match self {
             Sandbox::Trusted => "none".into(),
@@ -192,15 +215,11 @@ impl Sandbox {
     ///
     /// # Errors
     /// If the folder cannot be handed over to the user id that compiles.
-    // Only Linux has walls, which want to know more.
+    // The other arguments are for sandboxes, which only Linux has.
     #[cfg_attr(not(target_os = "linux"), expect(unused_variables))]
     pub fn compiler(&self, folder: &Path, harness: &Path, limits: &Limits) -> io::Result<Command> {
         match self {
-            Sandbox::Trusted => {
-                let mut rustc = Command::new(std::env::var_os("RUSTC").unwrap_or("rustc".into()));
-                rustc.current_dir(folder);
-                Ok(rustc)
-            }
+            Sandbox::Trusted => Ok(rust_tool("rustc", folder)),
             #[cfg(target_os = "linux")]
             Sandbox::Bubblewrap(walls) => walls.compiler(folder, harness, limits),
             #[cfg(target_os = "linux")]
@@ -218,7 +237,7 @@ impl Sandbox {
     /// Asks a built program. What its code does wrong is in the reply.
     ///
     /// # Errors
-    /// If it could not be started, or the walls could not be drawn.
+    /// If it could not be started, or the sandbox could not be made.
     pub fn ask(
         &self,
         executable: &Path,
@@ -251,7 +270,7 @@ impl Sandbox {
             match exceeded {
                 Some(Exceeded::Cpu(most)) => reply.ending = Ending::TimedOut(most),
                 Some(Exceeded::Memory(most)) => reply.ending = Ending::OutOfMemory(most),
-                // The kernel's own limit, where a busy machine looks too seldom.
+                // The kernel's own limit, in case a busy machine polls too seldom.
                 None if *death == Death::OutOfProcessorTime => {
                     reply.ending = Ending::TimedOut(limits.cpu);
                 }
@@ -278,7 +297,7 @@ impl Sandbox {
         }
     }
 
-    /// Ends what was left behind where no namespace of processes ends with its first.
+    /// Kills the processes that were left behind, if no process namespace does that.
     fn sweep(&self) {
         #[cfg(target_os = "linux")]
         if let Sandbox::Container(walls) = self {
@@ -286,8 +305,8 @@ impl Sandbox {
         }
     }
 
-    /// Whether the walls can still be drawn, so that no fault of the machine passes for
-    /// a student's.
+    /// Whether the sandbox still works, so that a fault of the machine is not blamed on
+    /// a student.
     fn self_test(&self) -> io::Result<()> {
         match self {
             Sandbox::Trusted => Ok(()),

@@ -18,8 +18,8 @@ use crate::mitsuba;
 pub struct SecondJudge {
     tool: Oiiotool,
     folder: PathBuf,
-    /// Fingerprints of what was asked and agreed on. Most mistakes leave most films
-    /// alone: the same film need not be judged a hundred times.
+    /// Fingerprints of films on which both judges agreed. Many mistakes cast the same
+    /// films, which need not be judged a hundred times.
     agreed: Mutex<HashSet<[u8; 32]>>,
 }
 
@@ -92,7 +92,7 @@ impl Drop for Laid {
     }
 }
 
-/// Equal only for the same film before the same golden with the same first verdict.
+/// Equal only for the same film, the same golden and the same first verdict.
 fn fingerprint(film: &Film, golden: &Path, passes: bool) -> [u8; 32] {
     let mut hash = Hash::new();
     hash.update(golden.as_os_str().as_encoded_bytes());

@@ -1,5 +1,5 @@
-//! The handout, generated from the reference: one truth, so that a stub's
-//! documentation and signature cannot drift from the answer's.
+//! The handout, generated from the reference, so that a stub's documentation and
+//! signature always match the answer's.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -58,7 +58,7 @@ fn stub(text: &str, task: &str) -> std::result::Result<String, String> {
                 let indent = &line[..line.len() - line.trim_start().len()];
                 stub.push_str(&format!("{indent}todo!(\"{task}\")\n"));
             }
-            ANSWER_END if !inside => return Err("an answer ends that never began".into()),
+            ANSWER_END if !inside => return Err("an answer's end has no beginning".into()),
             ANSWER_END => inside = false,
             _ if inside => {}
             _ => {

@@ -3,9 +3,10 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{ArgGroup, Args, Parser, Subcommand};
 use pinhole_course::run_options::AssignmentOption;
 use pinhole_course::sandbox::Choice;
+use pinhole_course::seed::Seed;
 
 use crate::golden::arguments::Golden;
 use crate::grade::redact::Reveal;
@@ -29,6 +30,7 @@ pub enum Command {
     #[command(subcommand)]
     Golden(Golden),
     Grade(Grade),
+    Dispute(Dispute),
     Merge(Merge),
     Handout(Handout),
     Validate(Validate),
@@ -41,6 +43,7 @@ impl Command {
             Command::Golden(Golden::Verify(arguments)) => arguments.json,
             Command::Golden(_) => false,
             Command::Grade(arguments) => arguments.json,
+            Command::Dispute(arguments) => arguments.json,
             Command::Merge(arguments) => arguments.json,
             Command::Handout(arguments) => arguments.json,
             Command::Validate(arguments) => arguments.json,
@@ -50,18 +53,21 @@ impl Command {
 
 /// Grade a class of submissions
 ///
-/// Each path is a submission (a folder or a zip archive with the answer files) or a folder of
-/// submissions. The result and the report of each submission go to DIR/submissions; the whole
+/// Each path is a submission (a folder or an archive, .zip or .tar.gz, with the answer files), a
+/// folder of submissions, or a class as Canvas or Moodle exports it. The result and the report of each submission go to DIR/submissions; the whole
 /// class is in DIR/grades.csv and DIR/class.html. All code runs in a sandbox.
 ///
 /// You can stop this at any moment and run it again: it continues, and grades again only what
 /// has changed. If the grader itself fails on a submission, that submission gets no mark
 /// instead of a zero, is listed first, and the exit code is 3.
 ///
+/// Nobody goes missing: what is on no roster, lacks files, could be several people's or is
+/// taken by nobody is listed at the end and at the top of class.html, and the exit code is 1.
+///
 /// If Mitsuba is installed, the whole class is also asked fresh questions from a new seed. A
 /// group of questions then earns its points only if it passes both the public and the fresh
-/// ones. Scenes earn no more than the larger of two shares: that of the fresh scenes that
-/// pass, and that of the tasks' points.
+/// ones. A scene earns no more than the smallest share of points among the tasks that it needs,
+/// unless fresh scenes that need the same tasks earn more.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions
@@ -70,8 +76,11 @@ pub struct Grade {
     #[command(flatten)]
     pub assignment: AssignmentOption,
     /// Write results to this folder, and reuse those that it has
-    #[arg(long, value_name = "DIR")]
-    pub out: PathBuf,
+    #[arg(long, value_name = "DIR", required_unless_present = "dry_run")]
+    pub out: Option<PathBuf>,
+    /// Show whose each submission is and what was found in it, and grade nothing
+    #[arg(long)]
+    pub dry_run: bool,
     /// Grade this many submissions at a time [default: one for each core]
     #[arg(long, value_name = "N")]
     pub jobs: Option<usize>,
@@ -82,22 +91,28 @@ pub struct Grade {
     /// How much results and reports show of withheld and fresh questions
     #[arg(long, value_enum, default_value_t)]
     pub reveal: Reveal,
-    /// Draw fresh questions from this seed [default: that of DIR/fresh, else a random one]
+    /// Draw fresh questions from this seed [default: that of DIR/fresh, or a random one of 128
+    /// bits if there is none or with --regrade]
     #[arg(long, value_name = "N")]
-    pub seed: Option<u64>,
-    /// Ask the fresh questions in this folder; `golden render --seed N --out DIR` makes them
+    pub seed: Option<Seed>,
+    /// Ask the fresh questions in this folder; `golden render --seed random --out DIR` makes them
     #[arg(long, value_name = "DIR", conflicts_with = "seed")]
     pub fresh: Option<PathBuf>,
     /// Ask no fresh questions
     #[arg(long, conflicts_with_all = ["seed", "fresh"])]
     pub no_fresh: bool,
-    /// The list of students: a CSV file whose first line is `id,name,section`
+    /// The list of students: a CSV file whose first line is `id,name,section`, or a list of
+    /// Canvas's or Moodle's
     #[arg(long, value_name = "CSV")]
     pub roster: Option<PathBuf>,
+    /// A policy.toml: what becomes of marks by deadlines, late days, extra credit, changes by hand
+    #[arg(long, value_name = "TOML")]
+    pub policy: Option<PathBuf>,
     /// Write results in this format too (repeatable)
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub format: Vec<Format>,
-    /// Grade everything again, and list the marks that change, those that drop first
+    /// Grade everything again, on new fresh questions, and list the marks that change, those
+    /// that drop first
     #[arg(long)]
     pub regrade: bool,
     /// Grade only part K of N; `pinhole merge` puts the parts together
@@ -125,13 +140,31 @@ pub struct Grade {
 }
 
 impl Grade {
-    /// Which walls the user has chosen.
+    /// The sandbox that the user has chosen.
     pub fn walls(&self) -> Choice {
         match self.trust {
             true => Choice::None,
             false => self.sandbox,
         }
     }
+}
+
+/// Show everything about one mark, to explain it to the student
+///
+/// Prints for each group that fails what was asked, what was expected and what the answer gave,
+/// and the answer as it was handed in. Of fresh and withheld questions it shows more than the
+/// student may see. Nothing is graded again.
+#[derive(Args)]
+pub struct Dispute {
+    /// The submission, or the person's id or name, as in grades.csv
+    #[arg(value_name = "ID")]
+    pub id: String,
+    /// The folder that the class was graded into
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Print one JSON document on standard output
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Put together the parts of a class that were graded apart
@@ -148,6 +181,9 @@ pub struct Merge {
     /// Write the whole class to this folder
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
+    /// Apply this policy.toml to the marks instead of that of the parts
+    #[arg(long, value_name = "TOML")]
+    pub policy: Option<PathBuf>,
     /// Write results in this format too (repeatable)
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub format: Vec<Format>,
@@ -165,6 +201,7 @@ pub struct Merge {
 /// It needs only Rust. It contains none of our answers, no source of a mistake or a variant,
 /// and nothing of a scene with `public = false`.
 #[derive(Args)]
+#[command(group = ArgGroup::new("autograder").args(["gradescope", "prairielearn"]).multiple(true))]
 pub struct Handout {
     /// The assignment, by name or folder
     #[arg(value_name = "ASSIGNMENT", conflicts_with = "name")]
@@ -172,29 +209,36 @@ pub struct Handout {
     #[command(flatten)]
     pub assignment: AssignmentOption,
     /// Change nothing, and fail if the committed stubs don't match the reference
-    #[arg(long, conflicts_with_all = ["out", "gradescope"])]
+    #[arg(long, conflicts_with_all = ["out", "gradescope", "prairielearn"])]
     pub check: bool,
     /// Write a student's repository to this folder, which must be new or empty
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Put the sources of all dependencies into the repository, so that it builds without a network
+    #[arg(long, requires = "out")]
+    pub vendor: bool,
     /// Put this built book into the repository; `book build` makes the students' edition in
     /// book/build/student
     #[arg(long, value_name = "DIR", requires = "out")]
     pub book: Option<PathBuf>,
-    /// Replace what an earlier run wrote to DIR. If somebody has changed one of those files,
-    /// nothing is written
-    #[arg(long, requires = "out")]
+    /// Replace what an earlier run wrote. In DIR, nothing is written if somebody has changed one
+    /// of those files; without --out, what was changed in the stubs is lost
+    #[arg(long, conflicts_with = "check")]
     pub force: bool,
     /// Write an autograder for Gradescope to this file. Keep it to yourself: it contains all
     /// goldens and our answers
     #[arg(long, value_name = "FILE.zip")]
     pub gradescope: Option<PathBuf>,
+    /// Write a question for PrairieLearn to this folder, which must be new or empty, with what its
+    /// grader's image is built from. Keep it to yourself, too
+    #[arg(long, value_name = "DIR")]
+    pub prairielearn: Option<PathBuf>,
     /// Put the fresh questions in this folder into the autograder, because public goldens can
-    /// be memorised; `golden render --seed N --out DIR` makes them
-    #[arg(long, value_name = "DIR", requires = "gradescope")]
+    /// be memorised; `golden render --seed random --out DIR` makes them
+    #[arg(long, value_name = "DIR", requires = "autograder")]
     pub fresh: Option<PathBuf>,
     /// What the autograder shows of withheld and fresh questions
-    #[arg(long, value_enum, default_value_t, requires = "gradescope")]
+    #[arg(long, value_enum, default_value_t, requires = "autograder")]
     pub reveal: Reveal,
     /// Print one JSON document on standard output
     #[arg(long)]
@@ -208,6 +252,7 @@ pub struct Handout {
 /// - the stub must be unanswered, and the reference and every variant must pass;
 /// - every known mistake must fail in exactly the tasks that it declares, and so must its
 ///   rewrite, which uses another algorithm;
+/// - the hint of every mistake must be short and easy to read, and have an example in numbers;
 /// - with --mutants, every copy of the reference with one small fault (a sign, a comparison, a
 ///   constant, …) must fail if it compiles, unless equivalent.toml lists it and a search for
 ///   differences agrees.
@@ -225,6 +270,17 @@ pub struct Validate {
     /// Judge mutants of the reference too: about 600, which takes some minutes
     #[arg(long)]
     pub mutants: bool,
+    /// Judge all pairs of beliefs in pairs.toml, not only a few of each task
+    #[arg(long)]
+    pub pairs: bool,
+    /// Test every measured sentence on the questions in this folder; `golden render --seed N
+    /// --out DIR` makes them
+    #[arg(long, value_name = "DIR")]
+    pub fresh: Option<PathBuf>,
+    /// Ask every mistake and mutant the fresh questions in each folder of this one, and list the
+    /// marks that depend on the draw; without --only, nothing else is judged
+    #[arg(long, value_name = "DIR")]
+    pub draws: Option<PathBuf>,
     /// Judge only this part (repeatable)
     #[arg(long, value_name = "PART")]
     pub only: Vec<Part>,
@@ -250,4 +306,43 @@ fn shard(text: &str) -> Result<(usize, usize), String> {
     parts
         .filter(|(k, n)| (1..=*n).contains(k))
         .ok_or_else(|| format!("`{text}` is no part like 2/8"))
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+    use clap::error::ErrorKind;
+    use pinhole_testing::documented::documented;
+
+    use super::Cli;
+
+    #[test]
+    fn every_documented_command_parses() {
+        let own = Cli::command();
+        let subcommands: Vec<&str> = own.get_subcommands().map(clap::Command::get_name).collect();
+        let mut count = 0;
+        for command in documented(&subcommands) {
+            let words = &command.words;
+            let is_own = words[0] == "pinhole" && subcommands.contains(&&*words[1]);
+            if !is_own {
+                continue;
+            }
+            count += 1;
+            let Err(error) = Cli::command().try_get_matches_from(words) else {
+                continue;
+            };
+            // In a sentence, a command may lack what it needs, and have a name for a value.
+            let is_short = matches!(
+                error.kind(),
+                ErrorKind::MissingRequiredArgument
+                    | ErrorKind::MissingSubcommand
+                    | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
+                    | ErrorKind::InvalidValue
+                    | ErrorKind::ValueValidation
+            );
+            let place = format!("{}:{}", command.page, command.line);
+            assert!(!command.is_block && is_short, "{place}: {error}");
+        }
+        assert!(count > 20, "only {count} commands were found");
+    }
 }

@@ -1,5 +1,6 @@
 //! One file for each thing the program does.
 
+mod dispute;
 mod grade;
 mod handout;
 mod merge;
@@ -18,16 +19,9 @@ pub fn run(cli: Cli) -> Result<Status> {
     match cli.command {
         Command::Golden(arguments) => golden::run(&checkout, &arguments),
         Command::Grade(arguments) => grade::run(&checkout, &arguments),
+        Command::Dispute(arguments) => dispute::run(&arguments),
         Command::Merge(arguments) => merge::run(&checkout, &arguments),
         Command::Handout(arguments) => handout::run(&checkout, &arguments),
         Command::Validate(arguments) => validate::run(&checkout, &arguments),
-    }
-}
-
-/// How a class ended, of which every submission has its mark or not.
-fn of_class(complete: bool) -> Status {
-    match complete {
-        true => Status::Well,
-        false => Status::Incomplete,
     }
 }

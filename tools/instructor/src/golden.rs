@@ -2,16 +2,15 @@
 
 pub mod arguments;
 mod mistake_films;
+mod verify;
 
 use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use pinhole::Scene;
-use pinhole::judge::Golden as GoldenFilm;
-use serde_json::json;
 
-use arguments::{Golden, GoldenMistakes, GoldenRender, GoldenVerify};
+use arguments::{Golden, GoldenMistakes, GoldenRender};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::diagnosis::known::KnownMistakes;
@@ -21,10 +20,11 @@ use pinhole_course::manifest::Manifest;
 use pinhole_course::mitsuba::{self, Rendered};
 use pinhole_course::progress::Progress;
 use pinhole_course::run_options::AssignmentOption;
+use pinhole_course::seed::Seed;
 use pinhole_report::program::Status;
 
 /// The seed of the committed probes and ties.
-const COMMITTED_SEED: u64 = 1;
+const COMMITTED_SEED: Seed = Seed(1);
 
 pub fn run(checkout: &Checkout, arguments: &Golden) -> Result<Status> {
     let find = |option: &AssignmentOption| option.find(checkout, None);
@@ -37,11 +37,13 @@ pub fn run(checkout: &Checkout, arguments: &Golden) -> Result<Status> {
         }
         Golden::Render(arguments) => render(&find(&arguments.assignment)?, checkout, arguments),
         Golden::Mistakes(arguments) => mistakes(&find(&arguments.assignment)?, checkout, arguments),
-        Golden::Verify(arguments) => verify(&find(&arguments.assignment)?, checkout, arguments),
+        Golden::Verify(arguments) => {
+            verify::verify(&find(&arguments.assignment)?, checkout, arguments)
+        }
     }
 }
 
-/// Fingerprints the mistakes anew on goldens that stay as they are.
+/// Fingerprints the mistakes again, on goldens that stay as they are.
 fn mistakes(
     assignment: &Assignment,
     checkout: &Checkout,
@@ -84,13 +86,40 @@ fn render(
     checkout: &Checkout,
     arguments: &GoldenRender,
 ) -> Result<Status> {
+    refuse_unforced(assignment, arguments)?;
     for said in make(assignment, checkout, arguments)? {
         anstream::println!("{said}");
     }
     Ok(Status::Well)
 }
 
-/// Renders what is asked for; what there is to say of it, line by line.
+/// The assignment's own films judge everybody, so replacing them needs `--force`.
+fn refuse_unforced(assignment: &Assignment, arguments: &GoldenRender) -> Result<()> {
+    let own = assignment.golden();
+    let folder = arguments.out.as_ref().unwrap_or(&own);
+    let films = Manifest::read_or_new(folder)?.films;
+    let replaced: Vec<String> = match arguments.scenes.is_empty() {
+        true => films.into_keys().collect(),
+        false => scenes(arguments, assignment)?
+            .iter()
+            .filter_map(|scene| Some(format!("{}.exr", scene.file_stem()?.to_str()?)))
+            .filter(|film| films.contains_key(film))
+            .collect(),
+    };
+    if arguments.force || replaced.is_empty() || !inside(folder, &own) {
+        return Ok(());
+    }
+    Err(Error::input(
+        format!(
+            "{} holds {} films already that this would replace",
+            folder.display(),
+            replaced.len()
+        ),
+        "if they should change, say --force; to only look at others, say --out DIR",
+    ))
+}
+
+/// Renders what is asked for, and returns the lines to print.
 pub fn make(
     assignment: &Assignment,
     checkout: &Checkout,
@@ -116,7 +145,12 @@ pub fn make(
 
     let progress = Progress::new();
     progress.say("Mitsuba");
-    // All of the assignment's at once leave nothing of the old ones.
+    // Films are moved to their places when all are made, so that a failure leaves the
+    // old ones.
+    let staging = folder.join(".rendering");
+    let _left_by_a_run_that_was_stopped = fs::remove_dir_all(&staging);
+    fs::create_dir_all(&staging).or_fail(&Error::file(&staging))?;
+    // If all of the assignment's films are made, none of the old ones stays.
     let whole = arguments.scenes.is_empty() && arguments.seed.is_none();
     let mut manifest = if whole {
         Manifest::default()
@@ -127,8 +161,8 @@ pub fn make(
     if !scenes.is_empty() {
         let mut line: Vec<OsString> = vec!["scenes".into()];
         line.extend(scenes.iter().map(OsString::from));
-        let rendered = python(checkout, line, &folder, &progress)?;
-        enter(&mut manifest, &rendered, &folder)?;
+        let rendered = python(checkout, line, &staging, &progress)?;
+        enter(&mut manifest, &rendered, &staging)?;
         let made = |scene: &&PathBuf| {
             let stem = scene.file_stem().unwrap_or_default();
             rendered.items.iter().any(|item| *item.name == *stem)
@@ -137,6 +171,7 @@ pub fn make(
             manifest.add_scene(scene, &folder, assignment)?;
         }
         if let Some(refusal) = rendered.refusal {
+            publish(&staging, &folder)?;
             manifest.set_scripts(&folder, assignment, checkout)?;
             manifest.write(&folder)?;
             return Err(refusal);
@@ -144,28 +179,32 @@ pub fn make(
     }
     if let Some(seed) = arguments.seed {
         let line = drawn("random-scenes", assignment, seed);
-        let rendered = python(checkout, line, &folder, &progress)?;
-        enter(&mut manifest, &rendered, &folder)?;
+        let rendered = python(checkout, line, &staging, &progress)?;
+        enter(&mut manifest, &rendered, &staging)?;
         for item in &rendered.items {
-            let scene = folder
+            let scene = staging
                 .join("scenes")
                 .join(&item.name)
                 .with_extension("toml");
-            manifest.add_scene(&scene, &folder, assignment)?;
+            manifest.add_scene(&scene, &staging, assignment)?;
         }
     }
     if arguments.scenes.is_empty() {
-        let seed = arguments.seed.unwrap_or(COMMITTED_SEED);
-        let line = drawn("questions", assignment, seed);
-        let rendered = python(checkout, line, &folder, &progress)?;
-        enter(&mut manifest, &rendered, &folder)?;
+        let (what, seed) = match arguments.seed {
+            Some(seed) => ("fresh-questions", seed),
+            None => ("questions", COMMITTED_SEED),
+        };
+        let line = drawn(what, assignment, seed);
+        let rendered = python(checkout, line, &staging, &progress)?;
+        enter(&mut manifest, &rendered, &staging)?;
         manifest.probe_seed = Some(seed);
     }
     if whole {
         let line = drawn("ties", assignment, COMMITTED_SEED);
-        let rendered = python(checkout, line, &folder, &progress)?;
-        enter(&mut manifest, &rendered, &folder)?;
+        let rendered = python(checkout, line, &staging, &progress)?;
+        enter(&mut manifest, &rendered, &staging)?;
     }
+    publish(&staging, &folder)?;
     manifest.set_scripts(&folder, assignment, checkout)?;
     manifest.write(&folder)?;
     progress.clear();
@@ -189,6 +228,21 @@ pub fn make(
         manifest.write(&folder)?;
     }
     Ok(said)
+}
+
+/// Moves everything that was made into its place.
+fn publish(from: &Path, to: &Path) -> Result<()> {
+    let failed = Error::file(to);
+    fs::create_dir_all(to).or_fail(&failed)?;
+    for entry in fs::read_dir(from).or_fail(&failed)? {
+        let entry = entry.or_fail(&failed)?;
+        let place = to.join(entry.file_name());
+        match entry.path().is_dir() {
+            true => publish(&entry.path(), &place)?,
+            false => fs::rename(entry.path(), &place).or_fail(&failed)?,
+        }
+    }
+    fs::remove_dir(from).or_fail(&failed)
 }
 
 /// The scene files to render: those named, or all of the assignment's.
@@ -219,7 +273,7 @@ fn scenes(arguments: &GoldenRender, assignment: &Assignment) -> Result<Vec<PathB
 }
 
 /// The arguments with which the scripts draw something of the assignment from a seed.
-fn drawn(what: &str, assignment: &Assignment, seed: u64) -> Vec<OsString> {
+fn drawn(what: &str, assignment: &Assignment, seed: Seed) -> Vec<OsString> {
     let folder = assignment.folder.clone().into();
     let seed = seed.to_string().into();
     vec![what.into(), folder, "--seed".into(), seed]
@@ -245,74 +299,8 @@ fn enter(manifest: &mut Manifest, rendered: &Rendered, folder: &Path) -> Result<
         .try_for_each(|film| manifest.add_film(film, folder))
 }
 
-fn verify(
-    assignment: &Assignment,
-    checkout: &Checkout,
-    arguments: &GoldenVerify,
-) -> Result<Status> {
-    let own = assignment.golden();
-    let folder = arguments.dir.as_ref().unwrap_or(&own);
-    let manifest = Manifest::read(folder)?;
-    let mut problems = manifest.out_of_step(folder, assignment, checkout)?;
-    problems.extend(unusable(&manifest, folder));
-    if inside(folder, &own) {
-        problems.extend(absent(&manifest, assignment));
-    }
-    let films = manifest.films.len();
-    if arguments.json {
-        anstream::println!(
-            "{:#}",
-            json!({ "films": films, "mitsuba": manifest.mitsuba, "problems": problems })
-        );
-    } else {
-        for problem in &problems {
-            anstream::println!("{problem}");
-        }
-        match problems.len() {
-            0 => anstream::println!("{films} films by Mitsuba {} are in step", manifest.mitsuba),
-            _ => anstream::println!("make them again: cargo pinhole golden render"),
-        }
-    }
-    Ok(if problems.is_empty() {
-        Status::Well
-    } else {
-        Status::JudgedWrong
-    })
-}
-
-/// Goldens that cannot judge: unreadable, not fitting their tolerance, or too lenient.
-fn unusable(manifest: &Manifest, folder: &Path) -> Vec<String> {
-    let others = [".tol.exr", ".ask.exr", ".mistakes.exr", ".toml"];
-    let is_golden = |name: &&String| !others.iter().any(|end| name.ends_with(end));
-    let goldens = manifest.films.keys().filter(is_golden);
-    goldens
-        .filter_map(|name| GoldenFilm::read(&folder.join(name)).err())
-        .map(|error| error.to_string())
-        .collect()
-}
-
 /// Whether two ways of writing a path lead into the same folder.
 fn inside(path: &Path, folder: &Path) -> bool {
     let real = |path: &Path| path.canonicalize().unwrap_or(path.into());
     real(path).starts_with(real(folder))
-}
-
-/// Goldens the assignment needs and the manifest lacks.
-fn absent(manifest: &Manifest, assignment: &Assignment) -> Vec<String> {
-    let scenes = assignment
-        .scenes
-        .iter()
-        .map(|scene| format!("{}.exr", scene.name));
-    let groups = assignment.tasks.iter().flat_map(|task| {
-        let groups = task.points.iter().map(|points| &points.group);
-        groups
-            .filter(|group| *group != "scenes")
-            .map(|group| format!("probes/{}.{group}.exr", task.name))
-    });
-    let needed = scenes
-        .chain(groups)
-        .filter(|name| !manifest.films.contains_key(name));
-    needed
-        .map(|name| format!("{name} is needed by assignment.toml, but was never made"))
-        .collect()
 }

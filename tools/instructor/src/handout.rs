@@ -1,4 +1,4 @@
-//! A repository for students: everything to work with, and nothing to copy from.
+//! Makes a repository for students, which has all they need and none of our answers.
 //!
 //! Reading order: [`course`] for what of the assignment travels, [`workspace`] for what
 //! builds around it, [`readme`]; then [`leak`], which refuses what must not travel, and
@@ -8,6 +8,7 @@ mod course;
 mod gradescope;
 mod leak;
 mod place;
+mod prairielearn;
 mod readme;
 mod sources;
 mod workspace;
@@ -17,15 +18,66 @@ use std::path::Path;
 
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
-use pinhole_course::error::Result;
+use pinhole_course::error::{Error, Result, ResultExt};
+use pinhole_course::rust_tool::rust_tool;
 
 pub use gradescope::write as write_gradescope;
 pub use place::Written;
+pub use prairielearn::write as write_prairielearn;
 use workspace::Workspace;
 
-/// The workflow for GitHub, and where it lies.
-const WORKFLOW: &str = ".github/workflows/check.yml";
-const CHECK: &str = include_str!("../templates/handout/check.yml");
+/// Settings for a student's editor and for GitHub, and where they lie.
+const SETTINGS: [(&str, &str); 5] = [
+    (
+        ".github/workflows/check.yml",
+        include_str!("../templates/handout/check.yml"),
+    ),
+    (
+        ".devcontainer/devcontainer.json",
+        include_str!("../templates/handout/devcontainer.json"),
+    ),
+    (
+        ".vscode/extensions.json",
+        include_str!("../templates/handout/extensions.json"),
+    ),
+    (
+        ".vscode/settings.json",
+        include_str!("../templates/handout/settings.json"),
+    ),
+    (
+        ".vscode/tasks.json",
+        include_str!("../templates/handout/tasks.json"),
+    ),
+];
+
+/// Cargo's settings.
+const CARGO_CONFIG: &str = ".cargo/config.toml";
+
+/// What `cargo vendor` asks for.
+const VENDORED: &str = r#"
+# All dependencies lie in this repository: it builds without a network.
+[source.crates-io]
+replace-with = "vendored-sources"
+
+[source.vendored-sources]
+directory = "vendor"
+"#;
+
+/// Puts the sources of all dependencies into a repository that is written. What cargo has no
+/// copy of is downloaded.
+pub fn vendor(repository: &Path) -> Result<()> {
+    let output = rust_tool("cargo", repository)
+        .args(["vendor", "--quiet", "--locked", "vendor"])
+        .output()
+        .or_environment("cannot run cargo", "install Rust from https://rustup.rs")?;
+    match output.status.success() {
+        true => Ok(()),
+        false => Err(Error::environment(
+            format!("cargo vendor: {}", String::from_utf8_lossy(&output.stderr)),
+            "run it once with a network, so that cargo has all dependencies",
+        )),
+    }
+}
 
 /// What files hold, by path from the top of a repository, with `/` on every system.
 pub type Files = BTreeMap<String, Vec<u8>>;
@@ -65,7 +117,7 @@ impl Repository {
             default: &packages,
         };
         workspace.add(&mut files, checkout)?;
-        files.insert(WORKFLOW.into(), CHECK.into());
+        files.extend(SETTINGS.map(|(path, text)| (path.into(), text.into())));
         if let Some(folder) = book {
             sources::add_folder_as(&mut files, folder, "book", &[])?;
         }
@@ -76,6 +128,12 @@ impl Repository {
             assignment: assignment.name.clone(),
             files,
         })
+    }
+
+    /// Has it look for its dependencies in the folder that [`vendor`] fills.
+    pub fn use_vendored_sources(&mut self) {
+        let settings = self.files.entry(CARGO_CONFIG.into()).or_default();
+        settings.extend_from_slice(VENDORED.as_bytes());
     }
 
     /// Writes it to `out`: whole, or not at all.

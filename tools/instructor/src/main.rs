@@ -1,6 +1,6 @@
 //! The subcommands of `pinhole` that instructors have.
 //!
-//! Reading order: [`cli`] for what can be asked; [`grade`] for a class of submissions;
+//! Reading order: [`cli`] for the command line; [`grade`] for a class of submissions;
 //! [`handout`] for what students get; [`golden`] for goldens and what they know of
 //! mistakes; [`validate`] for how all of it is itself measured.
 
@@ -9,6 +9,7 @@ mod command;
 mod golden;
 mod grade;
 mod handout;
+mod scene_cap;
 mod validate;
 
 use std::process::ExitCode;

@@ -1,31 +1,40 @@
-//! Grades the grading: judges submissions whose verdict is known beforehand, and compares the
-//! verdicts with what is known.
+//! Tests the grading: judges submissions whose verdict is known, and compares.
 //!
 //! Reading order: [`validator`] judges one submission; [`submissions`] holds those that
 //! people wrote, and [`mutants`] those that a program writes ([`mutate`]), with
 //! [`equivalents`] for the ones that are not mistakes, which [`difference`] searches for
-//! differences; [`catches`] counts which questions catch which mistakes; [`sensitivity`]
-//! says how small an error the scenes still detect; [`table`] shows the results.
+//! differences; [`hints`] checks the wording of hints; [`catches`] counts which questions
+//! catch which mistakes; [`sensitivity`] says how small an error the scenes still detect;
+//! [`table`] shows the results.
 
 mod catches;
 mod difference;
+mod draws;
 mod equivalents;
+mod hints;
 mod mutants;
 mod mutate;
 mod naming;
+mod pairs;
 mod sensitivity;
+mod sentences;
 mod submissions;
 mod table;
 mod ties;
 pub mod validator;
 
+use std::path::PathBuf;
+
 use clap::ValueEnum;
 use serde::Serialize;
 
 use catches::Catches;
+use draws::Draws;
 use mutants::Mutants;
-use naming::Diagnoses;
+use naming::{Diagnoses, Names};
+use pairs::Pairs;
 use pinhole_course::error::Result;
+use pinhole_course::mistake;
 use sensitivity::Sensitivity;
 use submissions::{Pristine, SubmissionVerdicts};
 use validator::Validator;
@@ -37,6 +46,10 @@ pub use table::validation as table;
 pub struct Plan {
     /// Which parts, in no order. The stub and the reference are always judged.
     pub parts: Vec<Part>,
+    /// All pairs of beliefs, not only a few of each task.
+    pub all_pairs: bool,
+    /// Folders of fresh questions, if draws are compared.
+    pub draws: Option<PathBuf>,
     /// Only submissions whose name contains this.
     pub named: String,
 }
@@ -48,18 +61,20 @@ pub enum Part {
     Mistakes,
     /// Right answers that work differently: each must pass
     Variants,
+    /// Two beliefs in one answer: one of them must be named, and no other
+    Pairs,
     /// Copies of the reference with one small fault each: all must be caught
     Mutants,
     /// How small an error each scene still detects
     Sensitivity,
 }
 
-/// What came of it.
+/// The result of a validation.
 #[derive(Debug, Serialize)]
 pub struct Validation {
     /// The assignment's title.
     pub assignment: String,
-    /// What misses a target; empty if all is well.
+    /// The targets that are missed; empty if all is well.
     pub faults: Vec<String>,
     /// The stub and the reference.
     pub pristine: Pristine,
@@ -72,6 +87,9 @@ pub struct Validation {
     /// The variants, if they were judged.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub variants: Option<SubmissionVerdicts>,
+    /// Pairs of beliefs, if they were judged.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pairs: Option<Pairs>,
     /// The mutants, if they were judged.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mutants: Option<Mutants>,
@@ -84,11 +102,43 @@ pub struct Validation {
     /// The smallest errors that the scenes detect, if they were measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sensitivity: Option<Vec<Sensitivity>>,
+    /// Whether marks depend on the draw, if draws were compared.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub draws: Option<Draws>,
     /// How long it took.
     pub seconds: f64,
 }
 
-/// Does what is planned.
+impl Validation {
+    /// Whether nothing was judged beside the stub and the reference.
+    pub fn is_empty(&self) -> bool {
+        let known = [&self.mistakes, &self.rewrites, &self.variants];
+        let judged = known
+            .into_iter()
+            .flatten()
+            .any(|known| !known.judged.is_empty());
+        let mutants = self
+            .mutants
+            .as_ref()
+            .is_some_and(|mutants| !mutants.judged.is_empty());
+        let scenes = self
+            .sensitivity
+            .as_ref()
+            .is_some_and(|scenes| !scenes.is_empty());
+        let pairs = self.pairs.as_ref().is_some_and(|pairs| {
+            let Names {
+                right,
+                among,
+                none,
+                wrong,
+            } = &pairs.names;
+            right + among + none + wrong.len() + pairs.passing.len() > 0
+        });
+        !(judged || mutants || scenes || pairs || self.draws.is_some())
+    }
+}
+
+/// Runs the planned parts.
 ///
 /// # Errors
 /// If something cannot be judged at all; a wrong verdict is in the result.
@@ -107,6 +157,10 @@ pub fn validate(validator: &Validator, plan: &Plan) -> Result<Validation> {
         true => Some(submissions::variants(validator, &plan.named)?),
         false => None,
     };
+    let pairs = match wants(Part::Pairs) {
+        true => pairs::judge(validator, &plan.named, plan.all_pairs)?,
+        false => None,
+    };
     let mutants = match wants(Part::Mutants) {
         true => Some(mutants::judge(validator, &plan.named)?),
         false => None,
@@ -115,6 +169,9 @@ pub fn validate(validator: &Validator, plan: &Plan) -> Result<Validation> {
         true => Some(sensitivity::measure(validator, &plan.named)?),
         false => None,
     };
+    let draws = plan.draws.as_ref();
+    let draws = draws.map(|folder| draws::judge_all(validator, folder, &plan.named));
+    let draws = draws.transpose()?;
     let catches = (mistakes.is_some() || mutants.is_some()).then(|| {
         let judged = mistakes.as_ref().map_or(&[][..], |known| &known.judged);
         Catches::count(validator, judged, mutants.as_ref())
@@ -127,10 +184,18 @@ pub fn validate(validator: &Validator, plan: &Plan) -> Result<Validation> {
 
     let mut faults = pristine.faults.clone();
     faults.extend(diagnoses.iter().flat_map(Diagnoses::faults));
+    if wants(Part::Mistakes) {
+        faults.extend(hints::faults(&mistake::read_all(validator.assignment)?));
+    }
     for known in [&mistakes, &rewrites, &variants].into_iter().flatten() {
         faults.extend(known.judged.iter().flat_map(|judged| judged.faults()));
     }
-    faults.extend(mutants.iter().flat_map(|mutants| mutants.faults.clone()));
+    faults.extend(pairs.iter().flat_map(Pairs::faults));
+    faults.extend(draws.iter().flat_map(Draws::faults));
+    if let Some(mutants) = &mutants {
+        faults.extend(mutants.faults.clone());
+        faults.extend(mutants.sentences().faults("mutants"));
+    }
     Ok(Validation {
         assignment: validator.assignment.title.clone(),
         faults,
@@ -138,10 +203,12 @@ pub fn validate(validator: &Validator, plan: &Plan) -> Result<Validation> {
         mistakes,
         rewrites,
         variants,
+        pairs,
         mutants,
         diagnoses,
         catches,
         sensitivity,
+        draws,
         seconds: start.elapsed().as_secs_f64(),
     })
 }

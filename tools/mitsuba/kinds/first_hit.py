@@ -20,8 +20,11 @@ SLOTS = 6
 """How many objects a question has room for."""
 
 NEAR_TIE = 1e-4
-"""Two objects this near to each other, or an object this near to min_t, as a
-share of t, are no question for float32."""
+"""A question is redrawn if two objects are this close to each other, or one is this close to
+min_t, as a share of t: float32 can't tell them apart."""
+
+FRESH = 512
+"""How many fresh questions a group has; each costs as much as five of the other kinds."""
 
 
 @dataclass(frozen=True)

@@ -27,6 +27,9 @@ BLURRED = 2.0**-6
 """A question is redrawn when its tolerance exceeds this share of t, or this much
 of a normal: the answer jumps (a root falls on min_t) or says too little."""
 
+FRESH = 2048
+"""How many fresh questions a group has."""
+
 
 @dataclass(frozen=True)
 class Question:

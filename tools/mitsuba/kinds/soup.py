@@ -6,6 +6,8 @@ They are those of `first_hit`, but all triangles are one object: its id is 0.
 from cast import MISS
 from kinds import first_hit
 
+FRESH = first_hit.FRESH
+
 
 class Question(first_hit.Question):
     """A question of `first_hit` about the triangles of one soup."""

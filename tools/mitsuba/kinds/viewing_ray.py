@@ -9,6 +9,9 @@ from camera import Camera
 from sensor import golden_rays
 from tolerance import ray_tolerance
 
+FRESH = 2048
+"""How many fresh questions a group has."""
+
 
 @dataclass(frozen=True)
 class Question:

@@ -12,6 +12,8 @@ MITSUBA = Path(__file__).parents[1]
 
 ALL = {"round", "flat", "probes/ball", "probes/floor", "ties"}
 
+FRESH = ALL - {"ties"} | {"random_scenes"}
+
 SCENE = """
 [[object]]
 type = "sphere"
@@ -34,6 +36,10 @@ from shapes.plane import Plane
 def draw(rng):
     return size(rng)
 """
+RANDOM_SCENE = """
+def objects(rng, view):
+    return []
+"""
 TIES = """
 from shapes.plane import Plane
 from whole_numbers import Ray
@@ -51,15 +57,16 @@ def folder(tmp_path):
     (tmp_path / "questions" / "ball.py").write_text(BALL)
     (tmp_path / "questions" / "floor.py").write_text(FLOOR)
     (tmp_path / "questions" / "both.py").write_text("size = 1.0\n")
+    (tmp_path / "questions" / "random_scene.py").write_text(RANDOM_SCENE)
     (tmp_path / "questions" / "ties.py").write_text(TIES)
     (tmp_path / "round.toml").write_text(SCENE.format(other="sphere"))
     (tmp_path / "flat.toml").write_text(SCENE.format(other="soup"))
     return tmp_path
 
 
-def fingerprints(folder):
+def fingerprints(folder, what="--questions"):
     """As the command prints them, to whom no installed package is in sight."""
-    line = ["round.toml", "flat.toml", "--questions", "."]
+    line = ["round.toml", "flat.toml", what, "."]
     run = subprocess.run(
         [sys.executable, "-I", "-S", "mitsuba/fingerprint.py", *line],
         cwd=folder, capture_output=True, text=True, check=True,
@@ -67,13 +74,13 @@ def fingerprints(folder):
     return json.loads(run.stdout)
 
 
-def changed(folder, file, old, new):
+def changed(folder, file, old, new, what="--questions", names=ALL):
     """Whose fingerprints change with this edit of a file."""
-    before, text = fingerprints(folder), (folder / file).read_text()
+    before, text = fingerprints(folder, what), (folder / file).read_text()
     assert old in text
     (folder / file).write_text(text.replace(old, new))
-    after = fingerprints(folder)
-    assert before.keys() == after.keys() == ALL
+    after = fingerprints(folder, what)
+    assert before.keys() == after.keys() == names
     return {name for name in before if before[name] != after[name]}
 
 
@@ -105,3 +112,24 @@ def test_words_and_layout_leave_all_goldens_fresh(folder, file, old, new):
 ))
 def test_what_makes_the_pixels_makes_its_own_goldens_stale(folder, file, old, new, stale):
     assert changed(folder, file, old, new) == stale
+
+
+@pytest.mark.parametrize("file, old, new, stale", (
+    ("mitsuba/random_scenes.py", "TRIES = 50", "TRIES = 5", {"random_scenes"}),
+    ("questions/random_scene.py", "[]", "[None]", {"random_scenes"}),
+    ("mitsuba/fresh_questions.py", "EXTREME = ", "EXTREME = 1 + ", {"probes/ball", "probes/floor"}),
+    ("mitsuba/question_films.py", "QUESTIONS = ", "QUESTIONS = 2 * ", FRESH - {"round", "flat"}),
+    ("questions/floor.py", "size(rng)", "2 * size(rng)", {"probes/floor"}),
+    ("questions/ties.py", "import Ray", "import vector", set()),
+))
+def test_what_draws_fresh_questions_makes_them_stale(folder, file, old, new, stale):
+    assert changed(folder, file, old, new, "--fresh", FRESH) == stale
+
+
+@pytest.mark.parametrize("file, old, new", (
+    ("mitsuba/random_scenes.py", "TRIES = 50", "TRIES = 5"),
+    ("mitsuba/fresh_questions.py", "EXTREME = ", "EXTREME = 1 + "),
+    ("questions/random_scene.py", "[]", "[None]"),
+))
+def test_what_draws_fresh_questions_leaves_committed_goldens_fresh(folder, file, old, new):
+    assert changed(folder, file, old, new) == set()

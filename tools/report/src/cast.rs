@@ -1,5 +1,6 @@
-//! A film that was cast: written with its pictures, and what there is to say of it.
+//! Writes a film and its pictures, and prints a summary.
 
+use std::fmt;
 use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -13,7 +14,7 @@ use serde_json::{Value, json};
 use crate::pictures;
 use crate::program::Status;
 
-/// What was cast, by whom.
+/// What was cast, and by which submission.
 pub struct Cast {
     /// The scene, as the user named it.
     pub scene: String,
@@ -31,6 +32,18 @@ pub struct Cast {
     pub exact: Option<Value>,
     /// What planned casting took, and the plan.
     pub planned: Option<Value>,
+    /// Whose pixels these are, if some come from the golden film.
+    pub shares: Option<Shares>,
+}
+
+/// What a submission answered of a film whose other pixels come from the golden film.
+pub struct Shares {
+    /// The tasks that it answered.
+    pub yours: Vec<String>,
+    /// The tasks whose answers come from the golden films.
+    pub golden: Vec<String>,
+    /// For each pixel, whether it was copied from the golden film.
+    pub copied: Vec<bool>,
 }
 
 impl Cast {
@@ -58,8 +71,10 @@ impl Cast {
             Some(golden) => false_colour::depth_range(&Film::read(golden)?, depth_per_t),
             None => false_colour::depth_range(&self.film, depth_per_t),
         };
+        let shares = self.shares.as_ref();
+        let copied = shares.map_or(&[][..], |shares| &shares.copied);
         let mut written = vec![path.display().to_string()];
-        let pictures = pictures::write(out, "", &self.film, depth_per_t, range.clone())?;
+        let pictures = pictures::write(out, "", &self.film, depth_per_t, range.clone(), copied)?;
         written.extend(pictures);
         self.show(&range, &written, json);
         Ok(match self.problem {
@@ -91,6 +106,8 @@ impl Cast {
                     "seconds": self.seconds,
                     "files": written,
                     "problem": self.problem,
+                    "answered": self.shares.as_ref().map(|shares| &shares.yours),
+                    "from_golden": self.shares.as_ref().map(|shares| &shares.golden),
                 })
             );
         } else {
@@ -118,9 +135,24 @@ impl Cast {
                     anstream::eprintln!("  {}", printable(line));
                 }
             }
-            if let Some(problem) = &self.problem {
-                anstream::println!("the film is not complete: {problem}");
+            match (&self.shares, &self.problem) {
+                (Some(shares), _) => anstream::println!("{shares}"),
+                (None, Some(problem)) => {
+                    anstream::println!("the film is not complete: {problem}");
+                }
+                (None, None) => {}
             }
         }
+    }
+}
+
+impl fmt::Display for Shares {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.yours.is_empty() {
+            true => writeln!(f, "nothing here is yours yet")?,
+            false => writeln!(f, "yours: {}", self.yours.join(", "))?,
+        }
+        let golden = self.golden.join(", ");
+        write!(f, "from Mitsuba's film, copied pixels faded: {golden}")
     }
 }

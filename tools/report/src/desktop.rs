@@ -1,8 +1,8 @@
-//! What opens in the desktop's own programs, where there is a desktop.
+//! Opens files and addresses in the desktop's own programs, if there is a desktop.
 
 use std::path::Path;
 
-/// Opens a file or an address, if there is anybody to see it.
+/// Opens a file or an address, if there is a desktop.
 pub fn open(what: impl AsRef<std::ffi::OsStr>) -> bool {
     is_there() && open::that_detached(what).is_ok()
 }

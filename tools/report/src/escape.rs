@@ -2,7 +2,7 @@
 
 use pinhole_course::shell::in_shell;
 
-/// One line of somebody else's text, safe to show in a terminal.
+/// One line of untrusted text, safe to show in a terminal.
 pub fn printable(text: &str) -> String {
     let safe = |c: char| match c {
         '\n' => "⏎ ".into(),
@@ -41,9 +41,34 @@ fn printable_coloured_line(line: &str) -> String {
     safe
 }
 
-/// Characters that reorder or hide their neighbours.
+/// Characters that reorder or hide their neighbours, or cannot be seen: Unicode's
+/// Default_Ignorable_Code_Point (DerivedCoreProperties.txt, 17.0) and its line separators.
 fn is_invisible(c: char) -> bool {
-    matches!(c, '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{2069}' | '\u{feff}')
+    matches!(c,
+        '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{115f}'..='\u{1160}' | '\u{17b4}'..='\u{17b5}'
+        | '\u{180b}'..='\u{180f}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}'
+        | '\u{2060}'..='\u{206f}' | '\u{3164}' | '\u{fe00}'..='\u{fe0f}' | '\u{feff}'
+        | '\u{ffa0}' | '\u{fff0}'..='\u{fffb}' | '\u{1bca0}'..='\u{1bca3}'
+        | '\u{1d173}'..='\u{1d17a}' | '\u{e0000}'..='\u{e0fff}')
+}
+
+/// A JSON document whose strings hold no character that could harm a terminal: each is
+/// written by its number, which means the same.
+pub fn printable_json(document: &str) -> String {
+    let mut safe = String::with_capacity(document.len());
+    for c in document.chars() {
+        // Outside strings there are none; what is a control character has a number already.
+        match is_invisible(c) || matches!(c, '\u{7f}'..='\u{9f}') {
+            true => {
+                let mut units = [0; 2];
+                for unit in c.encode_utf16(&mut units) {
+                    safe.push_str(&format!("\\u{unit:04x}"));
+                }
+            }
+            false => safe.push(c),
+        }
+    }
+    safe
 }
 
 #[cfg(test)]
@@ -58,6 +83,21 @@ mod tests {
             printable_word("a\u{1b}[2J\u{202e}\nrm"),
             "'a\\u{1b}[2J\\u{202e}⏎ rm'"
         );
+    }
+
+    #[test]
+    fn invisible_characters_are_shown_by_number() {
+        for c in "\u{ad}\u{61c}\u{180e}\u{200b}\u{202e}\u{3164}\u{fe0f}\u{feff}\u{e0001}".chars() {
+            let shown = printable(&format!("a{c}b"));
+            assert!(!shown.contains(c), "{shown:?}");
+            assert_eq!(shown, format!("a{}b", c.escape_unicode()));
+            let json = serde_json::to_string(&format!("a{c}b")).expect("it is text");
+            let safe = printable_json(&json);
+            assert!(safe.is_ascii(), "{safe:?}");
+            let read: String = serde_json::from_str(&safe).expect("it is JSON");
+            assert_eq!(read, format!("a{c}b"));
+        }
+        assert_eq!(printable("Zoë, 李"), "Zoë, 李");
     }
 
     #[test]

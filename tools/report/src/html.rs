@@ -1,11 +1,12 @@
 //! The report: one HTML file that opens from disk and loads nothing else.
 //!
-//! Reading order: [`task`] and [`scene`] for what stands on the page; [`cause`] for
-//! why a pixel is wrong; [`belief`] for diagnoses; [`pixels`], [`window`], [`rays`] for
-//! how films travel; [`page`] for how it becomes HTML; then `templates`, and `viewer.js` there.
+//! Reading order: [`task`] and [`scene`] for what stands on the page; [`cause`] for why a pixel
+//! is wrong; [`belief`] for diagnoses; [`pixels`], [`window`], [`rays`] for the data of films;
+//! [`page`] for how it becomes HTML; then `templates`, and `viewer.js` there.
 
 mod belief;
 mod cause;
+pub mod mark;
 mod page;
 mod picture;
 mod pixels;
@@ -25,6 +26,8 @@ use rayon::prelude::{IndexedParallelIterator, IntoParallelRefIterator, ParallelI
 use serde::Serialize;
 
 use crate::escape::{printable, printable_word};
+use crate::finish::Finish;
+use crate::passage::Passage;
 use crate::terminal;
 pub use belief::Beliefs;
 use belief::Told;
@@ -32,19 +35,19 @@ pub use page::{PAGE_CSS, environment, policy};
 use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::outcome::{Examination, FilmOutcome, Outcome, SceneFilm, SceneOutcome};
 use pinhole_course::shell::PINHOLE;
-pub use rays::RayGrid;
+pub use rays::{RayGrid, RaysOfYours};
 pub use scene::{Evidence, SceneSection};
 use task::TaskSection;
 
 /// Lines of a student's own output that are kept.
 const MOST_PRINTED_LINES: usize = 200;
 
-/// What stands on the page.
+/// The contents of the page.
 #[derive(Debug, Serialize)]
 pub struct Report {
     /// What was judged: the assignment's title, or the film's name.
     pub title: String,
-    /// Whose it is, word by word: what it is, and its path.
+    /// What was judged: its kind, and its path.
     pub of: Vec<(&'static str, String)>,
     pub passes: bool,
     /// The whole verdict in a sentence.
@@ -56,10 +59,35 @@ pub struct Report {
     /// What the student's code printed.
     pub printed: Vec<String>,
     pub more_printed: usize,
-    /// What does it all again.
+    /// The command that repeats the examination.
     pub command: String,
     /// Where the book lies on the machine that will show this, as an address.
     pub book: Option<String>,
+    /// What follows when all points are earned.
+    pub finish: Option<FinishSection>,
+}
+
+/// The end, on the page.
+#[derive(Debug, Serialize)]
+pub struct FinishSection {
+    pub scene: String,
+    /// The picture's address.
+    pub picture: String,
+    /// What packs the answers to hand in.
+    pub command: String,
+    pub next: Passage,
+}
+
+impl FinishSection {
+    /// What a student sees who has all points.
+    pub fn of(finish: Finish) -> FinishSection {
+        FinishSection {
+            picture: picture::address(&finish.picture),
+            command: format!("{PINHOLE} check --pack answers.zip"),
+            scene: finish.scene,
+            next: finish.next,
+        }
+    }
 }
 
 /// Commands that repeat an examination.
@@ -120,6 +148,7 @@ impl Report {
             printed: lines.into_iter().take(MOST_PRINTED_LINES).collect(),
             command: again.whole.clone(),
             book: None,
+            finish: None,
         })
     }
 
@@ -141,6 +170,7 @@ impl Report {
             more_printed: 0,
             command: section.command.clone(),
             book: None,
+            finish: None,
             scenes: vec![section],
         }
     }
@@ -206,6 +236,7 @@ impl Shown<'_> {
             film: cast.film.as_ref(),
             scene: scene.as_ref(),
             rays,
+            own_rays: RaysOfYours::of(&cast.rays),
             beliefs: Beliefs::of(&result.diagnosis, self.told),
             command: format!(
                 "{} --scene {}",

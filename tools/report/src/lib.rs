@@ -6,6 +6,7 @@
 pub mod cast;
 pub mod desktop;
 pub mod escape;
+pub mod finish;
 pub mod html;
 pub mod json;
 pub mod passage;

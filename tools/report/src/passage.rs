@@ -1,12 +1,14 @@
-//! A place in the book that readers are sent to.
+//! A place in the book that helps with a mistake.
 
 use std::fmt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
 use crate::desktop;
+use pinhole_course::checkout::Checkout;
 use pinhole_course::diagnosis::Diagnosis;
+use pinhole_course::shell::from_here;
 
 /// A chapter or a section of it: in words, and as its page, from the top of a student's
 /// repository. In the course's checkout, pages lie in `book/build/student`.
@@ -23,7 +25,7 @@ impl Passage {
     pub fn chapter(title: &str) -> Passage {
         Passage {
             words: format!("the book, “{title}”"),
-            // Its file is named as everything here is, with `_` for a space.
+            // Its file's name has `_` for each space.
             page: format!("book/{}.html", anchor(title).replace('-', "_")),
         }
     }
@@ -41,7 +43,10 @@ impl Passage {
     /// of the checkout, or of a student's repository.
     pub fn open(&self, root: &Path) -> String {
         let Some(book) = built(root) else {
-            return "the book is not built in this folder".into();
+            return match has_sources(root) {
+                true => "the book is not built yet: cargo pinhole book build".into(),
+                false => "the book is not in this repository: ask your instructor for it".into(),
+            };
         };
         let address = format!("{book}{}", self.page.trim_start_matches("book"));
         match desktop::open(&address) {
@@ -50,7 +55,8 @@ impl Passage {
         }
     }
 
-    /// What helps against beliefs, each place once; without any, the chapter.
+    /// The sections that help with these beliefs, each once; without a belief, the
+    /// chapter.
     pub fn against(diagnosis: &Diagnosis, chapter: &str) -> Vec<Passage> {
         let mut passages: Vec<Passage> = Vec::new();
         for held in &diagnosis.beliefs {
@@ -66,10 +72,32 @@ impl Passage {
     }
 }
 
-impl fmt::Display for Passage {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} ({})", self.words, self.page)
+impl Passage {
+    /// A file to read it in: the page, where a student's repository has it, or its source in
+    /// the course's checkout; `None` without a book.
+    fn file(&self, root: &Path) -> Option<PathBuf> {
+        let (page, _) = self.page.split_once('#').unwrap_or((&self.page, ""));
+        let source = Path::new(page).with_extension("md");
+        let source = Path::new("book/src").join(source.file_name()?);
+        let mut files = [root.join(page), root.join(source)].into_iter();
+        files.find(|file| file.is_file())
     }
+}
+
+impl fmt::Display for Passage {
+    /// In words, and a path that opens from the current folder.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let checkout = Checkout::find().ok();
+        match checkout.and_then(|checkout| self.file(checkout.root())) {
+            Some(file) => write!(f, "{} ({})", self.words, from_here(&file).display()),
+            None => write!(f, "{}", self.words),
+        }
+    }
+}
+
+/// Whether the book can be built here.
+pub fn has_sources(root: &Path) -> bool {
+    root.join("book/src").is_dir()
 }
 
 /// Where the book lies, as a browser's address: as a student's repository has it, or as
@@ -97,15 +125,29 @@ fn anchor(title: &str) -> String {
 mod tests {
     use super::*;
     use pinhole_course::assignment::Assignment;
-    use pinhole_course::checkout::Checkout;
     use pinhole_course::diagnosis::known::KnownMistakes;
 
     #[test]
     fn a_passage_names_the_page_and_the_place_on_it() {
         let passage = Passage::section("Viewing rays", "Which root counts?");
-        let told = "the book, “Viewing rays”, section “Which root counts?” \
-                    (book/viewing_rays.html#which-root-counts)";
-        assert_eq!(passage.to_string(), told);
+        assert_eq!(passage.page, "book/viewing_rays.html#which-root-counts");
+        assert_eq!(
+            passage.words,
+            "the book, “Viewing rays”, section “Which root counts?”"
+        );
+    }
+
+    #[test]
+    fn the_path_that_is_printed_opens() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let passage = Passage::section("Viewing rays", "Which root counts?");
+        assert_eq!(passage.file(folder.path()), None);
+        for file in ["book/src/viewing_rays.md", "book/viewing_rays.html"] {
+            let file = folder.path().join(file);
+            std::fs::create_dir_all(file.parent().expect("a folder")).expect("there is room");
+            std::fs::write(&file, "").expect("there is room");
+            assert_eq!(passage.file(folder.path()), Some(file));
+        }
     }
 
     #[test]

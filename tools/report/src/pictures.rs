@@ -9,13 +9,14 @@ use pinhole::{Film, false_colour};
 use pinhole_course::error::{Result, ResultExt};
 
 /// Writes `id`, `depth` and `normal` pictures of a film of hits, their names behind
-/// `prefix`; gives their paths.
+/// `prefix`, with these pixels `faded` (none if the list is empty); gives their paths.
 pub fn write(
     folder: &Path,
     prefix: &str,
     film: &Film,
     depth_per_t: f64,
     range: Range<f64>,
+    faded: &[bool],
 ) -> Result<Vec<String>> {
     let pictures = [
         ("id", false_colour::id(film)),
@@ -23,7 +24,8 @@ pub fn write(
         ("normal", false_colour::normal(film)),
     ];
     let mut written = Vec::new();
-    for (name, picture) in pictures {
+    for (name, mut picture) in pictures {
+        false_colour::fade(&mut picture, faded);
         let path = folder.join(format!("{prefix}{name}.png"));
         save(&picture, &path)?;
         written.push(path.display().to_string());

@@ -1,4 +1,4 @@
-//! What every binary of ours does around its own command: exit codes, errors, panics.
+//! What all our programs have in common: exit codes, errors, panics.
 
 use std::panic::{self, PanicHookInfo};
 use std::process::ExitCode;

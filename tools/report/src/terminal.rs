@@ -7,6 +7,9 @@ mod scenes;
 mod tasks;
 mod words;
 
+use std::io::{IsTerminal, stdout};
+
+use anstream::{AutoStream, ColorChoice};
 use anstyle::{AnsiColor, Style};
 
 use crate::escape::printable;
@@ -14,13 +17,24 @@ use pinhole_course::outcome::{Examination, TaskOutcome};
 pub use scenes::worst_pixel;
 pub use words::{
     diagnosis, facts, group_in_words, no_answer, outcome, outcome_of, percent, scene_in_words,
-    task_in_words, withheld_in_words,
+    share, task_in_words, withheld_in_words,
 };
 
 pub const PASS: Style = AnsiColor::Green.on_default();
 pub const FAIL: Style = AnsiColor::Red.on_default();
 pub const QUIET: Style = AnsiColor::BrightBlack.on_default();
 pub const STRONG: Style = Style::new().bold();
+
+/// Text without its colours.
+pub fn plain(text: &str) -> String {
+    anstream::adapter::strip_str(text).to_string()
+}
+
+/// Whether standard output is a terminal that shows all colours.
+pub fn shows_pictures() -> bool {
+    let all = std::env::var("COLORTERM").is_ok_and(|it| it == "truecolor" || it == "24bit");
+    all && stdout().is_terminal() && AutoStream::choice(&stdout()) != ColorChoice::Never
+}
 
 /// Lines of a student's own output that are shown.
 const MOST_PRINTED_LINES: usize = 20;

@@ -15,14 +15,14 @@ function reading(i, j, k, pixels, evidence) {
 
   const parts = [verdict];
   if (evidence.rays) {
-    const { e, d } = rayAt(evidence.rays, i, j);
-    const facts = [["e", vector(e, 6)], ["d", vector(d, 6)]];
-    if (evidence.min_t !== null) facts.push(["min_t", number(evidence.min_t, 6)]);
-    const list = element("dl", { className: "ray" });
-    for (const [name, value] of facts) {
-      list.append(element("div", {}, element("dt", {}, name), element("dd", {}, value)));
-    }
-    parts.push(element("p", { className: "ray-title" }, "Its ray, by Mitsuba"), list);
+    const min_t = evidence.min_t === null ? [] : [["min_t", number(evidence.min_t, 6)]];
+    const rays = element("div", { className: "rays" });
+    rays.append(ray("Its ray, by Mitsuba", [...inWords(rayAt(evidence.rays, i, j)), ...min_t]));
+    const own = evidence.own_rays;
+    if (own === "right") rays.append(ray("Your ray", [["", "the same"]]));
+    else if (own === "uneven") rays.append(ray("Your ray", [["", "the command below shows it"]]));
+    else if (own !== "unknown") rays.append(ray("Your ray", inWords(rayAt(own, i, j))));
+    parts.push(rays);
   }
   parts.push(comparison(i, j, expected, allowed, got, pixels.missed[k], evidence));
   const met = evidence.objects[expected[0]];
@@ -33,6 +33,16 @@ function reading(i, j, k, pixels, evidence) {
     parts.push(element("p", { className: "again" }, element("span", { className: "label" }, "Step by step"), " ", command));
   }
   return parts;
+}
+
+const inWords = ({ e, d }) => [["e", vector(e, 6)], ["d", vector(d, 6)]];
+
+function ray(title, facts) {
+  const list = element("dl", { className: "ray" });
+  for (const [name, value] of facts) {
+    list.append(element("div", {}, element("dt", {}, name), element("dd", {}, value)));
+  }
+  return element("div", {}, element("p", { className: "ray-title" }, title), list);
 }
 
 function comparison(i, j, expected, allowed, got, missed, evidence) {

@@ -1,5 +1,5 @@
-// One viewer for each failing scene. It starts when its fold is first opened; until
-// then, and without JavaScript, still pictures stand in its place.
+// One viewer for each failing scene. It starts when its fold is first opened. Until
+// then, and without JavaScript, the page shows still pictures.
 for (const card of document.querySelectorAll("details.scene")) {
   const start = () => {
     if (!card.open || card.dataset.started || !card.querySelector(".viewer")) return;

@@ -1,4 +1,4 @@
-// Numbers as `report.rs` of the harness writes them: so many significant digits, no
+// Numbers as `report.rs` of the harness writes them: this many significant digits, no
 // trailing zeros, a real minus sign.
 function number(value, digits) {
   if (value === 0) return "0";
@@ -29,7 +29,7 @@ function object(id, objects) {
   return kind ? `object ${id} (${kind})` : `object ${id}`;
 }
 
-// A ray of a grid of rays; what rounding leaves of a zero is one.
+// A ray of a grid of rays. A component that is only a rounding error becomes 0.
 function rayAt(rays, i, j) {
   const at = ({ first, per_column, per_row }) => {
     const sum = [0, 1, 2].map((axis) => first[axis] + i * per_column[axis] + j * per_row[axis]);

@@ -25,14 +25,11 @@ pub fn breaking(sweep: &Sweep, data: Data) -> Vec<Breaking> {
 fn of_kernel(sweep: &Sweep, data: Data, at: usize) -> Breaking {
     let tallies = || sweep.points.iter().map(|point| &point.kernels[at].tally);
     let broken = |point: &&Point| is_broken(&point.kernels[at].tally, data);
-    let above = sweep
-        .points
-        .iter()
-        .filter(|point| point.exponent >= sweep.easy);
-    let below = sweep
-        .points
-        .iter()
-        .filter(|point| point.exponent <= sweep.easy);
+    // The exponent nearest to 0 is easy.
+    let exponents = || sweep.points.iter().map(|point| point.exponent);
+    let easy = exponents().min_by_key(|x| x.abs()).unwrap_or_default();
+    let above = sweep.points.iter().filter(|point| point.exponent >= easy);
+    let below = sweep.points.iter().filter(|point| point.exponent <= easy);
     let named = &sweep.points[0].kernels[at];
     Breaking {
         shape: sweep.shape.clone(),

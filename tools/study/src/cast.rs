@@ -1,19 +1,14 @@
 //! Casting whole scenes: from a scene's file to a film, by kernels of one's choice.
 //!
 //! [`world`] is the scene as parts that a ray can meet, [`tree`] what spares most of
-//! them ([`frame`] and [`slabs`] are its boxes), [`model`] with which numbers and kernels
-//! they are met, [`kernels`] and [`chosen`] which kernels there are to choose from,
-//! [`narrow`] the same in `f32`, [`eight`] many at a time, [`rays`] and [`reach`] where
-//! rays come from.
+//! them ([`frame`] and [`slabs`] are its boxes), [`search`] whether that pays, [`model`] with
+//! which kernels they are met, [`rays`] and [`reach`] where rays come from.
 
-pub mod chosen;
-pub mod eight;
 pub mod frame;
-pub mod kernels;
 pub mod model;
-pub mod narrow;
 pub mod rays;
 pub mod reach;
+pub mod search;
 pub mod slabs;
 pub mod tree;
 pub mod world;
@@ -25,37 +20,25 @@ use crate::kernel::sphere::Scaled;
 use crate::kernel::triangle::Four;
 use crate::shape::Ray;
 use model::Model;
+pub use search::Search;
 use tree::Tree;
 use world::{Part, World};
-
-/// What is looked at to find what a ray meets first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Search {
-    /// Every part.
-    BruteForce,
-    /// The parts in boxes that the ray meets.
-    Boxes,
-}
-
-impl Search {
-    /// How tables call it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Search::BruteForce => "brute force",
-            Search::Boxes => "boxes",
-        }
-    }
-}
 
 /// What a cast did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     /// Rays against parts.
     pub tests: u64,
-    /// Tests that a filter left open.
-    pub fallbacks: u64,
+    /// Tests that the static filter left open.
+    pub semi_static: u64,
+    /// Tests that the semi-static filter left open as well.
+    pub double_double: u64,
+    /// Tests that were decided exactly.
+    pub exact: u64,
     /// Comparisons of two t that floats left open.
     pub close_calls: u64,
+    /// Hits whose t and normal had to be computed exactly to be as accurate as was wished.
+    pub exact_hits: u64,
 }
 
 impl Tally {
@@ -63,8 +46,11 @@ impl Tally {
     pub fn plus(self, other: Tally) -> Tally {
         Tally {
             tests: self.tests + other.tests,
-            fallbacks: self.fallbacks + other.fallbacks,
+            semi_static: self.semi_static + other.semi_static,
+            double_double: self.double_double + other.double_double,
+            exact: self.exact + other.exact,
             close_calls: self.close_calls + other.close_calls,
+            exact_hits: self.exact_hits + other.exact_hits,
         }
     }
 }

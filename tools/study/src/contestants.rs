@@ -1,9 +1,10 @@
 //! Who takes part.
 
 use crate::contestant::Contestant;
-use crate::kernel::{Kernel, Widened, plane, sphere, triangle};
+use crate::kernel::sphere::Scaled;
+use crate::kernel::{Kernel, Tier, Widened, plane, sphere, triangle};
 use crate::oracle::Known;
-use crate::question::Data;
+use crate::question::{Data, Question};
 use crate::shape::{Plane, Sphere, Triangle};
 
 /// A shape that kernels compete on.
@@ -12,6 +13,19 @@ pub trait Contested: Known {
     const NAME: &'static str;
     /// All kernels, on all types of numbers.
     fn contestants() -> Vec<Contestant<Self>>;
+    /// What has the last word in the exact kernel, in `f64`.
+    fn tier(question: &Question<Self>) -> Tier;
+}
+
+/// The name of every shape's exact kernel.
+pub const EXACT: &str = "adaptive exact";
+
+fn semi_static_or(is_filtered: bool, next: impl Fn() -> Tier) -> Tier {
+    if is_filtered {
+        Tier::SemiStatic
+    } else {
+        next()
+    }
 }
 
 /// A kernel in `f64`, in `f32`, and in `f64` on `f32` data.
@@ -34,15 +48,16 @@ impl Contested for Sphere<f64> {
     fn contestants() -> Vec<Contestant<Self>> {
         [
             in_all_numbers::<Self, sphere::Textbook>(),
-            in_all_numbers::<Self, sphere::HalfB>(),
-            in_all_numbers::<Self, sphere::StableQ>(),
-            in_all_numbers::<Self, sphere::Fma>(),
             in_all_numbers::<Self, sphere::Haines>(),
-            in_all_numbers::<Self, sphere::HainesScaled>(),
-            in_all_numbers::<Self, sphere::DoubleDouble>(),
             in_all_numbers::<Self, sphere::Adaptive>(),
         ]
         .concat()
+    }
+
+    fn tier(question: &Question<Self>) -> Tier {
+        let Question { shape, ray, min_t } = question;
+        let filtered = sphere::filtered(shape, &Scaled::new(ray), *min_t);
+        semi_static_or(filtered.is_some(), || Tier::Exact)
     }
 }
 
@@ -51,12 +66,16 @@ impl Contested for Plane<f64> {
 
     fn contestants() -> Vec<Contestant<Self>> {
         [
-            in_all_numbers::<Self, plane::Plain>(),
             in_all_numbers::<Self, plane::Shifted>(),
-            in_all_numbers::<Self, plane::EpsilonCut>(),
             in_all_numbers::<Self, plane::Adaptive>(),
         ]
         .concat()
+    }
+
+    fn tier(question: &Question<Self>) -> Tier {
+        let Question { shape, ray, min_t } = question;
+        let filtered = plane::filtered(shape, ray, *min_t);
+        semi_static_or(filtered.is_some(), || Tier::Exact)
     }
 }
 
@@ -65,15 +84,23 @@ impl Contested for Triangle<f64> {
 
     fn contestants() -> Vec<Contestant<Self>> {
         [
-            in_all_numbers::<Self, triangle::Cramer>(),
             in_all_numbers::<Self, triangle::MollerTrumbore>(),
             in_all_numbers::<Self, triangle::MollerTrumboreEpsilon>(),
-            in_all_numbers::<Self, triangle::EdgeFunctions>(),
             in_all_numbers::<Self, triangle::Woop>(),
-            in_all_numbers::<Self, triangle::WoopOnce>(),
-            in_all_numbers::<Self, triangle::DoubleDouble>(),
             in_all_numbers::<Self, triangle::Adaptive>(),
         ]
         .concat()
+    }
+
+    fn tier(question: &Question<Self>) -> Tier {
+        let Question { shape, ray, min_t } = question;
+        let scaled = Scaled::new(ray);
+        let filtered = triangle::filtered(shape, &scaled, *min_t);
+        semi_static_or(filtered.is_some(), || {
+            match triangle::twice(shape, &scaled, *min_t) {
+                Some(_) => Tier::DoubleDouble,
+                None => Tier::Exact,
+            }
+        })
     }
 }

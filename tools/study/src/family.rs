@@ -4,12 +4,11 @@
 pub mod mesh;
 mod plane;
 mod sphere;
-pub mod spoilt;
 mod triangle;
 mod varied;
 
 use crate::contestants::Contested;
-use crate::question::{Data, Question};
+use crate::question::{Class, Data, Question};
 use crate::random::Random;
 use crate::vector::Vector;
 
@@ -23,10 +22,24 @@ pub struct Family<S> {
     pub meaning: &'static str,
     /// The exponents, for each type of data.
     pub exponents: fn(Data) -> Vec<i32>,
-    /// The exponent that is easy: breaking is told from here outwards.
-    pub easy: i32,
+    /// Up to this exponent, of either sign, questions are everyday ones.
+    pub everyday: i32,
     /// One random question.
     pub ask: fn(&mut Random, i32, Data) -> Question<S>,
+}
+
+/// Exponents beyond this are absurd.
+const HARD: i32 = 18;
+
+impl<S> Family<S> {
+    /// The class of its questions at an exponent.
+    pub fn class(&self, exponent: i32) -> Class {
+        match exponent.abs() {
+            x if x <= self.everyday => Class::Everyday,
+            x if x <= HARD => Class::Hard,
+            _ => Class::Absurd,
+        }
+    }
 }
 
 /// A shape with families of questions about it.
@@ -46,12 +59,21 @@ fn decades(last: i32) -> Vec<i32> {
     (0..=last).collect()
 }
 
-/// Every scale the type has.
+/// Every scale the type has, in coarser steps where it is absurd.
 fn scales(data: Data) -> Vec<i32> {
-    match data {
-        Data::F64 => [-320].into_iter().chain((-300..=300).step_by(20)).collect(),
-        Data::F32 => [-44].into_iter().chain((-40..=36).step_by(4)).collect(),
+    let (coarse, fine, smallest) = match data {
+        Data::F64 => (20, [3, 6, 10], -320),
+        Data::F32 => (4, [1, 2, 3], -44),
+    };
+    let largest = if data == Data::F64 { 300 } else { 36 };
+    let mut scales: Vec<i32> = (-largest..=largest).step_by(coarse).collect();
+    scales.extend(fine.into_iter().flat_map(|x| [-x, x]));
+    scales.push(smallest);
+    if data == Data::F32 {
+        scales.push(-40);
     }
+    scales.sort_unstable();
+    scales
 }
 
 /// So many sound questions of a family, rounded to the data's type: the same for every

@@ -71,6 +71,13 @@ impl Tally {
     }
 }
 
+/// Of errors, if there are any.
+pub fn median_and_worst(errors: impl Iterator<Item = f64>) -> [Option<f64>; 2] {
+    let mut errors: Vec<f64> = errors.collect();
+    errors.sort_by(f64::total_cmp);
+    [errors.get(errors.len() / 2), errors.last()].map(Option::<&f64>::copied)
+}
+
 /// With no wrong decision in n, the true share is at most 3/n with 95 % confidence
 /// (Hanley & Lippman-Hand, "If nothing goes wrong, is everything all right?", *JAMA*
 /// 249, 1983: the rule of three).
@@ -132,6 +139,16 @@ pub fn judge<S: Known>(
     questions: &[Question<S>],
     truths: &[Truth],
 ) -> Tally {
+    judge_each(somebody, questions, truths).0
+}
+
+/// The same, with the error in ulp of each t that is finite and no wrong decision, by the
+/// place of its question.
+pub fn judge_each<S: Known>(
+    somebody: &impl Answers<S>,
+    questions: &[Question<S>],
+    truths: &[Truth],
+) -> (Tally, Vec<(usize, f64)>) {
     let data = somebody.data();
     let mut tally = Tally::default();
     let mut errors = Vec::new();
@@ -148,7 +165,7 @@ pub fn judge<S: Known>(
         let answer = somebody.answer(at, question);
         let fault = match verdict(data, question, truth, answer) {
             Verdict::Right(error) => {
-                errors.extend(error);
+                errors.extend(error.map(|error| (at, error)));
                 continue;
             }
             Verdict::FalseHit => &mut tally.false_hits,
@@ -165,8 +182,6 @@ pub fn judge<S: Known>(
             tally.silent += u64::from(answer.is_none_or(f64::is_finite));
         }
     }
-    errors.sort_by(f64::total_cmp);
-    tally.median_ulp = errors.get(errors.len() / 2).copied();
-    tally.worst_ulp = errors.last().copied();
-    tally
+    [tally.median_ulp, tally.worst_ulp] = median_and_worst(errors.iter().map(|error| error.1));
+    (tally, errors)
 }

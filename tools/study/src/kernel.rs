@@ -12,11 +12,13 @@ mod adaptive;
 mod limits;
 pub mod plane;
 pub mod sphere;
+mod tier;
 pub mod triangle;
 mod widened;
 mod window;
 
 pub use limits::Limits;
+pub use tier::Tier;
 pub use widened::Widened;
 pub use window::Window;
 

@@ -1,7 +1,7 @@
 //! The leading 106 bits of an exact number, with an exponent that never overflows: what
 //! an exact kernel divides and takes roots of when its decision is made.
 
-use std::ops::{Add, Div, Neg};
+use std::ops::{Add, Div, Mul, Neg};
 
 use crate::double_double::DoubleDouble;
 use crate::dyadic::Dyadic;
@@ -22,6 +22,17 @@ impl Leading {
             value: scaled(self.value, odd).sqrt(),
             exponent: (self.exponent - odd) / 2,
         }
+    }
+
+    /// The e of 2^e ≤ |value| < 2^(e + 1); none of 0.
+    pub fn exponent(self) -> Option<i64> {
+        (self.value.high != 0.0).then_some(self.exponent)
+    }
+
+    /// self × 2^`power`.
+    pub fn times_power_of_two(self, power: i64) -> Leading {
+        let exponent = self.exponent + power;
+        Leading { exponent, ..self }
     }
 
     /// Rounded to a float; infinite if that is too small for it.
@@ -70,6 +81,16 @@ impl Add for Leading {
         Leading {
             value: scaled(sum, -shift),
             exponent: large.exponent + shift,
+        }
+    }
+}
+
+impl Mul for Leading {
+    type Output = Leading;
+    fn mul(self, other: Leading) -> Leading {
+        Leading {
+            value: self.value * other.value,
+            exponent: self.exponent + other.exponent,
         }
     }
 }

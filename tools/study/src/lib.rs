@@ -8,10 +8,11 @@
 //!    of them compute with: [`double_double`], [`dyadic`], [`leading`],
 //!    [`root`];
 //! 3. [`question`], [`family`], [`random`]: what they are asked;
-//! 4. [`oracle`], [`judge`], [`breaking`]: what is true, what is wrong, what is broken;
-//! 5. [`contestant`], [`contestants`], [`speed`], [`instructions`]: who takes part, and
-//!    what each costs;
-//! 6. [`leaks`]: closed meshes; [`cast`], [`film`], [`scenes`]: whole scenes; [`record`]:
+//! 4. [`oracle`], [`judge`], [`breaking`], [`conditioning`]: what is true, what is wrong, what is
+//!    broken, what is sensitive;
+//! 5. [`contestant`], [`contestants`], [`speed`], [`instructions`], [`classes`]: who takes part,
+//!    what each costs, and what it gets wrong in each class of questions;
+//! 6. [`leaks`]: closed meshes; [`secondary`]: rays that begin on a surface; [`cast`], [`film`], [`scenes`]: whole scenes; [`record`]:
 //!    the long runs;
 //! 7. [`plan`]: the cheapest way to cast a scene that is accurate enough, and [`plans`],
 //!    whether it is; [`theirs`], [`asked`]: a student's answers among the kernels;
@@ -21,6 +22,8 @@
 pub mod asked;
 pub mod breaking;
 pub mod cast;
+pub mod classes;
+pub mod conditioning;
 pub mod contestant;
 pub mod contestants;
 pub mod double_double;
@@ -45,6 +48,7 @@ pub mod result;
 pub mod root;
 pub mod run;
 pub mod scenes;
+pub mod secondary;
 pub mod shape;
 pub mod speed;
 pub mod summary;

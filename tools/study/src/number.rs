@@ -29,6 +29,8 @@ pub trait Real:
     const ROOT_OF_UNIT: Self;
     /// The smallest number with all its digits; below it, products lose some.
     const TINY: Self;
+    /// The largest finite number.
+    const LARGEST: Self;
     /// The nearest number of this type.
     fn of(value: f64) -> Self;
     /// The same number as an `f64`.
@@ -70,6 +72,7 @@ macro_rules! real {
             const UNIT_ROUNDOFF: Self = $unit;
             const ROOT_OF_UNIT: Self = $root;
             const TINY: Self = $type::MIN_POSITIVE;
+            const LARGEST: Self = $type::MAX;
             #[inline(always)]
             fn of(value: f64) -> Self {
                 value as $type

@@ -1,58 +1,41 @@
-//! The cheapest way to cast one scene that is as accurate as is wished.
+//! The cheapest way to cast one scene that is as accurate as is wished, and proof that it is.
 //!
-//! 1. [`bounds`] says how far rounding can move t and the normal of a hit; [`extent`] the
-//!    worst of that for all rays that a scene's camera can send, before any is cast.
-//! 2. Where the worst is too much, [`watch`] tells it of each hit from its own numbers, and
-//!    [`casting`] casts again, in better numbers, what is uncertain.
-//! 3. [`crossover`] says, from measured times, which search is cheaper: boxes or every
-//!    part.
-//! 4. [`sample`] casts some of the scene's rays: in `f32` and in `f64`, if either would do,
-//!    to see which is faster; and as planned, to let the oracle judge. What it refuses is
-//!    planned anew.
-//! 5. [`told`] puts it in words.
+//! 1. Which object is first is always decided exactly: it costs a few instructions a ray, and
+//!    proves t to [`bounds::PROVEN_T`] besides.
+//! 2. [`bounds`] says how far t and the normal of a hit may be off, from the hit's own
+//!    numbers. It is asked only if X is smaller than what is proven already.
+//! 3. [`casting`] casts so; what its bounds leave uncertain is worked out [`exactly`].
+//! 4. [`told`] puts the plan in words.
 //!
-//! Bounds are about t and normals, wherever the right thing is met. Whether it is, at a
-//! silhouette that a ray passes within a rounding, no such bound can promise: pixels with
-//! another object are counted apart, and a wish for exact ids leaves none.
+//! All of that is proven, for every ray. Nothing is sampled and nothing is timed, so the same
+//! scene has the same plan on every machine.
 
 pub mod bounds;
 pub mod casting;
-mod choice;
-pub mod crossover;
-pub mod extent;
-pub mod sample;
+pub mod exactly;
 pub mod told;
-pub mod watch;
 
 use pinhole::Scene;
 use serde::Serialize;
 
 use crate::cast::rays::rays;
+use crate::cast::search::{PRICES, Prices, Search, price_of_all};
 use crate::cast::world::{Primitive, World};
-use bounds::Bound;
+use crate::number::Real;
+use crate::shape::Ray;
+use crate::vector::Vector;
+use bounds::{PROVEN_T, normal_of, of_normal};
 use casting::Casting;
-use choice::Chooser;
-use sample::{Confirmed, Sample};
 
-/// What a user wants of a film.
+/// What a user wants of a film. Objects are the true ones in any case.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Wish {
     /// The largest relative error of t, and the largest angle of a normal in radians.
     pub accuracy: f64,
-    /// Whether no pixel may show another object than the one truly seen.
-    pub exact_ids: bool,
     /// Whether t is asked for.
     pub depth: bool,
     /// Whether the normal is.
     pub normal: bool,
-}
-
-impl Wish {
-    /// Whether what is asked for is certain to be so near the truth.
-    #[inline]
-    pub fn is_met(&self, bound: Bound) -> bool {
-        (!self.depth || bound.t <= self.accuracy) && (!self.normal || bound.normal <= self.accuracy)
-    }
 }
 
 /// A kind of shape.
@@ -72,7 +55,6 @@ impl Kind {
     pub const ALL: [Kind; 3] = [Kind::Sphere, Kind::Plane, Kind::Triangle];
 
     /// Of a part.
-    #[inline]
     pub fn of(shape: &Primitive) -> Kind {
         match shape {
             Primitive::Sphere(_) => Kind::Sphere,
@@ -91,29 +73,6 @@ impl Kind {
     }
 }
 
-/// What a kind is computed with, the cheapest first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Numbers {
-    /// 24 binary digits.
-    F32,
-    /// 53.
-    F64,
-    /// As many as it takes, at every hit.
-    Exact,
-}
-
-impl Numbers {
-    /// In words.
-    pub fn name(self) -> &'static str {
-        match self {
-            Numbers::F32 => "f32",
-            Numbers::F64 => "f64",
-            Numbers::Exact => "exact",
-        }
-    }
-}
-
 /// What is planned for a kind of shape.
 #[derive(Clone, Debug, Serialize)]
 pub struct OfKind {
@@ -121,16 +80,13 @@ pub struct OfKind {
     pub kind: Kind,
     /// How many there are.
     pub parts: usize,
-    /// What they are computed with.
-    pub numbers: Numbers,
-    /// Whether each hit's own bound is looked at, and what exceeds the wish cast again.
-    pub watched: bool,
-    /// How far t may be off in these numbers, whatever ray is cast; none without an end.
-    pub worst_t: Option<f64>,
-    /// And the normal.
+    /// How far t may be off, relative to it, in `f64`, whatever ray is cast.
+    pub worst_t: f64,
+    /// And the normal of any of them, in radians; none without an end.
     pub worst_normal: Option<f64>,
-    /// Why these numbers.
-    pub reason: String,
+    /// Whether that is more than is wished: each hit's own bound is then looked at, and what
+    /// exceeds the wish is computed exactly.
+    pub watched: bool,
 }
 
 /// A plan for one scene.
@@ -144,76 +100,70 @@ pub struct Plan {
     pub kinds: Vec<OfKind>,
     /// `brute force` or `boxes`.
     pub search: &'static str,
-    /// Why.
-    pub search_reason: String,
-    /// What is worked out for a pixel.
-    pub outputs: String,
-    /// Pixels that will be decided exactly, as far as the sample tells, and why.
-    pub exact_pixels: String,
-    /// What was left out, and why.
-    pub left_out: Vec<String>,
-    /// What the oracle says of a sample.
-    pub confirmed: Confirmed,
+    /// Instructions for a ray if every part is asked, planes apart.
+    pub price_of_all: u64,
+    /// By what the search is chosen.
+    pub prices: Prices,
 }
 
-/// Plans, and confirms the plan; or says why nothing meets the wish.
+/// Plans; or says why nothing meets the wish.
 pub fn plan(scene: &Scene, wish: Wish) -> Result<(Plan, Casting), String> {
-    let world = World::of(&scene.objects);
-    let rays = rays(scene);
-    let sample = Sample::of(&world, &rays, scene.min_t);
-    planned(scene, &world, &sample, rays.len(), wish)
-}
-
-/// `f32` is chosen if it takes less than this part of what `f64` takes: what differs less
-/// would be decided by chance.
-const WORTH: f64 = 0.9;
-
-/// The same for a scene whose sample is known already.
-pub fn planned(
-    scene: &Scene,
-    world: &World,
-    sample: &Sample,
-    pixels: usize,
-    wish: Wish,
-) -> Result<(Plan, Casting), String> {
-    let mut chooser = Chooser::new(scene, world, wish, sample)?;
-    let casting = |chooser: &Chooser| Casting::new(world, scene.min_t, chooser.how());
-    if chooser.uses_f32() {
-        let without = chooser.without_f32();
-        let [narrow, wide] = sample.race([&casting(&chooser), &casting(&without)]);
-        let times = format!("{narrow:.0} ns in f32, {wide:.0} ns in f64");
-        let is_worth_it = narrow < wide * WORTH;
-        let (best, loser) = match is_worth_it {
-            true => (chooser, "f64"),
-            false => (without, "f32"),
-        };
-        chooser = best;
-        chooser.leave_out(format!(
-            "{loser}, which would do: a ray of this scene takes {times}, measured"
+    // An exact t is rounded once, and a normal when it is made unit length.
+    if !(wish.accuracy >= 16.0 * f64::UNIT_ROUNDOFF) {
+        return Err(format!(
+            "an f64 holds 16 digits: no answer is known to {:e}\n  remedy: ask for 2e-15 or more",
+            wish.accuracy
         ));
     }
-    loop {
-        let (how, casting) = (chooser.how(), casting(&chooser));
-        let confirmed = sample.confirm(&casting, &wish);
-        let refused = Kind::ALL
-            .into_iter()
-            .zip(confirmed.violations)
-            .find(|(_, violations)| *violations > 0);
-        match refused {
-            Some((kind, violations)) => chooser.refuse(kind, violations)?,
-            None => return Ok((chooser.plan(&how, confirmed, pixels), casting)),
+    let (world, rays) = (World::of(&scene.objects), rays(scene));
+    let origins = origins(&rays);
+    let kind = |kind: Kind| {
+        let parts: Vec<&Primitive> = world
+            .parts
+            .iter()
+            .map(|part| &part.shape)
+            .filter(|shape| Kind::of(shape) == kind)
+            .collect();
+        let worst = parts.iter().map(|shape| worst_normal(shape, origins));
+        let worst_normal = worst.fold(0.0, f64::max);
+        (!parts.is_empty()).then(|| OfKind {
+            kind,
+            parts: parts.len(),
+            worst_t: PROVEN_T,
+            worst_normal: worst_normal.is_finite().then_some(worst_normal),
+            watched: wish.depth && PROVEN_T > wish.accuracy
+                || wish.normal && worst_normal > wish.accuracy,
+        })
+    };
+    let plan = Plan {
+        wish,
+        pixels: rays.len(),
+        kinds: Kind::ALL.into_iter().filter_map(kind).collect(),
+        search: Search::cheaper(&world.parts).name(),
+        price_of_all: price_of_all(&world.parts),
+        prices: PRICES,
+    };
+    Ok((plan, Casting::new(world, scene.min_t, wish)))
+}
+
+/// How far the normal of a part may be turned, whichever ray from this box meets it.
+fn worst_normal(shape: &Primitive, [low, high]: [Vector<f64>; 2]) -> f64 {
+    match shape {
+        Primitive::Plane(_) => bounds::OF_UNIT,
+        Primitive::Triangle(triangle) => normal_of(triangle).1,
+        Primitive::Sphere(sphere) => {
+            let away = |corner: Vector<f64>| (corner - sphere.center).largest();
+            of_normal(sphere, away(low).max(away(high)), PROVEN_T)
         }
     }
 }
 
-impl Plan {
-    /// In a few words, for tables.
-    pub fn short(&self) -> String {
-        let kind = |kind: &OfKind| {
-            let watched = if kind.watched { ", watched" } else { "" };
-            format!("{} {}{watched}", kind.kind.name(), kind.numbers.name())
-        };
-        let kinds: Vec<String> = self.kinds.iter().map(kind).collect();
-        format!("{}; {}", kinds.join("; "), self.search)
-    }
+/// The corners of a box around where rays come from.
+fn origins(rays: &[Ray<f64>]) -> [Vector<f64>; 2] {
+    let by = |pick: fn(f64, f64) -> f64, p: Vector<f64>, q: Vector<f64>| {
+        Vector::new(pick(p.x, q.x), pick(p.y, q.y), pick(p.z, q.z))
+    };
+    let boxes = rays.iter().map(|ray| [ray.origin; 2]);
+    let wider = |[low, high]: [_; 2], [l, h]: [_; 2]| [by(f64::min, low, l), by(f64::max, high, h)];
+    boxes.reduce(wider).unwrap_or_default()
 }

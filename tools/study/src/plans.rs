@@ -1,20 +1,19 @@
 //! Plans for every scene and several accuracies: does each meet what was wished at every
-//! pixel, and what does it cost beside the most and the least accurate way?
+//! pixel, and what does it cost beside exact objects alone and beside plain `f64`?
 
 use std::hint::black_box;
 use std::path::Path;
 
 use rayon::prelude::*;
 
-use crate::cast::kernels::Fastest;
-use crate::cast::narrow::{Narrow, rounded};
+use crate::cast::model::Plain;
 use crate::cast::rays::rays;
 use crate::cast::world::World;
-use crate::oracle::scene::sight;
-use crate::plan::casting::{Casting, How, Spent};
-use crate::plan::sample::{Sample, confirm};
-use crate::plan::{Kind, Numbers, Wish, crossover, planned};
-use crate::result::PlanTally;
+use crate::cast::{Caster, Search, Tally};
+use crate::oracle::scene::{Compared, Sight, sight};
+use crate::plan::casting::Casting;
+use crate::plan::{Wish, plan};
+use crate::result::{Kept, PlanTally};
 use crate::scenes::{self, Share};
 use crate::shape::Ray;
 use crate::speed::now;
@@ -26,58 +25,36 @@ pub const ACCURACIES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<PlanTally>, String> {
     let scene = scenes::read(file).map_err(|error| error.to_string())?;
     let world = World::of(&scene.objects);
-    let all = rays(&scene);
-    let sample = Sample::of(&world, &all, scene.min_t);
-    let rays: Vec<_> = all.iter().copied().step_by(share.step).collect();
+    let rays: Vec<_> = rays(&scene).into_iter().step_by(share.step).collect();
     let truth = |ray| sight(&world.parts, ray, scene.min_t);
     let truths: Vec<_> = rays.par_iter().map(truth).collect();
-
-    let wish = |accuracy, exact_ids| Wish {
+    let everything = |accuracy| Wish {
         accuracy,
-        exact_ids,
         depth: true,
         normal: true,
     };
-    let mut plans = Vec::new();
-    for (accuracy, exact_ids) in accuracies.iter().flat_map(|x| [(*x, false), (*x, true)]) {
-        plans.push(planned(
-            &scene,
-            &world,
-            &sample,
-            all.len(),
-            wish(accuracy, exact_ids),
-        )?);
+    let mut castings = Vec::new();
+    for accuracy in accuracies {
+        castings.push((
+            everything(*accuracy),
+            plan(&scene, everything(*accuracy))?.1,
+        ));
     }
-    let count = |kind| {
-        let parts = world.parts.iter();
-        parts.filter(|part| Kind::of(&part.shape) == kind).count()
-    };
-    let search = |numbers| crossover::search(count(Kind::Sphere), count(Kind::Triangle), numbers);
-    let most = Casting::new(
-        &world,
-        scene.min_t,
-        How {
-            wish: wish(accuracies[0], true),
-            numbers: [(Numbers::Exact, false); 3],
-            narrow: search(Numbers::F32),
-            wide: search(Numbers::Exact),
-        },
-    );
-    let narrow = Narrow::new(world.parts.iter());
-    let narrow_search = search(Numbers::F32);
-    let least = |ray: &Ray<f64>| {
-        let ray = rounded(ray);
-        let near = narrow.first::<Fastest>(narrow_search, &ray, scene.min_t as f32)?;
-        Some((near.t, near.normal(&ray)))
-    };
+    let unwatched = Casting::new(world.clone(), scene.min_t, everything(f64::INFINITY));
+    let plain = Caster::new(world.clone());
+    let search = Search::cheaper(&world.parts);
 
-    let mut times = vec![Vec::new(); plans.len() + 2];
+    let mut times = vec![Vec::new(); castings.len() + 2];
     for _ in 0..share.rounds {
-        for ((_, casting), times) in plans.iter().zip(&mut times) {
-            times.push(timed(&rays, |ray| casting.see(ray, &mut Spent::default())));
+        let see = |casting: &Casting| timed(&rays, |ray| casting.see(ray, &mut Tally::default()));
+        for ((_, casting), times) in castings.iter().zip(&mut times) {
+            times.push(see(casting));
         }
-        times[plans.len()].push(timed(&rays, |ray| most.see(ray, &mut Spent::default())));
-        times[plans.len() + 1].push(timed(&rays, least));
+        times[castings.len()].push(see(&unwatched));
+        times[castings.len() + 1].push(timed(&rays, |ray| {
+            let found = plain.first::<Plain>(search, ray, scene.min_t, &mut Tally::default())?;
+            Some((found.t, found.part.shape.normal(ray, found.t)))
+        }));
     }
     let medians: Vec<f64> = times
         .into_iter()
@@ -87,26 +64,43 @@ pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<Plan
         })
         .collect();
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
-    let tally = |(at, (plan, casting)): (usize, &(crate::plan::Plan, Casting))| {
-        let confirmed = confirm(&rays, &truths, casting, &plan.wish);
+    let tally = |(at, (wish, casting)): (usize, &(Wish, Casting))| {
+        let (kept, tally) = kept(&rays, &truths, casting, wish);
         PlanTally {
             scene: name.clone().into(),
-            accuracy: plan.wish.accuracy,
-            exact_ids: plan.wish.exact_ids,
-            choice: plan.short(),
-            rays: confirmed.rays,
-            violations: confirmed.violations.iter().sum(),
-            wrong_ids: confirmed.wrong_ids,
-            worst_t: confirmed.worst_t,
-            worst_normal: confirmed.worst_normal,
-            again_in_f64: confirmed.spent.again_in_f64,
-            again_exactly: confirmed.spent.again_exactly,
+            accuracy: wish.accuracy,
+            kept,
+            exact_hits: tally.exact_hits,
             nanoseconds: medians[at],
-            most_accurate: medians[plans.len()],
-            least_accurate: medians[plans.len() + 1],
+            exact_ids: medians[castings.len()],
+            plain: medians[castings.len() + 1],
         }
     };
-    Ok(plans.iter().enumerate().map(tally).collect())
+    Ok(castings.iter().enumerate().map(tally).collect())
+}
+
+/// Casts rays as planned, and judges what is seen by what is true. What is truly first is
+/// first, edges included, and of what is met together the object listed first: nothing else
+/// is right.
+pub fn kept(rays: &[Ray<f64>], truths: &[Sight], casting: &Casting, wish: &Wish) -> (Kept, Tally) {
+    let (seen, tally) = casting.film(rays);
+    let mut kept = Kept {
+        rays: rays.len() as u64,
+        ..Kept::default()
+    };
+    for ((ray, truth), seen) in rays.iter().zip(truths).zip(seen) {
+        let first = truth.first.as_ref().map(|(part, _)| part.object);
+        if first != seen.map(|(object, ..)| object) {
+            kept.wrong_ids += 1;
+        } else if let Compared::Off { t, normal, .. } = truth.compared(ray, seen) {
+            let t = if wish.depth { t } else { 0.0 };
+            let normal = if wish.normal { normal } else { 0.0 };
+            kept.worst_t = kept.worst_t.max(t);
+            kept.worst_normal = kept.worst_normal.max(normal);
+            kept.violations += u64::from(!(t <= wish.accuracy && normal <= wish.accuracy));
+        }
+    }
+    (kept, tally)
 }
 
 #[inline(never)]

@@ -1,5 +1,7 @@
 //! What kernels and oracle are asked, and the two kinds of numbers it is asked in.
 
+use serde::{Deserialize, Serialize};
+
 use crate::number::{Real, exponent};
 use crate::shape::{Ray, Shape};
 
@@ -14,6 +16,33 @@ pub struct Question<S> {
     pub ray: Ray<f64>,
     /// From where on.
     pub min_t: f64,
+}
+
+/// How far from the ordinary a question is. Classes are never added up: nobody's scene is a
+/// mixture of a teapot and a galaxy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Class {
+    /// Within about a thousand sizes of everything: what most scenes ask.
+    Everyday,
+    /// Planets, grazing rays, slivers, surfaces seen edge-on: a careful scene may ask it.
+    Hard,
+    /// Lengths beyond 1e18 or below 1e-18: nearly at the ends of the type.
+    Absurd,
+}
+
+impl Class {
+    /// All of them.
+    pub const ALL: [Class; 3] = [Class::Everyday, Class::Hard, Class::Absurd];
+
+    /// How tables call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Class::Everyday => "everyday",
+            Class::Hard => "hard",
+            Class::Absurd => "absurd",
+        }
+    }
 }
 
 /// The type in which a question's numbers are stored.

@@ -3,14 +3,15 @@
 //!
 //! Every answer is judged by the oracle, in fractions; that is what takes the time, about
 //! ten times as much as is judged. A tie (tangent, on an edge, t = `min_t`) has no wrong
-//! answer here: closed meshes ask those apart, for of all triangles at an edge one alone
-//! may answer.
+//! answer here; closed meshes ask edges and corners apart.
 
 mod cameras;
 mod leaks;
+mod plans;
 
 pub use cameras::{Camera, cameras};
 pub use leaks::{Leaks, leaks};
+pub use plans::{Plans, plans};
 
 use rayon::prelude::*;
 
@@ -21,7 +22,7 @@ use crate::contestant::Contestant;
 use crate::contestants::Contested;
 use crate::family::{Studied, questions};
 use crate::judge::judge;
-use crate::question::{Data, Question};
+use crate::question::{Class, Data, Question};
 use crate::shape::{Plane, Sphere, Triangle};
 
 /// Questions asked, and decisions that were wrong.
@@ -45,9 +46,9 @@ impl Count {
 /// How hard questions are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Hardness {
-    /// Everyday ones: each family where it is easy.
+    /// Everyday ones.
     Random,
-    /// Each family everywhere else.
+    /// Hard and absurd ones.
     Adversarial,
 }
 
@@ -74,7 +75,8 @@ pub fn decisions(hardness: Hardness, at_least: u64, seed: u64, done: &impl Progr
 /// The families, by their place, and exponents.
 fn batches<S: Studied>(hardness: Hardness) -> Vec<(usize, i32)> {
     let of_family = |(at, family): (usize, &crate::family::Family<S>)| {
-        let is_wanted = |x: &i32| (*x == family.easy) == (hardness == Hardness::Random);
+        let is_everyday = |x: i32| family.class(x) == Class::Everyday;
+        let is_wanted = |x: &i32| is_everyday(*x) == (hardness == Hardness::Random);
         let mut exponents = (family.exponents)(Data::F64);
         exponents.retain(is_wanted);
         exponents

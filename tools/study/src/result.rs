@@ -1,12 +1,14 @@
-//! What a study found, as it is written to `study.json`: `schema/study-1.json` says what
+//! What a study found, as it is written to `study.json`: `schema/study-2.json` says what
 //! each field means to other programs.
 
 use serde::{Deserialize, Serialize};
 
 use crate::judge::Tally;
+use crate::kernel::Tier;
+use crate::question::Class;
 
 /// The version of the document; it changes when a field changes its meaning.
-pub const SCHEMA: &str = "pinhole-study/1";
+pub const SCHEMA: &str = "pinhole-study/2";
 
 /// One run of the instrument.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -19,10 +21,14 @@ pub struct Study {
     pub families: Vec<Sweep>,
     /// Closed meshes.
     pub meshes: Vec<MeshTally>,
-    /// Inputs that are no ordinary numbers.
-    pub spoilt: Vec<SpoiltTally>,
-    /// What each kernel costs.
-    pub speed: Vec<Speed>,
+    /// What each kernel costs, and what it gets wrong, by class.
+    pub trades: Vec<Trade>,
+    /// The tiers of the exact kernels.
+    pub tiers: Vec<TierTally>,
+    /// Errors of t against the question's conditioning.
+    pub conditioning: Vec<Conditioned>,
+    /// Rays that begin on a surface.
+    pub secondary: Vec<Secondary>,
     /// Where each kernel breaks.
     pub breaking: Vec<Breaking>,
     /// Whole scenes.
@@ -32,8 +38,6 @@ pub struct Study {
     pub problems: Vec<String>,
     /// What plans come to.
     pub plans: Vec<PlanTally>,
-    /// What makes one way cheaper than another.
-    pub crossovers: Vec<CrossoverTally>,
     /// What was promised or measured before, beside what came.
     pub targets: Vec<Target>,
 }
@@ -70,8 +74,6 @@ pub struct Sweep {
     pub axis: String,
     /// The type its numbers are rounded to.
     pub data: String,
-    /// The exponent that is easy.
-    pub easy: i32,
     /// From small to large x.
     pub points: Vec<Point>,
 }
@@ -81,6 +83,8 @@ pub struct Sweep {
 pub struct Point {
     /// x.
     pub exponent: i32,
+    /// How far from the ordinary its questions are.
+    pub class: Class,
     /// Of each kernel.
     pub kernels: Vec<Judged>,
 }
@@ -114,44 +118,74 @@ pub struct MeshTally {
     pub double_hits: u64,
 }
 
-/// One kernel on inputs with one number that is no ordinary one.
+/// One kernel on one class of questions about one shape: what it costs, and what it gets
+/// wrong. Costs are those of an even sample of the questions that are judged.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct SpoiltTally {
+pub struct Trade {
     /// sphere, plane or triangle.
     pub shape: String,
+    /// How far from the ordinary the questions are.
+    pub class: Class,
     /// Its name.
     pub kernel: String,
     /// What it computes with.
     pub numbers: String,
-    /// What was put in a number's place.
-    pub spoiler: String,
-    /// Questions.
+    /// Questions that count.
     pub asked: u64,
-    /// A hit although a number was no number, or infinite.
-    pub hits_of_nothing: u64,
-    /// Wrong decisions where all numbers are finite.
+    /// Wrong decisions.
     pub wrong: u64,
     /// Hits whose t is infinite or NaN.
     pub not_finite: u64,
+    /// The median error of t, in ulp.
+    pub median_ulp: Option<f64>,
+    /// The largest.
+    pub worst_ulp: Option<f64>,
+    /// CPU time for one ray and one shape: the median round. A student's code has none.
+    pub nanoseconds: Option<f64>,
+    /// Half the width of the median's 95 % confidence interval, over the median.
+    pub spread: Option<f64>,
+    /// For one ray and one shape, by callgrind.
+    pub instructions: Option<f64>,
 }
 
-/// What one kernel costs.
+/// One tier of an exact kernel in `f64`: how often it has the last word, and what a question
+/// costs then, the tiers before it included.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Speed {
+pub struct TierTally {
+    /// sphere, plane or triangle.
+    pub shape: String,
+    /// Of the questions.
+    pub class: Class,
+    /// Which.
+    pub tier: Tier,
+    /// Questions it decided.
+    pub decided: u64,
+    /// Of so many.
+    pub asked: u64,
+    /// CPU time for a question that it decides.
+    pub nanoseconds: f64,
+    /// The same in instructions, by callgrind.
+    pub instructions: Option<f64>,
+}
+
+/// One kernel's errors of t where questions are about as sensitive to their own numbers:
+/// everyday and hard ones.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Conditioned {
     /// sphere, plane or triangle.
     pub shape: String,
     /// Its name.
     pub kernel: String,
     /// What it computes with.
     pub numbers: String,
-    /// CPU time for one ray and one shape: the median round.
-    pub nanoseconds: f64,
-    /// The difference of the quartiles over the median.
-    pub spread: f64,
-    /// Over the fastest kernel on the same type of data.
-    pub ratio: f64,
-    /// For one ray and one shape, by callgrind.
-    pub instructions: Option<f64>,
+    /// The condition number is from 10^`decade` to ten times as much.
+    pub decade: i32,
+    /// True hits that were answered with a finite t.
+    pub hits: u64,
+    /// The median error of t, in ulp.
+    pub median_ulp: f64,
+    /// The largest.
+    pub worst_ulp: f64,
 }
 
 /// Where one kernel breaks in one family.
@@ -184,11 +218,8 @@ pub struct Breaking {
 pub struct SceneTally {
     /// Its name.
     pub scene: String,
-    /// `f32`, `f64 on f32`, `f64`, `exact`, or `Mitsuba` (the golden film, by rays of its
-    /// own in `f32`).
+    /// `f64`, `exact`, or `Mitsuba` (the golden film, by rays of its own in `f32`).
     pub model: String,
-    /// The set: `fastest`, `usual`, `steadiest`, or `adaptive`.
-    pub kernels: Option<String>,
     /// `brute force` or `boxes`.
     pub search: Option<String>,
     /// Spheres, planes and triangles in the scene.
@@ -205,30 +236,52 @@ pub struct SceneTally {
     pub worst_normal: Option<f64>,
     /// CPU time for a ray: the median film.
     pub nanoseconds: Option<f64>,
+    /// Instructions for a ray of a film, by callgrind.
+    pub instructions: Option<f64>,
     /// Parts tested for a ray.
     pub tests: Option<f64>,
-    /// Tests that a filter left open, and that were decided exactly.
-    pub fallbacks: u64,
+    /// Tests that the static filter left open.
+    pub semi_static: u64,
+    /// Tests that both filters left open: of triangles, decided in double-double first.
+    pub double_double: u64,
+    /// Tests that were decided exactly.
+    pub exact: u64,
     /// Comparisons of t that were decided exactly.
     pub close_calls: u64,
-    /// Whether no other way is as good in time, wrong objects, t and normal, and better in
-    /// one of them.
-    pub on_front: bool,
 }
 
-/// What so many parts of a kind cost, in nanoseconds of CPU time for a ray.
+/// Rays that begin where another met a surface, moved off it by one method, all in `f32`.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct CrossoverTally {
-    /// `spheres` or `triangles`.
+pub struct Secondary {
+    /// sphere or triangle.
     pub shape: String,
-    /// `f32` (eight at a time), `f64` or `exact`.
-    pub numbers: String,
-    /// How many.
-    pub parts: u64,
-    /// If each is asked.
-    pub brute_force: f64,
-    /// If boxes are searched.
-    pub boxes: f64,
+    /// How the origin is moved.
+    pub method: String,
+    /// The distance of the scene from the world's origin, in sizes of the surface.
+    pub offset: f64,
+    /// Rays that leave the surface and do not come back.
+    pub leaving: u64,
+    /// Of them, those that meet the surface they leave: dark specks in shadows.
+    pub self_hits: u64,
+    /// Rays at a surface that lies a thousandth of the size away.
+    pub near: u64,
+    /// Of them, those that miss it: light that leaks.
+    pub lost: u64,
+}
+
+/// What the oracle says of a planned film.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+pub struct Kept {
+    /// Rays that were judged.
+    pub rays: u64,
+    /// Whose object is not the one truly seen.
+    pub wrong_ids: u64,
+    /// Where t or the normal is off by more than is wished.
+    pub violations: u64,
+    /// The largest relative error of t.
+    pub worst_t: f64,
+    /// The largest angle between a normal and the true one, in radians.
+    pub worst_normal: f64,
 }
 
 /// One plan, and what came of it at the pixels of its scene.
@@ -238,30 +291,17 @@ pub struct PlanTally {
     pub scene: String,
     /// The accuracy that was wished.
     pub accuracy: f64,
-    /// Whether exact ids were wished.
-    pub exact_ids: bool,
-    /// What was chosen, in a few words.
-    pub choice: String,
-    /// Pixels that were judged.
-    pub rays: u64,
-    /// Of them, where t or the normal is off by more than was wished.
-    pub violations: u64,
-    /// Where another object is seen.
-    pub wrong_ids: u64,
-    /// The largest relative error of t.
-    pub worst_t: f64,
-    /// The largest angle between a normal and the true one, in radians.
-    pub worst_normal: f64,
-    /// Pixels that were uncertain in `f32` and cast again in `f64`.
-    pub again_in_f64: u64,
-    /// Pixels that were cast again exactly.
-    pub again_exactly: u64,
+    /// What the oracle says of its film.
+    #[serde(flatten)]
+    pub kept: Kept,
+    /// Pixels whose t and normal were computed exactly.
+    pub exact_hits: u64,
     /// CPU time for a ray: the median film.
     pub nanoseconds: f64,
-    /// The same for the most accurate way: every decision exact, and every t.
-    pub most_accurate: f64,
-    /// And for the least: the fastest kernels in `f32`, in the cheaper search.
-    pub least_accurate: f64,
+    /// The same for exact objects, and t and normals as they come.
+    pub exact_ids: f64,
+    /// And for plain `f64`.
+    pub plain: f64,
 }
 
 /// A figure that was promised or measured before, and the one measured now.

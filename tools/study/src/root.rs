@@ -3,7 +3,7 @@
 
 use std::cmp::Ordering;
 
-use crate::dyadic::Dyadic;
+use crate::dyadic::{Dyadic, DyadicVector};
 use crate::leading::Leading;
 use crate::number::Real;
 
@@ -61,6 +61,19 @@ impl Root {
         (numerator / divisor).rounded()
     }
 
+    /// Along e + t d, if this is t: times the divisor, and good to a hundred bits of its length,
+    /// as long as the two terms of t leave it no longer than either. On a sphere they do, for
+    /// from the centre e less its part along d and the rest are at right angles.
+    pub fn point(&self, e: &DyadicVector, d: &DyadicVector) -> [Leading; 3] {
+        let root = Leading::from(&self.radicand).sqrt();
+        let root = if self.sign < 0 { -root } else { root };
+        [0, 1, 2].map(|axis| {
+            let (e, d) = (&e.0[axis], &d.0[axis]);
+            let rational = &(&self.divisor * e) + &(&self.rational * d);
+            Leading::from(&rational) + root * Leading::from(d)
+        })
+    }
+
     /// Which is smaller, whatever their digits.
     pub fn compare(&self, other: &Root) -> Ordering {
         // The difference times both divisors is a + b √self.radicand + c √other.radicand.
@@ -86,10 +99,15 @@ impl Root {
     }
 }
 
-/// An exact answer as a kernel gives it; none where the type has no number as large.
+/// An exact answer as a kernel gives it: the nearest finite number. What is met further away
+/// than numbers reach is met.
 pub fn rounded<F: Real>(root: Option<Root>) -> Option<F> {
-    let t = root.map(|root| root.rounded());
-    t.filter(|t: &F| t.is_finite())
+    let t: F = root?.rounded();
+    Some(if t.is_finite() {
+        t
+    } else {
+        F::LARGEST.copysign(t)
+    })
 }
 
 /// The sign of a + b √`radicand`: where the terms have opposite signs, the larger square

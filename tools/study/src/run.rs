@@ -3,24 +3,22 @@
 use rayon::prelude::*;
 
 use crate::breaking::breaking;
-use crate::contestant::Contestant;
+use crate::classes::{self, Errors};
+use crate::conditioning::Conditioning;
 use crate::contestants::Contested;
 use crate::family::mesh::Aim;
-use crate::family::spoilt::{SPOILERS, spoiler, spoilt};
 use crate::family::{Family, Studied, questions};
-use crate::instructions;
-use crate::judge::judge;
+use crate::judge::judge_each;
 use crate::leaks;
-use crate::plan::crossover;
 use crate::plans;
 use crate::question::Data;
 use crate::result::{
-    Breaking, CrossoverTally, Judged, MeshTally, PlanTally, Point, SceneTally, Speed, SpoiltTally,
-    Sweep,
+    Breaking, Conditioned, Judged, MeshTally, PlanTally, Point, SceneTally, Secondary, Sweep,
+    TierTally, Trade,
 };
 use crate::scenes::{self, Share};
+use crate::secondary;
 use crate::shape::{Plane, Sphere, Triangle};
-use crate::speed::race;
 use crate::theirs::{self, Theirs};
 
 /// How much of everything.
@@ -32,10 +30,10 @@ pub struct Extent {
     pub questions: usize,
     /// Rays at edges, and as many at vertices.
     pub mesh_rays: usize,
-    /// Questions to spoil, for each of their numbers.
-    pub spoilt: usize,
-    /// Rounds of the race.
-    pub rounds: usize,
+    /// Rays that begin on a surface.
+    pub secondary: usize,
+    /// For which each kernel is timed on a class of questions.
+    pub seconds: f64,
     /// Whether instructions are counted.
     pub instructions: bool,
     /// How much of every scene.
@@ -50,23 +48,28 @@ impl Extent {
         name: "quick",
         questions: 600,
         mesh_rays: 10_000,
-        spoilt: 5,
-        rounds: 60,
+        secondary: 2_000,
+        seconds: 0.01,
         instructions: false,
-        scenes: Share { step: 7, rounds: 3 },
+        scenes: Share {
+            step: 7,
+            rounds: 3,
+            instructions: false,
+        },
         accuracies: &[1e-2, 1e-6, 1e-12],
     };
     /// For the record.
     pub const FULL: Extent = Extent {
         name: "full",
-        questions: 10_000,
-        mesh_rays: 500_000,
-        spoilt: 50,
-        rounds: 400,
+        questions: 4_000,
+        mesh_rays: 300_000,
+        secondary: 200_000,
+        seconds: 0.15,
         instructions: true,
         scenes: Share {
             step: 1,
             rounds: 15,
+            instructions: true,
         },
         accuracies: &plans::ACCURACIES,
     };
@@ -79,22 +82,24 @@ pub struct Findings {
     pub families: Vec<Sweep>,
     /// Closed meshes.
     pub meshes: Vec<MeshTally>,
-    /// Spoilt inputs.
-    pub spoilt: Vec<SpoiltTally>,
-    /// Costs.
-    pub speed: Vec<Speed>,
+    /// Costs and wrong decisions, by class.
+    pub trades: Vec<Trade>,
+    /// The tiers of exact kernels.
+    pub tiers: Vec<TierTally>,
+    /// Errors of t against conditioning.
+    pub conditioning: Vec<Conditioned>,
+    /// Rays that begin on a surface.
+    pub secondary: Vec<Secondary>,
     /// Breaking points.
     pub breaking: Vec<Breaking>,
     /// Whole scenes.
     pub scenes: Vec<SceneTally>,
     /// Plans.
     pub plans: Vec<PlanTally>,
-    /// From where on boxes pay.
-    pub crossovers: Vec<CrossoverTally>,
 }
 
-/// Does it all, or only the family, `crossover`, `mesh`, `plans`, `scenes`, `spoilt` or
-/// `speed` that is named; `say` is told what is being done.
+/// Does it all, or only the family, `classes` (all families and what each kernel costs),
+/// `mesh`, `plans`, `scenes` or `secondary` that is named; `say` is told what is being done.
 pub fn run(
     extent: &Extent,
     seed: u64,
@@ -104,10 +109,6 @@ pub fn run(
 ) -> Findings {
     let mut findings = Findings::default();
     let is_wanted = |part: &str| only.is_none_or(|only| only == part);
-    if is_wanted("crossover") {
-        say("from where on boxes pay");
-        findings.crossovers = crossover::measured(extent.scenes.rounds);
-    }
     of_shape::<Sphere<f64>>(extent, seed, &is_wanted, say, theirs, &mut findings);
     of_shape::<Plane<f64>>(extent, seed, &is_wanted, say, theirs, &mut findings);
     of_shape::<Triangle<f64>>(extent, seed, &is_wanted, say, theirs, &mut findings);
@@ -122,6 +123,10 @@ pub fn run(
             .into_iter()
             .filter_map(|aim| leaks::of(theirs, aim, seed));
         findings.meshes.extend(told);
+    }
+    if is_wanted("secondary") {
+        say("rays that begin on a surface");
+        findings.secondary = secondary::studied(extent.secondary, seed);
     }
     for file in scenes::files() {
         let name = file.file_stem().unwrap_or_default().display();
@@ -141,7 +146,7 @@ pub fn run(
     findings
 }
 
-fn of_shape<S: Studied>(
+fn of_shape<S: Studied + Conditioning>(
     extent: &Extent,
     seed: u64,
     is_wanted: &dyn Fn(&str) -> bool,
@@ -149,36 +154,38 @@ fn of_shape<S: Studied>(
     theirs: &Theirs,
     findings: &mut Findings,
 ) {
-    // Before anything else heats the machine.
-    if is_wanted("speed") {
-        say(&format!("{}: speed", S::NAME));
-        findings.speed.extend(speeds::<S>(extent, seed));
-    }
-    for family in S::families().iter().filter(|family| is_wanted(family.name)) {
+    let (mut sweeps, mut errors) = (Vec::new(), Errors::new());
+    let is_whole = is_wanted("classes");
+    let families = S::families();
+    for family in families.iter().filter(|it| is_whole || is_wanted(it.name)) {
         for data in [Data::F64, Data::F32] {
             say(&format!("{}: {} in {}", S::NAME, family.name, data.name()));
-            let sweep = swept(family, data, extent.questions, seed, theirs);
+            let sweep = swept(family, data, extent.questions, seed, theirs, &mut errors);
             findings.breaking.extend(breaking(&sweep, data));
-            findings.families.push(sweep);
+            sweeps.push(sweep);
         }
     }
-    if is_wanted("spoilt") {
-        say(&format!("{}: inputs that are no ordinary numbers", S::NAME));
-        let kernels = S::contestants();
-        let tallies = kernels.par_iter().flat_map_iter(|kernel| {
-            SPOILERS.map(|(name, value)| on_spoilt(kernel, name, value, extent.spoilt, seed))
-        });
-        findings.spoilt.par_extend(tallies);
+    if is_whole {
+        say(&format!("{}: costs", S::NAME));
+        let (seconds, counts) = (extent.seconds, extent.instructions);
+        let trades = classes::trades::<S>(&sweeps, &errors, seconds, counts, seed);
+        findings.trades.extend(trades);
+        let tiers = classes::tiers::<S>(seconds, counts, seed);
+        findings.tiers.extend(tiers);
+        let conditioning = classes::conditioning(S::NAME, &errors);
+        findings.conditioning.extend(conditioning);
     }
+    findings.families.extend(sweeps);
 }
 
 /// One family in one type of data, every kernel on the same questions.
-pub fn swept<S: Studied>(
+pub fn swept<S: Studied + Conditioning>(
     family: &Family<S>,
     data: Data,
     count: usize,
     seed: u64,
     theirs: &Theirs,
+    errors: &mut Errors,
 ) -> Sweep {
     let mut told = match data {
         theirs::DATA => theirs.family(S::NAME, family.name),
@@ -188,108 +195,50 @@ pub fn swept<S: Studied>(
         .into_iter()
         .filter(|k| k.data == data)
         .collect();
-    let mut point = |exponent| {
+    let mut points = Vec::new();
+    for exponent in (family.exponents)(data) {
         let asked = questions(family, exponent, data, count, seed);
+        if asked.is_empty() {
+            continue;
+        }
         let truths: Vec<_> = asked.par_iter().map(S::truth).collect();
-        let judged = kernels.par_iter().map(|kernel| Judged {
-            kernel: kernel.name.into(),
-            numbers: kernel.numbers.into(),
-            tally: judge(kernel, &asked, &truths),
+        let judged = kernels.par_iter().map(|kernel| {
+            let judged = judge_each(kernel, &asked, &truths);
+            (kernel.name, kernel.numbers, judged)
         });
-        let mut kernels: Vec<_> = judged.collect();
-        kernels.extend(told.as_mut().map(|told| Judged {
-            kernel: theirs::NAME.into(),
-            numbers: theirs::DATA.name().into(),
-            tally: told.judged(&asked, &truths),
+        let mut judged: Vec<_> = judged.collect();
+        judged.extend(told.as_mut().map(|told| {
+            let judged = told.judged(&asked, &truths);
+            (theirs::NAME, theirs::DATA.name(), judged)
         }));
-        (!asked.is_empty()).then_some(Point { exponent, kernels })
-    };
+        let class = family.class(exponent);
+        let mut kernels = Vec::new();
+        for (kernel, numbers, (tally, of_it)) in judged {
+            let (kernel, numbers) = (kernel.to_owned(), numbers.to_owned());
+            let condition = |at: usize| S::condition(&asked[at], &truths[at]);
+            let with_condition = of_it
+                .into_iter()
+                .map(|(at, ulp)| (class, ulp, condition(at).unwrap_or(f64::INFINITY)));
+            let entry = (kernel.clone(), numbers.clone());
+            errors.entry(entry).or_default().extend(with_condition);
+            kernels.push(Judged {
+                kernel,
+                numbers,
+                tally,
+            });
+        }
+        points.push(Point {
+            exponent,
+            class,
+            kernels,
+        });
+    }
     Sweep {
         shape: S::NAME.into(),
         family: family.name.into(),
         meaning: family.meaning.into(),
         axis: family.axis.into(),
         data: data.name().into(),
-        easy: family.easy,
-        points: (family.exponents)(data)
-            .into_iter()
-            .filter_map(&mut point)
-            .collect(),
+        points,
     }
-}
-
-/// One kernel on questions of which one number is replaced: each number in turn.
-pub fn on_spoilt<S: Studied>(
-    kernel: &Contestant<S>,
-    name: &str,
-    value: f64,
-    count: usize,
-    seed: u64,
-) -> SpoiltTally {
-    let families = S::families();
-    let plain = families.iter().find(|family| family.name == "offset");
-    let plain = plain.expect("every shape has an offset");
-    let value = spoiler(value, kernel.data);
-    let mut tally = SpoiltTally {
-        shape: S::NAME.into(),
-        kernel: kernel.name.into(),
-        numbers: kernel.numbers.into(),
-        spoiler: name.into(),
-        asked: 0,
-        hits_of_nothing: 0,
-        wrong: 0,
-        not_finite: 0,
-    };
-    for question in questions(plain, 0, kernel.data, count, seed) {
-        let all = (0..).map_while(|place| spoilt(&question, place, value));
-        for question in all {
-            // That is an honest way to ask for every t.
-            if question.min_t == f64::NEG_INFINITY {
-                continue;
-            }
-            if question.is_sound() {
-                let judged = judge(kernel, &[question], &[S::truth(&question)]);
-                tally.asked += judged.asked;
-                tally.wrong += judged.wrong();
-                tally.not_finite += judged.not_finite;
-            } else {
-                let answer = (kernel.answer)(&question);
-                tally.asked += 1;
-                tally.hits_of_nothing += u64::from(answer.is_some());
-                tally.not_finite += u64::from(answer.is_some_and(|t| !t.is_finite()));
-            }
-        }
-    }
-    tally
-}
-
-fn speeds<S: Studied>(extent: &Extent, seed: u64) -> Vec<Speed> {
-    let kernels = S::contestants();
-    let mut speeds = Vec::new();
-    for data in [Data::F64, Data::F32] {
-        let times = race(&kernels, data, extent.rounds, seed);
-        let fastest = times
-            .iter()
-            .map(|time| time.nanoseconds)
-            .fold(f64::MAX, f64::min);
-        let entered = kernels
-            .iter()
-            .enumerate()
-            .filter(|(_, kernel)| kernel.data == data);
-        speeds.extend(entered.zip(times).map(|((at, kernel), time)| {
-            Speed {
-                shape: S::NAME.into(),
-                kernel: kernel.name.into(),
-                numbers: kernel.numbers.into(),
-                nanoseconds: time.nanoseconds,
-                spread: time.spread,
-                ratio: time.nanoseconds / fastest,
-                instructions: extent
-                    .instructions
-                    .then(|| instructions::count::<S>(at))
-                    .flatten(),
-            }
-        }));
-    }
-    speeds
 }

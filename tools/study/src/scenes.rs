@@ -1,12 +1,6 @@
-//! Whole scenes: every set of kernels, type of numbers and search on every scene's own
-//! rays, judged pixel by pixel, and timed in turns.
-//!
-//! Whoever casts in `f32` rounds the ray and the shapes first, and is judged all the same
-//! by what the ray in `f64` truly meets: that error is what a user of `f32` gets. (The
-//! extremes are judged otherwise: there the question itself is rounded first, so that
-//! the kernel alone is judged.)
+//! Whole scenes: plainly in `f64` and exactly, by both searches, on every scene's own rays,
+//! judged pixel by pixel, and timed in turns.
 
-mod front;
 mod ways;
 
 use std::path::{Path, PathBuf};
@@ -18,6 +12,7 @@ use rayon::prelude::*;
 use crate::cast::rays::rays;
 use crate::cast::world::{World, vector};
 use crate::cast::{Search, Tally};
+use crate::instructions;
 use crate::oracle::scene::{Compared, Sight, sight};
 use crate::result::SceneTally;
 use crate::shape::Ray;
@@ -32,6 +27,26 @@ pub struct Share {
     pub step: usize,
     /// Films by each model and search.
     pub rounds: usize,
+    /// Whether instructions are counted, of whole films.
+    pub instructions: bool,
+}
+
+/// What runs under valgrind is named so, with a scene's name behind it.
+const SCENE: &str = "scene:";
+
+/// So many films of the scene that is named, one way; false if none is.
+pub fn cast(named: &str, way: usize, films: u32) -> bool {
+    let name = named.strip_prefix(SCENE).map(|name| format!("{name}.toml"));
+    let file = name.and_then(|name| files().into_iter().find(|file| file.ends_with(&name)));
+    let Some(file) = file else { return false };
+    let scene = read(&file).expect("the scene is committed");
+    let stage = Stage::new(World::of(&scene.objects), rays(&scene), scene.min_t);
+    if let Some(way) = ways().get(way) {
+        for _ in 0..films {
+            (way.film)(&stage, way.search);
+        }
+    }
+    true
 }
 
 /// The assignment's scenes, in order of their names.
@@ -92,19 +107,27 @@ pub fn studied(
         .collect();
     let mut tallies = Vec::new();
     let ways = ways();
-    for (way, nanoseconds) in ways.iter().zip(race(&stage, &ways, share.rounds)) {
+    for (at, (way, nanoseconds)) in ways
+        .iter()
+        .zip(race(&stage, &ways, share.rounds))
+        .enumerate()
+    {
+        let is_counted_exactly = share.instructions && way.search == Search::Boxes;
+        let count = || instructions::of_cast(&format!("{SCENE}{name}"), at, rays.len());
         let mut tally = Tally::default();
         let seen = (way.see)(&stage, way.search, &mut tally);
         let is_counted = tally.tests > 0;
         tallies.push(SceneTally {
             scene: name.clone().into(),
             model: way.numbers.into(),
-            kernels: Some(way.kernels.into()),
             search: Some(way.search.name().into()),
             parts: parts.len() as u64,
             nanoseconds: Some(nanoseconds),
+            instructions: is_counted_exactly.then(count).flatten(),
             tests: is_counted.then(|| tally.tests as f64 / rays.len() as f64),
-            fallbacks: tally.fallbacks,
+            semi_static: tally.semi_static,
+            double_double: tally.double_double,
+            exact: tally.exact,
             close_calls: tally.close_calls,
             ..judged(rays, &truths, seen.into_iter())
         });
@@ -128,7 +151,6 @@ pub fn studied(
             ..judged_of_answers(rays, &truths, answers)
         });
     }
-    front::mark(&mut tallies);
     Ok(tallies)
 }
 

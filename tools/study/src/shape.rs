@@ -37,29 +37,16 @@ pub struct Triangle<F> {
     pub corners: [Vector<F>; 3],
 }
 
-impl<F: Real> Sphere<F> {
-    /// Along the outward normal at a point of it; not unit.
-    pub fn outward(&self, point: Vector<F>) -> Vector<F> {
-        point - self.center
-    }
-}
-
 impl<F: Real> Triangle<F> {
-    /// Along its normal; not unit: twice the area.
-    pub fn outward(&self) -> Vector<F> {
-        let [a, b, c] = self.corners;
-        (b - a).cross(c - a)
-    }
-
-    /// Its unit normal. Edges are brought near 1 by powers of two before they are
+    /// Along its normal, from edges that are brought near 1 by powers of two before they are
     /// multiplied: the area of a triangle with edges of 1e-160 is no `f64`.
-    pub fn normal(&self) -> Vector<F> {
+    pub fn outward_near_one(&self) -> Vector<F> {
         let [a, b, c] = self.corners;
         let near_one = |edge: Vector<F>| {
             let power = -exponent(edge.largest().wide());
             edge.map(|x| x.times_power_of_two(power))
         };
-        near_one(b - a).cross(near_one(c - a)).unit()
+        near_one(b - a).cross(near_one(c - a))
     }
 }
 

@@ -6,21 +6,19 @@
 
 use std::time::Duration;
 
-use crate::contestant::{Contestant, Workload};
+use crate::contestant::Workload;
 use crate::family::{Studied, questions};
-use crate::question::Data;
+use crate::question::{Class, Data, Question};
 
 /// Pairs of ray and shape in a workload: few enough to stay in a core's own cache.
 pub const PAIRS: usize = 2048;
-/// Casts of the whole workload in a round.
-const REPEATS: u32 = 8;
 
 /// What was measured of one contestant.
 #[derive(Clone, Debug)]
 pub struct Time {
     /// Median over all rounds.
     pub nanoseconds: f64,
-    /// The difference of the quartiles over the median.
+    /// Half the width of its 95 % confidence interval over it.
     pub spread: f64,
 }
 
@@ -40,49 +38,59 @@ pub fn now() -> Duration {
     START.elapsed()
 }
 
-/// The workload of a kernel: the first family at the second step, an everyday scene of
-/// which about half of the rays hit.
-pub fn workload<S: Studied>(kernel: &Contestant<S>, seed: u64) -> Workload {
+/// About so many questions of a class, evenly from all its families and steps: the first of
+/// those that are judged.
+pub fn pool<S: Studied>(class: Class, data: Data, count: usize, seed: u64) -> Vec<Question<S>> {
     let families = S::families();
-    let everyday = families.iter().find(|family| family.name == "offset");
-    let everyday = everyday.expect("every shape has an offset");
-    (kernel.workload)(&questions(everyday, 0, kernel.data, PAIRS, seed))
-}
-
-/// Times of all contestants with one type of data, in their order.
-pub fn race<S: Studied>(
-    kernels: &[Contestant<S>],
-    data: Data,
-    rounds: usize,
-    seed: u64,
-) -> Vec<Time> {
-    let entered = kernels.iter().filter(|kernel| kernel.data == data);
-    let mut workloads: Vec<_> = entered.map(|kernel| workload(kernel, seed)).collect();
-    let mut times = vec![Vec::with_capacity(rounds); workloads.len()];
-    for round in 0..=rounds {
-        for (cast, times) in workloads.iter_mut().zip(&mut times) {
-            let start = now();
-            for _ in 0..REPEATS {
-                cast();
-            }
-            // The first round warms caches and predictors.
-            if round > 0 {
-                times.push((now() - start).as_secs_f64() * 1e9);
-            }
-        }
-    }
-    let casts = f64::from(REPEATS) * PAIRS as f64;
-    times
+    let steps = families.iter().flat_map(|family| {
+        let exponents = (family.exponents)(data).into_iter();
+        let of_class = exponents.filter(|x| family.class(*x) == class);
+        of_class.map(move |exponent| (family, exponent))
+    });
+    let steps: Vec<_> = steps.collect();
+    let each = count.div_ceil(steps.len().max(1));
+    let asked = steps
         .into_iter()
-        .map(|times| of_rounds(times, casts))
+        .map(|(family, exponent)| questions(family, exponent, data, each, seed));
+    let asked: Vec<_> = asked.collect();
+    // In turns, so that no branch is foretold by the family.
+    (0..each)
+        .flat_map(|at| asked.iter().filter_map(move |asked| asked.get(at).copied()))
         .collect()
 }
 
+/// Times of workloads of so many pairs each, for one pair; each has so many seconds, but
+/// nine rounds at least.
+pub fn race(mut workloads: Vec<Workload>, pairs: usize, seconds: f64) -> Vec<Time> {
+    let mut times = vec![Vec::new(); workloads.len()];
+    let mut is_any_left = true;
+    while is_any_left {
+        is_any_left = false;
+        for (cast, times) in workloads.iter_mut().zip(&mut times) {
+            let spent: f64 = times.iter().sum();
+            if times.len() > 9 && spent > seconds * 1e9 {
+                continue;
+            }
+            is_any_left = true;
+            let start = now();
+            cast();
+            times.push((now() - start).as_secs_f64() * 1e9);
+        }
+    }
+    // The first round warms caches and predictors.
+    let of_rounds = |times: Vec<f64>| of_rounds(times[1..].to_vec(), pairs as f64);
+    times.into_iter().map(of_rounds).collect()
+}
+
+/// The median, and half the width of its 95 % confidence interval over it, by order
+/// statistics: n/2 ± 0.98 √n (Conover, *Practical Nonparametric Statistics*, 3rd ed., §3.2).
 fn of_rounds(mut times: Vec<f64>, casts: f64) -> Time {
     times.sort_by(f64::total_cmp);
-    let at = |share: f64| times[((times.len() - 1) as f64 * share) as usize] / casts;
+    let (middle, half) = (times.len() / 2, 0.98 * (times.len() as f64).sqrt());
+    let at = |place: f64| times[(place.max(0.0) as usize).min(times.len() - 1)];
+    let width = at(middle as f64 + half.ceil()) - at(middle as f64 - half.ceil());
     Time {
-        nanoseconds: at(0.5),
-        spread: (at(0.75) - at(0.25)) / at(0.5),
+        nanoseconds: times[middle] / casts,
+        spread: width / 2.0 / times[middle],
     }
 }

@@ -1,62 +1,171 @@
-//! What was measured before this instrument was built (`NOTES.md` of this package), and
-//! what was promised of it, beside what came. A figure agrees if it is within a
-//! factor of what random questions and another machine explain; 0 agrees with 0 only.
+//! The promises: what each is about, what was promised, and how it is read off the findings.
+//! `terminal` and `summary` show them; here they are data.
 
-mod before;
-mod crossovers;
-mod meshes;
-mod plans;
-mod scenes;
-mod sweeps;
-mod times;
-
+use crate::contestants::EXACT;
 use crate::judge::rule_of_three;
-use crate::result::Target;
+use crate::question::Class;
+use crate::result::{Conditioned, MeshTally, PlanTally, SceneTally, Target, Trade};
 use crate::run::Findings;
 
-/// Every figure that the run allows to compare.
+/// What came: in words, and whether that is as good as promised.
+type Measured = Option<(String, bool)>;
+
+struct Promise {
+    about: &'static str,
+    expected: &'static str,
+    measured: fn(&Findings) -> Measured,
+    is_time: bool,
+}
+
+const PROMISES: [Promise; 13] = [
+    never("exact kernels: wrong decisions, everyday", |it| {
+        decisions(it, Class::Everyday, |trade| trade.kernel == EXACT)
+    }),
+    never("exact kernels: wrong decisions, hard", |it| {
+        decisions(it, Class::Hard, |trade| trade.kernel == EXACT)
+    }),
+    never("exact kernels: wrong decisions, absurd", |it| {
+        decisions(it, Class::Absurd, |trade| trade.kernel == EXACT)
+    }),
+    never("f64 on f32 data, careful kernels: wrong, everyday", |it| {
+        let is_careful = |kernel: &str| CAREFUL.contains(&kernel);
+        decisions(it, Class::Everyday, |trade| {
+            trade.numbers == "f64 on f32" && is_careful(&trade.kernel)
+        })
+    }),
+    Promise {
+        about: "exact kernels: largest error of t, f64",
+        expected: "≤ 1e8 ulp",
+        measured: |it| worst(&it.conditioning),
+        is_time: false,
+    },
+    never("exact triangles: leaks at edges and corners", |it| {
+        leaks(&it.meshes, EXACT)
+    }),
+    never("Woop, edges owned: leaks at edges and corners", |it| {
+        leaks(&it.meshes, "Woop, edges owned")
+    }),
+    never("exact casting: wrong objects in the scenes", |it| {
+        let exact = || it.scenes.iter().filter(|tally| tally.model == "exact");
+        let rays = exact().map(|tally| tally.rays).sum();
+        none_of(exact().map(|tally| tally.wrong_ids).sum(), rays)
+    }),
+    never("plans: pixels off by more than wished", |it| {
+        none_of(
+            it.plans.iter().map(|plan| plan.kept.violations).sum(),
+            it.plans.iter().map(|plan| plan.kept.rays).sum(),
+        )
+    }),
+    never("plans: pixels with a wrong object", |it| {
+        none_of(
+            it.plans.iter().map(|plan| plan.kept.wrong_ids).sum(),
+            it.plans.iter().map(|plan| plan.kept.rays).sum(),
+        )
+    }),
+    Promise {
+        about: "exact casting: instructions a ray more than f64",
+        expected: "median ≤ 25, worst ≤ 50",
+        measured: |it| added(&it.scenes),
+        is_time: true,
+    },
+    Promise {
+        about: "plans: time over exact objects alone",
+        expected: "worst ≤ 1.00",
+        measured: |it| {
+            let [median, worst] = ratios(&it.plans, |plan| plan.nanoseconds / plan.exact_ids)?;
+            Some((
+                format!("median {median:.2}, worst {worst:.2}"),
+                worst <= 1.0,
+            ))
+        },
+        is_time: true,
+    },
+    Promise {
+        about: "plans: time over plain f64",
+        expected: "median ≤ 1.00",
+        measured: |it| {
+            let [median, worst] = ratios(&it.plans, |plan| plan.nanoseconds / plan.plain)?;
+            Some((
+                format!("median {median:.2}, worst {worst:.2}"),
+                median <= 1.0,
+            ))
+        },
+        is_time: true,
+    },
+];
+
+/// Kernels that take care, but never compute exactly.
+pub const CAREFUL: [&str; 3] = ["Haines scaled", "shifted origin", "Woop, edges owned"];
+
+const fn never(about: &'static str, measured: fn(&Findings) -> Measured) -> Promise {
+    Promise {
+        about,
+        expected: "0",
+        measured,
+        is_time: false,
+    }
+}
+
+/// Every promise that the run allows to judge.
 pub fn targets(findings: &Findings) -> Vec<Target> {
-    let mut targets = sweeps::targets(findings);
-    targets.extend(meshes::targets(&findings.meshes));
-    targets.extend(times::targets(&findings.speed));
-    targets.extend(scenes::targets(&findings.scenes));
-    targets.extend(plans::targets(&findings.plans));
-    targets.extend(crossovers::targets(&findings.crossovers));
-    targets
+    let target = |promise: &Promise| {
+        let (measured, met) = (promise.measured)(findings)?;
+        Some(Target {
+            about: promise.about.into(),
+            expected: promise.expected.into(),
+            measured,
+            met,
+            is_time: promise.is_time,
+        })
+    };
+    PROMISES.iter().filter_map(target).collect()
 }
 
-/// Shares and errors may differ by this factor: the questions are others, and how exactly
-/// the older ones were aimed was not written down.
-const OF_SHARES: f64 = 4.0;
-
-/// Whether two shares agree, the second counted among `asked`: within the factor, or
-/// within what chance does to such a count (two standard deviations, Poisson's).
-fn agree(expected: f64, counted: u64, asked: u64) -> bool {
-    let expected = expected * asked as f64;
-    if expected == 0.0 || counted == 0 {
-        return expected == counted as f64
-            || counted == 0 && (0.0..3.0 * OF_SHARES).contains(&expected);
-    }
-    let chance = 2.0 * (counted as f64).sqrt();
-    let (low, high) = (counted as f64 - chance, counted as f64 + chance);
-    low <= expected * OF_SHARES && high >= expected / OF_SHARES
+fn none_of(wrong: u64, asked: u64) -> Measured {
+    let bound = match wrong {
+        0 => format!(" (below {:.1e} with 95 % confidence)", rule_of_three(asked)),
+        _ => String::new(),
+    };
+    (asked > 0).then(|| (format!("{wrong} of {asked}{bound}"), wrong == 0))
 }
 
-/// A good plain kernel for each shape.
-const PLAIN: [&str; 3] = ["Haines et al.", "shifted origin", "Möller–Trumbore"];
-
-/// A share, as targets show it.
-fn percent(share: f64) -> String {
-    format!("{:.3} %", share * 100.0)
+fn decisions(findings: &Findings, class: Class, is_it: impl Fn(&Trade) -> bool) -> Measured {
+    let trades = findings.trades.iter();
+    let of_class = trades.filter(|trade| trade.class == class && is_it(trade));
+    let (wrong, asked) = of_class.fold((0, 0), |(wrong, asked), trade| {
+        (wrong + trade.wrong + trade.not_finite, asked + trade.asked)
+    });
+    none_of(wrong, asked)
 }
 
-/// So many wrong answers of all, as targets show them.
-fn counted(wrong: u64, asked: u64) -> String {
-    match wrong {
-        0 => format!(
-            "0 of {asked} (below {:.1e} with 95 % confidence)",
-            rule_of_three(asked)
-        ),
-        _ => format!("{wrong} of {asked}"),
-    }
+fn worst(conditioning: &[Conditioned]) -> Measured {
+    let exact = conditioning.iter();
+    let exact = exact.filter(|it| it.kernel == EXACT && it.numbers == "f64");
+    let worst = exact.map(|it| it.worst_ulp).reduce(f64::max)?;
+    Some((format!("{worst:.1e} ulp"), worst <= 1e8))
+}
+
+fn leaks(meshes: &[MeshTally], kernel: &str) -> Measured {
+    let of_it = || meshes.iter().filter(|mesh| mesh.kernel == kernel);
+    let rays = of_it().map(|mesh| mesh.rays).sum();
+    none_of(of_it().map(|mesh| mesh.leaks).sum(), rays)
+}
+
+/// In the search that takes fewer tests, as `render --exact` casts.
+fn added(scenes: &[SceneTally]) -> Measured {
+    let of = |model: &'static str| {
+        let of_model = scenes.iter().filter(move |tally| tally.model == model);
+        of_model.filter_map(|tally| tally.instructions)
+    };
+    let mut added: Vec<f64> = of("exact").zip(of("f64")).map(|(p, q)| p - q).collect();
+    added.sort_by(f64::total_cmp);
+    let (median, worst) = (*added.get(added.len() / 2)?, *added.last()?);
+    let is_kept = median <= 25.0 && worst <= 50.0;
+    Some((format!("median {median:.0}, worst {worst:.0}"), is_kept))
+}
+
+fn ratios(plans: &[PlanTally], of: fn(&PlanTally) -> f64) -> Option<[f64; 2]> {
+    let mut ratios: Vec<f64> = plans.iter().map(of).collect();
+    ratios.sort_by(f64::total_cmp);
+    Some([*ratios.get(ratios.len() / 2)?, *ratios.last()?])
 }

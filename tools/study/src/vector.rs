@@ -3,7 +3,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use crate::number::Real;
+use crate::number::{Real, exponent};
 
 /// What can be added and multiplied: a number, or several side by side.
 pub trait Ring: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {}
@@ -66,7 +66,8 @@ impl<F: Real> Vector<F> {
     /// small triangle may be as short as 1e-160.
     #[inline(always)]
     pub fn unit(self) -> Vector<F> {
-        let near_one = self * (F::ONE / self.largest());
+        let power = -exponent(self.largest().wide());
+        let near_one = self.map(|x| x.times_power_of_two(power));
         near_one * (F::ONE / near_one.dot(near_one).sqrt())
     }
 

@@ -244,7 +244,11 @@ fn the_normal_of_a_tiny_or_a_huge_triangle_is_a_number() {
         let triangle = Triangle {
             corners: [corner(0.0, 0.0), corner(1.0, 0.25), corner(0.0, 1.0)],
         };
-        let normal = Primitive::Triangle(triangle).normal(Vector::default());
+        let ray = Ray {
+            origin: Vector::default(),
+            direction: Vector::new(0.0, 0.0, 1.0),
+        };
+        let normal = Primitive::Triangle(triangle).normal(&ray, 0.0);
         let off = normal - Vector::new(-0.5, 0.0, 1.0).unit();
         assert!(off.largest() < 1e-15, "{size}: {normal:?}");
     }

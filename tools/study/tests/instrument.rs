@@ -1,15 +1,21 @@
 //! The instrument itself: does it notice what is broken, and is nothing else noticed?
 
+use std::cell::Cell;
+use std::sync::LazyLock;
+
+use pinhole_study::conditioning::{self, Conditioning};
 use pinhole_study::contestant::Contestant;
-use pinhole_study::contestants::Contested;
+use pinhole_study::contestants::{Contested, EXACT};
 use pinhole_study::family::mesh::Aim;
-use pinhole_study::family::spoilt::SPOILERS;
 use pinhole_study::family::{Studied, questions};
 use pinhole_study::judge::{Tally, judge};
 use pinhole_study::kernel::{Kernel, sphere, triangle};
 use pinhole_study::leaks;
-use pinhole_study::question::{Data, Question};
-use pinhole_study::run::{Extent, on_spoilt, run};
+use pinhole_study::oracle::Known;
+use pinhole_study::question::{Class, Data, Question};
+use pinhole_study::result::Trade;
+use pinhole_study::run::{Extent, Findings, run};
+use pinhole_study::secondary;
 use pinhole_study::shape::{Plane, Ray, Sphere, Triangle};
 use pinhole_study::targets::targets;
 use pinhole_study::theirs::Theirs;
@@ -48,8 +54,8 @@ impl Kernel<Sphere<f64>, f64> for FarSide {
         *ray
     }
     fn intersect(sphere: &Sphere<f64>, ray: &Ray<f64>, min_t: f64) -> Option<f64> {
-        let near = sphere::Haines::intersect(sphere, ray, min_t)?;
-        sphere::Haines::intersect(sphere, ray, near.next_up() + near.abs() * 1e-9).or(Some(near))
+        let near = sphere::plainly(sphere, ray, min_t)?;
+        sphere::plainly(sphere, ray, near.next_up() + near.abs() * 1e-9).or(Some(near))
     }
 }
 
@@ -82,7 +88,7 @@ impl Kernel<Triangle<f64>, f64> for Strict {
         let [a, b, c] = shape.corners.map(|corner| corner - ray.origin);
         let volumes = [b.cross(c), c.cross(a), a.cross(b)].map(|area| area.dot(ray.direction));
         let is_inside = volumes.iter().all(|v| *v > 0.0) || volumes.iter().all(|v| *v < 0.0);
-        triangle::EdgeFunctions::intersect(shape, ray, min_t).filter(|_| is_inside)
+        triangle::MollerTrumbore::intersect(shape, ray, min_t).filter(|_| is_inside)
     }
 }
 
@@ -137,11 +143,51 @@ fn an_eye_at_the_centre_sees_the_sphere_at_its_radius() {
     }
 }
 
+/// What takes the place of a number; the type's smallest and largest are those of `f32`, which
+/// `f64` has as well.
+const SPOILERS: [f64; 7] = [
+    f64::NAN,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    1.401298464324817e-45,
+    f32::MAX as f64,
+    0.0,
+    -0.0,
+];
+
+/// With each number of a question replaced in turn: no hit if it is no number, else the truth.
+fn no_number_spoils<S: Studied + std::fmt::Debug>(kernel: &Contestant<S>, value: f64) {
+    let families = S::families();
+    let plain = families.iter().find(|family| family.name == "offset");
+    let plain = plain.expect("every shape has an offset");
+    for question in questions(plain, 0, kernel.data, 20, SEED) {
+        for place in 0.. {
+            let at = Cell::new(0);
+            let replace = |number: f64| {
+                at.set(at.get() + 1);
+                if at.get() == place + 1 { value } else { number }
+            };
+            let spoilt = question.map(replace, replace, replace, replace);
+            if at.get() <= place {
+                break;
+            }
+            if spoilt.is_sound() {
+                let tally = judge(kernel, &[spoilt], &[S::truth(&spoilt)]);
+                assert_eq!(tally.wrong() + tally.not_finite, 0, "{spoilt:?}");
+            } else if spoilt.min_t != f64::NEG_INFINITY {
+                // That min_t is an honest way to ask for every t.
+                let answer = (kernel.answer)(&spoilt);
+                assert_eq!(answer, None, "{} {spoilt:?}", kernel.name);
+            }
+        }
+    }
+}
+
 #[track_caller]
-fn exact_kernels_are_never_wrong<S: Studied>() {
+fn exact_kernels_are_never_wrong<S: Studied + std::fmt::Debug>() {
     for kernel in S::contestants()
         .iter()
-        .filter(|kernel| kernel.name == "adaptive exact")
+        .filter(|kernel| kernel.name == EXACT)
     {
         // t is promised to √u of itself.
         let promise = 2f64.powf(f64::from(kernel.data.digits()) / 2.0 + 0.5);
@@ -150,10 +196,8 @@ fn exact_kernels_are_never_wrong<S: Studied>() {
             let is_right = tally.wrong() + tally.not_finite == 0 && worst <= promise;
             assert!(is_right, "{place} {}: {tally:?}", kernel.numbers);
         }
-        for (name, value) in SPOILERS {
-            let tally = on_spoilt(kernel, name, value, 20, SEED);
-            let faults = tally.hits_of_nothing + tally.wrong + tally.not_finite;
-            assert_eq!(faults, 0, "{tally:?}");
+        for value in SPOILERS {
+            no_number_spoils(kernel, value);
         }
     }
 }
@@ -174,39 +218,87 @@ fn the_exact_triangle_is_never_wrong() {
 }
 
 #[test]
-fn closed_meshes_of_exact_triangles_are_left_exactly_once() {
+fn closed_meshes_of_exact_triangles_do_not_leak() {
     for kernel in Triangle::contestants()
         .iter()
-        .filter(|kernel| kernel.name == "adaptive exact")
+        .filter(|kernel| kernel.name == EXACT)
     {
         for aim in [Aim::Edge, Aim::Vertex] {
             let tally = leaks::of_kernel(kernel, aim, 3000, SEED);
-            assert_eq!((tally.leaks, tally.double_hits), (0, 0), "{tally:?}");
+            assert_eq!(tally.leaks, 0, "{tally:?}");
         }
     }
 }
 
-#[test]
-fn what_was_measured_before_comes_again() {
-    let extent = Extent {
-        questions: 400,
-        mesh_rays: 4000,
-        ..Extent::QUICK
+/// Of one kernel's decisions in a class, on few questions.
+fn traded(shape: &str, class: Class, kernel: &str, numbers: &str) -> (u64, u64) {
+    static FINDINGS: LazyLock<Findings> = LazyLock::new(|| {
+        let extent = Extent {
+            questions: 60,
+            seconds: 0.0,
+            ..Extent::QUICK
+        };
+        run(&extent, SEED, Some("classes"), &Theirs::default(), &|_| ())
+    });
+    let is_it = |it: &&Trade| {
+        (it.shape.as_str(), it.class) == (shape, class)
+            && (it.kernel.as_str(), it.numbers.as_str()) == (kernel, numbers)
     };
-    for part in [
-        "distance",
-        "direction",
-        "offset",
-        "parallel",
-        "small",
-        "mesh",
-    ] {
-        let findings = run(&extent, SEED, Some(part), &Theirs::default(), &|_| ());
-        let targets = targets(&findings);
-        assert!(!targets.is_empty(), "{part} has no target");
-        let missed: Vec<_> = targets.iter().filter(|target| !target.met).collect();
-        assert!(missed.is_empty(), "{missed:#?}");
+    let trade = FINDINGS.trades.iter().find(is_it).expect("it took part");
+    let missed = targets(&FINDINGS).into_iter().filter(|target| !target.met);
+    assert_eq!(
+        missed.map(|target| target.about).collect::<Vec<_>>(),
+        [""; 0]
+    );
+    (trade.wrong, trade.asked)
+}
+
+#[test]
+fn classes_tell_apart_who_fails_where() {
+    let share = |(wrong, asked): (u64, u64)| wrong as f64 / asked as f64;
+    let textbook = |class, numbers| share(traded("sphere", class, "textbook", numbers));
+    assert_eq!(textbook(Class::Everyday, "f64"), 0.0);
+    assert!(textbook(Class::Everyday, "f32") > 0.0);
+    assert!((0.005..0.1).contains(&textbook(Class::Hard, "f64")));
+    assert!(textbook(Class::Absurd, "f64") > 0.2);
+    for class in Class::ALL {
+        assert_eq!(traded("sphere", class, EXACT, "f64").0, 0);
     }
+}
+
+#[test]
+fn a_question_is_as_sensitive_as_its_conditioning_says() {
+    // Where n · d is 1e-6 of its products, t follows the numbers a million times as strongly.
+    for (across, decade) in [(1.0, 0), (1e-6, 6)] {
+        let at = |x, y, z| Vector::new(x, y, z);
+        let shape = Plane {
+            point: at(0.0, 0.0, 0.0),
+            normal: at(1.0, 0.0, 1.0),
+        };
+        let ray = Ray {
+            origin: at(0.0, 0.0, 1.0),
+            direction: at(1.0, 0.0, -1.0 - across),
+        };
+        let question = Question {
+            shape,
+            ray,
+            min_t: 0.0,
+        };
+        let condition = Plane::condition(&question, &Plane::truth(&question)).expect("it is met");
+        assert_eq!(conditioning::decade(condition / 1.5), decade, "{condition}");
+    }
+}
+
+#[test]
+fn rays_that_leave_a_surface_meet_it_again_unless_they_are_moved() {
+    let all = secondary::studied(2_000, SEED);
+    for tally in &all {
+        let is_moved = ["pbrt-v4", "Wächter–Binder"].contains(&tally.method.as_str());
+        let (most, least) = if is_moved { (10, 0) } else { (2_000, 0) };
+        assert!((least..=most).contains(&tally.self_hits), "{tally:?}");
+    }
+    let computed = all.iter().filter(|tally| tally.method == "as computed");
+    assert!(computed.map(|tally| tally.self_hits).sum::<u64>() > 1_000);
 }
 
 #[test]

@@ -46,7 +46,7 @@ fn a_students_answers_stand_among_the_kernels_and_what_they_leave_open_is_told()
     ] {
         assert!(problems.contains(problem), "no {problem:?} in {problems}");
     }
-    let plot = fs::read_to_string(out.join("sphere-surface-f64.svg")).expect("it is drawn");
+    let plot = fs::read_to_string(out.join("sphere-surface.svg")).expect("it is drawn");
     assert!(plot.contains("yours"), "the plot does not show them");
     let page = fs::read_to_string(out.join("summary.md")).expect("it is written");
     assert!(page.contains("## Where yours stands"), "{page}");

@@ -1,7 +1,10 @@
 //! Running the real programs on the real course, for the tests of every package.
 
+pub mod documented;
+
 use std::collections::BTreeSet;
 use std::fs::{self, File};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::{Mutex, PoisonError};
@@ -26,7 +29,7 @@ pub fn root() -> PathBuf {
         .expect("the checkout exists")
 }
 
-/// What a run of `pinhole` came to.
+/// The result of a run of `pinhole`.
 pub struct Ran {
     /// The exit code.
     pub code: i32,
@@ -41,36 +44,34 @@ pub fn pinhole(arguments: &[&str]) -> Ran {
     pinhole_in(&root(), arguments)
 }
 
-/// The subcommands that are asked of their own program, without the way through `pinhole`.
+/// Subcommands whose program is started directly instead of through `pinhole`.
 const OF_INSTRUCTORS: [&str; 5] = ["golden", "grade", "handout", "merge", "validate"];
 
 /// The program with this subcommand.
 pub fn program_of(subcommand: &str) -> PathBuf {
     match OF_INSTRUCTORS.contains(&subcommand) {
-        true => built("pinhole-instructor", "pinhole-instructor", "instructor"),
-        false => built("pinhole-cli", "pinhole", "release"),
+        true => built("pinhole-instructor", "pinhole-instructor"),
+        false => built("pinhole-cli", "pinhole"),
     }
 }
 
-/// A program of the course, built by its own profile, or by the tests' if that has debug
-/// assertions.
-fn built(package: &str, name: &str, profile: &str) -> PathBuf {
-    let (profile, folder) = match cfg!(debug_assertions) {
-        true => ("dev", "debug"),
-        false => (profile, profile),
+/// A program of the course, built as users build it, or by the tests' profile if that has
+/// debug assertions.
+fn built(package: &str, name: &str) -> PathBuf {
+    let (options, folder): (&[&str], _) = match (cfg!(debug_assertions), package) {
+        (true, _) => (&[], "debug"),
+        (false, "pinhole-instructor") => (
+            &["--release", "--config", "tools/instructor/release.toml"],
+            "release",
+        ),
+        (false, _) => (&["--release"], "release"),
     };
     static BUILT: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
     let mut built = BUILT.lock().unwrap_or_else(PoisonError::into_inner);
     if built.insert(package.into()) {
         let status = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()))
-            .args([
-                "build",
-                "--quiet",
-                "--package",
-                package,
-                "--profile",
-                profile,
-            ])
+            .args(["build", "--quiet", "--package", package])
+            .args(options)
             .current_dir(root())
             .status()
             .expect("cargo starts");
@@ -118,7 +119,7 @@ impl Ran {
             .unwrap_or_else(|error| panic!("{error}\n{}\n{}", self.out, self.err))
     }
 
-    /// Checks the exit code, and shows all that was said if it is another.
+    /// Checks the exit code; if it is wrong, shows all output.
     #[track_caller]
     pub fn expect_code(self, code: i32) -> Ran {
         assert_eq!(self.code, code, "exit code\n{}\n{}", self.out, self.err);
@@ -206,7 +207,9 @@ pub fn small_assignment(course: &Path) -> PathBuf {
         }
     }
     let assignment = course.join(own);
-    let _had_none = fs::remove_file(assignment.join("equivalent.toml"));
+    for list in ["equivalent.toml", "pairs.toml"] {
+        let _had_none = fs::remove_file(assignment.join(list));
+    }
     let file = assignment.join("assignment.toml");
     let text = fs::read_to_string(&file).expect("it was copied");
     let (tasks, _) = text.split_once("[[scene]]").expect("it has scenes");
@@ -236,4 +239,15 @@ pub fn submission(place: &Path, name: &str, overlay: &[(&str, &str)]) -> PathBuf
         fs::write(folder.join(file), text).expect("an answer can be written");
     }
     folder
+}
+
+/// A zip archive of files, by name.
+pub fn zip(files: &[(String, Vec<u8>)]) -> Vec<u8> {
+    let mut zip = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    for (name, bytes) in files {
+        let options = zip::write::SimpleFileOptions::default();
+        zip.start_file(name, options).expect("an entry");
+        zip.write_all(bytes).expect("memory can be written");
+    }
+    zip.finish().expect("it ends").into_inner()
 }

@@ -1,5 +1,5 @@
-"""Lets the tests import this assignment's questions, what all assignments share, and
-the tests' own caster and judge."""
+"""Lets the tests import this assignment's questions, the scripts that all assignments share,
+and the tests' caster and judge."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Exactly the questions that hang on a comparison of equals are called ties."""
+"""A question is marked as a tie exactly if it depends on a comparison of equal numbers."""
 
 from fractions import Fraction
 from pathlib import Path

@@ -1,4 +1,4 @@
-//! What `check` and the report send a student to read must be there.
+//! The chapters and sections that `check` and the report name must exist.
 
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
@@ -7,7 +7,7 @@ use pinhole_course::mistake::MistakeFolder;
 use super::pages::{Page, Pages};
 use crate::error::Problem;
 
-/// Chapters and sections that tasks and mistakes name, and that the book has not.
+/// Chapters and sections that tasks and mistakes name, but the book doesn't have.
 pub fn missing(
     pages: &Pages,
     assignment: &Assignment,

@@ -1,4 +1,4 @@
-//! Images that say nothing to who does not see them.
+//! Images without a text for readers who can't see them.
 
 use super::pages::Pages;
 use crate::error::Problem;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use scraper::{Html, Selector};
+use scraper::{ElementRef, Html, Selector};
 
 use crate::error::{Error, Result};
 
@@ -12,7 +12,7 @@ use crate::error::{Error, Result};
 /// the page for a wrong address are left out.
 pub type Pages = BTreeMap<PathBuf, Page>;
 
-/// What is looked at of a page.
+/// The parts of a page that are checked.
 #[derive(Debug, Default)]
 pub struct Page {
     /// Every `id`.
@@ -23,7 +23,9 @@ pub struct Page {
     pub headings: Vec<String>,
     /// For each image, drawing and canvas: how it is named, and its alternative text.
     pub images: Vec<(String, Option<String>)>,
-    /// Directives that stand in it as they were written.
+    /// Its paragraphs and points, without formulas and code.
+    pub prose: Vec<String>,
+    /// Directives in it that were not expanded.
     pub directives: Vec<String>,
 }
 
@@ -80,7 +82,7 @@ impl Page {
             let hidden = element.attr("aria-hidden") == Some("true");
             let inside_hidden = element
                 .ancestors()
-                .filter_map(scraper::ElementRef::wrap)
+                .filter_map(ElementRef::wrap)
                 .any(|outer| {
                     outer.attr("aria-hidden") == Some("true") || outer.value().name() == "button"
                 });
@@ -88,6 +90,15 @@ impl Page {
                 let text = element.attr("alt").or(element.attr("aria-label"));
                 page.images.push((named.into(), text.map(str::to_owned)));
             }
+        }
+        for element in html.select(&select("main p, main li")) {
+            let outside = |node: &ElementRef| matches!(node.value().name(), "code" | "math");
+            let words = element.descendants().filter_map(|node| {
+                let mut around = node.ancestors().filter_map(ElementRef::wrap);
+                let text = node.value().as_text()?;
+                (!around.any(|outer| outside(&outer))).then_some(&**text)
+            });
+            page.prose.push(words.collect());
         }
         for begun in text.split("{{#").skip(1) {
             let directive = begun.split("}}").next().unwrap_or_default();

@@ -1,4 +1,5 @@
-//! Lines of the reference's answers in what students get, the search index included.
+//! Finds lines of the reference's answers in the students' edition, including its
+//! search index.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +11,7 @@ use super::pages::files;
 use crate::error::{Error, Problem, Result};
 use crate::listing::between;
 
-/// Shorter lines, `return None;` or a brace, give nothing away.
+/// Shorter lines, such as `return None;` or a brace, give nothing away.
 const LEAST: usize = 16;
 
 /// A line of an answer, as it is looked for.
@@ -77,7 +78,7 @@ pub fn shown(lines: &[Line], folder: &Path) -> Result<Vec<Problem>> {
     Ok(problems)
 }
 
-/// Whatever stands for a character, in HTML or in a script's texts, as that character.
+/// Decodes the escapes of HTML and of strings in scripts.
 fn unescaped(text: &str) -> String {
     [
         ("\\n", " "),

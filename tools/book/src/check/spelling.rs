@@ -10,7 +10,7 @@ use crate::interactive;
 /// Unknown words, each in its place.
 pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
     Ok(
-        match interactive::npm(&["run", "--silent", "spell"], &[], checkout)? {
+        match interactive::npm(&["run", "--silent", "spell"], checkout)? {
             Ok(_) => Vec::new(),
             Err(said) => {
                 let told: Vec<Problem> = said.lines().filter_map(problem).collect();
@@ -46,7 +46,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_unknown_word_is_told_with_its_line() {
+    fn unknown_word_is_reported_with_its_line() {
         let line = "src/rays.md:7:12 - Unknown word (parametre) Suggestions: [parameter]";
         let problem = problem(line).unwrap();
         assert_eq!(

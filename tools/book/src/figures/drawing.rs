@@ -8,9 +8,15 @@ use pinhole::false_colour;
 use super::Made;
 use crate::html::escaped;
 
+/// How wide every drawing is on the page, in CSS pixels. On a phone, whose pages are
+/// 350 wide, the smallest words are 11 high.
+pub const WIDTH: f64 = 480.0;
+
+/// The size of words, and of smaller ones.
+const SIZES: [f64; 2] = [17.0, 15.5];
+
 /// A drawing. Places are in its own units, y upward.
 pub struct Drawing {
-    width: f64,
     height: f64,
     origin: DVec2,
     scale: f64,
@@ -99,11 +105,10 @@ impl Stroke {
 }
 
 impl Drawing {
-    /// So wide on the page, showing places from `from` (lower left) to `to`.
-    pub fn new(width: f64, from: DVec2, to: DVec2) -> Drawing {
-        let scale = width / (to.x - from.x);
+    /// Shows places from `from` (lower left) to `to`.
+    pub fn new(from: DVec2, to: DVec2) -> Drawing {
+        let scale = WIDTH / (to.x - from.x);
         Drawing {
-            width,
             height: scale * (to.y - from.y),
             origin: from,
             scale,
@@ -196,12 +201,19 @@ impl Drawing {
 
     /// Words beside a place; between two `*` they are bold, as vectors are.
     pub fn text(&mut self, place: DVec2, side: Side, words: &str) {
-        self.sized(place, side, words, 16.0);
+        self.sized(place, side, words, SIZES[0]);
     }
 
     /// The same, smaller.
     pub fn small(&mut self, place: DVec2, side: Side, words: &str) {
-        self.sized(place, side, words, 13.5);
+        self.sized(place, side, words, SIZES[1]);
+    }
+
+    /// Words that lines pass behind: the page's style gives them a rim of its own colour.
+    pub fn on_lines(&mut self, place: DVec2, side: Side, words: &str) {
+        self.parts.push_str("<g class=\"on-lines\">\n");
+        self.text(place, side, words);
+        self.parts.push_str("</g>\n");
     }
 
     fn sized(&mut self, place: DVec2, side: Side, words: &str, size: f64) {
@@ -235,15 +247,10 @@ impl Drawing {
 
     /// The file. It has no empty line, so that Markdown takes it as one piece.
     pub fn made(self) -> Made {
-        let Drawing {
-            width,
-            height,
-            parts,
-            ..
-        } = self;
+        let Drawing { height, parts, .. } = self;
         let content = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {height:.0}\" \
-             width=\"{width:.0}\" height=\"{height:.0}\" font-family=\"serif\">\n{parts}</svg>\n"
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height:.0}\" \
+             width=\"{WIDTH}\" height=\"{height:.0}\">\n{parts}</svg>\n"
         );
         Made {
             extension: "svg",

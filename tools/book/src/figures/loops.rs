@@ -16,7 +16,8 @@ pub fn camera() -> Camera {
     Camera::new(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, size, projection).expect("it is a frame")
 }
 
-/// So many triangles of about this size, strewn before the camera, the same each time.
+/// This many triangles of about this size, scattered in front of the camera, the same
+/// each time.
 pub fn strewn(count: usize, size: f64) -> Vec<Triangle> {
     // The fractions of multiples of three irrational numbers fill a cube evenly.
     let spread = |number: usize, by: f64| (number as f64 * by).fract() - 0.5;
@@ -75,7 +76,7 @@ fn plot(across: &str, points: Vec<(f64, [f64; 2])>) -> Made {
     let place = |x: f64, y: f64| dvec2(decade(x), 0.5 * decade(y));
     let corner = |p: DVec2| dvec2(p.x, 0.5 * p.y);
     let (low, high) = (corner(from), corner(to));
-    let mut drawing = Drawing::new(640.0, low - dvec2(0.7, 0.6), high + dvec2(1.3, 0.15));
+    let mut drawing = Drawing::new(low - dvec2(0.8, 0.8), high + dvec2(0.25, 0.5));
     for x in from.x as i32..=to.x as i32 {
         let at = f64::from(x);
         drawing.line(dvec2(at, low.y), dvec2(at, high.y), &ink().thin());
@@ -86,13 +87,14 @@ fn plot(across: &str, points: Vec<(f64, [f64; 2])>) -> Made {
         drawing.line(dvec2(low.x, at), dvec2(high.x, at), &ink().thin());
         drawing.small(dvec2(low.x, at), Side::Left, &power(y));
     }
-    let middle = dvec2(0.5 * (low.x + high.x), low.y - 0.4);
-    drawing.small(middle, Side::On, across);
-    let looks: [(&str, Stroke); 2] = [
-        ("rasterizer", stroke(colour(1)).thick()),
-        ("ray caster", stroke(colour(5)).thick()),
+    let middle = dvec2(0.5 * (low.x + high.x), low.y - 0.55);
+    drawing.text(middle, Side::On, across);
+    drawing.text(dvec2(low.x, high.y + 0.25), Side::On, "steps");
+    let looks: [(&str, Side, Stroke); 2] = [
+        ("rasterizer", Side::Below, stroke(colour(4)).thick()),
+        ("ray caster", Side::Above, stroke(colour(5)).thick()),
     ];
-    for (which, (name, look)) in looks.iter().enumerate() {
+    for (which, (name, side, look)) in looks.iter().enumerate() {
         let line: Vec<DVec2> = points
             .iter()
             .map(|(x, both)| place(*x, both[which]))
@@ -101,7 +103,12 @@ fn plot(across: &str, points: Vec<(f64, [f64; 2])>) -> Made {
         for at in &line {
             drawing.dot(*at, &look.colour);
         }
-        drawing.small(line[line.len() - 1], Side::Right, name);
+        // Beside the middle of the line, clear of its slope.
+        let aside = match side {
+            Side::Above => dvec2(-0.1, 0.12) * (high.x - low.x) / 2.0,
+            _ => dvec2(0.1, -0.12) * (high.x - low.x) / 2.0,
+        };
+        drawing.on_lines(line[line.len() / 2] + aside, *side, name);
     }
     drawing.made()
 }

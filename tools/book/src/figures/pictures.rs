@@ -1,8 +1,7 @@
 //! Pictures: films in the harness's false colours.
 
 use glam::{DVec3, dvec3};
-use image::imageops::{FilterType, resize};
-use image::{Rgb, RgbImage};
+use image::{Rgb, Rgba, RgbaImage};
 use pinhole::{Camera, Film, Plane, Projection, Resolution, Scene, Shape, Sphere, false_colour};
 use pinhole_course::checkout::Checkout;
 
@@ -10,14 +9,14 @@ use super::Made;
 use super::drawing::{Drawing, Side, ink, stroke};
 use crate::course::{assignment, golden};
 use crate::error::{Error, Result};
-use crate::gallery::strip::{beside, png};
+use crate::png::{beside, enlarged, opaque, png};
 use crate::reference::Reference;
 
 /// Pixels between two pictures.
 pub const GAP: u32 = 8;
 
 /// The figure of a picture.
-pub fn made(picture: &RgbImage) -> Result<Made> {
+pub fn made(picture: &RgbaImage) -> Result<Made> {
     Ok(Made {
         extension: "png",
         content: png(picture)?,
@@ -43,12 +42,6 @@ fn scene(name: &str, checkout: &Checkout) -> Result<Scene> {
     Ok(Scene::read(&assignment(checkout)?.scene(name))?)
 }
 
-/// Every pixel so many wide and high.
-pub fn enlarged(picture: &RgbImage, times: u32) -> RgbImage {
-    let (width, height) = (picture.width() * times, picture.height() * times);
-    resize(picture, width, height, FilterType::Nearest)
-}
-
 /// The rabbit.
 pub fn three_outputs_bunny(checkout: &Checkout) -> Result<Made> {
     three("bunny", checkout)
@@ -68,7 +61,8 @@ pub fn image_function(checkout: &Checkout) -> Result<Made> {
     let mut coarse = enlarged(&false_colour::id(&reference.film(&scene)?), 20);
     for (x, y, pixel) in coarse.enumerate_pixels_mut() {
         if x % 20 == 0 || y % 20 == 0 {
-            *pixel = Rgb(pixel.0.map(|value| value / 2));
+            let [r, g, b, _] = pixel.0.map(|value| value / 2);
+            *pixel = Rgba([r, g, b, 255]);
         }
     }
     made(&beside(&[coarse, enlarged(&fine, 2)], GAP))
@@ -102,7 +96,7 @@ pub fn projections_side_by_side(checkout: &Checkout) -> Result<Made> {
             min_t: 0.0,
             objects: objects.clone(),
         };
-        pictures.push(false_colour::id(&reference.film(&scene)?));
+        pictures.push(opaque(&false_colour::id(&reference.film(&scene)?)));
     }
     made(&beside(&pictures, GAP))
 }
@@ -134,7 +128,7 @@ pub fn normal_colours(checkout: &Checkout) -> Result<Made> {
     let picture = false_colour::normal(&film);
     let ids = film.channel("id").unwrap_or_default();
     let at = glam::dvec2;
-    let mut drawing = Drawing::new(420.0, at(-1.7, -1.35), at(1.9, 1.6));
+    let mut drawing = Drawing::new(at(-1.8, -1.35), at(1.8, 1.65));
     let pixel = 2.0 / n as f64;
     for (x, y, Rgb([r, g, b])) in picture.enumerate_pixels() {
         if ids[y as usize * n + x as usize] >= 0.0 {

@@ -15,7 +15,7 @@ use crate::worked::{PLANE, Quadratic, RAY, SPHERE, TRIANGLE, on_plane, weights};
 
 /// One object asks for its pixels; one pixel asks for its object.
 pub fn two_loops(_: &Checkout) -> Result<Made> {
-    let mut drawing = Drawing::new(700.0, dvec2(-0.6, -1.5), dvec2(22.6, 9.2));
+    let mut drawing = Drawing::new(dvec2(-0.6, -1.5), dvec2(22.6, 9.2));
     let corners = [dvec2(1.3, 0.8), dvec2(8.6, 3.1), dvec2(3.2, 7.4)];
     let inside = |p: DVec2| {
         let edge = |k: usize| (corners[(k + 1) % 3] - corners[k]).perp_dot(p - corners[k]);
@@ -93,7 +93,7 @@ fn entry(e: DVec2, d: DVec2, center: DVec2, radius: f64) -> f64 {
 
 /// A circle as an equation and as a path.
 pub fn implicit_and_parametric(_: &Checkout) -> Result<Made> {
-    let mut drawing = Drawing::new(620.0, dvec2(-1.9, -1.9), dvec2(5.9, 1.7));
+    let mut drawing = Drawing::new(dvec2(-1.9, -1.9), dvec2(5.9, 1.7));
     let at = |angle: f64| dvec2(angle.cos(), angle.sin());
     let (left, right) = (DVec2::ZERO, dvec2(4.0, 0.0));
     drawing.circle(left, 1.0, &colour(1), 0.3, &ink().thick());
@@ -105,7 +105,7 @@ pub fn implicit_and_parametric(_: &Checkout) -> Result<Made> {
         drawing.arrow(at(angle), 1.55 * at(angle), &stroke(colour(5)));
     }
     drawing.small(1.55 * at(0.7), Side::Above, "gradient");
-    drawing.text(dvec2(0.0, -1.7), Side::On, "implicit: f(*p*) = 0");
+    drawing.text(dvec2(0.0, -1.7), Side::On, "implicit: F(*p*) = 0");
     drawing.circle(right, 1.0, "none", 1.0, &ink().thin());
     for mark in 0..12 {
         drawing.dot(right + at(TAU * f64::from(mark) / 12.0), &colour(0));
@@ -124,7 +124,7 @@ pub fn implicit_and_parametric(_: &Checkout) -> Result<Made> {
 
 /// How far to the plane, how far one step goes.
 pub fn plane_and_ray(_: &Checkout) -> Result<Made> {
-    let mut drawing = Drawing::new(640.0, dvec2(-2.9, -0.9), dvec2(6.4, 3.7));
+    let mut drawing = Drawing::new(dvec2(-3.7, -0.9), dvec2(6.2, 3.7));
     // The plane is the line y = 0; its normal points up.
     let (e, d, q) = (dvec2(-1.3, 3.0), dvec2(1.9, -1.2), dvec2(5.0, 0.0));
     let t = (q - e).y / d.y;
@@ -142,7 +142,11 @@ pub fn plane_and_ray(_: &Checkout) -> Result<Made> {
     drawing.arrow(e, e + d, &stroke(colour(5)).thick());
     drawing.text(e + 0.5 * d, Side::Above, "*d*");
     drawing.dot(p, &colour(5));
-    drawing.text(p, Side::Below, "*p*(t)");
+    drawing.text(
+        p - dvec2(0.9, 0.0),
+        Side::Below,
+        &format!("*p*(t), t = {t}"),
+    );
     drawing.dot(e, INK);
     drawing.text(e, Side::Above, "*e*");
     let bracket = |drawing: &mut Drawing, x: f64, from: f64, to: f64| {
@@ -157,13 +161,12 @@ pub fn plane_and_ray(_: &Checkout) -> Result<Made> {
     drawing.small(dvec2(-0.6, e.y + 0.8 * d.y), Side::Left, "*d*·*n*");
     drawing.line(e + d, dvec2(-0.6, e.y + d.y), &ink().dashed());
     drawing.line(e, dvec2(-1.9, e.y), &ink().dashed());
-    drawing.small(dvec2(3.1, 2.9), Side::Right, &format!("t = {t}"));
     Ok(drawing.made())
 }
 
 /// A secant, a tangent, a miss.
 pub fn sphere_and_line(_: &Checkout) -> Result<Made> {
-    let mut drawing = Drawing::new(620.0, dvec2(-3.1, -1.5), dvec2(3.6, 2.0));
+    let mut drawing = Drawing::new(dvec2(-3.1, -1.5), dvec2(3.6, 2.0));
     let (center, e) = (DVec2::ZERO, dvec2(-2.6, -0.9));
     drawing.circle(center, 1.0, &colour(1), 0.3, &ink());
     let d = dvec2(1.0, 0.2);
@@ -204,13 +207,17 @@ pub fn sphere_and_line(_: &Checkout) -> Result<Made> {
 
 /// The worked triangle in its plane, with lines of equal α and β.
 pub fn triangle_alpha_beta(_: &Checkout) -> Result<Made> {
-    let mut drawing = Drawing::new(600.0, dvec2(-0.9, -0.65), dvec2(5.4, 2.75));
-    // Its plane is parallel to that of x and y.
-    let [a, b, c] = TRIANGLE
-        .corners
-        .map(|corner| (corner - TRIANGLE.corners[0]).truncate());
-    let (t1, t2) = (b - a, c - a);
-    let at = |alpha: f64, beta: f64| a + alpha * t1 + beta * t2;
+    // Along the first edge, and at right angles to it.
+    let [a, b, c] = TRIANGLE.corners;
+    let (first, second) = (b - a, c - a);
+    let along = first.normalize();
+    let across = first.cross(second).cross(first).normalize();
+    let [t1, t2] = [first, second].map(|edge| dvec2(edge.dot(along), edge.dot(across)));
+    let at = |alpha: f64, beta: f64| alpha * t1 + beta * t2;
+    let (a, b, c) = (at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0));
+    let margin = dvec2(0.14, 0.1) * t1.x;
+    let (from, to) = (a.min(c), b.max(c));
+    let mut drawing = Drawing::new(from - margin, to + margin);
     drawing.area(&[a, b, c], &colour(1), 0.25);
     for quarter in 1..=3 {
         let w = f64::from(quarter) / 4.0;
@@ -221,17 +228,17 @@ pub fn triangle_alpha_beta(_: &Checkout) -> Result<Made> {
         drawing.small(at(0.0, w), Side::Left, &format!("β = {name}"));
     }
     drawing.line(b, c, &ink());
-    drawing.small(at(0.5, 0.5), Side::Right, "  α + β = 1");
+    drawing.small(at(0.5, 0.5), Side::Right, "α + β = 1");
     drawing.arrow(a, b, &stroke(colour(5)).thick());
     drawing.arrow(a, c, &stroke(colour(2)).thick());
     drawing.text(b, Side::Right, "*b*");
     drawing.text(c, Side::Above, "*c*");
     drawing.text(a, Side::Left, "*a*");
-    drawing.text(at(0.9, 0.0), Side::Above, "*t*₁");
-    drawing.text(at(0.0, 0.92), Side::Left, "*t*₂");
+    drawing.text(at(0.9, 0.0), Side::Below, "*t*₁");
+    drawing.text(at(0.0, 0.9), Side::Left, "*t*₂");
     let [_, alpha, beta] = weights(&RAY, &TRIANGLE);
     drawing.dot(at(alpha, beta), INK);
-    drawing.small(at(alpha, beta), Side::Right, "α = ¼, β = ½");
+    drawing.on_lines(at(alpha, beta), Side::Below, "α = ¼, β = ½");
     Ok(drawing.made())
 }
 
@@ -251,7 +258,7 @@ pub fn soup_of_triangles(checkout: &Checkout) -> Result<Made> {
     met.sort_by(f64::total_cmp);
     met.dedup_by(|one, other| (*one - *other).abs() < 1e-9);
 
-    let mut drawing = Drawing::new(700.0, dvec2(-19.0, -13.5), dvec2(45.0, 13.5));
+    let mut drawing = Drawing::new(dvec2(-19.0, -14.5), dvec2(45.0, 13.5));
     let front = |p: glam::DVec3| {
         dvec2(
             (p - camera.eye).dot(camera.u),
@@ -285,10 +292,10 @@ pub fn soup_of_triangles(checkout: &Checkout) -> Result<Made> {
 /// The worked ray as an axis of t.
 pub fn first_hit_along_ray(checkout: &Checkout) -> Result<Made> {
     let reference = Reference::build(checkout)?;
-    let mut drawing = Drawing::new(680.0, dvec2(-0.5, -1.0), dvec2(6.7, 1.35));
+    let mut drawing = Drawing::new(dvec2(-0.5, -0.7), dvec2(6.7, 1.6));
     let at = |t: f64| dvec2(t, 0.0);
     drawing.arrow(at(0.0), at(6.4), &ink());
-    drawing.small(at(6.4), Side::Above, "t");
+    drawing.small(at(6.3), Side::Below, "t");
     for t in 0..=6 {
         let t = f64::from(t);
         drawing.line(dvec2(t, -0.06), dvec2(t, 0.06), &ink());
@@ -296,13 +303,13 @@ pub fn first_hit_along_ray(checkout: &Checkout) -> Result<Made> {
     }
     drawing.line(
         dvec2(1.0, -0.25),
-        dvec2(1.0, 0.7),
+        dvec2(1.0, 1.1),
         &stroke(colour(4)).thick(),
     );
-    drawing.small(dvec2(1.0, 0.7), Side::Above, "min_t = 1");
+    drawing.small(dvec2(1.0, 1.1), Side::Above, "min_t = 1");
     let list = [
         (Shape::Plane(PLANE), "plane", 1, 0.3),
-        (Shape::Triangle(TRIANGLE), "triangle", 2, 0.62),
+        (Shape::Triangle(TRIANGLE), "triangle", 2, 0.75),
         (Shape::Sphere(SPHERE), "sphere", 0, 0.3),
     ];
     let shapes: Vec<Shape> = list.iter().map(|(shape, ..)| shape.clone()).collect();

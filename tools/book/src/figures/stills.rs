@@ -1,16 +1,16 @@
 //! The static pictures of interactive figures: how each begins.
 
 use glam::{DVec2, dvec2};
-use image::{Rgb, RgbImage};
+use image::{Rgb, RgbImage, Rgba, RgbaImage};
 use pinhole::{Film, Resolution, false_colour};
 use pinhole_course::checkout::Checkout;
 
 use super::Made;
 use super::drawing::{Drawing, INK, Side, colour, ink, stroke};
-use super::pictures::{GAP, enlarged, made};
+use super::pictures::{GAP, made};
 use crate::course::golden;
 use crate::error::Result;
-use crate::gallery::strip::{beside, stacked};
+use crate::png::{beside, enlarged, stacked};
 use crate::silhouette::{DISTANCES, Meets, SIDE, WAYS, on};
 use crate::worked::{PIXEL, Quadratic, RAY, SPHERE};
 
@@ -26,7 +26,7 @@ pub fn pixel_to_ray(checkout: &Checkout) -> Result<Made> {
     let (left, top) = ((index % n_x) as u32 * CELL, (index / n_x) as u32 * CELL);
     for step in 0..CELL {
         for (x, y) in [(step, 0), (step, CELL - 1), (0, step), (CELL - 1, step)] {
-            picture.put_pixel(left + x, top + y, Rgb([255, 255, 255]));
+            picture.put_pixel(left + x, top + y, Rgba([255; 4]));
         }
     }
     made(&picture)
@@ -39,7 +39,7 @@ pub fn sphere_roots(_: &Checkout) -> Result<Made> {
     let ahead = to_center.dot(RAY.direction) / stride;
     let center = dvec2(ahead, (to_center.length_squared() - ahead * ahead).sqrt());
     let at = |t: f64| dvec2(t * stride, 0.0);
-    let mut drawing = Drawing::new(640.0, dvec2(-0.9, -1.3), dvec2(8.8, 3.25));
+    let mut drawing = Drawing::new(dvec2(-0.9, -1.3), dvec2(8.8, 3.25));
     drawing.circle(center, SPHERE.radius, &colour(1), 0.3, &ink());
     drawing.dot(DVec2::ZERO, INK);
     drawing.text(DVec2::ZERO, Side::Above, "*e*");
@@ -67,7 +67,7 @@ pub fn sphere_roots(_: &Checkout) -> Result<Made> {
 
 /// Balls of equal size in a row, and the rays to their tops and feet.
 pub fn projections(_: &Checkout) -> Result<Made> {
-    let mut drawing = Drawing::new(700.0, dvec2(-0.6, -5.6), dvec2(13.0, 2.2));
+    let mut drawing = Drawing::new(dvec2(-0.6, -5.6), dvec2(13.0, 2.2));
     let balls = [5.0, 7.5, 10.0].map(|x| dvec2(x, 0.0));
     let (radius, plane) = (0.8, 2.5);
     for (row, name) in [(0.0, "perspective"), (-3.7, "orthographic")] {
@@ -120,7 +120,7 @@ pub fn sphere_from_afar(_: &Checkout) -> Result<Made> {
 }
 
 /// Silhouettes beside each other.
-fn row(of: &[(Meets, f64)], times: u32) -> RgbImage {
+fn row(of: &[(Meets, f64)], times: u32) -> RgbaImage {
     let [r, g, b] = false_colour::object(1).0;
     let picture = |(meets, far): &(Meets, f64)| {
         let picture = RgbImage::from_fn(SIDE, SIDE, |i, j| match meets(on(i), on(j), *far) {

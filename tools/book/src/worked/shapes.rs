@@ -25,12 +25,13 @@ pub const SPHERE: Sphere = Sphere {
     radius: 1.5,
 };
 
-/// The triangle it meets.
+/// The triangle it meets: three sides of different lengths, no right angle, no edge that
+/// lies flat, and an area of 12.
 pub const TRIANGLE: Triangle = Triangle {
     corners: [
-        dvec3(2.0, 4.0, -4.0),
-        dvec3(6.0, 4.0, -4.0),
-        dvec3(2.0, 6.0, -4.0),
+        dvec3(1.0, 3.0, -3.0),
+        dvec3(5.0, 3.0, -7.0),
+        dvec3(3.0, 7.0, -3.0),
     ],
 };
 
@@ -77,6 +78,15 @@ pub fn weights(ray: &Ray, triangle: &Triangle) -> [f64; 3] {
     [determinant, alpha / determinant, beta / determinant]
 }
 
+/// t of the plane, shifted with the ray by 2⁴⁰ along each axis, where every coordinate is
+/// exact: the numerator multiplied out, and the points subtracted first.
+fn plane_from_afar() -> [f64; 2] {
+    let far = DVec3::splat(2.0_f64.powi(40));
+    let (q, e) = (PLANE.point + far, RAY.origin + far);
+    let n = PLANE.normal / 10.0;
+    [q.dot(n) - e.dot(n), (q - e).dot(n)].map(|way| way / RAY.direction.dot(n))
+}
+
 /// Adds these chapters' numbers.
 pub fn add(values: &mut Values, reference: &Reference) -> Result<()> {
     let mut add = |name: &str, text| {
@@ -97,6 +107,9 @@ pub fn add(values: &mut Values, reference: &Reference) -> Result<()> {
     add("plane_t", t(at));
     add("plane_point", point(at));
     add("plane_normal", normal(at));
+    let [multiplied_out, subtracted_first] = plane_from_afar();
+    add("plane_far_multiplied_out", shown(multiplied_out));
+    add("plane_far_subtracted_first", shown(subtracted_first));
 
     let quadratic = Quadratic::new(&RAY, &SPHERE);
     let [t0, t1] = quadratic.roots();
@@ -138,7 +151,7 @@ pub fn add(values: &mut Values, reference: &Reference) -> Result<()> {
         add(&format!("soup_t_from_{min_t}"), t(met(&soup, min_t)?));
     }
 
-    let list = [plane, triangle, sphere];
+    let list = [plane, sphere, triangle];
     for (min_t, name) in [(1.0, "1"), (1.6, "1_6"), (1.9, "1_9"), (6.0, "6")] {
         let hit = reference.first_hit(&list, RAY, min_t)?;
         let words = hit.map_or("none".into(), |hit| {

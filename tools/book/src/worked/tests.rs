@@ -1,4 +1,5 @@
-use pinhole::{Resolution, Shape};
+use glam::dvec3;
+use pinhole::{Pixel, Resolution, Shape};
 
 use super::camera::{on_plane, slide};
 use super::shapes::{Quadratic, RAY, SPHERE, TRIANGLE, weights};
@@ -65,4 +66,20 @@ fn the_four_corners_of_pixel_space_are_the_corners_of_the_image_plane() {
     assert_eq!(on_plane(n_x as f64, width, n_x), width / 2.0);
     assert_eq!(on_plane(0.0, height, n_y), -height / 2.0);
     assert_eq!(on_plane(n_y as f64, height, n_y), height / 2.0);
+}
+
+#[test]
+fn the_middle_of_nine_pixels_looks_along_the_worked_ray() {
+    let camera = nine_pixels::camera().expect("it is a camera");
+    let reference = Reference::build(&checkout()).expect("it builds");
+    let middle = Pixel { i: 1, j: 1 };
+    let ray = reference.viewing_ray(camera, middle, nine_pixels::RESOLUTION);
+    assert!(ray.unwrap().direction.distance(RAY.direction) < 1e-14);
+    for (axis, thirds) in [
+        (camera.u, dvec3(2.0, -2.0, -1.0)),
+        (camera.v, dvec3(2.0, 1.0, 2.0)),
+        (camera.w, dvec3(-1.0, -2.0, 2.0)),
+    ] {
+        assert!(axis.distance(thirds / 3.0) < 1e-15, "{axis}");
+    }
 }

@@ -1,14 +1,16 @@
 //! `pinhole check`: a student's loop.
 
+use std::path::Path;
 use std::thread;
 
 use clap::ValueEnum;
 
+use super::read;
 use crate::cli::Check;
 use crate::watch::{self, Course};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
-use pinhole_course::compile::compile;
+use pinhole_course::compile::Compiler;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::examine::{Examiner, Selection};
 use pinhole_course::goldens::Goldens;
@@ -17,11 +19,12 @@ use pinhole_course::progress::Progress;
 use pinhole_course::run_options::RunOptions;
 use pinhole_course::sandbox::{Choice, Sandbox};
 use pinhole_course::second_judge::SecondJudge;
-use pinhole_course::shell::PINHOLE;
+use pinhole_course::shell::{PINHOLE, from_here};
 use pinhole_course::submission::Submission;
 use pinhole_course::timings::{Timings, timed};
 use pinhole_report::escape::{printable, printable_word};
-use pinhole_report::html::{Again, Report};
+use pinhole_report::finish::Finish;
+use pinhole_report::html::{Again, FinishSection, Report};
 use pinhole_report::passage::{self, Passage};
 use pinhole_report::program::Status;
 use pinhole_report::{json, terminal};
@@ -57,7 +60,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
             report: arguments.report.clone().unwrap_or(default_report),
             again: again(arguments),
         };
-        // However it ends: the student has seen the verdicts.
+        // The exit code is always 0, because the student has seen the verdicts.
         return watch::run(course, arguments.json).map(|()| Status::Well);
     }
     let second_judge = arguments
@@ -68,7 +71,11 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
     progress.say("building");
     let program = thread::scope(|scope| {
         scope.spawn(|| Examiner::warm_up(&assignment, &goldens, &selection));
-        compile(&submission, &assignment, checkout, &sandbox)
+        let compiler = Compiler::new(&assignment, checkout, &sandbox)?;
+        let compiler = compiler
+            .naming_places()
+            .allowing(arguments.allow_everything);
+        compiler.compile(&submission)
     })?;
     let examiner = Examiner {
         assignment: &assignment,
@@ -91,23 +98,30 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
         None if arguments.no_report => None,
         None => Some(default_report),
     };
-    // The verdict is worth more than its report: it is shown before anything is said of
-    // a report that could not be written.
+    // Show the verdict first: it matters more than a report that could not be written.
     let written = path.map(|path| {
         timed("write the report", || {
             let mut report =
                 Report::of_examination(&examination, &goldens.folder, &again(arguments))?;
             report.book = passage::built(checkout.root());
+            report.finish = Finish::of(&examination, &assignment).map(FinishSection::of);
             report.write(&path).map(|()| path)
         })
     });
     let path = match &written {
-        Some(Ok(path)) => Some(path.display().to_string()),
+        Some(Ok(path)) => Some(path),
         _ => None,
+    };
+    let packed = match &arguments.pack {
+        Some(zip) => Some((zip, submission.pack(zip, &assignment)?)),
+        None => None,
     };
     if arguments.json {
         let mut document = json::document(outcome);
-        document["report"] = path.into();
+        document["report"] = path.map(|path| path.display().to_string()).into();
+        if let Some((zip, _)) = packed {
+            document["packed"] = zip.display().to_string().into();
+        }
         if arguments.timings {
             document["timings"] = json::document(&Timings::so_far());
         }
@@ -115,13 +129,22 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
     } else {
         anstream::print!("{}", terminal::examination(&examination));
         if let Some(path) = path {
+            let path = from_here(path).display().to_string();
             anstream::println!("\nreport: {}", printable(&path));
+        }
+        match Finish::of(&examination, &assignment) {
+            Some(finish) => show_finish(&finish, &checkout.scratch())?,
+            None => show_next(&assignment, &submission, outcome),
+        }
+        if let Some((zip, files)) = packed {
+            let zip = printable(&zip.display().to_string());
+            anstream::println!("packed: {zip} holds {files} answers; hand it in");
         }
         if arguments.timings {
             anstream::print!("\n{}", Timings::so_far());
         }
         if let Some(passage) = arguments.read.then(|| worth_reading(outcome)).flatten() {
-            anstream::println!("\n{}", printable(&passage.open(checkout.root())));
+            read::open(&passage, checkout);
         }
     }
     written.transpose()?;
@@ -131,6 +154,31 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
         Status::JudgedWrong
     })
 }
+
+/// Where to go on: in the task to begin with, or else in the first that misses points.
+fn show_next(assignment: &Assignment, submission: &Submission, outcome: &Outcome) {
+    let failing = || outcome.tasks.iter().filter(|task| !task.passes());
+    let start = failing().find(|task| task.name == assignment.start);
+    let next = start.or_else(|| failing().next());
+    let place = next.and_then(|task| submission.place_to_edit(&task.name));
+    if let Some(place) = place {
+        anstream::println!("edit: {}", printable(&place));
+    }
+}
+
+/// The picture of a student who has all points, and what to do next.
+fn show_finish(finish: &Finish, folder: &Path) -> Result<()> {
+    let path = folder.join("finish.png");
+    finish.save(&path)?;
+    if terminal::shows_pictures() {
+        anstream::print!("\n{}", finish.in_blocks(MOST_COLUMNS));
+    }
+    anstream::print!("\n{}{}", finish.caption(&from_here(&path)), finish.words());
+    Ok(())
+}
+
+/// Columns that every terminal has.
+const MOST_COLUMNS: usize = 72;
 
 /// What helps with the first task that fails, or with the first scene.
 fn worth_reading(outcome: &Outcome) -> Option<Passage> {

@@ -1,4 +1,4 @@
-//! `pinhole diff`: both judges on any renderer's film.
+//! `pinhole diff`: asks both judges about a film of any renderer.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -19,13 +19,13 @@ use pinhole_course::mitsuba;
 use pinhole_course::outcome::FilmOutcome;
 use pinhole_course::shell::PINHOLE;
 use pinhole_report::escape::{printable, printable_word};
-use pinhole_report::html::{self, Beliefs, Evidence, Report};
+use pinhole_report::html::{self, Beliefs, Evidence, RaysOfYours, Report};
 use pinhole_report::program::Status;
 use pinhole_report::{json, pictures, terminal};
 
 pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Status> {
     let golden = Golden::read(&arguments.golden)?;
-    // An unreadable film is refused like one of the wrong size: it is what was judged.
+    // An unreadable film is a wrong answer, just as one of the wrong size.
     if !arguments.film.is_file() {
         let problem = format!("there is no film file {}", arguments.film.display());
         return Err(Error::input(problem, "name the film to judge"));
@@ -177,6 +177,7 @@ fn film_report(
             film: film.as_ref().ok(),
             scene: scene.as_ref(),
             rays: html::rays_beside(&arguments.golden),
+            own_rays: RaysOfYours::Unknown,
             beliefs: Beliefs::of(diagnosis, &[]),
             command,
             explain: None,
@@ -186,7 +187,7 @@ fn film_report(
     ))
 }
 
-/// The scene that both films show, as far as that is known.
+/// The scene that both films show, if it is known.
 fn scene(checkout: &Checkout, arguments: &Diff) -> Result<Option<Scene>> {
     let assignment = arguments
         .assignment
@@ -227,6 +228,7 @@ fn draw(folder: &Path, golden: &Golden, film: &Film) -> Result<Vec<String>> {
             film,
             1.0,
             range.clone(),
+            &[],
         )?);
     }
     if film.resolution() == golden.film().resolution() {

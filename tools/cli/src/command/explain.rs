@@ -1,9 +1,11 @@
 //! `pinhole explain`: one pixel in words.
 
+use pinhole::kind::CameraQuestion;
 use pinhole::words::{self, number, ray};
-use pinhole::{Camera, Hit, Kind, Pixel, Projection, Resolution, Scene};
+use pinhole::{Camera, Hit, Kind, Pixel, Projection, Ray, Resolution, Scene};
 use serde_json::{Value, json};
 
+use super::read;
 use crate::cli::Explain;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::compile;
@@ -11,11 +13,12 @@ use pinhole_course::error::{Error, Result};
 use pinhole_course::explanation::{Explanation, Mitsuba, Said, Witness};
 use pinhole_course::progress::Progress;
 use pinhole_course::sandbox::Sandbox;
+use pinhole_course::shell::from_here;
 use pinhole_course::submission::Submission;
 use pinhole_report::escape;
 use pinhole_report::passage::Passage;
 use pinhole_report::program::Status;
-use pinhole_report::terminal;
+use pinhole_report::terminal::{self, FAIL, QUIET};
 
 /// Enough digits to follow a computation by hand.
 const DIGITS: usize = 6;
@@ -42,7 +45,7 @@ pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Status> {
             ),
         ));
     }
-    let submission = Submission::named_or(named, &assignment, &assignment.own_answers())?;
+    let submission = Submission::named_or(named, &assignment, &assignment.handout())?;
     let choice = arguments.run.sandbox.choice();
     let sandbox = Sandbox::around(&submission.folder, checkout, choice, &[])?;
     let progress = Progress::new();
@@ -67,77 +70,165 @@ pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Status> {
             as_json(&explanation, &scene, pixel, arguments, &whose)
         );
     } else {
+        let whose = from_here(&submission.folder).display().to_string();
         print(&explanation, &scene, pixel, arguments, &whose);
         if let Some(task) = explanation.task_at_fault(&scene.objects, &assignment) {
             let passage = Passage::chapter(&task.chapter);
             anstream::println!("\nread: {passage}");
             if arguments.read {
-                anstream::println!("{}", escape::printable(&passage.open(checkout.root())));
+                read::open(&passage, checkout);
             }
         }
     }
     Ok(Status::Well)
 }
 
-/// u(i) and v(j): a pixel centre's place on the image plane, scene units, from its
-/// middle (the lecture's pixel convention).
-fn on_image_plane(camera: &Camera, pixel: Pixel, resolution: Resolution) -> (f64, f64) {
-    let along = |size: f64, n: usize, k: usize| size / n as f64 * (k as f64 + 0.5) - size / 2.0;
-    (
-        along(camera.width, resolution.n_x, pixel.i),
-        along(camera.height, resolution.n_y, pixel.j),
-    )
+/// The ray through a pixel by the lecture's formulas, in camera space: where it meets the
+/// image plane, and the ray.
+struct Expected {
+    u: f64,
+    v: f64,
+    ray: Ray,
+}
+
+impl Expected {
+    fn of(camera: &Camera, pixel: Pixel, resolution: Resolution) -> Expected {
+        let along = |size: f64, n: usize, k: usize| size / n as f64 * (k as f64 + 0.5) - size / 2.0;
+        let u = along(camera.width, resolution.n_x, pixel.i);
+        let v = along(camera.height, resolution.n_y, pixel.j);
+        let (origin, direction) = match camera.projection {
+            Projection::Perspective { focal_length } => ([0.0; 3], [u, v, -focal_length]),
+            Projection::Orthographic => ([u, v, 0.0], [0.0, 0.0, -1.0]),
+        };
+        let ray = Ray {
+            origin: origin.into(),
+            direction: direction.into(),
+        };
+        Expected { u, v, ray }
+    }
 }
 
 fn print(explanation: &Explanation, scene: &Scene, pixel: Pixel, arguments: &Explain, whose: &str) {
-    let camera = &scene.camera;
-    let (u, v) = on_image_plane(camera, pixel, scene.resolution);
-    let show = |value| number(value, DIGITS);
-    let Pixel { i, j } = pixel;
     anstream::println!(
-        "pixel {pixel} of {}, scene {}, answers of {}
-",
+        "pixel {pixel} of {}, scene {}, answers of {}\n",
         scene.resolution,
         arguments.scene,
         escape::printable(whose)
     );
-    anstream::println!(
-        "on the image plane     u({i}) = {}, v({j}) = {}",
-        show(u),
-        show(v)
-    );
-    let (u, v) = (show(u), show(v));
-    let in_camera_space = match camera.projection {
-        Projection::Perspective { focal_length } => {
-            format!("t ({u}, {v}, {})", show(-focal_length))
-        }
-        Projection::Orthographic => format!("({u}, {v}, 0) + t (0, 0, −1)"),
+    print_rays(explanation, scene, pixel);
+    print_candidates(explanation, scene);
+    anstream::println!("\nfirst hit");
+    let nearest = in_words(&explanation.nearest, words::hit);
+    let hits = |mitsuba: &Mitsuba| words::hit(mitsuba.hit, DIGITS);
+    let expected = explanation.mitsuba.as_ref().map(hits);
+    let differs = explanation.nearest_differs();
+    let unknown = "unknown, because this scene has no golden".to_owned();
+    pair(nearest, differs, "Mitsuba's", expected.unwrap_or(unknown));
+    print_output(&explanation.printed.nearest, "  ");
+}
+
+/// What is yours above what is expected, so that the digits can be compared.
+fn pair(yours: String, differs: bool, whose: &str, expected: String) {
+    let mark = match differs {
+        true => format!("  {FAIL}← differs{FAIL:#}"),
+        false => String::new(),
     };
-    anstream::println!("ray in camera space    {in_camera_space}");
-    match &explanation.ray {
-        Ok(own) => anstream::println!("ray in world space     {}", ray(own, DIGITS)),
-        Err(why) => {
-            let why = terminal::no_answer(why);
-            anstream::println!("ray in world space     {}: {why}", Kind::ViewingRay);
+    anstream::println!("  {:<11}{yours}{mark}", "yours");
+    anstream::println!("  {whose:<11}{expected}");
+}
+
+/// What the student's code printed for one question.
+fn print_output(printed: &str, indent: &str) {
+    for line in printed.lines() {
+        let line = escape::printable(line);
+        anstream::println!("{indent}{:<11}{QUIET}{line}{QUIET:#}", "printed");
+    }
+}
+
+/// The ray in each space: yours, and what it should be.
+fn print_rays(explanation: &Explanation, scene: &Scene, pixel: Pixel) {
+    let show = |value| number(value, DIGITS);
+    let camera = scene.camera;
+    let question = CameraQuestion {
+        camera,
+        pixel,
+        resolution: scene.resolution,
+    };
+    let Pixel { i, j } = pixel;
+    let expected = Expected::of(&camera, pixel, scene.resolution);
+    let own = explanation.ray.as_ref();
+    let yours = |words: &dyn Fn(&Ray) -> String| match own {
+        Ok(own) => words(own),
+        Err(_) => "–".into(),
+    };
+    let differs = explanation.ray_differs();
+
+    anstream::println!("on the image plane");
+    let on_image_plane = |own: &Ray| {
+        let size = camera.width.max(camera.height);
+        match question
+            .on_image_plane(own)
+            .map(|at| without_noise(at, size))
+        {
+            [u, v] if u.is_finite() && v.is_finite() => format!("u = {}, v = {}", show(u), show(v)),
+            _ => "your ray never meets it".into(),
         }
+    };
+    let (u, v) = (show(expected.u), show(expected.v));
+    let formula = format!("u({i}) = {u}, v({j}) = {v}");
+    pair(yours(&on_image_plane), differs, "expected", formula);
+
+    anstream::println!("ray in camera space");
+    let in_camera_space = |own: &Ray| {
+        let Ray { origin, direction } = question.in_camera_space(own);
+        let far = own.origin.length().max(camera.eye.length());
+        let clean = |vector: [f64; 3], size| vector.map(|x| without_noise(x, size)).into();
+        let clean = Ray {
+            origin: clean(origin.to_array(), far),
+            direction: clean(direction.to_array(), direction.length()),
+        };
+        ray(&clean, DIGITS)
+    };
+    let should = ray(&expected.ray, DIGITS);
+    pair(yours(&in_camera_space), differs, "expected", should);
+
+    anstream::println!("ray in world space");
+    let in_world_space = match own {
+        Ok(own) => ray(own, DIGITS),
+        Err(why) => format!("{}: {}", Kind::ViewingRay, terminal::no_answer(why)),
+    };
+    match &explanation.mitsuba {
+        Some(mitsuba) => pair(
+            in_world_space,
+            differs,
+            "Mitsuba's",
+            ray(&mitsuba.ray, DIGITS),
+        ),
+        None => anstream::println!("  {:<11}{in_world_space}", "yours"),
     }
-    if let Some(mitsuba) = &explanation.mitsuba {
-        anstream::println!("  Mitsuba's            {}", ray(&mitsuba.ray, DIGITS));
-    }
-    if explanation.ray.is_err() && explanation.asked.is_some() {
+    print_output(&explanation.printed.ray, "  ");
+    if own.is_err() && explanation.asked.is_some() {
         anstream::println!("  (below, Mitsuba's ray is used)");
     }
+}
 
-    anstream::println!("\ncandidates, t ≥ {}", show(scene.min_t));
+/// A coordinate of this much of `size` is only what rounding left of 0.
+fn without_noise(value: f64, size: f64) -> f64 {
+    match value.abs() <= 1e-12 * size {
+        true => 0.0,
+        false => value,
+    }
+}
+
+fn print_candidates(explanation: &Explanation, scene: &Scene) {
+    anstream::println!("\ncandidates, t ≥ {}", number(scene.min_t, DIGITS));
     let missed = |said: &Said<Option<Hit>>| matches!(said, Ok(None));
-    let misses = explanation
-        .candidates
+    let candidates = &explanation.candidates;
+    let misses = candidates.iter().filter(|said| missed(said)).count();
+    let printed = &explanation.printed.candidates;
+    for (k, ((said, printed), shape)) in candidates
         .iter()
-        .filter(|said| missed(said))
-        .count();
-    for (k, (said, shape)) in explanation
-        .candidates
-        .iter()
+        .zip(printed)
         .zip(&scene.objects)
         .enumerate()
     {
@@ -146,20 +237,10 @@ fn print(explanation: &Explanation, scene: &Scene, pixel: Pixel, arguments: &Exp
         }
         anstream::println!("  object {k:<3} {}", shape.describe(DIGITS));
         anstream::println!("             {}", in_words(said, words::intersection));
+        print_output(printed, "             ");
     }
     if misses > MOST_MISSES {
         anstream::println!("  and {misses} objects that the ray misses");
-    }
-    anstream::println!(
-        "\nfirst hit              {}",
-        in_words(&explanation.nearest, words::hit)
-    );
-    match &explanation.mitsuba {
-        Some(mitsuba) => {
-            let hit = words::hit(mitsuba.hit, DIGITS);
-            anstream::println!("  expected (Mitsuba)   {hit}");
-        }
-        None => anstream::println!("  expected             unknown: this scene has no golden"),
     }
 }
 
@@ -183,15 +264,7 @@ fn as_json(
             Err(why) => json!({ "problem": terminal::no_answer(why) }),
         }
     }
-    let (u, v) = on_image_plane(&scene.camera, pixel, scene.resolution);
-    let direction = match scene.camera.projection {
-        Projection::Perspective { focal_length } => [u, v, -focal_length],
-        Projection::Orthographic => [0.0, 0.0, -1.0],
-    };
-    let origin = match scene.camera.projection {
-        Projection::Perspective { .. } => [0.0; 3],
-        Projection::Orthographic => [u, v, 0.0],
-    };
+    let Expected { u, v, ray } = Expected::of(&scene.camera, pixel, scene.resolution);
     json!({
         "scene": arguments.scene,
         "submission": whose,
@@ -199,7 +272,7 @@ fn as_json(
         "min_t": scene.min_t,
         "u": u,
         "v": v,
-        "camera_space": { "origin": origin, "direction": direction },
+        "camera_space": ray,
         "world_space": value(&explanation.ray),
         "candidates": explanation.candidates.iter().map(value).collect::<Vec<_>>(),
         (Kind::FirstHit.name()): value(&explanation.nearest),
@@ -207,5 +280,6 @@ fn as_json(
             "ray": mitsuba.ray,
             (Kind::FirstHit.name()): mitsuba.hit,
         })),
+        "printed": explanation.printed,
     })
 }

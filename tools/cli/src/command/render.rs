@@ -1,15 +1,21 @@
-//! `pinhole render`: a film and its pictures.
+//! `pinhole render`: a film and its pictures. While answers are missing, the golden film fills
+//! in for them.
 
+use std::path::Path;
 use std::time::Instant;
 
+use pinhole::ask::{Ending, Reply};
 use pinhole::job::Job;
+use pinhole::preview::{Asked, Preview};
+use pinhole::{Film, Scene};
+use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::Whole;
 use pinhole_course::error::Result;
 use pinhole_course::examine;
 use pinhole_course::progress::Progress;
 use pinhole_course::sandbox::Limits;
-use pinhole_report::cast::Cast;
+use pinhole_report::cast::{Cast, Shares};
 use pinhole_report::program::Status;
 use pinhole_report::terminal;
 
@@ -24,26 +30,73 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
     let whole = Whole::build(checkout, &assignment, named, &arguments.run)?;
     let progress = Progress::new();
     let pixels = resolution.pixels() as f64;
+    let limits = Limits::of_own_answers(arguments.run.wall());
+    let mut ask = |job: &Job| {
+        examine::run(&whole.program, &whole.sandbox, &limits, job, &mut |done| {
+            progress.show("casting", done as f64 / pixels);
+        })
+    };
     let start = Instant::now();
-    let reply = examine::run(
-        &whole.program,
-        &whole.sandbox,
-        &Limits::of_answers(arguments.run.wall()),
-        &Job::Film(scene),
-        &mut |done| progress.show("casting", done as f64 / pixels),
-    )?;
+    let job = Job::Film(scene);
+    let reply = ask(&job)?;
+    let preview = match (&reply.ending, &golden, &job) {
+        (Ending::Panicked(panic), Some(golden), Job::Film(scene)) if panic.is_unanswered() => {
+            preview(scene, golden, &mut ask)?
+        }
+        _ => None,
+    };
     let seconds = start.elapsed().as_secs_f64();
     progress.clear();
     let problem = examine::failure(&reply.ending, &assignment, None);
+    let (film, shares) = match preview {
+        Some(preview) => (preview.film.clone(), Some(shares(preview, &assignment))),
+        None => (reply.film(resolution), None),
+    };
     let cast = Cast {
         scene: arguments.scene.clone(),
-        film: reply.film(resolution),
+        film,
         by: whole.submission.folder.display().to_string(),
         seconds,
         problem: problem.as_ref().map(terminal::outcome),
         printed: reply.printed,
         exact: None,
         planned: None,
+        shares,
     };
     cast.deliver(&arguments.out, golden, depth_per_t, arguments.json)
+}
+
+/// The scene as far as it can be cast; `None` if its golden films are missing, or are of
+/// another size.
+fn preview(
+    scene: &Scene,
+    golden: &Path,
+    ask: &mut dyn FnMut(&Job) -> Result<Reply>,
+) -> Result<Option<Preview>> {
+    let rays = golden.with_extension("rays.exr");
+    if !rays.is_file() {
+        return Ok(None);
+    }
+    let (golden, rays) = (Film::read(golden)?, Film::read(&rays)?);
+    if [&golden, &rays].map(Film::resolution) != [scene.resolution; 2] {
+        return Ok(None);
+    }
+    let mut ask = |job: &Job| {
+        let reply = ask(job)?;
+        Ok((reply.ending == Ending::Complete).then_some(reply))
+    };
+    Preview::new(scene, &golden, &rays, &mut ask).map(Some)
+}
+
+fn shares(preview: Preview, assignment: &Assignment) -> Shares {
+    let names = |asked: Vec<Asked>| {
+        let tasks = asked.into_iter();
+        let tasks = tasks.filter_map(|(kind, shape)| assignment.task_of_kind(kind, shape));
+        tasks.map(|task| task.name.clone()).collect()
+    };
+    Shares {
+        yours: names(preview.answered),
+        golden: names(preview.missing),
+        copied: preview.copied,
+    }
 }

@@ -1,4 +1,4 @@
-//! What helps, from a look to a chapter; each press of a key tells one thing more.
+//! The hints, from where to look to what to read; each key press shows one more.
 
 use super::order::Item;
 use super::state::State;
@@ -7,7 +7,7 @@ use pinhole_course::mistake::Mistake;
 use pinhole_course::outcome::{AnswerFile, TaskOutcome};
 use pinhole_report::passage::Passage;
 
-/// The hints on what is shown, each deeper than the one before; none where nothing is
+/// The hints for what is shown, each deeper than the one before; none if nothing is
 /// wrong.
 pub fn of(state: &State) -> Vec<String> {
     match state.item() {
@@ -29,7 +29,8 @@ fn on_task(task: &TaskOutcome) -> Vec<String> {
     }
     let read = format!("read: {}", Passage::chapter(&task.chapter));
     if task.file != AnswerFile::Compiled {
-        let look = "look: at the first of the compiler's messages; others may follow from it";
+        let look =
+            "look: at the first of the compiler's messages, because the others may follow from it";
         return vec![look.into(), read];
     }
     if task.is_unanswered() {
@@ -37,8 +38,8 @@ fn on_task(task: &TaskOutcome) -> Vec<String> {
         return vec![look.into(), read];
     }
     let look = format!("look: `{}` asks about {}", failing.name, failing.about);
-    let think = "think: take the question above and a pencil; which step of yours is the first \
-                 to give something else than you expect?";
+    let think = "think: work through the question above with a pencil; which step is the first \
+                 whose result you did not expect?";
     vec![look, think.into(), read]
 }
 
@@ -53,8 +54,8 @@ fn on_scenes(state: &State) -> Vec<String> {
         None => Vec::new(),
         Some(scene) if !scene.diagnosis.is_empty() => known(&scene.diagnosis),
         Some(_) => vec![
-            "look: `explain` says what each of your answers makes of one pixel".into(),
-            "think: which of them is the first to say something else than you expect there?".into(),
+            "look: `explain` shows what each of your answers returns for one pixel".into(),
+            "think: which of them is the first whose result you did not expect?".into(),
         ],
     }
 }
@@ -71,7 +72,9 @@ fn known(diagnosis: &Diagnosis) -> Vec<String> {
         depth(|mistake| format!("think: {}", mistake.hint.think)),
         depth(|mistake| {
             let Mistake { chapter, hint, .. } = mistake;
-            format!("read: {}", Passage::section(chapter, &hint.read))
+            let example = hint.example.iter().map(|it| format!("example: {it}\n"));
+            let read = Passage::section(chapter, &hint.read);
+            format!("{}read: {read}", example.collect::<String>())
         }),
     ]
 }

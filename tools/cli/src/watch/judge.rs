@@ -20,21 +20,22 @@ use pinhole_course::outcome::{Examination, Outcome, TaskOutcome};
 use pinhole_course::progress::Progress;
 use pinhole_course::submission::flags::flags;
 
-/// Takes orders; the newest wins.
+/// Takes orders; a new one replaces the one before.
 pub struct Judge {
     course: Arc<Course>,
-    /// Gathered anew after a failure: the folder of the harness may have been swept away.
+    /// Gathered again after a failure, because the folder of the harness may have been
+    /// deleted.
     compiler: Arc<Mutex<Option<Arc<Compiler>>>>,
     events: Sender<Event>,
     stop: Stop,
     threads: Vec<JoinHandle<()>>,
 }
 
-/// A compiler that was called off may need this long to end.
+/// How long a cancelled compiler may take to end.
 const LAST_WORDS: Duration = Duration::from_secs(3);
 
 impl Judge {
-    /// Builds the harness, which takes its time the first time.
+    /// Builds the harness, which takes a while the first time.
     pub fn prepare(course: Arc<Course>, events: Sender<Event>) -> Result<Judge> {
         let progress = Progress::new();
         progress.say("building");
@@ -49,7 +50,7 @@ impl Judge {
         })
     }
 
-    /// Begins an order and calls off the one before.
+    /// Begins an order and cancels the one before.
     pub fn ask(&mut self, order: Order) {
         self.stop.raise();
         self.stop = Stop::default();
@@ -66,7 +67,7 @@ impl Judge {
 }
 
 impl Drop for Judge {
-    /// No process of a student's outlives the watch.
+    /// Wait, so that no process of a student's outlives the watch.
     fn drop(&mut self) {
         self.stop.raise();
         let end = Instant::now() + LAST_WORDS;
@@ -77,10 +78,11 @@ impl Drop for Judge {
 }
 
 fn gather(course: &Course) -> Result<Arc<Compiler>> {
-    Compiler::new(&course.assignment, &course.checkout, &course.sandbox).map(Arc::new)
+    let compiler = Compiler::new(&course.assignment, &course.checkout, &course.sandbox)?;
+    Ok(Arc::new(compiler.naming_places()))
 }
 
-/// Where one order is worked on.
+/// The work on one order.
 struct OrderJudge {
     course: Arc<Course>,
     compiler: Arc<Mutex<Option<Arc<Compiler>>>>,
@@ -192,7 +194,7 @@ impl OrderJudge {
     }
 
     fn tell(&self, event: Event) {
-        // Nobody listens any more once the watch has ended.
+        // Once the watch has ended, nobody receives this.
         let _ = self.events.send(event);
     }
 
@@ -210,7 +212,7 @@ impl OrderJudge {
     }
 }
 
-/// Ends the watch when the thread it lives on panics.
+/// Ends the watch when its thread panics.
 struct Alarm<'a>(&'a Sender<Event>);
 
 impl Drop for Alarm<'_> {

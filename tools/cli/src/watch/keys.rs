@@ -1,4 +1,4 @@
-//! The keys, once: what they are, what they do, and the words for it.
+//! The table of keys: what each does, and how the screen describes it.
 
 use std::sync::mpsc::Sender;
 use std::thread;
@@ -51,10 +51,10 @@ pub const KEYS: [(char, Key, &str, &str); 9] = [
     ('?', Key::Help, "help", "show or hide this"),
 ];
 
-/// A screenful, nearly: the reader keeps their place.
+/// Nearly a screenful, so that the reader keeps their place.
 const PAGE: isize = 10;
 
-/// Tells of every key and change of size, from a thread of its own.
+/// Reports every key and change of size, from a thread of its own.
 pub fn listen(events: Sender<Event>) {
     thread::spawn(move || {
         loop {

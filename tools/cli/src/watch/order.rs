@@ -23,10 +23,10 @@ impl Item {
     }
 }
 
-/// These items of these answers, in this sequence. A new order calls off the last.
+/// These items of these answers, in this sequence. A new order cancels the last.
 #[derive(Clone, Debug)]
 pub struct Order {
-    /// Its number; what comes of an older one is stale.
+    /// Its number; results of an older one are stale.
     pub number: u64,
     pub items: Vec<Item>,
     pub submission: Arc<Submission>,

@@ -1,4 +1,4 @@
-//! The watch in a pipe: prints every verdict as it comes, as lines or as JSON.
+//! The watch without a terminal: prints every verdict as it comes, as lines or as JSON.
 
 use std::io::{self, Read, stdin};
 use std::sync::mpsc::Sender;
@@ -8,8 +8,9 @@ use std::time::Duration;
 use serde_json::json;
 
 use super::state::State;
-use super::{Course, Event, from_here};
+use super::{Course, Event};
 use pinhole_course::outcome::Examination;
+use pinhole_course::shell::from_here;
 use pinhole_report::escape::printable;
 use pinhole_report::{json, terminal};
 
@@ -53,14 +54,14 @@ impl Plain {
     pub fn begin(course: &Course, json: bool) -> Plain {
         if !json {
             let place = printable(&from_here(&course.submission.place).display().to_string());
-            anstream::println!("watching {place}: save an answer, and it is judged");
+            anstream::println!("watching {place}: each answer is judged when you save it");
         }
         let names = course.assignment.tasks.iter().map(|task| task.name.len());
         let width = names.max().unwrap_or(0) + 2;
         Plain { json, width }
     }
 
-    /// Tells what an event says, unless it is stale.
+    /// Prints an event, unless it is stale.
     pub fn tell(&mut self, event: &Event, state: &State) {
         match event {
             Event::Judged {

@@ -1,4 +1,4 @@
-//! The report, and showing it where there is a desktop.
+//! Writes the report, and opens it if there is a desktop.
 
 use std::path::Path;
 
@@ -8,10 +8,11 @@ use pinhole_course::outcome::Examination;
 use pinhole_course::shell::in_shell;
 use pinhole_report::desktop;
 use pinhole_report::escape::printable;
-use pinhole_report::html::Report;
+use pinhole_report::finish::Finish;
+use pinhole_report::html::{FinishSection, Report};
 use pinhole_report::passage;
 
-/// Writes the report of what is known and opens it; what came of it.
+/// Writes the report of what is known and opens it. Returns a message for the screen.
 pub fn show(course: &Course, known: &Examination) -> String {
     match write(course, known) {
         Ok(()) => open(&course.report),
@@ -22,6 +23,7 @@ pub fn show(course: &Course, known: &Examination) -> String {
 fn write(course: &Course, known: &Examination) -> Result<()> {
     let mut report = Report::of_examination(known, &course.goldens.folder, &course.again)?;
     report.book = passage::built(course.checkout.root());
+    report.finish = Finish::of(known, &course.assignment).map(FinishSection::of);
     report.write(&course.report)
 }
 

@@ -1,9 +1,9 @@
 //! Notices saves.
 //!
 //! The system's notices only wake us up. We then read the answer files and compare them with
-//! what they were, so it does not matter whether an editor
-//! writes in place, renames or deletes, and where there are no notices, on a network
-//! folder say, a look every now and then finds the save a little later.
+//! what they were, so it does not matter whether an editor writes in place, renames or
+//! deletes, and if there are no notices, as on some network folders, polling finds the save
+//! a little later.
 
 use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
@@ -17,16 +17,16 @@ use super::{Course, Event};
 use pinhole_course::error::Result;
 use pinhole_course::submission::{Answer, Submission};
 
-/// How often we look without a notice.
+/// How often we poll without a notice.
 const PATROL: Duration = Duration::from_millis(500);
 
 /// A save is over when nothing has happened for this long.
 const QUIET: Duration = Duration::from_millis(20);
 
-/// A file that is empty or gone may be in the middle of a save: it gets so long.
+/// A file that is empty or gone may be in the middle of a save: wait this long.
 const GRACE: Duration = Duration::from_millis(250);
 
-/// Tells of every change of the answers, from a thread of its own.
+/// Reports every change of the answers, from a thread of its own.
 pub fn listen(course: &Arc<Course>, events: Sender<Event>) {
     let course = Arc::clone(course);
     thread::spawn(move || watch(&course, &events));
@@ -43,7 +43,7 @@ fn watch(course: &Course, events: &Sender<Event>) {
             Ok(now) => {
                 let tasks = changed(&seen, &now);
                 let found = !tasks.is_empty() || lost;
-                // A change that no notice told of: the folder may be another one now.
+                // A change without a notice: the folder may have been replaced.
                 if found && (notice.is_none() || lost) || now.place != seen.place {
                     watcher = notices(&now, &wake);
                 }
@@ -64,8 +64,8 @@ fn watch(course: &Course, events: &Sender<Event>) {
     drop(watcher);
 }
 
-/// Waits for a notice and for the quiet after it; when it came, or `None` if it is
-/// time for a look all the same.
+/// Waits for a notice and for the pause after it. Returns when the notice came, or
+/// `None` if it is time to poll.
 fn wait(woken: &Receiver<Instant>) -> Option<Instant> {
     match woken.recv_timeout(PATROL) {
         Ok(at) => {
@@ -90,7 +90,7 @@ fn notices(submission: &Submission, wake: &Sender<Instant>) -> Option<Recommende
             matches!(kind, EventKind::Access(access)
                 if *access != AccessKind::Close(AccessMode::Write))
         };
-        // Our own looks must not wake us.
+        // Our own reading must not wake us.
         if event.is_ok_and(|event| !is_reading(&event.kind)) {
             let _ = wake.send(Instant::now());
         }
@@ -103,7 +103,7 @@ fn notices(submission: &Submission, wake: &Sender<Instant>) -> Option<Recommende
     Some(watcher)
 }
 
-/// The answers as they are now, after another look if a save seems to be under way.
+/// The answers as they are now, read again if a save seems to be under way.
 fn look(course: &Course, seen: &Submission) -> Result<Submission> {
     let end = Instant::now() + GRACE;
     loop {

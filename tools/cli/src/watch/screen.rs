@@ -1,8 +1,7 @@
-//! What there is to see: a verdict, and below it how far the student is, and the keys.
+//! The screen: a verdict, and below it the student's progress and the keys.
 
 use textwrap::{Options, WordSplitter};
 
-use super::from_here;
 use super::hints;
 use super::keys::KEYS;
 use super::order::Item;
@@ -12,16 +11,19 @@ use pinhole_report::terminal::{self, FAIL, PASS, QUIET, STRONG};
 
 /// A screenful.
 pub struct Frame {
-    /// No more lines than the screen has, none wider than it is.
+    /// As many lines as fit on the screen, none wider than it.
     pub lines: Vec<String>,
     /// How far it is scrolled: as far as was asked for, or as far as possible.
     pub scroll: usize,
 }
 
+/// Columns of the picture at the end.
+const PICTURE_COLUMNS: usize = 48;
+
 /// Columns of the progress bar.
 const WIDEST_BAR: usize = 40;
 
-/// What to show on a terminal of this size.
+/// The screen for a terminal of this size.
 pub fn frame(state: &State, columns: usize, rows: usize) -> Frame {
     let mut foot = fold(&foot(state, columns), columns);
     foot.truncate(rows.saturating_sub(3).max(1));
@@ -49,7 +51,7 @@ fn body(state: &State) -> String {
             .map(|(key, _, _, help)| format!("  {STRONG}{key}{STRONG:#}  {help}"));
         let keys = keys.collect::<Vec<_>>().join("\n");
         return format!(
-            "Save an answer, and it is judged.\n\n{keys}\n  {STRONG}↑ ↓{STRONG:#}  scroll\n"
+            "Each answer is judged when you save it.\n\n{keys}\n  {STRONG}↑ ↓{STRONG:#}  scroll\n"
         );
     }
     if let Some(problem) = &state.problem {
@@ -73,13 +75,21 @@ fn body(state: &State) -> String {
     if let Some(item) = state.item() {
         text.push_str(&terminal::printed(state.printed(item)));
     }
+    if let (Some(Item::Scenes) | None, Some(finish)) = (state.item(), state.finish()) {
+        let picture = terminal::shows_pictures().then(|| finish.in_blocks(PICTURE_COLUMNS));
+        let words = finish.words();
+        text = format!(
+            "{}\n{STRONG}{words}{STRONG:#}\n{text}",
+            picture.unwrap_or_default()
+        );
+    }
     for hint in hints::of(state).iter().take(state.hints) {
         text.push_str(&format!("\n{hint}\n"));
     }
     text
 }
 
-/// What has happened, how far the student is, which file to edit, and the keys.
+/// The last event, the student's progress, which file to edit, and the keys.
 fn foot(state: &State, columns: usize) -> String {
     let keys = KEYS.iter().map(|(key, _, name, _)| {
         // A space that no line ends at.
@@ -87,18 +97,38 @@ fn foot(state: &State, columns: usize) -> String {
     });
     let file = match state.item() {
         Some(Item::Task(name)) => {
-            let file = state.submission.place.join(name).with_extension("rs");
-            let file = printable(&from_here(&file).display().to_string());
-            format!("{QUIET}edit {file}{QUIET:#}\n")
+            let place = state.submission.place_to_edit(name).unwrap_or_default();
+            format!("{QUIET}edit {}{QUIET:#}\n", printable(&place))
         }
         _ => String::new(),
     };
     format!(
-        "{}\n{}\n{file}{}",
+        "{}\n{}\n{}\n{file}{}",
         happened(state),
+        list(state),
         progress(state, columns),
         keys.collect::<Vec<_>>().join("  ")
     )
+}
+
+/// Every task with its state, the one that is shown in bold: "✓ plane  ✗ sphere  … triangle".
+fn list(state: &State) -> String {
+    let item = |item: &Item| {
+        let (style, mark) = match (state.has_verdict(item), state.is_full(item)) {
+            (true, true) => (PASS, "✓"),
+            (true, false) if state.is_open(item) => (QUIET, "·"),
+            (true, false) => (FAIL, "✗"),
+            (false, _) => (QUIET, "…"),
+        };
+        // No line ends between a mark and its name.
+        let name = match state.item() == Some(item) {
+            true => format!("{STRONG}{}{STRONG:#}", item.name()),
+            false => item.name().to_owned(),
+        };
+        format!("{style}{mark}{style:#}\u{a0}{name}")
+    };
+    let items: Vec<String> = state.items.iter().map(item).collect();
+    items.join("  ")
 }
 
 fn happened(state: &State) -> String {

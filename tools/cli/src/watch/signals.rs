@@ -1,4 +1,4 @@
-//! Being asked to end by a signal: an interrupt, a hang-up of the terminal.
+//! Signals that end the program: an interrupt, a hang-up of the terminal.
 
 use std::sync::mpsc::Sender;
 

@@ -1,4 +1,4 @@
-//! What is known, what is shown, and what follows from an event.
+//! The state of the watch, and how events change it.
 //!
 //! Nothing here reads a file, a clock or a terminal. [`verdicts`] has what follows from
 //! saves and from what the judge says, [`walk`] what follows from keys.
@@ -12,21 +12,23 @@ use std::time::{Duration, Instant};
 
 use super::order::{Item, Order};
 use super::{Course, Event};
-use pinhole_course::assignment::Task;
+use pinhole_course::assignment::{Assignment, Task};
 use pinhole_course::error::Error;
 use pinhole_course::outcome::{Examination, Outcome, TaskOutcome};
 use pinhole_course::submission::Submission;
+use pinhole_report::finish::Finish;
 
 /// The whole watch.
 pub struct State {
-    /// What there is to do, in the assignment's order; the scenes come last.
+    /// What there is to do: the task to begin with, the others in the assignment's order, and
+    /// the scenes last.
     pub items: Vec<Item>,
-    /// Which of them is shown; `None` for all in a table.
+    /// Which of them is shown; `None` for the table of all.
     pub shown: Option<usize>,
     /// The newest verdict on everything that has one.
     pub known: Examination,
     stamps: BTreeMap<Item, Stamp>,
-    /// Since when saved answers wait for their verdict.
+    /// When the saved answers began to wait for their verdict.
     saved: BTreeMap<Item, Instant>,
     pub submission: Arc<Submission>,
     /// Counts the changes of the answers.
@@ -36,8 +38,8 @@ pub struct State {
     orders: u64,
     /// What the judge is asking just now, and since when.
     pub asking: Option<(String, Instant)>,
-    /// Whether there is a task to stay at: before, we are looking for the first one
-    /// with missing points.
+    /// Whether the student has reached a task to work on. Until then, we look for the
+    /// first one with missing points.
     settled: bool,
     /// Why nothing can be judged.
     pub problem: Option<Error>,
@@ -55,6 +57,7 @@ pub struct State {
     pub scenes: usize,
     /// All points that can be earned.
     possible: u32,
+    assignment: Assignment,
 }
 
 /// What belongs to a verdict.
@@ -67,10 +70,10 @@ struct Stamp {
     printed: String,
 }
 
-/// What is to be done outside.
+/// What the caller is to do.
 #[derive(Debug)]
 pub enum Act {
-    /// Judge these; call off whatever is being judged.
+    /// Judge these, and cancel what is being judged.
     Ask(Order),
     /// Show the report.
     Report,
@@ -83,6 +86,7 @@ impl State {
         let tasks = course.assignment.tasks.iter().map(|task| &task.name);
         let wanted = |name: &&String| course.tasks.is_empty() || course.tasks.contains(name);
         let mut items: Vec<Item> = tasks.filter(wanted).cloned().map(Item::Task).collect();
+        items.sort_by_key(|item| item.name() != course.assignment.start);
         if course.tasks.is_empty() {
             items.push(Item::Scenes);
         }
@@ -114,15 +118,16 @@ impl State {
             closing: false,
             scenes: course.goldens.scenes.len(),
             possible: possible(course),
+            assignment: course.assignment.clone(),
         }
     }
 
-    /// The first thing to do: every task.
+    /// The first order: every task.
     pub fn begin(&mut self) -> Vec<Act> {
         self.ask(Vec::new())
     }
 
-    /// What follows from an event.
+    /// Handles an event, and returns what to do next.
     pub fn step(&mut self, event: Event) -> Vec<Act> {
         match event {
             Event::Saved {
@@ -166,7 +171,7 @@ impl State {
         }
     }
 
-    /// Whether what comes of this order is about the present answers.
+    /// Whether this order is about the present answers.
     pub fn awaits(&self, order: u64) -> bool {
         let awaited = self.order.as_ref().map(|order| order.number);
         awaited == Some(order)
@@ -215,11 +220,24 @@ impl State {
         }
     }
 
+    /// Whether an item waits for an answer: its own, or one that it needs.
+    pub fn is_open(&self, item: &Item) -> bool {
+        match item {
+            Item::Task(_) => self.task(item).is_some_and(TaskOutcome::is_unanswered),
+            Item::Scenes => false,
+        }
+    }
+
     /// How long the answer that is judged just now has waited since it was saved.
     pub fn waiting(&self, examination: &Examination, at: Instant) -> Option<Duration> {
         let task = examination.outcome.tasks.first()?;
         let saved = self.saved.get(&Item::Task(task.name.clone()))?;
         Some(at.saturating_duration_since(*saved))
+    }
+
+    /// What follows when everything is right.
+    pub fn finish(&self) -> Option<Finish> {
+        Finish::of(&self.known, &self.assignment)
     }
 
     /// Points earned, of all that can be earned.
@@ -232,7 +250,7 @@ impl State {
         self.notice = Some(what);
     }
 
-    /// To the beginning of the verdict, without hints.
+    /// Goes to the beginning of the verdict, without hints.
     fn top(&mut self) {
         self.hints = 0;
         self.scroll = 0;
@@ -272,7 +290,7 @@ impl State {
         self.ask(items)
     }
 
-    /// Orders these first, and then every task that has no verdict.
+    /// Orders these items first, and then every task that has no verdict.
     fn ask(&mut self, first: Vec<Item>) -> Vec<Act> {
         let mut items = first;
         for item in &self.items {

@@ -1,4 +1,4 @@
-//! The terminal: raw while we are watching, and as it was whatever happens.
+//! The terminal: in raw mode while we are watching, and restored whatever happens.
 
 use std::io::{self, Write, stdout};
 use std::panic;
@@ -60,7 +60,7 @@ impl Terminal {
         self.shown.clear();
     }
 
-    /// Leaves the last screen standing, and the shell's prompt below it.
+    /// Leaves the last screen in place, with the shell's prompt below it.
     pub fn leave(mut self, state: &mut State) -> Result<()> {
         self.show(state)?;
         drop(self);

@@ -43,7 +43,7 @@ fn reference_earns_every_point_from_both_judges() {
 }
 
 #[test]
-fn handout_is_six_times_unanswered_without_a_wall_of_panics() {
+fn handout_is_unanswered_in_every_task_without_panic_messages() {
     let ran = pinhole(&["check"]).expect_code(1).expect_out(" 0 / 100");
     assert_eq!(ran.out.matches("unanswered").count(), 6, "{}", ran.out);
     assert!(
@@ -87,6 +87,67 @@ fn a_stub_in_place_of_one_answer_costs_that_task_alone() {
     }
 }
 
+/// The path of a file as it opens from the top of the checkout.
+pub fn from_root(folder: &str, file: &str) -> String {
+    let path = std::path::Path::new(folder).join(file);
+    let path = path
+        .strip_prefix(pinhole_testing::root())
+        .expect("it is inside");
+    path.display().to_string()
+}
+
+#[test]
+fn what_the_worst_question_prints_stands_beside_it_and_so_do_warnings() {
+    let text = with_body(
+        "plane",
+        "let unused = 1; println!(\"min_t is {min_t}\"); return None;",
+    );
+    let folder = submission(&trusted(), "prints-one", &[("plane.rs", &text)]);
+    let ran = check(&folder, &["--task", "plane"]).expect_code(1);
+    let outcome = ran.json();
+    let task = task(&outcome, "plane");
+    let worst = task["groups"][0]["worst"].as_array().expect("a list");
+    let fact = |label: &str| {
+        let fact = worst.iter().find(|fact| fact["label"] == label);
+        fact.unwrap_or_else(|| panic!("no {label} in {worst:?}"))["text"].clone()
+    };
+    let printed = fact("printed").as_str().expect("a text").to_owned();
+    assert_eq!(
+        printed.lines().count(),
+        1,
+        "of this question alone: {printed}"
+    );
+    let asked = fact("ray").as_str().expect("a text").to_owned();
+    let (_, asked) = asked.split_once("min_t = ").expect("it has one");
+    assert_eq!(printed[..12], format!("min_t is {asked}")[..12]);
+    let warnings = task["warnings"].as_str().expect("a text");
+    assert!(warnings.contains("unused variable: `unused`"), "{warnings}");
+}
+
+#[test]
+fn packed_answers_are_a_submission_and_a_reset_answer_is_kept() {
+    let folder = submission(&trusted(), "pack", &[("plane.rs", "fn mine() {}")]);
+    let name = folder.to_str().expect("a plain name");
+    let zip = folder.join("answers.zip");
+    let zip = zip.to_str().expect("a plain name");
+    pinhole(&["check", name, "--task", "sphere", "--pack", zip])
+        .expect_code(0)
+        .expect_out("answers.zip holds 6 answers");
+    pinhole(&["check", zip, "--trust", "--task", "sphere"]).expect_code(0);
+    pinhole(&["reset", "plane", name])
+        .expect_code(0)
+        .expect_out("plane.rs.old");
+    let kept = std::fs::read_to_string(folder.join("plane.rs.old"));
+    assert_eq!(kept.expect("it is kept"), "fn mine() {}");
+    pinhole(&["check", name, "--task", "plane"])
+        .expect_code(1)
+        .expect_out("unanswered")
+        .expect_out(&format!("edit: {}:", from_root(name, "plane.rs")));
+    pinhole(&["reset", "no_such_task", name])
+        .expect_code(2)
+        .expect_err("name one of: ");
+}
+
 #[test]
 fn a_compile_error_shows_the_compilers_words_on_that_file_and_nothing_else() {
     let folder = submission(&trusted(), "compile-error", &[("plane.rs", "fn broken( {")]);
@@ -94,9 +155,9 @@ fn a_compile_error_shows_the_compilers_words_on_that_file_and_nothing_else() {
     let ran = pinhole(&["check", folder, "--task", "plane", "--task", "sphere"]).expect_code(1);
     let ran = ran
         .expect_out("does not compile")
-        .expect_out("src/plane.rs:1:13");
+        .expect_out(&format!("--> {}:1:13", from_root(folder, "plane.rs")));
     let ran = ran.expect_out("✓ sphere").expect_out("✗ plane");
-    for alien in ["src/main.rs", "aborting", "intersect_ray.rs"] {
+    for alien in ["main.rs", "aborting", "intersect_ray.rs"] {
         assert!(!ran.out.contains(alien), "{alien} in:\n{}", ran.out);
     }
 }
@@ -138,7 +199,8 @@ fn a_panic_is_told_with_file_and_line() {
         .expect("it is there")
         + 1;
     ran.expect_out(&format!(
-        "your code panicked at src/plane.rs:{line}: index out of bounds"
+        "your code panicked at {}:{line}: index out of bounds",
+        from_root(folder, "plane.rs")
     ));
 }
 
@@ -167,7 +229,7 @@ fn endless_recursion_is_called_a_stack_overflow() {
 }
 
 #[test]
-fn wrong_arguments_are_errors_that_teach() {
+fn wrong_arguments_are_errors_with_a_remedy() {
     pinhole(&["check", "--task", "cube"])
         .expect_code(2)
         .expect_err("name one of: viewing_ray");
@@ -247,7 +309,7 @@ fn many_checks_of_the_same_answers_at_once_do_not_disturb_each_other() {
 }
 
 #[test]
-fn a_file_that_the_compiler_does_not_survive_costs_its_own_task() {
+fn file_that_crashes_the_compiler_costs_its_own_task() {
     let text = format!("const N: i32 = {}1;", "-".repeat(120_000));
     let folder = submission(&trusted(), "dead-compiler", &[("plane.rs", &text)]);
     let examination = check(&folder, &[]).expect_code(1).json();

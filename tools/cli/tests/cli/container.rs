@@ -1,49 +1,19 @@
-//! Where namespaces are forbidden, as in a container under Docker's default seccomp
-//! profile, there is a second kind of walls.
+//! The second kind of sandbox, for machines where namespaces are forbidden, as in a
+//! container under Docker's default seccomp profile.
 
-use std::process::{Command, Output};
+use std::process::Output;
 
 use serde_json::Value;
 
 use crate::check::{lost, task, with_body};
 use crate::hostile::SECRET;
+use crate::modes;
 use pinhole_testing::{root, submission};
 
-/// Runs `pinhole` where no namespace can be made, with the toolchain where every user
-/// can reach it. `None` if this machine cannot arrange that: not as root, say.
+/// Runs `pinhole` where no namespace can be made. `None` if this machine cannot arrange that.
 fn without_namespaces(arguments: &[&str]) -> Option<Output> {
-    let sysroot = Command::new("rustc").args(["--print", "sysroot"]).output();
-    let sysroot = String::from_utf8(sysroot.expect("there is rustc").stdout).expect("text");
-    let pinhole = env!("CARGO_BIN_EXE_pinhole");
-    let mut outer = Command::new("bwrap");
-    outer.args(["--dev-bind", "/", "/", "--cap-add", "ALL"]);
-    outer.args(["--ro-bind", sysroot.trim(), "/mnt"]);
-    // The same filter that confines submissions forbids them.
-    let limits = "--compiles --cpu 1000000 --memory 1000000000000 --processes 100000 \
-         --file-size 100000000000 --open-files 1000 --read / --write /";
-    outer
-        .args(["--", pinhole, "confine"])
-        .args(limits.split_whitespace());
-    outer.args(["--", pinhole]).args(arguments);
-    let path = std::env::var("PATH").expect("there is a PATH");
-    outer
-        .env("PATH", format!("/mnt/bin:{path}"))
-        .env_remove("RUSTUP_TOOLCHAIN")
-        .env_remove("CARGO")
-        .env_remove("RUSTC")
-        // Cargo puts the toolchain's own libraries here, and rustc looks beside them.
-        .env_remove("LD_LIBRARY_PATH")
-        .env(SECRET.0, SECRET.1)
-        .current_dir(root());
-    let id = Command::new("id")
-        .arg("-u")
-        .output()
-        .expect("there is `id`");
-    if id.stdout != b"0\n" {
-        eprintln!("only root can be another user: not tried");
-        return None;
-    }
-    Some(outer.output().expect("bubblewrap starts"))
+    let run = || modes::run(modes::CONTAINER, &[SECRET], arguments);
+    modes::can_be_tried(modes::CONTAINER).then(run)
 }
 
 fn json(output: &Output) -> Value {
@@ -169,5 +139,41 @@ fn in_a_container_code_runs_as_somebody_who_reads_and_reaches_nothing() {
     );
     let text = String::from_utf8_lossy(&checked.stdout);
     assert!(!text.contains("root:x:"), "the users were told");
+    std::fs::remove_dir_all(folder).expect("it was made");
+}
+
+#[test]
+fn without_landlock_a_container_is_refused_and_nothing_is_run() {
+    if !modes::can_be_tried(modes::WITHOUT_LANDLOCK) {
+        return;
+    }
+    let folder = submission(&std::env::temp_dir(), "no-landlock", &[]);
+    let name = folder.to_str().expect("a plain name");
+    let check = |sandbox: &str| {
+        let line = [
+            "check",
+            name,
+            "--task",
+            "plane",
+            "--json",
+            "--sandbox",
+            sandbox,
+        ];
+        let ran = modes::run(modes::WITHOUT_LANDLOCK, &[SECRET], &line);
+        (ran.status.code(), json(&ran))
+    };
+    let (code, refused) = check("container");
+    assert_eq!(code, Some(3), "{refused:#}");
+    let said = refused.to_string();
+    assert!(
+        said.contains("no Landlock") && said.contains("container-without-landlock"),
+        "{said}"
+    );
+    let (code, accepted) = check("container-without-landlock");
+    assert_eq!(code, Some(0), "{accepted:#}");
+    assert_eq!(
+        accepted["sandbox"], "container without Landlock (another user)",
+        "{accepted:#}"
+    );
     std::fs::remove_dir_all(folder).expect("it was made");
 }

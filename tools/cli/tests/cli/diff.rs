@@ -145,7 +145,7 @@ fn a_black_film_one_wrong_id_and_a_small_shift_of_t_fail() {
 }
 
 #[test]
-fn what_is_no_film_at_all_is_refused() {
+fn diff_refuses_a_file_that_is_not_a_film() {
     let folder = fresh(&trusted(), "diff-garbage");
     let garbage = folder.join("film.exr");
     std::fs::write(&garbage, b"no film").expect("it can be written");
@@ -159,7 +159,7 @@ fn what_is_no_film_at_all_is_refused() {
 }
 
 #[test]
-fn a_header_that_cannot_be_is_refused_by_both() {
+fn both_judges_refuse_an_impossible_header() {
     let mut bytes = std::fs::read(root().join(GOLDEN)).expect("goldens are committed");
     let name = b"pixelAspectRatio\0float\0";
     let found = bytes.windows(name.len()).position(|window| window == name);

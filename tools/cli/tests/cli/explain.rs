@@ -1,37 +1,79 @@
 //! `pinhole explain` and `pinhole render`.
 
-use pinhole_testing::{fresh, pinhole, trusted};
+use std::fs;
+
+use pinhole_testing::{fresh, pinhole, root, submission, trusted};
+
+const REFERENCE: &str = "assignments/ray_casting/reference";
 
 #[test]
 fn the_lectures_worked_example_comes_out_as_on_the_slides() {
-    pinhole(&["explain", "slide_example", "2", "3"])
-        .expect_code(0)
-        .expect_out("u(2) = −0.9, v(3) = −0.36")
-        .expect_out("t (−0.9, −0.36, −10)")
-        .expect_out("d = (−0.9, 6.81651, −7.32563)")
-        .expect_out("object 3   plane")
-        .expect_out("expected (Mitsuba)   object 3");
-}
-
-#[test]
-fn unanswered_tasks_are_explained_with_mitsubas_ray() {
-    pinhole(&[
+    let ran = pinhole(&[
         "explain",
         "slide_example",
         "2",
         "3",
         "--submission",
-        "assignments/ray_casting/handout",
-    ])
-    .expect_code(0)
-    .expect_out("viewing_ray: unanswered")
-    .expect_out("below, Mitsuba's ray is used")
-    .expect_out("first hit              unanswered");
+        REFERENCE,
+    ]);
+    let ran = ran
+        .expect_code(0)
+        .expect_out("expected   u(2) = −0.9, v(3) = −0.36")
+        .expect_out("yours      u = −0.9, v = −0.36")
+        .expect_out("yours      e = (0, 0, 0), d = (−0.9, −0.36, −10)")
+        .expect_out("expected   e = (0, 0, 0), d = (−0.9, −0.36, −10)")
+        .expect_out("d = (−0.9, 6.81651, −7.32563)")
+        .expect_out("object 3   plane")
+        .expect_out("Mitsuba's  object 3");
+    assert!(!ran.out.contains("differs"), "{}", ran.out);
+}
+
+#[test]
+fn a_wrong_ray_stands_above_the_right_one_with_what_it_printed() {
+    let right = std::fs::read_to_string(
+        pinhole_testing::root()
+            .join(REFERENCE)
+            .join("src/viewing_ray.rs"),
+    );
+    let wrong = right
+        .expect("it is there")
+        .replace("pixel.i as f64", "f64::from(dbg!(7u8))");
+    let folder = submission(
+        &trusted(),
+        "explain-wrong-ray",
+        &[("viewing_ray.rs", &wrong)],
+    );
+    let folder = folder.to_str().expect("a plain name");
+    let ran = pinhole(&["explain", "slide_example", "2", "3", "--submission", folder]);
+    ran.expect_code(0)
+        .expect_out("expected   u(2) = −0.9, v(3) = −0.36")
+        .expect_out("yours      u = −0.7, v = −0.36  ← differs")
+        .expect_out("viewing_ray.rs:")
+        .expect_out("7u8 = 7");
+}
+
+#[test]
+fn unanswered_tasks_are_explained_with_mitsubas_ray() {
+    pinhole(&["explain", "slide_example", "2", "3"])
+        .expect_code(0)
+        .expect_out("answers of assignments/ray_casting/handout")
+        .expect_out("viewing_ray: unanswered")
+        .expect_out("below, Mitsuba's ray is used")
+        .expect_out("first hit\n  yours      unanswered");
 }
 
 #[test]
 fn json_is_one_document_with_the_same_facts() {
-    let explanation = pinhole(&["explain", "slide_example", "2", "3", "--json"]).json();
+    let explanation = pinhole(&[
+        "explain",
+        "slide_example",
+        "2",
+        "3",
+        "--json",
+        "--submission",
+        REFERENCE,
+    ])
+    .json();
     assert_eq!(explanation["u"], -0.9);
     assert_eq!(explanation["first_hit"]["object"], 3);
     assert_eq!(explanation["candidates"].as_array().map(Vec::len), Some(4));
@@ -49,7 +91,15 @@ fn a_pixel_outside_the_film_is_refused_with_the_range() {
 fn render_writes_a_film_and_three_pictures() {
     let out = fresh(&trusted(), "render");
     let out_name = out.to_str().expect("a plain name");
-    let ran = pinhole(&["render", "slide_example", "--out", out_name, "--json"]);
+    let ran = pinhole(&[
+        "render",
+        "slide_example",
+        "--submission",
+        REFERENCE,
+        "--out",
+        out_name,
+        "--json",
+    ]);
     let rendered = ran.expect_code(0).json();
     assert_eq!(rendered["resolution"][0], 50);
     for file in ["film.exr", "id.png", "depth.png", "normal.png"] {
@@ -63,6 +113,42 @@ fn render_writes_a_film_and_three_pictures() {
     ])
     .expect_code(0)
     .expect_out("oiiotool agrees");
+}
+
+#[test]
+fn render_fills_in_missing_answers_from_the_golden_film() {
+    let stubs = root().join("assignments/ray_casting/handout/src");
+    let stub = |file| fs::read_to_string(stubs.join(file)).expect("a stub");
+    let missing = ["viewing_ray.rs", "first_hit.rs", "sphere.rs", "triangle.rs"];
+    let stubs = missing.map(|file| (file, stub(file)));
+    let overlay = stubs.each_ref().map(|(file, text)| (*file, text.as_str()));
+    let folder = submission(&trusted(), "only-plane", &overlay);
+    let out = fresh(&trusted(), "render-only-plane");
+    let (folder, out) = (
+        folder.to_str().expect("plain"),
+        out.to_str().expect("plain"),
+    );
+    let line = [
+        "render",
+        "two_spheres_and_plane",
+        "--submission",
+        folder,
+        "--out",
+        out,
+    ];
+    let told = pinhole(&[&line[..], &["--json"]].concat())
+        .expect_code(1)
+        .json();
+    assert_eq!(told["answered"], serde_json::json!(["plane"]), "{told:#}");
+    let golden = serde_json::json!(["first_hit", "viewing_ray", "sphere"]);
+    assert_eq!(told["from_golden"], golden, "{told:#}");
+    let film = format!("{out}/film.exr");
+    pinhole(&[
+        "diff",
+        "golden/ray_casting/two_spheres_and_plane.exr",
+        &film,
+    ])
+    .expect_code(0);
 }
 
 #[test]
@@ -111,6 +197,8 @@ fn the_readmes_pictures_are_what_render_draws() {
     pinhole(&[
         "render",
         "bunny",
+        "--submission",
+        REFERENCE,
         "--resolution",
         "480x270",
         "--out",

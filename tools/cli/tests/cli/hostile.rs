@@ -1,15 +1,16 @@
-//! Submissions that attack their grader, each with what must come of it.
+//! Submissions that attack their grader, each with its expected outcome.
 //!
 //! An attack lies in `plane.rs`, beside right answers to all else. Whatever it does,
 //! `sphere`, its neighbour, keeps every point; nothing of the secrets below shows; no
 //! process and no file is left; and it is over in time. An attack that *reaches* for
-//! something answers wrongly when it gets it: behind the walls it earns full points,
-//! and without them it must lose some, or the case proves nothing.
+//! something answers wrongly when it gets it: in the sandbox it earns full points, and
+//! without them it must lose some, or the case proves nothing.
 
 mod answering;
 mod compiling;
 mod files;
 mod memoriser;
+mod reaching;
 mod shown;
 
 use std::path::{Path, PathBuf};
@@ -21,15 +22,16 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 
 use crate::check::{lost, task, with_body};
-use pinhole_testing::{fresh, pinhole_with, root, submission};
+use crate::modes;
+use pinhole_testing::{fresh, ran, root, submission};
 
-/// What must come of an attack.
+/// The expected outcome of an attack.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fate {
-    /// It reaches for something that is not there: full points, but only with walls.
+    /// It looks for something that is not there: full points, but only in the sandbox.
     Walled,
-    /// It has full points, with walls or without: it is no attack at all, or one that
-    /// fails by itself.
+    /// It gets full points with or without a sandbox, because it is harmless or fails
+    /// by itself.
     Harmless,
     /// No points, and each group came to this kind of outcome.
     Outcome(&'static str),
@@ -72,10 +74,10 @@ pub fn file(name: &'static str, fate: Fate, top: &str) -> Attack {
     }
 }
 
-/// What stands in the environment of whoever grades.
+/// A variable in the grader's environment.
 pub const SECRET: (&str, &str) = ("PINHOLE_HOSTILE", "a-secret-of-the-instructor");
 
-/// Words that no attack may bring to light.
+/// Words that must not appear in any output.
 fn secrets() -> Vec<String> {
     let manifest = std::fs::read_to_string(root().join("golden/ray_casting/manifest.toml"));
     let manifest = manifest.expect("goldens are committed");
@@ -91,19 +93,20 @@ fn secrets() -> Vec<String> {
 /// No attack may take longer, however slow the machine: its limits and a margin.
 const MOST_SECONDS: u64 = 150;
 
-/// The walls this suite tries: bubblewrap, unless a container's are asked for.
+/// The sandbox that the whole suite uses: bubblewrap, unless another of [`modes`] is chosen.
 pub fn walls() -> String {
     std::env::var("PINHOLE_HOSTILE_WALLS").unwrap_or_else(|_| "bubblewrap".into())
 }
 
-/// Checks a folder or archive behind these walls, the two tasks alone.
+/// Checks the two tasks of a folder or archive in this sandbox.
 pub fn examine(path: &Path, walls: &str) -> Value {
     examine_for(path, walls, "4")
 }
 
 fn examine_for(path: &Path, walls: &str, seconds: &str) -> Value {
     let path = path.to_str().expect("a plain name");
-    let ran = pinhole_with(
+    let checked = modes::run(
+        walls,
         &[SECRET],
         &[
             "check",
@@ -114,12 +117,15 @@ fn examine_for(path: &Path, walls: &str, seconds: &str) -> Value {
             "sphere",
             "--json",
             "--no-report",
+            // The walls are to hold without it.
+            "--allow-everything",
             "--timeout",
             seconds,
             "--sandbox",
-            walls,
+            modes::sandbox(walls),
         ],
     );
+    let ran = ran(checked);
     assert!(
         [0, 1].contains(&ran.code),
         "{path}: exit code {}\n{}",
@@ -136,13 +142,14 @@ fn examine_for(path: &Path, walls: &str, seconds: &str) -> Value {
     ran.json()
 }
 
-/// What is wrong with how an attack went; empty if it met its fate.
+/// How an attack's outcome differs from the expected one; empty if it doesn't.
 fn problems(attack: &Attack, walls: &str) -> Vec<String> {
     let name = format!("hostile-{}-{walls}", attack.name.replace(' ', "-"));
     let folder = submission(&std::env::temp_dir(), &name, &[("plane.rs", &attack.text)]);
     let before = listing(&folder);
     let start = Instant::now();
-    // Memory is to end these, however long a busy machine takes to hand it out.
+    // The memory limit must end these, however long a busy machine takes to provide the
+    // memory.
     let seconds = match attack.fate {
         Fate::Outcome("out of memory") => "120",
         _ => "4",
@@ -207,7 +214,7 @@ fn listing(folder: &Path) -> Vec<PathBuf> {
 
 /// Tries all attacks, two at a time as a grader would.
 #[track_caller]
-pub fn all_meet_their_fate(attacks: &[Attack], walls: &str) {
+pub fn every_attack_has_its_expected_outcome(attacks: &[Attack], walls: &str) {
     let next = AtomicUsize::new(0);
     let problems = Mutex::new(Vec::new());
     std::thread::scope(|scope| {
@@ -227,8 +234,8 @@ pub fn all_meet_their_fate(attacks: &[Attack], walls: &str) {
     assert!(problems.is_empty(), "{}", problems.join("\n"));
 }
 
-/// Processes and files of the users that attacks run as. Other tests attack at the same
-/// time: theirs end one day, and what is left behind stays.
+/// Processes and files of the users that attacks run as. Those of other tests, which
+/// attack at the same time, end by themselves; those that are left behind stay.
 fn left_behind() -> Vec<String> {
     let mut left = strays();
     let start = Instant::now();
@@ -250,7 +257,7 @@ fn strays() -> Vec<String> {
     };
     let temp = std::env::temp_dir();
     let temp = temp.to_str().expect("a plain name");
-    let theirs = ["-maxdepth", "1", "-uid", "+61199", "-uid", "-65200"];
+    let theirs = ["-maxdepth", "1", "-uid", "+60705", "-uid", "-61184"];
     let places = [temp, "/proc", "/dev/shm", "/var/tmp"];
     places
         .iter()

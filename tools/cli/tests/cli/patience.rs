@@ -1,4 +1,4 @@
-//! How long `check` waits, and for what.
+//! How long `check` waits for answers.
 
 use pinhole_testing::{TASKS, submission, trusted};
 
@@ -64,7 +64,7 @@ fn a_loop_in_one_group_costs_that_group() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn what_nobody_reads_of_its_printing_goes_nowhere() {
+fn output_beyond_the_limit_is_discarded() {
     let text = with_body(
         "plane",
         "for _ in 0..100 { println!(\"{}\", \"x\".repeat(1000)); }

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use crate::browser::Browser;
-use crate::check::with_body;
+use crate::check::{from_root, with_body};
 use pinhole_testing::{TASKS, fresh, pinhole, root, submission, trusted};
 
 /// Scene of the tests: small, and with a sphere in front of a plane.
@@ -27,9 +27,10 @@ pub fn report(folder: &Path, arguments: &[&str]) -> PathBuf {
     let page = folder.join("report.html");
     let [folder, path] = [folder, &page].map(|path| path.to_str().expect("plain"));
     let all = [&["check", folder, "--report", path], arguments].concat();
+    let shown = from_root(folder, "report.html");
     pinhole(&all)
         .expect_code(1)
-        .expect_out(&format!("report: {path}"));
+        .expect_out(&format!("report: {shown}"));
     page
 }
 
@@ -109,7 +110,7 @@ pub fn assert_as_explained(browser: &Browser, folder: &Path, i: usize, j: usize)
 }
 
 #[test]
-fn what_a_student_prints_or_names_is_text_and_nothing_else() {
+fn student_text_in_a_report_is_only_text() {
     let evil =
         "</script><img src=x onerror='document.title=666'><script>document.title=666</script>";
     let panic = format!("println!(\"{evil}\"); panic!(\"{evil}\");");
@@ -143,7 +144,7 @@ fn what_a_student_prints_or_names_is_text_and_nothing_else() {
     );
     browser.expect_quiet();
 
-    // Were something to slip through, the policy would still not let it run.
+    // If something did slip through, the policy would still not let it run.
     browser.value("document.body.insertAdjacentHTML('beforeend', \"<img src='x' onerror='document.title=666'>\")");
     browser.value("document.body.append(Object.assign(document.createElement('script'), { textContent: 'document.title=666' }))");
     std::thread::sleep(std::time::Duration::from_millis(200));

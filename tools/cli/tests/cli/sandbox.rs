@@ -1,4 +1,4 @@
-//! What foreign code cannot reach, read or pass off as its own.
+//! What untrusted code cannot reach, read or claim as its own.
 
 use crate::check::{check, lost, task, with_body};
 use pinhole_testing::{fresh, pinhole, root, submission, trusted};
@@ -12,7 +12,7 @@ fn code_outside_the_checkout_sees_no_golden_while_compiling_or_running() {
         "sphere",
         &format!("if std::fs::metadata({golden:?}).is_ok() {{ return None; }}"),
     );
-    // Somebody listens on this machine; inside the walls nobody can be reached.
+    // A server listens on this machine; the sandbox can't reach it.
     let listener = std::net::TcpListener::bind("127.0.0.1:0").expect("a port is free");
     let address = listener.local_addr().expect("it is bound");
     let run_network = with_body(

@@ -24,7 +24,7 @@ struct Screen {
     pty: Arc<Pty>,
     /// Held open, so that the terminal outlives the watch.
     _pts: Pts,
-    /// All that was sent to the terminal, and what it shows.
+    /// Everything that was sent to the terminal, and the screen that results.
     seen: Arc<Mutex<(Vec<u8>, vt100::Parser)>>,
     before: Termios,
 }
@@ -71,7 +71,7 @@ impl Screen {
         seen.1.screen().contents()
     }
 
-    /// Waits until what a person sees is as it should be.
+    /// Waits until the screen is as it should be.
     #[track_caller]
     fn expect(&self, what: &str, is_there: impl Fn(&str) -> bool) -> String {
         let end = Instant::now() + LONG;
@@ -141,7 +141,7 @@ fn one_sided_plane() -> String {
 fn a_student_walks_from_the_first_wrong_task_to_the_scenes() {
     let folder = with_plane("screen-walk", &one_sided_plane());
     let mut screen = watch(&folder, &[]);
-    // The first two pass: it begins with the third.
+    // It begins with the task that is good to begin with.
     let text = screen.expect_text("✗ plane");
     assert!(
         text.contains("expected") && text.contains("q:quit"),
@@ -158,21 +158,22 @@ fn a_student_walks_from_the_first_wrong_task_to_the_scenes() {
     screen.expect_text("read: ");
 
     screen.press("n");
-    screen.expect_text("✓ triangle ");
+    screen.expect_text("✓ viewing_ray   14 / 14");
     screen.press("p");
-    let text = screen.expect_text("✗ plane");
+    let text = screen.expect_text("✗ plane   ");
     assert!(!text.contains("think: "), "hints start anew:\n{text}");
 
     screen.press("?");
     screen.expect_text("quit; so does Ctrl-C");
     screen.press("?");
-    screen.expect_text("✗ plane");
+    screen.expect_text("✗ plane   ");
 
     let right = root().join("assignments/ray_casting/reference/src/plane.rs");
     fs::copy(right, folder.join("plane.rs")).expect("it can be saved");
     screen.expect_text("every task passes; now the scenes");
     let text = screen.expect_text("12 / 12 scenes");
     assert!(text.contains("100 / 100 points"), "{text}");
+    assert!(text.contains("read next: the book"), "{text}");
 
     screen.press("a");
     screen.expect_text("viewing_ray");
@@ -187,7 +188,7 @@ fn a_save_replaces_the_verdict_and_the_screen_follows_the_student() {
     screen.expect_text("✗ plane");
     fs::write(folder.join("plane.rs"), "fn broken( {").expect("it can be saved");
     let text = screen.expect_text("does not compile");
-    assert!(text.contains("src/plane.rs:1:13"), "{text}");
+    assert!(text.contains("/plane.rs:1:13"), "{text}");
     assert!(!text.contains("expected  "), "an old verdict in:\n{text}");
     assert!(screen.expect_text("after you saved").contains("judged "));
 
@@ -225,7 +226,7 @@ fn the_screen_fits_whatever_size_it_gets() {
 }
 
 #[test]
-fn what_a_student_prints_never_reaches_the_terminal_as_it_is() {
+fn student_output_is_escaped_in_the_terminal() {
     let rude = r#"println!("\x1b]0;owned\x07\x1b[2J\x1b[31mrude"); eprintln!("\x1b[?1049h");"#;
     let text = with_body("plane", rude);
     let folder = with_plane("screen-rude", &text);

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-use super::{Assignment, ScenePoints, Task};
+use super::{Assignment, Dropped, Finish, ScenePoints, Task};
 use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
 
@@ -16,8 +16,11 @@ struct File {
     start: Option<String>,
     #[serde(default)]
     withheld: u32,
+    finish: Option<Finish>,
     task: Vec<Task>,
     scene: Vec<ScenePoints>,
+    #[serde(default)]
+    dropped: Vec<Dropped>,
 }
 
 impl Assignment {
@@ -81,6 +84,22 @@ impl Assignment {
                 "give a `shape` to tasks that intersect one, and to no others",
             ));
         }
+        let is_group = |dropped: &Dropped| {
+            file.task.iter().any(|task| {
+                let mut groups = task.points.iter().map(|points| &points.group);
+                groups.any(|group| dropped.group == format!("{}.{group}", task.name))
+            })
+        };
+        if let Some(dropped) = file.dropped.iter().find(|dropped| !is_group(dropped)) {
+            return Err(Error::input(
+                format!(
+                    "{}: there is no group `{}` to drop",
+                    path.display(),
+                    dropped.group
+                ),
+                "name a task and one of its groups: TASK.GROUP",
+            ));
+        }
         let first = file.task.first().map(|task| task.name.clone());
         Ok(Assignment {
             start: file.start.or(first).unwrap_or_default(),
@@ -90,6 +109,8 @@ impl Assignment {
             tasks: file.task,
             scenes: file.scene,
             withheld: file.withheld,
+            finish: file.finish,
+            dropped: file.dropped,
         })
     }
 

@@ -42,6 +42,26 @@ impl From<(String, u32, String)> for GroupPoints {
     }
 }
 
+/// A group of questions that does not count: an ambiguous one, say.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Dropped {
+    /// As `task.group`.
+    pub group: String,
+    /// What becomes of its points.
+    pub points: DroppedPoints,
+}
+
+/// What becomes of the points of a group that was dropped.
+#[derive(Clone, Copy, Debug, Deserialize, Eq, PartialEq)]
+#[serde(rename_all = "lowercase")]
+pub enum DroppedPoints {
+    /// Everybody gets them.
+    Given,
+    /// The other parts are worth more in proportion, so that the sum of all stays.
+    Rescaled,
+}
+
 /// A scene and what casting it right is worth.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -88,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn who_intersects_says_what_and_nobody_else_does() {
+    fn only_intersection_tasks_name_a_shape() {
         for (text, is_right) in [
             ("kind = \"intersect\"\nshape = \"disk\"", true),
             ("kind = \"intersect\"", false),
@@ -98,4 +118,14 @@ mod tests {
             assert_eq!(task(text).has_shape_if_it_takes_one(), is_right, "{text}");
         }
     }
+}
+
+/// What follows when all points are earned.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Finish {
+    /// The public scene whose picture, cast by the student's own answers, is shown.
+    pub scene: String,
+    /// The chapter to read next.
+    pub chapter: String,
 }

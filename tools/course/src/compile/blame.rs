@@ -39,7 +39,7 @@ struct Span {
 }
 
 impl Diagnostic {
-    /// Stands for what a compiler would have said that was killed or crashed.
+    /// A message in place of the compiler's, if it was killed or crashed.
     pub fn of_dead_compiler(finished: &Finished) -> Diagnostic {
         let said = String::from_utf8_lossy(&finished.stderr);
         let lines: Vec<&str> = said
@@ -61,19 +61,38 @@ impl Diagnostic {
     }
 }
 
-/// Errors by the answer they point at. An error that points at several answers is not blamed
-/// on any yet: two answers may contradict each other, and compiling each among stubs shows
-/// which one is wrong.
+/// Errors by the answer they point at. An error that points at several answers is not
+/// attributed to any yet. Compiling each of them among stubs shows which one is wrong.
 pub fn by_place(
     diagnostics: &[Diagnostic],
     submission: &Submission,
     already: &Replacements,
 ) -> Replacements {
-    let mut blamed: BTreeMap<String, String> = BTreeMap::new();
-    for diagnostic in diagnostics
-        .iter()
-        .filter(|diagnostic| diagnostic.level == "error")
-    {
+    let errors = of_level("error", diagnostics, submission, already);
+    errors
+        .into_iter()
+        .map(|(task, text)| (task, Replaced::DoesNotCompile(text)))
+        .collect()
+}
+
+/// Warnings by the answer they point at.
+pub fn warnings(
+    diagnostics: &[Diagnostic],
+    submission: &Submission,
+    already: &Replacements,
+) -> BTreeMap<String, String> {
+    of_level("warning", diagnostics, submission, already)
+}
+
+fn of_level(
+    level: &str,
+    diagnostics: &[Diagnostic],
+    submission: &Submission,
+    already: &Replacements,
+) -> BTreeMap<String, String> {
+    let mut told: BTreeMap<String, String> = BTreeMap::new();
+    let of_level = |diagnostic: &&Diagnostic| diagnostic.level == level;
+    for diagnostic in diagnostics.iter().filter(of_level) {
         let answers = diagnostic.spans.iter().filter_map(|span| {
             let stem = Path::new(&span.file_name).file_stem()?.to_str()?;
             submission.answer(stem).map(|answer| answer.task.clone())
@@ -83,19 +102,16 @@ pub fn by_place(
         if tasks.len() == 1
             && let Some(task) = tasks.pop_first()
         {
-            let text = blamed.entry(task).or_default();
+            let text = told.entry(task).or_default();
             if text.len() < MOST_TEXT {
                 text.push_str(cut(&diagnostic.rendered));
             }
         }
     }
-    blamed
-        .into_iter()
-        .map(|(task, text)| (task, Replaced::DoesNotCompile(text)))
-        .collect()
+    told
 }
 
-/// A person reads no more of the compiler's words on one file.
+/// The most text of the compiler's that is shown for one file.
 const MOST_TEXT: usize = 32 * 1024;
 
 fn cut(text: &str) -> &str {

@@ -21,37 +21,54 @@ const PROGRAM: &str = match cfg!(windows) {
     false => "submission",
 };
 
+/// Beside a program: what the compiler warned of, a JSON document on each line.
+const WARNINGS: &str = "warnings";
+
+/// Where answers lie, as the compiler sees it.
+pub const SRC: &str = "src";
+
 /// File names and texts of a whole program.
 pub type Sources = BTreeMap<String, String>;
 
 /// What the compiler made of sources.
 pub enum Built {
-    Program(PathBuf),
+    Program {
+        executable: PathBuf,
+        /// What the compiler warned of.
+        warnings: Vec<Diagnostic>,
+    },
     Refused(Vec<Diagnostic>),
 }
 
-/// Compiles sources into a folder of `programs`, unless it is there already.
+/// Compiles sources into a folder of `programs`, unless it is there already. Messages of the
+/// compiler and of panics name the files as if they lay in the folder `shown_in`.
 ///
 /// # Errors
 /// If a file cannot be written, or the compiler is not installed.
 pub fn build(
     sources: &Sources,
+    shown_in: &str,
     programs: &Path,
     harness: &Harness,
     sandbox: &Sandbox,
 ) -> Result<Built> {
-    let folder = programs.join(fingerprint(sources, harness, sandbox));
+    let folder = programs.join(fingerprint(sources, shown_in, harness, sandbox));
     let executable = folder.join("out").join(PROGRAM);
     if executable.is_file() {
         prune::keep(&folder);
-        return Ok(Built::Program(executable));
+        let warnings = fs::read(folder.join(WARNINGS)).unwrap_or_default();
+        let warnings = blame::diagnostics(&warnings);
+        return Ok(Built::Program {
+            executable,
+            warnings,
+        });
     }
     let failed = Error::environment(
         format!("cannot write to {}", programs.display()),
         "free some disk space and check that the folder can be written",
     );
-    // A folder of its own until it is complete: another command may be compiling the
-    // same answers.
+    // Compile in a folder of its own, because another command may be compiling the same
+    // answers.
     static NEXT: AtomicUsize = AtomicUsize::new(0);
     let turn = NEXT.fetch_add(1, Ordering::Relaxed);
     let fresh = folder.with_extension(format!("{}-{turn}", std::process::id()));
@@ -67,18 +84,27 @@ pub fn build(
     let mut rustc = sandbox
         .compiler(&fresh, &harness.folder, &limits)
         .or_fail(&not_started)?;
-    arguments(&mut rustc, harness);
+    arguments(&mut rustc, harness, shown_in);
     let finished = timed("rustc", || sandbox.compile(rustc, &limits)).or_fail(&not_started)?;
     if finished.status.success() && is_program(&out.join(PROGRAM)) {
+        fs::write(fresh.join(WARNINGS), &finished.stderr).or_fail(&failed)?;
+        let built = Built::Program {
+            executable: executable.clone(),
+            warnings: blame::diagnostics(&finished.stderr),
+        };
+        if !executable.is_file() {
+            // A folder without its program: somebody was stopped while deleting it.
+            let _gone_or_absent = fs::remove_dir_all(&folder);
+        }
         return match fs::rename(&fresh, &folder) {
             Err(_) if executable.is_file() => {
                 fs::remove_dir_all(&fresh).or_fail(&failed)?;
-                Ok(Built::Program(executable))
+                Ok(built)
             }
             renamed => {
                 renamed.or_fail(&failed)?;
                 prune::prune(programs);
-                Ok(Built::Program(executable))
+                Ok(built)
             }
         };
     }
@@ -101,7 +127,7 @@ fn said(finished: &Finished) -> Vec<Diagnostic> {
 }
 
 /// Relative paths only, so that the compiler names files as the student does.
-fn arguments(rustc: &mut Command, harness: &Harness) {
+fn arguments(rustc: &mut Command, harness: &Harness, shown_in: &str) {
     rustc.args([
         "src/main.rs",
         "--edition=2024",
@@ -110,9 +136,12 @@ fn arguments(rustc: &mut Command, harness: &Harness) {
     ]);
     rustc.args(["-Copt-level=2", "-Ccodegen-units=1", "-Cstrip=debuginfo"]);
     // An `i - 1` that wraps around shows as a panic in its line, not as a wrong picture.
-    rustc.args(["-Coverflow-checks=on", "-Awarnings", "-Funsafe_code"]);
+    rustc.args(["-Coverflow-checks=on", "-Funsafe_code"]);
     rustc.args(["--error-format=json", "--json=diagnostic-rendered-ansi"]);
     rustc.arg(format!("-oout/{PROGRAM}"));
+    if shown_in != SRC {
+        rustc.arg(format!("--remap-path-prefix={SRC}={shown_in}"));
+    }
     rustc
         .arg("-L")
         .arg(prefixed("dependency=", &harness.folder));
@@ -129,10 +158,11 @@ fn prefixed(prefix: &str, path: &Path) -> std::ffi::OsString {
     text
 }
 
-/// What is compiled, against what, and where: what a trusted compiler could read must
-/// not reach a walled one by way of a finished program.
-fn fingerprint(sources: &Sources, harness: &Harness, sandbox: &Sandbox) -> String {
+/// What is compiled, against what, and where. The place counts, because a program that
+/// a trusted compiler built may contain files that a sandboxed one must not read.
+fn fingerprint(sources: &Sources, shown_in: &str, harness: &Harness, sandbox: &Sandbox) -> String {
     let mut hash = Hash::new();
+    hash.update(format!("{}\n{shown_in}", shown_in.len()));
     hash.update(sandbox.fingerprint());
     for (name, text) in sources {
         hash.update((name.len() as u64).to_le_bytes());

@@ -6,16 +6,17 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use hmac_sha256::Hash;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
+use crate::progress::patiently;
+use crate::rust_tool::rust_tool;
 
 /// A folder with the libraries a submission needs, and nothing else of ours.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Harness {
     /// The folder: `-L dependency=`.
     pub folder: PathBuf,
@@ -41,22 +42,54 @@ struct Target {
 }
 
 impl Harness {
+    /// The libraries of this program's own build, in `scratch`. An earlier result is reused
+    /// without asking cargo, which takes 0.2 s: whatever changes the harness changes this program
+    /// too.
+    pub fn find(checkout: &Checkout, scratch: &Path) -> Result<Harness> {
+        let record = record_of_this_program(&scratch.join("harness"));
+        let known = record.as_deref().and_then(Harness::read);
+        if let Some(harness) = known {
+            return Ok(harness);
+        }
+        let harness = Harness::gather(checkout, scratch)?;
+        if let Some(record) = record {
+            harness.write(&record);
+        }
+        Ok(harness)
+    }
+
+    /// What a record says, if the libraries are still there.
+    fn read(record: &Path) -> Option<Harness> {
+        let harness: Harness = serde_json::from_slice(&fs::read(record).ok()?).ok()?;
+        let mut files = harness.externs.iter().map(|(_, file)| file);
+        files.all(|file| file.is_file()).then_some(harness)
+    }
+
+    fn write(&self, record: &Path) {
+        let new = record.with_extension(format!("new{}", std::process::id()));
+        let written = serde_json::to_vec(self).map_err(std::io::Error::other);
+        let written = written.and_then(|text| fs::write(&new, text));
+        // Without a record, cargo is asked again next time.
+        let _kept_or_not = written.and_then(|()| fs::rename(&new, record));
+    }
+
     /// Asks cargo for the libraries (it builds them if needed) and gathers them in a
-    /// folder of their own: cargo's holds the compiled reference as well.
-    pub fn gather(checkout: &Checkout) -> Result<Harness> {
-        let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
+    /// folder of their own, in `scratch`: cargo's holds the compiled reference as well.
+    fn gather(checkout: &Checkout, scratch: &Path) -> Result<Harness> {
+        let mut cargo = rust_tool("cargo", checkout.root());
         // Not `-p pinhole` alone: it would be built with other features. And not the default
         // members: in a student's repository, answers that may not compile are among them.
         cargo
-            .current_dir(checkout.root())
             .args(["build", "--quiet", "--message-format=json"])
             .args(["-p", "pinhole", "-p", "pinhole-cli"]);
         if !cfg!(debug_assertions) {
             cargo.arg("--release");
         }
-        let output = cargo
-            .output()
-            .or_environment("cannot start cargo", "install Rust from rustup.rs")?;
+        let what = "building the harness that answers are compiled against";
+        let output = patiently(what, &scratch.join("harness").join("seconds"), || {
+            cargo.output()
+        });
+        let output = output.or_environment("cannot start cargo", "install Rust from rustup.rs")?;
         if !output.status.success() {
             return Err(Error::environment(
                 format!(
@@ -67,14 +100,11 @@ impl Harness {
             ));
         }
         let mut libraries: Vec<(String, PathBuf)> = artifacts(&output.stdout).collect();
-        // Cargo names them in whatever order its threads come by them.
+        // Cargo names them in an order that changes from run to run.
         libraries.sort();
         // A folder for each state of the libraries: while one command compiles against
         // them, another may find that cargo has built new ones.
-        let folder = checkout
-            .scratch()
-            .join("harness")
-            .join(fingerprint(&libraries));
+        let folder = scratch.join("harness").join(fingerprint(&libraries));
         if !folder.is_dir() {
             fill(&folder, &libraries)?;
         }
@@ -97,6 +127,15 @@ impl Harness {
         }
         Ok(Harness { folder, externs })
     }
+}
+
+/// Where the libraries of this very build of the program are recorded.
+fn record_of_this_program(folder: &Path) -> Option<PathBuf> {
+    let program = std::env::current_exe().ok()?;
+    let metadata = fs::metadata(&program).ok()?;
+    let build = (metadata.len(), metadata.modified().ok()?);
+    let build = Hash::hash(format!("{}\n{build:?}", program.display()).as_bytes());
+    Some(folder.join(format!("{}.json", hex::encode(&build[..8]))))
 }
 
 /// The libraries that cargo names in its messages: crate and file.
@@ -153,5 +192,29 @@ fn fill(folder: &Path, libraries: &[(String, PathBuf)]) -> Result<()> {
         // Another command was quicker with the same.
         Err(_) if folder.is_dir() => fs::remove_dir_all(&fresh).or_fail(&failed),
         renamed => renamed.or_fail(&failed),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn record_is_valid_while_its_libraries_exist() {
+        let folder = tempfile::tempdir().unwrap();
+        let library = folder.path().join("libpinhole-0.rlib");
+        fs::write(&library, "").unwrap();
+        let harness = Harness {
+            folder: folder.path().to_owned(),
+            externs: vec![("pinhole".into(), library.clone())],
+        };
+        let record = record_of_this_program(folder.path()).unwrap();
+        assert!(Harness::read(&record).is_none());
+        harness.write(&record);
+        assert_eq!(Harness::read(&record).unwrap().externs, harness.externs);
+        fs::remove_file(library).unwrap();
+        assert!(Harness::read(&record).is_none());
+        fs::write(&record, "{").unwrap();
+        assert!(Harness::read(&record).is_none());
     }
 }

@@ -1,4 +1,5 @@
-//! Each save of an answer makes a program: the oldest go, or they would fill the disk.
+//! Deletes the oldest programs: every save of an answer makes one, and they would fill
+//! the disk.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,13 +9,13 @@ use std::time::{Duration, SystemTime};
 /// build.
 const KEPT: usize = 200;
 
-/// One that is younger may be about to be asked.
+/// A younger program may still be needed.
 const YOUNG: Duration = Duration::from_secs(15 * 60);
 
-/// Makes a program as young as if it had been made now: it is about to be asked.
+/// Marks a program as new, because it is about to be asked.
 pub fn keep(program: &Path) {
     let opened = fs::File::open(program);
-    // It may only go sooner.
+    // If this fails, the program is only deleted sooner.
     let _aged = opened.and_then(|folder| folder.set_modified(SystemTime::now()));
 }
 
@@ -42,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_oldest_go_and_the_young_stay() {
+    fn oldest_programs_are_deleted_and_young_ones_kept() {
         let folder = tempfile::tempdir().unwrap();
         for (name, age) in [("a", 3000), ("b", 2000), ("c", 4000), ("d", 10)] {
             let program = folder.path().join(name);

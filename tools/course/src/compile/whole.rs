@@ -24,7 +24,7 @@ pub struct Whole {
 
 impl Whole {
     /// Builds the submission in the folder that was named, or else in the current one, or
-    /// else the assignment's own.
+    /// else the handout.
     ///
     /// # Errors
     /// Also if one of its files does not compile.
@@ -34,7 +34,7 @@ impl Whole {
         named: Option<&Path>,
         options: &RunOptions,
     ) -> Result<Whole> {
-        let submission = Submission::named_or(named, assignment, &assignment.own_answers())?;
+        let submission = Submission::named_or(named, assignment, &assignment.handout())?;
         let choice = options.sandbox.choice();
         let sandbox = Sandbox::around(&submission.folder, checkout, choice, &[])?;
         let progress = Progress::new();

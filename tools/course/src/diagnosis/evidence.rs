@@ -1,4 +1,4 @@
-//! How far each known mistake agrees with one film.
+//! How well each known mistake agrees with one film.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -8,6 +8,7 @@ use pinhole::judge::Golden;
 
 use super::fingerprint::{FilmComparison, Fingerprint};
 use super::known::KnownMistakes;
+use super::parts::PartAgreement;
 use crate::error::Result;
 
 /// A film's wrong pixels, and what known mistakes say of them.
@@ -17,12 +18,15 @@ pub struct Evidence {
     pub failing: usize,
     /// How many pixels there are.
     pub pixels: usize,
+    /// In how many pixels each part is wrong, where the parts before it let us see it.
+    pub failing_parts: Vec<f64>,
     /// For each mistake that would show in this film.
     pub agreements: BTreeMap<String, Agreement>,
 }
 
-/// A mistake held against a film, in pixels; a sample speaks for all of them.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// A mistake compared with a film, counted in pixels. The counts are estimated from a
+/// sample.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Agreement {
     /// How many the mistake would get wrong.
     pub predicted: f64,
@@ -30,12 +34,16 @@ pub struct Agreement {
     pub touched: f64,
     /// How many are wrong in the mistake's own way.
     pub shared: f64,
-    /// How many of those that tell it from similar mistakes are otherwise.
+    /// How many of the pixels that distinguish it from similar mistakes disagree with
+    /// it.
     pub denied: f64,
+    /// The same part by part.
+    pub parts: Vec<PartAgreement>,
 }
 
 impl Evidence {
-    /// What the known mistakes say of a film; `None` if it cannot be compared.
+    /// The agreement of the known mistakes with a film; `None` if it cannot be
+    /// compared.
     pub fn of(
         name: &str,
         golden: &Golden,
@@ -57,39 +65,54 @@ impl Evidence {
             touched: failing as f64,
             ..Agreement::default()
         };
-        agreements.extend(known.panicking(name).map(|slug| (slug.clone(), panicking)));
+        agreements.extend(
+            known
+                .panicking(name)
+                .map(|slug| (slug.clone(), panicking.clone())),
+        );
         Ok(Some(Evidence {
             failing,
             pixels,
+            failing_parts: compared.failing_parts(),
             agreements,
         }))
     }
 
-    /// What the known mistakes say of a panic where `pixels` pixels were asked for.
+    /// The agreement of the known mistakes with a panic in a film of `pixels` pixels.
     pub fn of_panic(name: &str, pixels: usize, known: &KnownMistakes) -> Evidence {
         let all = Agreement {
             predicted: pixels as f64,
             touched: pixels as f64,
             shared: pixels as f64,
-            denied: 0.0,
+            ..Agreement::default()
         };
-        let agreements = known.panicking(name).map(|slug| (slug.clone(), all));
+        let agreements = known
+            .panicking(name)
+            .map(|slug| (slug.clone(), all.clone()));
         Evidence {
             failing: pixels,
             pixels,
+            failing_parts: Vec::new(),
             agreements: agreements.collect(),
         }
     }
 
     /// How well this mistake agrees; all zero if it would not show.
     pub fn agreement(&self, slug: &str) -> Agreement {
-        self.agreements.get(slug).copied().unwrap_or_default()
+        self.agreements.get(slug).cloned().unwrap_or_default()
+    }
+
+    /// How well this mistake agrees in one part.
+    pub fn part(&self, slug: &str, part: usize) -> PartAgreement {
+        let agreement = self.agreements.get(slug);
+        let part = agreement.and_then(|agreement| agreement.parts.get(part));
+        part.copied().unwrap_or_default()
     }
 }
 
 impl Agreement {
-    /// Wrong pixels of the film or of the mistake that the other has not, or has
-    /// otherwise.
+    /// Pixels that are wrong in only one of the two, the film and the mistake, or wrong
+    /// in different ways.
     pub fn apart(&self, failing: usize) -> f64 {
         let apart = self.predicted + failing as f64 - 2.0 * self.shared;
         apart.max(self.denied)
@@ -111,5 +134,6 @@ fn agreement(film: &FilmComparison, print: &Fingerprint) -> Agreement {
         touched: share(touched),
         shared: share(shared).min(film.failing() as f64),
         denied: denied as f64,
+        parts: PartAgreement::of(film, print),
     }
 }

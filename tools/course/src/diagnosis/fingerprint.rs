@@ -1,5 +1,5 @@
-//! What a known mistake does to a film: a sample of the pixels it gets wrong, with the
-//! values it leaves there.
+//! The fingerprint of a known mistake in a film: a sample of the pixels it gets wrong,
+//! with the values it leaves there.
 //!
 //! Whole films of every mistake would outweigh the goldens many times; a sample says
 //! as much, because a belief is a rule and shows wherever it applies.
@@ -48,11 +48,23 @@ enum Quantity {
     Other(Vec<usize>),
 }
 
-/// A film and the golden it is held against.
+/// What can be right while the rest of a film is wrong.
+enum Part {
+    /// Objects.
+    Id(usize),
+    /// A number or a vector.
+    Values(Vec<usize>),
+    /// A vector's length alone.
+    Length(Vec<usize>),
+}
+
+/// A film and the golden it is compared with.
 pub struct FilmComparison<'a> {
     film: Vec<&'a [f32]>,
+    expected: Vec<&'a [f32]>,
     tolerance: Vec<&'a [f32]>,
     quantities: Vec<Quantity>,
+    parts: Vec<Part>,
     wrong: Vec<bool>,
     failing: usize,
 }
@@ -81,7 +93,9 @@ impl<'a> FilmComparison<'a> {
             .collect();
         Some(FilmComparison {
             film,
+            expected,
             tolerance,
+            parts: parts(&quantities(&names)),
             quantities: quantities(&names),
             failing: wrong.iter().filter(|wrong| **wrong).count(),
             wrong,
@@ -114,6 +128,88 @@ impl<'a> FilmComparison<'a> {
                 Quantity::Other(_) if self.is_miss(values) => true,
                 Quantity::Other(places) => self.is_same(places, *pixel, values),
             })
+    }
+
+    /// How many parts are told apart.
+    pub fn parts(&self) -> usize {
+        self.parts.len()
+    }
+
+    /// In how many pixels each part is wrong, where it is seen.
+    pub fn failing_parts(&self) -> Vec<f64> {
+        let count = |part: usize| {
+            let wrong = (0..self.pixels()).filter(|pixel| self.is_part_wrong(part, *pixel));
+            wrong.count() as f64
+        };
+        (0..self.parts.len()).map(count).collect()
+    }
+
+    /// Whether a part is wrong in the film. Of another object nothing else is seen.
+    pub fn is_part_wrong(&self, part: usize, pixel: usize) -> bool {
+        self.is_wrong(pixel)
+            && self.is_seen(part, pixel, &|place| self.film[place][pixel])
+            && self.is_off(part, pixel, &|place| self.film[place][pixel])
+    }
+
+    /// Whether a mistake spoils a part in this pixel, and the film lets us see it.
+    pub fn shows_part(&self, part: usize, witness: &Witness) -> bool {
+        let Witness { pixel, values } = witness;
+        values.len() == self.film.len()
+            && *pixel < self.pixels()
+            && self.is_seen(part, *pixel, &|place| self.film[place][*pixel])
+            && self.is_seen(part, *pixel, &|place| values[place])
+            && self.is_off(part, *pixel, &|place| values[place])
+    }
+
+    /// Whether a part is as a mistake leaves it.
+    pub fn is_part_same(&self, part: usize, witness: &Witness) -> bool {
+        let Witness { pixel, values } = witness;
+        match &self.parts[part] {
+            Part::Id(place) => self.film[*place][*pixel] == values[*place],
+            Part::Values(places) => self.is_same(places, *pixel, values),
+            Part::Length(places) => {
+                let got = length(places, &|place| self.film[place][*pixel]);
+                let known = length(places, &|place| values[place]);
+                let tolerance = self.widest(places, *pixel).min(MOST_SAME * known);
+                (got - known).abs() <= tolerance.max(SAME * known)
+            }
+        }
+    }
+
+    /// Objects are always seen, and everything else where the object is right.
+    fn is_seen(&self, part: usize, pixel: usize, value: &dyn Fn(usize) -> f32) -> bool {
+        let mut ids = self
+            .parts
+            .iter()
+            .enumerate()
+            .filter_map(|(k, it)| match it {
+                Part::Id(place) if k != part => Some(*place),
+                _ => None,
+            });
+        ids.all(|id| value(id) == self.expected[id][pixel] && value(id) != MISS)
+    }
+
+    fn is_off(&self, part: usize, pixel: usize, value: &dyn Fn(usize) -> f32) -> bool {
+        // Written so that NaN is wrong.
+        let is_near = |place: usize| {
+            (value(place) - self.expected[place][pixel]).abs() <= self.tolerance[place][pixel]
+        };
+        match &self.parts[part] {
+            Part::Id(place) => !is_near(*place),
+            Part::Values(places) => !places.iter().all(|place| is_near(*place)),
+            Part::Length(places) => {
+                let expected = length(places, &|place| self.expected[place][pixel]);
+                let apart = (length(places, value) - expected).abs();
+                let allowed = 2.0 * self.widest(places, pixel) + SAME * expected;
+                let is_near = apart <= allowed;
+                !is_near
+            }
+        }
+    }
+
+    fn widest(&self, places: &[usize], pixel: usize) -> f32 {
+        let tolerances = places.iter().map(|place| self.tolerance[*place][pixel]);
+        tolerances.fold(0.0, f32::max)
     }
 
     fn is_miss(&self, values: &[f32]) -> bool {
@@ -212,4 +308,25 @@ fn quantities(names: &[String]) -> Vec<Quantity> {
             _ => Quantity::Other(places),
         })
         .collect()
+}
+
+fn parts(quantities: &[Quantity]) -> Vec<Part> {
+    let mut parts = Vec::new();
+    for quantity in quantities {
+        match quantity {
+            Quantity::Id(place) => parts.push(Part::Id(*place)),
+            Quantity::Other(places) => {
+                parts.push(Part::Values(places.clone()));
+                if places.len() > 1 {
+                    parts.push(Part::Length(places.clone()));
+                }
+            }
+        }
+    }
+    parts
+}
+
+fn length(places: &[usize], value: &dyn Fn(usize) -> f32) -> f32 {
+    let squares = places.iter().map(|place| value(*place).powi(2));
+    squares.sum::<f32>().sqrt()
 }

@@ -1,7 +1,7 @@
-//! The known mistakes as they lie beside the goldens: their words in `mistakes.toml`,
-//! their fingerprints in `FILM.mistakes.exr`.
+//! The known mistakes as they are stored beside the goldens: their words in
+//! `mistakes.toml`, their fingerprints in `FILM.mistakes.exr`.
 //!
-//! A checkout without the mistakes' sources, as students have it, diagnoses as well.
+//! A student's checkout has no sources of mistakes, and can diagnose all the same.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -64,7 +64,7 @@ impl KnownMistakes {
         )
     }
 
-    /// What stands in the file.
+    /// The text of the file.
     pub fn text(&self) -> Result<String> {
         let text = toml::to_string(self)
             .or_environment(format_args!("cannot write {FILE}"), "report this")?;

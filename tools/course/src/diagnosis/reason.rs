@@ -1,4 +1,4 @@
-//! From evidence to a name, or to none.
+//! Names the belief that the evidence supports, if one does.
 //!
 //! A belief is named only if it predicts nearly everything that is wrong, and little
 //! else, in every film: the agreement is the Jaccard index of the two sets of wrong
@@ -6,7 +6,7 @@
 
 use super::evidence::Evidence;
 use super::known::KnownMistakes;
-use super::{Diagnosis, Explanation, Reading};
+use super::{Diagnosis, Explanation, Reading, parts};
 
 /// Less agreement than this earns no name. Rewrites of known mistakes agree to 0.95 and
 /// more (`pinhole validate` measures it); a coincidence rarely passes one half.
@@ -15,10 +15,11 @@ const ENOUGH: f64 = 0.9;
 /// Two beliefs in one task spoil each other's pixels where they meet.
 const ENOUGH_TOGETHER: f64 = 0.8;
 
-/// Where fewer of a film's pixels are apart than this, rounding may have moved them.
+/// If a smaller share of a film's pixels disagrees than this, rounding may be the
+/// reason.
 const FEW: f64 = 0.01;
 
-/// More candidates than this say nothing.
+/// More candidates than this are no help to anybody.
 const MOST_ALIKE: usize = 3;
 
 impl KnownMistakes {
@@ -53,16 +54,12 @@ impl KnownMistakes {
                 _ => Diagnosis::default(),
             };
         }
-        match pair(films, &candidates) {
-            Some([one, other]) => {
-                let explained = |slug: &str| Sum::of(films, &[slug]).explained();
-                let beliefs = [one, other]
-                    .into_iter()
-                    .filter_map(|slug| self.explanation(slug, explained(slug)));
-                Diagnosis::of(beliefs.collect(), Reading::Together)
-            }
-            None => Diagnosis::default(),
-        }
+        let pair = pair(films, &candidates).map(|pair| pair.to_vec());
+        let held = pair.or_else(|| parts::partial(films, &candidates));
+        let explained = |slug: &str| Sum::of(films, &[slug]).explained();
+        let held = held.unwrap_or_default().into_iter();
+        let beliefs = held.filter_map(|slug| self.explanation(slug, explained(slug)));
+        Diagnosis::of(beliefs.collect(), Reading::Together)
     }
 
     /// A belief and what it explains of these films, whatever else is wrong in them.
@@ -139,7 +136,7 @@ struct Sum {
     shared: f64,
     /// What they predict and is right.
     absent: f64,
-    /// What only one of the two has, or where they differ.
+    /// What only one of the two gets wrong, or both in different ways.
     apart: f64,
     /// What a single pixel of each film adds up to.
     grain: f64,
@@ -169,7 +166,8 @@ impl Sum {
 
     /// 1 if the beliefs predict exactly what came, 0 if nothing of it.
     fn agreement(&self) -> f64 {
-        // Predicted and wrong otherwise is part of `failing` already.
+        // Pixels that are predicted, but wrong in another way, are counted in `failing`
+        // already.
         self.shared / (self.failing + self.absent).max(f64::MIN_POSITIVE)
     }
 

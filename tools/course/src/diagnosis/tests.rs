@@ -53,6 +53,7 @@ fn mistake() -> Mistake {
         hint: Hint {
             look: "look".into(),
             think: "think".into(),
+            example: None,
             read: "read".into(),
         },
     }
@@ -126,7 +127,7 @@ fn a_film_that_shows_half_of_a_mistake_gets_no_name() {
 }
 
 #[test]
-fn a_right_film_gets_no_name() {
+fn right_film_gets_no_diagnosis() {
     assert!(diagnosis(&[("late", &[&late(0.5)])], &[&film(right)]).is_empty());
 }
 
@@ -164,7 +165,7 @@ fn beliefs_that_look_alike_are_all_named_and_said_to_be_alike() {
 }
 
 #[test]
-fn where_many_beliefs_look_alike_none_is_named() {
+fn beliefs_that_look_alike_are_not_named_if_there_are_many() {
     let wrong = late(0.5);
     let films: [&Film; 1] = [&wrong];
     let known = ["a", "b", "c", "d"].map(|slug| (slug, films.as_slice()));
@@ -180,7 +181,7 @@ fn another_film_tells_apart_what_one_cannot() {
 }
 
 #[test]
-fn two_beliefs_at_once_are_both_named_where_each_shows_alone() {
+fn two_beliefs_are_both_named_if_each_shows_alone() {
     let (fine, far, near) = (film(right), late(0.5), late(-0.5));
     let known: [(&str, &[&Film]); 2] = [("far", &[&far, &fine]), ("near", &[&fine, &near])];
     let diagnosis = diagnosis(&known, &[&far, &near]);
@@ -224,4 +225,37 @@ fn a_mistake_that_panics_is_recognised_by_where_it_panics() {
     );
     assert!(explain([of("some", &far), of("none", &film(right))]).is_empty());
     assert!(explain([panic("some"), panic("none")]).is_empty());
+}
+
+/// Far from pixel 500 on, and these normals everywhere.
+fn late_with_normals(by: f32, z: f32) -> Film {
+    let film = late(by);
+    let channels = film.channels().iter().map(|channel| Channel {
+        name: channel.name.clone(),
+        samples: match channel.name == HIT_CHANNELS[4] {
+            true => vec![z; RESOLUTION.pixels()],
+            false => channel.samples.clone(),
+        },
+    });
+    Film::new(RESOLUTION, channels.collect())
+}
+
+#[test]
+fn beliefs_about_two_parts_are_both_named_where_they_meet_in_several_films() {
+    let (far, long) = (late(0.5), late_with_normals(0.0, 2.0));
+    let known: [(&str, &[&Film]); 2] = [("far", &[&far, &far]), ("long", &[&long, &long])];
+    let both = late_with_normals(0.5, 2.0);
+    assert_eq!(names(&diagnosis(&known, &[&both, &both])), ["far", "long"]);
+    assert!(diagnosis(&known, &[&both]).is_empty());
+    let other = late_with_normals(0.7, 3.0);
+    let unknown = diagnosis(&known, &[&other, &other]);
+    assert!(unknown.is_empty(), "{unknown:?}");
+}
+
+#[test]
+fn a_belief_that_explains_one_part_is_named_beside_something_unknown() {
+    let (far, long) = (late(0.5), late_with_normals(0.0, 2.0));
+    let known: [(&str, &[&Film]); 2] = [("far", &[&far, &far]), ("long", &[&long, &long])];
+    let film = late_with_normals(0.5, 3.0);
+    assert_eq!(names(&diagnosis(&known, &[&film, &film])), ["far"]);
 }

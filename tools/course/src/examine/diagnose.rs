@@ -1,19 +1,23 @@
-//! Diagnoses of an examination: what the known mistakes say of its films.
+//! Diagnoses of an examination: which known mistakes explain its films.
 
 use pinhole::Film;
+use pinhole::ask::Reply;
 use pinhole::judge::Golden;
 
+use crate::assignment::Task;
 use crate::diagnosis::evidence::Evidence;
+use crate::diagnosis::measure::Asked;
 use crate::diagnosis::{Diagnosis, Explanation, Reading};
 use crate::error::Result;
 use crate::goldens::Goldens;
-use crate::goldens::questions::QuestionFilm;
+use crate::goldens::questions::{QuestionFilm, Questions};
 use crate::outcome::{Examination, FilmOutcome, TaskOutcome};
 
-/// A belief that explains less of a scene than this is not mentioned there.
+/// A belief is mentioned at a scene only if it explains at least this share of its
+/// errors.
 const LEAST_SHARE: f64 = 0.02;
 
-/// What came of one film that was asked for.
+/// One film that was asked for, and its outcome.
 pub struct Cast<'a> {
     /// What was asked.
     pub asked: &'a QuestionFilm,
@@ -23,8 +27,28 @@ pub struct Cast<'a> {
     pub end: FilmOutcome,
 }
 
+/// What was asked of a task, and what came, for measuring: `replies` are those to its films, in
+/// the groups' order. Pixels of scenes are left to the scenes, because they may be withheld.
+pub fn asked<'a>(task: &Task, questions: &'a Questions, replies: &'a [Reply]) -> Vec<Asked<'a>> {
+    let films = questions.groups.iter().flat_map(|group| {
+        let of_scenes = task.is_of_scenes(&group.name);
+        group.films.iter().map(move |film| (film, of_scenes))
+    });
+    films
+        .zip(replies)
+        .filter(|((_, of_scenes), reply)| !of_scenes && reply.is_whole())
+        .filter_map(|((film, _), reply)| {
+            Some(Asked {
+                questions: film.job.questions()?,
+                answers: &reply.answers,
+                golden: &film.golden,
+            })
+        })
+        .collect()
+}
+
 impl Goldens {
-    /// Which belief spoils these films, which are all those of one task.
+    /// Which belief explains these films, which are all films of one task.
     pub fn diagnose_task(&self, task: &str, casts: &[Cast<'_>]) -> Result<Diagnosis> {
         // Everybody's panics look alike.
         if casts.iter().all(|cast| cast.film.is_none()) {
@@ -52,7 +76,8 @@ impl Goldens {
                 (None, FilmOutcome::Panicked { .. }) => {
                     evidence.push(Evidence::of_panic(&name, asked.job.len(), &self.known));
                 }
-                // Nothing else tells beliefs apart: no answer in time, say.
+                // For other failures, such as no answer in time, beliefs can't be told
+                // apart.
                 (None, _) => return Ok(Diagnosis::default()),
             }
         }
@@ -63,15 +88,16 @@ impl Goldens {
         Ok(self.known.explain(&evidence, &fails_here))
     }
 
-    /// Which belief spoils one film, of which nothing else is known.
+    /// Which belief explains one film, about which nothing else is known.
     pub fn diagnose_film(&self, name: &str, golden: &Golden, film: &Film) -> Result<Diagnosis> {
         let evidence = self.evidence(name, golden, film)?;
         Ok(self.known.explain(evidence.as_slice(), &|_| true))
     }
 
     /// Diagnoses the scenes. The beliefs that spoil single tasks say what is wrong with
-    /// the pictures. Only if no task was found wrong do pictures speak for themselves:
-    /// all together first, because what looks alike in one may differ in another.
+    /// the pictures. Pictures are diagnosed by themselves only if no task was found
+    /// wrong: first all together, because beliefs that look alike in one picture may
+    /// differ in another.
     pub fn diagnose_scenes(&self, examination: &mut Examination) -> Result<()> {
         let Examination { outcome, films } = examination;
         let (tasks, scenes) = (&outcome.tasks, &mut outcome.scenes);

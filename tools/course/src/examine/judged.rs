@@ -1,4 +1,4 @@
-//! From a reply to a film and its verdict.
+//! Turns a reply into a film and its verdict.
 
 use std::path::Path;
 
@@ -14,7 +14,7 @@ use crate::goldens::questions::QuestionFilm;
 use crate::outcome::FilmOutcome;
 use crate::timings::timed;
 
-/// How a film fared, and the film if it is whole.
+/// The outcome of a film, and the film if it is complete.
 pub(super) struct JudgedFilm {
     pub outcome: FilmOutcome,
     pub film: Option<Film>,
@@ -22,7 +22,7 @@ pub(super) struct JudgedFilm {
 }
 
 impl Examiner<'_> {
-    /// How the film of a reply fares; `task` if one answer was asked alone.
+    /// The outcome of a reply's film; `task` if one answer was asked alone.
     pub(super) fn judge(
         &self,
         reply: &Reply,

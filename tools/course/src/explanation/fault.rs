@@ -1,4 +1,4 @@
-//! Which task to read about, where a pixel is not what Mitsuba found.
+//! Which task to read about if a pixel differs from Mitsuba's.
 
 use pinhole::{Hit, Intersection, Kind, Ray, Shape, ShapeKind};
 
@@ -18,6 +18,22 @@ impl Explanation {
     ) -> Option<&'a Task> {
         let (kind, shape) = self.fault(objects)?;
         assignment.task_of_kind(kind, shape)
+    }
+
+    /// Whether there is a ray that is clearly not Mitsuba's.
+    pub fn ray_differs(&self) -> bool {
+        match (&self.ray, &self.mitsuba) {
+            (Ok(ray), Some(mitsuba)) => !same_ray(ray, &mitsuba.ray),
+            _ => false,
+        }
+    }
+
+    /// Whether there is a first hit that is clearly not Mitsuba's.
+    pub fn nearest_differs(&self) -> bool {
+        match (&self.nearest, &self.mitsuba) {
+            (Ok(nearest), Some(mitsuba)) => !same_hit(nearest, &mitsuba.hit),
+            _ => false,
+        }
     }
 
     /// Its kind, and the shape it intersects if it does.
@@ -41,8 +57,8 @@ impl Explanation {
         if same_hit(found, &mitsuba.hit) {
             return None;
         }
-        // The object that should be seen says so itself, or else it is at fault; if it does,
-        // another one that says it is nearer.
+        // The object that should be seen is at fault if its own answer is wrong. Otherwise
+        // it is an object that claims to be nearer.
         let wrong = match (mitsuba.hit, found) {
             (Some(expected), _) if !self.says(expected) => Some(expected.object),
             (Some(expected), Some(found)) => {
@@ -134,12 +150,13 @@ mod tests {
                 ray: RAY,
                 hit: hit(0, 2.0),
             }),
+            printed: Default::default(),
         };
         explanation.fault(&objects)
     }
 
     #[test]
-    fn who_is_sent_to_read_is_whose_answer_is_wrong_first() {
+    fn first_wrong_answer_decides_what_to_read() {
         let tilted = Ray {
             direction: DVec3::new(0.1, 0.0, -1.0),
             ..RAY

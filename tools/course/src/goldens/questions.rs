@@ -14,7 +14,7 @@ use crate::error::{Error, Result};
 use crate::goldens::{GoldenScene, Goldens};
 use crate::timings::timed;
 
-/// All that is asked of a task.
+/// All questions of a task.
 #[derive(Debug)]
 pub struct Questions {
     pub groups: Vec<Group>,
@@ -94,6 +94,13 @@ impl Goldens {
         of_scenes.map(|points| self.group(task, points)).collect()
     }
 
+    /// The groups of a task that do not ask about the scenes.
+    pub fn groups_without_scenes(&self, task: &Task) -> Result<Vec<Group>> {
+        let points = task.points.iter();
+        let others = points.filter(|points| !task.is_of_scenes(&points.group));
+        others.map(|points| self.group(task, points)).collect()
+    }
+
     /// The film of a scene.
     pub fn scene_film(&self, scene: &GoldenScene) -> Result<QuestionFilm> {
         let golden_path = self.folder.join(&scene.name).with_extension("exr");
@@ -143,7 +150,8 @@ impl Goldens {
         })
     }
 
-    fn probe(&self, task: &Task, group: &str) -> Result<QuestionFilm> {
+    /// The film of a task's group, which is not one of scenes.
+    pub fn probe(&self, task: &Task, group: &str) -> Result<QuestionFilm> {
         let stem = self
             .folder
             .join("probes")
@@ -196,6 +204,6 @@ fn read_golden(path: &Path) -> Result<Golden> {
 fn ours(error: pinhole::Error) -> Error {
     Error::environment(
         format!("{}: {}", error.path.display(), error.problem),
-        "restore the goldens, or make them again: cargo pinhole golden render",
+        "restore the goldens: git checkout -- golden",
     )
 }

@@ -51,11 +51,11 @@ impl Manifest {
                 "goldens in {} cannot be judged by: {first}{more}",
                 folder.display()
             ),
-            "restore them (git checkout), or make them again: cargo pinhole golden render",
+            "restore them: git checkout -- golden",
         ))
     }
 
-    /// Everything that is not as the manifest says.
+    /// Everything that differs from the manifest.
     ///
     /// # Errors
     /// If the scripts are there but cannot be compared.

@@ -35,7 +35,7 @@ pub(super) fn source_hash(path: &Path) -> Result<String> {
     }
 }
 
-/// The hash of what a file holds. Text is hashed with `\n` line ends, as git may check it
+/// The hash of a file's content. Text is hashed with `\n` line ends, as git may check it
 /// out with others.
 pub fn hash_of(path: &Path, mut bytes: Vec<u8>) -> String {
     let is_picture = path.extension().is_some_and(|extension| extension == "png");

@@ -1,9 +1,9 @@
-//! How something ended, in one word.
+//! How something ended, in a word or two.
 
 use serde::{Deserialize, Serialize};
 
-/// How a submission, a task or a group of questions ended, in one of eleven words. From the
-/// gravest to the best: a submission is called by the gravest of its tasks.
+/// How a submission, a task or a group of questions ended. From the gravest to the best: a
+/// submission has the gravest status among its tasks.
 #[derive(Clone, Copy, Debug, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]

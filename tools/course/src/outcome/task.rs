@@ -7,6 +7,7 @@ use super::{FilmOutcome, Status, sum};
 use crate::assignment::{GroupPoints, Task};
 use crate::compile::Replaced;
 use crate::diagnosis::Diagnosis;
+use crate::diagnosis::measure::Finding;
 use crate::submission::Unusable;
 
 /// One answer, judged alone.
@@ -21,7 +22,7 @@ pub struct TaskOutcome {
     pub points: u32,
     /// Points that its groups are worth.
     pub possible: u32,
-    /// What became of its file.
+    /// The state of its file.
     pub file: AnswerFile,
     /// Its groups of questions.
     pub groups: Vec<GroupOutcome>,
@@ -29,6 +30,13 @@ pub struct TaskOutcome {
     #[serde(with = "crate::diagnosis::or_null")]
     #[cfg_attr(test, schemars(with = "Option<Diagnosis>"))]
     pub diagnosis: Diagnosis,
+    /// What is measurably wrong in its answers, whether a belief explains it or not.
+    #[serde(default)]
+    pub measured: Vec<Finding>,
+    /// What the compiler warned of, where a student's own answer fails: its words, with their
+    /// colours; without in documents.
+    #[serde(default, serialize_with = "without_colours")]
+    pub warnings: String,
 }
 
 /// One group of questions, all-or-nothing.
@@ -43,22 +51,22 @@ pub struct GroupOutcome {
     pub points: u32,
     /// What it is worth.
     pub possible: u32,
-    /// How its films fared: the first that does not pass speaks for all.
+    /// The outcome of the first film that does not pass, if any.
     pub outcome: FilmOutcome,
-    /// The worst question: what was asked, expected and given. Empty where no answer is
-    /// wrong.
+    /// The worst question: what was asked, expected and given, or the question at which the
+    /// code panicked. Empty where no answer is wrong.
     #[cfg_attr(test, schemars(with = "Vec<super::tests::FactSchema>"))]
     pub worst: Vec<Fact>,
     /// Whether it passes the known questions and fails fresh ones.
     pub fails_fresh: bool,
 }
 
-/// What became of an answer's file.
+/// The state of an answer's file.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(tag = "state", rename_all = "lowercase")]
 pub enum AnswerFile {
-    /// It was judged. In all other states its stub was.
+    /// It was judged. In all other states, its stub was judged instead.
     Compiled,
     /// It is not there.
     Missing,
@@ -83,6 +91,7 @@ impl TaskOutcome {
         replaced: Option<&Replaced>,
         groups: Vec<GroupOutcome>,
         diagnosis: Diagnosis,
+        measured: Vec<Finding>,
     ) -> TaskOutcome {
         let mut outcome = TaskOutcome {
             name: task.name.clone(),
@@ -92,6 +101,8 @@ impl TaskOutcome {
             file: AnswerFile::of(replaced),
             groups,
             diagnosis,
+            measured,
+            warnings: String::new(),
         };
         outcome.add_up();
         outcome
@@ -110,7 +121,13 @@ impl TaskOutcome {
             )
         };
         let groups = task.points.iter().map(group).collect();
-        TaskOutcome::new(task, Some(replaced), groups, Diagnosis::default())
+        TaskOutcome::new(
+            task,
+            Some(replaced),
+            groups,
+            Diagnosis::default(),
+            Vec::new(),
+        )
     }
 
     pub(super) fn add_up(&mut self) {
@@ -142,7 +159,7 @@ impl TaskOutcome {
 }
 
 impl GroupOutcome {
-    /// A group that is worth so many points.
+    /// A group that is worth this many points.
     pub fn new(
         name: String,
         about: String,

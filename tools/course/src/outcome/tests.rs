@@ -147,7 +147,7 @@ fn an_outcome_is_read_back_as_it_was_written() {
     ];
     let mut outcome = Outcome::new("Ray casting", "ada".into(), "none");
     let none = Diagnosis::default();
-    outcome.tasks = vec![TaskOutcome::new(&task, None, groups, none)];
+    outcome.tasks = vec![TaskOutcome::new(&task, None, groups, none, Vec::new())];
     let replaced = states.iter().map(|why| TaskOutcome::replaced(&task, why));
     outcome.tasks.extend(replaced);
     for film in every_film_outcome() {
@@ -171,7 +171,7 @@ fn the_compilers_colours_stay_out_of_documents() {
 }
 
 #[test]
-fn a_submission_is_called_by_the_gravest_of_its_tasks_and_scenes() {
+fn submission_has_the_gravest_status_of_its_tasks_and_scenes() {
     let mut outcome = Outcome::new("Ray casting", "ada".into(), "none");
     assert_eq!(outcome.status(), Status::Graded);
     let died = FilmOutcome::Died { how: "how".into() };

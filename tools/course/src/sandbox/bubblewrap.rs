@@ -1,4 +1,5 @@
-//! Walls of namespaces, drawn by bubblewrap: what is not bound inside does not exist.
+//! The sandbox made by bubblewrap from Linux namespaces: files that are not bound
+//! inside don't exist there.
 
 use std::io;
 use std::os::unix::fs::chown;
@@ -9,20 +10,22 @@ use super::Limits;
 use super::budget::Budget;
 use super::confine;
 use super::syscalls::Purpose;
-use super::toolchain::{linker, next_uid, sysroot};
+use super::toolchain::{linker, sysroot};
+use super::user_id::UserId;
 use crate::checkout::Checkout;
+use crate::error::Result;
 
-/// What is needed to draw them.
+/// What is needed to make the sandbox.
 #[derive(Clone, Debug)]
 pub struct Bubblewrap {
     /// The toolchain, bound read-only.
     sysroot: PathBuf,
     /// This program, which confines the code further once it is inside.
     pinhole: PathBuf,
-    /// Whom the code runs as, if we are root. Otherwise it stays who we are, under
-    /// another number.
-    uid: Option<u32>,
-    /// What timeouts have cost so far.
+    /// The user that the code runs as if we are root. Otherwise the code runs as our
+    /// own user, under another number.
+    uid: Option<UserId>,
+    /// The time lost to timeouts so far.
     pub budget: Budget,
 }
 
@@ -38,12 +41,14 @@ const PINHOLE_INSIDE: &str = "/pinhole";
 const UNCOUNTED: u64 = 1 << 20;
 
 impl Bubblewrap {
-    /// Tries whether walls can be drawn here; if not, says what bubblewrap says.
-    pub fn new(_: &Checkout) -> io::Result<Bubblewrap> {
+    /// Tries whether bubblewrap works here; if not, returns its message.
+    pub fn new(checkout: &Checkout) -> io::Result<Bubblewrap> {
+        let is_root = rustix::process::getuid().is_root();
+        let uid = is_root.then(UserId::reserve).transpose();
         let walls = Bubblewrap {
-            sysroot: sysroot().map_err(|error| io::Error::other(error.problem))?,
+            sysroot: sysroot(checkout).map_err(|error| io::Error::other(error.problem))?,
             pinhole: std::env::current_exe()?,
-            uid: rustix::process::getuid().is_root().then(next_uid),
+            uid: uid.map_err(|error| io::Error::other(error.problem))?,
             budget: Budget::default(),
         };
         walls.self_test()?;
@@ -52,13 +57,22 @@ impl Bubblewrap {
         Ok(walls)
     }
 
-    /// See [`Sandbox::anew`](super::Sandbox::anew).
-    pub fn new_instance(&self) -> Bubblewrap {
-        Bubblewrap {
-            uid: self.uid.map(|_| next_uid()),
+    /// See [`Sandbox::new_instance`](super::Sandbox::new_instance).
+    pub fn new_instance(&self) -> Result<Bubblewrap> {
+        Ok(Bubblewrap {
+            uid: self.uid.as_ref().map(|_| UserId::reserve()).transpose()?,
             budget: Budget::default(),
             ..self.clone()
-        }
+        })
+    }
+
+    fn uid(&self) -> Option<u32> {
+        self.uid.as_ref().map(UserId::number)
+    }
+
+    /// What of the system the code may read, wherever it lies.
+    pub fn visible(&self) -> [&Path; 2] {
+        [Path::new("/usr"), &self.sysroot]
     }
 
     /// The toolchain.
@@ -83,7 +97,7 @@ impl Bubblewrap {
     /// See [`Sandbox::compiler`](super::Sandbox::compiler).
     pub fn compiler(&self, folder: &Path, harness: &Path, limits: &Limits) -> io::Result<Command> {
         let out = folder.join("out");
-        if let Some(uid) = self.uid {
+        if let Some(uid) = self.uid() {
             chown(&out, Some(uid), Some(uid))?;
         }
         let mut command = self.bare();
@@ -148,14 +162,15 @@ impl Bubblewrap {
         command
     }
 
-    /// Closes the walls and confines what runs inside, which is to follow.
+    /// Makes the file system read-only and confines the program, whose command line is
+    /// to follow.
     fn confine(&self, command: &mut Command, limits: &Limits, purpose: Purpose) {
         command.args(["--remount-ro", "/", "--", PINHOLE_INSIDE]);
         let mut limits = *limits;
         if self.uid.is_none() && !counts_by_namespace() {
             limits.processes = UNCOUNTED;
         }
-        confine::arguments(command, &limits, purpose, self.uid);
+        confine::arguments(command, &limits, purpose, self.uid());
         for read in ["/usr", "/proc", "/dev"] {
             command.args(["--read", read]);
         }
@@ -177,7 +192,7 @@ fn counts_by_namespace() -> bool {
 }
 
 fn bind(command: &mut Command, how: &str, path: &Path) {
-    // Left to itself, bubblewrap makes folders on the way that only root may pass.
+    // By itself, bubblewrap would make parent folders that only root may enter.
     let mut above: Vec<&Path> = path.ancestors().skip(1).collect();
     above.retain(|folder| !folder.starts_with("/usr") && folder.parent().is_some());
     for folder in above

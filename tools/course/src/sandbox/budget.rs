@@ -1,4 +1,4 @@
-//! What one submission may lose to timeouts in all.
+//! The time that one submission may lose to timeouts in all.
 //!
 //! Code that waits for its limit in every group and every scene would take a hundred
 //! times that limit. Only what ran into a limit is counted: answers that come are
@@ -16,8 +16,8 @@ pub struct Budget {
     lost_millis: Arc<AtomicU64>,
 }
 
-/// Once this many limits of its own length are lost, every further question has but
-/// its shortest.
+/// Once this many whole limits are lost, every further question gets only its shortest
+/// time.
 const MOST_LOST: u32 = 4;
 
 impl Budget {

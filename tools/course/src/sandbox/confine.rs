@@ -1,8 +1,8 @@
-//! The inner wall: a new process of this program gives up every right that foreign code does
-//! not need, and then becomes that code.
+//! The inner part of both sandboxes: a new process of this program gives up every right that
+//! untrusted code does not need, and then becomes that code.
 //!
-//! It is what both sandboxes end in. Bubblewrap has drawn its walls by then; in a
-//! container, where it cannot, another user id and Landlock take their place.
+//! Both sandboxes use it. Bubblewrap has set up its namespaces by then. In a container,
+//! where it can't, another user id and Landlock take their place.
 
 use std::fmt::Display;
 use std::os::unix::process::CommandExt;
@@ -23,7 +23,7 @@ use super::syscalls::{self, Purpose};
 /// The hidden command's name.
 const CONFINE: &str = "confine";
 
-/// What is left to the code; see [`Limits`].
+/// The resources that the code may use; see [`Limits`].
 #[derive(Parser)]
 struct Confine {
     /// The user and group to become.
@@ -42,6 +42,9 @@ struct Confine {
     file_size: u64,
     #[arg(long)]
     open_files: u64,
+    /// As on a kernel that has no Landlock, for tests.
+    #[arg(long)]
+    without_landlock: bool,
     /// Refuse to run where Landlock is not in force.
     #[arg(long)]
     landlocked: bool,
@@ -63,7 +66,8 @@ pub fn arguments(command: &mut Command, limits: &Limits, purpose: Purpose, uid: 
         command.arg("--compiles");
     }
     // The kernel counts whole seconds of one process; the tree is watched from outside. On
-    // a busy machine that takes a while, and the same loop must not end now so, now so.
+    // a busy machine the watcher may be late, and the same loop should always end the same
+    // way.
     let cpu = limits.cpu.as_secs() + 5;
     for (name, value) in [
         ("--cpu", cpu),
@@ -96,7 +100,7 @@ fn run(confine: &Confine) -> ExitCode {
         eprintln!("pinhole: the confined program cannot be started: {error}");
         return ExitCode::from(NOT_CONFINED);
     };
-    eprintln!("pinhole: the walls could not be drawn: {what}");
+    eprintln!("pinhole: the sandbox could not be set up: {what}");
     ExitCode::from(NOT_CONFINED)
 }
 
@@ -123,7 +127,7 @@ fn give_up(confine: &Confine) -> Result<(), String> {
         (Resource::Memlock, 0),
         (Resource::Msgqueue, 0),
     ] {
-        // Who is bounded more tightly already may not be able to undo that.
+        // If a tighter limit is set already, we may not be allowed to raise it.
         let most = getrlimit(resource)
             .maximum
             .map_or(most, |least| least.min(most));
@@ -144,15 +148,15 @@ fn give_up(confine: &Confine) -> Result<(), String> {
         true => Purpose::Compile,
         false => Purpose::Answer,
     };
-    step("seccomp", syscalls::deny(purpose))
+    step("seccomp", syscalls::deny(purpose, confine.without_landlock))
 }
 
-/// A step with its name in front of what went wrong.
+/// Adds a step's name to its error.
 fn step<T, E: Display>(name: &str, result: Result<T, E>) -> Result<T, String> {
     result.map_err(|error| format!("{name}: {error}"))
 }
 
-/// Landlock: files and signals outside are out of reach, as far as this kernel knows how.
+/// Landlock: puts files and signals outside out of reach, as far as this kernel can.
 fn fence_files(confine: &Confine) -> Result<(), String> {
     let abi = ABI::V6;
     let fence = || {

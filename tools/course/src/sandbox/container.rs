@@ -1,21 +1,26 @@
-//! Walls where no namespace can be had, as under Docker's default seccomp profile: the
-//! code runs as a user that owns nothing, behind Landlock where the kernel has it.
+//! The sandbox for machines without namespaces, as under Docker's default seccomp
+//! profile: the code runs as a user that owns nothing, restricted by Landlock.
 //!
-//! Weaker than bubblewrap: what everyone may read in this container can be read unless
-//! Landlock forbids it. So it is for containers that hold one submission and are
-//! thrown away.
+//! Where the kernel has no Landlock, a file's mode alone keeps it from the code. Then this
+//! sandbox is refused, unless the user asks for it by name; and even then the checkout and
+//! everything else that is secret must be closed to the code's user. So what the code needs
+//! lies in a folder outside the checkout.
 
-use std::fs::{self, Permissions};
+use std::fs::{self, DirBuilder, Permissions};
 use std::io;
-use std::os::unix::fs::{PermissionsExt, chown};
+use std::os::unix::fs::{DirBuilderExt, PermissionsExt, chown};
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 use super::Limits;
 use super::budget::Budget;
 use super::confine;
 use super::syscalls::Purpose;
-use super::toolchain::{linker, next_uid, sysroot};
+use super::toolchain::{linker, sysroot};
+use super::user_id::UserId;
+use super::visible::refuse_visible;
 use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
 
@@ -24,16 +29,19 @@ use crate::error::{Error, Result, ResultExt};
 pub struct Container {
     sysroot: PathBuf,
     pinhole: PathBuf,
-    uid: u32,
+    uid: UserId,
     /// Whether the kernel guards files beyond what their modes say.
     landlocked: bool,
-    /// What timeouts have cost so far.
+    /// Holds what the code is compiled against, and the programs.
+    scratch: Arc<Scratch>,
+    /// The time lost to timeouts so far.
     pub budget: Budget,
 }
 
 impl Container {
-    /// Tries whether walls can be drawn here.
-    pub fn new(checkout: &Checkout, secrets: &[PathBuf]) -> Result<Container> {
+    /// Tries whether this sandbox works here. Without Landlock, that is an error unless
+    /// the user `accepts_modes` alone.
+    pub fn new(checkout: &Checkout, secrets: &[PathBuf], accepts_modes: bool) -> Result<Container> {
         if !rustix::process::getuid().is_root() {
             return Err(Error::environment(
                 "only root can run code as another user, and --sandbox container needs that",
@@ -41,46 +49,67 @@ impl Container {
             ));
         }
         let mut walls = Container {
-            sysroot: sysroot()?,
+            sysroot: sysroot(checkout)?,
             pinhole: std::env::current_exe()
                 .or_environment("cannot find this program's own file", "run this again")?,
-            uid: next_uid(),
+            uid: UserId::reserve()?,
             landlocked: true,
+            scratch: Arc::new(Scratch::new()?),
             budget: Budget::default(),
         };
         walls.landlocked = walls.self_test().is_ok();
         walls.self_test().or_environment(
             "code cannot be confined here",
-            "let every user read the checkout's target folder, or use --sandbox bubblewrap",
+            "use --sandbox bubblewrap, or another machine",
         )?;
-        walls.refuse_unreachable_toolchain()?;
+        walls.refuse_unreachable()?;
+        let visible: Vec<&Path> = SYSTEM
+            .iter()
+            .map(Path::new)
+            .chain([&*walls.sysroot])
+            .collect();
+        refuse_visible(&visible, checkout, secrets)?;
         if !walls.landlocked {
+            if !accepts_modes {
+                return Err(Error::environment(
+                    "this kernel has no Landlock, so nothing but file modes would keep code in \
+                     this container from what it must not read",
+                    "use bubblewrap, or a kernel with Landlock (Linux 5.13 or newer); in a \
+                     container that holds nothing else of value, you may pass --sandbox \
+                     container-without-landlock, and every result will say so",
+                ));
+            }
             walls.refuse_readable(checkout, secrets)?;
         }
         close_fds::set_fds_cloexec(3, &[]);
         Ok(walls)
     }
 
-    /// See [`Sandbox::anew`](super::Sandbox::anew).
-    pub fn new_instance(&self) -> Container {
-        Container {
-            uid: next_uid(),
+    /// See [`Sandbox::new_instance`](super::Sandbox::new_instance).
+    pub fn new_instance(&self) -> Result<Container> {
+        Ok(Container {
+            uid: UserId::reserve()?,
             budget: Budget::default(),
             ..self.clone()
-        }
+        })
     }
 
-    /// Which walls these are, for results.
+    /// The sandbox's name, for results.
     pub fn name(&self) -> &'static str {
         match self.landlocked {
             true => "container (another user, Landlock)",
-            false => "container (another user)",
+            false => "container without Landlock (another user)",
         }
     }
 
-    /// Whom the code runs as.
+    /// Where the harness and the programs are to lie.
+    pub fn scratch(&self) -> &Path {
+        &self.scratch.folder
+    }
+
+    /// The user that the code runs as.
     pub fn uid(&self) -> u32 {
-        self.uid
+        self.uid.number()
     }
 
     /// Whether a program can be run inside.
@@ -99,10 +128,10 @@ impl Container {
     /// See [`Sandbox::compiler`](super::Sandbox::compiler).
     pub fn compiler(&self, folder: &Path, harness: &Path, limits: &Limits) -> io::Result<Command> {
         let out = folder.join("out");
-        // Nobody else's code may look inside, or find the program there later.
+        // No other submission may look inside, or find the program there later.
         fs::set_permissions(folder, Permissions::from_mode(0o700))?;
-        chown(folder, Some(self.uid), Some(self.uid))?;
-        chown(&out, Some(self.uid), Some(self.uid))?;
+        chown(folder, Some(self.uid()), Some(self.uid()))?;
+        chown(&out, Some(self.uid()), Some(self.uid()))?;
         let mut command = self.confined(limits, Purpose::Compile);
         command.current_dir(folder);
         command.env("TMPDIR", &out);
@@ -129,48 +158,51 @@ impl Container {
     fn confined(&self, limits: &Limits, purpose: Purpose) -> Command {
         let mut command = Command::new(&self.pinhole);
         command.env_clear().env("PATH", "/usr/bin:/bin");
-        confine::arguments(&mut command, limits, purpose, Some(self.uid));
+        confine::arguments(&mut command, limits, purpose, Some(self.uid()));
         if self.landlocked {
             command.arg("--landlocked");
         }
         // Not /proc: it shows every process of the container.
-        for read in [
-            "/usr",
-            "/lib",
-            "/lib64",
-            "/bin",
-            "/etc/ld.so.cache",
-            "/dev/null",
-        ] {
+        for read in SYSTEM {
             command.args(["--read", read]);
         }
         command.args(["--write", "/dev/null"]);
         command
     }
 
-    /// Whether the code's user may read a file or folder.
-    fn reads(&self, path: &Path) -> bool {
-        let mut command = self.confined(&Limits::of_compiler(), Purpose::Answer);
-        command.arg("--read").arg(path);
-        command.args(["--", "/usr/bin/test", "-r"]).arg(path);
-        command.status().is_ok_and(|status| status.success())
+    /// Whether the code's user may do this to a file or folder: `-r`, read it, say.
+    fn may(&self, how: &[&str], path: &Path) -> bool {
+        how.iter().any(|how| {
+            let mut command = self.confined(&Limits::of_compiler(), Purpose::Answer);
+            command.arg("--read").arg(path);
+            command.args(["--", "/usr/bin/test", how]).arg(path);
+            command.status().is_ok_and(|status| status.success())
+        })
     }
 
-    fn refuse_unreachable_toolchain(&self) -> Result<()> {
+    fn refuse_unreachable(&self) -> Result<()> {
         let rustc = self.sysroot.join("bin").join("rustc");
-        match self.reads(&rustc) {
-            true => Ok(()),
-            false => Err(Error::environment(
+        if !self.may(&["-r"], &rustc) {
+            return Err(Error::environment(
                 format!("another user cannot reach {}", rustc.display()),
                 "install Rust where everyone may read it (RUSTUP_HOME=/opt/rustup, say), or let \
                  everyone pass through the folders above it (chmod a+x)",
+            ));
+        }
+        match self.may(&["-x"], self.scratch()) {
+            true => Ok(()),
+            false => Err(Error::environment(
+                format!("another user cannot reach {}", self.scratch().display()),
+                "set TMPDIR to a folder that everyone may pass through, such as /tmp",
             )),
         }
     }
 
+    /// A folder that may be passed through is open too: the names inside can be guessed.
     fn refuse_readable(&self, checkout: &Checkout, secrets: &[PathBuf]) -> Result<()> {
-        let own = [checkout.root().join("golden"), checkout.assignments()];
-        match own.iter().chain(secrets).find(|secret| self.reads(secret)) {
+        let own = [checkout.root().to_owned()];
+        let mut all = own.iter().chain(secrets);
+        match all.find(|secret| self.may(&["-r", "-x"], secret)) {
             None => Ok(()),
             Some(secret) => Err(Error::environment(
                 format!(
@@ -178,10 +210,50 @@ impl Container {
                     secret.display()
                 ),
                 format!(
-                    "chmod -R go-rwx {}",
+                    "chmod go-rwx {}",
                     crate::shell::in_shell(&secret.display().to_string())
                 ),
             )),
         }
+    }
+}
+
+/// What the code may read of the system.
+const SYSTEM: [&str; 6] = [
+    "/usr",
+    "/lib",
+    "/lib64",
+    "/bin",
+    "/etc/ld.so.cache",
+    "/dev/null",
+];
+
+/// A folder of root's that everyone may pass through and nobody else may list.
+#[derive(Debug)]
+struct Scratch {
+    folder: PathBuf,
+}
+
+impl Scratch {
+    fn new() -> Result<Scratch> {
+        static NEXT: AtomicU32 = AtomicU32::new(0);
+        let number = NEXT.fetch_add(1, Ordering::Relaxed);
+        let name = format!("pinhole-container-{}-{number}", std::process::id());
+        let folder = std::env::temp_dir().join(name);
+        // Of an earlier process of this number, which was killed.
+        let _absent = fs::remove_dir_all(&folder);
+        let made = DirBuilder::new().mode(0o711).create(&folder);
+        made.and_then(|()| fs::set_permissions(&folder, Permissions::from_mode(0o711)))
+            .or_environment(
+                format_args!("cannot make {}", folder.display()),
+                "remove it, or set TMPDIR to another folder",
+            )?;
+        Ok(Scratch { folder })
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _left_in_the_container = fs::remove_dir_all(&self.folder);
     }
 }

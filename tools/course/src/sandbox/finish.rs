@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use super::Limits;
 use super::watch::{Exceeded, Watch};
 
-/// What came of it.
+/// How a command ended.
 #[derive(Debug)]
 pub struct Finished {
     /// How it ended.

@@ -1,8 +1,8 @@
-//! What foreign code may not ask the kernel for.
+//! The system calls that untrusted code may not make.
 //!
-//! A list of what is denied, not of what is allowed: the compiler and its linker
-//! belong to the machine, and no list of theirs would hold for long. Whatever else
-//! gets through meets the other walls.
+//! A list of what is denied, not of what is allowed: the compiler and its linker belong
+//! to the machine, and a list of their calls would soon be out of date. Calls that are
+//! let through still face the rest of the sandbox.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use libc::{
     CLONE_NEWUTS, CLONE_THREAD,
 };
 use seccompiler::SeccompCmpArgLen::Dword;
-use seccompiler::SeccompCmpOp::MaskedEq;
+use seccompiler::SeccompCmpOp::{Eq, MaskedEq};
 use seccompiler::{
     BpfProgram, SeccompAction, SeccompCondition, SeccompFilter, SeccompRule, apply_filter,
 };
@@ -26,7 +26,7 @@ pub enum Purpose {
 }
 
 /// Other processes, the kernel itself, new namespaces, and memory that no limit counts.
-const NEVER: [libc::c_long; 42] = [
+const NEVER: [libc::c_long; 43] = [
     libc::SYS_ptrace,
     libc::SYS_process_vm_readv,
     libc::SYS_process_vm_writev,
@@ -50,6 +50,7 @@ const NEVER: [libc::c_long; 42] = [
     libc::SYS_umount2,
     libc::SYS_move_mount,
     libc::SYS_open_tree,
+    OPEN_TREE_ATTR,
     libc::SYS_fsopen,
     libc::SYS_fsconfig,
     libc::SYS_fsmount,
@@ -73,6 +74,9 @@ const NEVER: [libc::c_long; 42] = [
     libc::SYS_setpriority,
 ];
 
+/// Since Linux 6.15.
+const OPEN_TREE_ATTR: libc::c_long = 467;
+
 /// What only the compiler may do.
 const NEVER_WHILE_ANSWERING: [libc::c_long; 6] = [
     libc::SYS_socket,
@@ -83,16 +87,26 @@ const NEVER_WHILE_ANSWERING: [libc::c_long; 6] = [
     libc::SYS_setpgid,
 ];
 
-/// Denies it all to this process and whatever becomes of it.
+/// Landlock itself.
+const LANDLOCK: [libc::c_long; 3] = [
+    libc::SYS_landlock_create_ruleset,
+    libc::SYS_landlock_add_rule,
+    libc::SYS_landlock_restrict_self,
+];
+
+/// Denies all of this to this process and its children.
 ///
-/// What is denied looks as if this kernel had never heard of it.
-pub fn deny(purpose: Purpose) -> Result<(), Box<dyn std::error::Error>> {
-    Ok(apply_filter(&program(purpose)?)?)
+/// A denied call fails as if the kernel did not have it.
+pub fn deny(purpose: Purpose, landlock_too: bool) -> Result<(), Box<dyn std::error::Error>> {
+    Ok(apply_filter(&program(purpose, landlock_too)?)?)
 }
 
-fn program(purpose: Purpose) -> Result<BpfProgram, seccompiler::BackendError> {
+fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompiler::BackendError> {
     let mut rules: BTreeMap<i64, Vec<SeccompRule>> = BTreeMap::new();
     rules.extend(NEVER.map(|call| (call, Vec::new())));
+    if landlock_too {
+        rules.extend(LANDLOCK.map(|call| (call, Vec::new())));
+    }
     let mut clones = Vec::new();
     for namespace in [
         CLONE_NEWCGROUP,
@@ -110,8 +124,17 @@ fn program(purpose: Purpose) -> Result<BpfProgram, seccompiler::BackendError> {
         clones.push(clone_with(CLONE_THREAD, false)?);
         #[cfg(target_arch = "x86_64")]
         rules.extend(
-            [libc::SYS_fork, libc::SYS_vfork, libc::SYS_pipe].map(|call| (call, Vec::new())),
+            [
+                libc::SYS_fork,
+                libc::SYS_vfork,
+                libc::SYS_pipe,
+                libc::SYS_inotify_init,
+            ]
+            .map(|call| (call, Vec::new())),
         );
+        // It was told to end with the grader, and is not to change that.
+        let outlives = SeccompCondition::new(0, Dword, Eq, libc::PR_SET_PDEATHSIG as u64)?;
+        rules.insert(libc::SYS_prctl, vec![SeccompRule::new(vec![outlives])?]);
     }
     rules.insert(libc::SYS_clone, clones);
     // The same calls by their second set of numbers.

@@ -3,13 +3,16 @@
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
+use crate::checkout::Checkout;
 use crate::error::{Error, Result};
+use crate::rust_tool::rust_tool;
 
 /// The folder that holds rustc and its libraries.
-pub fn sysroot() -> Result<PathBuf> {
-    let output = Command::new("rustc").args(["--print", "sysroot"]).output();
+pub fn sysroot(checkout: &Checkout) -> Result<PathBuf> {
+    let output = rust_tool("rustc", checkout.root())
+        .args(["--print", "sysroot"])
+        .output();
     match output {
         Ok(output) if output.status.success() => Ok(PathBuf::from(
             String::from_utf8_lossy(&output.stdout).trim(),
@@ -21,9 +24,10 @@ pub fn sysroot() -> Result<PathBuf> {
     }
 }
 
-/// What links inside: gcc by name, for plain `cc` would go through /etc, which is not
-/// there. To name any linker turns off rustc's own default for Linux, the LLVM linker that
-/// comes with it; with that one compiling takes half the time, so it is asked for again.
+/// The linker to use inside: gcc by name, because plain `cc` would go through /etc, which
+/// is not there. Naming a linker turns off rustc's own default for Linux, the LLVM linker
+/// that comes with it. Compiling takes half the time with that one, so this asks for it
+/// again.
 pub fn linker(sysroot: &Path) -> Vec<OsString> {
     let mut arguments = vec!["-Clinker=gcc".into()];
     let targets = fs::read_dir(sysroot.join("lib/rustlib"))
@@ -37,17 +41,4 @@ pub fn linker(sysroot: &Path) -> Vec<OsString> {
         arguments.extend(["-Clink-arg=-fuse-ld=lld".into(), place]);
     }
     arguments
-}
-
-/// A user id that no system gives to people or services. Each sandbox of this program gets
-/// a different one, so that none can starve or signal another.
-pub fn next_uid() -> u32 {
-    use std::sync::atomic::{AtomicU32, Ordering};
-
-    static NEXT: AtomicU32 = AtomicU32::new(0);
-    const FIRST: u32 = 61_200;
-    const BLOCKS: u32 = 40;
-    const BLOCK: u32 = 100;
-    let block = std::process::id() % BLOCKS;
-    FIRST + block * BLOCK + NEXT.fetch_add(1, Ordering::Relaxed) % BLOCK
 }

@@ -1,4 +1,4 @@
-//! A process and its descendants, as `/proc` shows them.
+//! The processes of a tree, read from `/proc`.
 
 use std::fs;
 use std::os::unix::fs::MetadataExt;
@@ -43,8 +43,7 @@ fn duration(ticks: u64) -> Duration {
 
 /// Ends every process of a user id that belongs to foreign code alone.
 pub fn end_all_of(uid: u32) {
-    // They are few, for their number is bounded; but each may start another before its
-    // turn comes, until all stand still.
+    // First stop them all: each may start another one before it is killed.
     for signal in [Signal::STOP, Signal::KILL] {
         for _ in 0..50 {
             let left = processes_of(uid, signal);

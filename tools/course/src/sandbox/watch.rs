@@ -32,7 +32,7 @@ pub struct Watch {
 }
 
 impl Watch {
-    /// For what may take all it likes.
+    /// A watch without limits.
     pub fn nothing() -> Watch {
         Watch { looking: None }
     }
@@ -63,7 +63,8 @@ mod looking {
             let (enough, told) = mpsc::channel::<()>();
             let thread = std::thread::spawn(move || {
                 let first = Pid::from_raw(i32::try_from(pid).ok()?)?;
-                // Held from the start, so that no later process of that number is meant.
+                // Opened at the start, so that it can't mean a later process with the
+                // same id.
                 let handle = pidfd_open(first, PidfdFlags::empty()).ok()?;
                 loop {
                     if told.recv_timeout(PAUSE) != Err(RecvTimeoutError::Timeout) {

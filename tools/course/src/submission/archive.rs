@@ -1,9 +1,12 @@
 //! A submission that comes as a ZIP file. Nothing is unpacked to disk, and only the answers
 //! are unpacked at all.
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
-use std::io::{Cursor, Read};
+use std::fmt;
+use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
 use std::path::Path;
+use std::rc::Rc;
 
 use zip::ZipArchive;
 
@@ -11,106 +14,168 @@ use super::Unusable;
 use super::text::{self, MOST_BYTES, Text};
 use crate::error::{Error, Result, ResultExt};
 
-/// A longer archive holds more than answers.
+/// The longest archive that a student's own answers need.
 const MOST_ARCHIVE_BYTES: u64 = 16 << 20;
 
 /// An archive with more files is not a submission, and it would take long to read even their
 /// names.
-const MOST_ENTRIES: usize = 5000;
+const MOST_ENTRIES: usize = 50_000;
+
+/// The most that is read of an archive to list its contents, and again to unpack a file: what
+/// is read, not what the archive claims, bounds memory and time.
+const MOST_READ: u64 = 16 << 20;
 
 /// A file type in the upper bits of a mode, as Unix packs it.
 const FILE_TYPE: u32 = 0o170_000;
 const REGULAR: u32 = 0o100_000;
 
-/// An archive whose list of contents makes sense.
-pub struct Archive {
-    zip: ZipArchive<Cursor<Vec<u8>>>,
-    /// The index of each file, by its folders and name.
-    files: BTreeMap<Vec<String>, usize>,
+/// A ZIP file whose list of contents makes sense.
+pub struct Archive<R> {
+    zip: ZipArchive<Metered<R>>,
+    left: Rc<Cell<u64>>,
+    /// The index of each file, by its path, with `/` between its parts.
+    files: BTreeMap<String, usize>,
 }
 
-impl Archive {
+/// A reader that stops after a number of bytes.
+struct Metered<R> {
+    inner: R,
+    left: Rc<Cell<u64>>,
+}
+
+impl<R: Read> Read for Metered<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let most = usize::try_from(self.left.get()).unwrap_or(usize::MAX);
+        if most == 0 && !buffer.is_empty() {
+            return Err(io::Error::other("there is too much to read"));
+        }
+        let end = buffer.len().min(most);
+        let read = self.inner.read(&mut buffer[..end])?;
+        self.left.set(self.left.get() - read as u64);
+        Ok(read)
+    }
+}
+
+impl<R: Seek> Seek for Metered<R> {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.inner.seek(to)
+    }
+}
+
+/// Opens a student's own archive, named on the command line.
+///
+/// # Errors
+/// As [`Archive::new`], or if it is too long or the machine cannot read it.
+pub fn open(path: &Path) -> Result<Archive<Cursor<Vec<u8>>>> {
+    let refused = Error::input(
+        format!("{} is refused", path.display()),
+        "pack the answer files alone into a ZIP file, without a password",
+    );
+    // Read whole, so that what goes wrong later is the archive's own fault.
+    let unreadable = text::unreadable(path);
+    let file = text::open(path).or_fail(&unreadable)?;
+    if !file.metadata().or_fail(&unreadable)?.is_file() {
+        return Err(refused.because("it is neither a folder nor a regular file"));
+    }
+    let mut bytes = Vec::new();
+    file.take(MOST_ARCHIVE_BYTES + 1)
+        .read_to_end(&mut bytes)
+        .or_fail(&unreadable)?;
+    if bytes.len() as u64 > MOST_ARCHIVE_BYTES {
+        return Err(refused.because("it is longer than 16 MiB"));
+    }
+    Archive::new(Cursor::new(bytes)).map_err(|why| refused.because(why))
+}
+
+impl<R: Read + Seek> Archive<R> {
     /// Reads the list of contents.
     ///
     /// # Errors
-    /// If it is too long, or would put a file anywhere but below its own folder; or if the
-    /// machine cannot read it.
-    pub fn open(path: &Path) -> Result<Archive> {
-        let refused = Error::input(
-            format!("{} is refused", path.display()),
-            "pack the answer files alone into a ZIP file, without a password",
-        );
-        // Read whole, so that what goes wrong later is the archive's own fault.
-        let unreadable = text::unreadable(path);
-        let file = text::open(path).or_fail(&unreadable)?;
-        if !file.metadata().or_fail(&unreadable)?.is_file() {
-            return Err(refused.because("it is neither a folder nor a regular file"));
-        }
-        let mut bytes = Vec::new();
-        file.take(MOST_ARCHIVE_BYTES + 1)
-            .read_to_end(&mut bytes)
-            .or_fail(&unreadable)?;
-        if bytes.len() as u64 > MOST_ARCHIVE_BYTES {
-            return Err(refused.because("it is longer than 16 MiB"));
-        }
-        let mut zip = ZipArchive::new(Cursor::new(bytes))
-            .map_err(|error| refused.because(format!("it is no ZIP file ({error})")))?;
+    /// Why it is refused: it is no ZIP file, holds too much, or would put a file anywhere but
+    /// below its own folder.
+    pub fn new(inner: R) -> std::result::Result<Archive<R>, String> {
+        let left = Rc::new(Cell::new(MOST_READ));
+        let metered = Metered {
+            inner,
+            left: left.clone(),
+        };
+        let mut zip =
+            ZipArchive::new(metered).map_err(|error| format!("it is no ZIP file ({error})"))?;
         if zip.len() > MOST_ENTRIES {
-            return Err(refused.because(format!("it holds more than {MOST_ENTRIES} files")));
+            return Err(format!("it holds more than {MOST_ENTRIES} files"));
         }
         if zip.has_duplicate_names() {
-            return Err(refused.because("it holds two files of one name"));
+            return Err("it holds two files of one name".into());
         }
+        left.set(MOST_READ);
         let mut files = BTreeMap::new();
         for index in 0..zip.len() {
-            let entry = zip.by_index_raw(index).map_err(|error| {
-                refused.because(format!("its contents make no sense ({error})"))
-            })?;
-            let name = String::from_utf8_lossy(entry.name_raw()).into_owned();
-            let place = place(&name).map_err(|why| refused.because(format!("{name:?} {why}")))?;
-            if !entry.is_dir() && files.insert(place, index).is_some() {
-                return Err(refused.because(format!("{name:?} is there twice")));
+            let entry = zip
+                .by_index_raw(index)
+                .map_err(|error| format!("its contents make no sense ({error})"))?;
+            let name = text::name(entry.name_raw());
+            let path = plain_path(&name).map_err(|why| format!("{name:?} {why}"))?;
+            if !entry.is_dir() && files.insert(path, index).is_some() {
+                return Err(format!("{name:?} is there twice"));
             }
         }
-        Ok(Archive { zip, files })
+        Ok(Archive { zip, left, files })
     }
 
-    /// The folders in which answers may lie: at the top, in `src`, or in the same two
-    /// places of the only folder.
-    pub fn places(&self) -> Vec<Vec<String>> {
-        let src = "src".to_owned();
-        let mut places = vec![vec![], vec![src.clone()]];
-        let tops = self.files.keys().filter(|place| place.len() > 1);
-        let mut tops: Vec<&String> = tops.map(|place| &place[0]).collect();
-        tops.retain(|top| super::is_ordinary(top) && **top != src);
+    /// The paths of all files.
+    pub fn files(&self) -> impl Iterator<Item = &str> {
+        self.files.keys().map(String::as_str)
+    }
+
+    /// The folders in which answers may lie, each with `/` at its end: at the top, in `src`,
+    /// or in the same two places of the only folder.
+    pub fn places(&self) -> Vec<String> {
+        let mut places = vec![String::new(), "src/".into()];
+        let tops = self
+            .files()
+            .filter_map(|path| Some(path.split_once('/')?.0));
+        let mut tops: Vec<&str> = tops.collect();
+        tops.retain(|top| super::is_ordinary(top) && *top != "src");
         tops.dedup();
         if let [only] = tops[..] {
-            places.push(vec![only.clone()]);
-            places.push(vec![only.clone(), src]);
+            places.push(format!("{only}/"));
+            places.push(format!("{only}/src/"));
         }
         places
     }
 
-    /// Whether there is a file of this name.
-    pub fn holds(&self, folder: &[String], name: &str) -> bool {
-        self.files.contains_key(&within(folder, name))
+    /// Whether there is a file of this path.
+    pub fn holds(&self, path: &str) -> bool {
+        self.files.contains_key(path)
     }
 
     /// The text of a file, or why there is none.
-    pub fn text(&mut self, folder: &[String], name: &str) -> Text {
-        let refused = |why: &str| Unusable::Refused(why.into());
-        let wanted = within(folder, name);
-        let is_alike = |other: &Vec<String>| {
-            let alike = |(a, b): (&String, &String)| a.to_lowercase() == b.to_lowercase();
-            other.len() == wanted.len() && other.iter().zip(&wanted).all(alike)
-        };
-        let alike = self.files.keys().filter(|other| is_alike(other)).count();
-        let index = *self.files.get(&wanted).ok_or(Unusable::Missing)?;
-        if alike > 1 {
-            return Err(refused(
-                "there is another whose name differs only in capitals",
-            ));
+    pub fn text(&mut self, path: &str) -> Text {
+        let alike = self
+            .files()
+            .filter(|other| other.to_lowercase() == path.to_lowercase());
+        if alike.count() > 1 {
+            let why = "there is another whose name differs only in capitals";
+            return Err(Unusable::Refused(why.into()));
         }
+        let mut bytes = Vec::new();
+        self.unpack(path, MOST_BYTES + 1, &mut bytes)?;
+        text::of_bytes(bytes)
+    }
+
+    /// Unpacks the first `most` bytes of a file, whatever length the archive claims.
+    ///
+    /// # Errors
+    /// If it is missing, no regular file, encrypted or spoilt.
+    pub fn unpack(
+        &mut self,
+        path: &str,
+        most: u64,
+        to: &mut dyn Write,
+    ) -> std::result::Result<(), Unusable> {
+        let refused = |why: &str| Unusable::Refused(why.into());
+        let index = *self.files.get(path).ok_or(Unusable::Missing)?;
+        self.left.set(MOST_READ.max(2 * most));
         let raw = self.zip.by_index_raw(index);
         let raw = raw.map_err(|error| refused(&error.to_string()))?;
         if raw.encrypted() {
@@ -121,24 +186,16 @@ impl Archive {
             return Err(refused("it is not a regular file"));
         }
         drop(raw);
-        let entry = self.zip.by_index(index);
-        let entry = entry.map_err(|error| refused(&format!("it cannot be unpacked ({error})")))?;
-        let mut bytes = Vec::new();
-        // Whatever length the archive claims.
-        let unpacked = entry.take(MOST_BYTES + 1).read_to_end(&mut bytes);
-        unpacked.map_err(|error| refused(&format!("it cannot be unpacked ({error})")))?;
-        text::of_bytes(bytes)
+        let spoilt =
+            |error: &dyn fmt::Display| refused(&format!("it cannot be unpacked ({error})"));
+        let entry = self.zip.by_index(index).map_err(|error| spoilt(&error))?;
+        io::copy(&mut entry.take(most), to).map_err(|error| spoilt(&error))?;
+        Ok(())
     }
 }
 
-fn within(folder: &[String], name: &str) -> Vec<String> {
-    let mut place = folder.to_vec();
-    place.push(name.to_owned());
-    place
-}
-
-/// The folders and the name of an entry; some programs write `\` between them.
-fn place(name: &str) -> std::result::Result<Vec<String>, &'static str> {
+/// An entry's path with `/` between its parts; some programs write `\`.
+pub fn plain_path(name: &str) -> std::result::Result<String, &'static str> {
     if name.contains('\0') {
         return Err("has a NUL in its name");
     }
@@ -148,10 +205,10 @@ fn place(name: &str) -> std::result::Result<Vec<String>, &'static str> {
     let parts = name
         .split(['/', '\\'])
         .filter(|part| !part.is_empty() && *part != ".");
-    let parts: Vec<String> = parts.map(str::to_owned).collect();
-    match parts.iter().any(|part| part == "..") {
+    let parts: Vec<&str> = parts.collect();
+    match parts.contains(&"..") {
         true => Err("leads out of its folder"),
-        false => Ok(parts),
+        false => Ok(parts.join("/")),
     }
 }
 

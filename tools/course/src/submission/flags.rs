@@ -1,14 +1,12 @@
-//! What an instructor may want to look at in an answer: reaching for files, processes,
-//! the network, the compiler's environment. Flagged, never scored.
+//! Parts of an answer that an instructor may want to look at: it uses files, processes,
+//! the network or the compiler's environment. They are flagged and cost no points.
 //!
-//! The text is split into tokens as the compiler does it, so no comment or string is
-//! taken for code, and the inside of a macro is seen too. We don't parse it: parsers recurse,
-//! and an answer of 100,000 minus signs would overflow the grader's stack.
+//! No comment or string is taken for code, and the inside of a macro is seen too.
 
-use proc_macro2::{TokenStream, TokenTree};
 use serde::{Deserialize, Serialize};
 
 use super::Submission;
+use super::tokens::{PATH, Token, tokens};
 
 /// One thing to look at.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -22,7 +20,7 @@ pub struct Flag {
     pub what: String,
 }
 
-/// More of one answer tell nothing new.
+/// The most flags that are listed for one answer.
 const MOST_FLAGS: usize = 50;
 
 /// More numbers than this look like a table of results.
@@ -84,11 +82,8 @@ pub fn flags(submission: &Submission) -> Vec<Flag> {
 
 /// The flags of one answer.
 pub fn of_text(task: &str, text: &str) -> Vec<Flag> {
-    let Ok(stream) = text.parse::<TokenStream>() else {
-        // The compiler will refuse it too.
-        return Vec::new();
-    };
-    let tokens = flatten(stream);
+    // What has no tokens is refused by the compiler too.
+    let tokens = tokens(text).unwrap_or_default();
     let mut found = Finder {
         task,
         flags: Vec::new(),
@@ -98,69 +93,6 @@ pub fn of_text(task: &str, text: &str) -> Vec<Flag> {
     flags.dedup();
     flags.truncate(MOST_FLAGS);
     flags
-}
-
-/// A token, its delimiters told apart from what they hold.
-#[derive(Debug, PartialEq)]
-enum Token {
-    Word(String),
-    /// `::` is one.
-    Mark(char),
-    Number,
-    Text,
-}
-
-/// Stands for `::`; no Rust source has this character outside strings.
-const PATH: char = '∷';
-
-/// All tokens with their lines. Not by recursion: delimiters may be nested without end.
-fn flatten(stream: TokenStream) -> Vec<(Token, usize)> {
-    let mut flat: Vec<(Token, usize)> = Vec::new();
-    let mut open = vec![(stream.into_iter(), None)];
-    while let Some((tokens, close)) = open.last_mut() {
-        let Some(tree) = tokens.next() else {
-            let line = flat.last().map_or(1, |(_, line)| *line);
-            flat.extend(close.map(|mark| (Token::Mark(mark), line)));
-            open.pop();
-            continue;
-        };
-        let line = tree.span().start().line;
-        match tree {
-            TokenTree::Ident(word) => {
-                let word = word.to_string();
-                let plain = word.strip_prefix("r#").unwrap_or(&word).to_owned();
-                flat.push((Token::Word(plain), line));
-            }
-            TokenTree::Punct(mark) => match (mark.as_char(), flat.last_mut()) {
-                (':', Some((Token::Mark(before @ ':'), _))) => *before = PATH,
-                (mark, _) => flat.push((Token::Mark(mark), line)),
-            },
-            TokenTree::Literal(literal) => {
-                let is_number = literal
-                    .to_string()
-                    .starts_with(|c: char| c.is_ascii_digit());
-                flat.push((
-                    if is_number {
-                        Token::Number
-                    } else {
-                        Token::Text
-                    },
-                    line,
-                ));
-            }
-            TokenTree::Group(group) => {
-                let (begin, end) = match group.delimiter() {
-                    proc_macro2::Delimiter::Parenthesis => ('(', ')'),
-                    proc_macro2::Delimiter::Bracket => ('[', ']'),
-                    proc_macro2::Delimiter::Brace => ('{', '}'),
-                    proc_macro2::Delimiter::None => (' ', ' '),
-                };
-                flat.push((Token::Mark(begin), line));
-                open.push((group.stream().into_iter(), Some(end)));
-            }
-        }
-    }
-    flat
 }
 
 struct Finder<'a> {

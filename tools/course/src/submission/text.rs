@@ -1,4 +1,4 @@
-//! The text of one file that somebody else has made.
+//! The text of one untrusted file.
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, Read};
@@ -13,7 +13,7 @@ pub type Text = std::result::Result<String, Unusable>;
 /// An answer file longer than this is refused.
 pub const MOST_BYTES: u64 = 256 * 1024;
 
-/// Reads a file that is what it seems.
+/// Reads a regular file.
 ///
 /// # Errors
 /// If there is a file, but this machine cannot read it.
@@ -66,7 +66,20 @@ pub fn open(path: &Path) -> io::Result<File> {
     options.open(path)
 }
 
-/// Bytes as an answer's text.
+/// A file's name as people see it: two that differ are shown differently, even if they are no
+/// text.
+pub fn name(bytes: &[u8]) -> String {
+    let mut name = String::new();
+    for chunk in bytes.utf8_chunks() {
+        name.push_str(chunk.valid());
+        for byte in chunk.invalid() {
+            name.push_str(&format!("\\x{byte:02X}"));
+        }
+    }
+    name
+}
+
+/// Checks the bytes of an answer, and returns its text.
 pub fn of_bytes(bytes: Vec<u8>) -> Text {
     let refused = |why: &str| Err(Unusable::Refused(why.into()));
     if bytes.len() as u64 > MOST_BYTES {

@@ -6,15 +6,16 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use crate::cli::Grade;
-use crate::grade::cache::{Backlog, ResultCache, pretty};
+use crate::grade::cache::{Backlog, ResultCache, pretty, standing};
 use crate::grade::class::{self, Roll};
 use crate::grade::grader::clock::Pace;
 use crate::grade::grader::{Grader, fresh};
-use crate::grade::intake::{self, Entry, roster};
+use crate::grade::intake::{self, Entry, placement, roster};
+use crate::grade::policy::Policy;
 use crate::grade::provenance::{self, MadeWith, Tool};
-use crate::grade::queue::GradeQueue;
+use crate::grade::queue::{GradeQueue, valid};
 use crate::grade::redact::Withheld;
-use crate::grade::views::csv;
+use crate::grade::views::preview;
 use crate::grade::views::progress::GradingProgress;
 use crate::grade::views::summary::{ClassOutput, RunSummary};
 use pinhole_course::assignment::Assignment;
@@ -24,27 +25,41 @@ use pinhole_course::error::Result;
 use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
 use pinhole_course::progress::Progress;
-use pinhole_course::sandbox::Sandbox;
+use pinhole_course::sandbox::{Choice, Sandbox};
 use pinhole_course::timings::Timings;
 use pinhole_report::program::Status;
 
 pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let assignment = arguments.assignment.find(checkout, None)?;
     let roll = roll(arguments, &assignment)?;
+    let Some(out) = arguments.out.as_ref().filter(|_| !arguments.dry_run) else {
+        return preview::print(&roll, &assignment, arguments.json);
+    };
     let public = assignment.golden();
     let folder = arguments.golden.as_ref().unwrap_or(&public);
     let goldens = Goldens::find(folder, &assignment)?;
-    let cache = ResultCache::open(&arguments.out)?;
+    let cache = ResultCache::open(out)?;
+    let new: Vec<Entry> = roll.entries.clone();
+    let roll = match (roll.is_class, arguments.shard) {
+        (false, None) => roll.into_class(Roll::read(&cache.path(class::ROLL)).ok()),
+        _ => roll,
+    };
 
     let made = match (&arguments.fresh, arguments.no_fresh) {
         (_, true) => None,
         (Some(folder), _) => {
-            let seed = Manifest::read(folder)?.probe_seed.unwrap_or_default();
+            fresh::reserve(folder, fresh::Purpose::Grading)?;
+            let seed = Manifest::read(folder)?.probe_seed;
             Some((Goldens::read(folder, &assignment)?, seed))
         }
         (None, _) => {
             let folder = cache.path("fresh");
-            fresh::find_or_make(&folder, arguments.seed, &assignment, checkout)?
+            let questions = fresh::Questions {
+                folder,
+                seed: arguments.seed,
+                anew: arguments.regrade,
+            };
+            questions.find_or_make(&assignment, checkout)?
         }
     };
     for folder in [Some(folder), made.as_ref().map(|(fresh, _)| &fresh.folder)]
@@ -76,21 +91,28 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let secrets: Vec<PathBuf> = secrets
         .into_iter()
         .flatten()
-        .chain([arguments.out.clone()])
+        .chain([out.clone()])
+        .chain(arguments.paths.iter().cloned())
+        .chain(arguments.roster.clone())
+        .chain(arguments.policy.clone())
         .collect();
     // Submissions are never trusted for lying in the checkout.
     let sandbox = Sandbox::for_untrusted("submissions", checkout, arguments.walls(), &secrets)?;
     let of_manifest = |folder: &Path| provenance::of_file(&folder.join("manifest.toml"));
     let made_with = MadeWith {
-        judged_on: judged_on(arguments.golden.is_some(), made.is_some()),
-        seed: made.as_ref().map(|(_, seed)| *seed),
+        judged_on: judged_on(
+            arguments.golden.is_some(),
+            made.is_some(),
+            arguments.walls(),
+        ),
+        seed: made.as_ref().and_then(|(_, seed)| *seed),
         goldens: of_manifest(folder)?,
         fresh: made
             .as_ref()
             .map(|(fresh, _)| of_manifest(&fresh.folder))
             .transpose()?,
         assignment: provenance::of_assignment(&assignment)?,
-        tool: Tool::this()?,
+        tool: Tool::this(checkout)?,
         sandbox: sandbox.name().into(),
         timeout: arguments.timeout,
         reveal: (withheld.any() || made.is_some()).then_some(arguments.reveal),
@@ -103,44 +125,57 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         );
     }
     let progress = Progress::new();
-    progress.say("building");
-    let compiler = Compiler::new(&assignment, checkout, &sandbox)?;
-    let programs = programs(checkout, &cache);
-    progress.say("asking the reference");
-    let judges: Vec<&Goldens> = [Some(&goldens), made.as_ref().map(|(fresh, _)| fresh)]
-        .into_iter()
-        .flatten()
-        .collect();
-    let least = Duration::from_secs(arguments.timeout);
-    let pace = Pace::measure(&assignment, &judges, checkout, least)?;
-    let grader = Grader {
-        assignment: &assignment,
-        goldens: &goldens,
-        fresh: made.as_ref().map(|(goldens, _)| goldens),
-        withheld,
-        compiler: &compiler,
-        sandbox: &sandbox,
-        pace: &pace,
-        programs: &programs,
-        made_with: &made_with,
-    };
     cache.write(class::ROLL, &pretty(&roll)?)?;
-    let mine = intake::shard(roll.entries.clone(), arguments.shard);
-    Backlog::begin(&mine, &cache, &assignment, &made_with)?;
+    let mine = intake::shard(new, arguments.shard);
     let start = Instant::now();
-    let queue = GradeQueue {
-        grader: &grader,
-        cache: &cache,
-        regrade: arguments.regrade,
-        progress: GradingProgress::new(&progress, mine.len()),
-    };
-    let worked = queue.work(&mine, jobs(arguments));
+    let mut worked = Vec::new();
+    let mut to_grade = Vec::new();
+    for entry in &mine {
+        let valid = match arguments.regrade {
+            true => None,
+            false => valid(entry, &cache, &made_with, &assignment, &goldens.scenes)?,
+        };
+        match valid {
+            Some(valid) => worked.push(valid),
+            None => to_grade.push(entry.clone()),
+        }
+    }
+    Backlog::begin(&to_grade, &cache, &made_with)?;
+    if !to_grade.is_empty() {
+        progress.say("building");
+        let compiler = Compiler::new(&assignment, checkout, &sandbox)?;
+        let programs = programs(&sandbox.scratch(checkout), &cache);
+        progress.say("asking the reference");
+        let judges: Vec<&Goldens> = [Some(&goldens), made.as_ref().map(|(fresh, _)| fresh)]
+            .into_iter()
+            .flatten()
+            .collect();
+        let least = Duration::from_secs(arguments.timeout);
+        let pace = Pace::measure(&assignment, &judges, checkout, least)?;
+        let grader = Grader {
+            assignment: &assignment,
+            goldens: &goldens,
+            fresh: made.as_ref().map(|(goldens, _)| goldens),
+            withheld,
+            compiler: &compiler,
+            sandbox: &sandbox,
+            pace: &pace,
+            programs: &programs,
+            made_with: &made_with,
+        };
+        let queue = GradeQueue {
+            grader: &grader,
+            cache: &cache,
+            progress: GradingProgress::new(&progress, to_grade.len()),
+        };
+        worked.extend(queue.work(&to_grade, jobs(arguments)));
+        let _left_for_the_next_run = fs::remove_dir_all(&programs);
+    }
     Backlog::end(&cache);
     progress.clear();
     if arguments.timings {
         anstream::eprint!("{}", Timings::so_far());
     }
-    let _left_for_the_next_run = fs::remove_dir_all(&programs);
 
     let mut records = BTreeMap::new();
     let mut changes = Vec::new();
@@ -153,6 +188,12 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         records.insert(done.record.id.clone(), done.record);
     }
     class::sort_changes(&mut changes);
+    for entry in &roll.entries {
+        if arguments.shard.is_none() && !records.contains_key(&entry.id) {
+            // Submissions of an earlier run into the same folder.
+            records.extend(standing(&cache.of(&entry.id)).map(|record| (entry.id.clone(), record)));
+        }
+    }
     let roll = match arguments.shard {
         None => roll,
         // A shard reports only its own submissions; the merge says what was not handed in.
@@ -161,13 +202,11 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
             ..Roll::default()
         },
     };
-    if arguments.regrade {
-        cache.write("changes.csv", &csv::changes(&changes))?;
-    }
     let run = RunSummary {
         graded,
         seconds: start.elapsed().as_secs_f64(),
         changes,
+        is_regrade: arguments.regrade,
         faults,
     };
     let output = ClassOutput {
@@ -176,7 +215,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         formats: &arguments.format,
         as_json: arguments.json,
     };
-    Ok(super::of_class(output.write(&roll, &records, &run)?))
+    output.write(&roll, &records, &run)
 }
 
 fn jobs(arguments: &Grade) -> usize {
@@ -184,43 +223,60 @@ fn jobs(arguments: &Grade) -> usize {
     arguments.jobs.unwrap_or(cores)
 }
 
-/// Where this class's programs lie while they are asked, without those of a run that was
-/// killed. Not in `--out`: the user that the code runs as may have no access there.
-fn programs(checkout: &Checkout, cache: &ResultCache) -> PathBuf {
+/// The folder for this class's programs, emptied of those of a run that was killed. Not
+/// in `--out`: the user that the code runs as may have no access there.
+fn programs(scratch: &Path, cache: &ResultCache) -> PathBuf {
     let out = cache.path("");
     let out = out.canonicalize().unwrap_or(out);
     let name = provenance::sha256(out.as_os_str().as_encoded_bytes());
-    let programs = checkout.scratch().join("grading").join(&name[..16]);
+    let programs = scratch.join("grading").join(&name[..16]);
     let _absent = fs::remove_dir_all(&programs);
     programs
 }
 
-/// Students read this, so it does not name the seed: who knows it can make the questions.
-fn judged_on(own: bool, fresh: bool) -> String {
+/// Students read this, so it must not name the seed, from which the questions can be
+/// made.
+fn judged_on(own: bool, fresh: bool, walls: Choice) -> String {
     let goldens = if own {
         "the instructor's goldens"
     } else {
         "public goldens"
     };
-    match fresh {
+    let asked = match fresh {
         true => format!("{goldens} and fresh questions"),
         false => format!("{goldens} only"),
+    };
+    // Without a sandbox, an answer could come from anywhere.
+    match walls {
+        Choice::None => format!("{asked}, without a sandbox"),
+        _ => asked,
     }
 }
 
-/// What was handed in, and whose it is.
+/// The submissions, and the people who handed them in.
 fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
-    let intake = intake::find(&arguments.paths, assignment)?;
-    let people = arguments
-        .roster
-        .as_ref()
-        .map(|path| roster::read(path))
-        .transpose()?;
-    let placed = roster::place(&intake.entries, people.as_deref());
-    let counts = |entry: &Entry| !placed.superseded.contains_key(&entry.id);
-    Ok(Roll {
-        entries: intake.entries.into_iter().filter(counts).collect(),
+    let policy = arguments.policy.as_ref();
+    let policy = policy.map(|path| Policy::read(path)).transpose()?;
+    let roster = arguments.roster.as_ref();
+    let mut people = roster.map(|path| roster::read(path)).transpose()?;
+    for group in policy.iter().flat_map(|policy| &policy.groups) {
+        // What is called as a group is, one of its members has handed in.
+        let mut all = people.iter_mut().flatten();
+        if let Some(person) = all.find(|person| group.members.contains(&person.id)) {
+            person.logins.push(group.name.clone());
+        }
+    }
+    let intake = intake::find(&arguments.paths, assignment, people.as_deref())?;
+    let mut placed = placement::place(&intake.entries, people.as_deref());
+    placed.superseded = intake.superseded;
+    let mut roll = Roll {
+        entries: intake.entries,
+        people,
         placed,
         ignored: intake.ignored,
-    })
+        is_class: intake.is_class,
+        policy,
+    };
+    roll.find_groups();
+    Ok(roll)
 }

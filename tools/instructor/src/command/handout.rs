@@ -1,12 +1,15 @@
-//! `pinhole handout`: stubs from the reference, and what students get around them.
+//! `pinhole handout`: makes stubs from the reference, and a repository or an autograder
+//! around them.
+
+use std::path::PathBuf;
 
 use serde_json::json;
 
 use crate::cli::Handout;
-use crate::handout::{Repository, Written, write_gradescope};
+use crate::handout::{Repository, Written, vendor, write_gradescope, write_prairielearn};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
-use pinhole_course::error::Result;
+use pinhole_course::error::{Error, Result};
 use pinhole_course::progress::Progress;
 use pinhole_course::stubs;
 use pinhole_report::escape::printable_word;
@@ -16,8 +19,12 @@ pub fn run(checkout: &Checkout, arguments: &Handout) -> Result<Status> {
     let assignment = arguments
         .assignment
         .or(arguments.positional.as_deref(), checkout)?;
-    match (&arguments.out, &arguments.gradescope) {
-        (None, None) => stubs_in_place(&assignment, arguments),
+    match (
+        &arguments.out,
+        &arguments.gradescope,
+        &arguments.prairielearn,
+    ) {
+        (None, None, None) => stubs_in_place(&assignment, arguments),
         _ => hand_out(&assignment, checkout, arguments),
     }
 }
@@ -29,8 +36,15 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
     let mut document = json!({ "assignment": assignment.name });
     let mut words = String::new();
     if let Some(out) = &arguments.out {
-        let repository = Repository::of(assignment, checkout, arguments.book.as_deref())?;
+        let mut repository = Repository::of(assignment, checkout, arguments.book.as_deref())?;
+        if arguments.vendor {
+            repository.use_vendored_sources();
+        }
         let written = repository.write(out, arguments.force)?;
+        if arguments.vendor {
+            progress.say("vendoring");
+            vendor(out)?;
+        }
         let withheld: Vec<&str> = assignment
             .withheld_scenes()
             .map(|scene| scene.name.as_str())
@@ -60,6 +74,17 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
             in_words(&written)
         ));
     }
+    if let Some(folder) = &arguments.prairielearn {
+        let fresh = arguments.fresh.as_deref();
+        let written = write_prairielearn(assignment, checkout, fresh, arguments.reveal, folder)?;
+        let path = folder.display().to_string();
+        document["prairielearn"] = sizes(&path, &written);
+        words.push_str(&format!(
+            "wrote {path}: {}\n\nits README says how to make the image; the image holds every \
+             golden and our answers: give it to nobody\n",
+            in_words(&written)
+        ));
+    }
     progress.clear();
     match arguments.json {
         true => anstream::println!("{document:#}"),
@@ -77,11 +102,31 @@ fn in_words(written: &Written) -> String {
     format!("{} files, {megabytes:.1} MB", written.files)
 }
 
+/// A file that differs from what we would write may hold somebody's answer.
+fn refuse_unforced(stale: &[PathBuf], assignment: &Assignment, arguments: &Handout) -> Result<()> {
+    let there = stale
+        .iter()
+        .filter(|path| assignment.handout().join(path).exists());
+    let there: Vec<String> = there.map(|path| path.display().to_string()).collect();
+    if there.is_empty() || arguments.force {
+        return Ok(());
+    }
+    Err(Error::input(
+        format!(
+            "{} would be overwritten in {}",
+            there.join(", "),
+            assignment.handout().display()
+        ),
+        "look at what they hold; if it may go, say --force",
+    ))
+}
+
 /// The handout inside the checkout, generated anew or compared.
 fn stubs_in_place(assignment: &Assignment, arguments: &Handout) -> Result<Status> {
     let package = stubs::generate(assignment)?;
     let stale = stubs::out_of_step(&package, &assignment.handout());
     if !arguments.check {
+        refuse_unforced(&stale, assignment, arguments)?;
         stubs::write(&package, &assignment.handout())?;
     }
     let in_step = stale.is_empty() || !arguments.check;
@@ -98,12 +143,15 @@ fn stubs_in_place(assignment: &Assignment, arguments: &Handout) -> Result<Status
         let (stale, all) = (stale.len(), package.len());
         anstream::println!("{stale} of {all} files were out of step");
     } else if stale.is_empty() {
-        anstream::println!("the handout is in step with the reference");
+        anstream::println!("the handout matches the reference");
     } else {
         for path in &stale {
             anstream::println!("out of step with the reference: {}", path.display());
         }
-        anstream::println!("mend it: cargo pinhole handout {}", assignment.name);
+        anstream::println!(
+            "if nobody's work is in there, mend it: cargo pinhole handout {} --force",
+            assignment.name
+        );
     }
     Ok(match in_step {
         true => Status::Well,

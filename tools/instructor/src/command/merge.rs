@@ -1,21 +1,26 @@
-//! `pinhole merge`: the shards of a class, graded anywhere, as one class.
+//! `pinhole merge`: puts the shards of a class together, wherever they were graded.
 
 use std::collections::BTreeMap;
-use std::fs;
 
 use crate::cli::Merge;
 use crate::grade::cache::{Backlog, ResultCache, link, pretty, standing, write_unflushed};
 use crate::grade::class::{ROLL, Roll};
+use crate::grade::evidence::Evidence;
+use crate::grade::policy::Policy;
 use crate::grade::provenance::MadeWith;
 use crate::grade::record::Record;
 use crate::grade::views::summary::{ClassOutput, RunSummary};
 use pinhole_course::checkout::Checkout;
-use pinhole_course::error::{Error, Result, ResultExt};
+use pinhole_course::error::{Error, Result};
 use pinhole_report::program::Status;
 
 pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     let assignment = arguments.assignment.find(checkout, None)?;
-    let roll = common_roll(arguments)?;
+    let mut roll = common_roll(arguments)?;
+    if let Some(path) = &arguments.policy {
+        roll.policy = Some(Policy::read(path)?);
+        roll.find_groups();
+    }
     let cache = ResultCache::open(&arguments.out)?;
     let mut records: BTreeMap<String, Record> = BTreeMap::new();
     let mut with: Option<MadeWith> = None;
@@ -30,20 +35,20 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
             };
             let record = backlog.check(record);
             if !record.is_graded() {
-                // Why, if no other shard knows better.
+                // The reason, unless another shard has a grade.
                 records.entry(entry.id.clone()).or_insert(record);
                 continue;
             }
             let made_with = &record.provenance.made_with;
             let with = with.get_or_insert_with(|| made_with.clone());
-            // The program may have been built on each machine anew.
+            // Each machine may have built the program itself.
             if with.goldens != made_with.goldens
                 || with.fresh != made_with.fresh
                 || with.assignment != made_with.assignment
             {
                 return Err(Error::input(
                     format!("{} was judged by other goldens", shard.display()),
-                    "grade all shards by the same: with the same --golden, --fresh or --seed",
+                    "grade all shards with the same --golden, --fresh or --seed",
                 ));
             }
             let report = from.join("report.html");
@@ -52,6 +57,10 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
                     format!("there is no report in {}", from.display()),
                     "grade that shard again",
                 ));
+            }
+            let evidence = Evidence::file(&entry.id);
+            if shard.join(&evidence).is_file() {
+                link(&shard.join(&evidence), &cache.path(&evidence))?;
             }
             let to = cache.of(&entry.id);
             link(&report, &to.join("report.html"))?;
@@ -67,11 +76,7 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
         formats: &arguments.format,
         as_json: arguments.json,
     };
-    Ok(super::of_class(output.write(
-        &roll,
-        &records,
-        &RunSummary::default(),
-    )?))
+    output.write(&roll, &records, &RunSummary::default())
 }
 
 /// What was handed in, on which all shards must agree.
@@ -79,14 +84,14 @@ fn common_roll(arguments: &Merge) -> Result<Roll> {
     let mut common: Option<Roll> = None;
     for shard in &arguments.shards {
         let path = shard.join(ROLL);
-        let text = fs::read_to_string(&path).or_input(
-            format_args!("cannot read {}", path.display()),
-            "name the --out folders of `pinhole grade --shard`",
-        )?;
-        let roll: Roll = serde_json::from_str(&text).or_input(
-            format_args!("{}", path.display()),
-            "grade that shard again with this version",
-        )?;
+        if !path.exists() && arguments.shards.len() > 1 {
+            anstream::eprintln!(
+                "{} has not started: its people are listed as not graded",
+                shard.display()
+            );
+            continue;
+        }
+        let roll = Roll::read(&path)?;
         match &common {
             Some(common) if *common != roll => {
                 return Err(Error::input(
@@ -97,5 +102,5 @@ fn common_roll(arguments: &Merge) -> Result<Roll> {
             _ => common = Some(roll),
         }
     }
-    common.ok_or_else(|| Error::input("there is nothing to merge", "name the shards' folders"))
+    common.ok_or_else(|| Error::input("no part has started", "name the parts' folders"))
 }

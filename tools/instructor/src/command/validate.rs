@@ -1,11 +1,11 @@
-//! `pinhole validate`: the grading graded.
+//! `pinhole validate`: tests the grading.
 
 use crate::cli::Validate;
 use crate::validate::validator::Validator;
 use crate::validate::{Part, Plan, table, validate};
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::Compiler;
-use pinhole_course::error::{Result, ResultExt};
+use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::progress::Progress;
 use pinhole_course::sandbox::{Choice, Sandbox};
@@ -17,6 +17,10 @@ pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Status> {
         .assignment
         .or(arguments.positional.as_deref(), checkout)?;
     let goldens = Goldens::read(&assignment.golden(), &assignment)?;
+    let fresh = arguments.fresh.as_deref();
+    let fresh = fresh
+        .map(|folder| Goldens::read(folder, &assignment))
+        .transpose()?;
     let sandbox = Sandbox::around(&assignment.folder, checkout, Choice::Auto, &[])?;
     let second_judge = arguments
         .oiiotool
@@ -34,6 +38,7 @@ pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Status> {
     let validator = Validator {
         assignment: &assignment,
         goldens: &goldens,
+        fresh: fresh.as_ref(),
         compiler: &Compiler::new(&assignment, checkout, &sandbox)?,
         sandbox: &sandbox,
         second_judge: second_judge.as_ref(),
@@ -42,6 +47,12 @@ pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Status> {
     };
     let validation = validate(&validator, &plan(arguments))?;
     progress.clear();
+    if let Some(named) = arguments.named.as_ref().filter(|_| validation.is_empty()) {
+        return Err(Error::input(
+            format!("nothing that would be judged has {named:?} in its name"),
+            "name a part of what the tables list, such as `mistakes/`, or a scene",
+        ));
+    }
 
     if arguments.json {
         let document = serde_json::to_string_pretty(&validation)
@@ -57,13 +68,21 @@ pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Status> {
 }
 
 fn plan(arguments: &Validate) -> Plan {
-    let mut parts = match arguments.only.is_empty() {
-        true => vec![Part::Mistakes, Part::Variants, Part::Sensitivity],
-        false => arguments.only.clone(),
+    let mut parts = match (arguments.only.is_empty(), &arguments.draws) {
+        (true, Some(_)) => Vec::new(),
+        (true, None) => vec![
+            Part::Mistakes,
+            Part::Variants,
+            Part::Pairs,
+            Part::Sensitivity,
+        ],
+        (false, _) => arguments.only.clone(),
     };
     parts.extend(arguments.mutants.then_some(Part::Mutants));
     Plan {
         parts,
+        draws: arguments.draws.clone(),
+        all_pairs: arguments.pairs,
         named: arguments.named.clone().unwrap_or_default(),
     }
 }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 use pinhole_course::run_options::AssignmentOption;
+use pinhole_course::seed::Seed;
 
 #[derive(Subcommand)]
 pub enum Golden {
@@ -35,9 +36,13 @@ pub struct GoldenRender {
     /// scenes]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Draw fresh questions and random scenes from this seed instead; needs --out
-    #[arg(long, value_name = "N", conflicts_with = "scenes", requires = "out")]
-    pub seed: Option<u64>,
+    /// Draw fresh questions and random scenes from this seed instead, `random` for one that
+    /// nobody can guess; needs --out
+    #[arg(long, value_name = "N", value_parser = seed, conflicts_with = "scenes", requires = "out")]
+    pub seed: Option<Seed>,
+    /// Replace the assignment's own films, which judge everybody
+    #[arg(long)]
+    pub force: bool,
     /// Don't cast the known mistakes: this is faster, but nothing can be diagnosed then
     #[arg(long)]
     pub no_mistakes: bool,
@@ -66,4 +71,21 @@ pub struct GoldenVerify {
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,
+}
+
+/// A number, or the word `random`.
+fn seed(text: &str) -> Result<Seed, String> {
+    match text {
+        "random" => random_seed().map_err(|error| error.to_string()),
+        digits => digits
+            .parse()
+            .map_err(|_| format!("`{digits}` is neither a whole number nor `random`")),
+    }
+}
+
+/// A seed that nobody can guess: the system's own randomness.
+pub fn random_seed() -> Result<Seed, getrandom::Error> {
+    let mut bytes = [0; 16];
+    getrandom::fill(&mut bytes)?;
+    Ok(Seed(u128::from_le_bytes(bytes)))
 }

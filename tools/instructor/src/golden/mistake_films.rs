@@ -20,7 +20,7 @@ use pinhole_course::overlay;
 use pinhole_course::progress::Progress;
 use pinhole_course::sandbox::{Limits, Sandbox};
 
-/// No mistake takes longer over a film.
+/// How long a mistake may take for a film.
 const WALL: Duration = Duration::from_secs(60);
 
 /// Films to fingerprint, each with the task it tests alone, if it does.

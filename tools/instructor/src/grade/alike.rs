@@ -1,11 +1,12 @@
-//! Answers that are the same but for comments, spaces and line breaks.
+//! Answers that are the same but for comments, spaces, line breaks and the names of variables.
 //!
-//! Short answers may well coincide, so this is reported with how many share an answer and
-//! costs no points.
+//! Short answers may well coincide. So a match counts as much as it is rare: in bits, how many
+//! right answers there are for each that is like these. Six equal loops over triangles in a
+//! class of ten are worth less than one bit, and cost no points whatever they are worth.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use serde::Serialize;
 
 use super::provenance::sha256;
@@ -25,55 +26,122 @@ pub struct SharedAnswer {
     pub who: Vec<String>,
     /// How many in the class that is of how many.
     pub share: f64,
+    /// How rare it is among right answers: log₂ of their number over that of these.
+    pub bits: f64,
 }
 
-/// A hash of an answer's tokens, its documentation left out; `None` if it has none that
-/// can be told apart.
+/// Two submissions that share several answers.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SharedPair {
+    pub who: [String; 2],
+    pub tasks: Vec<String>,
+    /// The sum of the answers' bits.
+    pub bits: f64,
+}
+
+/// A hash of an answer's tokens, documentation left out and own names exchanged for numbers;
+/// `None` if it has none that can be told apart.
 pub fn tokens(text: &str) -> Option<String> {
-    let stream: TokenStream = text.parse().ok()?;
+    let words = words(text.parse().ok()?);
+    let own = own_names(&words);
+    let mut numbers: BTreeMap<&str, usize> = BTreeMap::new();
     let mut flat = String::new();
+    for (k, word) in words.iter().enumerate() {
+        let is_member = k > 0 && [".", "::"].contains(&words[k - 1].as_str());
+        match own.contains(word.as_str()) && !is_member {
+            true => {
+                let next = numbers.len();
+                let number = numbers.entry(word).or_insert(next);
+                flat.push_str(&format!("#{number}"));
+            }
+            false => flat.push_str(word),
+        }
+        flat.push('\n');
+    }
+    (!flat.trim().is_empty()).then(|| sha256(flat.as_bytes()))
+}
+
+/// The tokens one by one; `::` is one, and documentation is none.
+fn words(stream: TokenStream) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
     // A list of what is still to come, not recursion: a student may nest as deep as the
     // file is long.
-    let mut open: Vec<(proc_macro2::token_stream::IntoIter, &str)> = vec![(stream.into_iter(), "")];
-    let mut after_hash = false;
+    let mut open = vec![(stream.into_iter(), "")];
     while let Some((rest, close)) = open.last_mut() {
         let Some(token) = rest.next() else {
-            flat.push_str(close);
+            let close = *close;
+            words.extend((!close.is_empty()).then(|| close.to_owned()));
             open.pop();
             continue;
         };
-        let was_after_hash = std::mem::take(&mut after_hash);
         match token {
-            TokenTree::Group(group) if was_after_hash && is_doc(&group.stream()) => {
-                flat.truncate(flat.trim_end_matches(['#', '!', '\n']).len());
-                if !flat.is_empty() {
-                    flat.push('\n');
+            TokenTree::Group(group) if is_doc(&group.stream()) => {
+                // `#[doc]`, and `#![doc]` with a `!` between.
+                while words.last().is_some_and(|word| word == "#" || word == "!") {
+                    words.pop();
                 }
             }
             TokenTree::Group(group) => {
                 let [opening, closing] = match group.delimiter() {
-                    proc_macro2::Delimiter::Parenthesis => ["(", ")\n"],
-                    proc_macro2::Delimiter::Brace => ["{", "}\n"],
-                    proc_macro2::Delimiter::Bracket => ["[", "]\n"],
-                    proc_macro2::Delimiter::None => ["", ""],
+                    Delimiter::Parenthesis => ["(", ")"],
+                    Delimiter::Brace => ["{", "}"],
+                    Delimiter::Bracket => ["[", "]"],
+                    Delimiter::None => ["", ""],
                 };
-                flat.push_str(opening);
+                words.extend((!opening.is_empty()).then(|| opening.to_owned()));
                 open.push((group.stream().into_iter(), closing));
             }
-            TokenTree::Punct(punct) => {
-                // `#![doc]` has a `!` between.
-                after_hash = punct.as_char() == '#' || (was_after_hash && punct.as_char() == '!');
-                flat.push(punct.as_char());
-                flat.push('\n');
-            }
-            other => {
-                flat.push_str(&other.to_string());
-                flat.push('\n');
-            }
+            TokenTree::Punct(punct) if punct.as_char() == ':' => match words.last_mut() {
+                Some(last) if last == ":" => last.push(':'),
+                _ => words.push(":".into()),
+            },
+            other => words.push(other.to_string()),
         }
     }
-    (!flat.trim().is_empty()).then(|| sha256(flat.as_bytes()))
+    words
 }
+
+/// The names that an answer gives itself: of variables, parameters, functions and constants.
+fn own_names(words: &[String]) -> BTreeSet<&str> {
+    let mut own = BTreeSet::new();
+    let is_name = |word: &str| {
+        let mut letters = word.chars();
+        letters
+            .next()
+            .is_some_and(|c| c.is_alphabetic() || c == '_')
+            && !KEYWORDS.contains(&word)
+    };
+    let mut in_pattern = false;
+    let mut in_closure = false;
+    for (k, word) in words.iter().enumerate() {
+        let word = word.as_str();
+        let before = k.checked_sub(1).map_or("", |k| words[k].as_str());
+        let after = words.get(k + 1).map_or("", String::as_str);
+        match word {
+            "let" | "for" => in_pattern = true,
+            "=" | "in" | ":" | ";" => in_pattern = false,
+            // A closure begins where no operator can stand.
+            "|" if in_closure => in_closure = false,
+            "|" => in_closure = ["(", ",", "=", "{", "move", "return"].contains(&before),
+            _ => {}
+        }
+        let is_declared = ["fn", "const", "static", "mut", "ref"].contains(&before);
+        let is_parameter = after == ":" && [",", "(", "{", "mut", "|"].contains(&before);
+        let is_bound = (in_pattern || in_closure) && !["(", "::", "{"].contains(&after);
+        if is_name(word) && before != "::" && (is_declared || is_parameter || is_bound) {
+            own.insert(word);
+        }
+    }
+    // What everybody is given keeps its name.
+    own.retain(|name| !name.starts_with(char::is_uppercase) || name.to_uppercase() == **name);
+    own
+}
+
+/// Words of the language that stand where names do.
+const KEYWORDS: [&str; 20] = [
+    "as", "break", "const", "continue", "else", "false", "fn", "for", "if", "in", "let", "loop",
+    "match", "move", "mut", "ref", "return", "self", "true", "while",
+];
 
 /// Whether an attribute is what a documentation comment becomes.
 fn is_doc(stream: &TokenStream) -> bool {
@@ -116,32 +184,69 @@ impl KnownAnswers {
         })
     }
 
-    /// Which answers of a class are the same as a known one, or as each other.
+    /// Which answers of a class are the same as a known one, or as each other; the rarest
+    /// first.
     pub fn alike(&self, records: &[&Record]) -> Vec<SharedAnswer> {
-        let mut same: BTreeMap<(String, String), Vec<String>> = BTreeMap::new();
+        let mut same: BTreeMap<(&str, &str), Vec<String>> = BTreeMap::new();
         for record in records {
             for (task, hash) in &record.tokens {
                 if !self.stubs.contains(hash) {
-                    let key = (task.clone(), hash.clone());
-                    same.entry(key).or_default().push(record.id.clone());
+                    let who = same.entry((task, hash)).or_default();
+                    who.push(record.id.clone());
                 }
             }
         }
-        let alike = same.into_iter().filter_map(|(key, who)| {
-            let known = self.named.get(&key).cloned();
+        let alike = same.into_iter().filter_map(|((task, hash), who)| {
+            let known = self.named.get(&(task.to_owned(), hash.to_owned())).cloned();
             let to = known.or_else(|| (who.len() > 1).then(|| "each other".into()))?;
-            let share = who.len() as f64 / records.len().max(1) as f64;
+            let right = records.iter().filter(|record| is_right(record, task));
+            let of = right.count().max(who.len()) as f64;
             Some(SharedAnswer {
-                task: key.0,
+                task: task.into(),
                 to,
+                share: who.len() as f64 / records.len().max(1) as f64,
+                bits: (of / who.len() as f64).log2(),
                 who,
-                share,
             })
         });
         let mut alike: Vec<SharedAnswer> = alike.collect();
-        alike.sort_by(|a, b| (&a.task, &a.to, &a.who).cmp(&(&b.task, &b.to, &b.who)));
+        alike.sort_by(|a, b| {
+            let names = |it: &SharedAnswer| (it.task.clone(), it.to.clone(), it.who.clone());
+            b.bits.total_cmp(&a.bits).then(names(a).cmp(&names(b)))
+        });
         alike
     }
+}
+
+fn is_right(record: &Record, task: &str) -> bool {
+    let mut tasks = record.got.tasks.iter();
+    tasks.any(|it| it.name == task && it.points == it.possible)
+}
+
+/// Pairs that share more than one answer, those with the most bits first.
+pub fn pairs(alike: &[SharedAnswer]) -> Vec<SharedPair> {
+    /// More would be read by nobody.
+    const MOST: usize = 20;
+    let mut pairs: BTreeMap<[&String; 2], SharedPair> = BTreeMap::new();
+    // Who has what half of the class has says nothing about a pair.
+    for shared in alike.iter().filter(|shared| shared.bits >= 1.0) {
+        for (k, first) in shared.who.iter().enumerate() {
+            for second in &shared.who[k + 1..] {
+                let pair = pairs.entry([first, second]).or_insert_with(|| SharedPair {
+                    who: [first.clone(), second.clone()],
+                    tasks: Vec::new(),
+                    bits: 0.0,
+                });
+                pair.tasks.push(shared.task.clone());
+                pair.bits += shared.bits;
+            }
+        }
+    }
+    let several = pairs.into_values().filter(|pair| pair.tasks.len() > 1);
+    let mut pairs: Vec<SharedPair> = several.collect();
+    pairs.sort_by(|a, b| b.bits.total_cmp(&a.bits).then(a.who.cmp(&b.who)));
+    pairs.truncate(MOST);
+    pairs
 }
 
 #[cfg(test)]
@@ -149,16 +254,70 @@ mod tests {
     use super::*;
 
     #[test]
-    fn comments_and_layout_make_no_difference_and_tokens_do() {
-        let plain = tokens("fn f(x: f64) -> f64 { x * 2.0 }");
-        let noisy = "//! Mine.\n/// I wrote this.\nfn f(x:f64)->f64{\n // two\n x*2.0 /* . */ }";
-        assert_eq!(tokens(noisy), plain);
-        assert_ne!(tokens("fn f(x: f64) -> f64 { x * 3.0 }"), plain);
-        assert_ne!(tokens("fn f(y: f64) -> f64 { y * 2.0 }"), plain);
+    fn comments_layout_and_names_make_no_difference_and_what_is_done_does() {
+        let plain =
+            tokens("fn f(x: f64) -> f64 { let y = x * 2.0; g(y, x.y).iter().map(|i| i + y) }");
+        for same in [
+            "//! Mine.\n/// I wrote this.\nfn f(x:f64)->f64{\n // two\n let y=x*2.0;g(y,x.y).iter().map(|i|i+y) /* . */ }",
+            "fn f(a: f64) -> f64 { let b = a * 2.0; g(b, a.y).iter().map(|k| k + b) }",
+            "fn twice(a: f64) -> f64 { let x = a * 2.0; g(x, a.y).iter().map(|k| k + x) }",
+        ] {
+            assert_eq!(tokens(same), plain, "{same}");
+        }
+        for other in [
+            "fn f(x: f64) -> f64 { let y = x * 3.0; g(y, x.y).iter().map(|i| i + y) }",
+            "fn f(x: f64) -> f64 { let y = x * 2.0; g(x, x.y).iter().map(|i| i + y) }",
+            "fn f(x: f64) -> f64 { let y = x * 2.0; g(y, x.z).iter().map(|i| i + y) }",
+            "fn f(x: f64) -> f64 { let y = x * 2.0; h(y, x.y).iter().map(|i| i + y) }",
+            "fn f(x: f64) -> f64 { let y = x * 2.0; g(y, x.y).iter().map(|i| i + i) }",
+        ] {
+            assert_ne!(tokens(other), plain, "{other}");
+        }
     }
 
     #[test]
-    fn a_file_of_brackets_is_no_danger() {
+    fn a_match_is_worth_as_much_as_it_is_rare() {
+        use crate::grade::record::tests::graded;
+        let known = KnownAnswers {
+            named: BTreeMap::new(),
+            stubs: Vec::new(),
+        };
+        // All loop over triangles alike; two have one sphere, and one plane.
+        let record = |k: usize| {
+            let mut record = graded(&format!("s{k}"), 1, 1);
+            let own = |task: &str| match k {
+                0 | 1 => format!("{task} of two"),
+                _ => format!("{task} of {k}"),
+            };
+            for (task, form) in [
+                ("soup", "soup".into()),
+                ("sphere", own("sphere")),
+                ("plane", own("plane")),
+            ] {
+                record.tokens.insert(task.into(), form);
+                record.got.tasks.push(right(task));
+            }
+            record
+        };
+        let records: Vec<Record> = (0..16).map(record).collect();
+        let alike = known.alike(&records.iter().collect::<Vec<_>>());
+        let bits: Vec<(&str, f64)> = alike.iter().map(|it| (it.task.as_str(), it.bits)).collect();
+        assert_eq!(bits, [("plane", 3.0), ("sphere", 3.0), ("soup", 0.0)]);
+        let pairs = pairs(&alike);
+        assert_eq!(pairs.len(), 1, "{pairs:?}");
+        assert_eq!((pairs[0].bits, pairs[0].tasks.len()), (6.0, 2));
+    }
+
+    fn right(task: &str) -> pinhole_course::outcome::TaskOutcome {
+        serde_json::from_value(serde_json::json!({
+            "name": task, "chapter": "", "points": 1, "possible": 1,
+            "file": { "state": "compiled" }, "groups": [], "diagnosis": null, "measured": [],
+        }))
+        .expect("it is a task's outcome")
+    }
+
+    #[test]
+    fn deeply_nested_brackets_do_no_harm() {
         let deep = "(".repeat(120_000) + &")".repeat(120_000);
         assert!(tokens(&deep).is_some());
         assert_eq!(tokens("((("), None);

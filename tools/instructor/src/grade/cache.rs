@@ -1,22 +1,23 @@
-//! What lies in the folder of a graded class, written so that a power cut at any moment
-//! leaves the old file or the new one, never half of either.
+//! The files of a graded class. Each is written atomically: after a power cut, there is
+//! the old file or the new one.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, TryLockError};
-use std::io::Write;
+use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use super::intake::{self, Entry};
+use super::evidence::Evidence;
+use super::intake::Entry;
 use super::provenance::{MadeWith, Provenance};
 use super::record::Record;
-use pinhole_course::assignment::Assignment;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::outcome::SCHEMA;
+use pinhole_report::escape::printable_json;
 
 /// The folder of a graded class, locked for as long as this lives.
 pub struct ResultCache {
     folder: PathBuf,
-    /// The operating system lets go of it however we end: no lock is ever stale.
+    /// The operating system releases it however we end, so no lock is ever stale.
     _lock: File,
 }
 
@@ -45,12 +46,12 @@ impl ResultCache {
         }
     }
 
-    /// Where a file of the class lies.
+    /// The path of a file of the class.
     pub fn path(&self, name: &str) -> PathBuf {
         self.folder.join(name)
     }
 
-    /// Where the files of a submission lie.
+    /// The folder of a submission's files.
     pub fn of(&self, id: &str) -> PathBuf {
         self.folder.join("submissions").join(id)
     }
@@ -60,14 +61,29 @@ impl ResultCache {
         read(&self.of(id).join("result.json")).filter(Record::is_graded)
     }
 
-    /// Keeps a finished grade. Its report is there before it, so that a result means
-    /// that all is there.
-    pub fn put(&self, record: &Record, report: &str) -> Result<()> {
+    /// Stores a finished grade. Its report is written before it, so that a result is
+    /// always complete.
+    pub fn put(&self, record: &Record, report: &str, evidence: &Evidence) -> Result<()> {
         let folder = self.of(&record.id);
+        let place = self.path(&Evidence::file(&record.id));
+        write(&place, pretty(evidence)?.as_bytes())?;
         write(&folder.join("report.html"), report.as_bytes())?;
         write(&folder.join("result.json"), pretty(record)?.as_bytes())?;
         let _was_mended = fs::remove_file(folder.join("fault.json"));
         Ok(())
+    }
+
+    /// Keeps a grade whose points alone have changed, and says so at the end of its report.
+    pub fn put_points(&self, record: &Record) -> Result<()> {
+        let folder = self.of(&record.id);
+        write_unflushed(&folder.join("result.json"), pretty(record)?.as_bytes())?;
+        let (points, possible) = (record.got.points.unwrap_or(0), record.got.possible);
+        let note = format!(
+            "{NOTE}<strong>What the parts are worth has changed since this report was \
+             written: the mark is now {points} of {possible} points.</strong></p>\n"
+        );
+        let path = folder.join("report.html");
+        replace_note(&path, &note).or_fail(&cannot_write(&path))
     }
 
     /// Stores the record of a fault of ours beside a finished grade, which it never overwrites.
@@ -81,12 +97,22 @@ impl ResultCache {
     }
 
     /// Writes a file of the class, unless it holds the same already.
-    pub fn write(&self, name: &str, content: &str) -> Result<()> {
-        let path = self.path(name);
-        if fs::read(&path).is_ok_and(|old| old == content.as_bytes()) {
+    pub fn write(&self, name: &str, content: impl AsRef<[u8]>) -> Result<()> {
+        let (path, content) = (self.path(name), content.as_ref());
+        if fs::read(&path).is_ok_and(|old| old == content) {
             return Ok(());
         }
-        write(&path, content.as_bytes())
+        write(&path, content)
+    }
+
+    /// Writes a file of the class, or removes it if it has no content now.
+    pub fn write_or_remove(&self, name: &str, content: Option<impl AsRef<[u8]>>) -> Result<()> {
+        let path = self.path(name);
+        match content {
+            Some(content) => self.write(name, content),
+            None if path.exists() => fs::remove_file(&path).or_fail(&cannot_write(&path)),
+            None => Ok(()),
+        }
     }
 }
 
@@ -127,19 +153,14 @@ const BACKLOG: &str = "unfinished.json";
 
 impl Backlog {
     /// Writes down all submissions whose grade is missing or of other answers.
-    pub fn begin(
-        entries: &[Entry],
-        cache: &ResultCache,
-        assignment: &Assignment,
-        made_with: &MadeWith,
-    ) -> Result<()> {
+    pub fn begin(entries: &[Entry], cache: &ResultCache, made_with: &MadeWith) -> Result<()> {
         let mut unfinished = BTreeMap::new();
         for entry in entries {
-            // A submission that cannot be opened has no answers; its record says why.
-            let Ok(submission) = intake::open(entry, assignment) else {
+            // A submission that cannot be read has no answers; its record says why.
+            let Ok(submission) = &entry.submission else {
                 continue;
             };
-            let wanted = Provenance::of(&submission, made_with).answers;
+            let wanted = Provenance::of(submission, made_with).answers;
             let is_of_these = |record: Record| record.provenance.answers == wanted;
             if !cache.get(&entry.id).is_some_and(is_of_these) {
                 unfinished.insert(entry.id.clone(), wanted);
@@ -177,17 +198,35 @@ impl Backlog {
     }
 }
 
+/// Begins what is said at the end of a report that was written before points have changed.
+const NOTE: &str = "<p role=\"note\">";
+
+/// Writes a note to the end of a report, in place of an earlier one.
+fn replace_note(report: &Path, note: &str) -> std::io::Result<()> {
+    let mut file = File::options().read(true).write(true).open(report)?;
+    let before_note = file.metadata()?.len().saturating_sub(2 * note.len() as u64);
+    file.seek(SeekFrom::Start(before_note))?;
+    let mut tail = Vec::new();
+    file.read_to_end(&mut tail)?;
+    let mut places = tail.windows(NOTE.len());
+    let end = places.position(|window| window == NOTE.as_bytes());
+    let end = before_note + end.unwrap_or(tail.len()) as u64;
+    file.set_len(end)?;
+    file.seek(SeekFrom::Start(end))?;
+    file.write_all(note.as_bytes())
+}
+
 /// JSON for people, too.
 pub fn pretty(value: &impl serde::Serialize) -> Result<String> {
     let text = serde_json::to_string_pretty(value)
         .or_environment("cannot write a result", "report this")?;
-    Ok(text + "\n")
+    Ok(printable_json(&text) + "\n")
 }
 
 /// Writes a file atomically: beside its place, flushed to disk, then renamed.
 pub fn write(path: &Path, content: &[u8]) -> Result<()> {
     put(path, |beside| {
-        let mut file = File::create(beside)?;
+        let mut file = own_file(beside)?;
         file.write_all(content)?;
         file.sync_all()
     })?;
@@ -200,10 +239,19 @@ pub fn write(path: &Path, content: &[u8]) -> Result<()> {
 
 /// Writes a file atomically, but does not wait for the disk: for what can be made again.
 pub fn write_unflushed(path: &Path, content: &[u8]) -> Result<()> {
-    put(path, |beside| fs::write(beside, content))
+    put(path, |beside| own_file(beside)?.write_all(content))
 }
 
-/// Puts a file in another place too: by a link, or where there are none, by a copy.
+/// A new file that nobody else on the machine can read, because marks are private.
+fn own_file(path: &Path) -> std::io::Result<File> {
+    let mut options = File::options();
+    options.write(true).create(true).truncate(true);
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+    options.open(path)
+}
+
+/// Puts a file in a second place: as a link or, where links don't work, as a copy.
 pub fn link(from: &Path, to: &Path) -> Result<()> {
     let _absent = fs::remove_file(to);
     fs::create_dir_all(folder_of(to))
@@ -240,6 +288,20 @@ mod tests {
     use super::*;
 
     #[test]
+    fn report_says_only_the_last_mark_that_its_points_came_to() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let report = folder.path().join("report.html");
+        let page = "<html>".repeat(100);
+        fs::write(&report, &page).expect("there is room");
+        for mark in ["7 of 8", "12 of 16"] {
+            let note = format!("{NOTE}{mark}</p>");
+            replace_note(&report, &note).expect("it is there");
+            let now = fs::read_to_string(&report).expect("it is there");
+            assert_eq!(now, format!("{page}{note}"));
+        }
+    }
+
+    #[test]
     fn result_of_an_older_version_is_no_result() {
         let folder = tempfile::tempdir().expect("there is room");
         let cache = ResultCache::open(folder.path()).expect("it is new");
@@ -248,7 +310,7 @@ mod tests {
             "schema": SCHEMA, "id": "ada", "outcome": "graded", "explanation": "",
             "assignment": "Ray casting", "submission": "ada", "passes": true, "points": 1,
             "possible": 1, "withheld": 0, "tasks": [], "scenes": [], "printed": "",
-            "sandbox": "none", "flags": [], "fresh_scenes": [], "most_for_scenes": null,
+            "sandbox": "none", "flags": [], "remarks": [], "fresh_scenes": [], "most_for_scenes": null,
             "tokens": {},
             "provenance": {
                 "answers": [], "judged_on": "", "seed": null, "goldens": "", "fresh": null,

@@ -1,27 +1,101 @@
 //! All records of a class together, and what grading them again has changed.
 
+pub mod concern;
+pub mod marks;
+
 use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+use self::concern::Concern;
+use self::marks::Rows;
 use super::alike::{KnownAnswers, SharedAnswer};
 use super::intake::Entry;
-use super::intake::roster::{Person, Placement};
+use super::intake::placement::{self, Placement};
+use super::intake::roster::Person;
+use super::policy::Policy;
+use super::policy::mark::Mark;
 use super::record::Record;
 use pinhole_course::diagnosis::Reading;
+use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::outcome::Status;
 
 /// The file of a graded class that holds its roll, for merges to read.
 pub const ROLL: &str = "roll.json";
 
-/// What was handed in and whose it is: the same in every shard.
+/// What was handed in and by whom; the same in every shard.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Roll {
     /// Everything that is graded, by id.
     pub entries: Vec<Entry>,
+    /// The roster, if there is one.
+    pub people: Option<Vec<Person>>,
     pub placed: Placement,
     /// Files that are not submissions.
     pub ignored: Vec<String>,
+    /// Whether this is a class, or single submissions that were named.
+    pub is_class: bool,
+    /// What becomes of judged marks.
+    #[serde(default)]
+    pub policy: Option<Policy>,
+}
+
+impl Roll {
+    /// Reads the roll of a class that was graded into a folder.
+    pub fn read(path: &Path) -> Result<Roll> {
+        let text = fs::read_to_string(path).or_input(
+            format_args!("cannot read {}", path.display()),
+            "name a folder into which `pinhole grade` has graded",
+        )?;
+        serde_json::from_str(&text).or_input(
+            format_args!("{}", path.display()),
+            "grade that class again with this version",
+        )
+    }
+
+    /// Single submissions as part of the class that was graded before into the same folder:
+    /// one that is there already is replaced, and all others stay.
+    pub fn into_class(self, class: Option<Roll>) -> Roll {
+        let Some(mut class) = class else { return self };
+        let is_new = |entry: &Entry| self.entries.iter().any(|new| new.id == entry.id);
+        class.entries.retain(|entry| !is_new(entry));
+        class.entries.extend(self.entries);
+        class.entries.sort_by(|a, b| a.id.cmp(&b.id));
+        class.people = self.people.or(class.people);
+        let mut superseded = std::mem::take(&mut class.placed.superseded);
+        superseded.extend(self.placed.superseded);
+        class.policy = self.policy.or(class.policy);
+        class.placed = placement::place(&class.entries, class.people.as_deref());
+        class.placed.superseded = superseded;
+        class.find_groups();
+        class
+    }
+
+    /// Nobody is missing whose group has handed in.
+    pub fn find_groups(&mut self) {
+        let mut missing = std::mem::take(&mut self.placed.missing);
+        let of = self.placed.of.values();
+        let handed_in: Vec<&str> = of
+            .flat_map(|person| self.team_of(person))
+            .map(|person| person.id.as_str())
+            .collect();
+        missing.retain(|person| !handed_in.contains(&person.id.as_str()));
+        self.placed.missing = missing;
+    }
+
+    /// Who gets the mark of what a person hands in: the person, or a group.
+    pub fn team_of<'a>(&'a self, person: &'a Person) -> Vec<&'a Person> {
+        let policy = self.policy.as_ref();
+        let Some(group) = policy.and_then(|policy| policy.group_of(&person.id)) else {
+            return vec![person];
+        };
+        let people = self.people.iter().flatten();
+        people
+            .filter(|other| group.members.contains(&other.id))
+            .collect()
+    }
 }
 
 /// A class, graded.
@@ -30,18 +104,28 @@ pub struct Class<'a> {
     pub roll: &'a Roll,
     /// In the order of the roll; `None` if there is no grade and no record of a fault.
     pub rows: Vec<Row<'a>>,
+    /// Further rows of people whose group handed in for them.
+    pub shared: Vec<Row<'a>>,
+    /// What somebody should look at, the gravest first.
+    pub concerns: Vec<Concern>,
     pub alike: Vec<SharedAnswer>,
 }
 
-/// A submission's line.
-#[derive(Clone, Copy)]
+/// A submission's line, for one person.
+#[derive(Clone)]
 pub struct Row<'a> {
     pub entry: &'a Entry,
     pub person: Option<&'a Person>,
     pub record: Option<&'a Record>,
+    /// `None` if there is none, or if another submission counts.
+    pub mark: Option<Mark>,
+    /// Why another submission counts.
+    pub not_counted: Option<String>,
+    /// Whether others of the person's group handed it in.
+    pub is_shared: bool,
 }
 
-/// A belief and who seems to hold it.
+/// A belief, and the submissions that seem to hold it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SharedBelief {
     pub mistake: String,
@@ -58,25 +142,55 @@ impl<'a> Class<'a> {
         records: &'a BTreeMap<String, Record>,
         known: &KnownAnswers,
     ) -> Class<'a> {
-        let row = |entry: &'a Entry| Row {
-            entry,
-            person: roll.placed.of.get(&entry.id),
-            record: records.get(&entry.id),
-        };
-        let rows: Vec<Row> = roll.entries.iter().map(row).collect();
-        let all: Vec<&Record> = rows.iter().filter_map(|row| row.record).collect();
+        let Rows {
+            own,
+            shared,
+            concerns,
+        } = marks::rows(roll, records);
+        // Attempts of one person are alike.
+        let counted = own.iter().filter(|row| row.not_counted.is_none());
+        let all: Vec<&Record> = counted.filter_map(|row| row.record).collect();
         Class {
             title: title.into(),
             roll,
             alike: known.alike(&all),
-            rows,
+            rows: own,
+            shared,
+            concerns: concern::sorted([roll.concerns(), concerns].concat()),
         }
+    }
+
+    /// Every row: one for each submission, then those of groups.
+    pub fn all_rows(&self) -> impl Iterator<Item = &Row<'a>> {
+        self.rows.iter().chain(&self.shared)
+    }
+
+    /// Everybody's mark, once.
+    pub fn gradebook(&self) -> impl Iterator<Item = (&'a Person, &Mark, &Row<'a>)> {
+        let rows = self.all_rows();
+        rows.filter_map(|row| Some((row.person?, row.mark.as_ref()?, row)))
     }
 
     /// The graded ones.
     pub fn graded(&self) -> impl Iterator<Item = &'a Record> {
         let records = self.rows.iter().filter_map(|row| row.record);
         records.filter(|record| record.is_graded())
+    }
+
+    /// Whether a submission has its mark.
+    pub fn is_graded(&self, id: &str) -> bool {
+        self.graded().any(|record| record.id == id)
+    }
+
+    /// What they were judged on, each once.
+    pub fn judged_on(&self) -> Vec<&'a str> {
+        let all = self.graded();
+        let mut all: Vec<&str> = all
+            .map(|record| record.provenance.made_with.judged_on.as_str())
+            .collect();
+        all.sort();
+        all.dedup();
+        all
     }
 
     /// The submissions without a mark, and why.
@@ -142,7 +256,7 @@ impl<'a> Class<'a> {
     }
 }
 
-/// A mark that is not what it was.
+/// A mark that has changed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Change {
     pub id: String,
@@ -150,7 +264,7 @@ pub struct Change {
     pub after: u32,
     /// Tasks and scenes with the points they had and have.
     pub parts: Vec<(String, u32, u32)>,
-    /// Whether the answers themselves are others.
+    /// Whether the answers themselves have changed.
     pub answers_changed: bool,
 }
 
@@ -202,7 +316,7 @@ impl Change {
     }
 }
 
-/// Drops first, since those are asked about: the deepest at the top.
+/// Drops first, because students ask about those; the largest at the top.
 pub fn sort_changes(changes: &mut [Change]) {
     let gain = |change: &Change| i64::from(change.after) - i64::from(change.before);
     changes.sort_by(|a, b| (gain(a), &a.id).cmp(&(gain(b), &b.id)));

@@ -1,4 +1,4 @@
-//! One submission, from what was handed in to its record and its report.
+//! Grades one submission: from its files to its record and its report.
 
 pub mod clock;
 pub mod fresh;
@@ -10,11 +10,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use self::clock::{Pace, SubmissionClock};
-use self::fresh::{most_for_scenes, revoke_failing_fresh, worth_asking_fresh};
+use self::fresh::{revoke_failing_fresh, worth_asking_fresh};
 use super::alike;
+use super::evidence::Evidence;
 use super::intake::Entry;
+use super::points;
 use super::provenance::{MadeWith, Provenance};
-use super::record::{Record, Timings, explained};
+use super::record::{Record, SceneNeeds, Timings, explained};
 use super::redact::{Withheld, redact_scene};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::compile::{Compiler, Program};
@@ -25,16 +27,17 @@ use pinhole_course::outcome::{Examination, Outcome, Status};
 use pinhole_course::sandbox::Sandbox;
 use pinhole_course::submission::Submission;
 use pinhole_course::timings::timed;
+use pinhole_report::escape::printable;
 use pinhole_report::html::{Again, Report};
 
-/// The most that is kept of what a student's code prints.
+/// How much of what a student's code prints is kept.
 const MOST_PRINTED: usize = 16 * 1024;
 
 /// What the whole class is graded with.
 pub struct Grader<'a> {
     pub assignment: &'a Assignment,
     pub goldens: &'a Goldens,
-    /// Questions nobody has seen; a group counts only if it passes these too.
+    /// Fresh questions; a group earns its points only if it passes these too.
     pub fresh: Option<&'a Goldens>,
     /// What is withheld. Fresh questions are shown to the same extent.
     pub withheld: Withheld,
@@ -72,11 +75,12 @@ impl Drop for ProgramFolder {
 pub struct Grade {
     pub record: Record,
     pub report: Option<String>,
+    pub evidence: Option<Evidence>,
 }
 
 impl Grader<'_> {
-    /// Grades a submission. If grading itself fails, the record says so: that stops no other
-    /// submission and gives no one a zero.
+    /// Grades a submission. If grading itself fails, the record says so: other submissions
+    /// are still graded, and nobody gets a zero for it.
     ///
     /// `None` if an answer came too late and it was not `alone`: see [`clock`].
     pub fn grade(&self, entry: &Entry, submission: &Submission, alone: bool) -> Option<Grade> {
@@ -94,6 +98,7 @@ impl Grader<'_> {
         Some(Grade {
             record: self.blank(entry, submission).not_graded(fault),
             report: None,
+            evidence: None,
         })
     }
 
@@ -116,8 +121,10 @@ impl Grader<'_> {
                 possible: scenes.sum::<u32>() + groups.map(|points| points.worth).sum::<u32>(),
                 ..Outcome::new(title, name, self.sandbox.name())
             },
+            remarks: entry.remarks(),
             fresh_scenes: Vec::new(),
             most_for_scenes: None,
+            needs: SceneNeeds::default(),
             tokens: answers.collect(),
             provenance: Provenance::of(submission, self.made_with),
             timings: Timings::default(),
@@ -132,7 +139,7 @@ impl Grader<'_> {
     ) -> Result<Grade> {
         let start = Instant::now();
         let folder = ProgramFolder::new(self.programs);
-        let sandbox = self.sandbox.new_instance();
+        let sandbox = self.sandbox.new_instance()?;
         let compiler = self.compiler.apart(&sandbox, folder.folder.clone());
         let program = compiler.compile(submission)?;
         let compiled = start.elapsed();
@@ -154,6 +161,9 @@ impl Grader<'_> {
         let asked = start.elapsed();
 
         let mut record = self.blank(entry, submission);
+        let asked_fresh = fresh.as_ref().zip(self.fresh);
+        let asked_fresh = asked_fresh.map(|(it, goldens)| (&it.outcome, goldens.folder.as_path()));
+        let evidence = Evidence::new(&entry.id, submission, &examination.outcome, asked_fresh);
         let got = &mut examination.outcome;
         got.submission = entry.name.clone();
         if let Some(fresh) = &fresh {
@@ -162,19 +172,16 @@ impl Grader<'_> {
         record.status = got.status();
         record.explanation = explained(record.status).into();
         self.withheld.redact(got);
-        let possible = record.got.possible;
         record.got = got.clone();
         if let Some(fresh) = fresh {
             record.fresh_scenes = fresh.outcome.scenes;
             for scene in &mut record.fresh_scenes {
                 redact_scene(scene, self.withheld.reveal);
             }
-            record.most_for_scenes = Some(most_for_scenes(&record));
+            record.needs = self.needs()?;
+            record.most_for_scenes = Some(0);
         }
-        let by_tasks: u32 = record.got.tasks.iter().map(|task| task.points).sum();
-        let points = by_tasks + record.scene_points().0;
-        (record.got.points, record.got.possible) = (Some(points), possible);
-        record.got.passes = points == possible;
+        points::compute(&mut record, self.assignment, &self.goldens.scenes);
         examination.outcome = record.got.clone();
         let report = || Ok(self.report(&record, &examination)?.html());
         let page: Result<String> = timed("write the report", report);
@@ -192,6 +199,7 @@ impl Grader<'_> {
         Ok(Grade {
             record,
             report: Some(page),
+            evidence: Some(evidence),
         })
     }
 
@@ -219,6 +227,20 @@ impl Grader<'_> {
         examiner.examine(submission, selection)
     }
 
+    /// See [`crate::scene_cap`].
+    fn needs(&self) -> Result<SceneNeeds> {
+        let owned = |names: Vec<&str>| names.into_iter().map(str::to_owned).collect();
+        let scenes = self.goldens.needs_of_scenes(self.assignment)?;
+        let fresh = match self.fresh {
+            Some(fresh) => fresh.needs_of_scenes(self.assignment)?.concat(),
+            None => Vec::new(),
+        };
+        Ok(SceneNeeds {
+            scenes: scenes.into_iter().map(owned).collect(),
+            fresh: owned(fresh),
+        })
+    }
+
     fn report(&self, record: &Record, examination: &Examination) -> Result<Report> {
         let command = format!("{} check", pinhole_course::shell::PINHOLE);
         let again = Again {
@@ -235,6 +257,10 @@ impl Grader<'_> {
         if record.status != Status::Graded {
             report.said = format!("{} {}", report.said, record.explanation);
         }
+        report.said += &points::dropped_in_words(self.assignment);
+        for remark in &record.remarks {
+            report.said.push_str(&format!(" {}.", printable(remark)));
+        }
         if let Some(most) = record.most_for_scenes
             && record
                 .got
@@ -245,8 +271,8 @@ impl Grader<'_> {
                 > most
         {
             report.said.push_str(&format!(
-                " The scenes earn {most} points at most, as the answers behind them did on \
-                 questions that nobody had seen."
+                " The scenes earn {most} points at most: for each, the share that the answers \
+                 behind it earned, on questions that nobody had seen too."
             ));
         }
         Ok(report)

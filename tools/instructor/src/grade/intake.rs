@@ -1,28 +1,72 @@
-//! What was handed in: which of the paths are submissions, and what each is called.
+//! The submissions, and the people who handed them in.
+//!
+//! Reading order: [`reader`] reads what folders and archives hold; [`hand_in`] shares it out
+//! among people, by the [`names`] that platforms give; [`answers`] finds each person's answers;
+//! [`roster`] reads the list of a course's people, a [`table`] like others, and [`placement`]
+//! says whose is whose.
 
+pub mod answers;
+pub mod hand_in;
+pub mod names;
+pub mod placement;
+pub mod reader;
 pub mod roster;
+pub mod table;
 
-use std::collections::BTreeSet;
-use std::fs;
+use std::collections::{BTreeMap, BTreeSet};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+use self::hand_in::{HandIn, Source};
+use self::names::Sign;
+use self::roster::Person;
 use super::provenance::sha256;
 use pinhole_course::assignment::{Assignment, Task};
-use pinhole_course::error::{Error, Fault, Result, ResultExt};
-use pinhole_course::submission::{Answer, Submission, Unusable};
+use pinhole_course::error::{Error, Result};
+use pinhole_course::submission::{Answer, Submission, Unusable, text};
 
 /// Something handed in.
-#[derive(Clone, Debug, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Entry {
     /// Its folder in the results: a plain name that no other entry has.
     pub id: String,
-    /// The folder's or archive's name as it was handed in.
+    /// Its name where it was handed in.
     pub name: String,
-    /// Where it is; not kept, as it may name the instructor's home.
-    #[serde(skip)]
-    pub path: PathBuf,
+    /// The names of its files and folders there, which may say when.
+    #[serde(default)]
+    pub given: Vec<String>,
+    /// What that says of the person.
+    pub signs: Vec<Sign>,
+    /// What was done to read it.
+    pub notes: Vec<String>,
+    /// Why the instructor should check how it was read.
+    pub doubts: Vec<String>,
+    /// The answer files that are missing or refused, and why.
+    pub unusable: Vec<String>,
+    /// Its answers, or why the machine could not read them.
+    #[serde(skip, default = "not_read")]
+    pub submission: std::result::Result<Submission, String>,
+}
+
+fn not_read() -> std::result::Result<Submission, String> {
+    Err("it was not read".into())
+}
+
+impl Entry {
+    /// What its author should know of how it was read.
+    pub fn remarks(&self) -> Vec<String> {
+        [&self.notes[..], &self.doubts].concat()
+    }
+}
+
+/// Shards have the same class if these are the same; answers have hashes of their own.
+impl PartialEq for Entry {
+    fn eq(&self, other: &Entry) -> bool {
+        let key = |entry: &Entry| (entry.id.clone(), entry.name.clone(), entry.signs.clone());
+        key(self) == key(other)
+    }
 }
 
 /// Everything found.
@@ -30,124 +74,151 @@ pub struct Entry {
 pub struct Intake {
     /// By id.
     pub entries: Vec<Entry>,
-    /// What lies among the submissions but is not one: listed, never dropped silently.
+    /// Files among the submissions that belong to nobody. They are listed, not silently
+    /// dropped.
     pub ignored: Vec<String>,
+    /// Uploads that are not graded, and the entry whose later upload is.
+    pub superseded: BTreeMap<String, String>,
+    /// Whether there is a folder of submissions among the paths.
+    pub is_class: bool,
 }
 
 /// What each path holds: itself a submission, or a folder of them.
-pub fn find(paths: &[PathBuf], assignment: &Assignment) -> Result<Intake> {
-    let mut found = Vec::new();
-    let mut ignored = Vec::new();
+pub fn find(
+    paths: &[PathBuf],
+    assignment: &Assignment,
+    people: Option<&[Person]>,
+) -> Result<Intake> {
+    let is_on_roster = |name: &str| people.is_some_and(|it| placement::is_somebody(name, it));
+    let is_task = |name: &str| names::task_of(name, assignment).is_some();
+    let is_answer =
+        |name: &str| is_task(name) || names::platforms(name).iter().any(|it| is_task(it.rest));
+    let mut intake = Intake::default();
+    let mut handed_in = Vec::new();
     for path in paths {
-        if path.is_file() || Submission::find_any(path, assignment)?.is_some() {
-            found.push(path.clone());
-            continue;
-        }
-        let entries = fs::read_dir(path).or_input(
-            format_args!("cannot read {}", path.display()),
-            "name a submission, or a folder of submissions",
-        )?;
-        let mut inside: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
-        inside.sort();
-        for path in inside {
-            let name = name(&path);
-            let is_link = path.is_symlink();
-            if !is_link && !name.starts_with('.') && (path.is_dir() || is_archive(&path)) {
-                found.push(path);
-            } else if !name.starts_with('.') {
-                ignored.push(name);
-            }
-        }
+        let source = Source {
+            name: name(path),
+            is_archive: path.is_file(),
+            is_only: paths.len() == 1,
+            found: reader::read(path, &is_answer)?,
+            assignment,
+            is_on_roster: &is_on_roster,
+        };
+        let (found, ignored, is_class) = source.share_out();
+        intake.is_class |= is_class;
+        handed_in.extend(found);
+        intake.ignored.extend(ignored);
     }
-    if found.is_empty() {
+    if handed_in.is_empty() {
         return Err(Error::input(
             "there is no submission in what you named",
             "name folders that hold the answer files, or a folder of such folders",
         ));
     }
     let mut taken = BTreeSet::new();
-    let mut entries: Vec<Entry> = found
-        .into_iter()
-        .map(|path| {
-            let name = name(&path);
-            let mut id = plain(&name);
-            let base = id.clone();
-            let mut count = 2;
-            // Case alone does not tell folders apart everywhere.
-            while !taken.insert(id.to_lowercase()) {
-                id = format!("{base}.{count}");
-                count += 1;
-            }
-            Entry { id, name, path }
-        })
-        .collect();
-    entries.sort();
-    ignored.sort();
-    Ok(Intake { entries, ignored })
+    for one in handed_in {
+        let entry = entry(one, assignment, &mut taken, &mut intake.superseded);
+        intake.entries.push(entry);
+    }
+    intake.entries.sort_by(|a, b| a.id.cmp(&b.id));
+    intake.ignored.sort();
+    Ok(intake)
+}
+
+fn entry(
+    one: HandIn,
+    assignment: &Assignment,
+    taken: &mut BTreeSet<String>,
+    superseded: &mut BTreeMap<String, String>,
+) -> Entry {
+    let mut id = plain(&one.name);
+    let base = id.clone();
+    let mut count = 2;
+    // Case alone does not tell folders apart everywhere.
+    while !taken.insert(id.to_lowercase()) {
+        id = format!("{base}.{count}");
+        count += 1;
+    }
+    superseded.extend(
+        one.superseded
+            .into_iter()
+            .map(|upload| (upload, id.clone())),
+    );
+    let read = || answers::choose(&one.name, &one.uploads, assignment);
+    let choice = catch_unwind(AssertUnwindSafe(read));
+    let choice = choice.unwrap_or_else(|_| Err("the grader itself failed to read it".into()));
+    let mut entry = Entry {
+        id,
+        name: one.name,
+        given: one.given,
+        signs: one.signs,
+        notes: Vec::new(),
+        doubts: Vec::new(),
+        unusable: Vec::new(),
+        submission: not_read(),
+    };
+    match choice {
+        Ok(choice) => {
+            entry.unusable = unusable(&choice.submission, assignment);
+            entry.notes = choice.notes;
+            entry.doubts = choice.doubts;
+            entry.submission = Ok(choice.submission);
+        }
+        Err(why) => entry.submission = Err(why),
+    }
+    entry
+}
+
+/// The files of which there is no text, and why.
+fn unusable(submission: &Submission, assignment: &Assignment) -> Vec<String> {
+    let why = |(task, answer): (&Task, &Answer)| match &answer.text {
+        Ok(_) => None,
+        Err(Unusable::Missing) => Some(format!("{} is missing", task.file())),
+        Err(Unusable::Refused(why)) => Some(format!("{} is refused: {why}", task.file())),
+    };
+    let answers = assignment.tasks.iter().zip(&submission.answers);
+    answers.filter_map(why).collect()
 }
 
 /// The name people see.
 fn name(path: &Path) -> String {
     let absolute = path.canonicalize().unwrap_or(path.into());
-    let name = absolute.file_name().unwrap_or_default();
-    name.to_string_lossy().into_owned()
-}
-
-fn is_archive(path: &Path) -> bool {
-    let end = path.extension().and_then(|end| end.to_str());
-    end.is_some_and(|end| end.eq_ignore_ascii_case("zip"))
+    text::name(absolute.file_name().unwrap_or_default().as_encoded_bytes())
 }
 
 /// Longer names are cut.
 const MOST_CHARACTERS: usize = 80;
 
-/// A name that is safe for a folder on every system. A hash keeps names apart that had to
-/// change.
+/// A name that is safe for a folder on every system, and no option of a command. A name that
+/// had to change gets a hash, so that it stays unique.
 fn plain(name: &str) -> String {
-    let stem = match name.get(name.len().saturating_sub(4)..) {
-        Some(end) if end.eq_ignore_ascii_case(".zip") => &name[..name.len() - 4],
-        _ => name,
-    };
+    let stem = reader::stem(name);
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "._-".contains(c);
     let safe: String = stem
         .chars()
         .map(|c| if is_plain(c) { c } else { '_' })
         .take(MOST_CHARACTERS)
         .collect();
+    let safe = safe.trim_start_matches('-');
     let safe = safe.trim_matches(|c| c == '.' || c == ' ').to_owned();
     match safe == stem && !safe.is_empty() {
         true => safe,
-        false => format!("{safe}-{}", &sha256(name.as_bytes())[..8]),
+        false => {
+            let hash = &sha256(name.as_bytes())[..8];
+            format!("{safe}-{hash}").trim_start_matches('-').into()
+        }
     }
 }
 
-/// A submission's answers. Whatever is wrong with what was handed in becomes files that
-/// are missing or refused; only a fault of the machine's is an error.
-pub fn open(entry: &Entry, assignment: &Assignment) -> Result<Submission> {
-    let unusable = match Submission::find_any(&entry.path, assignment) {
-        Ok(Some(submission)) => return Ok(submission),
-        Ok(None) => Unusable::Missing,
-        Err(error) if error.fault == Fault::Environment || !entry.path.exists() => {
-            return Err(error);
-        }
-        Err(error) => {
-            // The path is the instructor's own business.
-            let path = entry.path.display().to_string();
-            Unusable::Refused(error.problem.replace(&path, &entry.name))
-        }
-    };
-    Ok(without_answers(entry, assignment, &unusable))
-}
-
 /// A submission of which no file can be used.
-pub fn without_answers(entry: &Entry, assignment: &Assignment, why: &Unusable) -> Submission {
+pub fn without_answers(entry: &Entry, assignment: &Assignment) -> Submission {
     let answer = |task: &Task| Answer {
         task: task.name.clone(),
-        text: Err(why.clone()),
+        text: Err(Unusable::Missing),
     };
     Submission {
-        folder: entry.path.clone(),
-        place: entry.path.clone(),
+        folder: PathBuf::from(&entry.name),
+        place: PathBuf::from(&entry.name),
         answers: assignment.tasks.iter().map(answer).collect(),
     }
 }
@@ -163,29 +234,4 @@ pub fn shard<T>(all: Vec<T>, shard: Option<(usize, usize)>) -> Vec<T> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_hostile_name_becomes_a_plain_folder_of_its_own() {
-        for name in ["../../etc", "a/b", "..", "", "x\u{1b}[31m", "<script>"] {
-            let id = plain(name);
-            assert!(
-                !id.contains(['/', '\\', '<', '\u{1b}']) && !id.starts_with('.'),
-                "{id}"
-            );
-        }
-        assert_ne!(plain("a b"), plain("a?b"));
-        assert_eq!(plain("alice.zip"), "alice");
-    }
-
-    #[test]
-    fn shards_share_out_everybody_once() {
-        let all: Vec<u32> = (0..10).collect();
-        let mut shared: Vec<u32> = (1..=3)
-            .flat_map(|k| shard(all.clone(), Some((k, 3))))
-            .collect();
-        shared.sort();
-        assert_eq!(shared, all);
-    }
-}
+mod tests;

@@ -1,15 +1,18 @@
-//! What a mark was made from: enough to know whether grading again could change it.
+//! What a mark was made from. If none of it has changed, grading again would give the
+//! same mark.
 
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 use hmac_sha256::Hash;
 use serde::{Deserialize, Serialize};
 
 use super::redact::Reveal;
 use pinhole_course::assignment::Assignment;
-use pinhole_course::error::{Result, ResultExt};
+use pinhole_course::checkout::Checkout;
+use pinhole_course::error::{Error, Result, ResultExt};
+use pinhole_course::rust_tool::rust_tool;
+use pinhole_course::seed::Seed;
 use pinhole_course::submission::{Submission, Unusable};
 
 /// Hashes and settings; equal ones give equal marks.
@@ -22,6 +25,16 @@ pub struct Provenance {
     pub made_with: MadeWith,
 }
 
+/// A seed that doesn't fit into 63 bits is text.
+#[cfg(test)]
+#[derive(schemars::JsonSchema)]
+#[schemars(inline, untagged)]
+#[expect(dead_code, reason = "only its schema is used")]
+enum SeedInJson {
+    Number(u64),
+    Text(String),
+}
+
 /// What is the same for the whole class.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -29,15 +42,16 @@ pub struct MadeWith {
     /// "public goldens and fresh questions", say.
     pub judged_on: String,
     /// What the fresh questions were drawn from; not for students.
-    pub seed: Option<u64>,
+    #[cfg_attr(test, schemars(with = "Option<SeedInJson>"))]
+    pub seed: Option<Seed>,
     /// The manifest of the goldens, which names every film's hash.
     pub goldens: String,
     /// That of the fresh ones.
     pub fresh: Option<String>,
-    /// Tasks and points.
+    /// Tasks, groups and scenes, without their points: from these, marks are computed again.
     pub assignment: String,
     pub tool: Tool,
-    /// What walled the student's code off.
+    /// The sandbox that the student's code ran in.
     pub sandbox: String,
     /// Seconds an answer may take.
     pub timeout: u64,
@@ -57,12 +71,14 @@ pub struct Tool {
 
 impl Tool {
     /// This program.
-    pub fn this() -> Result<Tool> {
+    pub fn this(checkout: &Checkout) -> Result<Tool> {
         let own = std::env::current_exe().and_then(fs::read).or_environment(
             "cannot read this program's own file",
             "build it again: cargo build --release",
         )?;
-        let rustc = Command::new("rustc").arg("--version").output();
+        let rustc = rust_tool("rustc", checkout.root())
+            .arg("--version")
+            .output();
         let rustc = rustc.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned());
         Ok(Tool {
             version: env!("CARGO_PKG_VERSION").into(),
@@ -99,12 +115,59 @@ pub fn of_file(path: &Path) -> Result<String> {
     Ok(sha256(&bytes))
 }
 
-/// The hash of what an assignment asks.
+/// The hash of what an assignment asks, whatever it is worth.
 pub fn of_assignment(assignment: &Assignment) -> Result<String> {
-    of_file(&assignment.folder.join("assignment.toml"))
+    let path = assignment.folder.join("assignment.toml");
+    let wrong = Error::input(path.display().to_string(), "correct the assignment file");
+    let text = fs::read_to_string(&path).or_fail(&wrong)?;
+    Ok(sha256(questions(&text).or_fail(&wrong)?.as_bytes()))
+}
+
+/// An assignment's file without points and without the groups that are dropped.
+fn questions(text: &str) -> std::result::Result<String, toml::de::Error> {
+    let mut table: toml::Table = toml::from_str(text)?;
+    table.remove("dropped");
+    let parts = table
+        .iter_mut()
+        .filter_map(|(_, value)| value.as_array_mut())
+        .flatten()
+        .filter_map(toml::Value::as_table_mut);
+    for part in parts {
+        match part.get_mut("points") {
+            Some(toml::Value::Array(groups)) => groups
+                .iter_mut()
+                .filter_map(toml::Value::as_array_mut)
+                .for_each(|group| group.retain(|item| !item.is_integer())),
+            _ => drop(part.remove("points")),
+        }
+    }
+    Ok(table.to_string())
 }
 
 /// SHA-256 in hexadecimal.
 pub fn sha256(bytes: &[u8]) -> String {
     hex::encode(Hash::hash(bytes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_change_no_question_and_groups_and_scenes_do() {
+        let file = "[[task]]\nname = \"plane\"\npoints = [[\"back\", 2, \"about\"]]\n\
+                    [[scene]]\nname = \"lone\"\npoints = 1\n";
+        let same = |was: &str, becomes: &str| {
+            assert!(file.contains(was), "{was}");
+            questions(file).unwrap() == questions(&file.replace(was, becomes)).unwrap()
+        };
+        assert!(same("2,", "7,"));
+        assert!(same("points = 1", "points = 9"));
+        assert!(same(
+            "[[scene]]",
+            "[[dropped]]\ngroup = \"plane.back\"\npoints = \"given\"\n[[scene]]"
+        ));
+        assert!(!same("back", "front"));
+        assert!(!same("lone", "other"));
+    }
 }

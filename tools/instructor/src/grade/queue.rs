@@ -1,4 +1,5 @@
-//! Grades submissions in parallel and skips those whose result is still valid.
+//! Grades submissions in parallel. Those whose result is still valid are not graded: at most,
+//! their points are computed again.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -7,17 +8,18 @@ use super::cache::ResultCache;
 use super::class::Change;
 use super::grader::{Grade, Grader};
 use super::intake::{self, Entry};
-use super::provenance::Provenance;
+use super::points;
+use super::provenance::{MadeWith, Provenance};
 use super::record::Record;
 use super::views::progress::GradingProgress;
-use pinhole_course::submission::Unusable;
+use pinhole_course::assignment::Assignment;
+use pinhole_course::error::Result;
+use pinhole_course::goldens::GoldenScene;
 
 /// The submissions that are to be graded.
 pub struct GradeQueue<'a> {
     pub grader: &'a Grader<'a>,
     pub cache: &'a ResultCache,
-    /// Whether to grade again what has a valid result already.
-    pub regrade: bool,
     pub progress: GradingProgress<'a>,
 }
 
@@ -31,13 +33,45 @@ pub struct QueueResult {
     pub fault: Option<(String, String)>,
 }
 
+/// The result of a submission that need not be asked again, with the points that its parts are
+/// worth now; `None` if it has none.
+pub fn valid(
+    entry: &Entry,
+    cache: &ResultCache,
+    made_with: &MadeWith,
+    assignment: &Assignment,
+    scenes: &[GoldenScene],
+) -> Result<Option<QueueResult>> {
+    let (Some(before), Ok(submission)) = (cache.get(&entry.id), &entry.submission) else {
+        return Ok(None);
+    };
+    if before.provenance != Provenance::of(submission, made_with)
+        || before.got.submission != entry.name
+        || before.remarks != entry.remarks()
+    {
+        return Ok(None);
+    }
+    let mut record = before.clone();
+    points::compute(&mut record, assignment, scenes);
+    let change = Change::between(&before, &record);
+    if record != before {
+        cache.put_points(&record)?;
+    }
+    Ok(Some(QueueResult {
+        record,
+        is_new: false,
+        change,
+        fault: None,
+    }))
+}
+
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl GradeQueue<'_> {
-    /// Grades all entries, `jobs` at a time. One that is late beside others is graded
-    /// again when all others are done.
+    /// Grades all entries, `jobs` at a time. One that is late while others are graded
+    /// is graded again at the end, alone.
     pub fn work(&self, entries: &[Entry], jobs: usize) -> Vec<QueueResult> {
         let next = AtomicUsize::new(0);
         let all = Mutex::new(Vec::new());
@@ -71,38 +105,25 @@ impl GradeQueue<'_> {
     }
 
     fn grade(&self, entry: &Entry, alone: bool) -> Option<QueueResult> {
-        let Grader {
-            assignment,
-            made_with,
-            ..
-        } = self.grader;
+        let assignment = self.grader.assignment;
         let before = self.cache.get(&entry.id);
-        let submission = match intake::open(entry, assignment) {
+        let submission = match &entry.submission {
             Ok(submission) => submission,
-            Err(error) => {
-                let missing = Unusable::Missing;
-                let nothing = intake::without_answers(entry, assignment, &missing);
+            Err(why) => {
+                let nothing = intake::without_answers(entry, assignment);
                 let record = self.grader.blank(entry, &nothing);
-                return Some(self.faulty(record.not_graded(error.to_string()), None));
+                return Some(self.faulty(record.not_graded(why.clone()), None));
             }
         };
-        if let Some(before) = &before
-            && !self.regrade
-            && before.provenance == Provenance::of(&submission, made_with)
-            && before.got.submission == entry.name
-        {
-            return Some(QueueResult {
-                record: before.clone(),
-                is_new: false,
-                change: None,
-                fault: None,
-            });
-        }
-        let Grade { record, report } = self.grader.grade(entry, &submission, alone)?;
-        let Some(report) = report else {
+        let Grade {
+            record,
+            report,
+            evidence,
+        } = self.grader.grade(entry, submission, alone)?;
+        let (Some(report), Some(evidence)) = (report, evidence) else {
             return Some(self.faulty(record, before));
         };
-        if let Err(error) = self.cache.put(&record, &report) {
+        if let Err(error) = self.cache.put(&record, &report, &evidence) {
             return Some(self.faulty(record.not_graded(error.to_string()), before));
         }
         let change = before.and_then(|before| Change::between(&before, &record));
@@ -114,8 +135,8 @@ impl GradeQueue<'_> {
         })
     }
 
-    /// A fault of ours. It is reported and kept, but the grade from `before` stands if the
-    /// same answers would be judged by the same goldens, tools and settings.
+    /// Records a fault of ours. The grade from `before` stays valid if the answers,
+    /// goldens, tools and settings are the same.
     fn faulty(&self, mut record: Record, before: Option<Record>) -> QueueResult {
         if let Err(error) = self.cache.put_fault(&record) {
             record.explanation.push_str(&format!("; {}", error.problem));

@@ -21,23 +21,38 @@ pub struct Record {
     #[serde(rename = "outcome")]
     #[cfg_attr(test, schemars(with = "tests::StatusReference"))]
     pub status: Status,
-    /// What that means, for the student; for `not graded`, why.
+    /// The meaning of the status, for the student; for `not graded`, the reason.
     pub explanation: String,
     /// What it got, as far as students may see it. Its points are those of the mark.
     #[serde(flatten)]
     #[cfg_attr(test, schemars(skip))]
     pub got: Outcome,
-    /// Scenes nobody has seen: they earn nothing, but bound what `scenes` may earn.
+    /// How its files were read, where that is not as it should be.
+    pub remarks: Vec<String>,
+    /// Fresh scenes. They earn nothing, but limit what `scenes` may earn.
     #[cfg_attr(test, schemars(with = "Vec<tests::SceneReference>"))]
     pub fresh_scenes: Vec<SceneOutcome>,
     /// The most that `scenes` may earn, if fresh questions were asked.
     pub most_for_scenes: Option<u32>,
+    /// Which tasks the scenes need, if fresh questions were asked.
+    #[serde(default)]
+    pub needs: SceneNeeds,
     /// By task, a hash of the answer's tokens: without comments, spaces and line breaks.
     pub tokens: BTreeMap<String, String>,
-    /// What the mark was made from: where it is equal, the mark is.
+    /// What the mark was made from: if it is equal, so is the mark.
     pub provenance: Provenance,
     /// Where the time went.
     pub timings: Timings,
+}
+
+/// Which tasks scenes need: they bound what the scenes earn.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct SceneNeeds {
+    /// Of each scene, in the order of `scenes`.
+    pub scenes: Vec<Vec<String>>,
+    /// Of the fresh scenes together.
+    pub fresh: Vec<String>,
 }
 
 /// Where the time went, in seconds of the wall clock. No mark depends on it.
@@ -52,7 +67,8 @@ pub struct Timings {
     pub asking: f64,
     /// Writing the report.
     pub report: f64,
-    /// 1 if an answer came too late beside others, so that all was graded again, alone.
+    /// 1 if an answer was late while others were graded, so that the submission was
+    /// graded again, alone.
     pub second_runs: u32,
 }
 
@@ -78,7 +94,8 @@ impl Record {
         (earned.min(most), scenes.map(|scene| scene.possible).sum())
     }
 
-    /// Which tasks ended in which way, other than judged: "panicked: sphere, plane".
+    /// Which tasks ended in which way, other than judged, and how files were read: "panicked:
+    /// sphere, plane".
     pub fn notes(&self) -> String {
         let of = |status: Status| {
             let tasks = self.got.tasks.iter();
@@ -88,7 +105,8 @@ impl Record {
         };
         let told = Status::ALL.into_iter();
         let told = told.filter(|status| *status != Status::Graded);
-        told.filter_map(of).collect::<Vec<_>>().join("; ")
+        let told = told.filter_map(of).chain(self.remarks.iter().cloned());
+        told.collect::<Vec<_>>().join("; ")
     }
 }
 
@@ -108,16 +126,16 @@ pub fn explained(status: Status) -> &'static str {
              judged; hand in all files of the handout's `src` folder."
         }
         Status::DoesNotCompile => {
-            "An answer does not compile, so its stub stood in for it and all others were \
-             judged. The compiler's words are below; `check` shows the same."
+            "An answer does not compile, so its stub was judged instead. All other answers were \
+             judged. The compiler's message is below; `check` shows the same."
         }
         Status::OutOfMemory => {
             "An answer asked for more memory than it may have, and was stopped. It does not \
              need a collection that grows with every call."
         }
         Status::Killed => {
-            "The program ended before it had answered: it left by itself, crashed, or was \
-             stopped for leaving its bounds."
+            "The program ended before it had answered: it exited, crashed, or was stopped because \
+             it exceeded a limit."
         }
         Status::TimedOut => {
             "An answer came too late, twice, the second time with the machine to itself. The \
@@ -128,7 +146,8 @@ pub fn explained(status: Status) -> &'static str {
              index out of bounds, an `unwrap` of nothing, and an integer that overflows."
         }
         Status::Unreadable => {
-            "What the program sent back was no answer: not finite, say, or not what was asked."
+            "The program sent back something that is not a valid answer, such as NaN, or an \
+             answer to a question that was not asked."
         }
         Status::Unanswered => "An answer is still `todo!`. All others were judged.",
         Status::Graded => "Every answer was compared with its golden.",
@@ -136,4 +155,4 @@ pub fn explained(status: Status) -> &'static str {
 }
 
 #[cfg(test)]
-mod tests;
+pub mod tests;

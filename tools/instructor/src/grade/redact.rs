@@ -1,8 +1,8 @@
-//! Takes from an outcome and its report what students are not to see.
+//! Removes from an outcome and its report what students must not see.
 //!
-//! A withheld scene would be an oracle if its results said too much: a student who may hand
-//! in often could read it out, by pictures, by panic texts, by exit codes, by time. So a
-//! student's own words never travel from there, whatever is revealed.
+//! Detailed results would make a withheld scene an oracle: a student who may hand in often
+//! could reconstruct it from pictures, panic messages, exit codes or times. So nothing that
+//! the student's code prints there is ever shown, whatever is revealed.
 
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
@@ -18,12 +18,12 @@ use pinhole_report::html::{Report, SceneSection};
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Reveal {
-    /// The points alone
-    Points,
-    /// The points, and a line about what went wrong
+    /// Whether each passes
     #[default]
+    Points,
+    /// The same, and how it ended: wrong, panicked, too late
     Message,
-    /// The same, and the pictures
+    /// The same, how much is wrong, and the pictures
     Picture,
     /// Everything, down to each pixel and the worst question
     Full,
@@ -59,7 +59,7 @@ impl Withheld {
         self.scenes.iter().any(|scene| scene == name)
     }
 
-    /// Takes from an outcome what may not be shown.
+    /// Removes from an outcome what may not be shown.
     pub fn redact(&self, outcome: &mut Outcome) {
         for task in &mut outcome.tasks {
             for group in &mut task.groups {
@@ -74,6 +74,10 @@ impl Withheld {
             if self.probes && self.reveal == Reveal::Points {
                 task.diagnosis = Diagnosis::default();
             }
+            // Its numbers could be a message from the student's code.
+            if self.probes && self.reveal < Reveal::Full {
+                task.measured.clear();
+            }
         }
         for scene in &mut outcome.scenes {
             if self.holds_scene(&scene.name) {
@@ -85,8 +89,8 @@ impl Withheld {
         }
     }
 
-    /// Takes from the report of an outcome, which is redacted already, what only a report
-    /// shows.
+    /// Removes what only a report shows from the report of an outcome that is already
+    /// redacted.
     pub fn redact_report(&self, report: &mut Report, outcome: &Outcome) {
         for (section, scene) in report.scenes.iter_mut().zip(&outcome.scenes) {
             if self.holds_scene(&scene.name) {
@@ -101,7 +105,7 @@ impl Withheld {
     }
 }
 
-/// Takes from a scene's outcome what may not be shown of it.
+/// Removes from a scene's outcome what may not be shown of it.
 pub fn redact_scene(scene: &mut SceneOutcome, reveal: Reveal) {
     scene.outcome = redacted(&scene.outcome, reveal);
     scene.seconds = None;
@@ -110,10 +114,12 @@ pub fn redact_scene(scene: &mut SceneOutcome, reveal: Reveal) {
     }
 }
 
-/// How a film fared, without a word of the student's.
+/// The outcome of a film, without any text from the student.
 fn redacted(outcome: &FilmOutcome, reveal: Reveal) -> FilmOutcome {
     match outcome {
-        FilmOutcome::Judged(comparison) if reveal > Reveal::Points => {
+        // An answer can choose the number of wrong questions, and send a message with
+        // it.
+        FilmOutcome::Judged(comparison) if reveal > Reveal::Message => {
             let mut comparison = comparison.clone();
             if reveal < Reveal::Full {
                 comparison.channels.clear();
@@ -162,7 +168,7 @@ mod tests {
     ];
 
     #[test]
-    fn no_word_of_a_students_comes_from_a_withheld_question() {
+    fn student_output_on_withheld_questions_is_removed() {
         let words = "0.5 0.25";
         let spoken = [
             FilmOutcome::Panicked {
@@ -192,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn points_alone_say_neither_how_many_pixels_nor_how_it_ended() {
+    fn revealing_points_hides_pixel_counts_and_endings() {
         let scene = |outcome| SceneOutcome::new("exam".into(), 5, outcome, 0.25);
         for (outcome, said) in [
             (

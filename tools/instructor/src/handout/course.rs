@@ -1,4 +1,5 @@
-//! What of an assignment travels: its stubs, tests, public scenes and their goldens.
+//! The parts of an assignment that students get: its stubs, tests, public scenes and
+//! their goldens.
 
 use std::path::Path;
 
@@ -13,7 +14,7 @@ use pinhole_course::manifest::{self, Manifest};
 use pinhole_course::stubs;
 use toml_edit::{DocumentMut, value};
 
-/// Stands for a hint that points at a withheld scene.
+/// Replaces a hint that mentions a withheld scene.
 const ELSEWHERE: &str =
     "Look at the first thing that is wrong here, and follow it through your code by hand.";
 
@@ -61,6 +62,10 @@ fn without_withheld(text: &str, assignment: &Assignment) -> Result<String> {
             .set_suffix(" # of scenes that come with grading");
     }
     document.insert("withheld", points);
+    let finish = assignment.finish.as_ref();
+    if finish.is_some_and(|finish| assignment.withholds(&finish.scene)) {
+        document.remove("finish");
+    }
     Ok(document.to_string())
 }
 

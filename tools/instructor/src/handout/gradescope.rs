@@ -6,6 +6,7 @@
 use std::fs::File;
 use std::io::Write;
 use std::path::Path;
+use std::time::Duration;
 
 use clap::ValueEnum;
 use zip::write::SimpleFileOptions;
@@ -14,6 +15,7 @@ use zip::{CompressionMethod, ZipWriter};
 use super::sources::{add_folder_as, add_top, read};
 use super::workspace::{CLI, INSTRUCTOR, Workspace};
 use super::{Files, Written, place_of};
+use crate::grade::grader::fresh::{Purpose, reserve};
 use crate::grade::redact::Reveal;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
@@ -51,16 +53,12 @@ pub fn write(
     reveal: Reveal,
     path: &Path,
 ) -> Result<Written> {
-    let mut course = course(assignment, checkout)?;
-    let word = reveal.to_possible_value();
-    let word = word.map_or(String::new(), |word| word.get_name().to_owned());
-    course.insert("reveal".into(), word.into_bytes());
-    if let Some(folder) = fresh {
-        // Read the manifest first, to refuse here a folder that does not hold goldens.
-        Manifest::read(folder)?;
-        add_folder_as(&mut course, folder, "fresh", &[])?;
-    }
-    let recipe = RECIPE.map(|(name, text, mode)| (name.to_owned(), text.as_bytes(), mode));
+    let course = course(assignment, checkout, fresh, reveal)?;
+    let minutes = worst_case(assignment).as_secs().div_ceil(60).to_string();
+    let recipe =
+        RECIPE.map(|(name, text, mode)| (name, text.replace("{{ minutes }}", &minutes), mode));
+    let recipe = recipe.iter();
+    let recipe = recipe.map(|(name, text, mode)| ((*name).to_owned(), text.as_bytes(), *mode));
     let course = course.iter();
     let course = course.map(|(name, bytes)| (format!("{COURSE}/{name}"), bytes.as_slice(), 0o644));
     let failed = Error::input(
@@ -72,7 +70,7 @@ pub fn write(
     let fresh = Path::new(&name);
     let mut archive = ZipWriter::new(File::create(fresh).or_fail(&failed)?);
     let mut files = 0;
-    for (name, bytes, mode) in recipe.into_iter().chain(course) {
+    for (name, bytes, mode) in recipe.chain(course) {
         // Films are packed already, and sources are small.
         let options = SimpleFileOptions::default()
             .compression_method(CompressionMethod::Stored)
@@ -87,9 +85,39 @@ pub fn write(
     Ok(Written { files, bytes })
 }
 
-/// What grades: the checkout without mistakes, variants, and what renders goldens.
-fn course(assignment: &Assignment, checkout: &Checkout) -> Result<Files> {
+/// The limit of one process on the clock, for the limit of processor time that `grade` has
+/// unless told otherwise.
+const LIMIT: Duration = Duration::from_secs(4 * 2 + 2);
+
+/// What a process has when a submission has lost four limits.
+const SHORTEST: Duration = Duration::from_secs(2);
+
+/// How long a submission takes in which every answer never ends, on public and on fresh
+/// questions: once beside others, once again, and then each group alone.
+fn worst_case(assignment: &Assignment) -> Duration {
+    let groups = assignment.tasks.iter().map(|task| task.points.len());
+    let processes = groups.sum::<usize>() + assignment.tasks.len();
+    LIMIT + LIMIT * 4 + SHORTEST * 2 * processes as u32
+}
+
+/// What grades: the checkout without mistakes, variants, and what renders goldens; with it fresh
+/// questions, and what may be revealed.
+pub fn course(
+    assignment: &Assignment,
+    checkout: &Checkout,
+    fresh: Option<&Path>,
+    reveal: Reveal,
+) -> Result<Files> {
     let mut files = Files::new();
+    let word = reveal.to_possible_value();
+    let word = word.map_or(String::new(), |word| word.get_name().to_owned());
+    files.insert("reveal".into(), word.into_bytes());
+    if let Some(folder) = fresh {
+        // Read the manifest first, to refuse here a folder that does not hold goldens.
+        Manifest::read(folder)?;
+        reserve(folder, Purpose::Feedback)?;
+        add_folder_as(&mut files, folder, "fresh", &[])?;
+    }
     add_top(&mut files, checkout)?;
     let programs = [CLI.to_owned(), INSTRUCTOR.to_owned()];
     let folder = place_of(assignment);

@@ -1,7 +1,8 @@
-//! What must not travel, searched for in what is about to.
+//! Searches what is about to be handed out for what students must not get.
 //!
-//! Files are chosen so that nothing of it is among them; this is for the day when
-//! somebody quotes an answer in a comment, or names a withheld scene in a README.
+//! The files are chosen so that nothing secret is among them. This check is for the
+//! case that somebody quotes an answer in a comment, or names a withheld scene in a
+//! README.
 
 mod search;
 
@@ -106,7 +107,7 @@ impl Withheld {
         })
     }
 
-    /// What a file gives away, in words for an instructor.
+    /// What a file gives away, as a sentence for the instructor.
     fn shown_by(&self, path: &str, bytes: &[u8]) -> Option<String> {
         if self.names.is_empty() {
             return None;

@@ -1,16 +1,17 @@
-//! Writing a student's repository: whole or not at all, and never over anybody's work.
+//! Writes a student's repository: completely or not at all, and never over anybody's
+//! work.
 
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use super::{Files, Repository};
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::handout_record::{self, HandoutRecord};
 use pinhole_course::manifest::{Hashes, hash, hash_of};
+use pinhole_course::rust_tool::rust_tool;
 
-/// What a repository came to.
+/// The size of a repository.
 pub struct Written {
     /// Files.
     pub files: usize,
@@ -166,7 +167,7 @@ fn replace(fresh: &Path, out: &Path, old: &HandoutRecord, new: &HandoutRecord) -
     Ok(())
 }
 
-/// A folder that is gone again unless it was moved to its place.
+/// A temporary folder, deleted unless it was moved to its place.
 struct Fresh(PathBuf);
 
 impl Drop for Fresh {
@@ -178,10 +179,8 @@ impl Drop for Fresh {
 /// Has cargo drop from the lock file what a student's workspace does not need: with
 /// `--locked`, as in CI, it would refuse to do so later.
 fn prune_lock(folder: &Path) -> Result<()> {
-    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
-    cargo
-        .current_dir(folder)
-        .args(["update", "--workspace", "--offline", "--quiet"]);
+    let mut cargo = rust_tool("cargo", folder);
+    cargo.args(["update", "--workspace", "--offline", "--quiet"]);
     let failed = Error::environment(
         "cargo cannot prune the lock file",
         "run `cargo fetch` in the checkout, then this again",

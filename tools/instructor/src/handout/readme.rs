@@ -26,9 +26,10 @@ const ONLY_WITH: [(&str, &str); 2] = [
 pub fn adapt(files: &mut Files, assignment: &Assignment, checkout: &Checkout) -> Result<()> {
     let folder = place_of(assignment);
     let fill = |text: &str| {
-        let answers: Vec<String> = assignment.tasks.iter().map(|task| task.file()).collect();
+        let tasks = assignment.tasks.iter();
+        let answers: Vec<String> = tasks.map(|task| format!("`{}`", task.file())).collect();
         text.replace("<!-- points -->", points(assignment).trim_end())
-            .replace("<!-- answers -->", &answers.join(" "))
+            .replace("<!-- answers -->", &answers.join(", "))
             .replace("<!-- folder -->", &folder)
             .replace("<!-- name -->", &assignment.name)
             .replace("<!-- start -->", &assignment.start)

@@ -1,4 +1,4 @@
-//! The files that travel as they are.
+//! The files that are copied unchanged.
 //!
 //! They are listed by folder and kind rather than asked of git: a course may have come
 //! as an archive, and what lies beside the sources, as editors leave it, must not travel.
@@ -11,9 +11,8 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
 
 /// At the top of the checkout, beside its manifest.
-const TOP: [&str; 8] = [
+const TOP: [&str; 7] = [
     ".cargo/config.toml",
-    ".vscode/settings.json",
     "Cargo.lock",
     "LICENSE",
     "README.md",

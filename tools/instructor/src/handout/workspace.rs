@@ -1,5 +1,5 @@
-//! The workspace around answers: a selection of the course's packages, their manifests
-//! without what serves tests and benches, which stay at home.
+//! The workspace around the answers: a selection of the course's packages, whose
+//! manifests have no tests or benches.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -18,12 +18,14 @@ pub const CLI: &str = "tools/cli";
 /// The folder of the program that grades.
 pub const INSTRUCTOR: &str = "tools/instructor";
 
+/// Beside a manifest: cargo's settings for building that program, given with `--config`.
+const SETTINGS: &str = "release.toml";
+
 /// A workspace to hand out.
 pub struct Workspace<'a> {
     /// The assignment that commands mean if nothing else is said.
     pub assignment: &'a Assignment,
-    /// Folders of the packages that are there for their own sake; what they need comes
-    /// with them.
+    /// Folders of the packages to include. The packages that they need are added.
     pub packages: &'a [String],
     /// The packages that cargo builds, runs and tests by default.
     pub default: &'a [String],
@@ -40,6 +42,11 @@ impl Workspace<'_> {
             leave_tests_at_home(&mut own);
             files.insert(format!("{folder}/Cargo.toml"), own.to_string().into());
             add_folder(files, checkout, &format!("{folder}/src"), &["rs"])?;
+            let settings = format!("{folder}/{SETTINGS}");
+            let path = checkout.root().join(&settings);
+            if path.is_file() {
+                files.insert(settings, read_text(&path)?.into());
+            }
             let templates = format!("{folder}/templates");
             if checkout.root().join(&templates).is_dir() {
                 add_folder(files, checkout, &templates, &[])?;
@@ -58,7 +65,7 @@ impl Workspace<'_> {
         top["workspace"]["metadata"]["pinhole"]["default-assignment"] =
             value(&self.assignment.name);
         if let Some(workspace) = top["workspace"].as_table_mut() {
-            // The peers stay at home.
+            // The peers are not handed out.
             workspace.remove("exclude");
         }
         top["workspace"]["members"] = list(&members);
@@ -141,9 +148,6 @@ fn keep_profiles(top: &mut DocumentMut, packages: &BTreeSet<String>) {
     let Some(profiles) = top.get_mut("profile").and_then(Item::as_table_mut) else {
         return;
     };
-    if !packages.contains("pinhole-instructor") {
-        profiles.remove("instructor");
-    }
     for (_, profile) in profiles.iter_mut() {
         if let Some(own) = profile.get_mut("package").and_then(Item::as_table_mut) {
             own.retain(|name, _| name == "*" || packages.contains(name));

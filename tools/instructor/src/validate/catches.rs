@@ -1,4 +1,5 @@
-//! How much each group of questions and each scene catches, and what only it catches.
+//! Counts the mistakes that each group of questions and each scene catches, and those
+//! that nothing else catches.
 
 use serde::Serialize;
 
@@ -21,8 +22,8 @@ pub struct Catches {
     pub scenes: Vec<Catch>,
 }
 
-/// What one group of questions or one scene catches. Of mistakes only single ones count:
-/// one that holds two beliefs fails wherever either does.
+/// What one group of questions or one scene catches. Only single mistakes are counted,
+/// because a compound fails wherever one of its beliefs does.
 #[derive(Debug, Default, Serialize)]
 pub struct Catch {
     /// `task.group`, or the scene.

@@ -1,5 +1,5 @@
-//! A search for questions on which two programs give different answers: all that goldens
-//! ask of a task, here to the last bit, and the task's [ties](super::ties).
+//! Searches for questions on which two programs give different answers, compared to the
+//! last bit: all questions of a task, and its [ties](super::ties).
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -25,7 +25,8 @@ use pinhole_report::terminal;
 /// How a mutant's answers differ from the reference's.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Difference {
-    /// Whether both are the same machine code, byte for byte: proof, not only search.
+    /// Whether both are the same machine code, byte for byte. That is a proof; a search
+    /// is not.
     pub same_program: bool,
     /// Questions that are no ties.
     pub asked: usize,
@@ -87,8 +88,8 @@ impl<'a> Oracle<'a> {
     /// Where another program's answers to a task differ.
     pub fn compare(&self, task: &Task, other: &Program) -> Result<Difference> {
         let read = |program: &Program| fs::read(&program.executable).ok();
-        // What the same compiler makes the same code of is the same program
-        // (Papadakis et al., "Trivial Compiler Equivalence", 2015).
+        // Two sources that compile to the same code are the same program (Papadakis et
+        // al., "Trivial Compiler Equivalence", 2015).
         if read(other).is_some_and(|code| Some(code) == read(&self.program)) {
             return Ok(Difference {
                 same_program: true,

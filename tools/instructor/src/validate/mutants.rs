@@ -1,5 +1,5 @@
-//! Every mutant down the one path: caught by its own task's probes, or by a scene, or
-//! known to be no mistake.
+//! Judges every mutant: it must be caught by its own task's probes or by a scene, or be
+//! listed as no mistake.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -10,6 +10,7 @@ use serde::Serialize;
 use super::difference::{Difference, Oracle};
 use super::equivalents::{self, EquivalentMutant};
 use super::mutate::{self, Mutant};
+use super::sentences::Sentences;
 use super::validator::Validator;
 use pinhole_course::compile::{Attempt, Program, Replacements};
 use pinhole_course::error::{Result, ResultExt};
@@ -17,25 +18,27 @@ use pinhole_course::examine::Selection;
 use pinhole_course::overlay;
 use pinhole_course::submission::Submission;
 
-/// What came of the mutants.
+/// The results of all mutants.
 #[derive(Debug, Serialize)]
 pub struct Mutants {
     /// One for each, in the order of tasks and lines.
     pub judged: Vec<MutantVerdict>,
-    /// Of the list of those that are no mistakes, what is not as it says.
+    /// Entries of the list of equivalent mutants that are not true.
     pub faults: Vec<String>,
 }
 
-/// One mutant and what came of it.
+/// One mutant and its result.
 #[derive(Debug, Serialize)]
 pub struct MutantVerdict {
     /// The mutant.
     pub mutant: Mutant,
-    /// What came of it.
+    /// Its result.
     pub fate: Fate,
+    /// What was measured of it, if its own task's questions fail.
+    pub sentences: Sentences,
 }
 
-/// What comes of a mutant.
+/// The result of a mutant.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Fate {
@@ -54,13 +57,13 @@ pub enum Fate {
     },
 }
 
-/// A mutant that takes longer over a task or a scene has lost itself in a loop; the
+/// A mutant that takes longer for a task or a scene is in an endless loop; the
 /// reference takes less than a second.
 const WALL: Duration = Duration::from_secs(10);
 
 /// Judges the mutants of every answer whose names contain `named`.
 pub fn judge(validator: &Validator, named: &str) -> Result<Mutants> {
-    // Nobody believes a mutant, so no belief need be sought for it.
+    // Mutants need no diagnosis.
     let goldens = validator.goldens.without_known();
     let validator = &Validator {
         goldens: &goldens,
@@ -77,16 +80,21 @@ pub fn judge(validator: &Validator, named: &str) -> Result<Mutants> {
 
     let oracle = Oracle::new(validator, validator.compiler.compile(&reference)?);
     let judge = |mutant: &Mutant| {
-        let fate = fate(validator, &reference, mutant, &oracle, &listed)?;
+        let (fate, sentences) = fate(validator, &reference, mutant, &oracle, &listed)?;
         let mutant = mutant.clone();
-        Ok(MutantVerdict { mutant, fate })
+        Ok(MutantVerdict {
+            mutant,
+            fate,
+            sentences,
+        })
     };
     let judged = validator.all("mutants", &wanted, judge)?;
     faults.extend(judged.iter().filter_map(|judged| judged.fault(&listed)));
     Ok(Mutants { judged, faults })
 }
 
-fn generate(reference: &Submission) -> Result<Vec<Mutant>> {
+/// All mutants of the reference.
+pub fn generate(reference: &Submission) -> Result<Vec<Mutant>> {
     let mut all = Vec::new();
     for answer in &reference.answers {
         let text = answer.text.as_deref().unwrap_or_default();
@@ -105,7 +113,7 @@ fn fate(
     mutant: &Mutant,
     oracle: &Oracle,
     listed: &[EquivalentMutant],
-) -> Result<Fate> {
+) -> Result<(Fate, Sentences)> {
     let submission = reference
         .clone()
         .with_answer(&mutant.task, mutant.text.clone());
@@ -114,11 +122,17 @@ fn fate(
         .compiler
         .compile_until(&submission, is_not_viable)?
     else {
-        return Ok(Fate::NotViable);
+        return Ok((Fate::NotViable, Sentences::default()));
     };
     let fate = fate_of_program(validator, &submission, &program, mutant, oracle, listed);
+    let sentences = match (&fate, validator.assignment.task(&mutant.task)) {
+        (Ok(Fate::Probes(_)), Some(task)) => {
+            Sentences::of(validator, &program, task, &mutant.name())
+        }
+        _ => Ok(Sentences::default()),
+    };
     discard(&program);
-    fate
+    Ok((fate?, sentences?))
 }
 
 fn fate_of_program(
@@ -220,6 +234,11 @@ impl MutantVerdict {
 }
 
 impl Mutants {
+    /// What was measured of all of them.
+    pub fn sentences(&self) -> Sentences {
+        Sentences::sum(self.judged.iter().map(|judged| &judged.sentences))
+    }
+
     /// How many are such.
     pub fn count(&self, such: impl Fn(&MutantVerdict) -> bool) -> usize {
         self.judged.iter().filter(|judged| such(judged)).count()

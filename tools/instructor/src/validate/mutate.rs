@@ -1,10 +1,10 @@
 //! Mutants: the reference with one small fault each, written by a program.
 //!
-//! A golden that no mutant escapes leaves no operator, constant or argument of the
-//! reference untested (DeMillo, Lipton & Sayward, "Hints on Test Data Selection", 1978).
-//! The five operators that Offutt et al. found sufficient are here (ABS, AOR, LCR, ROR,
-//! UOI: "An Experimental Determination of Sufficient Mutant Operators", 1996), the ones
-//! of cargo-mutants for Rust, and those of this subject: a component or vector taken for
+//! If the goldens catch every mutant, they test every operator, constant and argument of
+//! the reference (DeMillo, Lipton & Sayward, "Hints on Test Data Selection", 1978). The
+//! five operators that Offutt et al. found sufficient are here (ABS, AOR, LCR, ROR, UOI:
+//! "An Experimental Determination of Sufficient Mutant Operators", 1996), the ones of
+//! cargo-mutants for Rust, and those of this subject: a component or vector taken for
 //! its neighbour, a cross product the other way round, a length left squared.
 //!
 //! Only the text of the change is replaced, so that a mutant reads like the reference.

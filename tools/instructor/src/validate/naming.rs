@@ -1,5 +1,5 @@
-//! Whether diagnoses give the right name: of rewrites, never of the answers whose films
-//! are stored, since matching a film with itself proves nothing.
+//! Tests whether diagnoses give the right name. It uses rewrites, not the answers whose
+//! films are stored, because matching a film with itself proves nothing.
 
 use serde::Serialize;
 
@@ -46,7 +46,8 @@ impl Names {
         self.right as f64 / self.all().max(1) as f64
     }
 
-    fn count(&mut self, film: &str, diagnosis: &Diagnosis, beliefs: &[String]) {
+    /// Counts the diagnosis of a film of somebody who holds these beliefs.
+    pub fn count(&mut self, film: &str, diagnosis: &Diagnosis, beliefs: &[String]) {
         let names: Vec<&String> = diagnosis.beliefs.iter().map(|named| &named.slug).collect();
         let held = |name: &&String| beliefs.contains(name);
         match diagnosis.reading {
@@ -57,7 +58,8 @@ impl Names {
         }
     }
 
-    fn add(&mut self, other: &Names) {
+    /// Adds others.
+    pub fn add(&mut self, other: &Names) {
         self.right += other.right;
         self.among += other.among;
         self.none += other.none;
@@ -131,7 +133,8 @@ impl Diagnoses {
             mistakes.judged.iter().partition(|judged| judged.single);
         let (rewrites, composed): (Vec<_>, Vec<_>) =
             rewrites.judged.iter().partition(|judged| judged.single);
-        // What is composed of the beliefs' own answers shows little: their films are stored.
+        // Compounds of the beliefs' own answers are left out, because the films of those
+        // answers are stored.
         let written = compounds.into_iter().filter(|judged| !judged.composed);
         let compounds: Vec<&SubmissionVerdict> = written.chain(composed).collect();
         Diagnoses {
@@ -158,7 +161,7 @@ impl Diagnoses {
             }
         }
         // Of a single belief a false name counts against its share above. A single picture
-        // of two beliefs can be the very picture of a third: nothing could tell.
+        // of two beliefs can equal that of a third one.
         for names in [&compounds.tasks, &compounds.scenes] {
             faults.extend(names.wrong.iter().map(|film| format!("false name: {film}")));
         }

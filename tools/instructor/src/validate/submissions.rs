@@ -9,6 +9,7 @@ use serde::Serialize;
 
 use super::naming::Naming;
 use super::validator::Validator;
+use crate::scene_cap::most_for_scenes;
 use bases::{Bases, Under};
 use pinhole_course::error::{Error, Result};
 use pinhole_course::examine::Selection;
@@ -18,7 +19,7 @@ use pinhole_course::overlay;
 use pinhole_course::stubs;
 use pinhole_course::submission::{Answer, Submission};
 
-/// What came of the stub and the reference.
+/// The results of the stub and the reference.
 #[derive(Debug, Serialize)]
 pub struct Pristine {
     /// Points of the reference, and all there are.
@@ -53,6 +54,10 @@ pub struct SubmissionVerdict {
     pub groups: Vec<String>,
     /// Scenes that fail.
     pub scenes: Vec<String>,
+    /// Points that its scenes earn by themselves.
+    pub scene_points: u32,
+    /// What they may earn at most; see [`crate::scene_cap`].
+    pub most_for_scenes: u32,
     /// Answers that do not compile: then nothing is shown by their failing.
     pub not_compiled: Vec<String>,
     /// What its diagnoses name.
@@ -214,13 +219,25 @@ fn judge_all(
         let submission = folders.try_fold(under, |under, folder| under.overlaid(folder))?;
         let examination = validator.examine_over(&submission, base)?;
         let naming = Naming::of(&validator, &overlay.name, &examination, &overlay.beliefs)?;
-        Ok(SubmissionVerdict::of(&examination.outcome, overlay, naming))
+        let needs = validator.goldens.needs_of_scenes(validator.assignment)?;
+        let most = most_for_scenes(&examination.outcome, &[], &needs, &[]);
+        Ok(SubmissionVerdict::of(
+            &examination.outcome,
+            overlay,
+            naming,
+            most,
+        ))
     })?;
     Ok(SubmissionVerdicts { judged })
 }
 
 impl SubmissionVerdict {
-    fn of(outcome: &Outcome, overlay: &Overlay, naming: Naming) -> SubmissionVerdict {
+    fn of(
+        outcome: &Outcome,
+        overlay: &Overlay,
+        naming: Naming,
+        most_for_scenes: u32,
+    ) -> SubmissionVerdict {
         let mut tasks = Vec::new();
         let mut groups = Vec::new();
         for task in &outcome.tasks {
@@ -244,6 +261,8 @@ impl SubmissionVerdict {
             tasks,
             groups,
             scenes: scenes.map(|scene| scene.name.clone()).collect(),
+            scene_points: outcome.scenes.iter().map(|scene| scene.points).sum(),
+            most_for_scenes,
             not_compiled: replaced.map(|task| task.name.clone()).collect(),
             naming,
         }

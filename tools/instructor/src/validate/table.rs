@@ -3,12 +3,14 @@
 mod catches;
 mod diagnoses;
 mod mutants;
+mod pairs;
 mod sensitivity;
 
 use anstyle::{AnsiColor, Style};
 
 use super::Validation;
-use super::submissions::SubmissionVerdicts;
+use super::draws::Draws;
+use super::submissions::{SubmissionVerdict, SubmissionVerdicts};
 
 const PASS: Style = AnsiColor::Green.on_default();
 const FAIL: Style = AnsiColor::Red.on_default();
@@ -18,7 +20,7 @@ const STRONG: Style = Style::new().bold();
 /// The table: first what misses a target, then each part that was judged.
 pub fn validation(validation: &Validation) -> String {
     let mut text = format!(
-        "{STRONG}{}{STRONG:#}  {QUIET}the grading graded{QUIET:#}\n\n",
+        "{STRONG}{}{STRONG:#}  {QUIET}a test of the grading{QUIET:#}\n\n",
         validation.assignment
     );
     for fault in &validation.faults {
@@ -31,6 +33,9 @@ pub fn validation(validation: &Validation) -> String {
     if let Some(diagnoses) = &validation.diagnoses {
         text += &diagnoses::table(diagnoses);
     }
+    if let Some(pairs) = &validation.pairs {
+        text += &pairs::table(pairs);
+    }
     if let Some(mutants) = &validation.mutants {
         text += &mutants::table(mutants);
     }
@@ -40,6 +45,9 @@ pub fn validation(validation: &Validation) -> String {
     if let Some(scenes) = &validation.sensitivity {
         text += &sensitivity::table(scenes);
     }
+    if let Some(draws) = &validation.draws {
+        text += &drawn(draws);
+    }
     let verdict = match validation.faults.len() {
         0 => format!("{PASS}every target is met{PASS:#}"),
         1 => format!("{FAIL}1 target is missed{FAIL:#}, see the top"),
@@ -47,6 +55,19 @@ pub fn validation(validation: &Validation) -> String {
     };
     let seconds = validation.seconds;
     text + &format!("\n{verdict}  {QUIET}{seconds:.0} s{QUIET:#}\n")
+}
+
+/// The groups that pass the public questions and not all fresh ones, the rarest first.
+fn drawn(draws: &Draws) -> String {
+    let (answers, groups, asked) = (draws.answers, draws.groups, draws.asked);
+    let mut text = format!(
+        "\n{STRONG}fresh questions of many seeds{STRONG:#}  {QUIET}{answers} wrong answers, {groups} \
+         groups that pass the public questions, asked {asked} times{QUIET:#}\n"
+    );
+    for group in &draws.caught {
+        text += &row(!group.depends_on_the_draw(), "", group.to_string());
+    }
+    text
 }
 
 fn submissions(validation: &Validation) -> String {
@@ -63,6 +84,7 @@ fn submissions(validation: &Validation) -> String {
         let compound = mistakes.judged.iter().filter(|judged| !judged.single);
         let both = format!("; {} of them hold two beliefs", compound.count());
         text += &failing("mistakes", mistakes, &both);
+        text += &capped(mistakes);
     }
     if let Some(rewrites) = &validation.rewrites {
         text += &failing("  rewritten", rewrites, "");
@@ -84,6 +106,24 @@ fn failing(name: &str, known: &SubmissionVerdicts, more: &str) -> String {
     let declared = judged().filter(|judged| judged.is_as_declared()).count();
     let said = format!("{caught} of {all} caught, {declared} in exactly their own tasks{more}");
     row(declared == all, name, said)
+}
+
+/// What the tasks' points take from scenes, where no fresh scene vouches for them.
+fn capped(mistakes: &SubmissionVerdicts) -> String {
+    let lost = |judged: &SubmissionVerdict| {
+        let (earned, most) = (judged.scene_points, judged.most_for_scenes);
+        (earned.saturating_sub(most), judged.name.clone())
+    };
+    let mut lost: Vec<(u32, String)> = mistakes.judged.iter().map(lost).collect();
+    lost.sort_by(|a, b| b.cmp(a));
+    let some = lost.iter().filter(|(points, _)| *points > 0).count();
+    let worst = lost.first().filter(|(points, _)| *points > 0);
+    let worst = worst.map_or(String::new(), |(points, name)| {
+        format!(", {points} points at most ({name})")
+    });
+    let all = lost.len();
+    let said = format!("{some} of {all} lose points for scenes{worst}");
+    row(true, "  scenes capped", said)
 }
 
 fn row(well: bool, name: &str, said: String) -> String {

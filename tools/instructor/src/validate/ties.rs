@@ -24,7 +24,7 @@ pub fn read(goldens: &Goldens, task: &Task) -> Result<Option<(Questions, Vec<boo
     let Some(ties) = film.channel("tie") else {
         return Err(Error::environment(
             format!("{} has no channel `tie`", path.display()),
-            "make the goldens again: cargo pinhole golden render",
+            "restore the goldens: git checkout -- golden",
         ));
     };
     Ok(Some((

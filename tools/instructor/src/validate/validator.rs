@@ -27,6 +27,8 @@ pub struct Validator<'a> {
     pub assignment: &'a Assignment,
     /// By what.
     pub goldens: &'a Goldens,
+    /// Questions from another seed, by which sentences are tested, if there are any.
+    pub fresh: Option<&'a Goldens>,
     /// Makes programs.
     pub compiler: &'a Compiler,
     /// Where they run.

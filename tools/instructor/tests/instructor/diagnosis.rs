@@ -1,4 +1,4 @@
-//! A wrong film is told which belief explains it, or nothing at all.
+//! Diagnoses of wrong films: the belief that explains them, or nothing.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,8 @@ fn plain(path: &Path) -> &str {
     path.to_str().expect("test folders have plain names")
 }
 
-/// A student who holds the belief of `slug`, in code that nobody took films of.
+/// A student with the belief of `slug`, whose code is not the one whose films are
+/// stored.
 fn student(name: &str, slug: &str) -> PathBuf {
     let mistakes = root().join("assignments/ray_casting/mistakes");
     let rewrite = mistakes.join(slug).join("rewrite");
@@ -67,7 +68,7 @@ fn a_belief_in_code_never_seen_is_named_in_its_task_and_in_every_scene_it_spoils
 }
 
 #[test]
-fn the_table_says_what_is_believed_and_where_to_look_but_not_yet_more() {
+fn table_shows_the_belief_and_the_first_hint_only() {
     let folder = student("told", "sphere_near_root_only");
     let sphere = ["check", plain(&folder), "--task", "sphere"];
     let hint = &pinhole(&[&sphere[..], &["--json"]].concat()).json()["tasks"][0]["diagnosis"]["beliefs"]
@@ -96,7 +97,7 @@ fn scenes_asked_alone_are_diagnosed_together() {
 }
 
 #[test]
-fn an_answer_that_no_known_belief_explains_gets_no_name() {
+fn unknown_mistake_gets_no_name_but_is_measured() {
     let never = "use pinhole::{Intersection, Ray, Sphere};\nuse crate::intersect_ray::IntersectRay;\n\
                  impl IntersectRay for Sphere {\n    fn intersect_ray(&self, _: &Ray, _: f64) -> \
                  Option<Intersection> {\n        None\n    }\n}\n";
@@ -111,6 +112,10 @@ fn an_answer_that_no_known_belief_explains_gets_no_name() {
             assert_eq!(row["diagnosis"], Value::Null, "{row:#}");
         }
     }
+    let says = &examination["tasks"][1]["measured"][0]["says"];
+    let says = says.as_str().expect("a sentence");
+    assert!(says.starts_with("You find no hit at all"), "{says}");
+    pinhole(&["check", plain(&folder), "--task", "sphere"]).expect_out(says);
 }
 
 #[test]

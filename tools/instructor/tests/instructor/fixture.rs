@@ -1,11 +1,11 @@
-//! A small assignment with one task of its own, on a shape that no other asks about: every
-//! command takes it as data. No source of the tools knows it.
+//! A small assignment whose only task is about a shape that no other assignment uses.
+//! Every command must work with it, although no source of the tools names it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use pinhole_testing::{Ran, fresh, pinhole, root, trusted};
+use pinhole_testing::{Ran, fresh, pinhole, program_of, root, trusted};
 use serde_json::{Value, json};
 
 const DISKS: &str = "tools/instructor/tests/fixture/assignments/disks";
@@ -50,7 +50,7 @@ fn a_pixel_is_explained_with_the_shapes_own_words() {
     run(&["explain", "coins", "32", "18"])
         .expect_code(0)
         .expect_out("disk c = (0.1, 0.4, −0.5), n = (0.3, 1, 2), r = 0.7")
-        .expect_out("expected (Mitsuba)   object 0 at t = 3.18863");
+        .expect_out("Mitsuba's  object 0 at t = 3.18863");
 }
 
 #[test]
@@ -94,12 +94,12 @@ fn a_class_of_two_is_graded_by_fresh_questions_too() {
     let arguments = ["check", &part("reference"), "--no-report", "--golden"];
     run(&[&arguments[..], &[plain(&fresh)]].concat())
         .expect_code(0)
-        .expect_out("random_7_0")
+        .expect_out("random_0")
         .expect_out("20 / 20");
 }
 
 #[test]
-fn goldens_are_in_step_and_the_grading_meets_every_target() {
+fn goldens_match_and_the_grading_meets_every_target() {
     run(&["golden", "verify"])
         .expect_code(0)
         .expect_out("films by Mitsuba");
@@ -110,6 +110,107 @@ fn goldens_are_in_step_and_the_grading_meets_every_target() {
         let judged = document[part]["judged"].as_array().map(Vec::len);
         assert_eq!(judged, Some(count), "{part}");
     }
+}
+
+#[test]
+fn name_that_matches_nothing_is_an_error() {
+    run(&["validate", "--named", "no_such_thing"])
+        .expect_code(2)
+        .expect_err("nothing that would be judged has \"no_such_thing\" in its name");
+}
+
+/// A copy of the assignment's folders that one test may change.
+fn copy(test: &str) -> PathBuf {
+    let course = fresh(&trusted(), test);
+    let from = root().join("tools/instructor/tests/fixture");
+    let mut folders = vec![from.clone()];
+    while let Some(folder) = folders.pop() {
+        let to = course.join(folder.strip_prefix(&from).expect("it lies there"));
+        fs::create_dir_all(&to).expect("a folder can be made");
+        for entry in fs::read_dir(folder).expect("it can be read").flatten() {
+            match entry.path().is_dir() {
+                true => folders.push(entry.path()),
+                false => drop(fs::copy(entry.path(), to.join(entry.file_name()))),
+            }
+        }
+    }
+    course.join("assignments/disks")
+}
+
+#[test]
+fn files_that_a_person_may_have_written_are_replaced_only_with_force() {
+    let copy = copy("fixture-overwritten");
+    let answer = copy.join("handout/src/disk.rs");
+    let stub = fs::read_to_string(&answer).expect("it was copied");
+    let mine = stub.replace("todo!(\"disk\")", "None // my answer");
+    assert_ne!(mine, stub);
+    fs::write(&answer, &mine).expect("it can be written");
+    let line = ["handout", "--assignment", plain(&copy)];
+    pinhole(&line)
+        .expect_code(2)
+        .expect_err("disk.rs would be overwritten");
+    assert_eq!(fs::read_to_string(&answer).ok(), Some(mine));
+    pinhole(&[&line[..], &["--force"]].concat()).expect_code(0);
+    assert_eq!(fs::read_to_string(&answer).ok(), Some(stub));
+    pinhole(&line).expect_code(0);
+
+    for scenes in [&[][..], &["coins"]] {
+        let line = [
+            &["golden", "render"],
+            scenes,
+            &["--assignment", plain(&copy)],
+        ]
+        .concat();
+        pinhole(&line)
+            .expect_code(2)
+            .expect_err("films already that this would replace")
+            .expect_err("say --force");
+    }
+}
+
+#[test]
+fn films_stay_as_they_are_until_all_new_ones_are_made() {
+    let copy = copy("fixture-killed");
+    let film = copy.join("../../golden/disks/coins.exr");
+    let old = fs::read(&film).expect("it was copied");
+    let scene = fs::read_to_string(copy.join("scenes/coins.toml")).expect("it was copied");
+    let moved = fresh(&trusted(), "staging").join("coins.toml");
+    fs::write(
+        &moved,
+        scene.replace("eye = [0.2, 0.9, 4.3]", "eye = [0.1, 0.7, 4.1]"),
+    )
+    .expect("it can be written");
+    let folder = film.parent().expect("it has one").to_owned();
+    let line = [
+        "golden",
+        "render",
+        plain(&moved),
+        "--out",
+        plain(&folder),
+        "--no-mistakes",
+        "--assignment",
+        plain(&copy),
+        "--force",
+    ];
+    let mut killed = Command::new(program_of("golden"))
+        .current_dir(root())
+        .args(line)
+        .spawn()
+        .expect("it starts");
+    while !folder.join(".rendering").exists() {
+        assert!(matches!(killed.try_wait(), Ok(None)), "it is at work");
+    }
+    killed
+        .kill()
+        .and_then(|()| killed.wait())
+        .expect("it can be killed");
+    assert_eq!(fs::read(&film).ok(), Some(old.clone()));
+    // What it left behind does not interfere.
+    fs::create_dir_all(folder.join(".rendering")).expect("a folder can be made");
+    fs::write(folder.join(".rendering/coins.exr"), "half").expect("it can be written");
+    pinhole(&line).expect_code(0);
+    assert_ne!(fs::read(&film).ok(), Some(old));
+    assert!(!folder.join(".rendering").exists());
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Goldens: made by Mitsuba, reproducible, and in step with what they were made from.
+//! Goldens: they can be rendered again, and match what they were made from.
 
 use std::fs;
 use std::path::Path;
@@ -36,7 +36,7 @@ fn copy(name: &str) -> std::path::PathBuf {
 fn committed_goldens_are_in_step_and_a_changed_byte_is_noticed() {
     pinhole(&["golden", "verify"])
         .expect_code(0)
-        .expect_out("are in step");
+        .expect_out("match their manifest");
 
     let folder = copy("golden-changed");
     verify(&folder).expect_code(0);
@@ -50,7 +50,7 @@ fn committed_goldens_are_in_step_and_a_changed_byte_is_noticed() {
 }
 
 #[test]
-fn a_missing_film_and_a_film_nobody_made_are_noticed() {
+fn missing_and_foreign_films_are_noticed() {
     let folder = copy("golden-strays");
     fs::remove_file(folder.join("bunny.tol.exr")).expect("it was copied");
     fs::copy(folder.join("bunny.exr"), folder.join("hare.exr")).expect("it can be copied");

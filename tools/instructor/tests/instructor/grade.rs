@@ -1,5 +1,7 @@
-//! A small class, graded by the real command: the same marks whatever happens meanwhile.
+//! A small class, graded by the real command, whose marks must not depend on how it is
+//! run.
 
+mod exports;
 mod fresh;
 mod resume;
 mod withheld;
@@ -137,10 +139,14 @@ fn a_class_is_graded_alike_at_any_number_of_jobs_and_everything_in_it_is_told() 
         &formats,
     ]
     .concat();
-    let told = class.grade("one", &options).expect_code(0).json();
+    // One lacks a file, five are on no roster, and one file belongs to nobody.
+    let told = class.grade("one", &options).expect_code(1).json();
     class
         .grade("two", &["--roster", &roster, "--jobs", "2"])
-        .expect_code(0);
+        .expect_code(1)
+        .expect_out("of 3 people on the roster, 2 are graded; 1 handed in nothing")
+        .expect_out("! 1 files taken by nobody\n      notes.txt")
+        .expect_out("gus: plane.rs is missing");
     let csv = class.read("one/grades.csv");
     assert_eq!(csv, class.read("two/grades.csv"));
 
@@ -240,7 +246,7 @@ fn every_format_is_valid(class: &Class, id: &str) {
 }
 
 #[test]
-fn an_archive_without_answers_misses_them_and_one_that_makes_no_sense_is_refused() {
+fn empty_archive_misses_its_answers_and_a_broken_one_is_refused() {
     let class = Class::new("archives");
     let folder = class.folder.join("archives");
     fs::create_dir_all(folder.join("empty")).expect("a folder can be made");
@@ -251,7 +257,7 @@ fn an_archive_without_answers_misses_them_and_one_that_makes_no_sense_is_refused
     archive.finish().expect("writable");
     fs::write(folder.join("broken.zip"), "PK no archive").expect("writable");
     let (folder, out) = (class.path("archives"), class.path("out"));
-    on_small_assignment(&["grade", &folder, "--out", &out, "--no-fresh"]).expect_code(0);
+    on_small_assignment(&["grade", &folder, "--out", &out, "--no-fresh"]).expect_code(1);
     for (id, outcome) in [
         ("without", "missing file"),
         ("broken", "refused file"),
@@ -290,23 +296,38 @@ fn an_endless_answer_is_asked_again_alone_and_costs_its_own_points_only() {
 }
 
 #[test]
-fn nobody_is_graded_without_walls_unless_the_instructor_says_so() {
+fn grading_without_a_sandbox_needs_an_option() {
     let class = Class::new("trusted");
     let (entry, out) = (class.path("class/ada"), class.path("out"));
     let fixed = ["grade", &entry, "--out", &out, "--no-fresh"];
-    pinhole(&[&fixed[..], &["--trust"]].concat()).expect_code(0);
+    let formats = ["gradescope", "prairielearn", "junit"].map(|name| ["--format", name]);
+    let trusting = [&fixed[..], &["--trust"], &formats.concat()].concat();
+    pinhole(&trusting)
+        .expect_code(0)
+        .expect_out("without a sandbox");
     let result = class.result("out", "ada");
     assert_eq!(result["provenance"]["sandbox"], "none");
-    assert!(
-        class
-            .read("out/submissions/ada/report.html")
-            .contains("none")
-    );
-    // That mark does not pass for one made behind walls.
+    for view in [
+        "submissions/ada/report.html",
+        "submissions/ada/gradescope.json",
+        "submissions/ada/prairielearn.json",
+        "submissions/ada/junit.xml",
+        "class.html",
+        "grades.csv",
+    ] {
+        let text = class.read(&format!("out/{view}"));
+        assert!(text.contains("without a sandbox"), "{view}:\n{text}");
+    }
+    // That mark is not valid for a run with a sandbox.
     let again = pinhole(&[&fixed[..], &["--json"]].concat())
         .expect_code(0)
         .json();
     assert_eq!(again["graded_now"], 1);
+    // All other views of it are removed too.
+    for gone in ["gradescope.json", "prairielearn.json", "junit.xml"] {
+        let path = class.folder.join("out/submissions/ada").join(gone);
+        assert!(!path.exists(), "{gone}");
+    }
     assert_eq!(
         class.result("out", "ada")["provenance"]["sandbox"],
         "bubblewrap"

@@ -1,5 +1,5 @@
-//! What students are given: all they need, nothing they must not have, and a repository
-//! that works on a machine with Rust alone.
+//! The students' repository: it has all they need and nothing they must not have, and
+//! works on a machine with only Rust.
 
 mod beside;
 mod book;
@@ -52,14 +52,14 @@ fn sha256(bytes: &[u8]) -> String {
 }
 
 #[test]
-fn nobodys_own_files_are_overwritten() {
+fn files_of_students_are_not_overwritten() {
     let out = handed_out("handout-force");
     let again = |force: &[&str]| {
         let arguments = [&["handout", "--out", plain(&out)], force].concat();
         pinhole(&arguments)
     };
     again(&[]).expect_code(2).expect_err("not empty");
-    // What is not the handout's stays; what is comes back.
+    // Files that are not the handout's stay; those that are come back.
     fs::write(out.join("notes.txt"), "mine").expect("it can be written");
     fs::remove_file(out.join("src/lib.rs")).expect("it was written");
     again(&["--force"]).expect_code(0);

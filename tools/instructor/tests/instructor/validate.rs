@@ -1,4 +1,4 @@
-//! The grading is graded: what has a wrong verdict is named, whatever it is.
+//! `validate` reports every kind of wrong verdict.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -99,7 +99,7 @@ fn a_mistake_that_fails_in_another_task_than_it_declares_is_named() {
 }
 
 #[test]
-fn a_mistake_that_does_not_compile_shows_nothing() {
+fn mistake_that_does_not_compile_is_a_fault() {
     is_named("✗ mistakes/plane_broken does not compile: plane\n");
 }
 
@@ -132,7 +132,7 @@ fn a_variant_that_loses_a_point_is_a_false_fail() {
 }
 
 #[test]
-fn what_has_the_right_verdict_is_no_fault() {
+fn right_verdict_is_not_a_fault() {
     let out = &wrong_verdicts().out;
     let faults: Vec<&str> = out
         .lines()
@@ -178,7 +178,7 @@ fn listed(becomes: &str, differs: &str) -> String {
 }
 
 #[test]
-fn a_mutant_that_escapes_is_missed_unless_it_is_listed_as_what_it_is() {
+fn escaped_mutant_is_a_fault_unless_listed_as_equivalent() {
     let _alone = MUTANTS.lock().unwrap_or_else(PoisonError::into_inner);
     let course = assignment("escaped");
     let only_these = ["--only", "mutants", "--named", &of_the_discriminant()];
@@ -211,6 +211,40 @@ fn a_list_of_mutants_that_is_out_of_step_is_named() {
     let ran = ran.expect_out("✗ listed, but caught by sphere.outside");
     let ran = ran.expect_out("✗ listed, but no longer a mutant of sphere: if discriminant < 7.0 {");
     ran.expect_out("2 targets are missed");
+}
+
+/// A belief about the plane as one edit of the reference.
+fn edit(mistake: &str, was: &str, becomes: &str) -> String {
+    format!(
+        "[[belief]]\ntask = \"plane\"\nmistake = {mistake:?}\nedits = [[{was:?}, {becomes:?}]]\n"
+    )
+}
+
+#[test]
+fn two_beliefs_in_one_answer_are_both_named_and_their_edits_must_fit() {
+    let course = assignment("pairs");
+    let only_these = ["--only", "pairs", "--json", "--named", "plane"];
+    let long = edit(
+        "plane_normal_not_unit",
+        "self.normal.normalize()",
+        "self.normal",
+    );
+    let near = edit("plane_ignores_min_t", "(t >= min_t)", "true");
+    write(&course, "pairs.toml", &[long.as_str(), &near].concat());
+    let pairs = &validate(&course, &only_these).expect_code(0).json()["pairs"];
+    assert_eq!(pairs["both"], 1, "{pairs:#}");
+    assert_eq!(pairs["sentences"]["told"], 1, "{pairs:#}");
+
+    // These edits are not what this name says.
+    let misnamed = edit("plane_one_sided", "(t >= min_t)", "true");
+    write(&course, "pairs.toml", &[long.as_str(), &misnamed].concat());
+    let ran = validate(&course, &["--only", "pairs"]).expect_code(1);
+    ran.expect_out("✗ false name: ");
+
+    let gone = edit("plane_tests_zero", "(t >= maximum)", "(t >= 0.0)");
+    write(&course, "pairs.toml", &[long, gone].concat());
+    let ran = validate(&course, &only_these).expect_code(2);
+    assert!(ran.out.contains("does not have this once"), "{}", ran.out);
 }
 
 #[test]

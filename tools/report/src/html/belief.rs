@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::passage::Passage;
-use crate::terminal::percent;
+use crate::terminal::{percent, share};
 use pinhole_course::diagnosis::{Diagnosis, Explanation, Reading};
 
 /// A belief that explains wrong answers, with hints.
@@ -18,7 +18,7 @@ pub struct Beliefs {
 /// One belief and its hints.
 #[derive(Debug, PartialEq, Serialize)]
 pub struct Belief {
-    /// Where on the page it stands already.
+    /// Where the page has explained it already.
     pub told: Option<Told>,
     pub belief: String,
     /// The share it explains; none where only one of several is held.
@@ -27,10 +27,11 @@ pub struct Belief {
     pub company: Option<u32>,
     pub look: String,
     pub think: String,
+    pub example: Option<String>,
     pub read: Passage,
 }
 
-/// A belief that a task's section spells out.
+/// A belief that a task's section explains.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Told {
     slug: String,
@@ -39,7 +40,8 @@ pub struct Told {
 }
 
 impl Beliefs {
-    /// `None` if nothing is named. What a task of `told` holds already is only counted.
+    /// `None` if no belief is named. A belief that `told` has already is only referred
+    /// to.
     pub fn of(diagnosis: &Diagnosis, told: &[Told]) -> Option<Beliefs> {
         let one_of = diagnosis.reading == Reading::OneOf && diagnosis.beliefs.len() > 1;
         let most = diagnosis.beliefs.iter().map(|held| held.explained);
@@ -52,10 +54,11 @@ impl Beliefs {
             Belief {
                 told: told.iter().find(|told| told.slug == held.slug).cloned(),
                 belief: mistake.belief.clone(),
-                explains: (!one_of).then(|| percent(held.explained)),
+                explains: (!one_of).then(|| share(held.explained, diagnosis)),
                 company: mistake.submissions.filter(|count| *count > 1),
                 look: mistake.hint.look.clone(),
                 think: mistake.hint.think.clone(),
+                example: mistake.hint.example.clone(),
                 read: Passage::section(&mistake.chapter, &mistake.hint.read),
             }
         };
@@ -95,7 +98,7 @@ mod tests {
         let single = diagnosis(vec![belief("I subtract ½.", 0.981)], Reading::Together);
         let beliefs = Beliefs::of(&single, &[]).expect("there is one");
         assert_eq!(beliefs.reading, None);
-        assert_eq!(beliefs.beliefs[0].explains.as_deref(), Some("98 %"));
+        assert_eq!(beliefs.beliefs[0].explains.as_deref(), Some("98 % of"));
         assert_eq!(beliefs.beliefs[0].told, None);
     }
 
@@ -117,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_task_holds_is_told_once() {
+    fn belief_explained_in_a_task_is_not_repeated() {
         let single = diagnosis(vec![belief("A.", 1.0)], Reading::Together);
         let told: Vec<Told> = Told::by_task(2, "sphere", &single).collect();
         let beliefs = Beliefs::of(&single, &told).expect("there is one");

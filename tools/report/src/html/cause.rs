@@ -1,4 +1,4 @@
-//! Why a pixel is wrong, as far as film and golden tell.
+//! Why a pixel is wrong, judged by film and golden alone.
 
 use pinhole::Film;
 use pinhole::false_colour::Difference;
@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn three_ways_to_get_a_normal_wrong_have_names() {
+    fn three_kinds_of_wrong_normals_are_named() {
         assert_eq!(
             cause_of([1.0, 2.0, 0.0, -0.6, -0.8]),
             Some(Cause::NormalReversed)
@@ -192,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_comes_before_all_else() {
+    fn nan_is_the_first_cause() {
         assert_eq!(
             cause_of([1.0, f32::NAN, 0.0, 0.6, 0.8]),
             Some(Cause::NotFinite)

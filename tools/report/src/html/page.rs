@@ -1,4 +1,4 @@
-//! From a report to the text of its file.
+//! Renders a report as HTML.
 
 use std::path::Path;
 
@@ -21,7 +21,7 @@ const TEMPLATES: [(&str, &str); 5] = [
     ("beliefs.html", include_str!("../../templates/beliefs.html")),
 ];
 
-/// What all our pages look like.
+/// The style sheet of all our pages.
 pub const PAGE_CSS: &str = include_str!("../../templates/page.css");
 
 const STYLE: [&str; 2] = [PAGE_CSS, include_str!("../../templates/viewer.css")];
@@ -70,8 +70,8 @@ impl Report {
     }
 }
 
-/// Nothing but our own style and script, by their hashes: whatever a student's text
-/// might become, it cannot run or fetch anything.
+/// Allows only our own style and script, by their hashes, so that nothing in a
+/// student's text can run or fetch anything.
 pub fn policy(style: &str, script: &str) -> String {
     let hash = |text: &str| STANDARD.encode(Hash::hash(text.as_bytes()));
     format!(
@@ -82,7 +82,7 @@ pub fn policy(style: &str, script: &str) -> String {
     )
 }
 
-/// JSON that ends no `script` element, whatever its strings hold.
+/// JSON that can't end a `script` element, whatever its strings contain.
 pub fn for_script(value: &Value) -> String {
     value.to_string().replace('<', "\\u003c")
 }

@@ -1,7 +1,7 @@
 //! Films packed for a page: every number of every pixel in one string.
 //!
-//! `unpack.js` is the inverse. Bytes of equal worth stand together (all first bytes
-//! of all floats, then all second ones, …), because that deflates to two thirds.
+//! `unpack.js` is the inverse. Bytes are grouped by place (the first bytes of all
+//! floats, then the second ones, …), because that compresses to two thirds of the size.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;

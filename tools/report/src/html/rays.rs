@@ -1,10 +1,10 @@
-//! The rays of a golden's pixels, in six vectors instead of a film.
+//! The rays of a golden's pixels, stored as six vectors instead of a film.
 //!
-//! A camera's rays change evenly from pixel to pixel, origin and direction alike. So
-//! three corners of Mitsuba's ray film say as much as all of it, and a report stays
-//! small.
+//! The origins and directions of a camera's rays change evenly from pixel to pixel, so
+//! three corners of Mitsuba's ray film are enough, and the report stays small.
 
 use pinhole::{Film, Resolution};
+use pinhole_course::outcome::OwnRays;
 use serde::Serialize;
 
 /// Rays that change evenly from column to column and from row to row.
@@ -25,6 +25,34 @@ pub struct Steps {
     pub per_column: [f64; 3],
     /// What one row up adds.
     pub per_row: [f64; 3],
+}
+
+/// The rays of a submission, as the page tells of them.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum RaysOfYours {
+    /// Nothing is known.
+    Unknown,
+    /// Those that are expected.
+    Right,
+    /// They don't change evenly from pixel to pixel, so they are too many for the page.
+    Uneven,
+    /// They do.
+    #[serde(untagged)]
+    Grid(RayGrid),
+}
+
+impl RaysOfYours {
+    /// What there is to tell.
+    pub fn of(rays: &OwnRays) -> RaysOfYours {
+        match rays {
+            OwnRays::Unknown => RaysOfYours::Unknown,
+            OwnRays::Right => RaysOfYours::Right,
+            OwnRays::Asked(film) => {
+                RayGrid::of(film).map_or(RaysOfYours::Uneven, RaysOfYours::Grid)
+            }
+        }
+    }
 }
 
 /// How far the grid may be from a ray film's sample, relative to the film's largest:
@@ -102,13 +130,21 @@ mod tests {
     }
 
     #[test]
-    fn rays_that_bend_are_no_grid() {
+    fn rays_that_change_unevenly_are_no_grid() {
         let bent = [0.0, 1.0, 4.0].map(|x| Ray {
             origin: DVec3::ZERO,
             direction: DVec3::new(x, 0.0, -1.0),
         });
         let row = Resolution { n_x: 3, n_y: 1 };
-        assert_eq!(RayGrid::of(&Film::of_rays(row, &bent)), None);
-        assert!(RayGrid::of(&Film::of_rays(Resolution { n_x: 1, n_y: 2 }, &bent[..2])).is_some());
+        let bent = Film::of_rays(row, &bent);
+        assert_eq!(RayGrid::of(&bent), None);
+        let told = |rays| serde_json::to_value(RaysOfYours::of(&rays)).expect("it is plain data");
+        assert_eq!(told(OwnRays::Asked(bent)), "uneven");
+        let even = [1.0, 2.0].map(|x| Ray {
+            origin: DVec3::ZERO,
+            direction: DVec3::new(x, 0.0, -1.0),
+        });
+        let even = Film::of_rays(Resolution { n_x: 1, n_y: 2 }, &even);
+        assert_eq!(told(OwnRays::Asked(even))["direction"]["per_row"][0], -1.0);
     }
 }

@@ -13,11 +13,11 @@ use super::cause::{Cause, Wrong};
 use super::page::{class, for_script};
 use super::picture;
 use super::pixels;
-use super::rays::RayGrid;
+use super::rays::{RayGrid, RaysOfYours};
 use super::window::Window;
 use crate::terminal;
 
-/// What there is to show of a film.
+/// What the page shows of a film.
 pub struct Evidence<'a> {
     pub name: String,
     pub passes: bool,
@@ -34,6 +34,7 @@ pub struct Evidence<'a> {
     /// What it shows, if that is known.
     pub scene: Option<&'a Scene>,
     pub rays: Option<RayGrid>,
+    pub own_rays: RaysOfYours,
     pub beliefs: Option<Beliefs>,
     /// What does it again.
     pub command: String,
@@ -139,6 +140,7 @@ impl SceneSection {
                 "objects": objects.unwrap_or_default(),
                 "min_t": evidence.scene.map(|scene| scene.min_t),
                 "rays": evidence.rays,
+                "own_rays": evidence.own_rays,
                 "explain": evidence.explain,
                 "pixels": pixels::pack(evidence.golden, film, wrong, window),
             }))

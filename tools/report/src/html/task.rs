@@ -7,7 +7,7 @@ use crate::escape::printable;
 use crate::passage::Passage;
 use crate::terminal;
 use pinhole::Fact;
-use pinhole_course::outcome::{AnswerFile, GroupOutcome, TaskOutcome};
+use pinhole_course::outcome::{AnswerFile, FilmOutcome, GroupOutcome, TaskOutcome};
 
 /// One answer, judged alone.
 #[derive(Debug, Serialize)]
@@ -25,12 +25,14 @@ pub struct TaskSection {
     /// Whether its stub was judged in its place.
     pub replaced: bool,
     pub groups: Vec<GroupRow>,
-    /// The compiler's words on its file.
+    /// The compiler's words on its file: errors, or else warnings.
     pub compiler: Option<String>,
     pub beliefs: Option<Beliefs>,
+    /// What is measurably wrong, sentence by sentence.
+    pub measured: Vec<String>,
     pub chapter: Passage,
-    /// What runs it again.
-    pub command: String,
+    /// What shows the same again; none if the public questions pass.
+    pub command: Option<String>,
 }
 
 /// One group of questions.
@@ -40,7 +42,9 @@ pub struct GroupRow {
     pub passes: bool,
     pub worth: u32,
     pub said: String,
-    /// The worst question, fact by fact.
+    /// Whether its answers came, so that there is a worst one.
+    pub judged: bool,
+    /// The worst question, or the one at which the code panicked, fact by fact.
     pub worst: Vec<Fact>,
 }
 
@@ -49,7 +53,7 @@ impl TaskSection {
     pub fn of(k: usize, task: &TaskOutcome, again: &str) -> TaskSection {
         let compiler = match &task.file {
             AnswerFile::DoesNotCompile { compiler } => Some(plain(compiler)),
-            _ => None,
+            _ => (!task.warnings.is_empty()).then(|| plain(&task.warnings)),
         };
         let replaced = task.file != AnswerFile::Compiled;
         TaskSection {
@@ -64,10 +68,17 @@ impl TaskSection {
             groups: rows(task),
             compiler,
             beliefs: Beliefs::of(&task.diagnosis, &[]),
+            measured: task.measured.iter().map(|it| it.says.clone()).collect(),
             chapter: Passage::chapter(&task.chapter),
-            command: format!("{again} --task {}", task.name),
+            command: shows_again(task).then(|| format!("{again} --task {}", task.name)),
         }
     }
+}
+
+/// Whether a student can see the failure: fresh questions are the grader's alone.
+fn shows_again(task: &TaskOutcome) -> bool {
+    let mut failing = task.groups.iter().filter(|group| !group.outcome.passes());
+    failing.any(|group| !group.fails_fresh)
 }
 
 /// The groups of a task; a panic in every group is one panic.
@@ -75,17 +86,28 @@ fn rows(task: &TaskOutcome) -> Vec<GroupRow> {
     let mut told: Vec<String> = Vec::new();
     let row = |group: &GroupOutcome| {
         let said = terminal::group_in_words(group);
-        let again = group.worst.is_empty() && told.contains(&said);
+        let is_judged = matches!(group.outcome, FilmOutcome::Judged(_));
+        let again = !is_judged && told.contains(&said);
         told.push(said.clone());
         GroupRow {
             name: group.name.clone(),
             passes: group.outcome.passes(),
             worth: group.possible,
+            judged: is_judged,
             said: if again { "the same".into() } else { said },
-            worst: group.worst.clone(),
+            worst: match again {
+                true => Vec::new(),
+                false => group.worst.iter().map(printable_fact).collect(),
+            },
         }
     };
     task.groups.iter().map(row).collect()
+}
+
+/// A fact that may hold what a student's code printed.
+fn printable_fact(fact: &Fact) -> Fact {
+    let lines: Vec<String> = fact.text.lines().map(printable).collect();
+    Fact::new(&fact.label, lines.join("\n"))
 }
 
 /// The compiler's words without their colours.
@@ -98,6 +120,38 @@ fn plain(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pinhole_course::outcome::FilmOutcome;
+
+    #[test]
+    fn command_that_would_pass_is_not_offered() {
+        let group = |outcome, fails_fresh| GroupOutcome {
+            name: "inside".into(),
+            about: String::new(),
+            points: 0,
+            possible: 1,
+            outcome,
+            worst: Vec::new(),
+            fails_fresh,
+        };
+        let task = |groups| TaskOutcome {
+            name: "sphere".into(),
+            chapter: "Sphere".into(),
+            points: 0,
+            possible: 1,
+            file: AnswerFile::Compiled,
+            groups,
+            diagnosis: Default::default(),
+            measured: Vec::new(),
+            warnings: Default::default(),
+        };
+        let command = |groups| TaskSection::of(0, &task(groups), "pinhole check").command;
+        let fresh = || group(FilmOutcome::Unanswered, true);
+        let public = || group(FilmOutcome::Unanswered, false);
+        assert_eq!(command(vec![fresh()]), None);
+        let again = Some("pinhole check --task sphere".to_owned());
+        assert_eq!(command(vec![fresh(), public()]), again);
+        assert!(terminal::group_in_words(&fresh()).contains("Ask your instructor"));
+    }
 
     #[test]
     fn the_compilers_colours_and_what_hides_its_neighbours_stay_out() {

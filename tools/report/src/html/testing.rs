@@ -28,7 +28,7 @@ pub fn golden(pixels: &[[f32; 5]], tolerance: f32) -> Golden {
     Golden::new(film(pixels), film(&allowed)).expect("the two belong together")
 }
 
-/// A belief that explains this share.
+/// A belief that explains this share of the errors.
 pub fn belief(words: &str, explained: f64) -> Explanation {
     Explanation {
         slug: "made_up".into(),
@@ -41,6 +41,7 @@ pub fn belief(words: &str, explained: f64) -> Explanation {
             hint: Hint {
                 look: "Look at the rim.".into(),
                 think: "What does a ray meet on its way out?".into(),
+                example: Some("The roots are −2 and 2.".into()),
                 read: "Which root counts".into(),
             },
         },

@@ -1,16 +1,17 @@
-use super::testing::belief;
+use super::testing::{belief, film, golden};
 use super::*;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use hmac_sha256::Hash;
 use pinhole::Fact;
-use pinhole_course::diagnosis::{Diagnosis, Reading};
+use pinhole::judge::judge;
+use pinhole_course::diagnosis::{Diagnosis, Explanation, Reading};
 use pinhole_course::outcome::{AnswerFile, GroupOutcome, TaskOutcome};
 
 const EVIL: &str = "</script><img src=x onerror=alert(1)>";
 
-/// A report of one task whose answers are explained so, by somebody of an evil name.
-fn report(diagnosis: Diagnosis) -> Report {
+/// One task with this diagnosis, from a submission with a hostile name.
+fn report_examination(diagnosis: Diagnosis) -> Examination {
     let group = GroupOutcome::new(
         "inside".into(),
         "the ray starts inside the sphere".into(),
@@ -26,15 +27,21 @@ fn report(diagnosis: Diagnosis) -> Report {
         file: AnswerFile::Compiled,
         groups: vec![group],
         diagnosis,
+        measured: Vec::new(),
+        warnings: String::new(),
     };
     let mut outcome = Outcome::new("Ray casting", EVIL.into(), "none");
     outcome.tasks.push(task);
     outcome.printed = EVIL.into();
     outcome.add_up();
-    let examination = Examination {
+    Examination {
         outcome,
         films: Vec::new(),
-    };
+    }
+}
+
+fn report(diagnosis: Diagnosis) -> Report {
+    let examination = report_examination(diagnosis);
     let again = Again {
         whole: EVIL.into(),
         part: EVIL.into(),
@@ -63,6 +70,7 @@ fn each_belief_has_three_hints_one_inside_the_other() {
         let closed = |text: &str| text.matches("</details>").count();
         assert_eq!((closed(three[0]), closed(three[1])), (0, 0));
         assert!(closed(three[2]) >= 3);
+        assert!(three[2].contains("<p>The roots are −2 and 2.</p>"));
         assert!(three[2].contains("book&#x2f;sphere.html#which-root-counts"));
     }
 }
@@ -88,7 +96,7 @@ fn a_book_on_this_machine_is_one_click_away() {
 }
 
 #[test]
-fn nothing_of_a_students_is_markup() {
+fn student_text_is_never_markup() {
     let page = html(Diagnosis::default());
     assert!(!page.contains("<img"), "{page}");
     assert_eq!(page.matches("</script>").count(), 2);
@@ -118,4 +126,51 @@ fn data_for_the_script_ends_no_element() {
     assert!(!data.contains('<'), "{data}");
     let read: serde_json::Value = serde_json::from_str(&data).expect("it is still JSON");
     assert_eq!(read["name"], EVIL);
+}
+
+/// What the terminal says of scenes whose wrong pixels these beliefs explain.
+fn scenes(of_task: &[Explanation], of_scenes: &[Explanation]) -> String {
+    let beliefs = |beliefs: &[Explanation]| Diagnosis {
+        beliefs: beliefs.to_vec(),
+        reading: Reading::Together,
+    };
+    let golden = golden(&[[0.0, 2.0, 0.0, 0.0, 1.0]], 1e-3);
+    let cast = film(&[[0.0, 3.0, 0.0, 0.0, 1.0]]);
+    let mut examination = report_examination(beliefs(of_task));
+    for name in ["one", "two"] {
+        let outcome = FilmOutcome::from(&judge(&golden, &cast));
+        let mut scene = SceneOutcome::new(name.into(), 1, outcome, 0.5);
+        scene.diagnosis = beliefs(of_scenes);
+        examination.outcome.scenes.push(scene);
+        examination.films.push(SceneFilm {
+            file: "scene.toml".into(),
+            argument: name.into(),
+            golden: golden.clone(),
+            film: Some(cast.clone()),
+            verdict: None,
+            rays: Default::default(),
+        });
+    }
+    terminal::scenes(&examination)
+}
+
+#[test]
+fn a_scene_counts_a_belief_only_if_a_row_above_spelled_it_out() {
+    let told = scenes(&[belief("A.", 1.0)], &[belief("A.", 0.5)]);
+    let counted = "what you believe in sphere explains 50 % of it";
+    assert_eq!(told.matches(counted).count(), 2, "{told}");
+    assert!(!told.contains("You may believe"), "{told}");
+    let told = scenes(&[], &[belief("A.", 1.0)]);
+    assert_eq!(told.matches("You may believe: “A.”").count(), 1, "{told}");
+    assert_eq!(told.matches("what you believe in").count(), 1, "{told}");
+}
+
+#[test]
+fn no_share_is_told_of_beliefs_that_explain_something_together() {
+    let told = scenes(&[], &[belief("A.", 0.4), belief("B.", 0.5)]);
+    assert!(
+        told.contains("“A.” That explains part of what is wrong here."),
+        "{told}"
+    );
+    assert!(!told.contains('%'), "{told}");
 }

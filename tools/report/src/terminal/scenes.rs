@@ -1,8 +1,10 @@
 //! The rows of scenes: what is wrong with a film, and where to look.
 
+use std::collections::BTreeSet;
+
 use pinhole::judge::ChannelVerdict;
 
-use super::words::{diagnosis, percent, scene_in_words};
+use super::words::{diagnosis, scene_in_words, share};
 use super::{QUIET, heading, indent, line, row};
 use crate::escape::printable_word;
 use pinhole_course::diagnosis::{Diagnosis, Explanation};
@@ -14,9 +16,12 @@ pub fn rows(text: &mut String, examination: &Examination, width: usize) {
     if !outcome.scenes.is_empty() {
         line(text, heading("scene", width));
     }
-    let known = outcome.tasks.iter().any(|task| !task.passes());
+    let mut told: BTreeSet<String> = BTreeSet::new();
+    for task in &outcome.tasks {
+        told.extend(task.diagnosis.beliefs.iter().map(|held| held.slug.clone()));
+    }
     for (scene, film) in outcome.scenes.iter().zip(films) {
-        scene_rows(text, scene, film, width, &outcome.submission, known);
+        scene_rows(text, scene, film, width, &outcome.submission, &mut told);
     }
 }
 
@@ -26,7 +31,7 @@ fn scene_rows(
     film: &SceneFilm,
     width: usize,
     submission: &str,
-    known_by_tasks: bool,
+    told: &mut BTreeSet<String>,
 ) {
     let points = (scene.points, scene.possible);
     row(text, &scene.name, width, points, scene_in_words(scene));
@@ -39,7 +44,7 @@ fn scene_rows(
             .filter(|channel| channel.failing > 0)
             .map(ToString::to_string);
         indent(text, &rows.collect::<Vec<_>>().join("\n"));
-        scene_diagnosis(text, &scene.diagnosis, known_by_tasks);
+        scene_diagnosis(text, &scene.diagnosis, told);
         let (i, j) = (mismatch.i, mismatch.j);
         let (name, folder) = (printable_word(&film.argument), printable_word(submission));
         let command = format!("cargo pinhole explain {name} {i} {j} --submission {folder}");
@@ -50,21 +55,23 @@ fn scene_rows(
     }
 }
 
-/// Beliefs that a task's row spelled out already are only counted.
-fn scene_diagnosis(text: &mut String, of_scene: &Diagnosis, known_by_tasks: bool) {
-    if !known_by_tasks {
+/// Beliefs that a row above spelled out already are only counted.
+fn scene_diagnosis(text: &mut String, of_scene: &Diagnosis, told: &mut BTreeSet<String>) {
+    let beliefs = &of_scene.beliefs;
+    if !beliefs.iter().all(|held| told.contains(&held.slug)) {
+        told.extend(beliefs.iter().map(|held| held.slug.clone()));
         indent(text, &diagnosis(of_scene));
         return;
     }
     for Explanation {
         mistake, explained, ..
-    } in &of_scene.beliefs
+    } in beliefs
     {
         let tasks = mistake.fails.join(", ");
-        let share = percent(*explained);
+        let share = share(*explained, of_scene);
         indent(
             text,
-            &format!("what you believe in {tasks} explains {share} of it"),
+            &format!("what you believe in {tasks} explains {share} it"),
         );
     }
 }

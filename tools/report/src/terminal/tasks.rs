@@ -5,7 +5,10 @@ use super::{FAIL, QUIET, STRONG, indent, line, row};
 use crate::escape::printable_coloured;
 use crate::passage::Passage;
 use pinhole_course::diagnosis::Explanation;
-use pinhole_course::outcome::{AnswerFile, GroupOutcome, TaskOutcome};
+use pinhole_course::outcome::{AnswerFile, FilmOutcome, GroupOutcome, TaskOutcome};
+
+/// Lines of the compiler's warnings on an answer that fails; others may follow from them.
+const MOST_WARNING_LINES: usize = 24;
 
 /// How much is told of a task that fails.
 #[derive(Clone, Copy, PartialEq)]
@@ -28,6 +31,9 @@ pub fn rows(text: &mut String, task: &TaskOutcome, width: usize, extent: Extent)
     for row in diagnosis(&task.diagnosis).lines() {
         line(text, format!("    {STRONG}{row}{STRONG:#}"));
     }
+    for finding in &task.measured {
+        line(text, format!("    {}", finding.says));
+    }
     let hinted = match extent {
         Extent::All => task.diagnosis.beliefs.as_slice(),
         Extent::First => &[],
@@ -48,6 +54,10 @@ pub fn rows(text: &mut String, task: &TaskOutcome, width: usize, extent: Extent)
             line(text, format!("    {QUIET}and also: {others}{QUIET:#}"));
         }
     }
+    let warnings = task.warnings.lines().take(MOST_WARNING_LINES);
+    for warning in warnings {
+        indent(text, &printable_coloured(warning));
+    }
     if !failing.is_empty() {
         for passage in Passage::against(&task.diagnosis, &task.chapter) {
             line(text, format!("    {QUIET}read: {passage}{QUIET:#}"));
@@ -62,13 +72,11 @@ fn group_rows(text: &mut String, failing: &[&GroupOutcome], is_explained: bool) 
     for group in failing {
         let said = group_in_words(group);
         // A panic in every group is one panic.
-        let said = if group.worst.is_empty() && told.contains(&said) {
-            "the same".into()
-        } else {
-            said
-        };
+        let is_judged = matches!(group.outcome, FilmOutcome::Judged(_));
+        let again = !is_judged && told.contains(&said);
+        let said = if again { "the same".into() } else { said };
         line(text, format!("    {FAIL}{:<18}{FAIL:#}{said}", group.name));
-        if !is_explained || told.is_empty() {
+        if !again && (!is_explained || told.is_empty()) {
             indent(text, &facts(&group.worst));
         }
         told.push(said);

@@ -1,4 +1,4 @@
-//! What came of something, in a line or a few: of a task, a scene, a film, a belief.
+//! Puts an outcome into a line or a few: that of a task, a scene, a film, a belief.
 
 use crate::escape::printable;
 use pinhole::Fact;
@@ -54,12 +54,15 @@ pub fn scene_in_words(scene: &SceneOutcome) -> String {
 pub fn group_in_words(group: &GroupOutcome) -> String {
     let said = outcome_of(&group.outcome, "questions");
     match group.fails_fresh {
-        true => format!("the public questions pass, fresh ones do not: {said}"),
+        true => format!(
+            "the public questions pass, fresh ones do not: {said}. Ask your instructor, who can \
+             look at them"
+        ),
         false => said,
     }
 }
 
-/// How a film fared, in one line.
+/// The outcome of a film, in one line.
 pub fn outcome(outcome: &FilmOutcome) -> String {
     outcome_of(outcome, "pixels")
 }
@@ -75,7 +78,7 @@ pub fn no_answer(why: &NoAnswer) -> String {
     }
 }
 
-/// The same, of a film of these.
+/// The outcome of a film with this verdict, in one line.
 pub fn outcome_of(outcome: &FilmOutcome, what: &str) -> String {
     match outcome {
         FilmOutcome::Judged(comparison) => verdict_in_words(comparison, what),
@@ -104,6 +107,7 @@ pub fn outcome_of(outcome: &FilmOutcome, what: &str) -> String {
             points_only: true, ..
         } => "does not pass; what was asked is withheld".into(),
         FilmOutcome::Withheld { ended, .. } => match ended {
+            Status::Graded => "is wrong; how much of it is withheld",
             Status::Panicked => "your code panicked; where is withheld",
             Status::Killed => "your program did not finish; how is withheld",
             Status::TimedOut => "gave no answer in time",
@@ -114,10 +118,12 @@ pub fn outcome_of(outcome: &FilmOutcome, what: &str) -> String {
     }
 }
 
-/// A question as it stands in a terminal: labels in a column of their own.
+/// A question for the terminal, with its labels in a column of their own.
 pub fn facts(facts: &[Fact]) -> String {
     let rows = facts.iter().map(|fact| {
-        let text = fact.text.replace('\n', "\n          ");
+        // What a student's code printed is among them.
+        let lines: Vec<String> = fact.text.lines().map(printable).collect();
+        let text = lines.join("\n          ");
         format!("{:<9} {text}", fact.label)
     });
     rows.collect::<Vec<_>>().join("\n")
@@ -145,12 +151,22 @@ pub fn diagnosis(diagnosis: &Diagnosis) -> String {
         lines.push(match diagnosis.reading {
             Reading::OneOf => format!("- “{belief}”"),
             Reading::Together => format!(
-                "You may believe: “{belief}” That explains {} of what is wrong here.",
-                percent(*explained)
+                "You may believe: “{belief}” That explains {} what is wrong here.",
+                share(*explained, diagnosis)
             ),
         });
     }
     lines.join("\n")
+}
+
+/// How much one belief of a diagnosis explains: “98 % of”, “part of”. Where several explain
+/// something together, their shares would look as if another were missing: what two of them
+/// spoil at once is in neither share.
+pub fn share(explained: f64, diagnosis: &Diagnosis) -> String {
+    match (diagnosis.beliefs.len(), diagnosis.reading) {
+        (2.., Reading::Together) => "part of".into(),
+        _ => format!("{} of", percent(explained)),
+    }
 }
 
 /// A share in words; “all” and “none” only if nothing is left to round.

@@ -74,7 +74,7 @@ impl Model for Plain {
     #[inline(always)]
     fn meet(shape: &Primitive, ray: &Ray<f64>, min_t: f64, _: &mut Tally) -> Option<f64> {
         match shape {
-            Primitive::Sphere(sphere) => sphere::Haines::intersect(sphere, ray, min_t),
+            Primitive::Sphere(sphere) => sphere::plainly(sphere, ray, min_t),
             Primitive::Plane(plane) => plane::Shifted::intersect(plane, ray, min_t),
             Primitive::Triangle(triangle) => {
                 triangle::MollerTrumbore::intersect(triangle, ray, min_t)
@@ -191,18 +191,24 @@ impl Model for Exact {
 #[cold]
 #[inline(never)]
 fn left_open(shape: &Primitive, ray: &Prepared, min_t: f64, tally: &mut Tally) -> Option<f64> {
+    tally.semi_static += 1;
     let (origin, direction) = (ray.scaled.ray.origin, ray.direction);
     let given = Ray { origin, direction };
     let filtered = match shape {
         Primitive::Sphere(shape) => sphere::filtered(shape, &ray.scaled, min_t),
         Primitive::Plane(shape) => plane::filtered(shape, &given, min_t),
-        Primitive::Triangle(shape) => triangle::filtered(shape, &ray.scaled, min_t)
-            .or_else(|| triangle::twice(shape, &ray.scaled, min_t)),
+        Primitive::Triangle(shape) => triangle::filtered(shape, &ray.scaled, min_t),
     };
     if let Some(answer) = filtered {
         return answer;
     }
-    tally.fallbacks += 1;
+    tally.double_double += 1;
+    if let Primitive::Triangle(shape) = shape
+        && let Some(answer) = triangle::twice(shape, &ray.scaled, min_t)
+    {
+        return answer;
+    }
+    tally.exact += 1;
     rounded(exact(shape, &given, min_t))
 }
 

@@ -2,7 +2,7 @@
 
 use super::reach::Reach;
 use crate::kernel::{Limits, plane, sphere, triangle};
-use crate::shape::{Plane, Sphere, Triangle};
+use crate::shape::{Plane, Ray, Sphere, Triangle};
 use crate::vector::Vector;
 
 /// What a ray can meet.
@@ -152,12 +152,13 @@ impl Primitive {
         }
     }
 
-    /// The unit outward normal at a point of it.
-    pub fn normal(&self, point: Vector<f64>) -> Vector<f64> {
+    /// The unit outward normal where a ray meets it, as rounding has it. From a sphere's centre,
+    /// so that nothing is lost far from the origin.
+    pub fn normal(&self, ray: &Ray<f64>, t: f64) -> Vector<f64> {
         match self {
-            Primitive::Sphere(sphere) => sphere.outward(point).unit(),
+            Primitive::Sphere(sphere) => (ray.origin - sphere.center + ray.direction * t).unit(),
             Primitive::Plane(plane) => plane.normal.unit(),
-            Primitive::Triangle(triangle) => triangle.normal(),
+            Primitive::Triangle(triangle) => triangle.outward_near_one().unit(),
         }
     }
 }

@@ -14,7 +14,7 @@ impl Studied for Plane<f64> {
                 axis: "angle between ray and plane = 10^−x",
                 meaning: "rays that run more and more along the plane; the last is exactly parallel",
                 exponents: |_| decades(18),
-                easy: 0,
+                everyday: 2,
                 ask: |random, x, _| parallel(random, x),
             },
             varied::direction(),
@@ -25,7 +25,7 @@ impl Studied for Plane<f64> {
                 axis: "length of the stored normal = 10^x",
                 meaning: "the same plane with a longer or a shorter normal: nothing should change",
                 exponents: scales,
-                easy: 0,
+                everyday: 3,
                 ask: |random, x, _| Self::plain(random).map(|l| l, |n| n * ten_to(x), |d| d, |t| t),
             },
             varied::threshold(

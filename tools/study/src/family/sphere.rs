@@ -14,7 +14,7 @@ impl Studied for Sphere<f64> {
                 axis: "distance / radius = 10^x",
                 meaning: "the same ball from further and further away, aimed half at it and half past it",
                 exponents: |_| decades(9),
-                easy: 0,
+                everyday: 3,
                 ask: |random, x, _| {
                     let radius = random.within(0.5, 2.0);
                     let squared = random.within(0.0, 2.0);
@@ -26,7 +26,7 @@ impl Studied for Sphere<f64> {
                 axis: "radius / height of the eye = 10^x",
                 meaning: "a ball as large as a planet, seen from just above it towards its horizon",
                 exponents: |_| decades(9),
-                easy: 0,
+                everyday: 4,
                 ask: |random, x, _| ground(random, ten_to(x)),
             },
             Family {
@@ -34,7 +34,7 @@ impl Studied for Sphere<f64> {
                 axis: "distance of the line from the ball's edge = 10^−x radii",
                 meaning: "rays that only just touch a ball, or only just miss it",
                 exponents: |_| (1..=16).collect(),
-                easy: 1,
+                everyday: 4,
                 ask: |random, x, _| {
                     let radius = random.within(0.5, 2.0);
                     let impact = 1.0 + random.sign() * ten_to(-x);
@@ -46,7 +46,7 @@ impl Studied for Sphere<f64> {
                 axis: "distance of the eye from the surface = 10^−x radii",
                 meaning: "rays that start on a ball, or just outside or inside it, as reflections do",
                 exponents: |_| (1..=17).collect(),
-                easy: 1,
+                everyday: 4,
                 ask: |random, x, _| {
                     let radius = random.within(0.5, 2.0);
                     let (center, out) = (random.unit(), random.unit());

@@ -14,7 +14,7 @@ impl Studied for Triangle<f64> {
                 axis: "distance / size = 10^x",
                 meaning: "the same triangle from further and further away, aimed at it and around it",
                 exponents: |_| decades(9),
-                easy: 0,
+                everyday: 3,
                 ask: |random, x, _| {
                     let corners = well_shaped(random);
                     let from = random.unit();
@@ -26,7 +26,7 @@ impl Studied for Triangle<f64> {
                 axis: "length / width = 10^x",
                 meaning: "triangles that are long and thin",
                 exponents: |_| decades(9),
-                easy: 0,
+                everyday: 2,
                 ask: |random, x, _| {
                     let a = random.unit();
                     let along = random.unit();
@@ -41,7 +41,7 @@ impl Studied for Triangle<f64> {
                 axis: "angle between ray and triangle = 10^−x",
                 meaning: "rays that see a triangle more and more from the side",
                 exponents: |_| decades(16),
-                easy: 0,
+                everyday: 2,
                 ask: |random, x, _| {
                     let corners = well_shaped(random);
                     let [a, b, c] = corners;
@@ -56,7 +56,7 @@ impl Studied for Triangle<f64> {
                 axis: "corners: 0 all alike, 1 two alike, 2 in a line, 3 in a line but for rounding",
                 meaning: "triangles without an area: no ray meets them",
                 exponents: |_| decades(3),
-                easy: 0,
+                everyday: -1,
                 ask: |random, x, _| flat(random, x),
             },
             varied::direction(),
@@ -66,7 +66,7 @@ impl Studied for Triangle<f64> {
                 axis: "size of the scene = 10^x",
                 meaning: "the same scene in other units: t should grow with it",
                 exponents: scales,
-                easy: 0,
+                everyday: 3,
                 ask: |random, x, _| Self::plain(random).map(|l| l * ten_to(x), |n| n, |d| d, |t| t),
             },
             Family {
@@ -74,7 +74,7 @@ impl Studied for Triangle<f64> {
                 axis: "size of the scene = 10^−x",
                 meaning: "the same scene in larger units, decade by decade",
                 exponents: |_| decades(9),
-                easy: 0,
+                everyday: 3,
                 ask: |random, x, _| {
                     Self::plain(random).map(|l| l * ten_to(-x), |n| n, |d| d, |t| t)
                 },

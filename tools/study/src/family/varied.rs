@@ -11,7 +11,7 @@ pub fn direction<S: Studied>() -> Family<S> {
         axis: "length of the direction = 10^x",
         meaning: "the same ray with a longer or a shorter direction: t alone should change",
         exponents: scales,
-        easy: 0,
+        everyday: 3,
         ask: |random, x, data| {
             // So small that t can be told for every length.
             let size = if data == Data::F64 { 1e-13 } else { 1e-6 };
@@ -28,7 +28,7 @@ pub fn offset<S: Studied>() -> Family<S> {
         axis: "distance of the scene from the world's origin = 10^x",
         meaning: "the same scene moved away from the origin of the world",
         exponents: |_| decades(12),
-        easy: 0,
+        everyday: 3,
         ask: |random, x, _| {
             let Question { shape, ray, min_t } = S::plain(random);
             let offset = random.unit() * ten_to(x);
@@ -49,7 +49,7 @@ pub fn scale<S: Studied>() -> Family<S> {
         axis: "size of the scene = 10^x",
         meaning: "the same scene in other units, direction included: t should not change",
         exponents: scales,
-        easy: 0,
+        everyday: 3,
         ask: |random, x, _| {
             let scale = ten_to(x);
             S::plain(random).map(|l| l * scale, |n| n, |d| d * scale, |t| t)
@@ -64,7 +64,7 @@ pub fn threshold<S: Studied>(axis: &'static str, meaning: &'static str) -> Famil
         axis,
         meaning,
         exponents: |_| (1..=17).collect(),
-        easy: 1,
+        everyday: 4,
         ask: |random, x, _| {
             loop {
                 let question = S::plain(random);

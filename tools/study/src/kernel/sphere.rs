@@ -2,22 +2,12 @@
 
 mod adaptive;
 mod bounded;
-mod double_double;
-mod fma;
 mod haines;
-mod haines_scaled;
-mod half_b;
-mod stable_q;
 mod textbook;
 
 pub use adaptive::{Adaptive, exact, filtered};
 pub use bounded::{bounded, limits};
-pub use double_double::DoubleDouble;
-pub use fma::Fma;
-pub use haines::Haines;
-pub use haines_scaled::{HainesScaled, Scaled};
-pub use half_b::HalfB;
-pub use stable_q::StableQ;
+pub use haines::{Haines, Scaled, plainly};
 pub use textbook::Textbook;
 
 use crate::number::Real;

@@ -2,105 +2,89 @@
 
 use std::fmt::Write;
 
-use super::bounds::Bound;
-use super::{Plan, Wish};
-
-/// A share, with two digits.
-pub fn percent(share: f64) -> String {
-    match share * 100.0 {
-        0.0 => "none".into(),
-        100.0 => "all".into(),
-        p if (10.0..=99.0).contains(&p) => format!("{p:.0} %"),
-        p => format!("{p:.1} %"),
-    }
-}
+use super::{OfKind, Plan, Wish};
+use crate::cast::search::Search;
 
 /// So many of a kind.
-pub fn count(parts: usize, kind: &str) -> String {
+fn count(parts: usize, kind: &str) -> String {
     match parts {
         1 => format!("1 {}", kind.trim_end_matches('s')),
         _ => format!("{parts} {kind}"),
     }
 }
 
-/// An angle in radians.
-pub fn angle(radians: f64) -> String {
-    format!("{radians:.0e} rad")
+/// What of t and normals is asked for, in words.
+fn outputs(wish: Wish) -> &'static str {
+    match (wish.depth, wish.normal) {
+        (true, true) => "t and normals",
+        (true, false) => "t (normals are not asked for; the film has 0)",
+        (false, true) => "normals (t is not asked for; the film has 0)",
+        (false, false) => "neither t nor normals, which the film has as 0",
+    }
 }
 
-/// How far what is asked for can be off.
-pub fn bounded(bound: Bound, wish: Wish) -> String {
-    let t = wish
-        .depth
-        .then(|| format!("t by {:.0e} of itself", bound.t));
-    let normal = wish
-        .normal
-        .then(|| format!("normals by {}", angle(bound.normal)));
-    let told: Vec<String> = [t, normal].into_iter().flatten().collect();
-    match told.is_empty() {
-        true => "neither t nor normals are asked for".into(),
-        false => told.join(", "),
+/// How a kind is cast.
+fn how(kind: &OfKind, wish: Wish) -> String {
+    let normals = match kind.worst_normal {
+        Some(worst) => format!("normals to {worst:.0e} rad"),
+        None => "normals of all but some".into(),
+    };
+    let proven = match (wish.depth, wish.normal) {
+        (true, true) => format!("t to {:.0e}, {normals}", kind.worst_t),
+        (true, false) => format!("t to {:.0e}", kind.worst_t),
+        (false, true) => normals,
+        (false, false) => return "nothing to compute but the object".into(),
+    };
+    match kind.watched {
+        false => format!("f64; proven for every ray: {proven}"),
+        true => format!(
+            "f64, each hit with a bound of its own, and exactly where that exceeds X; proven for \
+             every ray: {proven}"
+        ),
     }
 }
 
 /// The whole plan, for a terminal.
 pub fn told(plan: &Plan, scene: &str) -> String {
     let mut text = String::new();
-    let wish = &plan.wish;
-    let ids = match wish.exact_ids {
-        true => "no wrong object at any pixel",
-        false => "objects as rounding has them",
-    };
+    let (wish, prices) = (plan.wish, plan.prices);
     let _ = writeln!(
         text,
-        "{scene}, {} pixels: t and normals to X = {:e}, {ids}\n",
-        plan.pixels, wish.accuracy
+        "{scene}, {} pixels: the true object at each, {} to X = {:e}\n",
+        plan.pixels,
+        outputs(wish),
+        wish.accuracy
     );
-    let mut line = |name: &str, what: &str, why: &str| {
-        let why = match (what.is_empty(), why.is_empty()) {
-            (false, false) => format!(": {why}"),
-            _ => why.to_owned(),
-        };
-        let _ = writeln!(text, "{name:<16}{what}{why}");
+    let mut line = |name: &str, what: &str| {
+        let _ = writeln!(text, "{name:<16}{what}");
     };
+    line(
+        "objects",
+        "decided exactly: filtered in f64, then in more digits",
+    );
     for kind in &plan.kinds {
-        let name = count(kind.parts, kind.kind.name());
-        let watched = if kind.watched { ", watched" } else { "" };
-        let what = format!("{}{watched}", kind.numbers.name());
-        line(&name, &what, &kind.reason);
+        line(&count(kind.parts, kind.kind.name()), &how(kind, wish));
     }
-    line("search", plan.search, &plan.search_reason);
-    line("outputs", &plan.outputs, "");
-    line("exactly", &plan.exact_pixels, "");
-    for (at, what) in plan.left_out.iter().enumerate() {
-        line(if at == 0 { "left out" } else { "" }, what, "");
-    }
-    let c = &plan.confirmed;
-    let mut judged = Vec::new();
-    judged.extend(
-        wish.depth
-            .then(|| format!("worst t off by {:.0e}", c.worst_t)),
+    let sign = if plan.search == Search::Boxes.name() {
+        ">"
+    } else {
+        "≤"
+    };
+    line(
+        "search",
+        &format!(
+            "{}, because asking every part takes {} {sign} {} instructions a ray ({} for a \
+             sphere, {} for a triangle)",
+            plan.search, plan.price_of_all, prices.boxes, prices.sphere, prices.triangle
+        ),
     );
-    judged.extend(
-        wish.normal
-            .then(|| format!("worst normal by {}", angle(c.worst_normal))),
+    line(
+        "proven",
+        "all of the above, for each ray of the camera as rounded to f64",
     );
-    judged.push(match c.wrong_ids {
-        0 => "no wrong object".into(),
-        wrong => format!("{wrong} wrong objects (--ids exact leaves none)"),
-    });
-    let confirmed = format!(
-        "on {} rays of the film, judged by exact arithmetic: {}",
-        c.rays,
-        judged.join(", ")
-    );
-    line("confirmed", &confirmed, "");
+    line("sampled", "nothing");
     if wish.accuracy < 6e-8 && (wish.depth || wish.normal) {
-        line(
-            "note",
-            "film.exr holds f32: it keeps 7 digits of all this",
-            "",
-        );
+        line("note", "film.exr holds f32: it keeps 7 digits of all this");
     }
     text
 }

@@ -1,51 +1,285 @@
-//! What all plots share.
+//! What all plots share: a sheet to draw on, and panels with logarithmic axes.
 
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use std::fmt::Write;
 
-/// Okabe & Ito's palette ("Color Universal Design", 2008), without yellow, which a light
-/// ground swallows, and with a grey.
-const COLOURS: [RGBColor; 8] = [
-    RGBColor(213, 94, 0),
-    RGBColor(0, 114, 178),
-    RGBColor(0, 140, 105),
-    RGBColor(204, 121, 167),
-    RGBColor(86, 160, 213),
-    RGBColor(200, 140, 0),
-    RGBColor(20, 20, 20),
-    RGBColor(120, 120, 120),
-];
+/// How wide every plot is, in units of its own.
+pub const WIDTH: f64 = 480.0;
 
-/// The ground.
-pub const GROUND: RGBColor = RGBColor(252, 252, 250);
-/// Text and axes.
-pub const INK: RGBColor = RGBColor(50, 50, 50);
-/// Lines of the grid.
-pub const FAINT: RGBColor = RGBColor(224, 224, 220);
+/// The size of words: 11 pixels on a page that is 350 wide.
+const WORDS: f64 = 15.5;
+
+/// Okabe & Ito's palette ("Color Universal Design", 2008), where it can be told from both a
+/// light and a dark ground.
+const COLOURS: [&str; 4] = ["#d55e00", "#3a8fd0", "#009e73", "#cc79a7"];
+
+/// The colour of the page's text.
+pub const INK: &str = "currentColor";
 
 /// The colour of the kernel at a place in its list.
-pub fn colour(at: usize) -> RGBColor {
-    COLOURS[at % COLOURS.len()]
+pub fn colour(at: usize) -> &'static str {
+    COLOURS.get(at).copied().unwrap_or(INK)
 }
 
-/// Text of a size in pixels.
-pub fn text(size: i32, colour: RGBColor) -> TextStyle<'static> {
-    let style = ("sans-serif", size).into_font().color(&colour);
-    style.pos(Pos::new(HPos::Left, VPos::Center))
+/// Where a word stands about its place.
+#[derive(Clone, Copy)]
+pub enum Anchor {
+    /// It begins there.
+    Start,
+    /// Its middle is there.
+    Middle,
+    /// It ends there.
+    End,
 }
 
-/// Moves labels apart, keeping their order, so that none overlaps the next or leaves the
-/// room from `low` to `high`. A label has a place, its upper end, and a height.
-pub fn spread<T>(labels: &mut [(f64, f64, T)], low: f64, high: f64) {
-    labels.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut floor = low;
-    for (place, height, _) in labels.iter_mut() {
-        *place = place.max(floor);
-        floor = *place + *height;
+/// How a line looks.
+#[derive(Clone, Copy)]
+pub struct Pen {
+    /// An SVG colour.
+    pub colour: &'static str,
+    /// In the plot's units.
+    pub width: f64,
+    /// Whether it is interrupted, as lines of `f32` are.
+    pub dashed: bool,
+    /// From 0, not to be seen, to 1.
+    pub opacity: f64,
+}
+
+/// A line of a grid.
+pub const FAINT: Pen = Pen {
+    colour: INK,
+    width: 1.0,
+    dashed: false,
+    opacity: 0.15,
+};
+
+/// A plot, y downward.
+#[derive(Default)]
+pub struct Paper(String);
+
+impl Paper {
+    /// A word whose middle line is at y.
+    pub fn word(&mut self, (x, y): (f64, f64), anchor: Anchor, words: &str) {
+        let anchor = match anchor {
+            Anchor::Start => "start",
+            Anchor::Middle => "middle",
+            Anchor::End => "end",
+        };
+        let y = y + 0.35 * WORDS;
+        let words = words.replace('&', "&amp;").replace('<', "&lt;");
+        let _ = writeln!(
+            self.0,
+            "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{words}</text>"
+        );
     }
-    let mut ceiling = high;
-    for (place, height, _) in labels.iter_mut().rev() {
-        *place = place.min(ceiling - *height);
-        ceiling = *place;
+
+    /// Straight from point to point.
+    pub fn line(&mut self, points: &[(f64, f64)], pen: Pen) {
+        let mut places = String::new();
+        for (x, y) in points {
+            let _ = write!(places, "{x:.1},{y:.1} ");
+        }
+        let dashes = if pen.dashed {
+            " stroke-dasharray=\"5 4\""
+        } else {
+            ""
+        };
+        let _ = writeln!(
+            self.0,
+            "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" \
+             stroke-opacity=\"{}\"{dashes}/>",
+            places.trim_end(),
+            pen.colour,
+            pen.width,
+            pen.opacity
+        );
     }
+
+    /// A disc, or a ring if it is not filled.
+    pub fn dot(&mut self, (x, y): (f64, f64), radius: f64, colour: &str, is_filled: bool) {
+        let fill = if is_filled { colour } else { "none" };
+        let _ = writeln!(
+            self.0,
+            "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius}\" fill=\"{fill}\" \
+             stroke=\"{colour}\" stroke-width=\"2\"/>"
+        );
+    }
+
+    /// Two strokes that cross.
+    pub fn cross(&mut self, (x, y): (f64, f64), size: f64, colour: &'static str) {
+        let pen = Pen {
+            colour,
+            width: 2.0,
+            ..FAINT
+        };
+        for rise in [-size, size] {
+            let pen = Pen {
+                opacity: 1.0,
+                ..pen
+            };
+            self.line(&[(x - size, y - rise), (x + size, y + rise)], pen);
+        }
+    }
+
+    /// A bar from x on, around y.
+    pub fn bar(&mut self, (x, y): (f64, f64), length: f64, height: f64, colour: &str) {
+        let _ = writeln!(
+            self.0,
+            "<rect x=\"{x:.1}\" y=\"{:.1}\" width=\"{length:.1}\" height=\"{height}\" \
+             fill=\"{colour}\"/>",
+            y - height / 2.0
+        );
+    }
+
+    /// The whole document.
+    pub fn svg(self, height: f64) -> String {
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height:.0}\" \
+             width=\"{WIDTH}\" font-size=\"{WORDS}\" font-family=\"inherit\" \
+             fill=\"currentColor\">\n{}</svg>\n",
+            self.0
+        )
+    }
+}
+
+/// Numbers to left and bottom, powers of ten, in a rectangle of a plot.
+pub struct Panel {
+    /// Its upper end.
+    pub top: f64,
+    /// Its lower end.
+    pub bottom: f64,
+    /// Powers of ten at its left and right ends.
+    pub x: (f64, f64),
+    /// Powers of ten at its lower and upper ends.
+    pub y: (f64, f64),
+}
+
+const LEFT: f64 = 66.0;
+const RIGHT: f64 = WIDTH - 24.0;
+
+impl Panel {
+    /// Where two powers of ten lie; what is beyond an end lies there.
+    pub fn at(&self, x: f64, y: f64) -> (f64, f64) {
+        let share =
+            |value: f64, (low, high): (f64, f64)| ((value - low) / (high - low)).clamp(0.0, 1.0);
+        let across = LEFT + share(x, self.x) * (RIGHT - LEFT);
+        let up = self.bottom - share(y, self.y) * (self.bottom - self.top);
+        (across, up)
+    }
+
+    /// A line of the grid, and its number, at each of some powers of ten.
+    pub fn rows(&self, paper: &mut Paper, ticks: &[(f64, String)]) {
+        for (y, words) in ticks {
+            let y = self.at(0.0, *y).1;
+            paper.line(&[(LEFT, y), (RIGHT, y)], FAINT);
+            paper.word((LEFT - 8.0, y), Anchor::End, words);
+        }
+    }
+
+    /// Round numbers below, about six, and what they mean: powers of ten, or of a tenth.
+    pub fn columns(&self, paper: &mut Paper, meaning: &str, of_a_tenth: bool) {
+        let (low, high) = self.x;
+        let steps = [0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0];
+        let step = steps.into_iter().find(|step| (high - low) / step <= 7.0);
+        let step = step.unwrap_or(100.0);
+        let first = (low / step).ceil() as i32;
+        let last = (high / step).floor() as i32;
+        for tick in first..=last {
+            let power = f64::from(tick) * step;
+            let x = self.at(power, 0.0).0;
+            paper.line(&[(x, self.top), (x, self.bottom)], FAINT);
+            let words = number(if of_a_tenth { -power } else { power });
+            paper.word((x, self.bottom + 14.0), Anchor::Middle, &words);
+        }
+        let middle = (LEFT + RIGHT) / 2.0;
+        paper.word((middle, self.bottom + 34.0), Anchor::Middle, meaning);
+    }
+}
+
+/// A power of ten, or three times one, as people write it.
+pub fn number(power: f64) -> String {
+    let whole = power.floor() as i32;
+    let first = if power > power.floor() { 3 } else { 1 };
+    match whole {
+        0..=3 => format!("{}", first * 10i32.pow(whole as u32)),
+        _ => format!("10{}", raised(whole)),
+    }
+}
+
+fn raised(exponent: i32) -> String {
+    let digit = |c: char| match c.to_digit(10) {
+        Some(digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit as usize).unwrap_or(c),
+        None => '⁻',
+    };
+    exponent.to_string().chars().map(digit).collect()
+}
+
+/// Shares of wrong decisions: ticks, and below them, apart, none at all.
+pub struct Shares {
+    /// Where none lies.
+    pub none: f64,
+    /// The ends of the axis.
+    pub y: (f64, f64),
+}
+
+impl Shares {
+    /// For counts among so many questions.
+    pub fn of(asked: u64) -> Shares {
+        let smallest = -(asked.max(10) as f64).log10();
+        let none = smallest.floor() - 1.0;
+        Shares {
+            none,
+            y: (none - 0.3, 0.0),
+        }
+    }
+
+    /// The height of so many wrong of all.
+    pub fn at(&self, wrong: u64, asked: u64) -> f64 {
+        match wrong {
+            0 => self.none,
+            _ => (wrong as f64 / asked.max(1) as f64).log10(),
+        }
+    }
+
+    /// Every second power, and none.
+    pub fn ticks(&self) -> Vec<(f64, String)> {
+        let mut ticks = vec![(self.none, "none".to_owned())];
+        for (power, words) in [(0.0, "100 %"), (-2.0, "1 %"), (-4.0, "0.01 %")] {
+            if power > self.none + 0.9 {
+                ticks.push((power, words.into()));
+            }
+        }
+        ticks
+    }
+}
+
+/// Errors in ulp, from a tenth of one up.
+pub fn ulps(highest: f64) -> Vec<(f64, String)> {
+    let step = if highest > 9.0 { 4 } else { 2 };
+    let last = highest.ceil() as i32;
+    (0..=last)
+        .step_by(step)
+        .map(|power| (f64::from(power), number(f64::from(power))))
+        .collect()
+}
+
+/// Kernels by colour, two in a row, below each other from y on; says where the next may be.
+pub fn legend(paper: &mut Paper, y: f64, names: &[&str]) -> f64 {
+    for (at, name) in names.iter().enumerate() {
+        let (x, y) = (20.0 + 230.0 * (at % 2) as f64, y + 22.0 * (at / 2) as f64);
+        paper.dot((x, y), 5.0, colour(at), true);
+        paper.word((x + 12.0, y), Anchor::Start, name);
+    }
+    y + 22.0 * names.len().div_ceil(2) as f64
+}
+
+/// Names, each once, in the order of the alphabet: a kernel has one colour in all plots.
+pub fn names<'a>(all: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    let mut names = Vec::new();
+    for name in all {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names.sort_unstable();
+    names
 }

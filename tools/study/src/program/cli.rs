@@ -24,7 +24,7 @@ pub enum Command {
     Plan(Plan),
     Render(Render),
     Record(Record),
-    /// Cast one kernel's workload: what runs under callgrind
+    /// Cast one kernel's workload, or a scene: what runs under callgrind
     #[command(hide = true)]
     Cast {
         shape: String,
@@ -49,9 +49,9 @@ impl Command {
 ///
 /// Asks many ways to intersect a sphere, a plane and a triangle the same questions, which get
 /// harder step by step, and judges them with exact arithmetic. Then it casts every scene and
-/// judges every pixel. Writes study.json, summary.md and plots, and prints each figure beside
-/// the one that was measured before or promised. The exit code is 0 if they agree, apart from
-/// times, which depend on the machine; otherwise it is 1.
+/// judges every pixel. Everyday, hard and absurd questions are told apart. Writes study.json,
+/// summary.md and plots, and prints what was promised beside what came. The exit code is 0 if
+/// all promises are kept, apart from costs, which depend on the machine; otherwise it is 1.
 #[derive(Args)]
 pub struct Study {
     /// Ask fewer questions, which takes less than a minute
@@ -67,8 +67,8 @@ pub struct Study {
     /// Write the files to this folder
     #[arg(long, value_name = "DIR", default_value = "study")]
     pub out: PathBuf,
-    /// Only this family of questions (distance, surface, …), or crossover, mesh, plans, scenes,
-    /// spoilt or speed
+    /// Only this family of questions (distance, surface, …), or classes, mesh, plans, scenes or
+    /// secondary
     #[arg(long, value_name = "FAMILY")]
     pub only: Option<String>,
     /// The seed of random questions
@@ -83,10 +83,11 @@ pub struct Study {
 
 /// Find the cheapest way to cast a scene as accurately as you wish, and explain it
 ///
-/// Chooses f32, f64 or exact arithmetic for each kind of shape, from bounds on what rounding
-/// does in this scene, and says whether a tree of boxes is worth building. Then it casts some
-/// of the rays that way and judges them with exact arithmetic; if that finds an error, it
-/// plans again. Try: cargo pinhole plan bunny --accuracy 1e-6
+/// A plan shows the true object at every pixel, and keeps t and normals as accurate as you
+/// wish: proven for every ray of the camera, not sampled. Says for each kind of shape what f64
+/// is proven to keep, where each hit is watched and computed exactly if need be, and whether a
+/// tree of boxes is worth searching. The same scene always has the same plan. Try: cargo
+/// pinhole plan bunny --accuracy 1e-6
 #[derive(Args)]
 pub struct Plan {
     /// A scene file, or the name of one of the assignment's scenes
@@ -119,9 +120,9 @@ pub struct Render {
     pub scene: String,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Cast with the exact caster, which never shows a wrong object: what rounding leaves
-    /// undecided is decided by exact arithmetic, and counted. The rays themselves are rounded
-    /// to f64 first
+    /// Cast with the exact caster, which never shows a wrong object and keeps t and normals to
+    /// 1e-12: what rounding leaves undecided is decided by exact arithmetic, and counted. Edges
+    /// are part of a triangle. The rays themselves are rounded to f64 first
     #[arg(long)]
     pub exact: bool,
     /// Cast in the cheapest way that keeps t and normals this accurate, which `pinhole plan`
@@ -143,9 +144,9 @@ pub struct Render {
 
 /// Ask the exact caster as many questions as you have time for
 ///
-/// The default is a million of each. What was promised is 100 million random questions, 10
-/// million adversarial ones, and 500 million rays each at edges and at vertices, which takes
-/// one core about two hours.
+/// The default is a million of each, and a thousand plans. What was promised is 100 million
+/// random questions, 10 million adversarial ones, 500 million rays each at edges and at
+/// vertices, and 10,000 plans, which takes one core about two hours.
 #[derive(Args)]
 pub struct Record {
     /// How many everyday questions
@@ -157,6 +158,9 @@ pub struct Record {
     /// How many rays at edges of closed meshes, and as many at their vertices
     #[arg(long, value_name = "N", default_value_t = 1_000_000)]
     pub edges: u64,
+    /// How many plans of random scenes, each judged at 64 pixels
+    #[arg(long, value_name = "N", default_value_t = 1_000)]
+    pub plans: u64,
     /// The seed of random questions
     #[arg(long, value_name = "N", default_value_t = 20_261_121)]
     pub seed: u64,
@@ -165,7 +169,8 @@ pub struct Record {
 /// What is wanted of a planned film.
 #[derive(Args)]
 pub struct Wanted {
-    /// For a plan: whether rounding may decide which object a pixel shows [default: rounded]
+    /// For a plan: whether rounding may decide which object a pixel shows. Plans show the true
+    /// object either way
     #[arg(long, value_enum, value_name = "IDS")]
     pub ids: Option<Ids>,
     /// For a plan: what to compute for each pixel; the rest is 0 in the film [default:
@@ -205,13 +210,11 @@ impl Wanted {
         self.ids.is_none() && self.outputs.is_empty()
     }
 
-    /// What the user wishes of a plan; unless they say otherwise, everything, with objects
-    /// as rounding has them.
+    /// What the user wishes of a plan; unless they say otherwise, everything.
     pub fn wish(&self, accuracy: f64) -> Wish {
         let wants = |output| self.outputs.is_empty() || self.outputs.contains(&output);
         Wish {
             accuracy,
-            exact_ids: self.ids == Some(Ids::Exact),
             depth: wants(Output::Depth),
             normal: wants(Output::Normal),
         }

@@ -14,10 +14,8 @@ use cli::{Cli, Command};
 use pinhole_course::checkout::Checkout;
 use pinhole_course::sandbox;
 use pinhole_report::program::{self, Status};
-use pinhole_study::instructions;
-
-/// The seed of workloads whose instructions are counted.
-const WORKLOAD: u64 = 1;
+use pinhole_study::shape::{Plane, Sphere, Triangle};
+use pinhole_study::{classes, instructions, scenes};
 
 fn main() -> ExitCode {
     // Before anything else: inside a sandbox there is no checkout.
@@ -37,7 +35,11 @@ fn main() -> ExitCode {
                 kernel,
                 casts,
             } => {
-                instructions::cast(&shape, kernel, casts, WORKLOAD);
+                let _is_known = scenes::cast(&shape, kernel, casts)
+                    || classes::cast::<Sphere<f64>>(&shape, kernel, casts)
+                    || classes::cast::<Plane<f64>>(&shape, kernel, casts)
+                    || classes::cast::<Triangle<f64>>(&shape, kernel, casts);
+                anstream::print!("{}", instructions::DONE);
                 Ok(Status::Well)
             }
         }

@@ -5,7 +5,7 @@ use std::io::Write;
 use indicatif::{ProgressBar, ProgressStyle};
 use pinhole_report::program::Status;
 use pinhole_study::judge::rule_of_three;
-use pinhole_study::record::{self, Count, Hardness, Leaks};
+use pinhole_study::record::{self, Count, Hardness, Leaks, Plans};
 
 use crate::cli::Record;
 
@@ -15,6 +15,7 @@ pub fn run(arguments: &Record) -> Status {
         random,
         adversarial,
         edges,
+        plans,
         seed,
     } = *arguments;
     let mut is_well = true;
@@ -25,6 +26,7 @@ pub fn run(arguments: &Record) -> Status {
         is_well &= count == 0 || decisions(name, hardness, count, seed);
     }
     is_well &= edges == 0 || leaks(edges, seed);
+    is_well &= plans == 0 || fuzzed(plans, seed);
     say("camera rays, as computed and as rounded once (apart from all above):");
     for camera in record::cameras() {
         say(&format!(
@@ -54,16 +56,38 @@ fn leaks(edges: u64, seed: u64) -> bool {
     let Leaks {
         rays,
         leaks,
-        double_hits,
         fallbacks,
     } = record::leaks(edges, seed, &|n| bar.inc(n));
     bar.finish_and_clear();
     say(&format!(
-        "edges and vertices: {leaks} leaks, {double_hits} double hits in {rays} rays{}; \
-         {fallbacks} tests were decided in exact numbers",
-        bound(leaks + double_hits, rays)
+        "edges and vertices: {leaks} leaks in {rays} rays{}; {fallbacks} tests were decided in \
+         exact numbers",
+        bound(leaks, rays)
     ));
-    leaks + double_hits == 0
+    leaks == 0
+}
+
+fn fuzzed(count: u64, seed: u64) -> bool {
+    let bar = bar("plans", count);
+    let Plans {
+        plans,
+        pixels,
+        hits,
+        exact_hits,
+        broken,
+    } = record::plans(count, seed, &|n| bar.inc(n));
+    bar.finish_and_clear();
+    let named = match broken.is_empty() {
+        true => String::new(),
+        false => format!(", by number {broken:?}"),
+    };
+    say(&format!(
+        "plans: {} of {plans} broken{named}{}; {hits} of {pixels} pixels are hits, {exact_hits} \
+         computed exactly",
+        broken.len(),
+        bound(broken.len() as u64, plans)
+    ));
+    broken.is_empty()
 }
 
 /// A line as soon as it is known. Whoever stops reading wants no more, and a long run does

@@ -20,35 +20,40 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
     }
     let assignment = arguments.assignment.find(checkout, None)?;
     let (scene, _, golden) = scene(&arguments.scene, arguments.resolution, &assignment)?;
-    let (film, seconds, by, exact, planned) = match arguments.plan {
-        None => {
-            let (film, report) = film::exact(&scene);
-            let by = format!(
-                "the exact caster: {} of {} tests and {} comparisons needed exact arithmetic",
-                report.fallbacks, report.tests, report.close_calls
-            );
-            (film, report.seconds, by, Some(json!(report)), None)
-        }
+    let wish = match arguments.plan {
+        None => film::EXACT,
+        Some(accuracy) => arguments.wanted.wish(accuracy),
+    };
+    let (film, report) = film::planned(&scene, wish).map_err(unplannable)?;
+    let spent = format!(
+        "{} of {} tests, {} comparisons, and t and normals of {} pixels needed exact arithmetic",
+        report.fallbacks, report.tests, report.close_calls, report.exact_hits
+    );
+    let (by, exact, planned) = match arguments.plan {
+        None => (
+            format!("the exact caster: {spent}"),
+            Some(json!(report)),
+            None,
+        ),
         Some(accuracy) => {
-            let wish = arguments.wanted.wish(accuracy);
-            let (film, planned) = film::planned(&scene, wish).map_err(unplannable)?;
-            let by = format!(
-                "the plan for {accuracy:e}: {} pixels were cast again in f64, {} exactly; why: \
-                 {PINHOLE} plan {} --accuracy {accuracy:e}",
-                planned.spent.again_in_f64, planned.spent.again_exactly, arguments.scene
+            let why = format!(
+                "why: {PINHOLE} plan {} --accuracy {accuracy:e}",
+                arguments.scene
             );
-            (film, planned.seconds, by, None, Some(json!(planned)))
+            let by = format!("the plan for {accuracy:e}: {spent}; {why}");
+            (by, None, Some(json!(report)))
         }
     };
     let cast = Cast {
         scene: arguments.scene.clone(),
         film,
         by,
-        seconds,
+        seconds: report.seconds,
         problem: None,
         printed: String::new(),
         exact,
         planned,
+        shares: None,
     };
     let depth_per_t = scene.camera.depth_per_t();
     cast.deliver(&arguments.out, golden, depth_per_t, arguments.json)

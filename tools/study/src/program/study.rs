@@ -36,30 +36,31 @@ pub fn run(checkout: &Checkout, arguments: &Arguments) -> Result<Status> {
         None => Theirs::default(),
     };
     let only = arguments.only.as_deref();
+    // Before a long run, during which the work tree may change.
+    let provenance = provenance(extent.name, arguments.seed);
     let findings = ask(&extent, arguments.seed, only, &theirs, &say);
     bar.finish_and_clear();
     let targets = targets(&findings);
     let study = Study {
         schema: SCHEMA.into(),
-        provenance: provenance(extent.name, arguments.seed),
+        provenance,
         families: findings.families,
         meshes: findings.meshes,
-        spoilt: findings.spoilt,
-        speed: findings.speed,
+        trades: findings.trades,
+        tiers: findings.tiers,
+        conditioning: findings.conditioning,
+        secondary: findings.secondary,
         breaking: findings.breaking,
         scenes: findings.scenes,
         problems: theirs.problems(),
         plans: findings.plans,
-        crossovers: findings.crossovers,
         targets,
     };
     if study.families.is_empty()
         && study.meshes.is_empty()
-        && study.spoilt.is_empty()
-        && study.speed.is_empty()
+        && study.secondary.is_empty()
         && study.scenes.is_empty()
         && study.plans.is_empty()
-        && study.crossovers.is_empty()
     {
         let only = arguments.only.as_deref().unwrap_or_default();
         return Err(Error::input(
@@ -79,7 +80,7 @@ pub fn run(checkout: &Checkout, arguments: &Arguments) -> Result<Status> {
 
 /// What `--only` understands.
 fn names() -> Vec<&'static str> {
-    let mut names = vec!["crossover", "mesh", "plans", "scenes", "spoilt", "speed"];
+    let mut names = vec!["classes", "mesh", "plans", "scenes", "secondary"];
     names.extend(Sphere::families().iter().map(|family| family.name));
     names.extend(Plane::families().iter().map(|family| family.name));
     names.extend(Triangle::families().iter().map(|family| family.name));

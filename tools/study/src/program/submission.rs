@@ -77,7 +77,7 @@ fn ask(whole: &Whole, asked: &Asked, assignment: &Assignment, wall: Duration) ->
 /// A job without its first questions; a film is cast whole.
 fn after(job: &Job, done: usize) -> Job {
     match job {
-        Job::Ask(questions) => Job::Ask(questions.skip(done)),
+        Job::Ask(questions) => Job::Ask(questions.part(done..questions.len())),
         other => other.clone(),
     }
 }

@@ -112,7 +112,7 @@ pub fn section(text: &mut String, study: &Study) {
         text,
         "## Where yours stands\n\n\
          Your code was asked the same questions as the kernels, and nothing of this is graded. \
-         In the plots of `f64` below its line is the thick black one. A kernel is *better* if it \
+         In the plots below its line is the thick grey one. A kernel is *better* if it \
          decides wrongly at most half as often; where neither is ever wrong, if its largest \
          median error is at most half of yours.\n\n\
          | shape | family | yours breaks at x | wrong | better |\n\

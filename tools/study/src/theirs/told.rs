@@ -3,7 +3,7 @@
 use pinhole::kind::Answer;
 
 use super::DATA;
-use crate::judge::{Answers, Tally, judge};
+use crate::judge::{Answers, Tally, judge_each};
 use crate::oracle::{Known, Truth};
 use crate::question::{Data, Question};
 
@@ -30,7 +30,11 @@ impl<'a> Told<'a> {
 
     /// Judges the next answers: to these questions, then to the same with their numbers
     /// near 1. What was not answered does not count.
-    pub fn judged<S: Known>(&mut self, questions: &[Question<S>], truths: &[Truth]) -> Tally {
+    pub fn judged<S: Known>(
+        &mut self,
+        questions: &[Question<S>],
+        truths: &[Truth],
+    ) -> (Tally, Vec<(usize, f64)>) {
         let (given, again) = (self.next(questions.len()), self.next(questions.len()));
         let is_answered = |at: &usize| given[*at].is_some() && again[*at].is_some();
         let places: Vec<usize> = (0..questions.len()).filter(is_answered).collect();
@@ -40,7 +44,11 @@ impl<'a> Told<'a> {
         };
         let questions: Vec<_> = places.iter().map(|at| questions[*at]).collect();
         let truths: Vec<_> = places.iter().map(|at| truths[*at].clone()).collect();
-        judge(&recorded, &questions, &truths)
+        let (tally, mut errors) = judge_each(&recorded, &questions, &truths);
+        for (at, _) in &mut errors {
+            *at = places[*at];
+        }
+        (tally, errors)
     }
 }
 

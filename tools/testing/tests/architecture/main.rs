@@ -1,7 +1,10 @@
-//! What holds of the whole source: which package imports which ([`packages`]), which module
-//! imports which ([`modules`]), and that the tools take assignments, tasks and shapes as
-//! data ([`names`]).
+//! Rules for the whole source: which package imports which ([`packages`]), which module
+//! imports which ([`modules`]), what we may depend on ([`dependencies`]), that the tools take
+//! assignments, tasks and shapes as data ([`names`]), and which of the documented commands
+//! are run ([`commands`]).
 
+mod commands;
+mod dependencies;
 mod modules;
 mod names;
 mod packages;

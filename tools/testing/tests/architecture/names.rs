@@ -32,7 +32,7 @@ const FIELDS: [&str; 5] = ["center", "radius", "corners", "obj", "triangles"];
 const TERMS: [&str; 4] = ["image plane", "image_plane", "disk space", "on a disk"];
 
 #[test]
-fn no_assignment_task_or_shape_is_named_where_all_are_data() {
+fn no_tool_names_an_assignment_a_task_or_a_shape() {
     let names = Names::read();
     let all = ["src", "tools"].map(|folder| sources(&root().join(folder)));
     let mut wrong = Vec::new();

@@ -5,8 +5,9 @@ use std::fs;
 use pinhole_testing::root;
 
 /// Each package's folder, and which of our packages it may import.
-const PACKAGES: [(&str, &[&str]); 7] = [
+const PACKAGES: [(&str, &[&str]); 8] = [
     (".", &[]),
+    ("tools/reading", &[]),
     ("tools/course", &["pinhole"]),
     ("tools/report", &["pinhole", "pinhole-course"]),
     (
@@ -15,13 +16,21 @@ const PACKAGES: [(&str, &[&str]); 7] = [
     ),
     (
         "tools/instructor",
-        &["pinhole", "pinhole-course", "pinhole-report"],
+        &[
+            "pinhole",
+            "pinhole-course",
+            "pinhole-reading",
+            "pinhole-report",
+        ],
     ),
     (
         "tools/study",
         &["pinhole", "pinhole-course", "pinhole-report"],
     ),
-    ("tools/book", &["pinhole", "pinhole-course"]),
+    (
+        "tools/book",
+        &["pinhole", "pinhole-course", "pinhole-reading"],
+    ),
 ];
 
 #[test]

@@ -40,6 +40,9 @@ fn ordinary_screens_hold_the_verdict_the_progress_and_every_key() {
         let text = text(&frame(&watch.state, columns, rows));
         assert!(text.starts_with("✗ sphere    0 / 18"), "{text}");
         assert!(text.contains("5 / 6 tasks, 62 / 100 points"), "{text}");
+        for state in ["✓ plane", "✗ sphere", "… scenes"] {
+            assert!(text.contains(state), "{state} in\n{text}");
+        }
         // A long path is broken wherever the screen ends.
         let unbroken: String = text.split_whitespace().collect();
         assert!(unbroken.contains("sphere.rs"), "{text}");
@@ -70,9 +73,9 @@ fn a_long_verdict_is_scrolled_as_far_as_its_end() {
 }
 
 #[test]
-fn what_others_have_written_is_shown_and_not_obeyed() {
+fn control_characters_in_a_verdict_are_shown_and_not_obeyed() {
     let mut watch = Watch::begin();
-    let mut examination = watch.examination("viewing_ray", false);
+    let mut examination = watch.examination("plane", false);
     let rude = "\u{1b}]0;owned\u{7}\u{1b}[2J";
     examination.outcome.printed = rude.into();
     examination.outcome.tasks[0].groups[0].outcome =

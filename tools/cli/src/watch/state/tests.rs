@@ -100,7 +100,7 @@ impl Watch {
         order.items.iter().map(Item::name).collect()
     }
 
-    /// One item of the last order comes back, a second after the last event.
+    /// The judge returns one item of the last order, a second after the last event.
     pub fn judge(&mut self, item: &str, passes: bool) {
         let number = self.ordered.as_ref().expect("it was ordered").number;
         self.judge_as(number, item, passes);
@@ -122,7 +122,7 @@ impl Watch {
         self.step(Event::Finished { order })
     }
 
-    /// All of the last order comes back, and is done.
+    /// The judge returns all items of the last order.
     pub fn judge_all(&mut self, wrong: &[&str]) {
         let items: Vec<String> = self.ordered().into_iter().map(String::from).collect();
         for item in items {
@@ -169,6 +169,7 @@ impl Watch {
                         golden: golden.clone(),
                         film: None,
                         verdict: None,
+                        rays: Default::default(),
                     });
                 }
             }
@@ -191,11 +192,12 @@ impl Watch {
 fn it_begins_at_the_first_task_with_missing_points_and_stays_there() {
     let mut watch = Watch::begin();
     assert_eq!(watch.ordered().len(), 6, "the scenes come last");
-    watch.judge("viewing_ray", true);
-    watch.expect_shown("sphere");
+    assert_eq!(watch.ordered()[0], "plane", "the one to begin with");
+    watch.judge("plane", true);
+    watch.expect_shown("viewing_ray");
+    watch.judge("viewing_ray", false);
     watch.judge("sphere", false);
-    watch.judge("plane", false);
-    watch.expect_shown("sphere");
+    watch.expect_shown("viewing_ray");
 }
 
 #[test]
@@ -209,7 +211,7 @@ fn a_save_of_another_file_is_followed_and_said() {
 }
 
 #[test]
-fn no_verdict_on_older_answers_is_taken_for_one_on_the_newest() {
+fn verdict_on_older_answers_is_stale() {
     let mut watch = Watch::with_wrong(&["sphere"]);
     watch.save(&["sphere"]);
     let older = watch.ordered.as_ref().expect("it was ordered").number;
@@ -229,7 +231,7 @@ fn no_verdict_on_older_answers_is_taken_for_one_on_the_newest() {
 }
 
 #[test]
-fn what_a_save_interrupts_is_asked_again() {
+fn interrupted_items_are_asked_again() {
     let mut watch = Watch::begin();
     watch.judge("viewing_ray", true);
     watch.save(&["plane"]);
@@ -276,21 +278,23 @@ fn next_goes_to_what_misses_points_or_else_on() {
     let mut watch = Watch::with_wrong(&["sphere", "triangle"]);
     watch.expect_shown("sphere");
     watch.press(Key::Next);
-    watch.expect_shown("plane");
+    watch.expect_shown("triangle");
+    watch.press(Key::Next);
+    watch.expect_shown("triangle_soup");
     watch.press(Key::Next);
     watch.expect_shown("sphere");
-    watch.press(Key::Previous);
-    watch.expect_shown("viewing_ray");
-    watch.press(Key::Previous);
-    watch.expect_shown("scenes");
+    for before in ["viewing_ray", "plane", "scenes"] {
+        watch.press(Key::Previous);
+        watch.expect_shown(before);
+    }
     assert_eq!(watch.ordered(), ["scenes"]);
 }
 
 #[test]
 fn going_back_to_an_older_verdict_renews_it() {
-    let mut watch = Watch::with_wrong(&["sphere", "plane"]);
-    watch.save(&["plane"]);
-    watch.judge_all(&["plane"]);
+    let mut watch = Watch::with_wrong(&["sphere", "triangle"]);
+    watch.save(&["triangle"]);
+    watch.judge_all(&["triangle"]);
     watch.press(Key::Previous);
     assert_eq!(watch.ordered(), ["sphere"], "it may call what was saved");
     watch.judge_all(&["sphere"]);
@@ -307,7 +311,7 @@ fn each_press_for_a_hint_tells_more_and_a_save_takes_them_away() {
     assert!(all[0].contains("`outside` asks about rays"), "{all:?}");
     assert!(
         all.last()
-            .is_some_and(|last| last.contains("(book/sphere.html)"))
+            .is_some_and(|last| last.contains("book/src/sphere.md)"))
     );
     for shown in [1, 2, 3, 3] {
         watch.press(Key::Hint);
@@ -340,7 +344,7 @@ fn a_problem_stays_until_the_folder_is_back() {
 }
 
 #[test]
-fn who_has_left_is_told_what_was_begun_before_it_ends() {
+fn closed_input_ends_the_watch_after_the_running_order() {
     let mut watch = Watch::begin();
     assert!(!watch.step(Event::Closed));
     for task in [

@@ -1,4 +1,4 @@
-//! Answers come and go, and verdicts with them: the newest answers count.
+//! Handles saves and verdicts. Only verdicts on the newest answers count.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -84,7 +84,7 @@ impl State {
         self.stamps.insert(item, stamp);
     }
 
-    /// The judge has done all that was ordered.
+    /// The judge has finished its order.
     pub(super) fn finished(&mut self) -> Vec<Act> {
         self.rest();
         if self.report_wanted {

@@ -1,4 +1,4 @@
-//! Where the student goes by keys.
+//! Moving between items with keys.
 
 use super::{Act, State};
 use crate::watch::hints;

@@ -1,7 +1,7 @@
-//! Attacks on the compiler, and by way of it.
+//! Attacks on the compiler, and through it.
 
 use super::Fate::{self, File, Harmless, Walled};
-use super::{SECRET, all_meet_their_fate, file, walls};
+use super::{SECRET, every_attack_has_its_expected_outcome, file, walls};
 use pinhole_testing::root;
 
 const NO: Fate = File("does not compile");
@@ -107,7 +107,7 @@ fn the_compiler_reads_no_file_and_knows_no_environment() {
         ),
         file("harness-internals", Harmless, "use pinhole::job::Job as _;"),
     ];
-    all_meet_their_fate(&attacks, &walls());
+    every_attack_has_its_expected_outcome(&attacks, &walls());
 }
 
 #[test]
@@ -160,7 +160,7 @@ fn a_compiler_that_would_never_end_is_ended() {
             &format!("fn f() {{ let {}: u8 = \"\"; }}", "x".repeat(200_000)),
         ),
     ];
-    all_meet_their_fate(&attacks, &walls());
+    every_attack_has_its_expected_outcome(&attacks, &walls());
 }
 
 #[test]
@@ -177,12 +177,12 @@ fn what_the_compiler_may_see_it_sees_without_walls() {
         }
     };
     let attacks = [text(&format!("option_env!(\"{}\").is_some()", SECRET.0))];
-    all_meet_their_fate(&attacks, &walls());
-    all_meet_their_fate(&attacks, "none");
+    every_attack_has_its_expected_outcome(&attacks, &walls());
+    every_attack_has_its_expected_outcome(&attacks, "none");
     let reads = [file(
         "golden-compiled-in",
         Harmless,
         &format!("const _: &str = include_str!({golden:?});"),
     )];
-    all_meet_their_fate(&reads, "none");
+    every_attack_has_its_expected_outcome(&reads, "none");
 }

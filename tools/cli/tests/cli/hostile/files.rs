@@ -1,4 +1,4 @@
-//! Files that are not what they seem, and files that should not count.
+//! Files that are not regular answer files, and files that should not count.
 
 use std::fs;
 use std::os::unix::fs::symlink;
@@ -9,7 +9,7 @@ use super::{examine, scratch, walls};
 use crate::check::{lost, task};
 use pinhole_testing::{pinhole, root, submission};
 
-/// Puts something in the place of `plane.rs` and says what became of it.
+/// Puts something in the place of `plane.rs`, and returns its outcome.
 fn state_of(name: &str, make: impl FnOnce(&Path)) -> String {
     let folder = submission(&std::env::temp_dir(), &format!("hostile-{name}"), &[]);
     let plane = folder.join("plane.rs");
@@ -88,7 +88,7 @@ fn only_regular_text_of_ordinary_size_counts() {
 }
 
 #[test]
-fn what_editors_leave_in_a_text_is_no_fault() {
+fn byte_order_marks_and_windows_line_ends_are_accepted() {
     assert_eq!(
         state_of("mark", write(format!("\u{feff}{}", reference()))),
         "compiled"
@@ -102,7 +102,7 @@ fn what_editors_leave_in_a_text_is_no_fault() {
 }
 
 #[test]
-fn nothing_but_the_answers_travels() {
+fn only_the_answer_files_are_taken() {
     let mark = scratch("hostile-mark").join("owned");
     let owned = mark.to_str().expect("a plain name");
     let build = format!("fn main() {{ std::fs::write({owned:?}, \"\").unwrap(); }}");
@@ -149,7 +149,7 @@ fn nothing_but_the_answers_travels() {
 fn an_archive_counts_as_the_folder_it_holds() {
     let folder = submission(&std::env::temp_dir(), "hostile-zip", &[]);
     let archive = scratch("hostile-archive").join("answers =1+1;$(id).zip");
-    // As course systems do, and everything beside the answers.
+    // Packed as course systems do it, with other files beside the answers.
     let zipped = Command::new("python3")
         .args(["-m", "zipfile", "-c"])
         .arg(&archive)

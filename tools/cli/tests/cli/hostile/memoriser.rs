@@ -1,4 +1,4 @@
-//! An answer that has learnt the public goldens by heart.
+//! An answer that has memorised the public goldens.
 
 use std::collections::BTreeSet;
 
@@ -6,15 +6,16 @@ use super::{examine, walls};
 use crate::check::{lost, task, with_body};
 use pinhole_testing::{fresh_goldens, pinhole, submission};
 
-/// What an answer can learn of a question: one short number of its ray tells it from
-/// others, so that all of them fit into what is kept of its words.
+/// The key by which an answer recognises a question: one short number of its ray, so
+/// that all keys fit into the output that is kept.
 const NUMBER: &str = "pinhole_short(ray.origin + ray.direction * 1.7 + self.point * 0.3)";
 const SHORT: &str = "fn pinhole_short(at: glam::DVec3) -> u32 { \
      let bits = at.dot(glam::DVec3::new(0.31, 0.77, 1.13)).to_bits(); (bits ^ (bits >> 29)) as u32 }";
 
 #[test]
-fn what_was_learnt_by_heart_is_worth_nothing_on_fresh_questions() {
-    // The first hand-in says what it is asked; a course that shows its output is an oracle.
+fn memorised_answers_earn_nothing_on_fresh_questions() {
+    // The first hand-in prints the questions. A course that shows this output gives them
+    // away.
     let listens = with_body("plane", &format!("eprintln!(\"?{{:x}}\", {NUMBER});"));
     let folder = submission(
         &std::env::temp_dir(),
@@ -29,7 +30,7 @@ fn what_was_learnt_by_heart_is_worth_nothing_on_fresh_questions() {
     let known: BTreeSet<u32> = numbers.collect();
     assert!(known.len() > 20, "it heard only {} questions", known.len());
 
-    // The second is right where it knows the question, and nowhere else.
+    // The second hand-in is right only on questions that it knows.
     let table: Vec<String> = known.iter().map(u32::to_string).collect();
     let knows = with_body(
         "plane",
@@ -70,6 +71,6 @@ fn what_was_learnt_by_heart_is_worth_nothing_on_fresh_questions() {
     let plane = task(&judged, "plane");
     let earned = plane["points"].as_i64().expect("a number");
     let possible = plane["possible"].as_i64().expect("a number");
-    // A group whose right answers are all misses asks nothing that must be known.
+    // A group whose right answers are all misses needs no memory.
     assert!(earned * 4 <= possible, "{plane:#}");
 }

@@ -1,4 +1,4 @@
-//! Words of an attack, where people read them.
+//! Text from attacks, in every place where people read it.
 
 use std::fs;
 
@@ -8,7 +8,7 @@ use pinhole_testing::{pinhole, submission};
 
 const EVIL: &str = "<script>alert(1)</script><img src=x onerror=alert(2)>\u{1b}[2J\u{1b}]0;owned\u{7}\u{202e}\r\n=HYPERLINK(1)";
 
-/// What a terminal or a browser would take for an order.
+/// Text that a terminal or a browser would obey.
 #[track_caller]
 fn is_tame(text: &str, what: &str) {
     for order in ["\u{1b}[2J", "\u{1b}]0;", "\u{7}", "\u{202e}"] {
@@ -25,7 +25,7 @@ fn is_tame_page(page: &str) {
 }
 
 #[test]
-fn what_an_answer_says_gives_no_orders_to_a_terminal_or_a_browser() {
+fn answer_output_cannot_control_a_terminal_or_a_browser() {
     let panics = with_body(
         "plane",
         &format!("eprintln!({EVIL:?}); println!({EVIL:?}); panic!({EVIL:?});"),
@@ -62,7 +62,7 @@ fn what_an_answer_says_gives_no_orders_to_a_terminal_or_a_browser() {
 }
 
 #[test]
-fn the_name_of_a_folder_gives_no_orders_either() {
+fn folder_name_cannot_control_a_terminal_or_a_browser() {
     for name in [
         "$(touch owned); `id` & | > 'x' \"y\"",
         "<script>alert(1)<",
@@ -99,7 +99,7 @@ fn the_name_of_a_folder_gives_no_orders_either() {
 }
 
 #[test]
-fn an_instructor_is_told_of_what_reaches_out_and_it_costs_nothing() {
+fn suspicious_code_is_flagged_and_costs_nothing() {
     let text = with_body(
         "plane",
         "let _ = std::env::var(\"HOME\"); // unsafe\nlet _ = std::fs::read(\"unsafe\");",

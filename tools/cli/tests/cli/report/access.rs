@@ -1,4 +1,4 @@
-//! The report for everybody: by keyboard alone, on a phone, in the dark, and by ear.
+//! The report by keyboard alone, on a phone, in dark mode, and with a screen reader.
 
 use super::{assert_as_explained, half_a_pixel_off, numbers, report};
 use crate::browser::{Browser, DOWN, ENTER, LEFT, RIGHT, SPACE, UP};
@@ -66,7 +66,7 @@ fn the_keyboard_alone_reaches_and_reads_everything() {
 }
 
 #[test]
-fn nothing_sticks_out_on_a_phone_and_every_word_is_readable_in_light_and_dark() {
+fn page_fits_a_phone_and_has_enough_contrast_in_light_and_dark() {
     let panics = with_body("plane", "panic!(\"a{}\", \"long\".repeat(200));");
     let folder = submission(&trusted(), "report-phone", &[("plane.rs", &panics)]);
     let wrong =
@@ -115,7 +115,7 @@ fn nothing_sticks_out_on_a_phone_and_every_word_is_readable_in_light_and_dark() 
     browser.expect_quiet();
 }
 
-/// Words with less contrast than 4.5 to 1 (WCAG 2.2, 1.4.3) on what is behind them.
+/// Text with a contrast below 4.5 to 1 (WCAG 2.2, 1.4.3).
 const FAINT_WORDS: &str = "(() => {
   const channels = (colour) => colour.match(/[\\d.]+/g).map(Number);
   const light = (colour) => {

@@ -66,7 +66,7 @@ fn a_tree_that_takes_too_long_on_the_processor_is_ended() {
         cpu: Duration::from_millis(300),
         ..limits()
     };
-    // What walls would end with the shell here ends by itself.
+    // Without a sandbox, this process must end by itself.
     let line = "ulimit -t 5; (while :; do :; done) & wait";
     let finished = finish(shell(line), &limits, |pid| Watch::tree(pid, limits));
     assert_eq!(
@@ -76,7 +76,7 @@ fn a_tree_that_takes_too_long_on_the_processor_is_ended() {
 }
 
 #[test]
-fn a_flood_of_words_is_cut_and_a_wait_is_ended_by_the_clock() {
+fn output_is_cut_and_waiting_is_ended_by_the_clock() {
     let limits = Limits {
         wall: Duration::from_secs(1),
         ..limits()

@@ -1,10 +1,9 @@
 //! How long an answer may take: seconds of the processor, never less than a hundred times
 //! what the reference took for the same questions in the same run.
 //!
-//! Jobs run side by side, and students must not pay for a loaded machine. So an answer that
-//! comes too late beside others costs nothing yet: its whole submission is put back, and
-//! graded again when all others are done and it has the machine to itself. What is late
-//! then is late.
+//! Jobs run side by side, and students must not pay for a loaded machine. So if an answer
+//! is late while others are graded, its whole submission is put back, and graded again when
+//! all others are done and it has the machine to itself. What is late then is late.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -22,7 +21,7 @@ use pinhole_course::goldens::Goldens;
 use pinhole_course::overlay;
 use pinhole_course::sandbox::{Limits, Sandbox, time_of_children};
 
-/// A right answer may take this many times the reference's own time.
+/// How many times the reference's own time an answer may take.
 const TIMES: u32 = 100;
 
 /// Two clocks, of user and system, each a tick behind.
@@ -40,7 +39,7 @@ pub struct Pace {
 
 impl Pace {
     /// Asks the reference everything that submissions will be asked. It is our own code and
-    /// runs without walls, so that the system tells what it took. Nothing else may run.
+    /// runs without a sandbox, so that the system can measure it. Nothing else may run.
     pub fn measure(
         assignment: &Assignment,
         goldens: &[&Goldens],
@@ -117,7 +116,7 @@ pub struct SubmissionClock<'a> {
 }
 
 impl<'a> SubmissionClock<'a> {
-    /// Nothing was late so far.
+    /// No answer was late so far.
     pub fn new(pace: &'a Pace, alone: bool) -> SubmissionClock<'a> {
         SubmissionClock {
             pace,
@@ -137,7 +136,7 @@ impl Clock for SubmissionClock<'_> {
         self.pace.limits(what)
     }
 
-    /// Ends the examination if an answer was late beside others;
+    /// Ends the examination if an answer was late while others were graded;
     /// [`was_late`](SubmissionClock::was_late) says so then.
     fn check(&self, reply: &Reply) -> Result<()> {
         if self.alone || !matches!(reply.ending, Ending::TimedOut(_)) {

@@ -1,16 +1,13 @@
-//! Questions that nobody has seen, the same for the whole class, and what they take from
-//! what the known ones gave.
+//! Fresh questions, the same for the whole class, and the points that they cost.
 //!
-//! Whoever has the public goldens could write them into the answer files. Probes and
-//! scenes from a fresh seed cannot be known before they are made.
+//! Somebody who has the public goldens could write them into the answer files. Probes
+//! and scenes from a fresh seed cannot be known before they are made.
 
 use std::fs;
-use std::hash::{BuildHasher, RandomState};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::golden;
-use crate::golden::arguments::GoldenRender;
-use crate::grade::record::Record;
+use crate::golden::arguments::{GoldenRender, random_seed};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
@@ -20,50 +17,127 @@ use pinhole_course::manifest::Manifest;
 use pinhole_course::mitsuba;
 use pinhole_course::outcome::{GroupOutcome, Outcome, TaskOutcome};
 use pinhole_course::run_options::AssignmentOption;
+use pinhole_course::seed::Seed;
 
-/// The fresh goldens in `folder`, made if they are not there; `None` if there is no
-/// Mitsuba to make them.
-pub fn find_or_make(
-    folder: &Path,
-    seed: Option<u64>,
-    assignment: &Assignment,
-    checkout: &Checkout,
-) -> Result<Option<(Goldens, u64)>> {
-    let kept = Manifest::read(folder)
-        .ok()
-        .and_then(|manifest| manifest.probe_seed);
-    let same = kept.filter(|kept| seed.is_none_or(|seed| seed == *kept));
-    if let Some(seed) = same {
-        return Ok(Some((Goldens::read(folder, assignment)?, seed)));
+/// The fresh questions of a class.
+pub struct Questions {
+    /// Where they lie, or will.
+    pub folder: PathBuf,
+    /// The seed to draw them from, if the user chose one.
+    pub seed: Option<Seed>,
+    /// Whether the questions in that folder were used before: students then know from
+    /// their results which of them they failed.
+    pub anew: bool,
+}
+
+impl Questions {
+    /// Whether those of this seed, which lie there, are asked.
+    fn serve(&self, kept: Option<Seed>) -> bool {
+        match self.seed {
+            Some(_) => kept == self.seed,
+            None => kept.is_some() && !self.anew,
+        }
     }
-    if !mitsuba::is_there(checkout) {
-        return match seed {
-            Some(_) => Err(Error::environment(
-                "there is no Mitsuba here to make fresh questions with",
-                "make its environment: cargo pinhole golden setup, or pass --no-fresh",
-            )),
-            None => Ok(None),
+
+    /// Their goldens, made if they are not there, and their seed; `None` if there is no
+    /// Mitsuba to make them.
+    pub fn find_or_make(
+        &self,
+        assignment: &Assignment,
+        checkout: &Checkout,
+    ) -> Result<Option<(Goldens, Option<Seed>)>> {
+        let folder = &self.folder;
+        let manifest = Manifest::read(folder).ok();
+        let kept = manifest.and_then(|manifest| manifest.probe_seed);
+        if self.serve(kept) {
+            return Ok(Some((Goldens::read(folder, assignment)?, kept)));
+        }
+        if !mitsuba::is_there(checkout) {
+            return match self.seed.or(kept) {
+                Some(_) => Err(Error::environment(
+                    "there is no Mitsuba here to make fresh questions with",
+                    "make its environment: cargo pinhole golden setup, or pass --fresh DIR or \
+                     --no-fresh",
+                )),
+                None => Ok(None),
+            };
+        }
+        let seed = match self.seed {
+            Some(seed) => seed,
+            None => random_seed().or_environment(
+                "the system has no random numbers for a seed",
+                "name one with --seed",
+            )?,
         };
+        anstream::eprintln!("making fresh questions with Mitsuba …");
+        // If we are killed, the folder is complete or does not exist.
+        let beside = folder.with_extension("new");
+        let _left_behind = fs::remove_dir_all(&beside);
+        let request = GoldenRender {
+            assignment: AssignmentOption::default(),
+            scenes: Vec::new(),
+            out: Some(beside.clone()),
+            seed: Some(seed),
+            force: false,
+            no_mistakes: true,
+        };
+        golden::make(assignment, checkout, &request)?;
+        // Marks that were given may still be disputed.
+        let mut places = (1..).map(|number| folder.with_extension(format!("retired-{number}")));
+        let retired = places.find(|place| !place.exists());
+        let kept = match retired.filter(|_| folder.is_dir()) {
+            Some(place) => fs::rename(folder, place),
+            None => Ok(()),
+        };
+        kept.and_then(|()| own(&beside))
+            .and_then(|()| fs::rename(&beside, folder))
+            .or_environment(
+                format_args!("cannot keep fresh questions in {}", folder.display()),
+                "check that the folder can be written",
+            )?;
+        Ok(Some((Goldens::read(folder, assignment)?, Some(seed))))
     }
-    let seed = seed.unwrap_or_else(chosen);
-    anstream::eprintln!("making fresh questions with Mitsuba, seed {seed} …");
-    // Complete or not there at all, whenever we are killed.
-    let beside = folder.with_extension("new");
-    let _left_behind = fs::remove_dir_all(&beside);
-    let request = GoldenRender {
-        assignment: AssignmentOption::default(),
-        scenes: Vec::new(),
-        out: Some(beside.clone()),
-        seed: Some(seed),
-        no_mistakes: true,
+}
+
+/// What the questions in a folder are for. Who may hand in often learns of questions for
+/// feedback what they ask, so they can't be those of the mark.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Purpose {
+    /// An autograder, which students ask again and again.
+    Feedback,
+    /// A mark.
+    Grading,
+}
+
+/// The file that keeps a folder's purpose. It doesn't travel into archives: its name begins
+/// with a dot.
+const PURPOSE: &str = ".purpose";
+
+/// Reserves a folder of fresh questions for one purpose, for good.
+///
+/// # Errors
+/// If the folder has served the other.
+pub fn reserve(folder: &Path, purpose: Purpose) -> Result<()> {
+    let path = folder.join(PURPOSE);
+    let word = match purpose {
+        Purpose::Feedback => "feedback",
+        Purpose::Grading => "grading",
     };
-    golden::make(assignment, checkout, &request)?;
-    let _of_another_seed = fs::remove_dir_all(folder);
-    fs::rename(&beside, folder).or_environment(
-        format_args!("cannot keep fresh questions in {}", folder.display()),
-        "check that the folder can be written",
-    )?;
-    Ok(Some((Goldens::read(folder, assignment)?, seed)))
+    match fs::read_to_string(&path) {
+        Ok(other) if other.trim() == word => Ok(()),
+        Ok(other) => Err(Error::input(
+            format!(
+                "the fresh questions in {} have served {} already",
+                folder.display(),
+                other.trim()
+            ),
+            "make others: cargo pinhole golden render --seed random --no-mistakes --out DIR",
+        )),
+        Err(_) => fs::write(&path, format!("{word}\n")).or_input(
+            format_args!("cannot write {}", path.display()),
+            "copy the folder to a place where you may write",
+        ),
+    }
 }
 
 /// The tasks and scenes that fresh questions could still cost something.
@@ -103,19 +177,62 @@ pub fn revoke_failing_fresh(outcome: &mut Outcome, fresh: &Outcome) {
     outcome.add_up();
 }
 
-/// Scenes earn no more than the answers behind them do on questions nobody has seen: the
-/// larger of what fresh scenes earn and the tasks' share of their points, rounded up.
-/// Fresh scenes alone would be too strict, as one wrong shape spoils all of them.
-pub fn most_for_scenes(record: &Record) -> u32 {
-    let fresh: u32 = record.fresh_scenes.iter().map(|scene| scene.points).sum();
-    let (_, scenes) = record.scene_points();
-    let tasks = &record.got.tasks;
-    let earned: u32 = tasks.iter().map(|task| task.points).sum();
-    let possible: u32 = tasks.iter().map(|task| task.possible).sum();
-    fresh.max((scenes * earned).div_ceil(possible.max(1)))
+/// Lets nobody else on the machine look into a folder.
+fn own(folder: &Path) -> std::io::Result<()> {
+    #[cfg(unix)]
+    {
+        let mode = std::os::unix::fs::PermissionsExt::from_mode(0o700);
+        fs::set_permissions(folder, mode)?;
+    }
+    #[cfg(not(unix))]
+    let _nobody_else_is_here = folder;
+    Ok(())
 }
 
-/// A seed that nobody can guess: the system's own randomness.
-fn chosen() -> u64 {
-    RandomState::new().hash_one(std::process::id()) >> 33
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn regrade_draws_new_questions_and_a_resumed_run_keeps_them() {
+        let serve = |seed: Option<u128>, anew, kept: Option<u128>| {
+            let questions = Questions {
+                folder: PathBuf::new(),
+                seed: seed.map(Seed),
+                anew,
+            };
+            questions.serve(kept.map(Seed))
+        };
+        assert!(serve(None, false, Some(7)), "a resumed run");
+        assert!(!serve(None, true, Some(7)), "a regrade");
+        assert!(
+            serve(Some(7), true, Some(7)),
+            "a regrade with the same seed"
+        );
+        assert!(!serve(Some(8), false, Some(7)), "another seed");
+        assert!(!serve(None, false, None), "the first run");
+    }
+
+    #[test]
+    fn questions_for_feedback_never_serve_a_mark_nor_the_other_way_round() {
+        for (first, second) in [
+            (Purpose::Feedback, Purpose::Grading),
+            (Purpose::Grading, Purpose::Feedback),
+        ] {
+            let folder = tempfile::tempdir().expect("there is room");
+            let reserve = |purpose| reserve(folder.path(), purpose);
+            assert!(reserve(first).is_ok(), "the first time");
+            assert!(reserve(first).is_ok(), "a resumed run");
+            assert!(reserve(second).is_err(), "{first:?}, then {second:?}");
+        }
+    }
+
+    #[test]
+    fn random_seeds_use_all_their_bits() {
+        let seeds: Vec<u128> = (0..64).map(|_| random_seed().expect("random").0).collect();
+        let any = seeds.iter().fold(0, |any, seed| any | seed);
+        let all = seeds.iter().fold(u128::MAX, |all, seed| all & seed);
+        // With random bits, one in 2^57 tries fails.
+        assert_eq!((any, all), (u128::MAX, 0));
+    }
 }

@@ -6,6 +6,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde_json::json;
 
 use super::*;
+use crate::grade::provenance::{MadeWith, Tool};
 
 /// A type whose schema stands in `outcome.schema.json`.
 macro_rules! reference {
@@ -30,6 +31,42 @@ macro_rules! reference {
 
 reference!(StatusReference, "Status");
 reference!(SceneReference, "SceneOutcome");
+
+/// A graded submission with these points.
+pub fn graded(id: &str, points: u32, possible: u32) -> Record {
+    let mut got = Outcome::new("Assignment", id.into(), "bubblewrap");
+    (got.points, got.possible) = (Some(points), possible);
+    Record {
+        id: id.into(),
+        status: Status::Graded,
+        explanation: String::new(),
+        got,
+        remarks: Vec::new(),
+        fresh_scenes: Vec::new(),
+        most_for_scenes: None,
+        needs: Default::default(),
+        tokens: BTreeMap::new(),
+        provenance: Provenance {
+            answers: Vec::new(),
+            made_with: MadeWith {
+                judged_on: "public goldens only".into(),
+                seed: None,
+                goldens: String::new(),
+                fresh: None,
+                assignment: String::new(),
+                tool: Tool {
+                    version: String::new(),
+                    sha256: String::new(),
+                    rustc: String::new(),
+                },
+                sandbox: "bubblewrap".into(),
+                timeout: 10,
+                reveal: None,
+            },
+        },
+        timings: Timings::default(),
+    }
+}
 
 #[test]
 fn the_committed_schema_is_that_of_the_type() {

@@ -2,6 +2,8 @@
 //! the marks are.
 
 use crate::grade::class::{Change, Class, Row};
+use crate::grade::policy::mark::{Mark, number};
+use crate::grade::record::Record;
 use pinhole_course::assignment::Assignment;
 use pinhole_report::escape::printable;
 
@@ -22,13 +24,18 @@ pub fn grades(class: &Class, assignment: &Assignment) -> String {
         "outcome",
         "notes",
     ];
-    let head = [&head[..], &tasks, &["scenes", "flags", "judged_on"]].concat();
+    let rest = ["scenes", "flags", "judged_on"];
+    let marks = ["raw", "policy", "final", "late_days", "changes"];
+    let head = [&head[..], &tasks, &rest, &marks].concat();
     let mut table = Table::new(&head);
     for Row {
         entry,
         person,
         record,
-    } in &class.rows
+        mark,
+        not_counted,
+        ..
+    } in class.all_rows()
     {
         let person = person.cloned().unwrap_or_default();
         let mut line = vec![person.id, person.name, person.section, entry.name.clone()];
@@ -45,6 +52,7 @@ pub fn grades(class: &Class, assignment: &Assignment) -> String {
                 line.push(record.scene_points().0.to_string());
                 line.push(record.got.flags.len().to_string());
                 line.push(record.provenance.made_with.judged_on.clone());
+                line.extend(of_mark(mark.as_ref(), record, not_counted));
             }
             _ => {
                 line.extend([String::new(), String::new(), "not graded".into()]);
@@ -53,22 +61,40 @@ pub fn grades(class: &Class, assignment: &Assignment) -> String {
         }
         table.line(&line);
     }
-    for person in &class.roll.placed.missing {
+    let placed = &class.roll.placed;
+    let missing = placed.missing.iter().map(|it| (it, "nothing handed in"));
+    let in_doubt = placed.in_doubt().into_iter().map(|it| (it, "in doubt"));
+    for (person, outcome) in missing.chain(in_doubt) {
         let mut line = vec![
             person.id.clone(),
             person.name.clone(),
             person.section.clone(),
         ];
         line.resize(head.len(), String::new());
-        line[6] = "nothing handed in".into();
+        line[6] = outcome.into();
         table.line(&line);
     }
     table.text()
 }
 
+/// What the policy makes of a mark: raw, policy, final, late days, and why.
+fn of_mark(mark: Option<&Mark>, record: &Record, not_counted: &Option<String>) -> [String; 5] {
+    let Some(mark) = mark else {
+        let raw = record.got.points.unwrap_or_default().to_string();
+        let why = not_counted.clone().unwrap_or_default();
+        return [raw, String::new(), String::new(), String::new(), why];
+    };
+    let [raw, policy, last] = [mark.raw, mark.policy, mark.last].map(number);
+    let changes = mark.changes.iter().map(|change| change.in_words());
+    let changes = changes.collect::<Vec<_>>().join("; ");
+    [raw, policy, last, mark.late_days.to_string(), changes]
+}
+
 /// One line for each group of questions and scene of each submission.
 pub fn groups(class: &Class) -> String {
     let mut table = Table::new(&[
+        "id",
+        "name",
         "submission",
         "task",
         "group",
@@ -76,10 +102,16 @@ pub fn groups(class: &Class) -> String {
         "possible",
         "outcome",
     ]);
-    for record in class.graded() {
+    for row in &class.rows {
+        let Some(record) = row.record.filter(|record| record.is_graded()) else {
+            continue;
+        };
+        let person = row.person.cloned().unwrap_or_default();
         let mut line = |task: &str, group: &str, points: u32, possible: u32, outcome: &str| {
             let [points, possible] = [points, possible].map(|points| points.to_string());
             let words = [
+                &person.id,
+                &person.name,
                 &record.got.submission,
                 task,
                 group,
@@ -133,11 +165,11 @@ pub fn changes(changes: &[Change]) -> String {
 }
 
 /// A CSV file in the making.
-struct Table(csv::Writer<Vec<u8>>);
+pub struct Table(csv::Writer<Vec<u8>>);
 
 impl Table {
     /// A table with these columns.
-    fn new(head: &[&str]) -> Table {
+    pub fn new(head: &[&str]) -> Table {
         let mut table = Table(csv::Writer::from_writer(Vec::new()));
         table.line(
             &head
@@ -149,27 +181,40 @@ impl Table {
     }
 
     /// One line.
-    fn line(&mut self, cells: &[String]) {
+    pub fn line(&mut self, cells: &[String]) {
         let cells: Vec<String> = cells.iter().map(|cell| harmless(cell)).collect();
         self.0
             .write_record(&cells)
             .expect("memory can be written, and lines are even");
     }
 
-    /// All of it.
-    fn text(self) -> String {
+    /// All of it. Without the mark at its beginning, Excel reads UTF-8 as the system's old
+    /// 8-bit encoding.
+    pub fn text(self) -> String {
+        format!("\u{feff}{}", self.for_machines())
+    }
+
+    /// All of it for programs that compare the first column's name.
+    pub fn for_machines(self) -> String {
         let bytes = self.0.into_inner().expect("memory can be written");
         String::from_utf8(bytes).expect("only text was written")
     }
 }
 
-/// A spreadsheet must not take somebody's name for a formula.
+/// Keeps spreadsheets from reading a name as a formula. A program that separates cells by
+/// semicolons may also read a formula after a semicolon.
 fn harmless(cell: &str) -> String {
     let cell = printable(cell);
-    match cell.trim_start().starts_with(['=', '+', '-', '@']) {
-        true => format!("'{cell}"),
-        false => cell,
-    }
+    let part = |part: &str| match part.trim_start().starts_with(is_formulas) {
+        true => format!("'{part}"),
+        false => part.to_owned(),
+    };
+    cell.split(';').map(part).collect::<Vec<_>>().join(";")
+}
+
+/// Characters that formulas begin with, including full-width ones.
+fn is_formulas(c: char) -> bool {
+    "=+-@|＝＋－＠｜".contains(c)
 }
 
 #[cfg(test)]
@@ -178,14 +223,36 @@ mod tests {
 
     #[test]
     fn no_cell_is_a_formula_or_holds_a_control_character() {
-        for cell in ["=1+1", " =1", "+1", "-1", "@A1", "\t=1", "\r=1"] {
+        for cell in [
+            "=1+1",
+            " =1",
+            "+1",
+            "-1",
+            "@A1",
+            "\t=1",
+            "\r=1",
+            "＝1+1",
+            "＋1",
+            "－1",
+            "＠x",
+            "\u{a0}=1",
+            "\u{3000}=1",
+            "|calc",
+            "x;=HYPERLINK(\"http\",\"a\")",
+            "x; =1",
+        ] {
             let safe = harmless(cell);
-            assert!(
-                !safe.trim_start().starts_with(['=', '+', '-', '@']),
-                "{safe}"
-            );
+            let is_formula = |part: &str| part.trim_start().starts_with(is_formulas);
+            assert!(!safe.split(';').any(is_formula), "{safe}");
             assert!(!safe.contains(char::is_control), "{safe}");
         }
-        assert_eq!(harmless("Ada"), "Ada");
+        assert_eq!(harmless("Ada; Bob"), "Ada; Bob");
+    }
+
+    #[test]
+    fn a_spreadsheet_is_told_how_accents_are_written() {
+        let mut table = Table::new(&["name"]);
+        table.line(&["Zoë".into()]);
+        assert_eq!(table.text(), "\u{feff}name\nZoë\n");
     }
 }

@@ -1,7 +1,8 @@
-//! Results as other graders' files: Gradescope's `results.json`, JUnit's XML and
+//! Results in other graders' formats: Gradescope's `results.json`, JUnit's XML and
 //! PrairieLearn's `results.json`. Each is a view of a record.
 
 use clap::ValueEnum;
+use jiff::Timestamp;
 use minijinja::{context, value::Serde};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -9,7 +10,7 @@ use serde_json::{Value, json};
 use crate::grade::cache::pretty;
 use crate::grade::record::Record;
 use pinhole_course::error::Result;
-use pinhole_course::outcome::{AnswerFile, Status};
+use pinhole_course::outcome::{AnswerFile, GroupOutcome, Status, TaskOutcome};
 use pinhole_report::escape::printable;
 use pinhole_report::html::environment;
 use pinhole_report::terminal;
@@ -23,8 +24,16 @@ pub enum Format {
     Junit,
     /// prairielearn.json: PrairieLearn's results.json
     Prairielearn,
+    /// classroom50.json: the result.json of Classroom 50, with the names that its runner gives
+    Classroom50,
     /// groups.csv in the class's folder: a line for each group of questions
     Csv,
+    /// canvas.csv in the class's folder: final marks for Canvas's gradebook
+    Canvas,
+    /// moodle.csv in the class's folder: final marks for Moodle's grading worksheet
+    Moodle,
+    /// feedback*.zip in the class's folder: reports for Canvas, for Moodle, and by id
+    Feedback,
 }
 
 /// One thing that earns points.
@@ -39,23 +48,38 @@ struct Part {
 }
 
 impl Format {
-    /// The file's name and content for a submission; none for the class's own.
-    pub fn of(self, record: &Record) -> Result<Option<(&'static str, String)>> {
+    /// The file's name beside each result; `None` for a file of the whole class.
+    pub fn file_of_each(self) -> Option<&'static str> {
+        match self {
+            Format::Gradescope => Some("gradescope.json"),
+            Format::Junit => Some("junit.xml"),
+            Format::Prairielearn => Some("prairielearn.json"),
+            Format::Classroom50 => Some("classroom50.json"),
+            Format::Csv | Format::Canvas | Format::Moodle | Format::Feedback => None,
+        }
+    }
+
+    /// The file's content for a submission, if there is such a file.
+    pub fn of(self, record: &Record) -> Result<Option<String>> {
         Ok(match self {
-            Format::Gradescope => match gradescope(record) {
-                Some(document) => Some(("gradescope.json", pretty(&document)?)),
-                None => None,
-            },
-            Format::Junit => Some(("junit.xml", junit(record))),
-            Format::Prairielearn => Some(("prairielearn.json", pretty(&prairielearn(record))?)),
-            Format::Csv => None,
+            Format::Gradescope => gradescope(record).map(|it| pretty(&it)).transpose()?,
+            Format::Junit => Some(junit(record)),
+            Format::Prairielearn => Some(pretty(&prairielearn(record))?),
+            Format::Classroom50 => {
+                let runner = |name: &str| std::env::var(name).ok();
+                let result = classroom50(record, &runner);
+                result.map(|it| pretty(&it)).transpose()?
+            }
+            Format::Csv | Format::Canvas | Format::Moodle | Format::Feedback => None,
         })
     }
 }
 
 fn parts(record: &Record) -> Vec<Part> {
     let groups = record.got.tasks.iter().flat_map(|task| {
-        task.groups.iter().map(|group| Part {
+        // What helps with the whole task is told once.
+        let mut help = Some(help(task));
+        task.groups.iter().map(move |group| Part {
             suite: task.name.clone(),
             name: group.name.clone(),
             about: group.about.clone(),
@@ -66,15 +90,21 @@ fn parts(record: &Record) -> Vec<Part> {
                 _ => task.status(),
             },
             said: match &task.file {
+                AnswerFile::Missing => "the answer's file was not handed in".into(),
+                AnswerFile::Refused { why } => format!("the answer's file was refused: {why}"),
                 AnswerFile::DoesNotCompile { compiler } => {
                     anstream::adapter::strip_str(compiler).to_string()
                 }
-                _ => terminal::outcome_of(&group.outcome, "questions"),
+                AnswerFile::Compiled if group.points == group.possible => "passes".into(),
+                AnswerFile::Compiled => {
+                    let help = help.take().unwrap_or_default();
+                    [&help[..], &shown(group)].concat().join("\n")
+                }
             },
         })
     });
-    // What fresh questions have shown takes points from the scenes one by one, the last
-    // first, so that the parts add up to the mark.
+    // Points that the fresh questions cost are taken from the scenes one by one, the
+    // last first, so that the parts add up to the mark.
     let mut left = record.scene_points().0;
     let scenes = record.got.scenes.iter().map(|scene| {
         let points = scene.points.min(left);
@@ -96,6 +126,26 @@ fn parts(record: &Record) -> Vec<Part> {
     groups.chain(scenes).collect()
 }
 
+/// What may be believed, and where to look. An outcome holds none of it where it would tell
+/// of withheld questions.
+fn help(task: &TaskOutcome) -> Vec<String> {
+    let said = terminal::diagnosis(&task.diagnosis);
+    let said = said.lines().map(str::to_owned);
+    let beliefs = task.diagnosis.beliefs.iter();
+    let hints = beliefs.map(|held| format!("Where to look: {}", held.mistake.hint.look));
+    said.chain(hints).collect()
+}
+
+/// A question that shows what is wrong; how many are, only where there is none to show.
+fn shown(group: &GroupOutcome) -> Vec<String> {
+    let said = terminal::group_in_words(group);
+    let facts = terminal::facts(&group.worst);
+    match facts.is_empty() {
+        true => vec![said],
+        false => vec!["One of the questions that are wrong:".into(), facts],
+    }
+}
+
 /// None without a mark: Gradescope then says that grading failed, and records no score.
 fn gradescope(record: &Record) -> Option<Value> {
     let points = record.got.points?;
@@ -110,10 +160,10 @@ fn gradescope(record: &Record) -> Option<Value> {
             "visibility": "visible",
         })
     });
-    // No execution time: it would tell what withheld questions cost.
+    // No execution time, because it would tell something about withheld questions.
     Some(json!({
         "score": points,
-        "output": record.explanation,
+        "output": format!("{} Judged on {}.", record.explanation, record.provenance.made_with.judged_on),
         "visibility": "visible",
         "stdout_visibility": "hidden",
         "extra_data": { "judged_on": record.provenance.made_with.judged_on, "outcome": record.status },
@@ -137,9 +187,46 @@ fn prairielearn(record: &Record) -> Value {
     json!({
         "gradable": true,
         "score": f64::from(points) / f64::from(record.got.possible.max(1)),
-        "message": record.explanation,
+        "message": format!("{} Judged on {}.", record.explanation, record.provenance.made_with.judged_on),
         "tests": tests.collect::<Vec<_>>(),
     })
+}
+
+/// After https://github.com/foundation50/classroom50/wiki/Advanced-Autograding, “The
+/// `result.json` contract”. Who and what it is of, its runner says in the environment. None
+/// without a mark, so that the runner reports an error of its own.
+fn classroom50(record: &Record, runner: &dyn Fn(&str) -> Option<String>) -> Option<Value> {
+    let points = record.got.points?;
+    let tests = parts(record).into_iter().map(|part| {
+        json!({
+            "test-name": format!("{}: {}", part.suite, part.name),
+            "passed": part.points == part.possible,
+            "score": part.points,
+            "max-score": part.possible,
+            "output": text(&part),
+        })
+    });
+    let mut result = json!({
+        "schema": "classroom50/result/v1",
+        "datetime": Timestamp::now().strftime("%Y-%m-%dT%H:%M:%SZ").to_string(),
+        "score": points,
+        "max-score": record.got.possible,
+        "tests": tests.collect::<Vec<_>>(),
+    });
+    let review = runner("REVIEW_URL").filter(|url| !url.is_empty());
+    for (field, value) in [
+        ("classroom", runner("CLASSROOM")),
+        ("assignment", runner("ASSIGNMENT")),
+        ("submission", runner("SUBMISSION_TAG")),
+        ("commit", runner("COMMIT_URL")),
+        ("release", runner("RELEASE_URL")),
+        ("review", review.or(runner("COMMIT_URL"))),
+    ] {
+        if let Some(value) = value {
+            result[field] = value.into();
+        }
+    }
+    Some(result)
 }
 
 /// A suite of JUnit's, as `templates/junit.xml` shows it.
@@ -162,11 +249,7 @@ fn junit(record: &Record) -> String {
     let mut suites: Vec<Suite> = Vec::new();
     for part in parts(record) {
         let case = Case {
-            element: match part.outcome {
-                _ if part.points == part.possible => None,
-                Status::Unanswered => Some("skipped"),
-                _ => Some("failure"),
-            },
+            element: (part.points < part.possible).then_some("failure"),
             kind: part.outcome.word(),
             said: xml_text(&text(&part)),
             name: part.name,
@@ -197,7 +280,9 @@ fn junit(record: &Record) -> String {
     let environment = environment(&[("junit.xml", junit)]);
     let page = environment.get_template("junit.xml").and_then(|template| {
         let id = &record.id;
-        template.render(context! { id, suites => Serde(&suites), cases => Serde(&cases) })
+        let judged_on = &record.provenance.made_with.judged_on;
+        template
+            .render(context! { id, judged_on, suites => Serde(&suites), cases => Serde(&cases) })
     });
     page.unwrap_or_else(|error| panic!("junit.xml's template: {error:#}"))
 }
@@ -225,8 +310,7 @@ fn xml_text(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grade::provenance::{MadeWith, Provenance, Tool};
-    use crate::grade::record::Timings;
+    use crate::grade::record::tests::graded;
     use pinhole_course::outcome::{FilmOutcome, Outcome, SceneOutcome};
 
     /// A terminal's command, a character that reorders others, markup, and a second line.
@@ -240,32 +324,9 @@ mod tests {
         got.scenes = vec![SceneOutcome::new("scene".into(), 5, refused, 0.25)];
         got.add_up();
         Record {
-            id: "ada".into(),
             status: got.status(),
-            explanation: String::new(),
             got,
-            fresh_scenes: Vec::new(),
-            most_for_scenes: None,
-            tokens: Default::default(),
-            provenance: Provenance {
-                answers: Vec::new(),
-                made_with: MadeWith {
-                    judged_on: "public goldens only".into(),
-                    seed: None,
-                    goldens: String::new(),
-                    fresh: None,
-                    assignment: String::new(),
-                    tool: Tool {
-                        version: String::new(),
-                        sha256: String::new(),
-                        rustc: String::new(),
-                    },
-                    sandbox: "bubblewrap".into(),
-                    timeout: 10,
-                    reveal: None,
-                },
-            },
-            timings: Timings::default(),
+            ..graded("ada", 0, 5)
         }
     }
 
@@ -280,7 +341,7 @@ mod tests {
     }
 
     #[test]
-    fn no_format_passes_on_commands_or_markup_of_a_students() {
+    fn no_format_passes_on_control_characters_or_markup() {
         let failing = record();
         let not_graded = record().not_graded(HOSTILE.into());
         let is_hostile = |c: char| (c.is_control() && c != '\n') || c == '\u{202e}';

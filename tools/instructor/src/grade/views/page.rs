@@ -1,12 +1,17 @@
 //! `class.html`: the whole class on one page.
 
+use std::collections::BTreeMap;
+
 use minijinja::{context, value::Serde};
 use serde::Serialize;
 
-use crate::grade::alike::SharedAnswer;
+use crate::grade::alike::{self, SharedAnswer, SharedPair};
+use crate::grade::class::concern::Concern;
 use crate::grade::class::{Class, Row, SharedBelief};
-use crate::grade::intake::roster::{Person, Placement};
+use crate::grade::intake::roster::Person;
+use crate::grade::policy::mark::number;
 use crate::grade::record::explained;
+use crate::grade::unexplained::{self, UnexplainedGroup};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::outcome::Status;
 use pinhole_report::escape::printable;
@@ -20,8 +25,8 @@ const TEMPLATES: [(&str, &str); 2] = [
     ),
 ];
 
-/// What stands on the page. Names are a student's: whatever cannot be seen is shown as
-/// its code, and the template escapes the rest.
+/// The contents of the page. Names come from students: invisible characters are shown
+/// as codes, and the template escapes the rest.
 #[derive(Serialize)]
 struct Page<'a> {
     title: &'a str,
@@ -36,12 +41,19 @@ struct Page<'a> {
     outcomes: Vec<StatusRow>,
     tasks: Vec<Part>,
     mistakes: Vec<SharedBelief>,
+    unexplained: Vec<UnexplainedGroup>,
     alike: Vec<SharedAnswer>,
+    pairs: Vec<SharedPair>,
+    sections: Vec<SectionRow>,
+    /// Whether there is a policy, which may change marks.
+    has_policy: bool,
+    /// Whether it is for showing to the class: without names, and without a row for anybody.
+    is_anonymous: bool,
     slowest: Vec<(String, String)>,
-    placed: &'a Placement,
-    ambiguous: Vec<(String, Vec<String>)>,
-    missing: Vec<Person>,
-    ignored: Vec<String>,
+    /// Who is graded, in a sentence.
+    headline: String,
+    concerns: Vec<Concern>,
+    is_grave: bool,
     rows: Vec<Line>,
 }
 
@@ -70,6 +82,17 @@ struct Part {
     mean: String,
     full: usize,
     of: usize,
+    /// Of a hundred, how many do not have all its points.
+    failing: u32,
+}
+
+/// A section of the course.
+#[derive(Serialize)]
+struct SectionRow {
+    name: String,
+    count: usize,
+    mean: Option<String>,
+    median: Option<u32>,
 }
 
 /// A submission's row.
@@ -80,6 +103,10 @@ struct Line {
     person: String,
     section: String,
     points: Option<u32>,
+    /// Of a mark: after the policy, and at last.
+    policy: String,
+    last: String,
+    changes: Vec<String>,
     outcome: &'static str,
     notes: String,
     flags: usize,
@@ -87,15 +114,23 @@ struct Line {
     report: Option<String>,
 }
 
+/// Whether a page says who everybody is.
+#[derive(Clone, Copy, Eq, PartialEq)]
+pub enum Names {
+    Shown,
+    /// For showing the page in class.
+    Hidden,
+}
+
 /// The page of a class.
-pub fn html(class: &Class, assignment: &Assignment) -> String {
+pub fn html(class: &Class, assignment: &Assignment, names: Names) -> String {
     let environment = environment(&TEMPLATES);
     let style = [PAGE_CSS, include_str!("../../../templates/class.css")];
     let style = style.concat().replace('\r', "");
     let script = include_str!("../../../templates/class.js").replace('\r', "");
     let page = environment.get_template("class.html").and_then(|page| {
         page.render(context! {
-            class => Serde(of(class, assignment)),
+            class => Serde(of(class, assignment, names)),
             policy => policy(&style, &script),
             style,
             script,
@@ -104,7 +139,8 @@ pub fn html(class: &Class, assignment: &Assignment) -> String {
     page.unwrap_or_else(|error| panic!("the class's template: {error:#}"))
 }
 
-fn of<'a>(class: &'a Class<'a>, assignment: &Assignment) -> Page<'a> {
+fn of<'a>(class: &'a Class<'a>, assignment: &Assignment, names: Names) -> Page<'a> {
+    let is_anonymous = names == Names::Hidden;
     let mut points: Vec<u32> = class
         .graded()
         .filter_map(|record| record.got.points)
@@ -116,22 +152,35 @@ fn of<'a>(class: &'a Class<'a>, assignment: &Assignment) -> Page<'a> {
         .max()
         .unwrap_or(0);
     let bins = bins(&points, possible);
-    let mut judged_on: Vec<String> = class
-        .graded()
-        .map(|record| record.provenance.made_with.judged_on.clone())
-        .collect();
-    judged_on.sort();
-    judged_on.dedup();
-    let shown = |ids: &[String]| ids.iter().map(|id| printable(id)).collect::<Vec<_>>();
+    // How many they are is shown in any case.
+    let name = |id: &str| match is_anonymous {
+        true => String::new(),
+        false => printable(id),
+    };
+    let shown = |ids: &[String]| ids.iter().map(|id| name(id)).collect::<Vec<_>>();
     let alike = class.alike.iter().map(|alike| SharedAnswer {
         who: shown(&alike.who),
         ..alike.clone()
     });
     let slowest = class.slowest().into_iter();
-    let ambiguous = class.roll.placed.ambiguous.iter();
+    let pairs = alike::pairs(&class.alike);
+    let concerns = class.concerns.iter().map(|concern| Concern {
+        which: shown(&concern.which),
+        ..concern.clone()
+    });
+    let concerns: Vec<Concern> = concerns.collect();
+    let mistakes = class.mistakes().into_iter().map(|held| SharedBelief {
+        who: shown(&held.who),
+        ..held
+    });
+    let unexplained = unexplained::groups(class.graded()).into_iter();
+    let unexplained = unexplained.map(|group| UnexplainedGroup {
+        who: shown(&group.who),
+        ..group
+    });
     Page {
         title: &class.title,
-        judged_on: judged_on.join("; "),
+        judged_on: class.judged_on().join("; "),
         count: class.rows.len(),
         possible,
         mean: mean(points.iter().copied()),
@@ -139,7 +188,7 @@ fn of<'a>(class: &'a Class<'a>, assignment: &Assignment) -> Page<'a> {
         not_graded: class
             .not_graded()
             .into_iter()
-            .map(|(id, why)| (printable(id), printable(why)))
+            .map(|(id, why)| (name(id), printable(why)))
             .collect(),
         most_in_bin: bins.iter().map(|bin| bin.count).max().unwrap_or(0).max(1),
         bins,
@@ -149,25 +198,33 @@ fn of<'a>(class: &'a Class<'a>, assignment: &Assignment) -> Page<'a> {
             .map(|(kind, who)| StatusRow {
                 word: kind.word(),
                 explained: explained(kind),
-                who: who.into_iter().map(printable).collect(),
+                who: who.into_iter().map(name).collect(),
             })
             .collect(),
         tasks: parts(class, assignment),
-        mistakes: class.mistakes(),
+        mistakes: mistakes.collect(),
+        unexplained: unexplained.collect(),
         alike: alike.collect(),
-        slowest: slowest
-            .map(|(id, seconds)| (printable(id), format!("{seconds:.1}")))
-            .collect(),
-        ambiguous: ambiguous
-            .map(|(id, people)| {
-                let people = people.iter().map(|person| printable(&person.name));
-                (printable(id), people.collect())
+        pairs: pairs
+            .into_iter()
+            .map(|pair| SharedPair {
+                who: pair.who.map(|id| name(&id)),
+                ..pair
             })
             .collect(),
-        missing: class.roll.placed.missing.iter().map(visible).collect(),
-        placed: &class.roll.placed,
-        ignored: shown(&class.roll.ignored),
-        rows: class.rows.iter().map(line).collect(),
+        sections: sections(class),
+        has_policy: class.roll.policy.is_some(),
+        is_anonymous,
+        slowest: slowest
+            .map(|(id, seconds)| (name(id), format!("{seconds:.1}")))
+            .collect(),
+        headline: class.roll.headline(&|id| class.is_graded(id), "graded"),
+        is_grave: concerns.iter().any(|concern| concern.is_grave),
+        concerns,
+        rows: match is_anonymous {
+            true => Vec::new(),
+            false => class.all_rows().map(line).collect(),
+        },
     }
 }
 
@@ -176,18 +233,33 @@ fn visible(person: &Person) -> Person {
         id: printable(&person.id),
         name: printable(&person.name),
         section: printable(&person.section),
+        ..Person::default()
     }
 }
 
 fn line(row: &Row) -> Line {
     let person = row.person.map(visible).unwrap_or_default();
     let graded = row.record.filter(|record| record.is_graded());
+    let changes = row.mark.iter().flat_map(|mark| &mark.changes);
+    let changes = changes.map(|change| change.in_words());
     Line {
         id: person.id,
         name: printable(&row.entry.name),
         person: person.name,
         section: person.section,
         points: graded.and_then(|record| record.got.points),
+        policy: row
+            .mark
+            .as_ref()
+            .map_or(String::new(), |mark| number(mark.policy)),
+        last: row
+            .mark
+            .as_ref()
+            .map_or(String::new(), |mark| number(mark.last)),
+        changes: changes
+            .chain(row.not_counted.iter().cloned())
+            .map(|why| printable(&why))
+            .collect(),
         outcome: row
             .record
             .map_or(Status::NotGraded, |record| record.status)
@@ -199,6 +271,31 @@ fn line(row: &Row) -> Line {
             .unwrap_or_default(),
         report: graded.map(|record| format!("submissions/{}/report.html", record.id)),
     }
+}
+
+/// Section by section, where there are several.
+fn sections(class: &Class) -> Vec<SectionRow> {
+    let mut sections: BTreeMap<String, Vec<u32>> = BTreeMap::new();
+    for row in class.rows.iter().filter(|row| row.not_counted.is_none()) {
+        let points = row.record.and_then(|record| record.got.points);
+        if let (Some(person), Some(points)) = (row.person, points) {
+            let section = printable(&person.section);
+            sections.entry(section).or_default().push(points);
+        }
+    }
+    if sections.len() < 2 {
+        return Vec::new();
+    }
+    let rows = sections.into_iter().map(|(name, mut points)| {
+        points.sort();
+        SectionRow {
+            name,
+            count: points.len(),
+            mean: mean(points.iter().copied()),
+            median: points.get(points.len() / 2).copied(),
+        }
+    });
+    rows.collect()
 }
 
 fn mean(points: impl Iterator<Item = u32>) -> Option<String> {
@@ -237,6 +334,10 @@ fn parts(class: &Class, assignment: &Assignment) -> Vec<Part> {
             .filter(|(points, possible)| points == possible)
             .count(),
         of: all.len(),
+        failing: {
+            let failing = all.iter().filter(|(points, possible)| points < possible);
+            (100 * failing.count() / all.len().max(1)) as u32
+        },
     };
     let mut parts = Vec::new();
     for task in &assignment.tasks {

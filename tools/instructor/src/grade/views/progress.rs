@@ -1,4 +1,4 @@
-//! Says how far grading is: a line on a terminal, a log where there is none.
+//! Shows the progress of grading: a line on a terminal, otherwise a log.
 
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -25,7 +25,7 @@ impl GradingProgress<'_> {
         }
     }
 
-    /// A submission whose answer came too late beside others is being graded again.
+    /// A submission is graded again, alone, because an answer was late.
     pub fn again_alone(&self, id: &str) {
         self.line.say(&again_line(id));
     }
@@ -58,7 +58,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_hostile_name_reaches_no_terminal_and_no_log_as_it_is() {
+    fn hostile_names_are_escaped_in_terminals_and_logs() {
         let hostile = "x\u{1b}[2J\u{202e}\n[1/1] eve: 100 of 100";
         for line in [again_line(hostile), log_line(hostile, "no mark")] {
             assert!(!line.contains(char::is_control), "{line:?}");

@@ -2,18 +2,24 @@
 
 use std::collections::BTreeMap;
 
+use clap::ValueEnum;
 use serde_json::json;
 
 use super::csv;
+use super::feedback;
 use super::formats::Format;
-use super::page;
-use crate::grade::alike::KnownAnswers;
-use crate::grade::cache::ResultCache;
+use super::gradebook;
+use super::page::{self, Names};
+use super::report;
+use crate::grade::alike::{self, KnownAnswers};
+use crate::grade::cache::{ResultCache, pretty};
+use crate::grade::class::concern::Concern;
 use crate::grade::class::{Change, Class, Roll};
 use crate::grade::record::Record;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::error::Result;
 use pinhole_report::escape::printable;
+use pinhole_report::program::Status;
 
 /// What this run alone has done.
 #[derive(Default)]
@@ -22,7 +28,10 @@ pub struct RunSummary {
     pub graded: usize,
     pub seconds: f64,
     pub changes: Vec<Change>,
-    /// Whose grading failed, and why; an earlier grade of the same may stand.
+    /// Whether all was graded again, to see what changes.
+    pub is_regrade: bool,
+    /// The submissions whose grading failed, and why; an earlier grade may still be
+    /// valid.
     pub faults: Vec<(String, String)>,
 }
 
@@ -32,18 +41,18 @@ pub struct ClassOutput<'a> {
     pub assignment: &'a Assignment,
     /// Written beside the files that are always written.
     pub formats: &'a [Format],
-    /// Said as a document, not in words.
+    /// Print a JSON document.
     pub as_json: bool,
 }
 
 impl ClassOutput<'_> {
-    /// Writes the class's files and prints its summary; `false` if a mark is missing.
+    /// Writes the class's files and prints its summary.
     pub fn write(
         &self,
         roll: &Roll,
         records: &BTreeMap<String, Record>,
         run: &RunSummary,
-    ) -> Result<bool> {
+    ) -> Result<Status> {
         let ClassOutput {
             cache, assignment, ..
         } = self;
@@ -53,25 +62,56 @@ impl ClassOutput<'_> {
             records,
             &KnownAnswers::read(assignment)?,
         );
-        for record in records.values() {
-            for format in self.formats {
-                if let Some((name, content)) = format.of(record)? {
-                    cache.write(&format!("submissions/{}/{name}", record.id), &content)?;
-                }
+        report::write_marks(&class, cache)?;
+        // Remove files of an earlier run that this run does not write: they would be
+        // out of date.
+        for format in Format::value_variants() {
+            let is_asked = self.formats.contains(format);
+            for id in roll.entries.iter().map(|entry| &entry.id) {
+                let Some(file) = format.file_of_each() else {
+                    break;
+                };
+                let record = records.get(id).filter(|_| is_asked);
+                let content = record.map(|record| format.of(record)).transpose()?;
+                let name = format!("submissions/{id}/{file}");
+                cache.write_or_remove(&name, content.flatten())?;
             }
         }
-        if self.formats.contains(&Format::Csv) {
-            cache.write("groups.csv", &csv::groups(&class))?;
+        let asked = |format: Format| self.formats.contains(&format);
+        for (format, name, of) in [
+            (
+                Format::Csv,
+                "groups.csv",
+                csv::groups as fn(&Class) -> String,
+            ),
+            (Format::Canvas, "canvas.csv", gradebook::canvas),
+            (Format::Moodle, "moodle.csv", gradebook::moodle),
+        ] {
+            cache.write_or_remove(name, asked(format).then(|| of(&class)))?;
         }
-        cache.write("grades.csv", &csv::grades(&class, assignment))?;
-        cache.write("class.html", &page::html(&class, assignment))?;
+        let archives = match asked(Format::Feedback) {
+            true => feedback::archives(&class, cache)?,
+            false => feedback::NAMES.map(|name| (name, None)),
+        };
+        for (name, archive) in archives {
+            cache.write_or_remove(name, archive)?;
+        }
+        let changes = run.is_regrade.then(|| csv::changes(&run.changes));
+        cache.write_or_remove("changes.csv", changes)?;
+        cache.write("grades.csv", csv::grades(&class, assignment))?;
+        for (name, names) in [
+            ("class.html", Names::Shown),
+            ("class_without_names.html", Names::Hidden),
+        ] {
+            cache.write(name, page::html(&class, assignment, names))?;
+        }
         match self.as_json {
-            true => anstream::println!("{:#}", document(&class, run)),
+            true => anstream::print!("{}", pretty(&document(&class, run))?),
             false => anstream::print!("{}", words(&class, run, cache)),
         }
         let not_graded = class.not_graded();
         if not_graded.is_empty() && run.faults.is_empty() {
-            return Ok(true);
+            return Ok(status(&class.concerns));
         }
         anstream::eprintln!(
             "pinhole: {} of {} submissions have no mark, and grading failed for {}\n  remedy: \
@@ -80,7 +120,7 @@ impl ClassOutput<'_> {
             class.rows.len(),
             run.faults.len()
         );
-        Ok(false)
+        Ok(Status::Incomplete)
     }
 }
 
@@ -96,17 +136,52 @@ fn document(class: &Class, run: &RunSummary) -> serde_json::Value {
         "assignment": class.title,
         "submissions": class.rows.len(),
         "not_graded": class.not_graded(),
+        "judged_on": class.judged_on(),
         "graded_now": run.graded,
         "seconds": run.seconds,
         "points": points.collect::<BTreeMap<_, _>>(),
         "outcomes": outcomes,
         "mistakes": class.mistakes(),
         "alike": class.alike,
+        "pairs": alike::pairs(&class.alike),
         "changes": run.changes,
         "faults": run.faults,
+        "summary": class.roll.headline(&|id| class.is_graded(id), "graded"),
+        "concerns": class.concerns,
+        "marks": class.all_rows().filter(|row| row.mark.is_some()).map(|row| json!({
+            "id": row.person.map(|person| &person.id),
+            "submission": row.entry.id,
+            "mark": row.mark,
+        })).collect::<Vec<_>>(),
         "roster": class.roll.placed,
         "ignored": class.roll.ignored,
     })
+}
+
+/// Whether anybody may have lost points by how files were handed in.
+pub fn status(concerns: &[Concern]) -> Status {
+    match concerns.iter().any(|concern| concern.is_grave) {
+        true => Status::JudgedWrong,
+        false => Status::Well,
+    }
+}
+
+/// Who is graded, and what the instructor should look at before marks go out.
+pub fn attention(concerns: &[Concern], headline: String) -> String {
+    let mut text = format!("{headline}\n");
+    for Concern {
+        what,
+        which,
+        is_grave,
+    } in concerns
+    {
+        let mark = if *is_grave { "! " } else { "  " };
+        text.push_str(&format!("{mark}{} {what}\n", which.len()));
+        for one in which {
+            text.push_str(&format!("      {}\n", printable(one)));
+        }
+    }
+    text
 }
 
 fn words(class: &Class, run: &RunSummary, cache: &ResultCache) -> String {
@@ -141,18 +216,22 @@ fn words(class: &Class, run: &RunSummary, cache: &ResultCache) -> String {
     for (kind, who) in class.outcomes() {
         line(format!("{:>5} {}", who.len(), kind.word()));
     }
-    let placed = &class.roll.placed;
-    let lists = [
-        ("nothing handed in", placed.missing.len()),
-        ("on no roster", placed.unknown.len()),
-        ("could be several people's", placed.ambiguous.len()),
-        ("earlier attempts, not graded", placed.superseded.len()),
-        ("people with several submissions", placed.several.len()),
-        ("answers the same as others", class.alike.len()),
-    ];
-    for (what, count) in lists.into_iter().filter(|(_, count)| *count > 0) {
-        line(format!("{count:>5} {what}"));
+    if !class.alike.is_empty() {
+        line(format!(
+            "{:>5} answers the same as others",
+            class.alike.len()
+        ));
     }
+    line(String::new());
+    for judged_on in class.judged_on() {
+        text.push_str(&format!("judged on {judged_on}\n"));
+    }
+    let headline = class.roll.headline(&|id| class.is_graded(id), "graded");
+    text.push_str(&attention(&class.concerns, headline));
+    let mut line = |words: String| {
+        text.push_str(&words);
+        text.push('\n');
+    };
     line(format!("\ngrades: {}", cache.path("grades.csv").display()));
     line(format!("class:  {}", cache.path("class.html").display()));
     text

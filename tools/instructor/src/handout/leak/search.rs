@@ -1,8 +1,9 @@
-//! Many texts looked for at once in any file: a picture may hold a line of source too.
+//! Searches any file for many texts at once, even pictures, because they may hold
+//! source text too.
 
 use std::collections::HashMap;
 
-/// Texts by how they begin.
+/// Texts, indexed by their first bytes.
 pub struct Search {
     by_beginning: HashMap<[u8; BEGINNING], Vec<String>>,
 }

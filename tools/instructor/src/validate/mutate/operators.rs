@@ -1,4 +1,4 @@
-//! What may stand in place of an operator, a number, a method or a field.
+//! The replacements for an operator, a number, a method or a field.
 
 use syn::BinOp;
 

@@ -22,7 +22,7 @@ pub enum Under {
     Variants(usize),
 }
 
-/// There are so many mixtures of variants. More would be asked the same questions again.
+/// The number of mixtures of variants. More would only repeat the same questions.
 const MIXTURES: usize = 8;
 
 /// What lies under overlays, with the replies that they have in common.

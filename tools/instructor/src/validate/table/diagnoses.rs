@@ -7,7 +7,7 @@ use super::{QUIET, STRONG};
 /// A row for each kind of wrong submission and film.
 pub fn table(diagnoses: &Diagnoses) -> String {
     let mut text = format!(
-        "\n{STRONG}diagnosis{STRONG:#}  {QUIET}of films nobody stored{QUIET:#}\n{QUIET}  {:<46}{:>6}{:>7}\
+        "\n{STRONG}diagnosis{STRONG:#}  {QUIET}of films that are not stored{QUIET:#}\n{QUIET}  {:<46}{:>6}{:>7}\
          {:>7}{:>6}{:>7}{QUIET:#}\n",
         "", "films", "right", "among", "none", "false"
     );

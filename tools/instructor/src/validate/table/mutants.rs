@@ -1,5 +1,6 @@
-//! What came of the mutants.
+//! The results of all mutants.
 
+use super::pairs::sentences;
 use super::{QUIET, row};
 use crate::validate::mutants::{Fate, MutantVerdict, Mutants};
 
@@ -17,6 +18,7 @@ pub fn table(mutants: &Mutants) -> String {
         mutants.count(MutantVerdict::is_equivalent),
     );
     let mut text = row(missed == 0 && mutants.faults.is_empty(), "mutants", said);
+    text += &sentences(&mutants.sentences());
     for judged in &mutants.judged {
         if let Fate::Scene(scene) = &judged.fate {
             let diff = judged.mutant.diff();

@@ -114,7 +114,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_answer_that_reaches_others_or_remembers_does_not_stand_alone() {
+    fn answer_that_uses_others_or_keeps_state_is_not_judged_alone() {
         let fixed = ["main.rs".to_owned(), "ours.rs".to_owned()];
         for (text, alone) in [
             ("use crate::ours::Trait;", true),

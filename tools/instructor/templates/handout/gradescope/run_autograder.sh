@@ -19,7 +19,7 @@ cp -a /autograder/submission "$class/submission"
 
 fresh=(--no-fresh)
 if [ -d fresh ]; then fresh=(--fresh fresh); fi
-target/instructor/pinhole-instructor grade "$class" --out "$graded" \
+target/release/pinhole-instructor grade "$class" --out "$graded" \
     --sandbox container --format gradescope --reveal "$(cat reveal)" "${fresh[@]}"
 
 results=/autograder/results/results.json

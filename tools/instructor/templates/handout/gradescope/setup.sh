@@ -15,9 +15,7 @@ chmod -R a+rX /opt/rust
 
 cd /autograder/source/pinhole
 /opt/rust/cargo/bin/cargo build --release -p pinhole -p pinhole-cli
-/opt/rust/cargo/bin/cargo build --profile instructor -p pinhole-instructor
+/opt/rust/cargo/bin/cargo build --release --config tools/instructor/release.toml -p pinhole-instructor
 
-# Goldens and answers are the grader's alone; what submissions are linked against is not.
-chmod 755 . target
-chmod -R go-rwx golden assignments
-if [ -d fresh ]; then chmod -R go-rwx fresh; fi
+# All of it is the grader's alone: what submissions are linked against is copied elsewhere.
+chmod 700 .

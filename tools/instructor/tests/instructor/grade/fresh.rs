@@ -1,10 +1,12 @@
-//! Questions that nobody has seen.
+//! Grading with fresh questions.
 
 use std::fs;
 
 use pinhole::kind::{Kind, Questions};
+use pinhole::{Scene, Shape, Triangle};
 
 use super::{Class, answers};
+use pinhole_course::manifest::Manifest;
 use pinhole_testing::{fresh_goldens, pinhole, root};
 
 /// `sphere.rs` that is right about every public question and says no to all others.
@@ -33,7 +35,7 @@ fn memoriser() -> String {
 }
 
 #[test]
-fn a_memoriser_gets_nothing_for_what_it_has_memorised() {
+fn memorised_films_earn_nothing() {
     let class = Class::new("memoriser");
     let entry = class.path("class/memoriser");
     class.hand_in("memoriser", &[("sphere.rs", &memoriser())]);
@@ -63,15 +65,118 @@ fn a_memoriser_gets_nothing_for_what_it_has_memorised() {
         .find(|group| group["name"] == "outside")
         .expect("a group");
     assert_eq!(outside["fails_fresh"], true);
+    // An answer could choose how many it gets wrong, and so leak what it was asked.
+    assert_eq!(outside["outcome"]["kind"], "withheld");
+    let report = class.read("fresh/submissions/memoriser/report.html");
+    assert!(!report.contains("questions are wrong"), "counts are shown");
     assert!(
         result["most_for_scenes"]
             .as_u64()
             .is_some_and(|most| most < 20)
     );
+    // The lecturer sees the question that the student may not.
+    let dispute = ["dispute", "memoriser", "--out", &fresh];
+    let told = pinhole(&dispute).expect_code(0).out;
+    for words in [
+        "outside (fresh questions)",
+        "expected",
+        "got",
+        "SEEN.binary_search",
+    ] {
+        assert!(told.contains(words), "{words} is not in\n{told}");
+    }
+    let evidence = pinhole(&[&dispute[..], &["--json"]].concat())
+        .expect_code(0)
+        .json();
+    let seed = Manifest::read(questions.as_ref())
+        .expect("a manifest")
+        .probe_seed;
+    let kept = &evidence["record"]["provenance"]["seed"];
+    assert_eq!(*kept, serde_json::to_value(seed).expect("a number"));
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        let file = fs::metadata(class.path("fresh/evidence/memoriser.json")).expect("it is there");
+        assert_eq!(file.permissions().mode() & 0o777, 0o600);
+    }
     // The questions are there now: nothing is made or graded again.
     let line = [
         "grade", &entry, "--out", &fresh, "--fresh", questions, "--json",
     ];
     let again = pinhole(&line).expect_code(0).json();
     assert_eq!(again["graded_now"], 0);
+}
+
+/// The key that identifies a triangle, and the line of Rust that computes it.
+fn key(triangle: &Triangle) -> u64 {
+    let numbers = triangle.corners.iter().flat_map(|corner| corner.to_array());
+    numbers.fold(0, |key, x| {
+        let key = (key ^ x.to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        key ^ key >> 29
+    })
+}
+const KEY: &str = "self.corners.iter().flat_map(|corner| corner.to_array()).fold(0u64, |key, x| { \
+     let key = (key ^ x.to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15); key ^ key >> 29 })";
+
+/// `triangle.rs` that is right about every triangle of the public scenes and about no other.
+fn memoriser_of_scenes() -> String {
+    let scenes = fs::read_dir(root().join("assignments/ray_casting/scenes"));
+    let paths = scenes
+        .expect("scenes are there")
+        .flatten()
+        .map(|entry| entry.path());
+    let files = paths.filter(|path| path.extension().is_some_and(|end| end == "toml"));
+    let mut known = Vec::new();
+    for object in files.flat_map(|file| Scene::read(&file).expect("a scene").objects) {
+        match object {
+            Shape::Triangle(triangle) => known.push(key(&triangle)),
+            Shape::Soup(soup) => known.extend(soup.triangles.iter().map(key)),
+            _ => {}
+        }
+    }
+    known.sort();
+    known.dedup();
+    let reference = fs::read_to_string(answers().join("triangle.rs")).expect("it is there");
+    let guard = format!("-> Option<Intersection> {{ KNOWN.binary_search(&{KEY}).ok()?;");
+    let guarded = reference.replacen("-> Option<Intersection> {", &guard, 1);
+    format!(
+        "{guarded}\nconst KNOWN: [u64; {}] = {known:?};\n",
+        known.len()
+    )
+}
+
+#[test]
+fn memorised_scenes_earn_no_more_than_their_tasks() {
+    let class = Class::new("learnt-scenes");
+    let reference = fs::read_to_string(answers().join("triangle.rs")).expect("it is there");
+    let start = "-> Option<Intersection> {";
+    let ignorant = reference.replacen(start, &format!("{start} if true {{ return None; }}"), 1);
+    class.hand_in("learnt", &[("triangle.rs", &memoriser_of_scenes())]);
+    class.hand_in("ignorant", &[("triangle.rs", &ignorant)]);
+    let (learnt, ignorant) = (class.path("class/learnt"), class.path("class/ignorant"));
+    let (out, questions) = (class.path("out"), fresh_goldens());
+    let questions = questions.to_str().expect("a plain name");
+    let line = [
+        "grade", &learnt, &ignorant, "--out", &out, "--fresh", questions,
+    ];
+    pinhole(&line).expect_code(0);
+    let scenes = |name: &str| {
+        let result = class.result("out", name);
+        let scenes = result["scenes"].as_array().expect("scenes").clone();
+        let alone: u64 = scenes
+            .iter()
+            .filter_map(|scene| scene["points"].as_u64())
+            .sum();
+        (
+            alone,
+            alone.min(result["most_for_scenes"].as_u64().expect("a number")),
+        )
+    };
+    let (passing, earned) = scenes("learnt");
+    let (_, without) = scenes("ignorant");
+    assert_eq!(passing, 20, "it has not learnt all scenes");
+    assert!(
+        earned <= without + 2,
+        "{earned} with the scenes, {without} without"
+    );
 }

@@ -1,4 +1,4 @@
-//! What is handed out beside the repository: Gradescope's autograder and the workflow.
+//! Gradescope's autograder, and the workflow for GitHub.
 
 use std::fs;
 use std::io::Read;
@@ -59,6 +59,30 @@ fn an_autograder_holds_both_scripts_and_every_golden() {
         .expect("cargo starts");
     let said = String::from_utf8_lossy(&metadata.stderr);
     assert!(metadata.status.success(), "{said}");
+}
+
+#[test]
+fn a_question_for_prairielearn_holds_its_grader_and_every_stub() {
+    let out = fresh(&trusted(), "handout-prairielearn").join("question");
+    let write = || pinhole(&["handout", "--prairielearn", plain(&out), "--json"]);
+    write().expect_code(0);
+    let info = fs::read(out.join("question/info.json")).expect("it was written");
+    let info: serde_json::Value = serde_json::from_slice(&info).expect("it is JSON");
+    assert_eq!(info["gradingMethod"], "External", "{info:#}");
+    let image = out.join("image");
+    assert!(image.join("Dockerfile").is_file());
+    assert!(
+        image
+            .join("pinhole/golden/ray_casting/manifest.toml")
+            .is_file()
+    );
+    let script = files(&out)
+        .into_keys()
+        .find(|name| name.ends_with("run.sh"));
+    let script = out.join(script.expect("there is a script"));
+    let checked = Command::new("bash").arg("-n").arg(script).status();
+    assert!(checked.expect("bash starts").success());
+    write().expect_code(2).expect_err("is not empty");
 }
 
 /// A validator from the Python package index, with the schema of GitHub's workflows.

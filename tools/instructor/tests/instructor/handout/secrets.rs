@@ -1,4 +1,5 @@
-//! Nothing that students must not have travels, and the search for it finds it.
+//! The handout has none of the files that students must not get, and the search for
+//! these works.
 
 use std::fs;
 use std::path::Path;
@@ -49,7 +50,7 @@ fn a_students_repository_holds_no_answer_no_mistake_no_variant_and_at_most_20_me
     });
     assert_eq!(told, None);
 
-    // And the search finds what it is for, in any kind of file.
+    // The search works in any kind of file.
     let course = root().join("assignments/ray_casting");
     for leak in [
         "reference/src/sphere.rs",
@@ -59,11 +60,11 @@ fn a_students_repository_holds_no_answer_no_mistake_no_variant_and_at_most_20_me
         let source = fs::read(course.join(leak)).unwrap_or_else(|error| panic!("{leak}: {error}"));
         assert!(secrets.told_by(&source).is_some(), "{leak} is not found");
     }
-    let picture = b"\x89PNG\xff\x00let discriminant = h * h - a * c;\x00IEND";
+    let picture = b"\x89PNG\xff\x00let discriminant = h * h - a * k;\x00IEND";
     assert!(secrets.told_by(picture).is_some(), "not found in a picture");
 }
 
-/// What no file for students may hold.
+/// Texts that no file for students may contain.
 struct Secrets {
     /// Any one of them is a part of an answer.
     lines: Vec<String>,
@@ -103,7 +104,7 @@ impl Secrets {
         Secrets { lines, pairs }
     }
 
-    /// What a file tells, of whatever kind it is.
+    /// The text in a file of any kind.
     fn told_by(&self, bytes: &[u8]) -> Option<String> {
         let text = String::from_utf8_lossy(bytes);
         if let Some(line) = self.lines.iter().find(|line| text.contains(line.as_str())) {
@@ -118,12 +119,12 @@ impl Secrets {
     }
 }
 
-/// A file of the course with something that must not travel, and why it is refused.
+/// A file with something that students must not get, and the reason for its refusal.
 #[test]
 #[cfg(target_os = "linux")]
 fn whatever_file_would_give_something_away_it_is_refused() {
     let folder = fresh(&trusted(), "handout-refused");
-    let answer = "let discriminant = h * h - a * c;";
+    let answer = "let discriminant = h * h - a * k;";
     let own = root().join("assignments/ray_casting/assignment.toml");
     let own = fs::read_to_string(own).expect("it is there");
     let row = "name = \"sphere_packing\"\n";

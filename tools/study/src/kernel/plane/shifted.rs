@@ -2,8 +2,9 @@ use crate::kernel::Kernel;
 use crate::number::Real;
 use crate::shape::{Plane, Ray};
 
-/// The same with the origin shifted to the plane's point first, what the assignment's
-/// reference does: t = n·(p − e) / n·d. The subtraction of nearby points rounds little
+/// The implicit form (Marschner & Shirley, §4.4.3) with the origin shifted to the plane's
+/// point first, what the assignment's reference does: t = n·(p − e) / n·d. Multiplied out,
+/// n·p − n·e is a difference of large numbers far from the origin of the world. The subtraction of nearby points rounds little
 /// or not at all (Sterbenz's lemma), and the products are then as small as the scene.
 pub struct Shifted;
 

@@ -1,4 +1,4 @@
-use super::haines_scaled::Scaled;
+use super::haines::Scaled;
 use crate::dyadic::{Dyadic, DyadicVector};
 use crate::kernel::Kernel;
 use crate::kernel::adaptive::Prepared;

@@ -1,4 +1,4 @@
-use super::haines_scaled::Scaled;
+use super::haines::Scaled;
 use crate::kernel::{Limits, Window};
 use crate::number::Real;
 use crate::shape::Sphere;

@@ -8,9 +8,9 @@ use crate::root::rounded;
 use crate::shape::{Ray, Triangle};
 
 /// Möller–Trumbore by signs, with one error bound; what it leaves open is decided in twice
-/// the digits or else exactly, and an exact tie by a rule all triangles share: a ray
-/// through an edge or a vertex of a closed mesh enters it once. t is good to √u of itself
-/// at least, mostly to an ulp.
+/// the digits or else exactly. Edges are part of the triangle, so a closed mesh has no
+/// leak, and a ray exactly through an edge meets both of its triangles. t is good to √u of
+/// itself at least, mostly to an ulp.
 ///
 /// # Why the filter is right
 ///

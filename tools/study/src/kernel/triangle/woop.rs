@@ -11,8 +11,16 @@ use crate::vector::Vector;
 /// rounded products has the right sign or is 0. Where it is 0 the paper computes it anew
 /// in `double`. Departures: here fused multiply-adds repair the sign (Kahan's difference
 /// of products), which serves `f64` too; and both orientations count, so that x and y
-/// need not be swapped. So nothing leaks; but a ray exactly through a sheared vertex hits
-/// all triangles around it; [`super::WoopOnce`] mends that.
+/// need not be swapped. So nothing leaks.
+///
+/// A ray exactly through a sheared vertex would hit all triangles around it. So each edge has
+/// an owner, as rasterizers have it (the top-left rule): of two triangles that share an edge
+/// one has it, and of all around a vertex one. The rule is that of a ray moved by (−1, −ε), ε
+/// infinitely small, in the sheared plane: it passes an edge s = q − p on the left if s.y > 0,
+/// or s.y = 0 and s.x < 0. All triangles see the same moved ray, for sheared corners are the
+/// same in all of them and the signs of areas and of differences are right: so a ray leaves a
+/// closed mesh once, without any exact arithmetic. Which triangle that is may still be wrong
+/// by the rounding of the shear; that the adaptive kernel alone decides rightly.
 pub struct Woop;
 
 /// The shear, worked out once for a ray.
@@ -44,7 +52,7 @@ impl Axis {
 }
 
 impl<F: Real> Kernel<Triangle<F>, F> for Woop {
-    const NAME: &'static str = "Woop–Benthin–Wald";
+    const NAME: &'static str = "Woop, edges owned";
     type Prepared = Sheared<F>;
 
     #[inline(always)]
@@ -65,23 +73,9 @@ impl<F: Real> Kernel<Triangle<F>, F> for Woop {
 
     #[inline(always)]
     fn intersect(triangle: &Triangle<F>, ray: &Sheared<F>, min_t: F) -> Option<F> {
-        ray.met(triangle, min_t, |_, _| true)
-    }
-}
-
-impl<F: Real> Sheared<F> {
-    /// Where the ray meets a triangle. Whether that has an edge, from p to q with the
-    /// triangle on its left, is asked if the ray passes exactly through it.
-    #[inline(always)]
-    pub fn met(
-        &self,
-        triangle: &Triangle<F>,
-        min_t: F,
-        has_edge: impl Fn([F; 3], [F; 3]) -> bool,
-    ) -> Option<F> {
-        let [sx, sy, sz] = self.shear;
+        let [sx, sy, sz] = ray.shear;
         let [a, b, c] = triangle.corners.map(|corner| {
-            let [x, y, z] = self.along.to_the_end(corner - self.origin);
+            let [x, y, z] = ray.along.to_the_end(corner - ray.origin);
             [x - sx * z, y - sy * z, z]
         });
         let u = signed_area(c, b);
@@ -96,8 +90,8 @@ impl<F: Real> Sheared<F> {
             let edges = [(u, c, b), (v, a, c), (w, b, a)];
             let has = |(area, p, q)| match (area == F::ZERO, negative) {
                 (false, _) => true,
-                (true, false) => has_edge(p, q),
-                (true, true) => has_edge(q, p),
+                (true, false) => is_owned(p, q),
+                (true, true) => is_owned(q, p),
             };
             if !edges.into_iter().all(has) {
                 return None;
@@ -110,6 +104,12 @@ impl<F: Real> Sheared<F> {
         let t = sz * (u * a[2] + v * b[2] + w * c[2]) / determinant;
         (t >= min_t).then_some(t)
     }
+}
+
+/// Whether an edge from p to q belongs to the triangle on its left.
+#[inline(always)]
+fn is_owned<F: Real>(p: [F; 3], q: [F; 3]) -> bool {
+    q[1] > p[1] || q[1] == p[1] && q[0] < p[0]
 }
 
 /// p.x q.y − p.y q.x, with the right sign always.

@@ -1,4 +1,4 @@
-//! What an answer calls its numbers and vectors, in the order they are bound.
+//! The variables of an answer, in the order they are bound.
 
 use syn::visit::Visit;
 

@@ -1,4 +1,4 @@
-//! Writes changes down: the source of what stays, with parentheses where they are needed.
+//! Writes a mutant's source, with parentheses where they are needed.
 
 use std::ops::Range;
 

@@ -1,0 +1,75 @@
+//! An answer part by part, and what is known of a question: the numbers that a diagnosis
+//! compares.
+//!
+//! Shapes and kinds of questions provide them, so that the code that measures errors
+//! need not know any of them.
+
+use crate::ray::Ray;
+
+/// A part of an answer, which can be right while others are wrong: a number, or a vector.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// Its name in a sentence: "the normal".
+    pub name: &'static str,
+    /// One value for each axis; not finite where the part is not defined.
+    pub values: Vec<f64>,
+    /// What the axes are called, in the values' order; a number has none.
+    pub axes: &'static [&'static str],
+    /// The unit of the values, such as " pixels".
+    pub unit: &'static str,
+    /// The film channels it is made of.
+    pub channels: &'static [&'static str],
+    /// How many of the channels' units one of its own is.
+    pub scale: f64,
+}
+
+/// A positive number that belongs to a question, such as a radius.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantity {
+    /// Its name in a sentence: "the radius".
+    pub name: &'static str,
+    /// Not finite where the question has no such number.
+    pub value: f64,
+}
+
+/// A condition on a question and an answer to it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Condition {
+    /// As it follows "where": "the ray starts inside the sphere".
+    pub name: &'static str,
+    /// The opposite condition, in the same place.
+    pub otherwise: &'static str,
+    /// Whether it is met.
+    pub holds: bool,
+}
+
+impl Part {
+    /// Whether it says which object is hit: a name, not a measure.
+    pub fn is_object(&self) -> bool {
+        self.channels == ["id"]
+    }
+}
+
+impl Condition {
+    pub(crate) fn new(name: &'static str, otherwise: &'static str, holds: bool) -> Condition {
+        Condition {
+            name,
+            otherwise,
+            holds,
+        }
+    }
+}
+
+impl Quantity {
+    pub(crate) fn new(name: &'static str, value: f64) -> Quantity {
+        Quantity { name, value }
+    }
+
+    /// Those of every ray with a `min_t`.
+    pub(crate) fn of_ray(ray: &Ray, min_t: f64) -> Vec<Quantity> {
+        vec![
+            Quantity::new("|d|", ray.direction.length()),
+            Quantity::new("min_t", min_t),
+        ]
+    }
+}

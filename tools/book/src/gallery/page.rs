@@ -1,0 +1,105 @@
+//! The gallery of a task, as its chapter shows it.
+
+use std::cmp::Reverse;
+
+use image::Rgb;
+use pinhole::false_colour::Difference;
+use pinhole_course::assignment::Assignment;
+use pinhole_course::checkout::Checkout;
+use pinhole_course::mistake::{self, Mistake, MistakeFolder};
+
+use super::{Shown, list};
+use crate::error::Wrong;
+use crate::html::{escaped, heads};
+
+/// In how many public solutions mistakes were counted.
+const SOLUTIONS_COUNTED: u32 = 115;
+
+/// How many are shown; the others are folded.
+const OPEN: usize = 4;
+
+/// HTML of a task's gallery: the mistakes made most often, then all others, folded.
+pub fn shown(
+    task: &str,
+    to_root: &str,
+    assignment: &Assignment,
+    checkout: &Checkout,
+) -> Result<String, Wrong> {
+    let list = list(checkout);
+    let all = mistake::read_all(assignment).map_err(|error| (error.problem, error.remedy))?;
+    let own = all.iter().filter(|MistakeFolder { mistake, .. }| {
+        mistake.is_single() && mistake.fails.iter().any(|own| own == task)
+    });
+    let mut own: Vec<(&str, &Mistake, Option<&Shown>)> = own
+        .map(|MistakeFolder { slug, mistake, .. }| (slug.as_str(), mistake, list.get(slug)))
+        .collect();
+    if own.iter().all(|(_, _, shown)| shown.is_none()) {
+        let remedy = "make it: cargo pinhole book gallery";
+        return Err((
+            format!("the gallery of {task} was never made"),
+            remedy.into(),
+        ));
+    }
+    // What students made most often first; of those never counted, what shows in most pixels.
+    own.sort_by_key(|(slug, mistake, shown)| {
+        let share = shown.map(|shown| shown.pixels * 1000 / shown.of);
+        (Reverse((mistake.submissions, share)), *slug)
+    });
+    let figure = |(slug, mistake, shown): &(&str, &Mistake, Option<&Shown>)| {
+        figure(slug, mistake, *shown, to_root)
+    };
+    let (open, folded) = own.split_at(OPEN.min(own.len()));
+    let open: String = open.iter().map(figure).collect();
+    let count = folded.len();
+    let folded: String = folded.iter().map(figure).collect();
+    Ok(format!(
+        "<div class=\"gallery\">\n{}{open}<details><summary>{count} more, less often \
+         seen</summary>\n{folded}</details>\n</div>\n",
+        legend()
+    ))
+}
+
+/// What the colours of the third picture mean.
+fn legend() -> String {
+    let entry = |(kind, words): (Difference, &str)| {
+        let Rgb([r, g, b]) = kind.colour();
+        // The words begin with the colour's name, which the swatch shows.
+        let words = words.split_once(": ").map_or(words, |(_, words)| words);
+        format!("<li><span style=\"background: rgb({r} {g} {b})\"></span>{words}</li>")
+    };
+    let entries: String = Difference::LEGEND.map(entry).concat();
+    format!("<ul class=\"legend\" aria-label=\"Colours of the differences\">{entries}</ul>\n")
+}
+
+fn figure(slug: &str, mistake: &Mistake, shown: Option<&Shown>, to_root: &str) -> String {
+    let belief = escaped(&mistake.belief);
+    let often = match mistake.submissions {
+        Some(count) => format!(" Seen in {count} of {SOLUTIONS_COUNTED} solutions."),
+        None => String::new(),
+    };
+    let read = escaped(&mistake.hint.read);
+    let reading = format!("Read “{read}” in {}.{often}", escaped(&mistake.chapter));
+    let Some(Shown {
+        scene,
+        view,
+        pixels,
+        of,
+    }) = shown
+    else {
+        return format!(
+            "<figure class=\"mistake\" id=\"{slug}\"><figcaption>You may believe: “{belief}” <span \
+             class=\"where\">No scene shows it, but questions do. {reading}</span></figcaption></figure>\n"
+        );
+    };
+    let alternative = format!(
+        "Scene {scene} as {view} picture: as expected, as somebody with this belief casts it, and \
+         the {pixels} of {of} pixels that differ"
+    );
+    let heads = heads(&["expected", "yours", "difference"]);
+    format!(
+        "<figure class=\"mistake\" id=\"{slug}\">{heads}\
+         <img src=\"{to_root}gallery/{slug}.png\" alt=\"{alternative}\" loading=\"lazy\">\
+         <figcaption>You may believe: “{belief}” <span class=\"where\"><code>{scene}</code>, {view}: \
+         {pixels} of {of} pixels differ. {reading}</span></figcaption></figure>\n"
+    )
+}

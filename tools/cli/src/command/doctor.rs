@@ -1,0 +1,318 @@
+//! `pinhole doctor`: which of the things that Pinhole uses this machine has.
+
+use std::path::Path;
+use std::process::Command;
+use std::{env, fs};
+
+use pinhole_course::checkout::Checkout;
+use pinhole_course::error::Result;
+use pinhole_course::handout_record::HandoutRecord;
+use pinhole_course::mitsuba;
+use pinhole_course::rust_tool::rust_tool;
+use pinhole_course::sandbox::{Choice, Sandbox};
+use pinhole_report::escape::printable;
+use pinhole_report::program::Status;
+use serde::Serialize;
+
+use crate::cli::Doctor;
+
+/// One thing that Pinhole uses.
+#[derive(Serialize)]
+struct Finding {
+    name: &'static str,
+    /// What can't be done without it.
+    used_for: &'static str,
+    /// Whether nothing at all works without it.
+    required: bool,
+    is_there: bool,
+    /// What was found, or what is wrong.
+    found: String,
+    /// What to do if it is missing.
+    remedy: Option<String>,
+}
+
+/// What was found, or what is wrong.
+type Found = std::result::Result<String, String>;
+
+impl Finding {
+    fn required(name: &'static str, used_for: &'static str, found: Found, remedy: &str) -> Finding {
+        Finding {
+            name,
+            used_for,
+            required: true,
+            is_there: found.is_ok(),
+            remedy: found.is_err().then(|| remedy.to_owned()),
+            found: found.unwrap_or_else(|problem| problem),
+        }
+    }
+
+    fn optional(name: &'static str, used_for: &'static str, found: Found, remedy: &str) -> Finding {
+        Finding {
+            required: false,
+            ..Finding::required(name, used_for, found, remedy)
+        }
+    }
+}
+
+/// Less free space than this, in gigabytes, is too little: a build takes about one.
+const ENOUGH_SPACE: f64 = 2.0;
+
+pub fn run(checkout: &Checkout, arguments: &Doctor) -> Result<Status> {
+    let mut findings = vec![
+        rust(checkout.root()),
+        linker(),
+        space(checkout.root()),
+        browser(),
+    ];
+    if HandoutRecord::read(checkout.root())?.is_none() {
+        findings.push(sandbox(checkout));
+        if cfg!(target_os = "linux") {
+            findings.extend([landlock(), seccomp()]);
+        }
+        findings.extend([renderer(checkout), second_judge(checkout)]);
+    }
+    if arguments.json {
+        anstream::println!("{:#}", serde_json::json!({ "findings": findings }));
+    } else {
+        for finding in &findings {
+            print(finding);
+        }
+    }
+    let lacks = |finding: &Finding| finding.required && !finding.is_there;
+    Ok(match findings.iter().any(lacks) {
+        true => Status::Incomplete,
+        false => Status::Well,
+    })
+}
+
+fn print(finding: &Finding) {
+    let word = if finding.is_there { "ok" } else { "missing" };
+    anstream::println!(
+        "{word:7}  {:8}  {}",
+        finding.name,
+        printable(&finding.found)
+    );
+    if let Some(remedy) = &finding.remedy {
+        let word = if finding.required {
+            "required"
+        } else {
+            "optional"
+        };
+        anstream::println!("{:19}{word}: used {}", "", finding.used_for);
+        anstream::println!("{:19}{}", "", printable(remedy));
+    }
+}
+
+fn rust(root: &Path) -> Finding {
+    let wanted = env!("CARGO_PKG_RUST_VERSION");
+    let found = first_line(rust_tool("rustc", root).arg("--version"));
+    Finding::required(
+        "Rust",
+        "to compile answers",
+        found.and_then(|version| match is_at_least(&version, wanted) {
+            true => Ok(version),
+            false => Err(format!("{version} is older than {wanted}")),
+        }),
+        "run `rustup update stable`, or install Rust from rustup.rs",
+    )
+}
+
+/// Whether `rustc 1.91.1 (…)` is at least `1.91`.
+fn is_at_least(version: &str, wanted: &str) -> bool {
+    let numbers = |text: &str| -> Vec<u32> {
+        let number = text.split(' ').find(|word| word.contains('.'));
+        let parts = number.unwrap_or(text).split(['.', '-']);
+        parts.map_while(|part| part.parse().ok()).collect()
+    };
+    numbers(version) >= numbers(wanted)
+}
+
+fn linker() -> Finding {
+    let remedy = match env::consts::OS {
+        "macos" => "run `xcode-select --install`",
+        "windows" => "install the C++ build tools of Visual Studio",
+        _ => "install a C compiler (Debian: apt-get install gcc)",
+    };
+    // Only rustc knows how to find Visual Studio's linker.
+    let found = match cfg!(windows) {
+        true => Ok("left to rustc".into()),
+        false => first_line(Command::new("cc").arg("--version")),
+    };
+    Finding::required("linker", "to compile answers", found, remedy)
+}
+
+fn space(root: &Path) -> Finding {
+    let found = match cfg!(windows) {
+        true => Ok("not measured on Windows".into()),
+        false => free_space(root).and_then(|free| {
+            let text = format!("{free:.0} GB free");
+            match free >= ENOUGH_SPACE {
+                true => Ok(text),
+                false => Err(text),
+            }
+        }),
+    };
+    Finding::required(
+        "space",
+        "to build in the folder `target`",
+        found,
+        &format!("make room for {ENOUGH_SPACE} GB; `cargo clean` removes old builds"),
+    )
+}
+
+/// Free space around a folder, in gigabytes.
+fn free_space(folder: &Path) -> std::result::Result<f64, String> {
+    let output = Command::new("df").arg("-Pk").arg(folder).output();
+    let output = output.map_err(|error| format!("df does not start: {error}"))?;
+    let text = String::from_utf8_lossy(&output.stdout);
+    let row = text.lines().nth(1).unwrap_or_default();
+    let free = row.split_whitespace().nth(3).map(str::parse::<f64>);
+    match free {
+        Some(Ok(kilobytes)) => Ok(kilobytes * 1024.0 / 1e9),
+        _ => Err("df does not say how much is free".into()),
+    }
+}
+
+fn browser() -> Finding {
+    let names = ["firefox", "chromium", "chromium-browser", "google-chrome"];
+    let on_path = |name: &&str| {
+        let path = env::var_os("PATH").unwrap_or_default();
+        env::split_paths(&path).any(|folder| folder.join(name).is_file())
+    };
+    let found = match env::consts::OS {
+        "macos" | "windows" => Some("the system's"),
+        _ => names.into_iter().find(on_path),
+    };
+    Finding::optional(
+        "browser",
+        "to look at reports and the book",
+        found.map(str::to_owned).ok_or_else(|| "none found".into()),
+        "install one, or copy target/pinhole/report.html to a machine that has one",
+    )
+}
+
+fn sandbox(checkout: &Checkout) -> Finding {
+    let made = Sandbox::for_untrusted("a submission", checkout, Choice::Bubblewrap, &[]);
+    let (found, remedy) = match made {
+        Ok(_) => (Ok("bubblewrap works".into()), String::new()),
+        Err(error) => {
+            let remedy = match are_user_namespaces_restricted() {
+                true => {
+                    "AppArmor keeps bubblewrap from making user namespaces: run `sudo sysctl \
+                     kernel.apparmor_restrict_unprivileged_userns=0`, or give /usr/bin/bwrap a \
+                     profile that allows `userns`"
+                }
+                false => &error.remedy,
+            };
+            (Err(error.problem.clone()), remedy.to_owned())
+        }
+    };
+    Finding::optional(
+        "sandbox",
+        "to run other people's code: grade, and check on a folder outside",
+        found,
+        &remedy,
+    )
+}
+
+/// Ubuntu 24.04 and later allow user namespaces to programs with a profile only.
+fn are_user_namespaces_restricted() -> bool {
+    let setting = "/proc/sys/kernel/apparmor_restrict_unprivileged_userns";
+    fs::read_to_string(setting).is_ok_and(|text| text.trim() == "1")
+}
+
+fn landlock() -> Finding {
+    let modules = fs::read_to_string("/sys/kernel/security/lsm");
+    Finding::optional(
+        "Landlock",
+        "by `--sandbox container` to hide files; bubblewrap works without it",
+        match modules {
+            Ok(modules) if modules.split(',').any(|name| name.trim() == "landlock") => {
+                Ok("the kernel has it".into())
+            }
+            Ok(_) => Err("the kernel does not have it, or it is switched off".into()),
+            Err(_) => Err("the kernel does not tell: there is no /sys/kernel/security/lsm".into()),
+        },
+        "boot Linux 5.13 or newer with `lsm=landlock,…`",
+    )
+}
+
+fn seccomp() -> Finding {
+    let found = match Path::new("/proc/sys/kernel/seccomp/actions_avail").is_file() {
+        true => Ok("the kernel has it".into()),
+        false => Err("the kernel does not have it".into()),
+    };
+    Finding::optional(
+        "seccomp",
+        "to refuse system calls to other people's code",
+        found,
+        "use a Linux kernel with CONFIG_SECCOMP_FILTER",
+    )
+}
+
+fn renderer(checkout: &Checkout) -> Finding {
+    Finding::optional(
+        "Mitsuba",
+        "to render goldens, and for fresh questions in grade",
+        mitsuba_version(checkout),
+        "run `cargo pinhole golden setup`",
+    )
+}
+
+fn mitsuba_version(checkout: &Checkout) -> Found {
+    let question = "from importlib.metadata import version; print(version('mitsuba'))";
+    match mitsuba::is_there(checkout) {
+        true => first_line(mitsuba::python(checkout).args(["-c", question])),
+        false => Err("not installed".into()),
+    }
+}
+
+fn second_judge(checkout: &Checkout) -> Finding {
+    let found = pinhole::oiiotool::Oiiotool::find(&mitsuba::environment(checkout));
+    Finding::optional(
+        "oiiotool",
+        "for the second judge: check --oiiotool",
+        match found {
+            Some(tool) => first_line(Command::new(tool.binary()).arg("--version")),
+            None => Err("not installed".into()),
+        },
+        "run `cargo pinhole golden setup`",
+    )
+}
+
+/// The first line that a program prints.
+fn first_line(command: &mut Command) -> Found {
+    let name = command.get_program().display().to_string();
+    match command.output() {
+        Ok(output) if output.status.success() => {
+            let text = String::from_utf8_lossy(&output.stdout);
+            Ok(text.lines().next().unwrap_or_default().to_owned())
+        }
+        Ok(output) => Err(format!("{name} fails: {}", output.status)),
+        Err(error) => Err(format!("{name} does not start: {error}")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn versions_are_compared_by_number_and_not_as_text() {
+        assert!(is_at_least("rustc 1.100.0 (abc 2027-01-01)", "1.91"));
+        assert!(is_at_least("rustc 1.91.0", "1.91"));
+        assert!(is_at_least("rustc 1.92.0-nightly (abc)", "1.91"));
+        assert!(!is_at_least("rustc 1.9.0 (abc)", "1.91"));
+        assert!(!is_at_least("rustc 1.90.3 (abc)", "1.91"));
+    }
+
+    #[test]
+    fn a_program_that_is_not_there_is_a_finding() {
+        let found = first_line(&mut Command::new("no-such-program"));
+        assert!(
+            found
+                .unwrap_err()
+                .starts_with("no-such-program does not start")
+        );
+    }
+}

@@ -1,0 +1,33 @@
+//! `--read`: the page of the book that helps, which is built first if somebody wants that.
+
+use std::io::{IsTerminal, Write, stderr, stdin};
+use std::process::Command;
+
+use pinhole_course::checkout::Checkout;
+use pinhole_report::escape::printable;
+use pinhole_report::passage::{self, Passage};
+
+/// Opens a passage, and says what came of that.
+pub fn open(passage: &Passage, checkout: &Checkout) {
+    let root = checkout.root();
+    if passage::built(root).is_none() && passage::has_sources(root) && is_wanted() {
+        // What keeps the book from being built is said by the program that builds it.
+        let _built_or_not = std::env::current_exe()
+            .and_then(|pinhole| Command::new(pinhole).args(["book", "build"]).status());
+    }
+    anstream::println!("\n{}", printable(&passage.open(root)));
+}
+
+/// Asks, if there is anybody to answer.
+fn is_wanted() -> bool {
+    if !stdin().is_terminal() || !stderr().is_terminal() {
+        return false;
+    }
+    eprint!("\nThe book is not built yet, which takes a minute or two. Build it now? [Y/n] ");
+    let mut answer = String::new();
+    let asked = stderr()
+        .flush()
+        .and_then(|()| stdin().read_line(&mut answer));
+    let answer = answer.trim().to_lowercase();
+    asked.is_ok() && (answer.is_empty() || answer.starts_with('y'))
+}

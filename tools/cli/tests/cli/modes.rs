@@ -1,0 +1,107 @@
+//! The four kinds of sandbox on one machine. Each attack must fail in all of them.
+//!
+//! Bubblewrap stands for a container. Root keeps its rights inside, but can make no
+//! namespace, as under Docker's default seccomp profile, and the toolchain lies where every
+//! user can reach it. An ordinary user is root under another number.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use pinhole_testing::{program_of, root};
+
+/// Bubblewrap as root, or as the user who runs the tests.
+pub const BUBBLEWRAP: &str = "bubblewrap";
+/// Bubblewrap as an ordinary user.
+pub const USER: &str = "bubblewrap as a user";
+/// Another user id and Landlock.
+pub const CONTAINER: &str = "container";
+/// Another user id alone.
+pub const WITHOUT_LANDLOCK: &str = "container-without-landlock";
+
+/// All of them.
+pub const ALL: [&str; 4] = [BUBBLEWRAP, USER, CONTAINER, WITHOUT_LANDLOCK];
+
+/// The word for `--sandbox`.
+pub fn sandbox(mode: &str) -> &str {
+    match mode {
+        USER => BUBBLEWRAP,
+        mode => mode,
+    }
+}
+
+/// Whether this machine can arrange a mode: only root can be another user.
+pub fn can_be_tried(mode: &str) -> bool {
+    let id = Command::new("id").arg("-u").output();
+    let is_root = id.expect("there is `id`").stdout == b"0\n";
+    let is_tried = is_root || mode == BUBBLEWRAP;
+    if !is_tried {
+        eprintln!("{mode} needs root: not tried");
+    }
+    is_tried
+}
+
+/// Runs `pinhole` at the top of the checkout in one of the modes, or in none of them.
+pub fn run(mode: &str, environment: &[(&str, &str)], arguments: &[&str]) -> Output {
+    let mut command = match mode {
+        USER => as_a_user(),
+        CONTAINER => in_a_container(true),
+        WITHOUT_LANDLOCK => in_a_container(false),
+        _ => Command::new("env"),
+    };
+    command.arg(program_of(arguments[0])).args(arguments);
+    command.envs(environment.iter().copied());
+    command.current_dir(root());
+    command.output().expect("it starts")
+}
+
+fn as_a_user() -> Command {
+    let mut outer = Command::new("bwrap");
+    outer.args(["--dev-bind", "/", "/", "--unshare-user"]);
+    outer.args(["--uid", "1000", "--gid", "1000", "--"]);
+    outer
+}
+
+fn in_a_container(landlock: bool) -> Command {
+    let sysroot = Command::new("rustc").args(["--print", "sysroot"]).output();
+    let sysroot = String::from_utf8(sysroot.expect("there is rustc").stdout).expect("text");
+    let mut outer = Command::new("bwrap");
+    outer.args(["--dev-bind", "/", "/", "--cap-add", "ALL"]);
+    outer.args(["--ro-bind", sysroot.trim(), "/mnt"]);
+    if !landlock {
+        close_checkout(&mut outer);
+    }
+    // The same filter that confines submissions forbids namespaces.
+    let limits = "--compiles --cpu 1000000 --memory 1000000000000 --processes 100000 \
+         --file-size 100000000000 --open-files 1000 --read / --write /";
+    outer.arg("--").arg(env!("CARGO_BIN_EXE_pinhole"));
+    outer.arg("confine").args(limits.split_whitespace());
+    if !landlock {
+        outer.arg("--without-landlock");
+    }
+    outer.arg("--");
+    let path = std::env::var("PATH").expect("there is a PATH");
+    outer
+        .env("PATH", format!("/mnt/bin:{path}"))
+        .env_remove("RUSTUP_TOOLCHAIN")
+        .env_remove("CARGO")
+        .env_remove("RUSTC")
+        // Cargo puts the toolchain's own libraries here, and rustc looks beside them.
+        .env_remove("LD_LIBRARY_PATH");
+    outer
+}
+
+/// Does what `chmod 700` of the checkout would do, but only for what runs inside: a folder
+/// above it lets only root pass. Cargo's own folder may lie in there too.
+fn close_checkout(outer: &mut Command) {
+    let root = root();
+    let above = root.parent().expect("it is not the top").to_owned();
+    outer.args(["--perms", "0700", "--tmpfs"]).arg(&above);
+    let home = std::env::var_os("HOME")
+        .map(PathBuf::from)
+        .unwrap_or_default();
+    let cargo = std::env::var_os("CARGO_HOME").map_or(home.join(".cargo"), PathBuf::from);
+    let again = [root.as_path(), cargo.as_path()];
+    for folder in again.iter().filter(|folder| Path::is_dir(folder)) {
+        outer.arg("--dev-bind").args([folder, folder]);
+    }
+}

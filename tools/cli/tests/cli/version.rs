@@ -1,0 +1,25 @@
+//! `--version` and `completions`.
+
+use pinhole_testing::pinhole;
+
+#[test]
+fn the_version_names_the_commit_and_the_goldens() {
+    let ran = pinhole(&["--version"]).expect_code(0);
+    let lines: Vec<&str> = ran.out.lines().collect();
+    assert_eq!(lines.len(), 3, "{}", ran.out);
+    for (line, start) in lines
+        .iter()
+        .zip(["pinhole ", "commit ", "goldens ray_casting "])
+    {
+        let rest = line.strip_prefix(start).expect(line);
+        assert!(rest.len() >= 5 && !rest.contains(' '), "{line}");
+    }
+}
+
+#[test]
+fn completions_know_options_and_the_other_programs_subcommands() {
+    let script = pinhole(&["completions", "bash"]).expect_code(0).out;
+    for word in ["--oiiotool", "explain", "validate", "study"] {
+        assert!(script.contains(word), "no {word}");
+    }
+}

@@ -1,0 +1,328 @@
+//! What is measurably wrong in the answers to a task, even if no known mistake explains
+//! it.
+//!
+//! Reading order: [`sample`] is a question with both answers, part by part; [`law`] is what a
+//! part is instead of what it should be; [`rule`] is where; [`single`] finds rounding to
+//! `f32`; [`words`] says it, and [`claim`] tests what was said.
+//!
+//! Laws and rules are found on one half of the questions and said only if they hold on the
+//! other.
+
+mod claim;
+mod law;
+mod rule;
+mod sample;
+mod single;
+mod words;
+
+use pinhole::part::Part;
+use serde::{Deserialize, Serialize};
+
+use claim::{Claim, share_of};
+use law::{PartLaw, best};
+use rule::Of;
+pub use sample::Asked;
+use sample::{Sample, samples};
+
+/// One thing that was measured, in a sentence.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct Finding {
+    /// The part of an answer that it is about.
+    pub about: String,
+    /// The sentence.
+    pub says: String,
+    /// Whether it states a law or where something is wrong; if not, it only counts.
+    pub is_law: bool,
+}
+
+/// A finding, and what it claims.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured {
+    /// What people read.
+    pub finding: Finding,
+    claim: Claim,
+}
+
+/// With fewer wrong samples than this, no law is sought.
+const LEAST: usize = 8;
+
+/// A law is reported only if at least this share of the wrong samples follows it.
+const LEAST_SHARE: f64 = 0.3;
+
+/// From this share on, the rest is put down to rounding.
+const ALL: f64 = 0.99;
+
+/// At most this many samples are searched for a law.
+const MOST_SEARCHED: usize = 160;
+
+/// The word for the samples of a part that only a hit has.
+const HITS: &str = "hits";
+
+/// Sentences a task gets at most.
+const MOST_SAID: usize = 3;
+
+/// What is wrong in the answers to one task.
+pub fn measure(films: &[Asked<'_>]) -> Vec<Measured> {
+    let samples = samples(films);
+    let mut found = decisions(&samples);
+    let both: Vec<&Sample> = samples
+        .iter()
+        .filter(|sample| sample.right.is_some() && sample.given.is_some())
+        .collect();
+    let is_hit = |sample: &Sample| sample.right.iter().flatten().any(Part::is_object);
+    let noun = match samples.iter().any(is_hit) {
+        true => HITS,
+        false => "questions",
+    };
+    let parts = both
+        .first()
+        .and_then(|it| it.right.as_ref())
+        .map_or(0, Vec::len);
+    let mut right = Vec::new();
+    for part in 0..parts {
+        let name = |sample: &Sample| sample.right.as_ref().map_or("", |parts| parts[part].name);
+        let about = name(both[0]);
+        // The object is compared everywhere, everything else where the object is right.
+        let comparable = |sample: &&&Sample| part == 0 || sample.is_same_object();
+        let comparable: Vec<&Sample> = both.iter().filter(comparable).copied().collect();
+        let (good, wrong): (Vec<&Sample>, Vec<&Sample>) =
+            comparable.iter().partition(|sample| sample.is_right(part));
+        if wrong.is_empty() {
+            let is_seen = good.len() >= LEAST && !both[0].is_object(part);
+            right.extend(is_seen.then_some((about, part)));
+            continue;
+        }
+        let finding = PartFinding {
+            part,
+            about,
+            noun,
+            wrong,
+            good,
+        };
+        found.push(finding.measured());
+    }
+    // If a law is known, leave out parts that are only known to be wrong: they may
+    // follow from it.
+    found.sort_by_key(|measured| measured.claim.rank());
+    let has_law = found
+        .iter()
+        .any(|it| matches!(it.claim, Claim::Part { .. }));
+    if has_law && noun != HITS {
+        found.retain(|measured| measured.claim.rank() == 0);
+    }
+    // Elsewhere an answer may repeat a number of its question, which has single precision.
+    if films.iter().all(|film| film.questions.kind().takes_shape()) {
+        found.splice(0..0, single::found(&both));
+    }
+    found.truncate(MOST_SAID);
+    let told = |about: &str| found.iter().any(|measured| measured.finding.about == about);
+    right.retain(|(about, _)| !told(about));
+    if !found.is_empty() && !right.is_empty() {
+        let objects = both.iter().all(|sample| sample.is_same_object());
+        found.push(right_parts(&right, noun, objects));
+    }
+    found
+}
+
+/// Parts that are right wherever they can be compared.
+fn right_parts(parts: &[(&str, usize)], noun: &str, objects: bool) -> Measured {
+    let names: Vec<String> = parts.iter().map(|(name, _)| (*name).to_owned()).collect();
+    let names = words::list(names);
+    let are = if parts.len() == 1 { "is" } else { "are" };
+    let place = match (noun, objects) {
+        (HITS, true) => "in every hit",
+        (HITS, false) => "wherever the object is",
+        _ => "everywhere",
+    };
+    Measured {
+        finding: Finding {
+            says: format!("{} {are} right {place}.", capital(&names)),
+            about: names,
+            is_law: false,
+        },
+        claim: Claim::Right {
+            parts: parts.iter().map(|(_, part)| *part).collect(),
+        },
+    }
+}
+
+/// Hits that are missed, and hits where nothing is.
+fn decisions(samples: &[Sample]) -> Vec<Measured> {
+    let mut found = Vec::new();
+    for misses in [true, false] {
+        let asked: Vec<&Sample> = samples
+            .iter()
+            .filter(|sample| sample.right.is_some() == misses)
+            .collect();
+        let (wrong, good): (Vec<&Sample>, Vec<&Sample>) = asked
+            .iter()
+            .partition(|sample| sample.given.is_some() != misses);
+        if wrong.is_empty() {
+            continue;
+        }
+        let (some, all) = (wrong.len(), asked.len());
+        if good.is_empty() && all >= LEAST {
+            let says = match misses {
+                true => format!("You find no hit at all: {all} are missed."),
+                false => format!("You find a hit in all {all} questions where there is none."),
+            };
+            found.push(decision(says, true, Claim::Never { misses }));
+            continue;
+        }
+        // Compare invented hits with right ones, and missed hits with found ones.
+        let found_rightly: Vec<&Sample> = match misses {
+            true => good,
+            false => samples
+                .iter()
+                .filter(|sample| sample.right.is_some() && sample.given.is_some())
+                .collect(),
+        };
+        let of = if misses { Of::Right } else { Of::Given };
+        let rule = rule::find(&wrong, &found_rightly, of);
+        let counted = match misses {
+            true => format!("You miss {some} of the {all} hits"),
+            false => format!("You find a hit in {some} of the {all} questions where there is none"),
+        };
+        found.push(match rule {
+            Some(rule) => {
+                let place = words::rule(&rule, wrong[0]);
+                let nearly = rule.nearly(&wrong, &found_rightly);
+                let says = match (rule.exactly, misses) {
+                    (true, true) => format!("{counted}: {nearly}exactly those where {place}."),
+                    _ => format!("{counted}. In {nearly}each of them {place}."),
+                };
+                decision(says, true, Claim::Decision { misses, rule })
+            }
+            None => decision(format!("{counted}."), false, Claim::Count),
+        });
+    }
+    found
+}
+
+fn decision(says: String, is_law: bool, claim: Claim) -> Measured {
+    let about = "hit or miss".into();
+    Measured {
+        finding: Finding {
+            about,
+            says,
+            is_law,
+        },
+        claim,
+    }
+}
+
+/// A part that is wrong somewhere.
+struct PartFinding<'a> {
+    part: usize,
+    about: &'static str,
+    noun: &'static str,
+    wrong: Vec<&'a Sample>,
+    good: Vec<&'a Sample>,
+}
+
+impl PartFinding<'_> {
+    fn measured(&self) -> Measured {
+        let (some, all) = (self.wrong.len(), self.wrong.len() + self.good.len());
+        let about = capital(self.about);
+        let rule = rule::find(&self.wrong, &self.good, Of::Right);
+        let place = rule.as_ref().map(|rule| {
+            let place = words::rule(rule, self.wrong[0]);
+            let nearly = rule.nearly(&self.wrong, &self.good);
+            match rule.exactly {
+                true => format!(", {nearly}exactly where {place}"),
+                false => format!(", in {nearly}each of which {place}"),
+            }
+        });
+        let of = match some == all {
+            true => format!("in all {all} {}", self.noun),
+            false => format!("in {some} of {all} {}", self.noun),
+        };
+        let where_ = place.unwrap_or_default();
+        let lost = self.wrong.iter().filter(|sample| {
+            let given = sample.both(self.part).map_or(&[][..], |(_, given)| given);
+            given.iter().any(|value| !value.is_finite())
+        });
+        let lost = lost.count();
+        let law = self.law();
+        let (says, claim) = match (law, rule) {
+            (Some((law, share)), rule) => {
+                let said = words::law(&law, self.part, self.wrong[0]);
+                let says = match share >= ALL {
+                    true if share == 1.0 => format!("{about} {said}, {of}{where_}."),
+                    true => format!("{about} {said}, {of}{where_}, with few exceptions."),
+                    false => format!(
+                        "{about} is wrong {of}{where_}; in about {:.0} % of these it {said}.",
+                        (100.0 * share).floor()
+                    ),
+                };
+                let part = self.part;
+                (
+                    says,
+                    Claim::Part {
+                        part,
+                        law,
+                        share,
+                        rule,
+                    },
+                )
+            }
+            (None, Some(rule)) => (
+                format!("{about} is wrong {of}{where_}."),
+                Claim::Where {
+                    part: self.part,
+                    rule,
+                },
+            ),
+            (None, None) if lost > 0 => (
+                format!("{about} is wrong {of}; in {lost} it is infinite or not a number."),
+                Claim::Count,
+            ),
+            (None, None) => (format!("{about} is wrong {of}."), Claim::Count),
+        };
+        Measured {
+            finding: Finding {
+                about: self.about.into(),
+                says,
+                is_law: claim != Claim::Count,
+            },
+            claim,
+        }
+    }
+
+    /// The law that most of what is wrong follows on both halves, and its share.
+    fn law(&self) -> Option<(PartLaw, f64)> {
+        if self.wrong.len() < LEAST {
+            return None;
+        }
+        let fitting: Vec<&Sample> = self.wrong.iter().filter(|it| it.fits).copied().collect();
+        let step = fitting.len().div_ceil(MOST_SEARCHED).max(1);
+        let few: Vec<&Sample> = fitting.iter().step_by(step).copied().collect();
+        let law = best(&few, self.part)?;
+        let share = |fits: bool| {
+            let half = self.wrong.iter().filter(|it| it.fits == fits).copied();
+            share_of(&law, self.part, half)
+        };
+        let (fitted, tested) = (share(true)?, share(false)?);
+        let share = fitted.min(tested);
+        (share >= LEAST_SHARE && (fitted - tested).abs() <= 0.1).then_some((law, share))
+    }
+}
+
+impl Measured {
+    /// Whether its sentence is true on other questions too.
+    pub fn holds(&self, films: &[Asked<'_>]) -> bool {
+        self.claim.holds(films)
+    }
+}
+
+fn capital(words: &str) -> String {
+    // A variable keeps its letter.
+    match words.split_once(' ') {
+        Some(("the", rest)) => format!("The {rest}"),
+        _ => words.into(),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,106 @@
+//! The claim of a sentence, which can be tested on other questions.
+
+use super::law::{self, PartLaw};
+use super::rule::Rule;
+use super::sample::{Asked, Sample, samples};
+use super::single;
+
+/// What can be tested on other questions.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Claim {
+    /// Nothing but a count.
+    Count,
+    /// There is never a hit, or always one.
+    Never { misses: bool },
+    /// Hits are missed, or invented, where the rule says.
+    Decision { misses: bool, rule: Rule },
+    /// What is wrong in a part follows a law: this share of it, and where the rule says.
+    Part {
+        part: usize,
+        law: PartLaw,
+        share: f64,
+        rule: Option<Rule>,
+    },
+    /// A part is wrong where the rule says.
+    Where { part: usize, rule: Rule },
+    /// A part comes in single precision.
+    Single { part: usize },
+    /// Parts are right.
+    Right { parts: Vec<usize> },
+}
+
+impl Claim {
+    /// What says more comes first.
+    pub fn rank(&self) -> u8 {
+        match self {
+            Claim::Never { .. }
+            | Claim::Decision { .. }
+            | Claim::Part { .. }
+            | Claim::Single { .. } => 0,
+            Claim::Where { .. } => 1,
+            Claim::Count | Claim::Right { .. } => 2,
+        }
+    }
+}
+
+/// Which share of wrong samples follows a law; `None` if it can't be told.
+pub fn share_of<'a>(
+    law: &PartLaw,
+    part: usize,
+    wrong: impl Iterator<Item = &'a Sample>,
+) -> Option<f64> {
+    let (follow, broken) = law::tally(law, part, wrong);
+    (follow > 0).then(|| follow as f64 / (follow + broken) as f64)
+}
+
+impl Claim {
+    /// Whether it is true of other questions too, within what a few tell.
+    pub fn holds(&self, films: &[Asked<'_>]) -> bool {
+        let samples = samples(films);
+        let both = || {
+            samples
+                .iter()
+                .filter(|it| it.right.is_some() && it.given.is_some())
+        };
+        let split = |part: usize| -> (Vec<&Sample>, Vec<&Sample>) {
+            let comparable = both().filter(|it| part == 0 || it.is_same_object());
+            comparable.partition(|it| !it.is_right(part))
+        };
+        let meets = |rule: &Rule, wrong: &[&Sample], good: &[&Sample]| {
+            let met = |samples: &[&Sample]| samples.iter().filter(|it| rule.holds(it)).count();
+            let few = wrong.len() / 20 + 1;
+            wrong.len() - met(wrong) <= few && (!rule.exactly || met(good) <= few)
+        };
+        match self {
+            Claim::Count => true,
+            Claim::Single { part } => single::is_single(&both().collect::<Vec<_>>(), *part),
+            Claim::Never { misses } => samples
+                .iter()
+                .filter(|it| it.right.is_some() == *misses)
+                .all(|it| it.given.is_some() != *misses),
+            Claim::Decision { misses, rule } => {
+                let asked = samples.iter().filter(|it| it.right.is_some() == *misses);
+                let (wrong, good): (Vec<&Sample>, Vec<&Sample>) =
+                    asked.partition(|it| it.given.is_some() != *misses);
+                let good = if *misses { good } else { both().collect() };
+                meets(rule, &wrong, &good)
+            }
+            Claim::Part {
+                part,
+                law,
+                share,
+                rule,
+            } => {
+                let (wrong, good) = split(*part);
+                let follows = share_of(law, *part, wrong.iter().copied());
+                follows.is_none_or(|follows| follows >= share - 0.1)
+                    && rule.as_ref().is_none_or(|rule| meets(rule, &wrong, &good))
+            }
+            Claim::Where { part, rule } => {
+                let (wrong, good) = split(*part);
+                meets(rule, &wrong, &good)
+            }
+            Claim::Right { parts } => parts.iter().all(|part| split(*part).0.len() <= 2),
+        }
+    }
+}

@@ -1,0 +1,355 @@
+//! Simple laws by which a part of an answer can be wrong.
+
+use super::sample::Sample;
+
+/// How the wrong value of a part follows from the right one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Law {
+    /// The right value times a constant.
+    Times(f64),
+    /// The right value times a constant and a power of a quantity of the question.
+    TimesQuantity(f64, usize, i32),
+    /// More by this.
+    Plus(f64),
+    /// The right value plus a constant times a power of a quantity.
+    PlusQuantity(f64, usize, i32),
+    /// A constant, whatever the right value.
+    Always(f64),
+    /// A constant times a quantity.
+    Quantity(f64, usize),
+    /// The value of one of the question's other answers.
+    Other(usize),
+    /// Another axis of the right value times a constant.
+    Axis(f64, usize),
+    /// The right value plus the first constant, times the second and a power of a
+    /// quantity.
+    Affine(f64, f64, Option<(usize, i32)>),
+    /// The right value plus the first constant, plus the second times a quantity.
+    PlusBoth(f64, f64, usize),
+}
+
+/// Which values of a part follow a law.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PartLaw {
+    /// All axes the same one.
+    Whole(Law),
+    /// Each axis its own, or it is right.
+    Axes(Vec<Option<Law>>),
+    /// Its length alone.
+    Length(Law),
+}
+
+/// How a sample compares with a law.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stand {
+    /// It has the law's value, which is wrong.
+    Follows,
+    /// It does not have the law's value.
+    Breaks,
+    /// The law's value is too close to the right one to tell them apart.
+    Mute,
+}
+
+/// Powers of quantities that are tried.
+const POWERS: [i32; 4] = [1, -1, 2, -2];
+
+/// How many samples are tried for a law's constant.
+const ASKED: usize = 5;
+
+/// A constant this close to a simple number is replaced by it.
+const SIMPLE: [f64; 13] = [
+    1.0, -1.0, 2.0, -2.0, 0.5, -0.5, 3.0, 4.0, 0.25, -0.25, 0.0, 1.5, -1.5,
+];
+
+/// One value of a sample: a part's axis, or a part's length.
+#[derive(Clone, Copy)]
+pub enum Place {
+    Axis(usize),
+    Length,
+}
+
+impl Place {
+    fn of(self, values: &[f64]) -> f64 {
+        match self {
+            Place::Axis(axis) => values[axis],
+            Place::Length => values.iter().map(|x| x * x).sum::<f64>().sqrt(),
+        }
+    }
+}
+
+impl Law {
+    /// Whether it can be about names, not only about measures.
+    fn is_counting(self) -> bool {
+        matches!(self, Law::Plus(_) | Law::Other(_) | Law::Always(_))
+    }
+
+    /// The value by the law, and the factor by which the law stretches the right one.
+    fn says(self, sample: &Sample, part: usize, place: Place) -> Option<(f64, f64)> {
+        let right = &sample.right.as_ref()?.get(part)?.values;
+        let value = place.of(right);
+        let quantity = |k: usize, power: i32| sample.quantities[k].value.powi(power);
+        Some(match self {
+            Law::Times(by) => (by * value, by),
+            Law::TimesQuantity(by, k, power) => {
+                let by = by * quantity(k, power);
+                (by * value, by)
+            }
+            Law::Plus(by) => (value + by, 1.0),
+            Law::PlusQuantity(by, k, power) => (value + by * quantity(k, power), 1.0),
+            Law::Always(it) => (it, 0.0),
+            Law::Quantity(by, k) => (by * quantity(k, 1), 0.0),
+            Law::Other(k) => {
+                let other = sample.others.get(k)?.1.as_ref()?;
+                (place.of(&other.get(part)?.values), 2.0)
+            }
+            Law::Axis(by, axis) => (by * right.get(axis)?, by),
+            Law::Affine(more, by, factor) => {
+                let by = by * factor.map_or(1.0, |(k, power)| quantity(k, power));
+                (by * (value + more), by)
+            }
+            Law::PlusBoth(more, by, k) => (value + more + by * quantity(k, 1), 1.0),
+        })
+    }
+
+    /// With the constant that this sample gives it.
+    fn fitted(self, sample: &Sample, part: usize, place: Place) -> Option<Law> {
+        let (right, given) = sample.both(part)?;
+        let (value, given) = (place.of(right), place.of(given));
+        let quantity = |k: usize, power: i32| sample.quantities[k].value.powi(power);
+        let by = match self {
+            Law::Times(_) => given / value,
+            Law::TimesQuantity(_, k, power) => given / (value * quantity(k, power)),
+            Law::Plus(_) => given - value,
+            Law::PlusQuantity(_, k, power) => (given - value) / quantity(k, power),
+            Law::Always(_) => given,
+            Law::Quantity(_, k) => given / quantity(k, 1),
+            Law::Other(_) => 0.0,
+            Law::Axis(_, axis) => given / right[axis],
+            Law::Affine(..) | Law::PlusBoth(..) => return None,
+        };
+        let by = simple(by)?;
+        Some(match self {
+            Law::Times(_) => Law::Times(by),
+            Law::TimesQuantity(_, k, power) => Law::TimesQuantity(by, k, power),
+            Law::Plus(_) => Law::Plus(by),
+            Law::PlusQuantity(_, k, power) => Law::PlusQuantity(by, k, power),
+            Law::Always(_) => Law::Always(by),
+            Law::Quantity(_, k) => Law::Quantity(by, k),
+            Law::Other(k) => Law::Other(k),
+            Law::Axis(_, axis) => Law::Axis(by, axis),
+            Law::Affine(..) | Law::PlusBoth(..) => return None,
+        })
+    }
+
+    /// With the two constants that these samples give it.
+    fn fitted_to_both(self, both: [&Sample; 2], part: usize, place: Place) -> Option<Law> {
+        let values = |sample: &Sample| -> Option<(f64, f64)> {
+            let (right, given) = sample.both(part)?;
+            let (value, given) = (place.of(right), place.of(given));
+            Some(match self {
+                Law::PlusBoth(_, _, k) => (sample.quantities[k].value, given - value),
+                Law::Affine(_, _, Some((k, power))) => {
+                    (value, given / sample.quantities[k].value.powi(power))
+                }
+                _ => (value, given),
+            })
+        };
+        let [(x_1, y_1), (x_2, y_2)] = [values(both[0])?, values(both[1])?];
+        let slope = simple((y_2 - y_1) / (x_2 - x_1))?;
+        match self {
+            Law::PlusBoth(_, _, k) => Some(Law::PlusBoth(simple(y_1 - slope * x_1)?, slope, k)),
+            Law::Affine(_, _, factor) => {
+                Some(Law::Affine(simple(y_1 / slope - x_1)?, slope, factor))
+            }
+            _ => None,
+        }
+    }
+
+    /// How one value of a sample compares with it.
+    fn stand(self, sample: &Sample, part: usize, place: Place) -> Stand {
+        let told = self.says(sample, part, place).zip(sample.both(part));
+        let Some(((says, stretch), (right, given))) = told else {
+            return Stand::Breaks;
+        };
+        let size = Place::Length.of(given);
+        let size = if size.is_finite() { size } else { 0.0 };
+        let allowed = sample.allowed(part, says.abs().max(size), stretch);
+        // Written so that NaN breaks it.
+        let is_said = (place.of(given) - says).abs() <= allowed;
+        if !is_said {
+            return Stand::Breaks;
+        }
+        match (says - place.of(right)).abs() > 2.0 * allowed {
+            true => Stand::Follows,
+            false => Stand::Mute,
+        }
+    }
+}
+
+/// The simple number next to this one, or the number itself; `None` if it is not
+/// finite.
+fn simple(number: f64) -> Option<f64> {
+    let near = |simple: &&f64| (number - **simple).abs() <= 2e-4 * simple.abs().max(0.05);
+    let simple = SIMPLE.iter().find(near).copied().unwrap_or(number);
+    simple.is_finite().then_some(simple)
+}
+
+impl PartLaw {
+    /// How a sample compares with it.
+    pub fn stand(&self, sample: &Sample, part: usize) -> Stand {
+        match self {
+            PartLaw::Length(law) => law.stand(sample, part, Place::Length),
+            PartLaw::Whole(law) => {
+                let axes = sample.both(part).map_or(0, |(right, _)| right.len());
+                all((0..axes).map(|axis| law.stand(sample, part, Place::Axis(axis))))
+            }
+            PartLaw::Axes(laws) => all(laws.iter().enumerate().map(|(axis, law)| match law {
+                Some(law) => law.stand(sample, part, Place::Axis(axis)),
+                None => match Law::Times(1.0).stand(sample, part, Place::Axis(axis)) {
+                    Stand::Breaks => Stand::Breaks,
+                    _ => Stand::Mute,
+                },
+            })),
+        }
+    }
+}
+
+fn all(stands: impl Iterator<Item = Stand>) -> Stand {
+    stands.fold(Stand::Mute, |sum, stand| match (sum, stand) {
+        (Stand::Breaks, _) | (_, Stand::Breaks) => Stand::Breaks,
+        (Stand::Follows, _) | (_, Stand::Follows) => Stand::Follows,
+        _ => Stand::Mute,
+    })
+}
+
+/// How many of some samples follow a law, and how many break it.
+pub fn tally<'a>(
+    law: &PartLaw,
+    part: usize,
+    samples: impl Iterator<Item = &'a Sample>,
+) -> (usize, usize) {
+    samples.fold((0, 0), |(follow, broken), sample| {
+        match law.stand(sample, part) {
+            Stand::Follows => (follow + 1, broken),
+            Stand::Breaks => (follow, broken + 1),
+            Stand::Mute => (follow, broken),
+        }
+    })
+}
+
+/// The law that most of these samples follow, all of which are wrong in this part. Simpler
+/// laws come first, and lose only to one that clearly more samples follow.
+pub fn best(samples: &[&Sample], part: usize) -> Option<PartLaw> {
+    let (right, _) = samples.first()?.both(part)?;
+    let axes = right.len();
+    let mut best: Option<(usize, PartLaw)> = None;
+    let mut offer = |law: PartLaw| {
+        let (follow, _) = tally(&law, part, samples.iter().copied());
+        let least = best.as_ref().map_or(0, |(most, _)| most + most / 20);
+        if follow > least {
+            best = Some((follow, law));
+        }
+    };
+    let quantities = samples[0].quantities.len();
+    let others = samples.iter().map(|sample| sample.others.len()).max()?;
+    let asked = || {
+        samples
+            .iter()
+            .step_by(samples.len().div_ceil(ASKED))
+            .copied()
+    };
+    let object = samples[0].is_object(part);
+    for law in whole(quantities, others)
+        .into_iter()
+        .filter(|law| !object || law.is_counting())
+    {
+        for sample in asked() {
+            // The largest axis gives the most precise constant.
+            let (right, _) = sample.both(part)?;
+            let largest = (0..axes).max_by(|a, b| right[*a].abs().total_cmp(&right[*b].abs()));
+            let place = Place::Axis(largest.unwrap_or(0));
+            let alone = axes == 1 || !matches!(law, Law::Plus(_) | Law::PlusQuantity(..));
+            if let Some(law) = law.fitted(sample, part, place).filter(|_| alone) {
+                offer(PartLaw::Whole(law));
+            }
+            if matches!(law, Law::Other(_)) {
+                break;
+            }
+        }
+    }
+    if axes > 1 {
+        if let Some(law) = by_axes(samples, part, axes, quantities) {
+            offer(law);
+        }
+        for law in whole(quantities, 0) {
+            for sample in asked() {
+                if let Some(law) = law.fitted(sample, part, Place::Length) {
+                    offer(PartLaw::Length(law));
+                }
+            }
+        }
+    }
+    best.map(|(_, law)| law)
+}
+
+/// A law for each axis that is wrong, if each has one.
+fn by_axes(samples: &[&Sample], part: usize, axes: usize, quantities: usize) -> Option<PartLaw> {
+    let laws = (0..axes).map(|axis| {
+        let place = Place::Axis(axis);
+        let follow = |law: Law| {
+            let stands = samples.iter().map(|sample| law.stand(sample, part, place));
+            stands.filter(|stand| *stand != Stand::Breaks).count()
+        };
+        let enough = samples.len() - samples.len() / 20;
+        if follow(Law::Times(1.0)) >= enough {
+            return Some(None);
+        }
+        let crossed = (0..axes)
+            .filter(|other| *other != axis)
+            .map(|other| Law::Axis(1.0, other));
+        let single = whole(quantities, 0).into_iter().chain(crossed);
+        let first = *samples.first()?;
+        let mut fitted = single.filter_map(|law| law.fitted(first, part, place));
+        if let Some(law) = fitted.find(|law| follow(*law) >= enough) {
+            return Some(Some(law));
+        }
+        let pairs = samples[1..].iter().step_by(samples.len().div_ceil(ASKED));
+        let mut fitted = pairs.flat_map(|other| {
+            let both = [first, *other];
+            let laws = with_two_constants(quantities).into_iter();
+            laws.filter_map(move |law| law.fitted_to_both(both, part, place))
+        });
+        fitted.find(|law| follow(*law) >= enough).map(Some)
+    });
+    let laws: Option<Vec<Option<Law>>> = laws.collect();
+    laws.filter(|laws| laws.iter().any(Option::is_some))
+        .map(PartLaw::Axes)
+}
+
+/// Laws that two samples are needed for.
+fn with_two_constants(quantities: usize) -> Vec<Law> {
+    let mut laws = vec![Law::Affine(0.0, 1.0, None)];
+    for k in 0..quantities {
+        laws.push(Law::PlusBoth(0.0, 1.0, k));
+        laws.extend([1, -1].map(|power| Law::Affine(0.0, 1.0, Some((k, power)))));
+    }
+    laws
+}
+
+/// All laws but those of several axes, the simplest first, without their constants.
+fn whole(quantities: usize, others: usize) -> Vec<Law> {
+    let mut laws = vec![Law::Times(1.0), Law::Plus(0.0)];
+    laws.extend((0..others).map(Law::Other));
+    let powers = POWERS
+        .iter()
+        .flat_map(|power| (0..quantities).map(|k| (k, *power)));
+    laws.extend(
+        powers
+            .clone()
+            .map(|(k, power)| Law::TimesQuantity(1.0, k, power)),
+    );
+    laws.push(Law::Always(0.0));
+    laws.extend((0..quantities).map(|k| Law::Quantity(1.0, k)));
+    laws.extend(powers.map(|(k, power)| Law::PlusQuantity(1.0, k, power)));
+    laws
+}

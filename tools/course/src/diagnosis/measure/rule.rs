@@ -1,0 +1,184 @@
+//! Where something is wrong: a condition on the question, or a bound on one of its
+//! quantities, that separates the wrong samples from the right ones.
+
+use pinhole::part::Condition;
+
+use super::sample::Sample;
+
+/// Which of a sample's conditions a rule is about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Of {
+    /// Those of the right answer.
+    Right,
+    /// Those of the answer that was given.
+    Given,
+}
+
+/// One statement about a question.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Literal {
+    /// This condition holds, or not.
+    Holds(Of, usize, bool),
+    /// This quantity is below the bound.
+    Below(usize, f64),
+    /// This quantity is above the bound.
+    Above(usize, f64),
+}
+
+/// Statements that separate, and how sharply.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rule {
+    /// All of them hold.
+    pub literals: Vec<Literal>,
+    /// Whether nothing else meets them; if not, they hold wherever something is wrong, and
+    /// sometimes elsewhere.
+    pub exactly: bool,
+}
+
+impl Literal {
+    fn holds(self, sample: &Sample) -> bool {
+        match self {
+            Literal::Holds(of, k, so) => conditions(sample, of)[k].holds == so,
+            Literal::Below(k, bound) => sample.quantities[k].value < bound,
+            Literal::Above(k, bound) => sample.quantities[k].value > bound,
+        }
+    }
+}
+
+/// The conditions of a sample and one of its answers.
+pub fn conditions(sample: &Sample, of: Of) -> &[Condition] {
+    match of {
+        Of::Right => &sample.conditions,
+        Of::Given => &sample.conditions_given,
+    }
+}
+
+impl Rule {
+    /// Whether all of it holds.
+    pub fn holds(&self, sample: &Sample) -> bool {
+        self.literals.iter().all(|literal| literal.holds(sample))
+    }
+
+    /// Whether it separates these from those, but for one in a hundred.
+    pub fn separates(&self, wrong: &[&Sample], right: &[&Sample]) -> bool {
+        let met = |samples: &[&Sample]| samples.iter().filter(|it| self.holds(it)).count();
+        let (missed, extra) = (wrong.len() - met(wrong), met(right));
+        let few = wrong.len().max(1) / 100;
+        missed <= few && (!self.exactly || extra <= few)
+    }
+}
+
+impl Rule {
+    /// "nearly " if there are exceptions, and otherwise nothing.
+    pub fn nearly(&self, wrong: &[&Sample], right: &[&Sample]) -> &'static str {
+        let is_kept = wrong.iter().all(|it| self.holds(it))
+            && !(self.exactly && right.iter().any(|it| self.holds(it)));
+        if is_kept { "" } else { "nearly " }
+    }
+}
+
+/// Fewer samples than this on either side allow no rule.
+const LEAST: usize = 8;
+
+/// A statement that holds for more than this share of the right samples is useless.
+const TELLING: f64 = 0.34;
+
+/// The simplest rule that separates these from those: found on one half, and it holds on the
+/// other.
+pub fn find(wrong: &[&Sample], right: &[&Sample], of: Of) -> Option<Rule> {
+    // A few exceptions are too little to say anything about.
+    if wrong.len() < LEAST || right.len() < LEAST.max(wrong.len() / 30) {
+        return None;
+    }
+    let [fit, test] = [true, false].map(|fits| (half(wrong, fits), half(right, fits)));
+    let stands = |rule: &Rule| rule.separates(&fit.0, &fit.1) && rule.separates(&test.0, &test.1);
+    let mut literals = literals(&fit.0, &fit.1, of);
+    // Whatever is wrong meets all of these.
+    literals.retain(|literal| {
+        fit.0.iter().filter(|it| !literal.holds(it)).count() * 100 <= fit.0.len()
+    });
+    let single = literals.iter().map(|literal| vec![*literal]);
+    let both = literals.iter().enumerate().flat_map(|(k, one)| {
+        let others = literals[k + 1..].iter();
+        others.map(move |other| vec![*one, *other])
+    });
+    for literals in single.chain(both) {
+        let rule = Rule {
+            literals,
+            exactly: true,
+        };
+        if stands(&rule) {
+            return Some(rule);
+        }
+    }
+    let share = |literal: &Literal| {
+        let met = fit.1.iter().filter(|it| literal.holds(it)).count();
+        met as f64 / fit.1.len().max(1) as f64
+    };
+    let best = literals
+        .iter()
+        .min_by(|a, b| share(a).total_cmp(&share(b)))?;
+    let rule = Rule {
+        literals: vec![*best],
+        exactly: false,
+    };
+    let telling = match best {
+        Literal::Holds(..) => TELLING,
+        // The bound fits these samples; that of others may lie a little further out.
+        Literal::Below(..) | Literal::Above(..) => 0.5 * TELLING,
+    };
+    (share(best) <= telling && stands(&rule)).then_some(rule)
+}
+
+/// The samples that laws are fitted to, or the others.
+fn half<'a>(samples: &[&'a Sample], fits: bool) -> Vec<&'a Sample> {
+    let half = samples.iter().filter(|sample| sample.fits == fits);
+    half.copied().collect()
+}
+
+/// Every statement that may separate: conditions, and the bound of each quantity that
+/// separates best.
+fn literals(wrong: &[&Sample], right: &[&Sample], of: Of) -> Vec<Literal> {
+    let Some(first) = wrong.first() else {
+        return Vec::new();
+    };
+    let count = conditions(first, of).len();
+    let mut literals: Vec<Literal> = (0..count)
+        .flat_map(|k| [true, false].map(|so| Literal::Holds(of, k, so)))
+        .collect();
+    for k in 0..first.quantities.len() {
+        let values = |samples: &[&Sample]| -> Vec<f64> {
+            samples.iter().map(|it| it.quantities[k].value).collect()
+        };
+        let (wrong, right) = (values(wrong), values(right));
+        if wrong.iter().chain(&right).any(|value| !value.is_finite()) {
+            continue;
+        }
+        let largest = wrong.iter().copied().fold(f64::MIN, f64::max);
+        let smallest = wrong.iter().copied().fold(f64::MAX, f64::min);
+        let above = right.iter().copied().filter(|it| *it > largest);
+        let below = right.iter().copied().filter(|it| *it < smallest);
+        let (next, last) = (
+            above.fold(f64::MAX, f64::min),
+            below.fold(f64::MIN, f64::max),
+        );
+        if next < f64::MAX {
+            literals.push(Literal::Below(k, between(largest, next)));
+        }
+        if last > f64::MIN {
+            literals.push(Literal::Above(k, between(last, smallest)));
+        }
+    }
+    literals
+}
+
+/// The roundest number between two.
+fn between(low: f64, high: f64) -> f64 {
+    let middle = 0.5 * (low + high);
+    let rounded = (0..9).map(|digits| {
+        let text = format!("{middle:.digits$e}");
+        text.parse::<f64>().unwrap_or(middle)
+    });
+    let mut inside = rounded.filter(|it| low < *it && *it < high);
+    inside.next().unwrap_or(middle)
+}

@@ -1,0 +1,132 @@
+//! One question with its right answer and the one that was given, part by part.
+
+use pinhole::judge::Golden;
+use pinhole::kind::{Answer, Questions};
+use pinhole::part::{Condition, Part, Quantity};
+
+/// Questions, the answers that were given, and the film that holds the right ones.
+#[derive(Clone, Copy)]
+pub struct Asked<'a> {
+    /// What was asked.
+    pub questions: &'a Questions,
+    /// In the questions' order.
+    pub answers: &'a [Option<Answer>],
+    /// Mitsuba's answers.
+    pub golden: &'a Golden,
+}
+
+/// One question and both answers.
+pub struct Sample {
+    /// The right answer; `None` if there is nothing.
+    pub right: Option<Vec<Part>>,
+    /// The answer that was given.
+    pub given: Option<Vec<Part>>,
+    /// How far each part may be off, in its own unit.
+    slack: Vec<f64>,
+    /// Numbers that belong to the question.
+    pub quantities: Vec<Quantity>,
+    /// Other answers than the right one, by name.
+    pub others: Vec<(&'static str, Option<Vec<Part>>)>,
+    /// The conditions on the question and the right answer.
+    pub conditions: Vec<Condition>,
+    /// The conditions on the question and the answer that was given.
+    pub conditions_given: Vec<Condition>,
+    /// Whether laws are fitted to it. They are tested on the others.
+    pub fits: bool,
+}
+
+/// Values that agree to this share of themselves are the same, computed in another order or
+/// rounded to 32 bits.
+const SAME: f64 = 2e-5;
+
+/// All questions of some films that were answered and are not exempt.
+pub fn samples(films: &[Asked<'_>]) -> Vec<Sample> {
+    let of_film = |film: &Asked<'_>| {
+        let answered = film.answers.iter().enumerate();
+        let samples = answered.filter_map(|(index, given)| film.sample(index, given.as_ref()?));
+        samples.collect::<Vec<_>>()
+    };
+    films.iter().flat_map(of_film).collect()
+}
+
+impl Asked<'_> {
+    fn sample(&self, index: usize, given: &Answer) -> Option<Sample> {
+        let Asked {
+            questions, golden, ..
+        } = self;
+        if golden.is_exempt(index) {
+            return None;
+        }
+        let expected = questions.expected(golden.film(), index);
+        let parts = |answer: &Answer| questions.parts(index, answer);
+        let right = parts(&expected);
+        let others = questions.others(index, &expected).into_iter();
+        let slack = |part: &Part| {
+            let samples = part.channels.iter();
+            let tolerances = samples.filter_map(|name| golden.tolerance().channel(name));
+            let widest = tolerances.map(|all| f64::from(all[index]));
+            match part.is_object() {
+                // An id is a name: another id is never nearly right.
+                true => 0.0,
+                false => 2.0 * widest.fold(0.0, f64::max) / part.scale,
+            }
+        };
+        Some(Sample {
+            slack: right.iter().flatten().map(slack).collect(),
+            given: parts(given),
+            quantities: questions.quantities(index, &expected),
+            others: others.map(|(name, other)| (name, parts(&other))).collect(),
+            conditions: questions.conditions(index, &expected),
+            conditions_given: questions.conditions(index, given),
+            // Scatter the samples, because neighbours in a film may be alike (Knuth,
+            // vol. 3, §6.4).
+            fits: (index as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 63 == 0,
+            right,
+        })
+    }
+}
+
+impl Sample {
+    /// Both answers' values of a part, if both have it.
+    pub fn both(&self, part: usize) -> Option<(&[f64], &[f64])> {
+        let (right, given) = (self.right.as_ref()?, self.given.as_ref()?);
+        Some((&right.get(part)?.values, &given.get(part)?.values))
+    }
+
+    /// How far a value may be from `value` and be the same, if it was made of the right one
+    /// by stretching it so many times.
+    pub fn allowed(&self, part: usize, value: f64, stretch: f64) -> f64 {
+        self.slack[part] * stretch.abs().max(1.0) + SAME * value.abs()
+    }
+
+    /// Whether a part that both have is right.
+    pub fn is_right(&self, part: usize) -> bool {
+        let Some((right, given)) = self.both(part) else {
+            return false;
+        };
+        // A small component of a large vector is as uncertain as the large ones.
+        let size = right
+            .iter()
+            .fold(0.0_f64, |size, value| size.max(value.abs()));
+        let mut pairs = right.iter().zip(given);
+        pairs.all(|(right, given)| {
+            !right.is_finite() || (given - right).abs() <= self.allowed(part, size, 1.0)
+        })
+    }
+
+    /// Whether it is about the same thing as the right answer: where another object is hit,
+    /// everything else is another's too.
+    pub fn is_same_object(&self) -> bool {
+        let parts = self.right.iter().flatten().enumerate();
+        let mut objects = parts.filter(|(_, part)| part.is_object());
+        objects.all(|(part, _)| self.is_right(part))
+    }
+}
+
+impl Sample {
+    /// Whether a part says which object is hit.
+    pub fn is_object(&self, part: usize) -> bool {
+        let described = self.right.as_ref().and_then(|parts| parts.get(part));
+        described.is_some_and(Part::is_object)
+    }
+}

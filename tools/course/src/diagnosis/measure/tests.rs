@@ -1,0 +1,176 @@
+use glam::DVec3;
+use pinhole::film::{Channel, HIT_CHANNELS};
+use pinhole::judge::Golden;
+use pinhole::kind::{Answer, Questions, ShapeQuestion};
+use pinhole::{Film, Hit, Intersection, Plane, Ray, Resolution, Shape};
+
+use super::*;
+
+const COUNT: usize = 200;
+
+/// A number between 0 and 1, the same each time (the golden ratio's fractional parts).
+fn random(index: usize, stream: usize) -> f64 {
+    ((index * 7 + stream * 13 + 1) as f64 * 0.618_033_988_749).fract()
+}
+
+/// A ray to a plane of unit normal, from either side, of any direction.
+fn question(index: usize) -> ShapeQuestion {
+    let side = if random(index, 0) < 0.3 { -1.0 } else { 1.0 };
+    let along = DVec3::new(random(index, 1), random(index, 2), -side);
+    ShapeQuestion {
+        shape: Shape::Plane(Plane {
+            point: DVec3::ZERO,
+            normal: DVec3::Z * (1.0 + random(index, 5)),
+        }),
+        ray: Ray {
+            origin: DVec3::Z * side * (1.0 + random(index, 3)),
+            direction: along * (0.5 + 4.0 * random(index, 4)),
+        },
+        min_t: 0.0,
+    }
+}
+
+fn right(question: &ShapeQuestion) -> Intersection {
+    Intersection {
+        t: -question.ray.origin.z / question.ray.direction.z,
+        normal: DVec3::Z,
+    }
+}
+
+fn hit(intersection: Intersection) -> Option<Hit> {
+    let object = 0;
+    Some(Hit {
+        object,
+        intersection,
+    })
+}
+
+/// What is said of answers, and whether it holds for other questions.
+fn said(answer: impl Fn(&ShapeQuestion, Intersection) -> Option<Intersection>) -> Vec<String> {
+    let of = |from: usize| {
+        let questions: Vec<ShapeQuestion> = (from..from + COUNT).map(question).collect();
+        let hits: Vec<Option<Hit>> = questions.iter().map(|it| hit(right(it))).collect();
+        let resolution = Resolution { n_x: COUNT, n_y: 1 };
+        let channels = HIT_CHANNELS.map(|name| Channel {
+            name: name.into(),
+            samples: vec![1e-5; COUNT],
+        });
+        let tolerance = Film::new(resolution, channels.into());
+        let golden = Golden::new(Film::of_hits(resolution, &hits), tolerance);
+        let given = |it: &ShapeQuestion| Some(Answer::Hit(answer(it, right(it)).and_then(hit)));
+        let answers: Vec<Option<Answer>> = questions.iter().map(given).collect();
+        (
+            Questions::Intersect(questions),
+            answers,
+            golden.expect("they belong together"),
+        )
+    };
+    let (public, fresh) = (of(0), of(1000));
+    let asked = |(questions, answers, golden): &'_ (Questions, Vec<Option<Answer>>, Golden)| {
+        measure(&[Asked {
+            questions,
+            answers,
+            golden,
+        }])
+    };
+    let measured = asked(&public);
+    let (questions, answers, golden) = &fresh;
+    for measured in &measured {
+        let says = &measured.finding.says;
+        assert!(
+            measured.holds(&[Asked {
+                questions,
+                answers,
+                golden
+            }]),
+            "{says}"
+        );
+    }
+    measured.into_iter().map(|it| it.finding.says).collect()
+}
+
+#[test]
+fn right_answers_get_no_sentence() {
+    assert_eq!(said(|_, right| Some(right)), Vec::<String>::new());
+}
+
+#[test]
+fn a_t_that_is_a_distance_is_multiplied_by_the_directions_length() {
+    let said = said(|question, right| {
+        let t = right.t * question.ray.direction.length();
+        Some(Intersection { t, ..right })
+    });
+    let law = "t is multiplied by |d|, in all 200 hits.";
+    assert_eq!(said, [law, "The normal is right in every hit."]);
+}
+
+#[test]
+fn missed_side_is_described_by_its_condition() {
+    let said = said(|question, right| (question.ray.origin.z > 0.0).then_some(right));
+    let place = "exactly those where d · n > 0 (met from behind).";
+    assert!(
+        said[0].starts_with("You miss") && said[0].ends_with(place),
+        "{said:?}"
+    );
+}
+
+#[test]
+fn a_normal_turned_on_one_side_says_where_and_how() {
+    let said = said(|question, right| {
+        let normal = right.normal * question.ray.origin.z.signum();
+        Some(Intersection { normal, ..right })
+    });
+    assert!(
+        said[0].starts_with("The normal has the opposite sign, in "),
+        "{said:?}"
+    );
+    assert!(said[0].contains("exactly where d · n > 0"), "{said:?}");
+}
+
+#[test]
+fn a_normal_of_another_length_says_which() {
+    let said = said(|question, right| {
+        let Shape::Plane(plane) = &question.shape else {
+            return None;
+        };
+        let normal = plane.normal;
+        Some(Intersection { normal, ..right })
+    });
+    assert_eq!(said[0], "The normal is multiplied by |n|, in all 200 hits.");
+}
+
+#[test]
+fn noise_gets_no_law() {
+    let said = said(|question, right| {
+        let t = right.t + question.ray.direction.x.sin() * question.ray.origin.z.cos();
+        Some(Intersection { t, ..right })
+    });
+    assert!(said[0].starts_with("t is wrong in "), "{said:?}");
+}
+
+#[test]
+fn a_fixed_bound_is_told_with_its_number() {
+    let said = said(|question, right| {
+        let Shape::Plane(plane) = &question.shape else {
+            return None;
+        };
+        let along = question.ray.direction.dot(plane.normal).abs();
+        (along >= 1.0).then_some(right)
+    });
+    let place = "exactly those where |d · n| is less than 1.";
+    assert!(said[0].ends_with(place), "{said:?}");
+}
+
+#[test]
+fn single_precision_is_recognised_by_the_numbers_themselves() {
+    let said = said(|_, right| {
+        let t = f64::from((right.t * 1.5) as f32);
+        Some(Intersection { t, ..right })
+    });
+    assert!(said[0].starts_with("t has single precision"), "{said:?}");
+    let other = self::said(|_, right| {
+        let t = right.t * 1.5;
+        Some(Intersection { t, ..right })
+    });
+    assert!(!other[0].contains("f32"), "{other:?}");
+}

@@ -1,0 +1,158 @@
+//! Puts measurements into sentences.
+
+use pinhole::words::number;
+
+use super::law::{Law, PartLaw};
+use super::rule::{Literal, Of, Rule, conditions};
+use super::sample::Sample;
+
+/// Significant digits of a measured number.
+const DIGITS: usize = 4;
+
+/// A part's law, as it follows the part's name: "is divided by |d|".
+pub fn law(law: &PartLaw, part: usize, sample: &Sample) -> String {
+    let described = sample.right.as_ref().map(|parts| &parts[part]);
+    let (unit, axes) = described.map_or(("", &[][..]), |part| (part.unit, part.axes));
+    match law {
+        PartLaw::Whole(law) => one(*law, sample, unit, axes),
+        PartLaw::Length(Law::Always(length)) => format!("has length {}", number(*length, DIGITS)),
+        PartLaw::Length(Law::Quantity(by, k)) => {
+            format!(
+                "has the length {}",
+                times(*by, sample.quantities[*k].name, 1)
+            )
+        }
+        PartLaw::Length(law) => format!("has a length that {}", one(*law, sample, unit, axes)),
+        PartLaw::Axes(laws) => {
+            let told = laws.iter().zip(axes).filter_map(|(law, axis)| {
+                let said = one((*law)?, sample, unit, axes);
+                Some(format!("along {axis} {said}"))
+            });
+            let right = laws.iter().zip(axes).filter(|(law, _)| law.is_none());
+            let right: Vec<&str> = right.map(|(_, axis)| *axis).collect();
+            let told = list(told.collect());
+            match right.is_empty() {
+                true => told,
+                false => format!("{told}, and is right along {}", right.join(" and ")),
+            }
+        }
+    }
+}
+
+fn one(law: Law, sample: &Sample, unit: &str, axes: &[&str]) -> String {
+    let name = |k: usize| sample.quantities[k].name;
+    let measured = |by: f64, what: String| match by < 0.0 {
+        true => format!("is {what} too small"),
+        false => format!("is {what} too large"),
+    };
+    match law {
+        Law::Times(-1.0) => "has the opposite sign".into(),
+        Law::Times(by) => format!("is {} times what it should be", number(by, DIGITS)),
+        Law::TimesQuantity(by, k, power) if power < 0 => {
+            let factor = times(1.0, name(k), -power);
+            let multiplied = match by == 1.0 {
+                true => String::new(),
+                false => format!("multiplied by {} and ", number(by, DIGITS)),
+            };
+            format!("is {multiplied}divided by {factor}")
+        }
+        Law::TimesQuantity(by, k, power) => {
+            format!("is multiplied by {}", times(by, name(k), power))
+        }
+        Law::Plus(by) => measured(by, counted(by, unit)),
+        Law::PlusQuantity(by, k, power) if power < 0 => {
+            let below = times(1.0, name(k), -power);
+            measured(
+                by,
+                format!("{} / ({below}){unit}", number(by.abs(), DIGITS)),
+            )
+        }
+        Law::PlusQuantity(by, k, power) => {
+            measured(by, format!("{}{unit}", times(by.abs(), name(k), power)))
+        }
+        Law::Always(it) => format!("is always {}", number(it, DIGITS)),
+        Law::Quantity(by, k) => format!("is {}", times(by, name(k), 1)),
+        Law::Affine(more, by, factor) => {
+            let shifted = measured(more, counted(more, unit));
+            let stretched = match factor {
+                Some((k, power)) => one(Law::TimesQuantity(by, k, power), sample, unit, axes),
+                None => one(Law::Times(by), sample, unit, axes),
+            };
+            format!("{shifted} and then {}", stretched.trim_start_matches("is "))
+        }
+        Law::PlusBoth(more, by, k) => {
+            let quantity = times(by.abs(), name(k), 1);
+            let constant = measured(more, counted(more, unit));
+            let sign = if by < 0.0 { "small" } else { "large" };
+            format!("{constant} and {quantity}{unit} too {sign}")
+        }
+        Law::Other(k) => format!("is {}", sample.others[k].0),
+        Law::Axis(by, axis) => {
+            let axis = axes[axis];
+            match by {
+                1.0 => format!("is what it should be along {axis}"),
+                -1.0 => format!("is what it should be along {axis}, with the opposite sign"),
+                by => format!(
+                    "is {} times what it should be along {axis}",
+                    number(by, DIGITS)
+                ),
+            }
+        }
+    }
+}
+
+/// "1 pixel", "0.5 pixels".
+fn counted(by: f64, unit: &str) -> String {
+    let unit = match by.abs() == 1.0 {
+        true => unit.trim_end_matches('s'),
+        false => unit,
+    };
+    format!("{}{unit}", number(by.abs(), DIGITS))
+}
+
+/// "2 · |d|²".
+fn times(by: f64, name: &str, power: i32) -> String {
+    let name = match power {
+        1 => name.to_owned(),
+        _ if name.contains(' ') => format!("({name})²"),
+        _ => format!("{name}²"),
+    };
+    match by {
+        1.0 => name,
+        by => format!("{} · {name}", number(by, DIGITS)),
+    }
+}
+
+/// A rule, as it follows "where".
+pub fn rule(rule: &Rule, sample: &Sample) -> String {
+    let literal = |literal: &Literal| match literal {
+        Literal::Holds(of, k, so) => {
+            let condition = conditions(sample, *of)[*k];
+            let name = match so {
+                true => condition.name,
+                false => condition.otherwise,
+            };
+            match (of, name.strip_prefix("t ")) {
+                (Of::Given, Some(rest)) => format!("your t {rest}"),
+                _ => name.to_owned(),
+            }
+        }
+        Literal::Below(k, bound) => bounded(sample, *k, "less", *bound),
+        Literal::Above(k, bound) => bounded(sample, *k, "more", *bound),
+    };
+    list(rule.literals.iter().map(literal).collect())
+}
+
+fn bounded(sample: &Sample, k: usize, than: &str, bound: f64) -> String {
+    let name = sample.quantities[k].name;
+    format!("{name} is {than} than {}", number(bound, DIGITS))
+}
+
+/// "a, b and c".
+pub fn list(words: Vec<String>) -> String {
+    match words.as_slice() {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}

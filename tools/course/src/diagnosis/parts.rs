@@ -1,0 +1,203 @@
+//! How well a known mistake agrees with a film part by part: objects, t, the normal, and its
+//! length. Parts matter because another part may be wrong by a second mistake.
+
+use super::evidence::Evidence;
+use super::fingerprint::{FilmComparison, Fingerprint};
+
+/// A mistake compared with one part of a film, in pixels.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PartAgreement {
+    /// How many the mistake gets wrong, of those where the film lets us see it.
+    pub predicted: f64,
+    /// How many of these are wrong in the mistake's own way.
+    pub shared: f64,
+    /// How many of these are right.
+    pub absent: f64,
+}
+
+impl PartAgreement {
+    /// Part by part, as the film has them.
+    pub fn of(film: &FilmComparison<'_>, print: &Fingerprint) -> Vec<PartAgreement> {
+        let weight = print.failing as f64 / print.sample.len().max(1) as f64;
+        let of_part = |part: usize| {
+            let mut agreement = PartAgreement::default();
+            for witness in print.sample.iter().filter(|it| film.shows_part(part, it)) {
+                agreement.predicted += weight;
+                match film.is_part_wrong(part, witness.pixel) {
+                    false => agreement.absent += weight,
+                    true if film.is_part_same(part, witness) => agreement.shared += weight,
+                    true => {}
+                }
+            }
+            agreement
+        };
+        (0..film.parts()).map(of_part).collect()
+    }
+}
+
+/// A part counts as explained in a film from this agreement on.
+const ENOUGH: f64 = 0.9;
+
+/// Two beliefs hide some of each other.
+const ENOUGH_TOGETHER: f64 = 0.85;
+
+/// Fewer pixels than this share of a film are no evidence for or against a belief.
+const FEW: f64 = 0.015;
+
+/// Nor is a part that fewer pixels than this spoil in all films together.
+const LEAST: f64 = 24.0;
+
+/// Whether these beliefs together are what is wrong in a part of a film.
+fn explains(film: &Evidence, part: usize, beliefs: &[&str], enough: f64) -> bool {
+    let failing = film.failing_parts.get(part).copied().unwrap_or(0.0);
+    let (mut shared, mut absent) = (0.0, 0.0);
+    for belief in beliefs {
+        let agreement = film.part(belief, part);
+        shared += agreement.shared;
+        absent += agreement.absent;
+    }
+    let few = FEW * film.pixels as f64;
+    let apart = failing - shared.min(failing) + absent;
+    apart <= few || shared.min(failing) >= enough * (failing + absent)
+}
+
+/// How many pixels a belief spoils in a part, in all films.
+fn predicted(films: &[Evidence], part: usize, belief: &str) -> f64 {
+    films
+        .iter()
+        .map(|film| film.part(belief, part).predicted)
+        .sum()
+}
+
+/// Whether a belief explains all errors in some part of every film, and no other part
+/// contradicts it.
+fn holds_a_part(films: &[Evidence], parts: usize, belief: &str) -> bool {
+    let is_whole = |part: usize| {
+        films
+            .iter()
+            .all(|film| explains(film, part, &[belief], ENOUGH))
+    };
+    let spoiled = (0..parts).filter(|part| predicted(films, *part, belief) > 0.0);
+    let (mut whole, mut denied) = (false, false);
+    for part in spoiled {
+        match is_whole(part) {
+            true => whole |= predicted(films, part, belief) >= LEAST,
+            // Another mistake may have changed the value again.
+            false => denied |= !is_touched(films, part, belief),
+        }
+    }
+    whole && !denied
+}
+
+/// Whether a part is wrong wherever a belief says so, in whatever way.
+fn is_touched(films: &[Evidence], part: usize, belief: &str) -> bool {
+    films.iter().all(|film| {
+        let agreement = film.part(belief, part);
+        agreement.absent <= (1.0 - ENOUGH) * agreement.predicted + FEW * film.pixels as f64
+    })
+}
+
+/// Beliefs that explain whole parts of the films: two that together explain every part, or
+/// one. None if several do and the films can't tell them apart.
+pub fn partial<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<Vec<&'a str>> {
+    // One film is not enough to tell two beliefs apart.
+    if films.len() < 2 {
+        return None;
+    }
+    let parts = films.iter().map(|film| film.failing_parts.len()).max()?;
+    // A film that panicked has no parts.
+    if films.iter().any(|film| film.failing_parts.len() < parts) {
+        return None;
+    }
+    let panics = |belief: &str| {
+        let mut shown = films.iter().filter_map(|film| film.agreements.get(belief));
+        shown.any(|agreement| agreement.parts.is_empty())
+    };
+    let shows = |belief: &str| {
+        !panics(belief) && (0..parts).any(|part| predicted(films, part, belief) >= LEAST)
+    };
+    let shown: Vec<&'a str> = candidates.iter().copied().filter(|it| shows(it)).collect();
+    let mut pairs: Vec<([&'a str; 2], f64)> = Vec::new();
+    for (k, one) in shown.iter().enumerate() {
+        for other in &shown[k + 1..] {
+            if explain_all(films, parts, one, other) {
+                pairs.push(([*one, *other], apart(films, parts, &[one, other])));
+            }
+        }
+    }
+    pairs.sort_by(|(_, a), (_, b)| a.total_cmp(b));
+    if let [(best, _)] = pairs.as_slice() {
+        return Some(best.to_vec());
+    }
+    if let [(best, least), (_, next), ..] = pairs.as_slice()
+        && *next > 2.0 * least + LEAST
+    {
+        return Some(best.to_vec());
+    }
+    // A belief that all likely pairs share is likely.
+    if let [(best, least), ..] = pairs.as_slice() {
+        let likely = pairs
+            .iter()
+            .filter(|(_, apart)| *apart <= 2.0 * least + LEAST);
+        let common = best
+            .iter()
+            .find(|belief| likely.clone().all(|(pair, _)| pair.contains(belief)));
+        return common.map(|belief| vec![*belief]);
+    }
+    let held: Vec<&'a str> = shown
+        .into_iter()
+        .filter(|belief| holds_a_part(films, parts, belief))
+        .collect();
+    match held.as_slice() {
+        [one] => Some(vec![*one]),
+        _ => None,
+    }
+}
+
+/// Whether two beliefs explain every part of every film, and neither does alone.
+fn explain_all(films: &[Evidence], parts: usize, one: &str, other: &str) -> bool {
+    let both = [one, other];
+    let is_explained = |part: usize, beliefs: &[&str]| {
+        let mut all = films.iter();
+        all.all(|film| explains(film, part, beliefs, ENOUGH_TOGETHER))
+    };
+    let mut needs = [false, false];
+    let mut explained = false;
+    for part in 0..parts {
+        let failing: f64 = films
+            .iter()
+            .filter_map(|film| film.failing_parts.get(part))
+            .sum();
+        let spoils = both.map(|belief| predicted(films, part, belief) >= LEAST);
+        if failing == 0.0 && spoils == [false, false] {
+            continue;
+        }
+        if is_explained(part, &both) {
+            explained = true;
+            needs[0] |= spoils[0] && !is_explained(part, &[other]);
+            needs[1] |= spoils[1] && !is_explained(part, &[one]);
+        } else if !(spoils == [true, true]
+            && is_touched(films, part, one)
+            && is_touched(films, part, other))
+        {
+            return false;
+        }
+    }
+    explained && needs == [true, true]
+}
+
+/// Errors that only the films have, or that only the beliefs predict.
+fn apart(films: &[Evidence], parts: usize, beliefs: &[&str]) -> f64 {
+    let mut sum = 0.0;
+    for film in films {
+        for part in 0..parts.min(film.failing_parts.len()) {
+            let agreements = beliefs.iter().map(|belief| film.part(belief, part));
+            let (shared, absent) = agreements.fold((0.0, 0.0), |(shared, absent), it| {
+                (shared + it.shared, absent + it.absent)
+            });
+            let failing = film.failing_parts[part];
+            sum += failing - f64::min(shared, failing) + absent;
+        }
+    }
+    sum
+}

@@ -1,0 +1,59 @@
+//! Starts cargo, rustc and git away from the current folder.
+//!
+//! All three obey files of the folder they are started in: `rust-toolchain.toml` can name any
+//! program as the compiler, and the settings of cargo and git any program to run. The current
+//! folder may be a student's, so they are started in one of ours, and by their whole path.
+
+use std::env;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// `cargo` or `rustc`, started in `folder`, which is to be ours: the one that cargo names in
+/// the environment of what it runs, or else the first in `PATH`.
+pub fn rust_tool(name: &str, folder: &Path) -> Command {
+    let named = env::var_os(name.to_uppercase()).map(PathBuf::from);
+    match named.filter(|program| program.is_absolute()) {
+        Some(program) => in_folder(program, folder),
+        None => tool(name, folder),
+    }
+}
+
+/// The first program of this name in `PATH`, started in `folder`, which is to be ours.
+pub fn tool(name: &str, folder: &Path) -> Command {
+    let path = env::var_os("PATH").unwrap_or_default();
+    in_folder(in_path(&path, name).unwrap_or(name.into()), folder)
+}
+
+fn in_folder(program: PathBuf, folder: &Path) -> Command {
+    let mut command = Command::new(program);
+    command.current_dir(folder);
+    command
+}
+
+/// A program in a search path. Relative folders in it are passed over, since they would be the
+/// current folder's.
+fn in_path(path: &OsStr, name: &str) -> Option<PathBuf> {
+    let name = format!("{name}{}", env::consts::EXE_SUFFIX);
+    env::split_paths(path)
+        .filter(|folder| Path::is_absolute(folder))
+        .map(|folder| folder.join(&name))
+        .find(|program| program.is_file())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn program_of_the_current_folder_is_never_found() {
+        let here = env::current_dir().unwrap();
+        let folder = tempfile::tempdir_in(&here).unwrap();
+        let file = format!("tool{}", env::consts::EXE_SUFFIX);
+        std::fs::write(folder.path().join(&file), "").unwrap();
+        let relative = folder.path().strip_prefix(&here).unwrap();
+        assert_eq!(in_path(relative.as_os_str(), "tool"), None);
+        let both = env::join_paths([relative, folder.path()]).unwrap();
+        assert_eq!(in_path(&both, "tool"), Some(folder.path().join(file)));
+    }
+}

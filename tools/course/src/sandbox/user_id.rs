@@ -1,0 +1,128 @@
+//! User ids for foreign code: no two runs on a machine share one, so that none can signal
+//! another or use up its processes.
+//!
+//! An id belongs to whoever holds the lock on its file in `/run/pinhole`. The kernel lets go of
+//! a lock when its holder ends, however it ends.
+
+use std::fs::{DirBuilder, File, OpenOptions, Permissions, TryLockError};
+use std::io;
+use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt, PermissionsExt};
+use std::path::Path;
+use std::sync::Arc;
+
+use super::tree;
+use crate::error::{Error, Result, ResultExt};
+
+/// One user id, reserved until its last clone is dropped.
+#[derive(Clone, Debug)]
+pub struct UserId {
+    number: u32,
+    _lock: Arc<File>,
+}
+
+/// Ids that no distribution gives to people, services or containers, and that a container has
+/// whose own ids end at 65535. From 61184 on, systemd gives them to services.
+const FIRST: u32 = 60_706;
+const LAST: u32 = 61_183;
+
+/// For all graders of this machine. Only root may write there.
+const LOCKS: &str = "/run/pinhole";
+
+impl UserId {
+    /// An id that nobody else has.
+    ///
+    /// # Errors
+    /// If the locks can't be written, or all ids are taken.
+    pub fn reserve() -> Result<UserId> {
+        let id = UserId::reserve_in(Path::new(LOCKS), FIRST..=LAST)?;
+        // Of a grader that was killed: its lock is gone, and its code may still run.
+        tree::end_all_of(id.number);
+        Ok(id)
+    }
+
+    fn reserve_in(locks: &Path, mut ids: impl Iterator<Item = u32>) -> Result<UserId> {
+        let failed = Error::environment(
+            format!("cannot reserve a user id in {}", locks.display()),
+            "let root write there: foreign code gets a user id of its own",
+        );
+        let mut folder = DirBuilder::new();
+        folder
+            .mode(0o700)
+            .recursive(true)
+            .create(locks)
+            .or_fail(&failed)?;
+        std::fs::set_permissions(locks, Permissions::from_mode(0o700)).or_fail(&failed)?;
+        ids.find_map(|number| lock(locks, number).transpose())
+            .transpose()
+            .or_fail(&failed)?
+            .ok_or_else(|| {
+                Error::environment(
+                    "all user ids for foreign code are taken",
+                    "wait until another grader on this machine has ended, or use fewer --jobs",
+                )
+            })
+    }
+
+    /// The id.
+    pub fn number(&self) -> u32 {
+        self.number
+    }
+}
+
+/// `None` if somebody else has it.
+fn lock(locks: &Path, number: u32) -> io::Result<Option<UserId>> {
+    // Closed in the programs that we start, or they would hold the lock too.
+    let mut options = OpenOptions::new();
+    options.write(true).create(true).truncate(false).mode(0o600);
+    let file = options.open(locks.join(number.to_string()))?;
+    match file.try_lock() {
+        Ok(()) => Ok(Some(UserId {
+            number,
+            _lock: Arc::new(file),
+        })),
+        Err(TryLockError::WouldBlock) => Ok(None),
+        Err(TryLockError::Error(error)) => Err(error),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nobody_gets_an_id_that_somebody_has_and_ids_are_given_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let locks = folder.path().join("locks");
+        let reserve = || UserId::reserve_in(&locks, 7..=8);
+        let (first, second) = (reserve().unwrap(), reserve().unwrap());
+        assert_eq!((first.number(), second.number()), (7, 8));
+        let refused = reserve().unwrap_err();
+        assert!(refused.problem.contains("taken"), "{refused}");
+        let clone = first.clone();
+        drop(first);
+        assert!(reserve().is_err(), "a clone holds it");
+        drop(clone);
+        assert_eq!(reserve().unwrap().number(), 7);
+    }
+
+    #[test]
+    fn a_lock_is_another_processs_too() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut flock = std::process::Command::new("flock");
+        flock.arg(folder.path().join("7")).args(["cat"]);
+        let other = flock
+            .stdin(std::process::Stdio::piped())
+            .stdout(std::process::Stdio::piped());
+        let mut other = other.spawn().expect("there is `flock`");
+        // It has the lock when `cat` answers.
+        use io::{Read, Write};
+        let mut stdin = other.stdin.take().unwrap();
+        stdin.write_all(b"x").unwrap();
+        other.stdout.take().unwrap().read_exact(&mut [0]).unwrap();
+        let reserve = || UserId::reserve_in(folder.path(), 7..=8).unwrap().number();
+        assert_eq!(reserve(), 8);
+        drop(stdin);
+        other.wait().unwrap();
+        assert_eq!(reserve(), 7);
+    }
+}

@@ -1,0 +1,160 @@
+//! The attributes and macros that an answer may use. All others are refused before anything is
+//! compiled: they can hold machine code, name linker sections, or make the compiler read files.
+//!
+//! A list of what is allowed, because nobody knows all that a new compiler adds. It holds only
+//! if a name means what it says, so answers define no macros, rename nothing to a name on the
+//! list, and use no raw names. The sandbox relies on none of this.
+
+use super::tokens::{PATH, Token, tokens};
+
+/// Each expands to code that any function could hold.
+const MACROS: [&str; 29] = [
+    "assert",
+    "assert_eq",
+    "assert_ne",
+    "cfg",
+    "column",
+    "concat",
+    "dbg",
+    "debug_assert",
+    "debug_assert_eq",
+    "debug_assert_ne",
+    "eprint",
+    "eprintln",
+    "file",
+    "format",
+    "format_args",
+    "line",
+    "matches",
+    "module_path",
+    "panic",
+    "print",
+    "println",
+    "stringify",
+    "thread_local",
+    "todo",
+    "unimplemented",
+    "unreachable",
+    "vec",
+    "write",
+    "writeln",
+];
+
+/// None names a file, a symbol or a section.
+const ATTRIBUTES: [&str; 21] = [
+    "allow",
+    "cfg",
+    "cold",
+    "default",
+    "deny",
+    "deprecated",
+    "derive",
+    "doc",
+    "expect",
+    "forbid",
+    "ignore",
+    "inline",
+    "must_use",
+    "non_exhaustive",
+    "repr",
+    "rustfmt",
+    "should_panic",
+    "test",
+    "track_caller",
+    "warn",
+    "clippy",
+];
+
+/// No macro can have one of these names, so `return !(a && b)` calls none.
+const KEYWORDS: [&str; 39] = [
+    "Self", "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum",
+    "extern", "false", "fn", "for", "if", "impl", "in", "let", "loop", "match", "mod", "move",
+    "mut", "pub", "ref", "return", "self", "static", "struct", "super", "trait", "true", "type",
+    "unsafe", "use", "where", "while", "yield",
+];
+
+/// What came of looking through a text.
+#[derive(Debug, PartialEq)]
+pub enum Verdict {
+    /// It uses nothing else.
+    Allowed,
+    /// What it must not use, in the compiler's way of putting it.
+    Refused(String),
+    /// We can't tell its tokens apart, so it counts only if the compiler can't either.
+    NotTokens,
+}
+
+/// Looks through the answer to a task.
+pub fn verdict(task: &str, text: &str) -> Verdict {
+    let refused = |what: &str, line: usize, remedy: &str| {
+        Verdict::Refused(format!(
+            "error: {what} is not allowed in an answer\n --> src/{task}.rs:{line}\n  = help: {remedy}\n"
+        ))
+    };
+    let bare = text.trim_start_matches('\u{feff}');
+    // The compiler skips such a line, and a comment that begins in it.
+    if bare.starts_with("#!") && !bare.starts_with("#![") {
+        return refused("a first line that begins with `#!`", 1, "remove this line");
+    }
+    let Ok(tokens) = tokens(text) else {
+        return Verdict::NotTokens;
+    };
+    for at in 0..tokens.len() {
+        if let Some((what, remedy)) = finding(&tokens[at..]) {
+            return refused(&what, tokens[at].1, remedy);
+        }
+    }
+    Verdict::Allowed
+}
+
+/// What is wrong with the beginning of these tokens, and what helps.
+fn finding(tokens: &[(Token, usize)]) -> Option<(String, &'static str)> {
+    let token = |at: usize| tokens.get(at).map(|(token, _)| token);
+    let is = |at: usize, mark: char| token(at) == Some(&Token::Mark(mark));
+    match token(0)? {
+        Token::Word(word) if word.starts_with("r#") => {
+            Some((format!("`{word}`"), "use a name without `r#`"))
+        }
+        Token::Word(word) if word == "as" => match token(1) {
+            Some(Token::Word(new)) if is_listed(new) => Some((
+                format!("another meaning of `{new}`"),
+                "use another name after `as`",
+            )),
+            _ => None,
+        },
+        Token::Word(word) if KEYWORDS.contains(&word.as_str()) => None,
+        Token::Word(word) if is(1, '!') && opens(token(2)) && !contains(&MACROS, word) => {
+            let remedy = match word.as_str() {
+                "macro_rules" => "write a function in its place",
+                _ => "use functions and the macros of an ordinary answer, such as `assert!`",
+            };
+            Some((format!("`{word}!`"), remedy))
+        }
+        Token::Mark('#') => {
+            let name = 2 + usize::from(is(1, '!'));
+            let word = match token(name) {
+                Some(Token::Word(word)) if is(name - 1, '[') => word,
+                _ => return Some(("`#`".into(), "remove it")),
+            };
+            let is_tool = ["clippy", "rustfmt"].contains(&word.as_str());
+            let is_allowed = contains(&ATTRIBUTES, word) && is(name + 1, PATH) == is_tool;
+            (!is_allowed).then(|| (format!("`#[{word}]`"), "remove the attribute"))
+        }
+        _ => None,
+    }
+}
+
+fn opens(token: Option<&Token>) -> bool {
+    matches!(token, Some(Token::Word(_) | Token::Mark('(' | '[' | '{')))
+}
+
+fn is_listed(word: &str) -> bool {
+    contains(&MACROS, word) || contains(&ATTRIBUTES, word)
+}
+
+fn contains(list: &[&str], word: &str) -> bool {
+    list.contains(&word)
+}
+
+#[cfg(test)]
+mod tests;

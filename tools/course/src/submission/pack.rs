@@ -1,0 +1,73 @@
+//! A ZIP file to hand in, of the answers and nothing else.
+
+use std::fs;
+use std::io::{Cursor, Write};
+use std::path::Path;
+
+use zip::ZipWriter;
+use zip::write::SimpleFileOptions;
+
+use super::Submission;
+use crate::assignment::Assignment;
+use crate::error::{Error, Result, ResultExt};
+
+impl Submission {
+    /// Writes its answers to a ZIP file, and gives their number. A file that is there already
+    /// is replaced only if it holds answers, as an earlier one does.
+    ///
+    /// # Errors
+    /// If there is something else, or the file cannot be written.
+    pub fn pack(&self, path: &Path, assignment: &Assignment) -> Result<usize> {
+        let is_there = path.symlink_metadata().is_ok();
+        let is_ours = || path.is_file() && Submission::find(path, assignment).is_ok();
+        if is_there && !is_ours() {
+            return Err(Error::input(
+                format!("{} is there already, and holds no answers", path.display()),
+                "name another file with --pack",
+            ));
+        }
+        let failed = Error::input(
+            format!("cannot write {}", path.display()),
+            "name a file in a folder you may write to",
+        );
+        let answers = self.answers.iter();
+        let answers: Vec<(&str, &String)> = answers
+            .filter_map(|answer| Some((answer.task.as_str(), answer.text.as_ref().ok()?)))
+            .collect();
+        let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+        for (task, text) in &answers {
+            zip.start_file(format!("{task}.rs"), SimpleFileOptions::default())
+                .or_fail(&failed)?;
+            zip.write_all(text.as_bytes()).or_fail(&failed)?;
+        }
+        let bytes = zip.finish().or_fail(&failed)?.into_inner();
+        fs::write(path, bytes).or_fail(&failed)?;
+        Ok(answers.len())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checkout::Checkout;
+
+    #[test]
+    fn a_packed_submission_is_found_again_and_nothing_else_is_overwritten() {
+        let checkout = Checkout::find().unwrap();
+        let name = checkout.default_assignment().unwrap();
+        let assignment = Assignment::read(&checkout, &name).unwrap();
+        let submission = Submission::find(&assignment.handout(), &assignment).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let zip = folder.path().join("answers.zip");
+        for _ in 0..2 {
+            let packed = submission.pack(&zip, &assignment).unwrap();
+            assert_eq!(packed, assignment.tasks.len());
+        }
+        let found = Submission::find(&zip, &assignment).unwrap();
+        assert_eq!(found.answers, submission.answers);
+        let notes = folder.path().join("notes.txt");
+        fs::write(&notes, "mine").unwrap();
+        assert!(submission.pack(&notes, &assignment).is_err());
+        assert_eq!(fs::read_to_string(notes).unwrap(), "mine");
+    }
+}

@@ -1,0 +1,128 @@
+//! `pinhole dispute`: everything about one mark, for the lecturer who has to explain it.
+
+use std::path::Path;
+
+use serde_json::json;
+
+use crate::cli::Dispute;
+use crate::grade::cache::standing;
+use crate::grade::class::{ROLL, Roll};
+use crate::grade::evidence::Evidence;
+use crate::grade::record::Record;
+use pinhole_course::error::{Error, Result, ResultExt};
+use pinhole_course::outcome::{GroupOutcome, Outcome, TaskOutcome};
+use pinhole_report::escape::{printable, printable_json};
+use pinhole_report::program::Status;
+use pinhole_report::terminal::{self, FAIL, QUIET, STRONG};
+
+pub fn run(arguments: &Dispute) -> Result<Status> {
+    let id = id_of(&arguments.id, &arguments.out)?;
+    let record = standing(&arguments.out.join("submissions").join(&id)).ok_or_else(|| {
+        Error::input(
+            format!("there is no mark of {id} in {}", arguments.out.display()),
+            "grade it first: cargo pinhole grade … --out DIR",
+        )
+    })?;
+    let evidence = Evidence::read(&arguments.out, &id)?;
+    if arguments.json {
+        let document = json!({ "record": record, "evidence": evidence });
+        let text = serde_json::to_string_pretty(&document)
+            .or_environment("cannot write the result as JSON", "report this")?;
+        anstream::println!("{}", printable_json(&text));
+    } else {
+        anstream::print!("{}", words(&record, &evidence));
+    }
+    Ok(Status::Well)
+}
+
+/// The submission that is meant: by its own id, or by its person's id or name.
+fn id_of(named: &str, out: &Path) -> Result<String> {
+    let roll = Roll::read(&out.join(ROLL))?;
+    let is_meant = |id: &str| {
+        let person = roll.placed.of.get(id);
+        id == named || person.is_some_and(|person| person.id == named || person.name == named)
+    };
+    let ids = roll.entries.iter().map(|entry| entry.id.clone());
+    let found: Vec<String> = ids.filter(|id| is_meant(id)).collect();
+    match &found[..] {
+        [id] => Ok(id.clone()),
+        [] => Err(Error::input(
+            format!("nobody in {} is called {named}", out.display()),
+            "name an id or a name as in grades.csv",
+        )),
+        several => Err(Error::input(
+            format!("{named} could be any of {}", several.join(", ")),
+            "name the folder of one of them in DIR/submissions",
+        )),
+    }
+}
+
+fn words(record: &Record, evidence: &Evidence) -> String {
+    let (id, name) = (printable(&record.id), printable(&record.got.submission));
+    let points = record.got.points.map_or("no mark".into(), |points| {
+        format!("{points} of {} points", record.got.possible)
+    });
+    let made_with = &record.provenance.made_with;
+    let mut text = format!("{STRONG}{id}{STRONG:#}  {points}  {QUIET}{name}{QUIET:#}\n");
+    text += &format!("judged on {}\n", made_with.judged_on);
+    if let (Some(seed), Some(folder)) = (made_with.seed, &evidence.fresh_folder) {
+        let folder = folder.display();
+        text += &format!("fresh questions: {folder}, drawn from {seed}\n");
+    }
+    for task in &record.got.tasks {
+        let failing = failing(&task.name, evidence);
+        if failing.is_empty() {
+            continue;
+        }
+        let (earned, possible) = (task.points, task.possible);
+        text += &format!("\n{FAIL}✗{FAIL:#} {} {earned} / {possible}\n", task.name);
+        for (which, group) in failing {
+            let said = terminal::outcome_of(&group.outcome, "questions");
+            text += &format!("  {} ({which}): {said}\n", group.name);
+            for line in terminal::facts(&group.worst).lines() {
+                text += &format!("      {line}\n");
+            }
+        }
+        if let Some(answer) = evidence.answers.get(&task.name) {
+            text += &format!("  {QUIET}{}.rs as it was handed in{QUIET:#}\n", task.name);
+            for (number, line) in (1..).zip(answer.lines()) {
+                text += &format!("  {QUIET}{number:>4}{QUIET:#} {}\n", printable(line));
+            }
+        }
+    }
+    let scenes = evidence.public.scenes.iter();
+    for scene in scenes.filter(|scene| !scene.outcome.passes()) {
+        let said = terminal::outcome(&scene.outcome);
+        text += &format!("\n{FAIL}✗{FAIL:#} {}: {said}\n", scene.name);
+    }
+    if let Some(most) = record.most_for_scenes {
+        let (earned, possible) = record.scene_points();
+        text +=
+            &format!("\nscenes {earned} / {possible}, at most {most} by the answers behind them\n");
+    }
+    text
+}
+
+/// The groups of a task that fail, and on which questions.
+fn failing<'a>(task: &str, evidence: &'a Evidence) -> Vec<(&'static str, &'a GroupOutcome)> {
+    let of = |outcome: &'a Outcome, which| {
+        let tasks = outcome
+            .tasks
+            .iter()
+            .filter(|own: &&TaskOutcome| own.name == task);
+        let groups = tasks.flat_map(|task| &task.groups);
+        let failing = groups.filter(|group| !group.outcome.passes());
+        failing.map(move |group| (which, group)).collect::<Vec<_>>()
+    };
+    let mut all = of(&evidence.public, "public questions");
+    for (which, group) in evidence
+        .fresh
+        .iter()
+        .flat_map(|it| of(it, "fresh questions"))
+    {
+        if all.iter().all(|(_, public)| public.name != group.name) {
+            all.push((which, group));
+        }
+    }
+    all
+}

@@ -1,0 +1,132 @@
+//! What the instructor should look at before marks go out: missing people, files that were
+//! not taken, ambiguous names. It is the same in the terminal, on the page and in JSON.
+
+use serde::Serialize;
+
+use super::Roll;
+use crate::grade::intake::roster::Person;
+
+/// Things of one sort.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Concern {
+    pub what: &'static str,
+    pub which: Vec<String>,
+    /// Whether somebody may have lost points by it: the exit code is then 1.
+    pub is_grave: bool,
+}
+
+impl Roll {
+    /// All concerns of a class, the gravest first.
+    pub fn concerns(&self) -> Vec<Concern> {
+        let placed = &self.placed;
+        let entries = |of: &dyn Fn(&crate::grade::intake::Entry) -> &Vec<String>| {
+            let with = self.entries.iter().filter(|entry| !of(entry).is_empty());
+            with.map(|entry| format!("{}: {}", self.called(&entry.id), of(entry).join("; ")))
+                .collect::<Vec<_>>()
+        };
+        let people = |people: &[Person]| people.iter().map(in_words).collect();
+        let ambiguous = placed.ambiguous.iter().map(|(id, people)| {
+            let people: Vec<String> = people.iter().map(in_words).collect();
+            format!("{}: perhaps {}", self.called(id), people.join(" or "))
+        });
+        // A policy says which of them counts.
+        let several = placed.several.values().filter(|_| self.policy.is_none());
+        let several = several.map(|ids| ids.join(" and "));
+        let superseded = placed.superseded.iter();
+        let superseded = superseded.map(|(upload, id)| format!("{upload} (graded: {id})"));
+        let all: [(&str, bool, Vec<String>); 9] = [
+            (
+                "answer files missing or refused",
+                true,
+                entries(&|it| &it.unusable),
+            ),
+            ("other files may be meant", true, entries(&|it| &it.doubts)),
+            ("whose it is, is not certain", true, ambiguous.collect()),
+            ("on no roster", true, self.names(&placed.unknown)),
+            (
+                "several submissions by one person, all graded",
+                true,
+                several.collect(),
+            ),
+            ("files taken by nobody", true, self.ignored.clone()),
+            ("nothing handed in", false, people(&placed.missing)),
+            (
+                "read although called or written otherwise",
+                false,
+                entries(&|it| &it.notes),
+            ),
+            ("earlier uploads, not graded", false, superseded.collect()),
+        ];
+        let all = all.into_iter().filter(|(_, _, which)| !which.is_empty());
+        all.map(|(what, is_grave, which)| Concern {
+            what,
+            which,
+            is_grave,
+        })
+        .collect()
+    }
+
+    /// In a sentence: how many of the roster are graded (or, before that, found), and how many
+    /// are affected by what.
+    pub fn headline(&self, graded: &dyn Fn(&str) -> bool, word: &str) -> String {
+        let placed = &self.placed;
+        let count = |ids: &mut dyn Iterator<Item = &String>| ids.filter(|id| graded(id)).count();
+        let mut parts = Vec::new();
+        match placed.people {
+            Some(people) => {
+                let own = self.people_graded(graded);
+                parts.push(format!(
+                    "of {people} people on the roster, {own} are {word}"
+                ));
+                let in_doubt = placed.in_doubt().len();
+                if in_doubt > 0 {
+                    parts.push(format!("{in_doubt} in doubt"));
+                }
+                parts.push(format!("{} handed in nothing", placed.missing.len()));
+            }
+            None => {
+                let all = self.entries.len();
+                let graded = count(&mut self.entries.iter().map(|entry| &entry.id));
+                parts.push(format!("of {all} submissions, {graded} are {word}"));
+            }
+        }
+        let incomplete = self
+            .entries
+            .iter()
+            .filter(|entry| !entry.unusable.is_empty());
+        parts.push(format!("{} miss answer files", incomplete.count()));
+        parts.push(format!("{} files are taken by nobody", self.ignored.len()));
+        parts.join("; ")
+    }
+
+    fn people_graded(&self, graded: &dyn Fn(&str) -> bool) -> usize {
+        let of = self.placed.of.iter().filter(|(id, _)| graded(id));
+        let people = of.flat_map(|(_, person)| self.team_of(person));
+        let mut people: Vec<&str> = people.map(|person| person.id.as_str()).collect();
+        people.sort();
+        people.dedup();
+        people.len()
+    }
+
+    /// A submission, and the person where that says more.
+    fn called(&self, id: &str) -> String {
+        match self.placed.of.get(id) {
+            Some(person) if person.id != id => format!("{id} ({})", in_words(person)),
+            _ => id.to_owned(),
+        }
+    }
+
+    fn names(&self, ids: &[String]) -> Vec<String> {
+        ids.iter().map(|id| self.called(id)).collect()
+    }
+}
+
+/// The gravest first.
+pub fn sorted(mut all: Vec<Concern>) -> Vec<Concern> {
+    all.sort_by_key(|concern| !concern.is_grave);
+    all
+}
+
+fn in_words(person: &Person) -> String {
+    format!("{} [{}]", person.name, person.id)
+}

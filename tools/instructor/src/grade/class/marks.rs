@@ -1,0 +1,238 @@
+//! Whose mark is which: the submission that counts for each person, and what the policy makes
+//! of it.
+
+use std::collections::BTreeMap;
+
+use super::concern::Concern;
+use super::{Roll, Row};
+use crate::grade::intake::Entry;
+use crate::grade::intake::names::HandedIn;
+use crate::grade::intake::roster::Person;
+use crate::grade::policy::Policy;
+use crate::grade::policy::mark::{Judged, Mark};
+use crate::grade::policy::rules::Attempts;
+use crate::grade::policy::times::Lateness;
+use crate::grade::record::Record;
+
+/// A class's rows with their marks.
+#[derive(Default)]
+pub struct Rows<'a> {
+    /// One for each submission.
+    pub own: Vec<Row<'a>>,
+    /// For people whose group has handed in for them.
+    pub shared: Vec<Row<'a>>,
+    /// What the policy could not decide.
+    pub concerns: Vec<Concern>,
+}
+
+/// The rows of a class, before it is graded or after.
+pub fn rows<'a>(roll: &'a Roll, records: &'a BTreeMap<String, Record>) -> Rows<'a> {
+    let row = |entry: &'a Entry| Row {
+        entry,
+        person: roll.placed.of.get(&entry.id),
+        record: records.get(&entry.id),
+        mark: None,
+        not_counted: None,
+        is_shared: false,
+    };
+    let mut rows = Rows {
+        own: roll.entries.iter().map(row).collect(),
+        ..Rows::default()
+    };
+    match &roll.policy {
+        None => {
+            for row in &mut rows.own {
+                let judged = row.record.and_then(|record| Judged::of(record, &[]));
+                row.mark = judged.map(Mark::judged);
+            }
+        }
+        Some(policy) => apply(policy, roll, &mut rows),
+    }
+    rows
+}
+
+/// What a policy leaves open, by what is to be done about it.
+#[derive(Default)]
+struct Open {
+    late_sometime: Vec<String>,
+    unknown: Vec<String>,
+    undecided: Vec<String>,
+    several: Vec<String>,
+}
+
+fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
+    // Those who hand in together, and the places of what they handed in.
+    let mut teams: BTreeMap<String, (Vec<&'a Person>, Vec<usize>)> = BTreeMap::new();
+    for (at, row) in rows.own.iter().enumerate() {
+        let (team, people) = match row.person {
+            Some(person) => (format!("person {}", person.id), roll.team_of(person)),
+            None => (format!("submission {}", row.entry.id), Vec::new()),
+        };
+        let group = row.person.and_then(|person| policy.group_of(&person.id));
+        let team = group.map_or(team, |group| format!("group {}", group.name));
+        teams.entry(team).or_insert((people, Vec::new())).1.push(at);
+    }
+    let mut open = Open::default();
+    for (people, places) in teams.values() {
+        let handed_in: Vec<Attempt> = places
+            .iter()
+            .map(|at| Attempt::new(*at, &rows.own[*at], policy, people))
+            .collect();
+        let nobody = [None];
+        let each: Vec<Option<&'a Person>> = people.iter().map(|it| Some(*it)).collect();
+        let each = if each.is_empty() { &nobody[..] } else { &each };
+        for person in each {
+            give(policy, *person, &handed_in, rows, &mut open);
+        }
+    }
+    let strangers = policy.strangers(roll.people.as_deref().unwrap_or_default());
+    let all = [
+        ("named in the policy, but on no roster", true, strangers),
+        (
+            "several submissions, and no telling which is the last: no final mark",
+            true,
+            open.undecided,
+        ),
+        (
+            "late, but nothing says when: no points taken off; give a table of times",
+            true,
+            open.late_sometime,
+        ),
+        (
+            "nothing says when it was handed in: taken as in time; give a table of times",
+            true,
+            open.unknown,
+        ),
+        (
+            "several submissions, of which one counts",
+            false,
+            open.several,
+        ),
+    ];
+    let all = all.into_iter().filter(|(_, _, which)| !which.is_empty());
+    rows.concerns = all
+        .map(|(what, is_grave, mut which)| {
+            which.sort();
+            which.dedup();
+            Concern {
+                what,
+                which,
+                is_grave,
+            }
+        })
+        .collect();
+}
+
+/// Something that a team handed in.
+struct Attempt {
+    /// Its place among the class's rows.
+    at: usize,
+    id: String,
+    lateness: Lateness,
+    time: Option<HandedIn<jiff::Timestamp>>,
+    judged: Option<Judged>,
+}
+
+impl Attempt {
+    fn new(at: usize, row: &Row, policy: &Policy, people: &[&Person]) -> Attempt {
+        let extra = policy.rules.extra_credit.as_ref();
+        let extra = extra.map_or(&[][..], |it| &it.parts);
+        Attempt {
+            at,
+            id: row.entry.id.clone(),
+            lateness: policy.lateness(row.entry, people),
+            time: policy.handed_in(row.entry, row.person),
+            judged: row.record.and_then(|record| Judged::of(record, extra)),
+        }
+    }
+
+    fn mark(&self, policy: &Policy, person: Option<&Person>) -> Option<Mark> {
+        let id = person.map(|person| person.id.as_str());
+        Some(policy.mark(self.judged?, &self.lateness, id))
+    }
+}
+
+/// Which attempt counts for somebody; `None` if nothing tells.
+fn counted<'a>(
+    policy: &Policy,
+    person: Option<&Person>,
+    attempts: &'a [Attempt],
+) -> Option<&'a Attempt> {
+    if let [one] = attempts {
+        return Some(one);
+    }
+    match policy.rules.attempts {
+        Attempts::Best => attempts.iter().max_by(|a, b| {
+            let points = |it: &Attempt| it.mark(policy, person).map_or(-1.0, |mark| mark.last);
+            points(a).total_cmp(&points(b))
+        }),
+        Attempts::Last => {
+            let time = |it: &Attempt| match it.time {
+                Some(HandedIn::At(time)) => Some(time),
+                _ => None,
+            };
+            let times: Option<Vec<_>> = attempts.iter().map(time).collect();
+            let last = times?.into_iter().max();
+            let mut last = attempts.iter().filter(|it| time(it) == last);
+            last.next().filter(|_| last.next().is_none())
+        }
+    }
+}
+
+/// Gives a person the mark of what counts.
+fn give<'a>(
+    policy: &Policy,
+    person: Option<&'a Person>,
+    attempts: &[Attempt],
+    rows: &mut Rows<'a>,
+    open: &mut Open,
+) {
+    let counts = counted(policy, person, attempts);
+    let ids: Vec<&str> = attempts.iter().map(|it| it.id.as_str()).collect();
+    match counts {
+        None => open.undecided.push(ids.join(" and ")),
+        Some(counts) => {
+            if ids.len() > 1 {
+                open.several
+                    .push(format!("{} (counts: {})", ids.join(" and "), counts.id));
+            }
+            match counts.lateness {
+                Lateness::LateSometime => open.late_sometime.push(counts.id.clone()),
+                Lateness::Unknown => open.unknown.push(counts.id.clone()),
+                Lateness::InTime | Lateness::Late { .. } => {}
+            }
+        }
+    }
+    let why_not = match counts {
+        None => "no telling whether it is the last".to_owned(),
+        Some(counts) => format!("not counted: {} is", counts.id),
+    };
+    let is_own = |row: &Row| row.person.map(|it| &it.id) == person.map(|it| &it.id);
+    let mut has_row = false;
+    for attempt in attempts {
+        let does_count = counts.is_some_and(|counts| counts.at == attempt.at);
+        let mark = attempt.mark(policy, person).filter(|_| does_count);
+        let not_counted = (!does_count).then(|| why_not.clone());
+        let row = &mut rows.own[attempt.at];
+        if is_own(row) {
+            (row.mark, row.not_counted) = (mark, not_counted);
+            has_row |= does_count || counts.is_none();
+        }
+    }
+    let shown = counts.or(attempts.first()).filter(|_| !has_row);
+    if let (Some(shown), Some(person)) = (shown, person) {
+        let shared = Row {
+            person: Some(person),
+            is_shared: true,
+            mark: shown
+                .mark(policy, Some(person))
+                .filter(|_| counts.is_some()),
+            not_counted: counts.is_none().then_some(why_not),
+            ..rows.own[shown.at].clone()
+        };
+        rows.shared.push(shared);
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,137 @@
+use super::*;
+use crate::grade::intake::names::Sign;
+use crate::grade::intake::placement;
+use crate::grade::policy::rules::Rules;
+use crate::grade::record::tests::graded;
+
+fn person(id: &str) -> Person {
+    Person {
+        id: id.into(),
+        name: format!("Name of {id}"),
+        ..Person::default()
+    }
+}
+
+fn entry(id: &str, person: &str, given: &str) -> Entry {
+    Entry {
+        id: id.into(),
+        name: id.into(),
+        given: vec![given.into()],
+        signs: vec![Sign {
+            person: person.into(),
+            number: None,
+        }],
+        notes: Vec::new(),
+        doubts: Vec::new(),
+        unusable: Vec::new(),
+        submission: Err("not asked".into()),
+    }
+}
+
+fn roll(entries: Vec<Entry>, rules: &str, groups: &[(&str, &[&str])]) -> Roll {
+    let rules: Rules = toml::from_str(rules).expect("they are rules");
+    let mut policy = Policy::of(rules).expect("they make sense");
+    policy.groups = groups
+        .iter()
+        .map(|(name, members)| crate::grade::policy::Group {
+            name: (*name).into(),
+            members: members.iter().map(|id| (*id).to_owned()).collect(),
+        })
+        .collect();
+    let people = Some(["ada", "bob", "eve"].map(person).to_vec());
+    let mut roll = Roll {
+        placed: placement::place(&entries, people.as_deref()),
+        entries,
+        people,
+        policy: Some(policy),
+        ..Roll::default()
+    };
+    roll.find_groups();
+    roll
+}
+
+/// Person, submission and final mark of every row that has one.
+fn finals(rows: &Rows) -> Vec<(String, String, f64)> {
+    let all = rows.own.iter().chain(&rows.shared);
+    let all = all.filter_map(|row| {
+        let person = row.person.map_or("-".into(), |it| it.id.clone());
+        Some((person, row.entry.id.clone(), row.mark.as_ref()?.last))
+    });
+    all.collect()
+}
+
+fn records(points: &[(&str, u32)]) -> BTreeMap<String, Record> {
+    let record = |(id, points): &(&str, u32)| ((*id).to_owned(), graded(id, *points, 100));
+    points.iter().map(record).collect()
+}
+
+const RULES: &str = "time_zone = 'UTC'\ndeadline = '2026-11-20 12:00'\n\
+    [late]\npercent = 10\nper = 'day'\n";
+const EARLY: &str = "x_attempt_2026-11-20-11-00-00_a.zip";
+const LATE: &str = "x_attempt_2026-11-20-13-00-00_a.zip";
+
+#[test]
+fn the_last_attempt_counts_or_the_best_and_each_person_has_one_mark() {
+    let entries = || vec![entry("one", "ada", EARLY), entry("two", "ada", LATE)];
+    let records = records(&[("one", 60), ("two", 65)]);
+    let last = roll(entries(), RULES, &[]);
+    let rows_of_last = rows(&last, &records);
+    assert_eq!(finals(&rows_of_last), [("ada".into(), "two".into(), 55.0)]);
+    let not_counted = rows_of_last.own[0].not_counted.as_deref();
+    assert_eq!(not_counted, Some("not counted: two is"));
+    let best = roll(entries(), &format!("attempts = 'best'\n{RULES}"), &[]);
+    assert_eq!(
+        finals(&rows(&best, &records)),
+        [("ada".into(), "one".into(), 60.0)]
+    );
+    // Nothing tells which of these is the last.
+    let entries = vec![entry("one", "ada", EARLY), entry("two", "ada", "ada")];
+    let untold = roll(entries, RULES, &[]);
+    let rows = rows(&untold, &records);
+    assert_eq!(finals(&rows), []);
+    assert!(rows.concerns[0].is_grave && rows.concerns[0].which == ["one and two"]);
+}
+
+#[test]
+fn a_group_is_graded_once_and_marked_for_all() {
+    let by_hand = format!("{RULES}[[adjust]]\nid = 'eve'\npoints = 5\nreason = 'talk'\n");
+    let groups: [(&str, &[&str]); 1] = [("team", &["ada", "eve"])];
+    let entries = vec![entry("one", "ada", EARLY), entry("two", "bob", LATE)];
+    let roll = roll(entries, &by_hand, &groups);
+    assert_eq!(roll.placed.missing, [], "eve's group has handed in");
+    let records = records(&[("one", 60), ("two", 65)]);
+    let expected = [
+        ("ada", "one", 60.0),
+        ("bob", "two", 55.0),
+        ("eve", "one", 65.0),
+    ];
+    let expected = expected.map(|(id, entry, points)| (id.to_owned(), entry.to_owned(), points));
+    assert_eq!(finals(&rows(&roll, &records)), expected);
+    assert!(
+        roll.headline(&|_| true, "graded")
+            .contains("3 are graded; 0 handed in nothing")
+    );
+}
+
+#[test]
+fn lateness_that_nobody_can_tell_and_ids_that_nobody_has_are_questions() {
+    let rules = format!("{RULES}[[adjust]]\nid = 'adda'\npoints = 5\nreason = 'talk'\n");
+    let entries = vec![
+        entry("one", "ada", "ada_LATE_1_2_a.zip"),
+        entry("two", "bob", "bob"),
+        entry("three", "eve", EARLY),
+    ];
+    let roll = roll(entries, &rules, &[]);
+    let nothing_graded = BTreeMap::new();
+    let concerns = rows(&roll, &nothing_graded).concerns;
+    let of = |word: &str| {
+        let mut concerns = concerns.iter();
+        let concern = concerns.find(|it| it.what.contains(word)).expect(word);
+        assert!(concern.is_grave, "{word}");
+        concern.which.clone()
+    };
+    assert_eq!(of("on no roster"), ["adda"]);
+    assert_eq!(of("nothing says when: no points"), ["one"]);
+    assert_eq!(of("taken as in time"), ["two"]);
+    assert_eq!(concerns.len(), 3);
+}

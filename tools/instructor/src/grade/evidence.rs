@@ -1,0 +1,69 @@
+//! What stands behind a mark, for the lecturer alone: everything that was asked, expected and
+//! answered, also where the student may only read that it does not pass.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use pinhole_course::error::{Result, ResultExt};
+use pinhole_course::outcome::Outcome;
+use pinhole_course::submission::Submission;
+
+/// The folder of a graded class that holds it. Nothing in there is for students.
+const FOLDER: &str = "evidence";
+
+/// What stands behind one mark.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+pub struct Evidence {
+    /// The submission's id.
+    pub id: String,
+    /// What came of the public and withheld questions, as it was judged.
+    pub public: Outcome,
+    /// What came of the fresh ones, if they were asked.
+    pub fresh: Option<Outcome>,
+    /// Where the fresh questions lie.
+    pub fresh_folder: Option<PathBuf>,
+    /// The answers, by task.
+    pub answers: BTreeMap<String, String>,
+}
+
+impl Evidence {
+    /// What is known before anything is redacted.
+    pub fn new(
+        id: &str,
+        submission: &Submission,
+        public: &Outcome,
+        fresh: Option<(&Outcome, &Path)>,
+    ) -> Evidence {
+        let answers = submission.answers.iter().filter_map(|answer| {
+            let text = answer.text.as_ref().ok()?;
+            Some((answer.task.clone(), text.clone()))
+        });
+        Evidence {
+            id: id.into(),
+            public: public.clone(),
+            fresh: fresh.map(|(outcome, _)| outcome.clone()),
+            fresh_folder: fresh.map(|(_, folder)| folder.into()),
+            answers: answers.collect(),
+        }
+    }
+
+    /// Its file, in the folder of a graded class.
+    pub fn file(id: &str) -> String {
+        format!("{FOLDER}/{id}.json")
+    }
+
+    /// That of a submission, from the folder of a graded class.
+    pub fn read(out: &Path, id: &str) -> Result<Evidence> {
+        let path = out.join(Evidence::file(id));
+        let text = std::fs::read_to_string(&path).or_input(
+            format_args!("cannot read {}", path.display()),
+            "grade that submission again with this version: it keeps what a dispute needs",
+        )?;
+        serde_json::from_str(&text).or_input(
+            path.display(),
+            "grade that submission again with this version",
+        )
+    }
+}

@@ -1,0 +1,168 @@
+//! Decides which of a person's files answers which task.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+use super::hand_in::Upload;
+use super::names::task_of;
+use super::reader::Content;
+use pinhole_course::assignment::{Assignment, Task};
+use pinhole_course::submission::text::Text;
+use pinhole_course::submission::{Answer, Submission, Unusable};
+
+/// The answers that were found, and notes on how.
+#[derive(Clone, Debug)]
+pub struct Choice {
+    pub submission: Submission,
+    /// What was done to read them. They are judged as they are meant.
+    pub notes: Vec<String>,
+    /// Why other answers may be meant. The instructor should look at these.
+    pub doubts: Vec<String>,
+}
+
+/// A file that may answer a task.
+struct Candidate<'a> {
+    upload: &'a Upload,
+    text: &'a Text,
+    note: Option<&'static str>,
+    is_exact: bool,
+}
+
+impl Candidate<'_> {
+    fn path(&self) -> String {
+        self.upload.path.join("/")
+    }
+
+    /// The folder in which a package lies that holds it.
+    fn depth(&self) -> usize {
+        let folders = &self.upload.path[..self.upload.path.len() - 1];
+        folders.len() - usize::from(folders.last().is_some_and(|last| last == "src"))
+    }
+
+    /// Whether it lies where the course's own repository has answers.
+    fn is_in_handout(&self) -> bool {
+        let folders = &self.upload.path[..self.upload.path.len() - 1];
+        folders.ends_with(&["handout".into(), "src".into()])
+    }
+}
+
+/// Finds the answers to all tasks. The newest upload counts; then what lies at the top, or in
+/// the `src` there. `Err` if the machine could not read what may be one.
+pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result<Choice, String> {
+    let mut refused = Vec::new();
+    let mut others = Vec::new();
+    let mut candidates: Vec<(&Task, Candidate)> = Vec::new();
+    for upload in uploads {
+        match &upload.content {
+            Content::Unreadable(why) => return Err(format!("{}: {why}", upload.name(name))),
+            Content::Refused(why) => refused.push(format!("{}: {why}", upload.name(name))),
+            Content::Answer { text, note } => {
+                let name = upload.path.last().map(String::as_str).unwrap_or_default();
+                let Some((task, is_exact)) = task_of(name, assignment) else {
+                    others.push(upload.name(name));
+                    continue;
+                };
+                let candidate = Candidate {
+                    upload,
+                    text,
+                    note: *note,
+                    is_exact,
+                };
+                candidates.push((task, candidate));
+            }
+            Content::Other => others.push(upload.name(name)),
+            Content::Folder => {}
+        }
+    }
+    // A copy of the course's repository holds files of the same names elsewhere too.
+    if candidates.iter().any(|(_, one)| one.is_in_handout()) {
+        candidates.retain(|(_, one)| one.is_in_handout());
+    }
+    let mut choice = Choice {
+        submission: Submission {
+            folder: PathBuf::from(name),
+            place: PathBuf::from(name),
+            answers: Vec::new(),
+        },
+        notes: Vec::new(),
+        doubts: Vec::new(),
+    };
+    for task in &assignment.tasks {
+        let own = candidates
+            .iter()
+            .filter(|(other, _)| other.name == task.name);
+        let own: Vec<&Candidate> = own.map(|(_, candidate)| candidate).collect();
+        let text = match own.is_empty() {
+            true if refused.is_empty() => Err(Unusable::Missing),
+            true => Err(Unusable::Refused(refused.join("; "))),
+            false => choice.of(task, &own),
+        };
+        choice.submission.answers.push(Answer {
+            task: task.name.clone(),
+            text,
+        });
+    }
+    if candidates.is_empty() && refused.is_empty() && !others.is_empty() {
+        let found = others.iter().take(5).cloned().collect::<Vec<_>>();
+        let note = format!("no answer file was handed in, but {}", found.join(", "));
+        choice.doubts.push(note);
+    } else if !candidates.is_empty() {
+        choice.doubts.extend(refused);
+    }
+    Ok(choice)
+}
+
+impl Choice {
+    /// The text of the best candidate, if there is one best.
+    fn of(&mut self, task: &Task, all: &[&Candidate]) -> Text {
+        let newest = all.iter().map(|one| one.upload.order).max();
+        let mut best: Vec<&&Candidate> = all.iter().collect();
+        best.retain(|one| Some(one.upload.order) == newest);
+        let at_hand = best.clone();
+        let depth = best.iter().map(|one| one.depth()).min();
+        best.retain(|one| Some(one.depth()) == depth);
+        let is_exact = best.iter().any(|one| one.is_exact);
+        best.retain(|one| one.is_exact == is_exact);
+
+        let file = task.file();
+        let texts: BTreeSet<&str> = best.iter().map(|one| said(one.text)).collect();
+        if texts.len() > 1 {
+            let paths: Vec<String> = best.iter().map(|one| one.path()).collect();
+            return Err(Unusable::Refused(format!(
+                "there are {} files that could be `{file}`, and they differ: {}",
+                paths.len(),
+                paths.join(", ")
+            )));
+        }
+        let chosen = best[0];
+        let differs = |one: &&&&Candidate| said(one.text) != said(chosen.text);
+        let left: Vec<String> = at_hand
+            .iter()
+            .filter(differs)
+            .map(|one| one.path())
+            .collect();
+        if !left.is_empty() {
+            self.doubts.push(format!(
+                "`{}` was taken as `{file}`, and not {}",
+                chosen.path(),
+                left.join(", ")
+            ));
+        } else if !chosen.is_exact {
+            self.notes
+                .push(format!("`{}` was taken as `{file}`", chosen.path()));
+        }
+        if let Some(note) = chosen.note {
+            self.notes.push(format!("`{}` {note}", chosen.path()));
+        }
+        chosen.text.clone()
+    }
+}
+
+/// The part of a path that distinguishes two files.
+fn said(text: &Text) -> &str {
+    match text {
+        Ok(text) => text,
+        Err(Unusable::Refused(why)) => why,
+        Err(Unusable::Missing) => "",
+    }
+}

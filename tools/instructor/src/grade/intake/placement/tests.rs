@@ -1,0 +1,149 @@
+use super::*;
+use crate::grade::intake::names;
+
+/// An entry as names tell it.
+fn entry(name: &str) -> Entry {
+    let platforms = names::platforms(name);
+    let signs = match platforms.is_empty() {
+        false => platforms.iter().map(|it| it.sign()).collect(),
+        true => vec![Sign {
+            person: name.into(),
+            number: None,
+        }],
+    };
+    Entry {
+        given: Vec::new(),
+        id: name.into(),
+        name: name.into(),
+        signs,
+        notes: Vec::new(),
+        doubts: Vec::new(),
+        unusable: Vec::new(),
+        submission: Err("not asked".into()),
+    }
+}
+
+fn entries(names: &[&str]) -> Vec<Entry> {
+    names.iter().map(|name| entry(name)).collect()
+}
+
+fn person(id: &str, name: &str) -> Person {
+    Person {
+        id: id.into(),
+        name: name.into(),
+        ..Person::default()
+    }
+}
+
+fn people() -> Vec<Person> {
+    let mut people: Vec<Person> = [
+        ("s1", "Ada Lovelace"),
+        ("s2", "Hopper, Grace"),
+        ("s3", "Zoë Müller"),
+        ("s4", "Sam Lee"),
+        ("s5", "Lee Sam"),
+        ("20239999", "Gus Ghost"),
+    ]
+    .map(|(id, name)| person(id, name))
+    .into();
+    people[1].logins = vec!["ghopper@uni.example".into()];
+    people
+}
+
+#[track_caller]
+fn is(name: &str, id: &str) {
+    let placed = place(&entries(&[name]), Some(&people()));
+    let found = placed.of.get(name).map(|person| person.id.as_str());
+    assert_eq!(found, Some(id), "{name}: {placed:?}");
+}
+
+#[test]
+fn names_of_platforms_and_plain_ones_find_their_people() {
+    is("lovelaceada_12345_67890_answers.zip", "s1");
+    is("hoppergrace_LATE_12345_67890_src-2.zip", "s2");
+    is("mllerzo_1_2_a.zip", "s3");
+    is("müllerzoë_1_2_a.zip", "s3");
+    is("Grace Hopper_777_assignsubmission_file", "s2");
+    is("Ada Lovelace_777_assignsubmission_file_", "s1");
+    is("s1", "s1");
+    is("homework_s2", "s2");
+    is("hw1-ada-lovelace", "s1");
+    is("hw1-ghopper", "s2");
+    is("ghopper@uni.example", "s2");
+}
+
+#[test]
+fn accents_find_their_people_however_they_are_written() {
+    is("Zoe\u{308} Mu\u{308}ller_777_assignsubmission_file", "s3");
+    is("mu\u{308}llerzoe\u{308}_1_2_a.zip", "s3");
+    is("Zoe\u{308} Mu\u{308}ller", "s3");
+    is("mullerzoe_1_2_a.zip", "s3");
+    // Two people whom accents alone tell apart stay apart.
+    let people = [person("1", "Zoë Müller"), person("2", "Zoe Muller")];
+    for (name, id) in [("Zoe Muller", "2"), ("Zoe\u{308} Mu\u{308}ller", "1")] {
+        assert_eq!(place(&entries(&[name]), Some(&people)).of[name].id, id);
+    }
+}
+
+#[test]
+fn ambiguous_and_unknown_submissions_are_listed() {
+    let all = entries(&["leesam_1_2_a.zip", "mallory"]);
+    let placed = place(&all, Some(&people()));
+    assert_eq!(placed.ambiguous["leesam_1_2_a.zip"].len(), 2);
+    assert_eq!(placed.unknown, ["mallory"]);
+    assert_eq!(placed.missing.len(), 4);
+    assert_eq!(placed.in_doubt().len(), 2);
+}
+
+#[test]
+fn account_with_somebody_elses_name_gets_no_mark_of_theirs() {
+    let names = ["lovelaceada_11_501_a.zip", "lovelaceada_12_502_a.zip"];
+    let placed = place(&entries(&names), Some(&people()));
+    assert!(
+        placed.of.is_empty() && placed.superseded.is_empty(),
+        "{placed:?}"
+    );
+    assert_eq!(placed.ambiguous.len(), 2);
+    // The roster can say which account is hers.
+    let mut people = people();
+    people[0].number = Some("11".into());
+    let placed = place(&entries(&names), Some(&people));
+    assert_eq!(placed.of[names[0]].id, "s1");
+    assert_eq!(placed.unknown, [names[1]]);
+}
+
+#[test]
+fn file_name_chosen_by_the_uploader_is_not_trusted() {
+    let names = [
+        "lovelaceada_11_501_a.zip",
+        "malletmallory_13_503_x_s1_assignsubmission_file.zip",
+        "friendfred_14_504_y_20239999_assignsubmission_file.zip",
+        "samlee_15_505_Ada Lovelace_16_assignsubmission_file.zip",
+    ];
+    let placed = place(&entries(&names), Some(&people()));
+    assert_eq!(placed.of.len(), 1, "{placed:?}");
+    assert_eq!(placed.of[names[0]].id, "s1");
+    assert!(placed.ambiguous.contains_key(names[2]), "{placed:?}");
+    assert!(placed.ambiguous.contains_key(names[3]), "{placed:?}");
+    assert!(placed.missing.iter().all(|person| person.id != "20239999"));
+}
+
+#[test]
+fn a_number_that_is_by_chance_anothers_id_contradicts_the_name() {
+    let name = "lovelaceada_20239999_501_a.zip";
+    let placed = place(&entries(&[name]), Some(&people()));
+    assert_eq!(placed.ambiguous[name].len(), 2, "{placed:?}");
+    let name = "nobodyever_20239999_501_a.zip";
+    let placed = place(&entries(&[name]), Some(&people()));
+    assert_eq!(placed.ambiguous[name].len(), 1, "{placed:?}");
+    is("Gus Ghost_20239999_assignsubmission_file", "20239999");
+}
+
+#[test]
+fn several_submissions_by_one_person_are_all_told() {
+    let plain = ["s1", "Ada Lovelace_7_assignsubmission_file"];
+    let placed = place(&entries(&plain), Some(&people()));
+    assert!(placed.superseded.is_empty());
+    assert_eq!(placed.several.len(), 1);
+    assert_eq!(placed.of.len(), 2);
+}

@@ -1,0 +1,208 @@
+//! A folder's files. A student may exchange a folder for a link while we read: each folder is
+//! opened from the one above, which is held open, and no link is ever followed.
+
+use std::fs::File;
+use std::io;
+use std::path::Path;
+
+use super::{Content, MOST_FOLDERS, Reader, Unread, is_skipped};
+
+/// Reads the folder at a path, which may itself be a link: it is the lecturer's.
+pub fn read(reader: &mut Reader, path: &Path) -> io::Result<()> {
+    let folder = held::Folder::open(path)?;
+    walk(reader, &folder, &mut Vec::new())
+}
+
+fn walk(reader: &mut Reader, folder: &held::Folder, path: &mut Vec<String>) -> io::Result<()> {
+    for (name, kind) in folder.entries()? {
+        path.push(pinhole_course::submission::text::name(
+            name.as_encoded_bytes(),
+        ));
+        if !is_skipped(path, 0) && reader.may_go_on(path) {
+            let visited = visit(reader, folder, &name, kind, path);
+            if let Err(error) = visited {
+                let why = format!("{} cannot be read ({error})", path.join("/"));
+                reader.keep(path, Content::Unreadable(why));
+            }
+        }
+        path.pop();
+    }
+    Ok(())
+}
+
+fn visit(
+    reader: &mut Reader,
+    folder: &held::Folder,
+    name: &std::ffi::OsStr,
+    kind: held::Kind,
+    path: &mut Vec<String>,
+) -> io::Result<()> {
+    match kind {
+        held::Kind::Folder if path.len() == 1 && path[0].starts_with('.') => {
+            reader.keep(&[format!("{}/", path[0])], Content::Other);
+        }
+        held::Kind::Folder => {
+            if path.len() == 1 {
+                reader.keep(path, Content::Folder);
+            }
+            if path.len() > MOST_FOLDERS {
+                reader.keep(path, Content::Refused("it lies in too many folders".into()));
+                return Ok(());
+            }
+            match folder.folder(name)? {
+                Some(inside) => walk(reader, &inside, path)?,
+                None => reader.pass(path, false),
+            }
+        }
+        held::Kind::File if reader.wants(path) => match folder.file(name)? {
+            Some(file) => reader.file(path, 0, Unread::File(file)),
+            None => reader.pass(path, false),
+        },
+        held::Kind::File => reader.pass(path, true),
+        held::Kind::Other => reader.pass(path, false),
+    }
+    Ok(())
+}
+
+/// Whether a file could be opened, and is one.
+fn regular(file: File) -> io::Result<Option<File>> {
+    let is_file = file.metadata()?.is_file();
+    Ok(is_file.then_some(file))
+}
+
+#[cfg(unix)]
+mod held {
+    //! Folders by their descriptors.
+
+    use std::ffi::{OsStr, OsString};
+    use std::fs::File;
+    use std::io;
+    use std::os::fd::OwnedFd;
+    use std::os::unix::ffi::OsStrExt;
+    use std::path::Path;
+
+    use rustix::fs::{AtFlags, CWD, Dir, FileType, Mode, OFlags, openat, statat};
+    use rustix::io::Errno;
+
+    /// What a name stands for.
+    pub enum Kind {
+        Folder,
+        File,
+        Other,
+    }
+
+    pub struct Folder(OwnedFd);
+
+    const FOLDER: OFlags = OFlags::RDONLY
+        .union(OFlags::DIRECTORY)
+        .union(OFlags::CLOEXEC);
+    /// No link is followed, and no writer waited for.
+    const FILE: OFlags = OFlags::RDONLY
+        .union(OFlags::NOFOLLOW)
+        .union(OFlags::NONBLOCK)
+        .union(OFlags::CLOEXEC);
+
+    impl Folder {
+        pub fn open(path: &Path) -> io::Result<Folder> {
+            Ok(Folder(openat(CWD, path, FOLDER, Mode::empty())?))
+        }
+
+        /// Its names, sorted, and what they stand for.
+        pub fn entries(&self) -> io::Result<Vec<(OsString, Kind)>> {
+            let mut entries = Vec::new();
+            for entry in Dir::read_from(&self.0)? {
+                let entry = entry?;
+                let name = OsStr::from_bytes(entry.file_name().to_bytes());
+                if name == "." || name == ".." {
+                    continue;
+                }
+                let kind = match statat(&self.0, name, AtFlags::SYMLINK_NOFOLLOW) {
+                    Ok(status) => FileType::from_raw_mode(status.st_mode),
+                    Err(Errno::NOENT) => continue,
+                    Err(error) => return Err(error.into()),
+                };
+                let kind = match kind {
+                    FileType::Directory => Kind::Folder,
+                    FileType::RegularFile => Kind::File,
+                    _ => Kind::Other,
+                };
+                entries.push((name.to_owned(), kind));
+            }
+            entries.sort_by(|a, b| a.0.cmp(&b.0));
+            Ok(entries)
+        }
+
+        /// A folder in it; `None` if it has become something else.
+        pub fn folder(&self, name: &OsStr) -> io::Result<Option<Folder>> {
+            let opened = openat(&self.0, name, FOLDER | OFlags::NOFOLLOW, Mode::empty());
+            Ok(still(opened)?.map(Folder))
+        }
+
+        /// A file in it; `None` if it has become something else.
+        pub fn file(&self, name: &OsStr) -> io::Result<Option<File>> {
+            match still(openat(&self.0, name, FILE, Mode::empty()))? {
+                Some(file) => super::regular(file.into()),
+                None => Ok(None),
+            }
+        }
+    }
+
+    fn still(opened: rustix::io::Result<OwnedFd>) -> io::Result<Option<OwnedFd>> {
+        match opened {
+            Ok(opened) => Ok(Some(opened)),
+            Err(Errno::LOOP | Errno::NOTDIR | Errno::NOENT) => Ok(None),
+            Err(error) => Err(error.into()),
+        }
+    }
+}
+
+#[cfg(not(unix))]
+mod held {
+    //! Folders by their paths, on systems without a sandbox, where all code and folders are the
+    //! user's own.
+
+    use std::ffi::{OsStr, OsString};
+    use std::fs::{self, File};
+    use std::io;
+    use std::path::{Path, PathBuf};
+
+    /// What a name stands for.
+    pub enum Kind {
+        Folder,
+        File,
+        Other,
+    }
+
+    pub struct Folder(PathBuf);
+
+    impl Folder {
+        pub fn open(path: &Path) -> io::Result<Folder> {
+            Ok(Folder(path.into()))
+        }
+
+        /// Its names, sorted, and what they stand for.
+        pub fn entries(&self) -> io::Result<Vec<(OsString, Kind)>> {
+            let mut entries = Vec::new();
+            for entry in fs::read_dir(&self.0)? {
+                let entry = entry?;
+                let kind = entry.file_type()?;
+                let kind = match (kind.is_dir(), kind.is_file()) {
+                    (true, _) => Kind::Folder,
+                    (_, true) => Kind::File,
+                    _ => Kind::Other,
+                };
+                entries.push((entry.file_name(), kind));
+            }
+            entries.sort_by(|a, b| a.0.cmp(&b.0));
+            Ok(entries)
+        }
+
+        pub fn folder(&self, name: &OsStr) -> io::Result<Option<Folder>> {
+            Ok(Some(Folder(self.0.join(name))))
+        }
+
+        pub fn file(&self, name: &OsStr) -> io::Result<Option<File>> {
+            super::regular(File::open(self.0.join(name))?)
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! A `tar` archive, packed by `gzip` or not, read from front to back.
+
+use std::fs::File;
+use std::io::{self, BufReader, Read, Write};
+
+use flate2::read::MultiGzDecoder;
+use pinhole_course::submission::archive::plain_path;
+use pinhole_course::submission::text;
+use tar::{Archive, EntryType, PaxExtensions};
+
+use super::{Reader, Trouble, Unread, is_skipped, joined};
+
+/// More is not unpacked: whatever a few bytes of `gzip` claim to hold.
+const MOST_UNPACKED: u64 = 4 << 30;
+
+/// The longest name.
+const MOST_NAME: u64 = 64 << 10;
+
+/// Whether a file begins as `tar` archives do.
+pub fn begins(start: &[u8]) -> bool {
+    start.get(257..262) == Some(b"ustar")
+}
+
+/// Reads the files that matter; says why, if the archive is refused.
+pub fn read(reader: &mut Reader, file: File, path: &[String], depth: usize) -> Result<(), String> {
+    let mut file = BufReader::new(file);
+    let start = io::BufRead::fill_buf(&mut file).map_err(|error| error.to_string())?;
+    let unpacked: Box<dyn Read> = match start.starts_with(b"\x1f\x8b") {
+        true => Box::new(MultiGzDecoder::new(file)),
+        false => Box::new(file),
+    };
+    let spoilt = |error: io::Error| format!("its contents make no sense ({error})");
+    let mut archive = Archive::new(unpacked.take(MOST_UNPACKED));
+    let entries = archive.entries().map_err(spoilt)?;
+    let mut long_name: Option<Vec<u8>> = None;
+    // Raw, because otherwise a name is read into memory whatever its length.
+    for entry in entries.raw(true) {
+        let mut entry = entry.map_err(spoilt)?;
+        let kind = entry.header().entry_type();
+        if kind == EntryType::GNULongName || kind == EntryType::XHeader {
+            let mut bytes = Vec::new();
+            let read = (&mut entry).take(MOST_NAME).read_to_end(&mut bytes);
+            read.map_err(spoilt)?;
+            match kind {
+                EntryType::GNULongName => {
+                    bytes.truncate(bytes.iter().take_while(|byte| **byte != 0).count());
+                    long_name = Some(bytes);
+                }
+                _ => long_name = name_in(&bytes).or(long_name),
+            }
+            continue;
+        }
+        let name = long_name.take();
+        let name = name.unwrap_or_else(|| entry.path_bytes().into_owned());
+        let name = text::name(&name);
+        if kind.is_dir() || kind == EntryType::XGlobalHeader {
+            continue;
+        }
+        let inside = plain_path(&name).map_err(|why| format!("{name:?} {why}"))?;
+        let inside = joined(path, &inside);
+        if is_skipped(&inside, path.len()) || !reader.may_go_on(&inside) {
+            continue;
+        }
+        if !kind.is_file() || !reader.wants(&inside) {
+            reader.pass(&inside, kind.is_file());
+            continue;
+        }
+        let mut copy = |most: u64, to: &mut dyn Write| {
+            let copied = io::copy(&mut (&mut entry).take(most), to);
+            copied
+                .map(drop)
+                .map_err(|error| Trouble::Refused(spoilt(error)))
+        };
+        reader.file(&inside, depth, Unread::Packed(&mut copy));
+    }
+    Ok(())
+}
+
+/// The name in an extended header.
+fn name_in(bytes: &[u8]) -> Option<Vec<u8>> {
+    let fields = PaxExtensions::new(bytes).flatten();
+    let mut names = fields.filter(|field| field.key_bytes() == b"path");
+    names.next().map(|field| field.value_bytes().to_owned())
+}

@@ -1,0 +1,110 @@
+//! Tables that spreadsheets and learning platforms write as CSV.
+
+use std::path::Path;
+
+use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
+
+use pinhole_course::error::{Error, Result, ResultExt};
+
+/// A table, read whole.
+pub struct Table {
+    /// The first line, as it is written.
+    pub first_line: String,
+    /// The columns' names, without capitals and spaces.
+    header: Vec<String>,
+    /// The other lines, with their numbers in the file.
+    pub rows: Vec<(u64, csv::StringRecord)>,
+}
+
+impl Table {
+    /// Reads a file of `what`.
+    pub fn read<T>(
+        path: &Path,
+        what: &str,
+        remedy: &str,
+        of: impl FnOnce(Table) -> std::result::Result<T, String>,
+    ) -> Result<T> {
+        let wrong = Error::input(format!("{} is no {what}", path.display()), remedy);
+        let bytes = std::fs::read(path).or_fail(&wrong)?;
+        Table::of(&bytes)
+            .and_then(of)
+            .map_err(|why| wrong.because(why))
+    }
+
+    /// The table in a file's bytes, or what is wrong in words.
+    pub fn of(bytes: &[u8]) -> std::result::Result<Table, String> {
+        if bytes.starts_with(b"PK\x03\x04") {
+            return Err("it is a spreadsheet's own file; export it as CSV".into());
+        }
+        let text = decoded(bytes);
+        // Spreadsheets may say in a line of its own what stands between cells.
+        let body = match text.split_once('\n') {
+            Some((first, rest)) if first.trim_start().starts_with("sep=") => rest,
+            _ => &text,
+        };
+        let first_line = body.lines().next().unwrap_or_default().to_owned();
+        let count = |mark: char| first_line.matches(mark).count();
+        let between = [',', ';', '\t'].into_iter().max_by_key(|mark| count(*mark));
+        let mut reader = csv::ReaderBuilder::new()
+            .trim(csv::Trim::All)
+            .flexible(true)
+            .delimiter(between.unwrap_or(',') as u8)
+            .from_reader(body.as_bytes());
+        let header = reader.headers().map_err(|error| error.to_string())?;
+        let header = header.iter().map(plain).collect();
+        let mut rows = Vec::new();
+        for row in reader.records() {
+            let row = row.map_err(|error| error.to_string())?;
+            if !row.iter().all(str::is_empty) {
+                rows.push((row.position().map_or(0, |position| position.line()), row));
+            }
+        }
+        Ok(Table {
+            first_line,
+            header,
+            rows,
+        })
+    }
+
+    /// The place of the first of these columns that the table has.
+    pub fn column(&self, names: &[&str]) -> Option<usize> {
+        let mut names = names.iter();
+        names.find_map(|name| self.header.iter().position(|it| it == name))
+    }
+
+    /// The same, where the table is nothing without it.
+    pub fn needed_column(&self, names: &[&str]) -> std::result::Result<usize, String> {
+        self.column(names).ok_or(format!(
+            "its first line is `{}`, which has no column `{}`",
+            self.first_line,
+            names.first().unwrap_or(&"")
+        ))
+    }
+
+    /// What a column is called.
+    pub fn name(&self, column: usize) -> &str {
+        &self.header[column]
+    }
+}
+
+/// A column's name as it is compared.
+fn plain(name: &str) -> String {
+    let letters = name.chars().filter(|c| c.is_alphanumeric());
+    letters.flat_map(char::to_lowercase).collect()
+}
+
+/// The text of a file by a spreadsheet: UTF-8, UTF-16, or what Windows writes in the west.
+fn decoded(bytes: &[u8]) -> String {
+    let zeros = |odd: usize| {
+        let every_other = bytes.iter().skip(odd).step_by(2).take(64);
+        every_other.filter(|it| **it == 0)
+    };
+    let encoding = match Encoding::for_bom(bytes) {
+        Some((encoding, _)) => encoding,
+        None if zeros(1).count() > 16 => UTF_16LE,
+        None if zeros(0).count() > 16 => UTF_16BE,
+        None if std::str::from_utf8(bytes).is_ok() => UTF_8,
+        None => WINDOWS_1252,
+    };
+    encoding.decode(bytes).0.into_owned()
+}

@@ -1,0 +1,115 @@
+//! Attacks by uploaders: names, links and archives that aim at other people's marks.
+
+use super::*;
+
+#[test]
+fn archive_with_other_peoples_names_is_one_submission() {
+    let export = Export::new();
+    let forged = zip(&answers("", "mallory"));
+    let inside = vec![("lovelaceada_11_999_hw1.zip".to_owned(), forged)];
+    export.put("class/malletmallory_13_502_hw1.zip", &zip(&inside));
+    export.put(
+        "class/lovelaceada_11_501_hw1.zip",
+        &zip(&answers("", "ada")),
+    );
+    let intake = export.is_of("class", &["lovelaceada_11", "malletmallory_13"]);
+    assert_eq!(text(&intake, 0, "sphere"), "// sphere by ada");
+    assert_eq!(text(&intake, 1, "sphere"), "// sphere by mallory");
+    let intake = export.find("class/malletmallory_13_502_hw1.zip");
+    assert_eq!(intake.entries[0].signs[0].number.as_deref(), Some("13"));
+}
+
+#[test]
+#[cfg(unix)]
+fn two_names_that_are_no_text_are_shown_apart() {
+    use std::os::unix::ffi::OsStrExt;
+    let export = Export::new();
+    for byte in [0xe9, 0xe8] {
+        let name = [b"ren".as_slice(), &[byte]].concat();
+        let folder = export
+            .path("class")
+            .join(std::ffi::OsStr::from_bytes(&name));
+        fs::create_dir_all(&folder).expect("this system allows it");
+        fs::write(folder.join("sphere.rs"), "// mine").expect("there is room");
+    }
+    let intake = export.find("class");
+    let names: Vec<&str> = intake
+        .entries
+        .iter()
+        .map(|entry| entry.name.as_str())
+        .collect();
+    assert_eq!(names, ["ren\\xE8", "ren\\xE9"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_folder_exchanged_for_a_link_while_it_is_read_shows_nobody_elses_answers() {
+    use rustix::fs::{CWD, RenameFlags, renameat_with};
+    use std::sync::atomic::{AtomicBool, Ordering};
+
+    let export = Export::new();
+    export.put_all("class/ada", answers("", "ada"));
+    export.put_all("class/mallory/src", answers("", "mallory"));
+    let (own, link) = (
+        export.path("class/mallory/src"),
+        export.path("class/mallory/other"),
+    );
+    std::os::unix::fs::symlink(export.path("class/ada"), &link).expect("links work here");
+    let done = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            while !done.load(Ordering::Relaxed) {
+                let swapped = renameat_with(CWD, &own, CWD, &link, RenameFlags::EXCHANGE);
+                swapped.expect("this system exchanges");
+            }
+        });
+        for _ in 0..300 {
+            let intake = export.find("class");
+            let mallory = intake.entries[1]
+                .submission
+                .as_ref()
+                .expect("it can be read");
+            for answer in &mallory.answers {
+                let stolen = answer.text.as_ref().is_ok_and(|text| text.ends_with("ada"));
+                assert!(!stolen, "{answer:?}");
+            }
+        }
+        done.store(true, Ordering::Relaxed);
+    });
+}
+
+#[test]
+fn a_hostile_name_becomes_a_plain_folder_of_its_own() {
+    for name in [
+        "../../etc",
+        "a/b",
+        "..",
+        "",
+        "x\u{1b}[31m",
+        "<script>",
+        "-rf",
+        "--trust",
+        "-",
+        "_-rf",
+    ] {
+        let id = plain(name);
+        assert!(
+            !id.contains(['/', '\\', '<', '\u{1b}']) && !id.starts_with(['.', '-']),
+            "{id}"
+        );
+    }
+    assert_ne!(plain("a b"), plain("a?b"));
+    assert_ne!(plain("rf"), plain("-rf"));
+    assert_eq!(plain("alice.zip"), "alice");
+    assert_eq!(plain("alice.tar.gz"), "alice");
+}
+
+#[test]
+fn shards_share_out_everybody_once() {
+    let all: Vec<u32> = (0..10).collect();
+    let mut shared: Vec<u32> = (1..=3)
+        .flat_map(|k| shard(all.clone(), Some((k, 3))))
+        .collect();
+    shared.sort();
+    assert_eq!(shared, all);
+}

@@ -1,0 +1,200 @@
+//! Marks from kept outcomes: how a group or a scene fared doesn't depend on what it is worth.
+//!
+//! So a change of points, or a group that is dropped, compiles and asks nothing again.
+
+use super::record::Record;
+use crate::scene_cap::most_for_scenes;
+use pinhole_course::assignment::{Assignment, Dropped, DroppedPoints};
+use pinhole_course::goldens::GoldenScene;
+use pinhole_course::outcome::GroupOutcome;
+
+/// Gives a graded submission the points that its groups and scenes are worth now.
+pub fn compute(record: &mut Record, assignment: &Assignment, scenes: &[GoldenScene]) {
+    let got = &mut record.got;
+    for outcome in &mut got.tasks {
+        let Some(task) = assignment.task(&outcome.name) else {
+            continue;
+        };
+        for group in &mut outcome.groups {
+            let worth = task.points.iter().find(|it| it.group == group.name);
+            let worth = worth.map_or(group.possible, |points| points.worth);
+            give(group, worth, dropped(assignment, &task.name, &group.name));
+        }
+    }
+    for outcome in &mut got.scenes {
+        if let Some(scene) = scenes.iter().find(|scene| scene.name == outcome.name) {
+            outcome.possible = scene.worth;
+            outcome.points = match outcome.outcome.passes() {
+                true => scene.worth,
+                false => 0,
+            };
+        }
+    }
+    got.add_up();
+    if record.most_for_scenes.is_some() {
+        let needs = record.needs.scenes.iter();
+        let needs: Vec<Vec<&str>> = needs.map(|names| borrowed(names)).collect();
+        let fresh = borrowed(&record.needs.fresh);
+        let most = most_for_scenes(got, &record.fresh_scenes, &needs, &fresh);
+        record.most_for_scenes = Some(most);
+    }
+    let by_tasks: u32 = record.got.tasks.iter().map(|task| task.points).sum();
+    let points = by_tasks + record.scene_points().0;
+    record.got.points = Some(points);
+    record.got.passes = points == record.got.possible;
+}
+
+fn borrowed(names: &[String]) -> Vec<&str> {
+    names.iter().map(String::as_str).collect()
+}
+
+fn give(group: &mut GroupOutcome, worth: u32, dropped: Option<DroppedPoints>) {
+    let passes = group.outcome.passes();
+    (group.points, group.possible) = match dropped {
+        None if passes => (worth, worth),
+        None => (0, worth),
+        Some(DroppedPoints::Given) => (worth, worth),
+        Some(DroppedPoints::Rescaled) => (0, 0),
+    };
+}
+
+fn dropped(assignment: &Assignment, task: &str, group: &str) -> Option<DroppedPoints> {
+    let name = format!("{task}.{group}");
+    let mut all = assignment.dropped.iter();
+    all.find(|dropped| dropped.group == name)
+        .map(|dropped| dropped.points)
+}
+
+/// What students read of the groups that were dropped; nothing if there are none.
+pub fn dropped_in_words(assignment: &Assignment) -> String {
+    let sentence = |dropped: &Dropped| match dropped.points {
+        DroppedPoints::Given => format!(
+            " {} does not count: everybody gets its points.",
+            dropped.group
+        ),
+        DroppedPoints::Rescaled => format!(
+            " {} does not count, and the mark is of fewer points.",
+            dropped.group
+        ),
+    };
+    assignment.dropped.iter().map(sentence).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::PathBuf;
+
+    use pinhole_course::assignment::{GroupPoints, ScenePoints, Task};
+    use serde_json::{Value, json};
+
+    use super::*;
+
+    /// Two groups, worth these points, and a scene that needs their task.
+    fn assignment(edges: u32, front: u32, dropped: &[(&str, DroppedPoints)]) -> Assignment {
+        let group = |group: &str, worth| GroupPoints {
+            group: group.into(),
+            worth,
+            about: String::new(),
+        };
+        let dropped = dropped.iter().map(|(group, points)| Dropped {
+            group: (*group).into(),
+            points: *points,
+        });
+        Assignment {
+            name: "any".into(),
+            folder: PathBuf::new(),
+            title: "Any".into(),
+            start: String::new(),
+            tasks: vec![Task {
+                name: "triangle".into(),
+                kind: pinhole::Kind::Soup,
+                shape: None,
+                chapter: String::new(),
+                points: vec![group("edges", edges), group("front", front)],
+            }],
+            scenes: vec![ScenePoints {
+                name: "lone".into(),
+                points: 4,
+                public: true,
+            }],
+            withheld: 0,
+            finish: None,
+            dropped: dropped.collect(),
+        }
+    }
+
+    fn scenes(worth: u32) -> [GoldenScene; 1] {
+        [GoldenScene {
+            name: "lone".into(),
+            argument: String::new(),
+            file: PathBuf::new(),
+            worth,
+        }]
+    }
+
+    /// Of a submission that fails `edges` and passes all else, and was asked fresh questions.
+    fn record() -> Record {
+        let film = |passes: bool| json!({ "kind": "withheld", "passes": passes, "ended": "graded", "points_only": true });
+        let group = |name: &str, passes: bool| -> Value {
+            json!({
+                "name": name, "about": "", "points": 0, "possible": 7, "outcome": film(passes),
+                "worst": [], "fails_fresh": !passes,
+            })
+        };
+        let record = json!({
+            "schema": 2, "id": "ada", "outcome": "graded", "explanation": "",
+            "assignment": "Any", "submission": "ada", "passes": false, "points": 0,
+            "possible": 0, "withheld": 0, "printed": "", "sandbox": "none", "flags": [],
+            "tasks": [{
+                "name": "triangle", "chapter": "", "points": 0, "possible": 0,
+                "file": { "state": "compiled" }, "diagnosis": null,
+                "groups": [group("edges", false), group("front", true)],
+            }],
+            "scenes": [{
+                "name": "lone", "points": 0, "possible": 1, "outcome": film(true),
+                "seconds": null, "diagnosis": null,
+            }],
+            "remarks": [], "fresh_scenes": [], "most_for_scenes": 0,
+            "needs": { "scenes": [["triangle"]], "fresh": [] }, "tokens": {},
+            "provenance": {
+                "answers": [], "judged_on": "", "seed": null, "goldens": "", "fresh": null,
+                "assignment": "", "tool": { "version": "", "sha256": "", "rustc": "" },
+                "sandbox": "none", "timeout": 1, "reveal": null,
+            },
+            "timings": {
+                "total": 1.0, "compiling": 0.5, "asking": 0.5, "report": 0.0, "second_runs": 0,
+            },
+        });
+        serde_json::from_value(record).expect("a record")
+    }
+
+    fn computed(assignment: &Assignment, scene: u32) -> (Option<u32>, u32) {
+        let mut record = record();
+        compute(&mut record, assignment, &scenes(scene));
+        let once = record.clone();
+        compute(&mut record, assignment, &scenes(scene));
+        assert_eq!(record, once, "computing again changes nothing");
+        (record.got.points, record.got.possible)
+    }
+
+    #[test]
+    fn mark_follows_the_points_and_the_scenes_follow_the_tasks() {
+        // 3 of 4, so three quarters of the scene.
+        assert_eq!(computed(&assignment(1, 3, &[]), 4), (Some(6), 8));
+        // 1 of 2, so half of the scene.
+        assert_eq!(computed(&assignment(1, 1, &[]), 10), (Some(6), 12));
+    }
+
+    #[test]
+    fn dropped_group_gives_its_points_to_all_or_makes_the_others_count_for_more() {
+        let drop = |points| computed(&assignment(1, 3, &[("triangle.edges", points)]), 4);
+        assert_eq!(drop(DroppedPoints::Given), (Some(8), 8));
+        assert_eq!(drop(DroppedPoints::Rescaled), (Some(7), 7));
+    }
+
+    #[test]
+    fn task_without_a_group_that_counts_costs_the_scenes_nothing() {
+        let all = ["triangle.edges", "triangle.front"].map(|it| (it, DroppedPoints::Rescaled));
+        assert_eq!(computed(&assignment(1, 3, &all), 4), (Some(4), 4));
+    }
+}

@@ -1,0 +1,208 @@
+//! The lecturer's policy: what becomes of a mark that was judged before it goes into a
+//! gradebook.
+//!
+//! Reading order: [`rules`] is `policy.toml` as it is written; [`times`] says when something
+//! was handed in, and how late that is; [`mark`] applies the rules to one mark.
+
+pub mod mark;
+pub mod rules;
+pub mod times;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use jiff::{Timestamp, tz::TimeZone};
+use serde::{Deserialize, Serialize};
+
+use self::rules::Rules;
+use super::intake::roster::Person;
+use super::intake::table::Table;
+use pinhole_course::error::{Error, Result, ResultExt};
+
+/// The rules, and all that the files they name say.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+pub struct Policy {
+    pub rules: Rules,
+    /// The deadline, and those of people who have one of their own, by id.
+    deadline: Option<Timestamp>,
+    extensions: BTreeMap<String, Timestamp>,
+    /// When something was handed in, by a person's id, number or login, or a submission's name.
+    times: BTreeMap<String, Vec<Timestamp>>,
+    /// Late days that were spent on earlier assignments, by id.
+    spent: BTreeMap<String, u32>,
+    pub groups: Vec<Group>,
+}
+
+/// People who hand in one answer together.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct Group {
+    pub name: String,
+    /// Their ids.
+    pub members: Vec<String>,
+}
+
+/// What names the person in a table.
+const WHO: [&str; 7] = [
+    "id",
+    "idnumber",
+    "sisuserid",
+    "sid",
+    "studentid",
+    "identifier",
+    "submission",
+];
+
+impl Policy {
+    /// Reads `policy.toml` and the tables it names, which lie beside it.
+    pub fn read(path: &Path) -> Result<Policy> {
+        let remedy =
+            "see the chapter “Policies and gradebooks” and tools/schema/policy.schema.json";
+        let text = fs::read_to_string(path).or_input(
+            format_args!("cannot read {}", path.display()),
+            "name a policy.toml",
+        )?;
+        let name = path.display().to_string();
+        let rules: Rules = toml::from_str(&text).or_input(&name, remedy)?;
+        let wrong = |why: String| Error::input(&name, remedy).because(why);
+        let mut policy = Policy::of(rules).map_err(wrong)?;
+        let zone = times::zone(policy.rules.time_zone.as_deref()).map_err(wrong)?;
+        let beside = path.parent().unwrap_or(Path::new(""));
+        if let Some(file) = &policy.rules.times {
+            policy.times = times_in(&beside.join(file), zone.as_ref())?;
+        }
+        if let Some(file) = &policy.rules.groups {
+            policy.groups = groups_in(&beside.join(file))?;
+        }
+        for file in policy.rules.late_days.iter().flat_map(|it| &it.spent) {
+            for (id, days) in late_days_in(&beside.join(file))? {
+                *policy.spent.entry(id).or_default() += days;
+            }
+        }
+        Ok(policy)
+    }
+
+    /// The policy of these rules without the tables that they name, or what is wrong with them.
+    pub fn of(rules: Rules) -> std::result::Result<Policy, String> {
+        rules.check()?;
+        let zone = times::zone(rules.time_zone.as_deref())?;
+        let time = |text: &String| times::timestamp(text, zone.as_ref());
+        let extensions = rules.extensions.iter();
+        let extensions = extensions.map(|(id, until)| Ok((id.clone(), time(until)?)));
+        Ok(Policy {
+            deadline: rules.deadline.as_ref().map(time).transpose()?,
+            extensions: extensions.collect::<std::result::Result<_, String>>()?,
+            rules,
+            ..Policy::default()
+        })
+    }
+
+    /// The time zone that the rules are in.
+    pub fn zone(&self) -> TimeZone {
+        let zone = times::zone(self.rules.time_zone.as_deref());
+        zone.ok().flatten().unwrap_or(TimeZone::UTC)
+    }
+
+    /// Everybody who gets the mark of what this person hands in.
+    pub fn group_of(&self, id: &str) -> Option<&Group> {
+        let mut groups = self.groups.iter();
+        groups.find(|group| group.members.iter().any(|member| member == id))
+    }
+
+    /// Ids in the policy that nobody on the roster has: somebody waits for what stands there.
+    pub fn strangers(&self, people: &[Person]) -> Vec<String> {
+        let by_hand = self.rules.adjust.iter().map(|by_hand| &by_hand.id);
+        let grouped = self.groups.iter().flat_map(|group| &group.members);
+        let all = self.extensions.keys().chain(by_hand).chain(grouped);
+        let is_stranger = |id: &&String| !people.iter().any(|person| person.id == **id);
+        let mut all: Vec<String> = all.filter(is_stranger).cloned().collect();
+        all.sort();
+        all.dedup();
+        all
+    }
+}
+
+fn cell(row: &csv::StringRecord, column: usize) -> &str {
+    row.get(column).unwrap_or_default().trim()
+}
+
+fn times_in(path: &Path, zone: Option<&TimeZone>) -> Result<BTreeMap<String, Vec<Timestamp>>> {
+    const TIME: [&str; 6] = [
+        "time",
+        "submissiontime",
+        "submitted",
+        "submittedat",
+        "lastmodifiedsubmission",
+        "created",
+    ];
+    let remedy = "save it as a CSV file whose first line is: id,time";
+    Table::read(path, "list of times", remedy, |table| {
+        let who: Vec<usize> = WHO.iter().filter_map(|it| table.column(&[it])).collect();
+        let others = ["emailaddress", "email", "login", "sisloginid", "username"];
+        let others = others.iter().filter_map(|it| table.column(&[it]));
+        let who: Vec<usize> = who.into_iter().chain(others).collect();
+        if who.is_empty() {
+            table.needed_column(&WHO)?;
+        }
+        let time = table.needed_column(&TIME)?;
+        let mut times: BTreeMap<String, Vec<Timestamp>> = BTreeMap::new();
+        for (line, row) in &table.rows {
+            // Nothing handed in.
+            if matches!(cell(row, time), "" | "-") {
+                continue;
+            }
+            let at = times::timestamp(cell(row, time), zone);
+            let at = at.map_err(|why| format!("line {line}: {why}"))?;
+            for who in who.iter().map(|column| cell(row, *column)) {
+                let who = who.strip_prefix("Participant ").unwrap_or(who);
+                if !who.is_empty() {
+                    times.entry(who.to_owned()).or_default().push(at);
+                }
+            }
+        }
+        Ok(times)
+    })
+}
+
+fn groups_in(path: &Path) -> Result<Vec<Group>> {
+    let remedy = "save it as a CSV file whose first line is: id,group";
+    Table::read(path, "list of groups", remedy, |table| {
+        let who = table.needed_column(&["id", "userid", "sisuserid", "idnumber"])?;
+        let name = table.needed_column(&["group", "groupname", "team"])?;
+        let mut groups: BTreeMap<String, Vec<String>> = BTreeMap::new();
+        for (line, row) in &table.rows {
+            let (id, name) = (cell(row, who), cell(row, name));
+            if groups.values().flatten().any(|other| other == id) {
+                return Err(format!("line {line}: {id} is in two groups"));
+            }
+            // Not everybody is in one.
+            if !name.is_empty() {
+                groups.entry(name.into()).or_default().push(id.into());
+            }
+        }
+        let groups = groups.into_iter();
+        Ok(groups
+            .map(|(name, members)| Group { name, members })
+            .collect())
+    })
+}
+
+fn late_days_in(path: &Path) -> Result<Vec<(String, u32)>> {
+    let remedy = "name a grades.csv that `pinhole grade --policy` has written";
+    Table::read(path, "grades.csv", remedy, |table| {
+        let (id, days) = (
+            table.needed_column(&["id"])?,
+            table.needed_column(&["latedays"])?,
+        );
+        let rows = table
+            .rows
+            .iter()
+            .filter(|(_, row)| !cell(row, days).is_empty());
+        let of = |(line, row): &(u64, csv::StringRecord)| {
+            let days = cell(row, days).parse();
+            let days = days.map_err(|_| format!("line {line}: late_days is no number"))?;
+            Ok((cell(row, id).to_owned(), days))
+        };
+        rows.map(of).collect()
+    })
+}

@@ -1,0 +1,193 @@
+//! One mark: what was judged, what the policy makes of it, and what goes into the gradebook.
+
+use serde::Serialize;
+
+use super::Policy;
+use super::rules::{Direction, Of, Per};
+use super::times::{Lateness, begun, later};
+use crate::grade::record::Record;
+
+/// A mark on its way into the gradebook. All are points of the assignment, and none is below 0.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Mark {
+    /// As it was judged.
+    pub raw: f64,
+    /// After the rules that hold for everybody.
+    pub policy: f64,
+    /// After changes by hand, rounded.
+    #[serde(rename = "final")]
+    pub last: f64,
+    /// What can be had without extra credit.
+    pub possible: f64,
+    /// Days of the budget that were spent.
+    pub late_days: u32,
+    /// What was added or taken off, in order.
+    pub changes: Vec<Change>,
+}
+
+/// Points that were added or taken off, and why.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Change {
+    pub points: f64,
+    pub why: String,
+}
+
+impl Change {
+    /// In a line.
+    pub fn in_words(&self) -> String {
+        match self.points == 0.0 {
+            true => self.why.clone(),
+            false => {
+                let sign = if self.points < 0.0 { "−" } else { "+" };
+                format!("{sign}{}: {}", number(self.points.abs()), self.why)
+            }
+        }
+    }
+}
+
+/// What of a record the rules are about.
+#[derive(Clone, Copy, Debug)]
+pub struct Judged {
+    pub points: f64,
+    pub possible: f64,
+    /// Of what is possible, the part that is extra credit.
+    pub extra: f64,
+}
+
+impl Judged {
+    /// `None` if it has no mark.
+    pub fn of(record: &Record, extra: &[String]) -> Option<Judged> {
+        let tasks = record
+            .got
+            .tasks
+            .iter()
+            .filter(|task| extra.contains(&task.name));
+        let tasks: u32 = tasks.map(|task| task.possible).sum();
+        let scenes = match extra.iter().any(|part| part == "scenes") {
+            true => record.scene_points().1,
+            false => 0,
+        };
+        Some(Judged {
+            points: record.got.points?.into(),
+            possible: record.got.possible.into(),
+            extra: (tasks + scenes).into(),
+        })
+    }
+}
+
+impl Mark {
+    /// Without a policy.
+    pub fn judged(judged: Judged) -> Mark {
+        Mark {
+            raw: judged.points,
+            policy: judged.points,
+            last: judged.points,
+            possible: judged.possible - judged.extra,
+            late_days: 0,
+            changes: Vec::new(),
+        }
+    }
+
+    /// Adds points, as far as the mark stays at 0 or above.
+    fn add(&mut self, points: f64, why: String) {
+        let after = (self.last + points).max(0.0);
+        let points = exact(after - self.last);
+        self.last = exact(after);
+        self.changes.push(Change { points, why });
+    }
+}
+
+impl Policy {
+    /// The mark of a person, or of a submission that is nobody's.
+    pub fn mark(&self, judged: Judged, lateness: &Lateness, id: Option<&str>) -> Mark {
+        let mut mark = Mark::judged(judged);
+        self.take_off_lateness(&mut mark, lateness, id);
+        if let Some(at_most) = self.rules.extra_credit.as_ref().and_then(|it| it.at_most) {
+            let most = mark.possible * at_most / 100.0;
+            if mark.last > most {
+                let why = format!("never more than {} percent", number(at_most));
+                mark.add(most - mark.last, why);
+            }
+        }
+        mark.policy = mark.last;
+        for by_hand in &self.rules.adjust {
+            if Some(by_hand.id.as_str()) == id {
+                mark.add(by_hand.points, by_hand.reason.clone());
+            }
+        }
+        let rounded = self.rounded(mark.last);
+        if rounded != mark.last {
+            mark.add(rounded - mark.last, "rounded".into());
+            mark.last = rounded;
+        }
+        mark
+    }
+
+    fn take_off_lateness(&self, mark: &mut Mark, lateness: &Lateness, id: Option<&str>) {
+        let Lateness::Late { due, at } = lateness else {
+            return;
+        };
+        let days = begun(due, at, Per::Day);
+        let when = at.strftime("handed in %Y-%m-%d %H:%M");
+        let Some(late) = &self.rules.late else {
+            return;
+        };
+        mark.late_days = id.map_or(0, |id| self.late_days_left(id)).min(days);
+        let from = later(due, mark.late_days.into(), Per::Day);
+        let from = from.unwrap_or_else(|| due.clone());
+        let (count, unit) = (begun(&from, at, late.per), late.per);
+        if mark.late_days > 0 {
+            let spent = counted(mark.late_days, Per::Day);
+            mark.add(0.0, format!("{when}: {spent} of the late days spent"));
+        }
+        if count == 0 {
+            return;
+        }
+        let percent = (late.percent * f64::from(count)).min(late.at_most);
+        let (base, of) = match late.of {
+            Of::Possible => (mark.possible, "possible"),
+            Of::Earned => (mark.last, "earned"),
+        };
+        let (late, percent_in_words) = (counted(count, unit), number(percent));
+        let why = format!("{when}, {late} late: {percent_in_words} percent of the points {of}");
+        mark.add(-base * percent / 100.0, why);
+    }
+
+    fn rounded(&self, points: f64) -> f64 {
+        let Some(rounding) = &self.rules.rounding else {
+            return points;
+        };
+        // Binary fractions may lie a hair beside what they stand for.
+        const HAIR: f64 = 1e-9;
+        let steps = points / rounding.to;
+        let steps = match rounding.direction {
+            Direction::Nearest => (steps + 0.5 + HAIR).floor(),
+            Direction::Up => (steps - HAIR).ceil(),
+            Direction::Down => (steps + HAIR).floor(),
+        };
+        exact(steps * rounding.to).max(0.0)
+    }
+}
+
+/// To the millionth: what remains of it below is of binary fractions.
+fn exact(points: f64) -> f64 {
+    (points * 1e6).round() / 1e6
+}
+
+/// A number as people write it: `77`, `76.5`.
+pub fn number(points: f64) -> String {
+    let text = format!("{:.4}", exact(points));
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+fn counted(count: u32, unit: Per) -> String {
+    let unit = match unit {
+        Per::Hour => "hour",
+        Per::Day => "day",
+    };
+    let end = if count == 1 { "" } else { "s" };
+    format!("{count} {unit}{end}")
+}
+
+#[cfg(test)]
+mod tests;

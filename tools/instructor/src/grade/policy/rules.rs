@@ -1,0 +1,225 @@
+//! `policy.toml`, as a lecturer writes it. Everything is optional.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+/// What becomes of a mark after judging. Files are beside this one.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields, default)]
+pub struct Rules {
+    /// The zone of all times without an offset, such as `Europe/Berlin`.
+    pub time_zone: Option<String>,
+    /// When it was due: `2026-11-20 23:59`.
+    pub deadline: Option<String>,
+    /// This much later is still in time: `15 minutes`.
+    pub grace: Option<String>,
+    /// A CSV file of when people handed in: `id,time`, Moodle's grading worksheet, or
+    /// Gradescope's grades.
+    pub times: Option<String>,
+    /// A CSV file of people who hand in together: `id,group`.
+    pub groups: Option<String>,
+    /// Which of several submissions by one person counts.
+    pub attempts: Attempts,
+    /// What a late submission loses.
+    pub late: Option<Late>,
+    /// Days that people may be late for nothing.
+    pub late_days: Option<LateDays>,
+    /// Later deadlines for single people, by id.
+    pub extensions: BTreeMap<String, String>,
+    /// Tasks whose points come on top.
+    pub extra_credit: Option<ExtraCredit>,
+    /// How the final mark is rounded. Without it, it is not.
+    pub rounding: Option<Rounding>,
+    /// Changes to single people's marks, made by hand.
+    pub adjust: Vec<Adjustment>,
+    /// What the gradebook calls the assignment: in Canvas `Homework 1 (22)`, with its number.
+    pub gradebook_column: Option<String>,
+}
+
+/// Which of several submissions counts.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum Attempts {
+    /// The one handed in last.
+    #[default]
+    Last,
+    /// The one with the best mark, lateness included.
+    Best,
+}
+
+/// What a late submission loses.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Late {
+    /// So many percent for every hour or day that has begun.
+    pub percent: f64,
+    /// An hour or a day.
+    pub per: Per,
+    /// Percent of what.
+    #[serde(default)]
+    pub of: Of,
+    /// Never more than this many percent.
+    #[serde(default = "everything")]
+    pub at_most: f64,
+}
+
+fn everything() -> f64 {
+    100.0
+}
+
+/// A unit of lateness.
+#[derive(Clone, Copy, Debug, Deserialize, Eq, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum Per {
+    /// 60 minutes.
+    Hour,
+    /// A day of the calendar: also where clocks are changed, the same time tomorrow.
+    Day,
+}
+
+/// What a percentage is of.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum Of {
+    /// Of all points that can be had, as Canvas takes it.
+    #[default]
+    Possible,
+    /// Of the points earned.
+    Earned,
+}
+
+/// Days that people may be late for nothing, over several assignments.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct LateDays {
+    /// How many each person has.
+    pub budget: u32,
+    /// The `grades.csv` of earlier assignments, which say how many are spent.
+    #[serde(default)]
+    pub spent: Vec<String>,
+}
+
+/// Tasks whose points come on top of what can be had.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct ExtraCredit {
+    /// Names of tasks, or `scenes`.
+    pub parts: Vec<String>,
+    /// A mark is never more than this many percent.
+    #[serde(default)]
+    pub at_most: Option<f64>,
+}
+
+/// How a final mark is rounded.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Rounding {
+    /// To multiples of this: 1, 0.5, 0.1.
+    pub to: f64,
+    /// In which direction.
+    #[serde(default)]
+    pub direction: Direction,
+}
+
+/// In which direction a mark is rounded.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum Direction {
+    /// To the nearest; a half goes up.
+    #[default]
+    Nearest,
+    /// In the student's favour.
+    Up,
+    /// Never above what was earned.
+    Down,
+}
+
+/// A change made by hand.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Adjustment {
+    /// Whose mark.
+    pub id: String,
+    /// Points to add; below 0, to take off.
+    pub points: f64,
+    /// Why. The student reads it.
+    pub reason: String,
+}
+
+impl Rules {
+    /// What TOML cannot say about them.
+    pub fn check(&self) -> Result<(), String> {
+        let percent = |what: &str, percent: f64| match (0.0..=100.0).contains(&percent) {
+            true => Ok(()),
+            false => Err(format!(
+                "{what} is {percent}, which is not between 0 and 100"
+            )),
+        };
+        if let Some(late) = &self.late {
+            percent("late.percent", late.percent)?;
+            percent("late.at_most", late.at_most)?;
+        }
+        let needs = [
+            ("late", self.late.is_some()),
+            ("late_days", self.late_days.is_some()),
+            ("grace", self.grace.is_some()),
+        ];
+        for (what, _) in needs.iter().filter(|(_, is_there)| *is_there) {
+            if self.deadline.is_none() {
+                return Err(format!("it has `{what}`, but no `deadline`"));
+            }
+        }
+        if self.late_days.is_some() && self.late.is_none() {
+            return Err("it has `late_days`, but no `late` that they could spare anybody".into());
+        }
+        if let Some(rounding) = &self.rounding
+            && !(rounding.to > 0.0 && rounding.to.is_finite())
+        {
+            return Err(format!("rounding.to is {}, not above 0", rounding.to));
+        }
+        if let Some(at_most) = self.extra_credit.as_ref().and_then(|it| it.at_most)
+            && !(at_most >= 0.0 && at_most.is_finite())
+        {
+            return Err(format!("extra_credit.at_most is {at_most}"));
+        }
+        for by_hand in &self.adjust {
+            if !by_hand.points.is_finite() || by_hand.reason.trim().is_empty() {
+                return Err(format!(
+                    "the adjustment for {} needs a number of points and a reason",
+                    by_hand.id
+                ));
+            }
+        }
+        if let Some(grace) = &self.grace {
+            super::times::grace(grace)?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+#[test]
+fn the_committed_schema_of_policies_is_that_of_the_type() {
+    use schemars::generate::SchemaSettings;
+    let generator = SchemaSettings::draft2020_12().into_generator();
+    let schema = generator.into_root_schema_for::<Rules>();
+    let text = serde_json::to_string_pretty(&schema).expect("it can be written") + "\n";
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../schema/policy.schema.json");
+    if std::env::var_os("UPDATE_SCHEMAS").is_some() {
+        std::fs::write(path, &text).expect("it can be written");
+    }
+    let committed = std::fs::read_to_string(path).unwrap_or_default();
+    let again = "UPDATE_SCHEMAS=1 cargo test -p pinhole-instructor schema";
+    assert_eq!(committed, text, "if this is meant, run: {again}");
+}

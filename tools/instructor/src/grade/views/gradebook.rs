@@ -1,0 +1,92 @@
+//! Files that gradebooks import: everybody's final mark, once. Who has none keeps an empty
+//! cell, which is no zero.
+
+use super::csv::Table;
+use crate::grade::class::{Class, Row};
+use crate::grade::intake::names::{PlatformName, platforms};
+use crate::grade::intake::roster::Person;
+use crate::grade::policy::mark::{Mark, number};
+
+/// Canvas: Grades, Import. The columns and the line of possible points are those that Canvas
+/// documents and exports; `Name (number)` meets the assignment that there is.
+pub fn canvas(class: &Class) -> String {
+    let policy = class.roll.policy.as_ref();
+    let column = policy.and_then(|policy| policy.rules.gradebook_column.clone());
+    let column = column.unwrap_or_else(|| class.title.clone());
+    let head = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"];
+    let mut table = Table::new(&[&head[..], &[&column]].concat());
+    let possible = class.gradebook().map(|(_, mark, _)| mark.possible);
+    let possible = number(possible.fold(0.0, f64::max));
+    let points = ["    Points Possible", "", "", "", "", &possible];
+    table.line(&points.map(str::to_owned));
+    for (person, mark, row) in class.gradebook() {
+        let login = person.logins.first().cloned().unwrap_or_default();
+        table.line(&[
+            person.name.clone(),
+            account(person, row, PlatformName::canvas),
+            person.id.clone(),
+            login,
+            person.section.clone(),
+            number(mark.last),
+        ]);
+    }
+    table.for_machines()
+}
+
+/// Moodle: the assignment's “Upload grading worksheet”, or the gradebook's import from CSV,
+/// where `ID number` says who it is.
+pub fn moodle(class: &Class) -> String {
+    let mut table = Table::new(&[
+        "Identifier",
+        "Full name",
+        "ID number",
+        "Email address",
+        "Grade",
+        "Last modified (grade)",
+        "Feedback comments",
+    ]);
+    for (person, mark, row) in class.gradebook() {
+        let number_there = account(person, row, PlatformName::moodle);
+        let identifier = match number_there.is_empty() {
+            true => String::new(),
+            false => format!("Participant {number_there}"),
+        };
+        let mut logins = person.logins.iter();
+        let email = logins.find(|login| login.contains('@'));
+        table.line(&[
+            identifier,
+            person.name.clone(),
+            person.id.clone(),
+            email.cloned().unwrap_or_default(),
+            number(mark.last),
+            String::new(),
+            comments(mark),
+        ]);
+    }
+    table.for_machines()
+}
+
+fn comments(mark: &Mark) -> String {
+    let changes = mark.changes.iter().map(|change| change.in_words());
+    changes.collect::<Vec<_>>().join("; ")
+}
+
+/// The platform's number for a person: from the roster, or from what was handed in.
+fn account(
+    person: &Person,
+    row: &Row,
+    of_platform: fn(&str) -> Option<PlatformName<'_>>,
+) -> String {
+    let is_own = row
+        .entry
+        .given
+        .iter()
+        .any(|name| !platforms(name).is_empty());
+    let named = row.entry.given.iter().find_map(|name| of_platform(name));
+    // What was handed in for a group says who did it, not who all are.
+    let is_shared = row.is_shared;
+    let named = named
+        .filter(|_| is_own && !is_shared)
+        .map(|name| name.number.to_owned());
+    named.or(person.number.clone()).unwrap_or_default()
+}

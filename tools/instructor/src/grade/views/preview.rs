@@ -1,0 +1,53 @@
+//! What `grade --dry-run` shows: whose each submission is, and what was found in it.
+
+use std::collections::BTreeMap;
+
+use serde_json::json;
+
+use super::summary::{attention, status};
+use crate::grade::cache::pretty;
+use crate::grade::class::{Roll, concern, marks};
+use pinhole_course::assignment::Assignment;
+use pinhole_course::error::Result;
+use pinhole_report::escape::printable;
+use pinhole_report::program::Status;
+
+/// Prints all that is known before anything is judged.
+pub fn print(roll: &Roll, assignment: &Assignment, as_json: bool) -> Result<Status> {
+    let can_be_graded = |id: &str| {
+        let mut entries = roll.entries.iter();
+        entries.any(|entry| entry.id == id && entry.submission.is_ok())
+    };
+    let nothing_graded = BTreeMap::new();
+    let by_policy = marks::rows(roll, &nothing_graded).concerns;
+    let concerns = concern::sorted([roll.concerns(), by_policy].concat());
+    let headline = roll.headline(&can_be_graded, "found");
+    if as_json {
+        let document = json!({
+            "assignment": assignment.title,
+            "submissions": roll.entries,
+            "summary": headline,
+            "concerns": concerns,
+            "roster": roll.placed,
+            "ignored": roll.ignored,
+        });
+        anstream::print!("{}", pretty(&document)?);
+        return Ok(status(&concerns));
+    }
+    for entry in &roll.entries {
+        let person = match (roll.placed.of.get(&entry.id), roll.placed.people) {
+            (Some(person), _) => format!("{} [{}]", person.name, person.id),
+            (None, Some(_)) => "?".into(),
+            (None, None) => "no roster".into(),
+        };
+        let (of, unusable) = (assignment.tasks.len(), entry.unusable.len());
+        let found = match &entry.submission {
+            Ok(_) => format!("{} of {of} answer files", of - unusable),
+            Err(why) => format!("cannot be graded: {why}"),
+        };
+        let line = format!("{}: {person}: {found}", entry.id);
+        anstream::println!("{}", printable(&line));
+    }
+    anstream::print!("\n{}", attention(&concerns, headline));
+    Ok(status(&concerns))
+}

@@ -1,0 +1,38 @@
+//! The marks in students' reports. A policy may change after grading, so reports are written
+//! without, and get theirs whenever the class's files are written.
+
+use std::fs;
+
+use crate::grade::cache::ResultCache;
+use crate::grade::class::{Class, Row};
+use crate::grade::policy::mark::number;
+use pinhole_course::error::Result;
+use pinhole_report::html::mark::{FinalMark, with_mark};
+
+/// Writes everybody's mark into the report; without a policy, none.
+pub fn write_marks(class: &Class, cache: &ResultCache) -> Result<()> {
+    for row in &class.rows {
+        let name = format!("submissions/{}/report.html", row.entry.id);
+        let Ok(page) = fs::read_to_string(cache.path(&name)) else {
+            continue;
+        };
+        let is_policy = class.roll.policy.is_some();
+        let page = match is_policy {
+            true => with_mark_of(&page, row),
+            false => with_mark(&page, None).unwrap_or(page),
+        };
+        cache.write(&name, page)?;
+    }
+    Ok(())
+}
+
+/// A report with a row's mark.
+pub fn with_mark_of(page: &str, row: &Row) -> String {
+    let mark = row.mark.as_ref().map(|mark| FinalMark {
+        points: number(mark.last),
+        possible: number(mark.possible),
+        judged: number(mark.raw),
+        why: mark.changes.iter().map(|it| it.in_words()).collect(),
+    });
+    with_mark(page, mark.as_ref()).unwrap_or_else(|| page.to_owned())
+}

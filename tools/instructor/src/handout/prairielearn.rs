@@ -1,0 +1,135 @@
+//! A question for PrairieLearn: its folder, and what the image is built from that grades it.
+//!
+//! After https://prairielearn.readthedocs.io/en/latest/externalGrading/. The image holds every
+//! golden and our answers, so it is for instructors alone.
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::json;
+
+use super::{Files, Written, gradescope};
+use crate::grade::cache::pretty;
+use crate::grade::provenance::sha256;
+use crate::grade::redact::Reveal;
+use pinhole_course::assignment::Assignment;
+use pinhole_course::checkout::Checkout;
+use pinhole_course::error::{Error, Result, ResultExt};
+
+const DOCKERFILE: &str = include_str!("../../templates/handout/prairielearn/Dockerfile");
+const RUN: &str = include_str!("../../templates/handout/prairielearn/run.sh");
+const README: &str = include_str!("../../templates/handout/prairielearn/README.md");
+
+/// Writes it to a folder, which is new or empty.
+pub fn write(
+    assignment: &Assignment,
+    checkout: &Checkout,
+    fresh: Option<&Path>,
+    reveal: Reveal,
+    out: &Path,
+) -> Result<Written> {
+    let is_empty = fs::read_dir(out).map_or(true, |mut entries| entries.next().is_none());
+    if !is_empty {
+        return Err(Error::input(
+            format!("{} is not empty", out.display()),
+            "name a new folder",
+        ));
+    }
+    let mut files = question(assignment)?;
+    let course = gradescope::course(assignment, checkout, fresh, reveal)?;
+    let course = course.into_iter();
+    files.extend(course.map(|(name, bytes)| (format!("image/pinhole/{name}"), bytes)));
+    let mut bytes = 0;
+    for (name, content) in &files {
+        let path = out.join(name);
+        let failed = Error::environment(
+            format!("cannot write {}", path.display()),
+            "free some disk space, and check that the folder can be written",
+        );
+        let folder = path.parent().unwrap_or(out);
+        fs::create_dir_all(folder).or_fail(&failed)?;
+        fs::write(&path, content).or_fail(&failed)?;
+        bytes += content.len() as u64;
+    }
+    Ok(Written {
+        files: files.len(),
+        bytes,
+    })
+}
+
+/// All but the course that the image grades with.
+fn question(assignment: &Assignment) -> Result<Files> {
+    let names: Vec<String> = assignment.tasks.iter().map(|task| task.file()).collect();
+    let names = names.join(",");
+    let info = json!({
+        "uuid": uuid(&assignment.name),
+        "title": assignment.title,
+        "topic": "Programming",
+        "type": "v3",
+        // Nothing in it is random.
+        "singleVariant": true,
+        "gradingMethod": "External",
+        "externalGradingOptions": {
+            "enabled": true,
+            "image": format!("REGISTRY/pinhole-{}", assignment.name.replace('_', "-")),
+            "entrypoint": "/grade/tests/run.sh",
+            "timeout": 600,
+        },
+    });
+    let html = format!(
+        "<pl-question-panel>\n  <p>Hand in the files of your answers.</p>\n  \
+         <pl-file-upload file-names=\"{names}\"></pl-file-upload>\n</pl-question-panel>\n\n\
+         <pl-submission-panel>\n  <pl-external-grader-results></pl-external-grader-results>\n  \
+         <pl-file-preview></pl-file-preview>\n</pl-submission-panel>\n"
+    );
+    let files = [
+        ("README.md", README.to_owned()),
+        ("image/Dockerfile", DOCKERFILE.to_owned()),
+        ("question/info.json", pretty(&info)?),
+        ("question/question.html", html),
+        ("question/tests/run.sh", RUN.to_owned()),
+    ];
+    let files = files.map(|(name, text)| (name.to_owned(), text.replace('\r', "").into_bytes()));
+    Ok(files.into_iter().collect())
+}
+
+/// The same whenever it is made: PrairieLearn knows questions by it. Version 8 of RFC 9562,
+/// whose bits anybody may choose.
+fn uuid(name: &str) -> String {
+    let hash = sha256(format!("pinhole question {name}").as_bytes());
+    let (a, b, c, d, e) = (
+        &hash[..8],
+        &hash[8..12],
+        &hash[13..16],
+        &hash[17..20],
+        &hash[20..32],
+    );
+    format!("{a}-{b}-8{c}-a{d}-{e}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_question_names_every_answer_file_and_its_grader() {
+        let checkout = Checkout::at(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")));
+        let assignment = Assignment::read(&checkout, "ray_casting").expect("it is there");
+        let files = question(&assignment).expect("it can be made");
+        let text = |name: &str| String::from_utf8_lossy(&files[name]).into_owned();
+        let info: serde_json::Value =
+            serde_json::from_str(&text("question/info.json")).expect("it is JSON");
+        let entrypoint = info["externalGradingOptions"]["entrypoint"].as_str();
+        let entrypoint = entrypoint
+            .expect("it has one")
+            .replace("/grade/", "question/");
+        assert!(files.contains_key(&entrypoint), "{entrypoint}");
+        let uuid = info["uuid"].as_str().expect("it has one");
+        let lengths: Vec<usize> = uuid.split('-').map(str::len).collect();
+        assert_eq!(lengths, [8, 4, 4, 4, 12], "{uuid}");
+        for task in &assignment.tasks {
+            let html = text("question/question.html");
+            assert!(html.contains(&task.file()), "{html}");
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! Limits the points of scenes by those of the tasks that they need.
+//!
+//! Somebody who has the public goldens could write their pixels, or their shapes, into the
+//! answer files. Fresh questions take the points of such tasks, so the tasks' points limit
+//! those of the scenes.
+
+use pinhole_course::outcome::{Outcome, SceneOutcome};
+
+/// The most that scenes may earn: for each that passes, its points times the smallest share
+/// of points among the tasks it needs, all together rounded up. If fresh scenes that need the
+/// same tasks earn more than that share, theirs counts.
+///
+/// `needs` says of each scene, and of the fresh scenes together, which tasks they need.
+pub fn most_for_scenes(
+    outcome: &Outcome,
+    fresh: &[SceneOutcome],
+    needs: &[Vec<&str>],
+    fresh_needs: &[&str],
+) -> u32 {
+    let of_fresh = share(fresh.iter().map(|scene| (scene.points, scene.possible)));
+    let capped = outcome.scenes.iter().zip(needs).map(|(scene, needs)| {
+        let tasks = outcome.tasks.iter();
+        // A task whose groups are all dropped vouches for nothing and is no doubt either.
+        let needed = tasks.filter(|task| needs.contains(&task.name.as_str()) && task.possible > 0);
+        let shares = needed.map(|task| share([(task.points, task.possible)]));
+        let smallest = shares.fold(1.0, f64::min);
+        let most = match needs.iter().all(|task| fresh_needs.contains(task)) {
+            true => smallest.max(of_fresh),
+            false => smallest,
+        };
+        f64::from(scene.points) * most
+    });
+    // A sum of thirds may miss a whole number by a rounding error.
+    (capped.sum::<f64>() - 1e-9).ceil() as u32
+}
+
+/// Earned points over possible ones.
+fn share(points: impl IntoIterator<Item = (u32, u32)>) -> f64 {
+    let (earned, possible) = points
+        .into_iter()
+        .fold((0, 0), |(a, b), (c, d)| (a + c, b + d));
+    f64::from(earned) / f64::from(possible.max(1))
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    /// Two tasks with these points of 10, and two scenes that pass: the first, of 3 points,
+    /// needs both tasks, the second, of 5, only `plane`.
+    fn most(sphere: u32, plane: u32, fresh: u32, fresh_needs: &[&str]) -> u32 {
+        let task = |name: &str, points: u32| {
+            json!({
+                "name": name, "chapter": "", "points": points, "possible": 10,
+                "file": { "state": "compiled" }, "groups": [], "diagnosis": null,
+            })
+        };
+        let scene = |name: &str, points: u32, possible: u32| {
+            json!({
+                "name": name, "points": points, "possible": possible,
+                "outcome": { "kind": "unanswered" }, "seconds": null, "diagnosis": null,
+            })
+        };
+        let mut outcome = Outcome::new("title", "ada".into(), "none");
+        let tasks = json!([task("sphere", sphere), task("plane", plane)]);
+        outcome.tasks = serde_json::from_value(tasks).expect("two tasks");
+        let scenes = json!([scene("both", 3, 3), scene("plane", 5, 5)]);
+        outcome.scenes = serde_json::from_value(scenes).expect("two scenes");
+        let fresh = json!([scene("random_0", fresh, 9)]);
+        let fresh: Vec<SceneOutcome> = serde_json::from_value(fresh).expect("a scene");
+        let needs = [vec!["sphere", "plane"], vec!["plane"]];
+        most_for_scenes(&outcome, &fresh, &needs, fresh_needs)
+    }
+
+    #[test]
+    fn scene_earns_the_smallest_share_of_the_tasks_that_it_needs() {
+        assert_eq!(most(10, 10, 0, &[]), 8);
+        assert_eq!(most(0, 10, 0, &[]), 5);
+        assert_eq!(most(10, 0, 0, &[]), 0);
+        // 3 × 0.3 + 5 × 0.9 = 5.4
+        assert_eq!(most(3, 9, 0, &[]), 6);
+    }
+
+    #[test]
+    fn fresh_scenes_count_only_for_the_tasks_that_they_need() {
+        assert_eq!(most(0, 0, 9, &["sphere", "plane"]), 8);
+        assert_eq!(most(0, 0, 9, &["plane"]), 5);
+        assert_eq!(most(10, 10, 0, &["sphere", "plane"]), 8);
+    }
+}

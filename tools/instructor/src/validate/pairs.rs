@@ -1,0 +1,239 @@
+//! Two beliefs inside one answer: the reference with the edits of both.
+//!
+//! The edits are data of the assignment, so that pairs can be made of any two that change
+//! different places.
+
+use std::fs;
+use std::ops::Range;
+
+use serde::{Deserialize, Serialize};
+
+use super::naming::Names;
+use super::sentences::{FEW, Sentences};
+use super::validator::{Base, Validator};
+use pinhole_course::error::{Error, Result, ResultExt};
+use pinhole_course::examine::Selection;
+use pinhole_course::overlay;
+use pinhole_course::submission::Submission;
+
+/// The file's name in an assignment.
+const FILE: &str = "pairs.toml";
+
+/// How many pairs of each task are judged without `--pairs`.
+const SAMPLE: usize = 5;
+
+/// The share of pairs of which at least one belief must be named. It is what we have reached;
+/// the aim is four in five.
+const ENOUGH: f64 = 0.65;
+
+/// A belief as edits of the reference.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Belief {
+    task: String,
+    mistake: String,
+    /// A text that the reference has once, and its replacement.
+    edits: Vec<[String; 2]>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    #[serde(default)]
+    belief: Vec<Belief>,
+}
+
+/// The results of the pairs.
+#[derive(Debug, Serialize)]
+pub struct Pairs {
+    /// How many there are in the assignment.
+    pub all: usize,
+    /// Names of one belief or of both.
+    pub names: Names,
+    /// Of how many both were named.
+    pub both: usize,
+    /// Pairs that got no name, or a wrong one.
+    pub unnamed: Vec<String>,
+    /// Pairs that pass everything: each belief hides the other.
+    pub passing: Vec<String>,
+    /// What was measured of them.
+    pub sentences: Sentences,
+}
+
+/// Two beliefs in one answer.
+struct Pair {
+    task: String,
+    beliefs: [String; 2],
+    text: String,
+}
+
+/// Judges pairs whose names contain `named`: a few of each task, or all.
+pub fn judge(validator: &Validator, named: &str, all: bool) -> Result<Option<Pairs>> {
+    let path = validator.assignment.folder.join(FILE);
+    let Ok(text) = fs::read_to_string(&path) else {
+        return Ok(None);
+    };
+    let File { belief } = toml::from_str(&text).or_input(path.display(), "correct the file")?;
+    let reference = overlay::reference(validator.assignment)?;
+    let pairs = pairs(&belief, &reference)?;
+    let count = pairs.len();
+    let mut wanted = Vec::new();
+    for task in &validator.assignment.tasks {
+        let own = pairs.iter().filter(|pair| pair.task == task.name);
+        let own: Vec<&Pair> = own.filter(|pair| pair.name().contains(named)).collect();
+        let step = match all {
+            true => 1,
+            false => own.len().div_ceil(SAMPLE).max(1),
+        };
+        wanted.extend(own.into_iter().step_by(step));
+    }
+    let base = Base::new(reference.clone());
+    let judged = validator.all("pairs", &wanted, |pair| pair.judge(validator, &base))?;
+    let mut names = Names::default();
+    let mut pairs = Pairs {
+        all: count,
+        names: Names::default(),
+        both: 0,
+        unnamed: Vec::new(),
+        passing: Vec::new(),
+        sentences: Sentences::sum(judged.iter().map(|judged| &judged.sentences)),
+    };
+    for judged in &judged {
+        names.add(&judged.names);
+        pairs.both += usize::from(judged.both);
+        match judged.fails {
+            false => pairs.passing.push(judged.name.clone()),
+            true if judged.names.right + judged.names.among == 0 => {
+                pairs.unnamed.push(judged.name.clone());
+            }
+            true => {}
+        }
+    }
+    Ok(Some(Pairs { names, ..pairs }))
+}
+
+/// The result of one pair.
+struct Judged {
+    name: String,
+    fails: bool,
+    names: Names,
+    both: bool,
+    sentences: Sentences,
+}
+
+impl Pair {
+    fn name(&self) -> String {
+        self.beliefs.join(" + ")
+    }
+
+    fn judge(&self, validator: &Validator, base: &Base) -> Result<Judged> {
+        let submission = base.submission.clone();
+        let submission = submission.with_answer(&self.task, self.text.clone());
+        let program = validator.compiler.compile(&submission)?;
+        if program.replaced.contains_key(&self.task) {
+            return Err(Error::input(
+                format!("{}: it does not compile", self.name()),
+                format!("correct the edits in {FILE}"),
+            ));
+        }
+        let selection = Selection {
+            tasks: vec![self.task.clone()],
+            scenes: Vec::new(),
+        };
+        let wall = super::validator::WALL;
+        let examined = validator.examine_built(&program, &submission, &selection, wall, None)?;
+        let outcome = examined.outcome.tasks.first();
+        let failing = outcome.filter(|task| !task.passes());
+        let mut names = Names::default();
+        let mut both = false;
+        let mut sentences = Sentences::default();
+        if let Some(outcome) = failing {
+            names.count(&self.name(), &outcome.diagnosis, &self.beliefs);
+            let named = |belief: &String| {
+                let mut named = outcome.diagnosis.beliefs.iter();
+                named.any(|held| held.slug == *belief)
+            };
+            both = self.beliefs.iter().all(named);
+            let task = validator.assignment.task(&self.task);
+            let task = task.expect("the pair's answer is one of the reference's");
+            sentences = Sentences::of(validator, &program, task, &self.name())?;
+        }
+        Ok(Judged {
+            name: self.name(),
+            fails: failing.is_some(),
+            names,
+            both,
+            sentences,
+        })
+    }
+}
+
+/// All pairs of beliefs about one task whose edits change different places.
+fn pairs(beliefs: &[Belief], reference: &Submission) -> Result<Vec<Pair>> {
+    let mut pairs = Vec::new();
+    for (k, one) in beliefs.iter().enumerate() {
+        let text = text_of(reference, &one.task)?;
+        let places = one.places(text)?;
+        for other in beliefs[k + 1..].iter().filter(|it| it.task == one.task) {
+            let mut both: Vec<(Range<usize>, &str)> = places.clone();
+            both.extend(other.places(text)?);
+            both.sort_by_key(|(place, _)| place.start);
+            if both.windows(2).any(|two| two[0].0.end > two[1].0.start) {
+                continue;
+            }
+            let mut edited = text.to_owned();
+            for (place, becomes) in both.iter().rev() {
+                edited.replace_range(place.clone(), becomes);
+            }
+            pairs.push(Pair {
+                task: one.task.clone(),
+                beliefs: [one.mistake.clone(), other.mistake.clone()],
+                text: edited,
+            });
+        }
+    }
+    Ok(pairs)
+}
+
+fn text_of<'a>(reference: &'a Submission, task: &str) -> Result<&'a str> {
+    let mut answers = reference.answers.iter();
+    let answer = answers.find(|answer| answer.task == task);
+    let text = answer.and_then(|answer| answer.text.as_deref().ok());
+    text.ok_or_else(|| Error::input(format!("{FILE}: there is no task `{task}`"), "correct it"))
+}
+
+impl Belief {
+    /// Where its edits are, and what stands there instead.
+    fn places(&self, text: &str) -> Result<Vec<(Range<usize>, &str)>> {
+        let place = |was: &String| -> Result<Range<usize>> {
+            let mut found = text.match_indices(was.as_str());
+            match (found.next(), found.next()) {
+                (Some((start, _)), None) => Ok(start..start + was.len()),
+                _ => Err(Error::input(
+                    format!("{FILE}: the reference does not have this once: {was}"),
+                    "follow the reference there",
+                )),
+            }
+        };
+        let edits = self.edits.iter();
+        edits
+            .map(|edit| Ok((place(&edit[0])?, edit[1].as_str())))
+            .collect()
+    }
+}
+
+impl Pairs {
+    /// What misses a target.
+    pub fn faults(&self) -> Vec<String> {
+        let wrong = self.names.wrong.iter();
+        let mut faults: Vec<String> = wrong.map(|film| format!("false name: {film}")).collect();
+        let (judged, named) = (self.names.all(), self.names.right + self.names.among);
+        if judged >= FEW && (named as f64) < ENOUGH * judged as f64 {
+            faults.push(format!(
+                "of {judged} pairs of beliefs only {named} get a right name"
+            ));
+        }
+        faults.extend(self.sentences.faults("pairs"));
+        faults
+    }
+}

@@ -1,0 +1,41 @@
+//! The table of pairs of beliefs.
+
+use super::{QUIET, row};
+use crate::validate::pairs::Pairs;
+use crate::validate::sentences::Sentences;
+
+/// Names and sentences, then the pairs that got none.
+pub fn table(pairs: &Pairs) -> String {
+    let names = &pairs.names;
+    let said = format!(
+        "{} of {} failing pairs get a right name, {} of them both; {} false names ({} pairs in all)",
+        names.right + names.among,
+        names.all(),
+        pairs.both,
+        names.wrong.len(),
+        pairs.all,
+    );
+    let mut text = row(names.wrong.is_empty(), "pairs", said);
+    text += &sentences(&pairs.sentences);
+    for name in &pairs.unnamed {
+        text += &format!("  {QUIET}no right name: {name}{QUIET:#}\n");
+    }
+    text
+}
+
+/// What was measured.
+pub fn sentences(sentences: &Sentences) -> String {
+    let Sentences {
+        tasks,
+        told,
+        tested,
+        ..
+    } = sentences;
+    let wrong = sentences.wrong.len();
+    let said = format!("{told} of {tasks} are told a law; {wrong} of {tested} sentences are false");
+    let mut text = row(wrong == 0, "  measured", said);
+    for untold in &sentences.untold {
+        text += &format!("  {QUIET}no law: {untold}{QUIET:#}\n");
+    }
+    text
+}

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# PrairieLearn runs this for each submission, as root, in a container that is used once.
+set -uo pipefail
+
+mkdir -p /grade/results
+cd /opt/pinhole || exit
+graded=/opt/graded class=/opt/class
+mkdir -m 700 "$graded" "$class"
+# A folder of one submission: whatever is missing in it is the student's to know.
+cp -a /grade/student "$class/submission"
+
+fresh=(--no-fresh)
+if [ -d fresh ]; then fresh=(--fresh fresh); fi
+target/release/pinhole-instructor grade "$class" --out "$graded" \
+    --sandbox container --format prairielearn --reveal "$(cat reveal)" "${fresh[@]}"
+
+if ! cp "$graded"/submissions/*/prairielearn.json /grade/results/results.json; then
+    # Not gradable: a fault of the grader costs no attempt and is no student's zero.
+    echo '{"gradable": false, "format_errors": "The grader failed, not your answers. Your instructor can run it again."}' >/grade/results/results.json
+fi

@@ -1,0 +1,175 @@
+//! Everyday, hard and absurd questions, each class by itself: what a kernel costs and what it
+//! gets wrong there, how often each tier of an exact kernel is needed, and errors of t
+//! against the questions' conditioning.
+
+use std::collections::BTreeMap;
+
+use crate::conditioning::decade;
+use crate::contestants::EXACT;
+use crate::family::Studied;
+use crate::instructions;
+use crate::judge::{Tally, median_and_worst};
+use crate::kernel::Tier;
+use crate::question::{Class, Data};
+use crate::result::{Conditioned, Sweep, TierTally, Trade};
+use crate::speed::{PAIRS, Time, pool, race};
+
+/// A kernel's name, and what it computes with.
+pub type Entry = (String, String);
+
+/// The error of one t, in ulp, the class of its question and its condition number.
+pub type Error = (Class, f64, f64);
+
+/// All errors of one shape's kernels.
+pub type Errors = BTreeMap<Entry, Vec<Error>>;
+
+/// Questions of which a tier's share is counted.
+const COUNTED: usize = 10 * PAIRS;
+
+/// Cost and wrong decisions of every kernel, by class.
+pub fn trades<S: Studied>(
+    sweeps: &[Sweep],
+    errors: &Errors,
+    seconds: f64,
+    counts: bool,
+    seed: u64,
+) -> Vec<Trade> {
+    let mut trades = Vec::new();
+    for class in Class::ALL {
+        let costs = costs::<S>(class, seconds, counts, seed);
+        for (entry, errors) in errors {
+            let tallies = sweeps
+                .iter()
+                .flat_map(|sweep| &sweep.points)
+                .filter(|point| point.class == class)
+                .flat_map(|point| &point.kernels)
+                .filter(|judged| (&judged.kernel, &judged.numbers) == (&entry.0, &entry.1));
+            let tallies: Vec<&Tally> = tallies.map(|judged| &judged.tally).collect();
+            let sum = |of: fn(&Tally) -> u64| tallies.iter().map(|tally| of(tally)).sum::<u64>();
+            let of_class = errors.iter().filter(|error| error.0 == class);
+            let [median_ulp, worst_ulp] = median_and_worst(of_class.map(|error| error.1));
+            let cost = costs.get(entry);
+            trades.push(Trade {
+                shape: S::NAME.into(),
+                class,
+                kernel: entry.0.clone(),
+                numbers: entry.1.clone(),
+                asked: sum(|tally| tally.asked),
+                wrong: sum(Tally::wrong),
+                not_finite: sum(|tally| tally.not_finite),
+                median_ulp,
+                worst_ulp,
+                nanoseconds: cost.map(|cost| cost.0.nanoseconds),
+                spread: cost.map(|cost| cost.0.spread),
+                instructions: cost.and_then(|cost| cost.1),
+            });
+        }
+    }
+    trades
+}
+
+/// Time and instructions of every kernel on a sample of a class.
+fn costs<S: Studied>(
+    class: Class,
+    seconds: f64,
+    counts: bool,
+    seed: u64,
+) -> BTreeMap<Entry, (Time, Option<f64>)> {
+    let mut costs = BTreeMap::new();
+    for data in [Data::F64, Data::F32] {
+        let asked = pool::<S>(class, data, PAIRS, seed);
+        let entered = S::contestants().into_iter().enumerate();
+        let entered: Vec<_> = entered.filter(|(_, kernel)| kernel.data == data).collect();
+        let workloads = entered.iter().map(|(_, kernel)| (kernel.workload)(&asked));
+        let times = race(workloads.collect(), asked.len(), seconds);
+        for ((at, kernel), time) in entered.into_iter().zip(times) {
+            let what = format!("{} {} {seed}", S::NAME, class.name());
+            let count = || instructions::of_cast(&what, at, asked.len());
+            let entry = (kernel.name.to_owned(), kernel.numbers.to_owned());
+            costs.insert(entry, (time, counts.then(count).flatten()));
+        }
+    }
+    costs
+}
+
+/// Each tier of the exact kernel in `f64`: its share of a class, and its cost.
+pub fn tiers<S: Studied>(seconds: f64, counts: bool, seed: u64) -> Vec<TierTally> {
+    let kernels = S::contestants();
+    let is_it = |k: &&crate::contestant::Contestant<S>| k.name == EXACT && k.data == Data::F64;
+    let kernel = kernels.iter().find(is_it).expect("every shape has it");
+    let at = kernels.iter().position(|k| is_it(&k)).unwrap_or_default();
+    let mut tallies = Vec::new();
+    for class in Class::ALL {
+        let all = pool::<S>(class, Data::F64, COUNTED, seed);
+        for tier in [Tier::SemiStatic, Tier::DoubleDouble, Tier::Exact] {
+            let mut decided = all.clone();
+            decided.retain(|question| S::tier(question) == tier);
+            let count = decided.len();
+            if count == 0 {
+                continue;
+            }
+            decided.truncate(PAIRS);
+            let timed = decided.len();
+            let time = race(vec![(kernel.workload)(&decided)], timed, seconds);
+            let what = format!("{} {} {seed} {}", S::NAME, class.name(), tier.name());
+            let instructions = || instructions::of_cast(&what, at, timed);
+            tallies.push(TierTally {
+                shape: S::NAME.into(),
+                class,
+                tier,
+                decided: count as u64,
+                asked: all.len() as u64,
+                nanoseconds: time[0].nanoseconds,
+                instructions: counts.then(instructions).flatten(),
+            });
+        }
+    }
+    tallies
+}
+
+/// So many casts of one kernel's workload on a class of questions, or on those that a tier
+/// decides: what runs under valgrind. False if `what` names something else.
+pub fn cast<S: Studied>(what: &str, kernel: usize, casts: u32) -> bool {
+    let mut words = what.splitn(4, ' ');
+    let (shape, class, seed) = (words.next(), words.next(), words.next());
+    let class = Class::ALL.into_iter().find(|it| Some(it.name()) == class);
+    let seed = seed.and_then(|seed| seed.parse().ok());
+    let (Some(class), Some(seed), true) = (class, seed, shape == Some(S::NAME)) else {
+        return false;
+    };
+    if let Some(kernel) = S::contestants().get(kernel) {
+        let tier = words.next();
+        let count = if tier.is_some() { COUNTED } else { PAIRS };
+        let mut asked = pool::<S>(class, kernel.data, count, seed);
+        asked.retain(|it| tier.is_none_or(|tier| S::tier(it).name() == tier));
+        asked.truncate(PAIRS);
+        let mut cast = (kernel.workload)(&asked);
+        (0..casts).for_each(|_| cast());
+    }
+    true
+}
+
+/// Errors of everyday and hard questions, by decades of the condition number.
+pub fn conditioning(shape: &str, errors: &Errors) -> Vec<Conditioned> {
+    let mut all = Vec::new();
+    for ((kernel, numbers), errors) in errors {
+        let mut decades: BTreeMap<i32, Vec<f64>> = BTreeMap::new();
+        for (_, ulp, condition) in errors.iter().filter(|it| it.0 < Class::Absurd) {
+            decades.entry(decade(*condition)).or_default().push(*ulp);
+        }
+        for (decade, errors) in decades {
+            let hits = errors.len() as u64;
+            let [median, worst] = median_and_worst(errors.into_iter());
+            all.push(Conditioned {
+                shape: shape.into(),
+                kernel: kernel.clone(),
+                numbers: numbers.clone(),
+                decade,
+                hits,
+                median_ulp: median.unwrap_or_default(),
+                worst_ulp: worst.unwrap_or_default(),
+            });
+        }
+    }
+    all
+}

@@ -1,0 +1,74 @@
+//! How sensitive a question's t is to its own numbers.
+//!
+//! The componentwise relative condition number κ = Σ |x ∂t/∂x| / |t| over all numbers x of the
+//! question (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., §1.6): if each
+//! number is off by half an ulp, t may be off by κ/2 ulp, whatever the kernel. By the implicit
+//! function theorem, with N along the normal at the hit, ∂t/∂e = −N / (N·d), ∂t/∂d = t ∂t/∂e,
+//! and moving the shape moves t the other way.
+
+use crate::oracle::{Known, Truth};
+use crate::question::Question;
+use crate::shape::{Plane, Ray, Sphere, Triangle};
+use crate::vector::Vector;
+
+/// A shape whose questions have a condition number.
+pub trait Conditioning: Known {
+    /// κ, for a true hit, to a few digits; infinite where it is met by touching alone.
+    fn condition(question: &Question<Self>, truth: &Truth) -> Option<f64>;
+}
+
+fn magnitude(v: Vector<f64>) -> Vector<f64> {
+    v.map(f64::abs)
+}
+
+/// From the normal, what the shape's points weigh in each component, what else it is
+/// made of, and N·d.
+fn of_hit(ray: &Ray<f64>, t: f64, n: Vector<f64>, points: Vector<f64>, rest: f64, nd: f64) -> f64 {
+    let place = magnitude(ray.origin) + magnitude(ray.direction * t) + points;
+    (magnitude(n).dot(place) + rest) / (t * nd).abs()
+}
+
+impl Conditioning for Sphere<f64> {
+    fn condition(question: &Question<Self>, truth: &Truth) -> Option<f64> {
+        let Question { shape, ray, .. } = question;
+        let (t, other) = (truth.t.as_ref()?.value(), truth.other.as_ref()?.value());
+        let d = ray.direction;
+        let n = ray.origin + d * t - shape.center;
+        // N·d is half the roots' distance times d·d: the product itself would cancel.
+        let nd = d.dot(d) * (other - t) / 2.0;
+        let r = shape.radius;
+        Some(of_hit(ray, t, n, magnitude(shape.center), r * r, nd))
+    }
+}
+
+impl Conditioning for Plane<f64> {
+    fn condition(question: &Question<Self>, truth: &Truth) -> Option<f64> {
+        let Question { shape, ray, .. } = question;
+        let (t, n) = (truth.t.as_ref()?.value(), shape.normal);
+        let across = ray.origin + ray.direction * t - shape.point;
+        let of_normal = magnitude(n).dot(magnitude(across));
+        let nd = n.dot(ray.direction);
+        Some(of_hit(ray, t, n, magnitude(shape.point), of_normal, nd))
+    }
+}
+
+impl Conditioning for Triangle<f64> {
+    fn condition(question: &Question<Self>, truth: &Truth) -> Option<f64> {
+        let Question { shape, ray, .. } = question;
+        let t = truth.t.as_ref()?.value();
+        let (n, [a, b, c]) = (shape.outward_near_one(), shape.corners.map(magnitude));
+        // The hit's weights add up to 1: together the corners weigh no more than the largest.
+        let largest = |x: f64, y: f64, z: f64| x.max(y).max(z);
+        let corners = Vector::new(
+            largest(a.x, b.x, c.x),
+            largest(a.y, b.y, c.y),
+            largest(a.z, b.z, c.z),
+        );
+        Some(of_hit(ray, t, n, corners, 0.0, n.dot(ray.direction)))
+    }
+}
+
+/// The power of ten of a condition number, up to 10²⁰.
+pub fn decade(condition: f64) -> i32 {
+    condition.log10().clamp(0.0, 20.0) as i32
+}

@@ -1,0 +1,306 @@
+//! Plans of scenes that nobody drew: does each keep its promise at every pixel?
+//!
+//! Scenes are of any size from 1e-30 to 1e30, and made to be hard: shapes of very different
+//! sizes, far from the origin, nearly or exactly on each other, slivers, closed crates, grids of
+//! small whole numbers whose edges and tangents the rays meet exactly. The judge computes in
+//! fractions and shares no code with what casts; only the scene's numbers and the camera's
+//! rays, as rounded to `f64`, are given to both.
+
+use pinhole::{Camera, Projection, Resolution, Scene, Shape, Triangle, TriangleSoup};
+use rayon::prelude::*;
+
+use super::Progress;
+use crate::cast::rays::rays;
+use crate::cast::world::World;
+use crate::oracle::scene::sight;
+use crate::plan::{Wish, plan};
+use crate::plans::kept;
+use crate::random::Random;
+use crate::vector::Vector;
+
+/// What became of fuzzed plans.
+#[derive(Clone, Debug, Default)]
+pub struct Plans {
+    /// Plans.
+    pub plans: u64,
+    /// Pixels that were judged.
+    pub pixels: u64,
+    /// Of them, those that show anything.
+    pub hits: u64,
+    /// Pixels whose t and normal were computed exactly.
+    pub exact_hits: u64,
+    /// The numbers of plans that were broken at some pixel; a number and a seed make a scene.
+    pub broken: Vec<u64>,
+}
+
+impl Plans {
+    fn plus(mut self, other: Plans) -> Plans {
+        self.broken.extend(other.broken);
+        Plans {
+            plans: self.plans + other.plans,
+            pixels: self.pixels + other.pixels,
+            hits: self.hits + other.hits,
+            exact_hits: self.exact_hits + other.exact_hits,
+            broken: self.broken,
+        }
+    }
+}
+
+/// So many plans.
+pub fn plans(count: u64, seed: u64, done: &impl Progress) -> Plans {
+    let of_number = |number: u64| {
+        let judged = judged(number, seed);
+        done(1);
+        judged
+    };
+    (0..count)
+        .into_par_iter()
+        .map(of_number)
+        .reduce(Plans::default, Plans::plus)
+}
+
+fn judged(number: u64, seed: u64) -> Plans {
+    let (scene, wish) = drawn(number, seed);
+    let (world, rays) = (World::of(&scene.objects), rays(&scene));
+    let truths: Vec<_> = rays
+        .iter()
+        .map(|ray| sight(&world.parts, ray, scene.min_t))
+        .collect();
+    let (_, casting) = plan(&scene, wish).expect("no wish is as small as an ulp");
+    let (kept, tally) = kept(&rays, &truths, &casting, &wish);
+    let is_broken = kept.wrong_ids + kept.violations > 0;
+    Plans {
+        plans: 1,
+        pixels: kept.rays,
+        hits: truths.iter().filter(|truth| truth.first.is_some()).count() as u64,
+        exact_hits: tally.exact_hits,
+        broken: is_broken.then_some(number).into_iter().collect(),
+    }
+}
+
+/// The scene of a number, and what is wished of it.
+pub fn drawn(number: u64, seed: u64) -> (Scene, Wish) {
+    let mut random = Random::new(seed ^ number.wrapping_mul(0x9e37_79b9_7f4a_7c15), "plans");
+    let scene = match random.below(3) {
+        0 => on_a_grid(&mut random),
+        _ => anywhere(&mut random),
+    };
+    let wish = Wish {
+        accuracy: power(&mut random, -14.5, -4.0),
+        depth: random.below(4) > 0,
+        normal: random.below(4) > 0,
+    };
+    (scene, wish)
+}
+
+/// A power of ten.
+fn power(random: &mut Random, low: f64, high: f64) -> f64 {
+    10f64.powf(random.within(low, high))
+}
+
+fn shape(corners: [Vector<f64>; 3]) -> Triangle {
+    Triangle {
+        corners: corners.map(|corner| corner.array().into()),
+    }
+}
+
+const PIXELS: Resolution = Resolution { n_x: 8, n_y: 8 };
+
+/// Everything of any size, in front of the camera or about it.
+fn anywhere(random: &mut Random) -> Scene {
+    let scale = power(random, -30.0, 30.0);
+    let far = [0.0, power(random, 0.0, 7.0)][random.below(2)];
+    let middle = random.unit() * (scale * far);
+    let away = scale * power(random, -1.0, 4.0);
+    let (back, size) = (random.unit(), scale * random.within(0.5, 3.0));
+    // As much of the world as fills the picture, on a plane that may be anywhere.
+    let focal_length = away * power(random, -5.0, 2.0);
+    let projection = match random.below(3) {
+        0 => Projection::Orthographic,
+        _ => Projection::Perspective { focal_length },
+    };
+    let width = match projection {
+        Projection::Orthographic => size,
+        Projection::Perspective { focal_length } => size * focal_length / away,
+    };
+    let count = 1 + random.below(18);
+    let mut objects = Vec::new();
+    for _ in 0..count {
+        let at = middle + random.unit() * (scale * random.within(0.0, 1.0));
+        let own = scale * power(random, -4.0, 0.5);
+        objects.push(match random.below(6) {
+            0 | 1 => sphere(at, own),
+            2 => plane(at, random.unit() * power(random, -20.0, 20.0)),
+            3 => crate_of(random, at, own),
+            4 => sliver(random, at, own),
+            _ => Shape::Triangle(shape([0; 3].map(|_| at + random.unit() * own))),
+        });
+    }
+    for _ in 0..random.below(4) {
+        let at = middle + random.unit() * scale;
+        objects.push(edge_on(random, at, scale, back));
+    }
+    let eye = middle + back * away;
+    if random.below(2) == 0 {
+        objects.push(at_the_eye(random, eye, scale));
+    }
+    repeat(random, &mut objects, scale);
+    Scene {
+        camera: Camera::new(
+            eye.array().into(),
+            (back * -1.0).array().into(),
+            random.unit_across(back).array().into(),
+            (width, width * random.within(0.5, 2.0)),
+            projection,
+        )
+        .expect("up is across"),
+        resolution: PIXELS,
+        min_t: [0.0, 0.0, 1.0, power(random, -2.0, 5.0)][random.below(4)],
+        objects,
+    }
+}
+
+/// Small whole numbers times a power of two: every edge, corner and tangent is met exactly.
+fn on_a_grid(random: &mut Random) -> Scene {
+    let unit = 2f64.powi(random.below(200) as i32 - 100);
+    let whole = |random: &mut Random, most: usize| {
+        let number = |random: &mut Random| random.below(2 * most + 1) as f64 - most as f64;
+        Vector::new(number(random), number(random), number(random)) * unit
+    };
+    let mut objects = Vec::new();
+    for _ in 0..1 + random.below(18) {
+        let at = whole(random, 4);
+        objects.push(match random.below(5) {
+            0 => sphere(at, unit * (1 + random.below(4)) as f64),
+            1 => plane(
+                at,
+                [whole(random, 2), Vector::new(0.0, 0.0, unit)][random.below(2)],
+            ),
+            2 => soup(box_of(at, [0, 1, 2].map(|axis| along(axis, unit * 2.0)))),
+            _ => Shape::Triangle(shape([at, whole(random, 4), whole(random, 4)])),
+        });
+    }
+    repeat(random, &mut objects, unit);
+    let projection = match random.below(2) {
+        0 => Projection::Orthographic,
+        _ => Projection::Perspective {
+            focal_length: 8.0 * unit,
+        },
+    };
+    Scene {
+        camera: Camera::new(
+            Vector::new(0.0, 0.0, 8.0 * unit).array().into(),
+            [0.0, 0.0, -1.0].into(),
+            [0.0, 1.0, 0.0].into(),
+            (8.0 * unit, 8.0 * unit),
+            projection,
+        )
+        .expect("up is across"),
+        resolution: PIXELS,
+        min_t: random.below(3) as f64 * unit.min(1.0),
+        objects,
+    }
+}
+
+fn sphere(center: Vector<f64>, radius: f64) -> Shape {
+    Shape::Sphere(pinhole::Sphere {
+        center: center.array().into(),
+        radius,
+    })
+}
+
+fn plane(point: Vector<f64>, normal: Vector<f64>) -> Shape {
+    let is_any = normal.largest() > 0.0;
+    let normal = if is_any { normal } else { along(2, 1.0) };
+    Shape::Plane(pinhole::Plane {
+        point: point.array().into(),
+        normal: normal.array().into(),
+    })
+}
+
+fn soup(triangles: Vec<Triangle>) -> Shape {
+    Shape::Soup(TriangleSoup { triangles })
+}
+
+fn along(axis: usize, length: f64) -> Vector<f64> {
+    let component = |at| if at == axis { length } else { 0.0 };
+    Vector::new(component(0), component(1), component(2))
+}
+
+/// Twelve triangles around a box.
+fn box_of(corner: Vector<f64>, edges: [Vector<f64>; 3]) -> Vec<Triangle> {
+    let mut triangles = Vec::new();
+    for axis in 0..3 {
+        let (p, q) = (edges[(axis + 1) % 3], edges[(axis + 2) % 3]);
+        for a in [corner, corner + edges[axis]] {
+            triangles.extend([shape([a, a + p, a + p + q]), shape([a, a + p + q, a + q])]);
+        }
+    }
+    triangles
+}
+
+/// A turned box, some of whose faces may be a hair thin.
+fn crate_of(random: &mut Random, at: Vector<f64>, size: f64) -> Shape {
+    let x = random.unit();
+    let y = random.unit_across(x);
+    let thin = [1.0, power(random, -12.0, 0.0)][random.below(2)];
+    soup(box_of(at, [x * size, y * size, x.cross(y) * (size * thin)]))
+}
+
+/// A triangle up to 1e13 times as long as it is wide.
+fn sliver(random: &mut Random, at: Vector<f64>, size: f64) -> Shape {
+    let long = random.unit() * size;
+    let wide = random.unit() * (size * power(random, -13.0, 0.0));
+    let third = at + long * random.within(-1.0, 2.0) + wide;
+    soup(vec![shape([at, at + long, third])])
+}
+
+/// A plane, or a triangle, that the view runs along, more or less.
+fn edge_on(random: &mut Random, at: Vector<f64>, size: f64, view: Vector<f64>) -> Shape {
+    let across = random.unit_across(view);
+    let tilted = view + across * power(random, -15.0, -1.0);
+    match random.below(2) {
+        0 => plane(at, tilted.cross(view.cross(across))),
+        _ => Shape::Triangle(shape([
+            at + tilted * size,
+            at + view.cross(across) * size,
+            at - tilted * size,
+        ])),
+    }
+}
+
+/// A sphere or a plane that the eye is next to.
+fn at_the_eye(random: &mut Random, eye: Vector<f64>, size: f64) -> Shape {
+    let (to, hair) = (random.unit(), size * power(random, -14.0, 0.0));
+    let radius = size * power(random, -2.0, 2.0);
+    match random.below(3) {
+        0 => plane(eye + to * hair, to),
+        1 => sphere(eye + to * (radius + hair), radius),
+        _ => sphere(eye + to * (radius - hair).abs(), radius),
+    }
+}
+
+/// Some objects come again, exactly or moved by next to nothing: which is first?
+fn repeat(random: &mut Random, objects: &mut Vec<Shape>, size: f64) {
+    for _ in 0..random.below(4) {
+        let mut again = objects[random.below(objects.len())].clone();
+        let hair = [0.0, size * power(random, -17.0, -3.0)][random.below(2)];
+        let by: glam::DVec3 = (random.unit() * hair).array().into();
+        match &mut again {
+            Shape::Sphere(sphere) => sphere.center += by,
+            Shape::Plane(plane) => plane.point += by,
+            Shape::Triangle(triangle) => move_by(triangle, by),
+            Shape::Soup(soup) => {
+                for triangle in &mut soup.triangles {
+                    move_by(triangle, by);
+                }
+            }
+            _ => (),
+        }
+        objects.push(again);
+    }
+}
+
+fn move_by(triangle: &mut Triangle, by: glam::DVec3) {
+    triangle.corners = triangle.corners.map(|corner| corner + by);
+}

@@ -1,0 +1,196 @@
+//! Rays that begin where another met a surface, as shadows and reflections do, in `f32`: the
+//! computed point lies beside the surface, so that a ray may meet what it leaves (a self-hit),
+//! and what moves it away may carry it through what is near (a lost hit).
+
+use rayon::prelude::*;
+
+use crate::contestants::Contested;
+use crate::family::Studied;
+use crate::kernel::{Kernel, sphere, triangle};
+use crate::number::Real;
+use crate::question::Data;
+use crate::random::Random;
+use crate::result::Secondary;
+use crate::shape::{Ray, Sphere, Triangle};
+use crate::vector::Vector;
+
+/// How far away what is near lies, in sizes.
+const NEAR: f64 = 1e-3;
+
+/// A shape that rays leave.
+trait Left: Studied {
+    /// By a careful kernel in `f32`.
+    fn meet(shape: &Self::With<f32>, ray: &Ray<f32>, min_t: f32) -> Option<f32>;
+    /// At a point of it that was met: the point as nearly on it as `f32` allows, how far that
+    /// may be off in each component, and the outward normal, or one of the two.
+    fn at(shape: &Self::With<f32>, point: Vector<f32>) -> [Vector<f32>; 3];
+    /// A surface a little further out along a normal.
+    fn near(self, normal: Vector<f64>) -> Self;
+}
+
+impl Left for Sphere<f64> {
+    fn meet(shape: &Sphere<f32>, ray: &Ray<f32>, min_t: f32) -> Option<f32> {
+        sphere::Haines::intersect(shape, &sphere::Haines::prepare(ray), min_t)
+    }
+
+    /// pbrt-v4, §6.8.5: γ₅ of the refined point about the centre, and the rounding of the sum.
+    fn at(shape: &Sphere<f32>, point: Vector<f32>) -> [Vector<f32>; 3] {
+        let normal = (point - shape.center).unit();
+        let out = normal * shape.radius;
+        let error = out.map(|x| gamma(5.0) * x.abs());
+        let sum = shape.center.map(f32::abs) + out.map(f32::abs);
+        [shape.center + out, error + sum * gamma(1.0), normal]
+    }
+
+    fn near(self, _: Vector<f64>) -> Sphere<f64> {
+        let radius = self.radius * (1.0 + NEAR);
+        Sphere { radius, ..self }
+    }
+}
+
+impl Left for Triangle<f64> {
+    fn meet(shape: &Triangle<f32>, ray: &Ray<f32>, min_t: f32) -> Option<f32> {
+        triangle::MollerTrumbore::intersect(shape, ray, min_t)
+    }
+
+    /// pbrt-v4, §6.8.4: the point from its weights, and γ₇ of what they weigh.
+    fn at(shape: &Triangle<f32>, point: Vector<f32>) -> [Vector<f32>; 3] {
+        let [a, b, c] = shape.corners;
+        let across = (b - a).cross(c - a);
+        let area = across.dot(across);
+        let beta = (point - a).cross(c - a).dot(across) / area;
+        let gamma_weight = (b - a).cross(point - a).dot(across) / area;
+        let weights = [1.0 - beta - gamma_weight, beta, gamma_weight];
+        let weigh = |corners: [Vector<f32>; 3]| {
+            let [p, q, r] = corners;
+            p * weights[0] + q * weights[1] + r * weights[2]
+        };
+        let absolute = weigh(shape.corners.map(|corner| corner.map(f32::abs)));
+        let error = absolute.map(|x| gamma(7.0) * x.abs());
+        [weigh(shape.corners), error, across.unit()]
+    }
+
+    fn near(self, normal: Vector<f64>) -> Triangle<f64> {
+        self.moved(normal * NEAR)
+    }
+}
+
+/// γₙ = n u / (1 − n u) (Higham, §3.1).
+fn gamma(n: f32) -> f32 {
+    let bound = n * f32::UNIT_ROUNDOFF;
+    bound / (1.0 - bound)
+}
+
+/// The origin and the `min_t` of a ray that leaves a point along a side of its normal.
+type Method = fn(met: Vector<f32>, on: [Vector<f32>; 3]) -> (Vector<f32>, f32);
+
+/// In the order of tables.
+const METHODS: [(&str, Method); 4] = [
+    ("as computed", |met, _| (met, 0.0)),
+    ("min_t = 10⁻⁴", |met, _| (met, 1e-4)),
+    ("pbrt-v4", |_, on| (pbrt(on), 0.0)),
+    ("Wächter–Binder", |met, on| (integers(met, on[2]), 0.0)),
+];
+
+/// Along the normal to the far side of the box that the point is surely in, each component
+/// rounded away (pbrt-v4, §6.8.6, `OffsetRayOrigin`).
+fn pbrt([point, error, normal]: [Vector<f32>; 3]) -> Vector<f32> {
+    let offset = normal * normal.map(f32::abs).dot(error);
+    let away = |x: f32, by: f32| match by {
+        by if by > 0.0 => (x + by).next_up(),
+        by if by < 0.0 => (x + by).next_down(),
+        _ => x,
+    };
+    Vector::new(
+        away(point.x, offset.x),
+        away(point.y, offset.y),
+        away(point.z, offset.z),
+    )
+}
+
+/// So many steps of the type in each component (Wächter & Binder, *Ray Tracing Gems*, ch. 6).
+fn integers(point: Vector<f32>, normal: Vector<f32>) -> Vector<f32> {
+    let away = |x: f32, n: f32| {
+        let steps = (256.0 * n) as i32;
+        let steps = if x < 0.0 { -steps } else { steps };
+        match x.abs() < 1.0 / 32.0 {
+            true => x + n / 65536.0,
+            false => f32::from_bits(x.to_bits().wrapping_add_signed(steps)),
+        }
+    };
+    Vector::new(
+        away(point.x, normal.x),
+        away(point.y, normal.y),
+        away(point.z, normal.z),
+    )
+}
+
+/// So many rays of each kind that leave spheres and triangles, by every method.
+pub fn studied(count: usize, seed: u64) -> Vec<Secondary> {
+    let mut all = of_shape::<Sphere<f64>>(count, seed);
+    all.extend(of_shape::<Triangle<f64>>(count, seed));
+    all
+}
+
+fn of_shape<S: Left>(count: usize, seed: u64) -> Vec<Secondary> {
+    let places = [0.0, 10.0, 1000.0].into_iter();
+    let all = places.flat_map(|offset| METHODS.map(|method| (offset, method)));
+    let all: Vec<_> = all.collect();
+    let of_method = |(offset, method)| of_method::<S>(method, offset, count, seed);
+    all.into_par_iter().map(of_method).collect()
+}
+
+fn of_method<S: Left>(
+    (name, method): (&str, Method),
+    offset: f64,
+    count: usize,
+    seed: u64,
+) -> Secondary {
+    let purpose = format!("secondary {} {offset}", <S as Contested>::NAME);
+    let mut random = Random::new(seed, &purpose);
+    let mut tally = Secondary {
+        shape: <S as Contested>::NAME.into(),
+        method: name.into(),
+        offset,
+        leaving: 0,
+        self_hits: 0,
+        near: 0,
+        lost: 0,
+    };
+    while tally.leaving < count as u64 {
+        let (question, place) = (S::plain(&mut random), random.unit() * offset);
+        let shape = question.shape.moved(place);
+        let (narrow, data) = (shape.map(f32::of, f32::of), Data::F32);
+        let origin = question.ray.origin + place;
+        let ray = Ray {
+            origin,
+            ..question.ray
+        };
+        let ray = ray.map(f32::of, f32::of);
+        let Some(t) = S::meet(&narrow, &ray, 0.0) else {
+            continue;
+        };
+        let met = ray.origin + ray.direction * t;
+        let mut on = S::at(&narrow, met);
+        // Towards where the first ray came from.
+        if on[2].dot(ray.direction) > 0.0 {
+            on[2] = on[2] * -1.0;
+        }
+        let (origin, min_t) = method(met, on);
+        let normal = on[2].map(f32::wide);
+        let across = random.unit_across(normal);
+        let rise = random.within(0.05, 1.0);
+        let direction = (across + normal * rise).map(|x| f32::of(data.round(x)));
+        tally.leaving += 1;
+        let leaving = Ray { origin, direction };
+        tally.self_hits += u64::from(S::meet(&narrow, &leaving, min_t).is_some());
+        let near = shape.near(normal).map(f32::of, f32::of);
+        let towards = Ray {
+            origin,
+            direction: on[2],
+        };
+        tally.near += 1;
+        tally.lost += u64::from(S::meet(&near, &towards, min_t).is_none());
+    }
+    tally
+}
