@@ -1,16 +1,18 @@
 // Opens every page of a built edition in a real browser, at desktop and phone width, light
 // and dark, and says what is wrong: errors on the console, anything fetched from elsewhere,
-// a page wider than the screen, what axe-core finds against WCAG 2.2 AA, and a figure that
-// the keyboard does not move. With --out it leaves screenshots, to be looked at.
+// a page wider than the screen, what axe-core finds against WCAG 2.2 AA, a figure that the
+// keyboard does not move, a drawing that is illegible (figures.js), and what stays folded on
+// paper. With --out it leaves screenshots, to be looked at.
 //
 //     node look/look.js ../build/student [--out DIR] [--page PATH, or how it begins]
 
-import { existsSync, mkdirSync, readdirSync, statSync } from "node:fs";
+import { existsSync, mkdirSync, readdirSync, readFileSync, statSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, relative, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { parseArgs } from "node:util";
 import puppeteer from "puppeteer-core";
+import { drawingsWrong, foldedInPrint } from "./figures.js";
 
 const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
 const TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"];
@@ -19,6 +21,8 @@ const SCREENS = [
     { name: "phone", width: 390, height: 844 },
 ];
 const THEMES = ["light", "navy"];
+// Pixels; on the phone a drawing is 350 wide.
+const SMALLEST_WORD = 11;
 // No pages: a frame of links, and the answer to a wrong address.
 const OTHER = ["toc.html", "404.html"];
 
@@ -62,6 +66,13 @@ async function look(page, url) {
     if (wider !== null) {
         wrong.push(`wider than the screen: ${wider.join(" | ")}`);
     }
+    const folded = await page.evaluate(foldedInPrint);
+    if (folded > 0) {
+        wrong.push(`printing leaves ${folded} parts folded`);
+    }
+    for (const what of await page.evaluate(drawingsWrong, { smallest: SMALLEST_WORD })) {
+        wrong.push(`figure ${what}`);
+    }
     await page.evaluate(() => document.querySelectorAll("main details").forEach((one) => (one.open = true)));
     await page.addScriptTag({ path: AXE });
     const found = await page.evaluate((tags) => window.axe.run(document, { runOnly: tags, preload: false }), TAGS);
@@ -90,9 +101,11 @@ const browser = await puppeteer.launch({
     args: ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"],
 });
 let problems = 0;
+// A page that has moved leaves one behind that leads to its new place.
+const leadsOn = (path) => readFileSync(path, "utf8").includes('http-equiv="refresh"');
 const chosen = pagesOf(folder).filter((path) => {
     const name = relative(folder, path);
-    return !OTHER.includes(name) && (values.page === undefined || name.startsWith(values.page));
+    return !OTHER.includes(name) && !leadsOn(path) && (values.page === undefined || name.startsWith(values.page));
 });
 for (const { name, width, height } of SCREENS) {
     for (const theme of THEMES) {

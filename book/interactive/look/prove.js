@@ -9,6 +9,10 @@ const expected = [
     "axe color-contrast",
     "axe image-alt",
     "the keyboard does not move the figure still",
+    "“tiny” is 8.0 pixels high",
+    "“one” and “two” are on each other",
+    "figure moved 9: <circle > is beyond the border",
+    "printing leaves 1 parts folded",
 ];
 const unseen = expected.filter((what) => !stdout.includes(what));
 if (status !== 1 || unseen.length > 0) {

@@ -1,115 +1,106 @@
-// A pixel dragged over the lecture's picture: its u(i) and v(j), its ray, and the hit.
+// A pixel dragged over the lecture's picture: its u(i) and v(j), its ray, and the hit. The
+// rays of a column stay in one slice of the scene, which is drawn below the picture.
 
 import facts from "./facts.json";
-import { type Camera, type Hit, type Shape, type Vec, add, at, firstHit, onPlane, scale, viewingRay } from "./rays";
-import { clamped, drawing, shape, slider, table } from "./stage";
-import { shown, vector } from "./words";
+import { WIDTH, circle, clamped, drawing, line, shape, slider, table, word } from "./stage";
+import { shown } from "./words";
 
-const { resolution, min_t: minT } = facts.slide;
-const camera = facts.slide.camera as unknown as Camera;
-const objects = facts.slide.objects as unknown as readonly Shape[];
-const { n_x, n_y } = resolution;
-
-const CELL = 13;
-const [WIDTH, HEIGHT] = [n_x * CELL, n_y * CELL + 330];
-// Pixels of the drawing for a scene unit, seen from the side.
-const UNIT = 5.8;
-const TOP = n_y * CELL + 12;
-
-// The world from the side: z to the left, y up.
-const side = ([, y, z]: Vec): readonly [number, number] => [200 - UNIT * z, HEIGHT - 16 - UNIT * y];
-
-const colour = (object: number): string => facts.colours[object % facts.colours.length] ?? "currentColor";
-const hitOf = (i: number, j: number): Hit | null =>
-    firstHit(objects, viewingRay(camera, { i, j }, resolution), minT);
-
-function picture(): SVGElement[] {
-    const cells: SVGElement[] = [];
-    for (let j = 0; j < n_y; j += 1) {
-        for (let i = 0; i < n_x; i += 1) {
-            const hit = hitOf(i, j);
-            const fill = hit === null ? facts.background : colour(hit.object);
-            const [x, y] = [i * CELL, (n_y - 1 - j) * CELL];
-            cells.push(shape("rect", { x, y, width: CELL - 0.5, height: CELL - 0.5, fill }));
-        }
-    }
-    return cells;
+interface Outline {
+    readonly object: number;
+    readonly ellipse?: readonly number[];
+    readonly line?: readonly number[];
 }
 
-function fromTheSide(): SVGElement[] {
-    return objects.map((object, number) => {
-        const look = { fill: colour(number), "fill-opacity": 0.5, stroke: "currentColor" };
-        if ("Sphere" in object) {
-            const [cx, cy] = side(object.Sphere.center);
-            const { radius } = object.Sphere;
-            return shape("circle", { cx, cy, r: UNIT * radius, ...look });
-        }
-        if ("Triangle" in object) {
-            return shape("polygon", { points: object.Triangle.corners.map((corner) => side(corner).join(",")).join(" "), ...look });
-        }
-        const { point, normal } = object.Plane;
-        // Where it cuts x = 0: y = c for the lecture's plane, whose normal has no z.
-        const y = point[1] + (normal[0] * point[0]) / normal[1];
-        const [x1, y1] = side([0, y, 20]);
-        const [x2, y2] = side([0, y, -60]);
-        return shape("line", { x1, y1, x2, y2, stroke: colour(number), "stroke-width": 3 });
+const { columns, rows, start, forward, height, u, v, e, d } = facts.pixel_to_ray;
+const hits = facts.pixel_to_ray.hits as unknown as readonly (readonly [number, number] | null)[];
+const slices = facts.pixel_to_ray.slices as readonly (readonly Outline[])[];
+
+const CELL = WIDTH / columns;
+const PICTURE = rows * CELL;
+const HEIGHT = PICTURE + 260;
+
+// The slice: depth to the right, and heights four times as large, or nothing would show.
+const [EYE_X, EYE_Y, DEEP, HIGH] = [22, PICTURE + 130, 5.8, 23.2];
+const FARTHEST = 77;
+const place = (depth: number, high: number): readonly [number, number] => [
+    EYE_X + DEEP * depth,
+    EYE_Y - HIGH * high,
+];
+
+const colour = (object: number): string => facts.colours[object % facts.colours.length] ?? "currentColor";
+
+function picture(): SVGElement[] {
+    return hits.map((hit, at) => {
+        const fill = hit === null ? facts.background : colour(hit[0]);
+        const [x, y] = [(at % columns) * CELL, Math.floor(at / columns) * CELL];
+        return shape("rect", { x, y, width: CELL - 0.4, height: CELL - 0.4, fill });
     });
+}
+
+function outline({ object, ellipse, line: ends }: Outline): SVGElement {
+    const stroke = { stroke: colour(object), "stroke-width": 3 };
+    if (ellipse !== undefined) {
+        const [depth = 0, high = 0, rx = 0, ry = 0] = ellipse;
+        const [cx, cy] = place(depth, high);
+        return shape("ellipse", { cx, cy, rx: DEEP * rx, ry: HIGH * ry, fill: colour(object), "fill-opacity": 0.5, ...stroke });
+    }
+    const [fromDepth = 0, fromHigh = 0, toDepth = 0, toHigh = 0] = ends ?? [];
+    // A plane is cut off where the slice's picture ends.
+    const highest = 4.6;
+    const at = (high: number) => fromDepth + ((high - fromHigh) / (toHigh - fromHigh)) * (toDepth - fromDepth);
+    const [low, top] = [clamped(fromHigh, -highest, highest), clamped(toHigh, -highest, highest)];
+    return line(place(at(low), low), place(at(top), top), colour(object), 3);
 }
 
 export function pixelToRay(stage: HTMLElement): void {
-    const svg = drawing(WIDTH, HEIGHT, (x, y) => {
-        if (y < n_y * CELL) {
-            i.value = clamped(Math.floor(x / CELL), 0, n_x - 1);
-            j.value = clamped(n_y - 1 - Math.floor(y / CELL), 0, n_y - 1);
+    const svg = drawing(HEIGHT, (x, y) => {
+        if (y < PICTURE) {
+            i.value = clamped(Math.floor(x / CELL), 0, columns - 1);
+            j.value = clamped(rows - 1 - Math.floor(y / CELL), 0, rows - 1);
             draw();
         }
     });
-    const { i: startI, j: startJ } = facts.slide.pixel;
-    const i = slider("column i", [0, n_x - 1, 1], startI, () => draw());
-    const j = slider("row j, from the bottom", [0, n_y - 1, 1], startJ, () => draw());
+    const i = slider("column i", [0, columns - 1, 1], start[0] ?? 0, () => draw());
+    const j = slider("row j, from the bottom", [0, rows - 1, 1], start[1] ?? 0, () => draw());
     const numbers = table();
-    const still = [...picture(), ...fromTheSide()];
+    const still = picture();
 
     function draw(): void {
-        const ray = viewingRay(camera, { i: i.value, j: j.value }, resolution);
-        const hit = firstHit(objects, ray, minT);
-        const end = at(ray, hit?.intersection.t ?? 9);
-        const [ex, ey] = side(camera.eye);
-        const [px, py] = side(end);
-        const [sx, sy] = side(at(ray, 1));
-        const middle = add(camera.eye, scale(camera.w, facts.slide.forward * -1));
-        const [ax, ay] = side(add(middle, scale(camera.v, -2.5)));
-        const [bx, by] = side(add(middle, scale(camera.v, 2.5)));
+        // Pixels are listed row by row from the top.
+        const at = (rows - 1 - j.value) * columns + i.value;
+        const hit = hits[at] ?? null;
+        // Along the ray, t is 1 at the image plane.
+        const slope = (v[j.value] ?? 0) / forward;
+        const end = hit === null ? FARTHEST : forward * hit[1];
+        const eye = place(0, 0);
         const chosen = {
-            x: i.value * CELL - 1,
-            y: (n_y - 1 - j.value) * CELL - 1,
+            x: clamped(i.value * CELL - 1, 1.5, WIDTH - CELL - 2.5),
+            y: clamped((rows - 1 - j.value) * CELL - 1, 1.5, PICTURE - CELL - 2.5),
             width: CELL + 1.5,
             height: CELL + 1.5,
             fill: "none",
-            stroke: "#ffffff",
-            "stroke-width": 3,
         };
         svg.replaceChildren(
             ...still,
-            shape("rect", chosen),
+            shape("rect", { ...chosen, stroke: "#ffffff", "stroke-width": 3 }),
             shape("rect", { ...chosen, stroke: "#000000", "stroke-width": 1 }),
-            shape("line", { x1: 0, x2: WIDTH, y1: TOP, y2: TOP, stroke: "currentColor", "stroke-opacity": 0.3 }),
-            shape("line", { x1: ax, y1: ay, x2: bx, y2: by, stroke: "currentColor", "stroke-width": 3 }),
-            shape("line", { x1: ex, y1: ey, x2: px, y2: py, stroke: "#d55e00", "stroke-width": 2 }),
-            shape("circle", { cx: ex, cy: ey, r: 4, fill: "currentColor" }),
-            shape("circle", { cx: sx, cy: sy, r: 3.5, fill: "currentColor" }),
-            shape("circle", { cx: px, cy: py, r: hit === null ? 0 : 5, fill: "#d55e00", stroke: "currentColor" }),
-            shape("text", { x: ex - 10, y: ey + 4, fill: "currentColor", "font-size": 15, "text-anchor": "end" }, "e"),
-            shape("text", { x: sx + 8, y: sy + 14, fill: "currentColor", "font-size": 13 }, "t = 1"),
-            shape("text", { x: 8, y: TOP + 20, fill: "currentColor", "font-size": 13 }, "from the side: z to the left, y up"),
+            ...(slices[i.value] ?? []).map(outline),
+            line(place(forward, -height / 2), place(forward, height / 2), "currentColor", 4),
+            line(eye, place(end, slope * end), "#d55e00", 2),
+            circle(eye, 4, "currentColor"),
+            circle(place(forward, slope * forward), 3.5, "currentColor"),
+            ...(hit === null ? [] : [circle(place(end, slope * end), 5, "#d55e00")]),
+            word([eye[0] - 4, eye[1] - 12], "e", "start"),
+            word([eye[0] + DEEP * forward, eye[1] + 34], "t = 1"),
+            word([4, PICTURE + 24], "column i from the side, heights × 4", "start"),
         );
         numbers.show([
             ["pixel", `(${i.value}, ${j.value})`],
-            ["u(i)", shown(onPlane(i.value + 0.5, camera.width, n_x))],
-            ["v(j)", shown(onPlane(j.value + 0.5, camera.height, n_y))],
-            ["e", vector(ray.origin)],
-            ["d", vector(ray.direction)],
-            ["first hit", hit === null ? "none" : `object ${hit.object}, t = ${shown(hit.intersection.t)}`],
+            ["u(i)", shown(u[i.value] ?? 0)],
+            ["v(j)", shown(v[j.value] ?? 0)],
+            ["e", e],
+            ["d", d[at] ?? ""],
+            ["first hit", hit === null ? "none" : `object ${hit[0]}, t = ${shown(hit[1])}`],
         ]);
     }
     stage.replaceChildren(svg, i.row, j.row, numbers.element);

@@ -1,85 +1,66 @@
-// A ray moved across a sphere: the discriminant, both roots, and which of them counts.
+// A ray moved across a sphere: the discriminant, both roots, and the part of the ray that
+// min_t leaves. Which root counts is for the reader to say.
 
 import facts from "./facts.json";
-import { type Ray, type Sphere, type Vec, add, at, countingRoot, dot, length, quadratic, scale, sub } from "./rays";
-import { clamped, drawing, shape, slider, table } from "./stage";
+import { WIDTH, circle, clamped, drawing, line, slider, table, word } from "./stage";
 import { shown } from "./words";
 
-const sphere = facts.worked.sphere as unknown as Sphere;
-const worked = facts.worked.ray as unknown as Ray;
+const { start, most, a, h, stride, ahead, radius } = facts.sphere_roots;
+const positions = facts.sphere_roots.positions as readonly {
+    readonly distance: number;
+    readonly k: number;
+    readonly discriminant: number;
+    readonly roots: readonly [number, number] | null;
+}[];
 
-// The plane of the drawing: along the ray, and from the ray to the sphere's centre.
-const stride = length(worked.direction);
-const along = scale(worked.direction, 1 / stride);
-const toCenter = sub(sphere.center, worked.origin);
-const ahead = dot(toCenter, along);
-const aside = sub(toCenter, scale(along, ahead));
-const start = length(aside);
-const across = scale(aside, 1 / start);
-
-const [WIDTH, HEIGHT, SCALE] = [640, 300, 66];
-const [EYE_X, CENTER_Y] = [60, 150];
-
-// The same ray, passing the centre at this distance; the first is the worked one.
-const moved = (distance: number): Ray => ({
-    origin: add(worked.origin, scale(across, start - distance)),
-    direction: worked.direction,
-});
-
-const place = (p: Vec): readonly [number, number] => {
-    const from = sub(p, sphere.center);
-    return [EYE_X + SCALE * (dot(from, along) + ahead), CENTER_Y - SCALE * dot(from, across)];
-};
+// The drawing's y is the distance from the centre, downward.
+const [HEIGHT, SCALE] = [252, 48];
+const [EYE_X, CENTER_Y] = [22, 122];
+const LAST_MIN_T = 3;
 
 export function sphereRoots(stage: HTMLElement): void {
-    const svg = drawing(WIDTH, HEIGHT, (_, y) => {
-        distance.value = clamped((y - CENTER_Y) / SCALE, -2, 2);
+    const spacing = (positions[most + 1]?.distance ?? 1) - (positions[most]?.distance ?? 0);
+    const svg = drawing(HEIGHT, (_, y) => {
+        step.value = clamped(Math.round((y - CENTER_Y) / SCALE / spacing), -most, most);
         draw();
     });
-    const distance = slider("distance of the ray from the centre", [-2, 2, 0.01], start, () => draw());
-    const minT = slider("min_t", [0, 3, 0.01], 1, () => draw());
+    const step = slider("move the ray", [-most, most, 1], start, () => draw());
+    const minT = slider("min_t", [0, LAST_MIN_T, 0.01], 1, () => draw());
     const numbers = table();
+    const x = (t: number): number => EYE_X + SCALE * stride * t;
 
     function draw(): void {
-        // A slider rounds; where it still stands at the start, so does the ray.
-        const wanted = Math.abs(distance.value - start) < 0.005 ? start : distance.value;
-        const ray = moved(wanted);
-        const { a, h, k, discriminant, roots } = quadratic(ray, sphere);
-        const counts = countingRoot(roots, minT.value);
-        const [cx, cy] = place(sphere.center);
-        const [ex, ey] = place(ray.origin);
-        const [mx] = place(at(ray, minT.value));
-        const line = (x1: number, y1: number, x2: number, y2: number, colour: string, width: number, dash = "none") =>
-            shape("line", { x1, y1, x2, y2, stroke: colour, "stroke-width": width, "stroke-dasharray": dash });
-        const word = (x: number, y: number, text: string) =>
-            shape("text", { x, y, fill: "currentColor", "font-size": 16, "text-anchor": "middle" }, text);
-        const parts = [
-            shape("circle", { cx, cy, r: sphere.radius * SCALE, fill: "#56b4e9", "fill-opacity": 0.3, stroke: "currentColor" }),
-            line(ex, ey, mx, ey, "currentColor", 1, "5 4"),
-            line(mx, ey, WIDTH - 8, ey, "#d55e00", 2.5),
-            line(mx, ey - 14, mx, ey + 14, "#0072b2", 4),
-            word(mx, ey + 32, "min_t"),
-            shape("circle", { cx: ex, cy: ey, r: 4, fill: "currentColor" }),
-            word(ex, ey - 10, "e"),
-        ];
-        roots?.forEach((t, number) => {
-            const [x, y] = place(at(ray, t));
-            const fill = counts === number ? "#d55e00" : "none";
-            parts.push(shape("circle", { cx: x, cy: y, r: 6, fill, stroke: "currentColor", "stroke-width": 1.5 }));
-            parts.push(word(x, y - 12, number === 0 ? "t₀" : "t₁"));
-        });
-        svg.replaceChildren(...parts);
-        const answer = roots === null || counts === null ? "None" : `t${"₀₁"[counts]} = ${shown(roots[counts])}`;
+        const position = positions[step.value + most];
+        if (position === undefined) {
+            return;
+        }
+        const { distance, k, discriminant, roots } = position;
+        const y = CENTER_Y + SCALE * distance;
+        const from = x(minT.value);
+        const ends = (roots ?? []).flatMap((t, number) => [
+            circle([x(t), y], 6, "none"),
+            word([x(t) + (number === 0 ? -14 : 14), y - 10], number === 0 ? "t₀" : "t₁"),
+        ]);
+        svg.replaceChildren(
+            circle([x(0) + SCALE * ahead, CENTER_Y], SCALE * radius, "#56b4e9", 0.3),
+            line([x(0), y], [from, y], "currentColor", 1, "5 4"),
+            line([from, y], [WIDTH - 2, y], "#d55e00", 2.5),
+            line([from, y - 12], [from, y + 12], "#0072b2", 4),
+            word([clamped(from, 26, WIDTH - 26), y + 28], "min_t"),
+            circle([x(0), y], 4, "currentColor"),
+            word([x(0), y - 10], "e"),
+            ...ends,
+        );
         numbers.show([
+            ["distance", shown(distance)],
             ["a", shown(a)],
             ["h", shown(h)],
             ["k", shown(k)],
             ["Δ", shown(discriminant)],
             ["t₀, t₁", roots === null ? "none: Δ < 0" : roots.map(shown).join(", ")],
             ["min_t", shown(minT.value)],
-            ["answer", answer],
         ]);
     }
-    stage.replaceChildren(svg, distance.row, minT.row, numbers.element);
+    stage.replaceChildren(svg, step.row, minT.row, numbers.element);
     draw();
 }

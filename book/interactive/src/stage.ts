@@ -2,6 +2,13 @@
 
 const SVG = "http://www.w3.org/2000/svg";
 
+// Every drawing is as wide as the book's static ones, in CSS pixels.
+export const WIDTH = 480;
+
+// Words are 11 pixels high where a drawing is 350 wide, as on a phone.
+const FONT_SIZE = 15.5;
+
+export type Place = readonly [number, number];
 export type Look = Readonly<Record<string, string | number>>;
 
 // An SVG element.
@@ -14,20 +21,28 @@ export function shape(name: string, look: Look, text = ""): SVGElement {
     return element;
 }
 
+export const line = ([x1, y1]: Place, [x2, y2]: Place, stroke: string, width: number, dash = "none"): SVGElement =>
+    shape("line", { x1, y1, x2, y2, stroke, "stroke-width": width, "stroke-dasharray": dash });
+
+export const circle = ([cx, cy]: Place, r: number, fill: string, opacity = 1): SVGElement =>
+    shape("circle", { cx, cy, r, fill, "fill-opacity": opacity, stroke: "currentColor", "stroke-width": 1.5 });
+
+export const word = ([x, y]: Place, text: string, anchor = "middle"): SVGElement =>
+    shape("text", { x, y, fill: "currentColor", "font-size": FONT_SIZE, "text-anchor": anchor }, text);
+
 // A drawing that a pointer may be dragged over; what it means is told by the sliders and
 // the table, so that nobody misses anything who does not see it.
-export function drawing(width: number, height: number, dragged: (x: number, y: number) => void): SVGSVGElement {
+export function drawing(height: number, dragged: (x: number, y: number) => void): SVGSVGElement {
     const svg = shape("svg", {
-        viewBox: `0 0 ${width} ${height}`,
-        width,
+        viewBox: `0 0 ${WIDTH} ${height}`,
+        width: WIDTH,
         height,
         "aria-hidden": "true",
-        "font-family": "serif",
     }) as SVGSVGElement;
     const drag = (event: PointerEvent): void => {
         const box = svg.getBoundingClientRect();
         dragged(
-            ((event.clientX - box.left) / box.width) * width,
+            ((event.clientX - box.left) / box.width) * WIDTH,
             ((event.clientY - box.top) / box.height) * height,
         );
         event.preventDefault();

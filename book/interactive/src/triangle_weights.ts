@@ -1,71 +1,70 @@
 // A point dragged over the worked triangle's plane: α, β, and the three conditions.
 
 import facts from "./facts.json";
-import { type Ray, type Triangle, type Vec, add, scale, sub, weights } from "./rays";
-import { clamped, drawing, shape, slider, table } from "./stage";
+import { WIDTH, circle, clamped, drawing, line, shape, slider, table, word } from "./stage";
 import { shown } from "./words";
 
-const triangle = facts.worked.triangle as unknown as Triangle;
-const worked = facts.worked.ray as unknown as Ray;
-const start = weights(triangle, worked);
+type Pair = readonly [number, number];
 
-const [a, b, c] = triangle.corners;
-const [t1, t2] = [sub(b, a), sub(c, a)];
-const [WIDTH, HEIGHT, SCALE] = [640, 360, 78];
+const { t1, t2, to_weights, start } = facts.triangle_weights as unknown as {
+    readonly t1: Pair;
+    readonly t2: Pair;
+    readonly to_weights: readonly [Pair, Pair];
+    readonly start: Pair;
+};
+const [LEAST, MOST, STEP] = [-0.4, 1.4, 0.05];
 
-// The triangle lies in a plane z = constant.
-const place = ([x, y]: Vec): readonly [number, number] => [150 + SCALE * (x - a[0]), 270 - SCALE * (y - a[1])];
-const point = (alpha: number, beta: number): Vec => add(a, add(scale(t1, alpha), scale(t2, beta)));
-// The ray that is at this point where the worked one is at its own.
-const through = (p: Vec): Ray => ({
-    origin: worked.origin,
-    direction: scale(sub(p, worked.origin), 1 / start.t),
-});
+// A place in the triangle's plane, from its corner a.
+const point = (alpha: number, beta: number): Pair => [
+    alpha * t1[0] + beta * t2[0],
+    alpha * t1[1] + beta * t2[1],
+];
+// All places that the sliders reach are on the drawing.
+const corners = [point(LEAST, LEAST), point(LEAST, MOST), point(MOST, LEAST), point(MOST, MOST)];
+const [left, right] = [Math.min(...corners.map(([x]) => x)), Math.max(...corners.map(([x]) => x))];
+const [bottom, top] = [Math.min(...corners.map(([, y]) => y)), Math.max(...corners.map(([, y]) => y))];
+const MARGIN = 10;
+const SCALE = (WIDTH - 2 * MARGIN) / (right - left);
+const HEIGHT = SCALE * (top - bottom) + 2 * MARGIN;
+const place = ([x, y]: Pair): Pair => [MARGIN + SCALE * (x - left), MARGIN + SCALE * (top - y)];
 
 export function triangleWeights(stage: HTMLElement): void {
-    const svg = drawing(WIDTH, HEIGHT, (x, y) => {
-        const p: Vec = [a[0] + (x - 150) / SCALE, a[1] - (y - 270) / SCALE, a[2]];
-        const dragged = weights(triangle, through(p));
-        alpha.value = clamped(dragged.alpha, -0.4, 1.4);
-        beta.value = clamped(dragged.beta, -0.4, 1.4);
+    const svg = drawing(HEIGHT, (atX, atY) => {
+        const [x, y] = [(atX - MARGIN) / SCALE + left, top - (atY - MARGIN) / SCALE];
+        const [forAlpha, forBeta] = to_weights;
+        alpha.value = clamped(forAlpha[0] * x + forAlpha[1] * y, LEAST, MOST);
+        beta.value = clamped(forBeta[0] * x + forBeta[1] * y, LEAST, MOST);
         draw();
     });
-    const alpha = slider("α", [-0.4, 1.4, 0.05], start.alpha, () => draw());
-    const beta = slider("β", [-0.4, 1.4, 0.05], start.beta, () => draw());
+    const alpha = slider("α", [LEAST, MOST, STEP], start[0], () => draw());
+    const beta = slider("β", [LEAST, MOST, STEP], start[1], () => draw());
     const numbers = table();
 
     function draw(): void {
-        const p = point(alpha.value, beta.value);
-        const found = weights(triangle, through(p));
-        // As many digits as the sliders have: theirs are multiples of 0.05.
-        const [α, β] = [found.alpha, found.beta].map((value) => Math.round(value * 1e6) / 1e6) as [number, number];
-        const inside = α >= 0 && β >= 0 && α + β <= 1;
-        const [ax, ay] = place(a);
-        const [x1, y1] = place(point(α, 0));
-        const [px, py] = place(p);
-        const line = (x: number, y: number, toX: number, toY: number, stroke: string) =>
-            shape("line", { x1: x, y1: y, x2: toX, y2: toY, stroke, "stroke-width": 3 });
-        const word = ([x, y]: readonly [number, number], text: string) =>
-            shape("text", { x: x - 12, y: y + 18, fill: "currentColor", "font-size": 16, "font-weight": "bold" }, text);
-        const corners = [a, b, c].map((corner) => place(corner).join(",")).join(" ");
+        // As many digits as the sliders have.
+        const [α, β, sum] = [alpha.value, beta.value, alpha.value + beta.value].map((value) => Math.round(value * 100) / 100) as [number, number, number];
+        const conditions = [
+            ["α ≥ 0", α >= 0],
+            ["β ≥ 0", β >= 0],
+            ["α + β ≤ 1", sum <= 1],
+        ] as const;
+        const inside = conditions.every(([, holds]) => holds);
+        const [a, b, c, p] = [point(0, 0), point(1, 0), point(0, 1), point(α, β)].map(place) as [Pair, Pair, Pair, Pair];
+        const foot = place(point(α, 0));
         svg.replaceChildren(
-            shape("polygon", { points: corners, fill: "#56b4e9", "fill-opacity": 0.3, stroke: "currentColor" }),
-            line(ax, ay, x1, y1, "#0072b2"),
-            line(x1, y1, px, py, "#009e73"),
-            shape("circle", { cx: px, cy: py, r: 7, fill: inside ? "#d55e00" : "none", stroke: "currentColor", "stroke-width": 2 }),
-            word(place(a), "a"),
-            word(place(b), "b"),
-            word(place(c), "c"),
+            shape("polygon", { points: [a, b, c].join(" "), fill: "#56b4e9", "fill-opacity": 0.3, stroke: "currentColor" }),
+            line(a, foot, "#d55e00", 3),
+            line(foot, p, "#009e73", 3),
+            circle(p, 7, inside ? "#d55e00" : "none"),
+            word([a[0] - 12, a[1] + 18], "a"),
+            word([b[0] + 12, b[1] + 18], "b"),
+            word([c[0], c[1] - 12], "c"),
         );
-        const told = (holds: boolean) => (holds ? "true" : "false");
         numbers.show([
             ["α", shown(α)],
             ["β", shown(β)],
-            ["α + β", shown(α + β)],
-            ["α ≥ 0", told(α >= 0)],
-            ["β ≥ 0", told(β >= 0)],
-            ["α + β ≤ 1", told(α + β <= 1)],
-            ["answer", inside ? `t = ${shown(found.t)}` : "None"],
+            ["α + β", shown(sum)],
+            ...conditions.map(([name, holds]) => [name, holds ? "true" : "false"] as const),
         ]);
     }
     stage.replaceChildren(svg, alpha.row, beta.row, numbers.element);

@@ -1,11 +1,7 @@
 // Numbers as the book and `explain` write them.
 
-import type { Vec } from "./rays";
-
 export function shown(value: number): string {
     const digits = Number(value.toPrecision(6));
     const text = Object.is(digits, -0) ? "0" : String(digits);
     return text.replace(/-/g, "−");
 }
-
-export const vector = (v: Vec): string => `(${v.map(shown).join(", ")})`;

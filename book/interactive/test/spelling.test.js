@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { test } from "node:test";
 
-const spelt = (text: string) =>
+const spelt = (text) =>
     spawnSync("node_modules/.bin/cspell", ["lint", "--config", "cspell.json", "stdin://page.md"], {
         input: text,
         encoding: "utf8",
