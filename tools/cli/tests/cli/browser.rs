@@ -237,7 +237,7 @@ impl Browser {
                 .to_owned()
         });
         let is_ours = |address: &String| {
-            ["file:", "data:", "blob:", "chrome:"]
+            ["file:", "data:", "blob:", "chrome:", "chrome-untrusted:"]
                 .iter()
                 .any(|kind| address.starts_with(kind))
         };
