@@ -12,24 +12,24 @@ use crate::error::{Error, Result};
 
 pub use self::parts::{Dropped, DroppedPoints, Finish, GroupPoints, ScenePoints, Task};
 
-/// What students are asked, and where it lies.
+/// An assignment: what students are asked to do, and the folder that defines it.
 #[derive(Clone, Debug)]
 pub struct Assignment {
-    /// The folder's name.
+    /// The name of its folder.
     pub name: String,
-    /// The folder.
+    /// The folder that defines it.
     pub folder: PathBuf,
-    /// As people say it.
+    /// The title that people read.
     pub title: String,
-    /// In the order students meet them.
+    /// The tasks, in the order students meet them.
     pub tasks: Vec<Task>,
-    /// The task that is good to begin with.
+    /// The name of the task to begin with.
     pub start: String,
-    /// In the order they are cast.
+    /// The scenes, in the order they are cast.
     pub scenes: Vec<ScenePoints>,
-    /// Points of scenes that students do not have here.
+    /// Points for withheld scenes that are missing from this checkout.
     pub withheld: u32,
-    /// What follows when all points are earned.
+    /// What to show a student who has earned all points.
     pub finish: Option<Finish>,
     /// Groups of questions that do not count when a class is graded.
     pub dropped: Vec<Dropped>,
@@ -51,13 +51,13 @@ impl Assignment {
         self.folder.ancestors().nth(2).unwrap_or(Path::new(""))
     }
 
-    /// The folder of our own answers.
+    /// The folder of the reference answers.
     pub fn reference(&self) -> PathBuf {
         self.folder.join("reference")
     }
 
-    /// The stubs as they were handed out, in a student's repository: the handout's
-    /// folder is where students write.
+    /// The folder with untouched copies of the stubs, in a student's repository. Students
+    /// write into those in the handout's folder.
     pub fn pristine(&self) -> PathBuf {
         self.folder.join("stubs")
     }
@@ -82,8 +82,8 @@ impl Assignment {
         self.folder.join("scenes").join(name).with_extension("toml")
     }
 
-    /// The scene a user means: a file, or one of the assignment's by name. Also returns
-    /// its golden film's path, if one is committed.
+    /// Finds the scene that a user named, by its file or by its name in the assignment. Also
+    /// returns the path of its golden film, if one is committed.
     pub fn find_scene(&self, named: &str) -> Result<(Scene, Option<PathBuf>)> {
         let path = self.find_scene_file(named)?;
         let golden = path.file_stem().map(|stem| {
@@ -99,7 +99,7 @@ impl Assignment {
         ))
     }
 
-    /// Where the scene lies that a user means.
+    /// The file of the scene that a user named.
     pub fn find_scene_file(&self, named: &str) -> Result<PathBuf> {
         let file = Path::new(named);
         let own = self.scene(named);
@@ -122,7 +122,8 @@ impl Assignment {
         self.scenes.iter().filter(|scene| !scene.public)
     }
 
-    /// Whether a film, by its name without `.exr`, or a file of it shows a withheld scene.
+    /// Whether a film shows a withheld scene. Takes the film's name without `.exr`, or the
+    /// name of any file that belongs to it.
     pub fn withholds(&self, film: &str) -> bool {
         let scene = film.split('.').next().unwrap_or(film);
         self.withheld_scenes()
@@ -134,7 +135,7 @@ impl Assignment {
         self.tasks.iter().find(|task| task.name == name)
     }
 
-    /// Task and group of all questions that are made of scenes' pixels.
+    /// The groups of questions about the pixels of scenes: task and group.
     pub fn scene_groups(&self) -> Vec<(String, String)> {
         let groups = self.tasks.iter().flat_map(|task| {
             let groups = task.points.iter().map(|points| &points.group);

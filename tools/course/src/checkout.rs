@@ -19,8 +19,9 @@ impl Checkout {
         Checkout { root: root.into() }
     }
 
-    /// The checkout this program was built from, or else the one around the current
-    /// folder: another checkout, a student's say, must not bring its own goldens.
+    /// The checkout this program was built from or, if that is gone, the one around the
+    /// current folder. The order matters, because a student's checkout must not bring its own
+    /// goldens.
     pub fn find() -> Result<Checkout> {
         let here = env::current_dir().unwrap_or_default();
         let built_from = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -32,7 +33,7 @@ impl Checkout {
             .map(Checkout::at)
             .ok_or_else(|| {
                 Error::environment(
-                    "this is no checkout of Pinhole, and the one the command was built from is gone",
+                    "this is not a checkout of Pinhole, and the one the command was built from is gone",
                     "run the command inside the checkout: cargo pinhole …",
                 )
             })
@@ -48,11 +49,11 @@ impl Checkout {
         self.root.join("assignments")
     }
 
-    /// The assignment that is used unless another is named. The workspace's manifest names
+    /// The assignment to use unless the user names another. The workspace's `Cargo.toml` names
     /// it.
     ///
     /// # Errors
-    /// If it has none.
+    /// If `Cargo.toml` names no default assignment.
     pub fn default_assignment(&self) -> Result<String> {
         let path = self.root.join("Cargo.toml");
         let text = fs::read_to_string(&path).unwrap_or_default();
@@ -79,7 +80,7 @@ impl Checkout {
         self.root.join("target").join("pinhole")
     }
 
-    /// A file's path as a reader of the repository writes it.
+    /// A file's path, relative to the top of the checkout if the file lies in it.
     pub fn inside(&self, path: &Path) -> PathBuf {
         path.strip_prefix(&self.root).unwrap_or(path).into()
     }
@@ -99,7 +100,7 @@ impl Checkout {
             .or_fail(&Error::file(&path))
     }
 
-    /// Whether a folder belongs to the checkout, whose code its user trusts anyway.
+    /// Whether a folder lies in the checkout. Its user trusts the code there anyway.
     pub fn contains(&self, folder: &Path) -> bool {
         match (folder.canonicalize(), self.root.canonicalize()) {
             (Ok(folder), Ok(root)) => folder.starts_with(root),

@@ -1,7 +1,7 @@
-//! From six answer files to a program.
+//! Compiles a submission's answer files to a program.
 //!
-//! Only the answers travel. `main.rs`, `intersect_ray.rs` and the compiler's flags
-//! are ours, whatever else lies in the student's folder.
+//! Only the answers are taken from the student's folder. `main.rs`, `intersect_ray.rs` and the
+//! compiler's flags are ours, whatever else lies there.
 
 mod blame;
 mod build;
@@ -44,7 +44,7 @@ pub struct Program {
     pub stop: Stop,
 }
 
-/// Why a stub stands where an answer should.
+/// Why an answer was replaced by its stub.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Replaced {
     /// There was no usable file.
@@ -53,14 +53,15 @@ pub enum Replaced {
     DoesNotCompile(String),
 }
 
-/// Compiles submissions; made once, it serves many.
+/// Compiles any number of submissions.
 #[derive(Clone)]
 pub struct Compiler {
     /// Where finished programs lie.
     programs: PathBuf,
     sandbox: Sandbox,
     harness: Harness,
-    /// Not the handout's folder: students fill that.
+    /// The handout with untouched stubs. It is not read from the handout's folder, where
+    /// students write.
     pristine: Package,
     /// Whether answers may use any attribute and macro.
     allows_everything: bool,
@@ -81,7 +82,7 @@ pub fn compile(
 }
 
 impl Compiler {
-    /// Builds the harness if need be.
+    /// Makes a compiler, and builds the harness if needed.
     pub fn new(
         assignment: &Assignment,
         checkout: &Checkout,
@@ -99,7 +100,8 @@ impl Compiler {
         })
     }
 
-    /// Without the [`allow_list`], for tests of the sandbox.
+    /// This compiler, but without the [`allow_list`] if `everything` is allowed: for tests of
+    /// the sandbox.
     pub fn allowing(self, everything: bool) -> Compiler {
         Compiler {
             allows_everything: everything,
@@ -216,7 +218,7 @@ impl Compiler {
     }
 }
 
-/// For an answer that the compiler can split into tokens, and we can't.
+/// Refuses an answer that the compiler can split into tokens, but we can't.
 fn unclear_tokens(task: &str) -> Replaced {
     Replaced::DoesNotCompile(format!(
         "error: src/{task}.rs holds characters that Pinhole can't read as Rust\n  = help: write \
@@ -228,12 +230,12 @@ fn unclear_tokens(task: &str) -> Replaced {
 pub enum Attempt {
     /// A program.
     Program(Program),
-    /// The caller knows enough without one.
+    /// No program, because the caller already knows enough.
     Enough,
 }
 
-/// The folder of the answer files, as it opens from the current one; `None` for an archive, and
-/// for a name that the compiler's option cannot hold.
+/// The folder of the answer files, as a path that opens from the current folder. `None` for an
+/// archive, and for a path that the compiler's option cannot hold.
 fn place_from_here(submission: &Submission) -> Option<String> {
     let place = shell::from_here(&submission.place);
     let name = place.to_str().filter(|name| !name.contains('='))?;
@@ -259,10 +261,11 @@ fn sources(submission: &Submission, pristine: &Package, replaced: &Replacements)
     sources
 }
 
-/// The answers that fail even among stubs. This finds the cause of an error that shows
-/// in one of our files, such as a deleted function or `impl`.
+/// The answers that do not compile even when all others are stubs. This finds the cause of an
+/// error that shows in one of our files, such as a deleted function or `impl`.
 ///
-/// If the stubs alone fail too, there is none: the fault is the machine's or ours.
+/// If the stubs alone don't compile either, no answer is to blame: the fault is the machine's
+/// or ours.
 fn blame_alone(
     submission: &Submission,
     already: &Replacements,

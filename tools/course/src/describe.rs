@@ -16,7 +16,7 @@ pub fn worst_of(verdict: &Verdict) -> Option<(&ChannelVerdict, Mismatch)> {
 
 /// The worst question of a verdict: what was asked, expected, and given.
 ///
-/// Nothing if the verdict passes, or is on a scene.
+/// Empty if the verdict passes, or is about a scene.
 pub fn worst(verdict: &Verdict, asked: &QuestionFilm, reply: &Reply) -> Vec<Fact> {
     let (Some(questions), Some((channel, mismatch))) = (asked.job.questions(), worst_of(verdict))
     else {
@@ -53,5 +53,5 @@ pub fn panicked(asked: &QuestionFilm, reply: &Reply) -> Vec<Fact> {
     }
 }
 
-/// Digits of a question that is not compared with anything.
+/// How many digits to show of a question's numbers if there is no wrong answer to compare.
 const DIGITS: usize = 6;

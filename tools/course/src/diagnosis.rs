@@ -1,4 +1,4 @@
-//! Which belief explains a wrong film.
+//! Finds the mistaken belief that explains a wrong film.
 
 pub mod evidence;
 pub mod fingerprint;
@@ -18,7 +18,7 @@ pub struct Diagnosis {
     /// Beliefs that explain the answers. Empty if no known belief does, because a false
     /// name is worse than none.
     pub beliefs: Vec<Explanation>,
-    /// How several beliefs are meant.
+    /// How several beliefs go together.
     pub reading: Reading,
 }
 
@@ -27,10 +27,10 @@ pub struct Diagnosis {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Reading {
-    /// All of them are held, each spoiling its part.
+    /// The student holds all of them, and each spoils a part of the answers.
     #[default]
     Together,
-    /// One of them is held; the answers cannot tell them apart.
+    /// The student holds one of them; the answers don't tell which.
     #[serde(rename = "one of")]
     OneOf,
 }
@@ -42,11 +42,11 @@ pub struct Explanation {
     /// The known mistake's name.
     #[serde(rename = "mistake")]
     pub slug: String,
-    /// What is believed, and the hints.
+    /// The belief, and hints for somebody who holds it.
     #[serde(flatten)]
     pub mistake: Mistake,
-    /// The share of the wrong pixels or questions that this belief predicts as they
-    /// came, 0 to 1.
+    /// The share of the wrong pixels or questions for which this belief predicts the given
+    /// values, 0 to 1.
     pub explained: f64,
 }
 

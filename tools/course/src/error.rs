@@ -19,12 +19,12 @@ pub struct Error {
 
 type Source = Box<dyn std::error::Error + Send + Sync>;
 
-/// Whose turn it is.
+/// Who has to act on an error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
     /// The user: a file or an argument is wrong.
     Input,
-    /// The machine's administrator, or we.
+    /// The machine's administrator or Pinhole's developers.
     Environment,
 }
 
@@ -99,7 +99,7 @@ pub trait ResultExt<T> {
     /// The user's file or argument is to blame.
     fn or_input(self, problem: impl fmt::Display, remedy: impl Into<String>) -> Result<T>;
 
-    /// The machine is, or we are.
+    /// The machine or Pinhole is to blame.
     fn or_environment(self, problem: impl fmt::Display, remedy: impl Into<String>) -> Result<T>;
 
     /// `what` failed, [because](Error::because) of this.

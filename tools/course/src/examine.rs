@@ -35,24 +35,24 @@ use diagnose::Cast;
 pub use diagnose::asked;
 pub use judged::failure;
 
-/// A person reads no more of what one question printed.
+/// The most bytes that are shown of what an answer printed for one question.
 const MOST_PRINTED_BY_ONE: usize = 1000;
 
-/// A built submission and what it is measured against.
+/// Examines a built submission.
 pub struct Examiner<'a> {
-    /// Whose tasks.
+    /// The assignment whose tasks are asked.
     pub assignment: &'a Assignment,
     /// The golden films, and the scenes they show.
     pub goldens: &'a Goldens,
-    /// What runs.
+    /// The submission's program.
     pub program: &'a Program,
-    /// Where it runs.
+    /// The sandbox that it runs in.
     pub sandbox: &'a Sandbox,
     /// How long each process may take.
     pub wall: Duration,
-    /// Whether somebody waits for the result. If so, trusted code is asked several things at
-    /// a time, and a process that sends nothing for a fifteenth of `wall` (2 s at least) is
-    /// given up.
+    /// Whether somebody waits for the result. If so, trusted code is asked several things at a
+    /// time, and a process is ended that sends nothing for a fifteenth of `wall` (2 s at
+    /// least).
     pub interactive: bool,
     /// The second judge, if every film is to be judged by it too; a disagreement is an
     /// error.
@@ -116,7 +116,7 @@ impl Examiner<'_> {
         let scenes: Vec<&GoldenScene> = scenes
             .filter(|scene| selection.has_scene(&scene.name))
             .collect();
-        // A scene that needs such an answer would be as late again.
+        // Scenes that need such an answer would be late too, so they are not cast.
         let late: Vec<&Task> = self.late(&tasks).collect();
         let mut outcomes = Vec::new();
         let mut films = Vec::new();
@@ -150,8 +150,8 @@ impl Examiner<'_> {
         Ok(examination)
     }
 
-    /// Reads the goldens of everything that is selected into memory, while a submission is
-    /// being compiled, say. [`Examiner::examine`] reports what cannot be read.
+    /// Reads the selected goldens into memory, for instance while a submission is being
+    /// compiled. Errors are left to [`Examiner::examine`].
     pub fn warm_up(assignment: &Assignment, goldens: &Goldens, selection: &Selection) {
         let wants_task = |task: &&Task| selection.has_task(&task.name);
         let wants_scene = |scene: &&GoldenScene| selection.has_scene(&scene.name);
@@ -167,14 +167,15 @@ impl Examiner<'_> {
         );
     }
 
-    /// Whether several things are asked at a time: somebody waits, for their own code.
+    /// Whether to ask several things at a time: only if somebody waits for the result of their
+    /// own code.
     fn asks_several(&self) -> bool {
         self.interactive && matches!(self.sandbox, Sandbox::Trusted)
     }
 
-    /// Does the same work on all items, in their order: several at a time if somebody waits
-    /// for their own code. Processes of untrusted code run one by one, because they share a
-    /// user id and its limits.
+    /// Does some work on each item and keeps their order. Several items are done at a time if
+    /// somebody waits for the result of their own code. Processes of untrusted code run one by
+    /// one, because they share a user id and its limits.
     fn each<T: Sync, R: Send>(
         &self,
         items: &[T],
@@ -186,7 +187,7 @@ impl Examiner<'_> {
         }
     }
 
-    /// The tasks that have an answer which did not come in time.
+    /// The tasks with an answer that did not come in time.
     fn late<'t>(&'t self, tasks: &'t [TaskOutcome]) -> impl Iterator<Item = &'t Task> {
         let is_late = |outcome: &&TaskOutcome| {
             let mut groups = outcome.groups.iter();

@@ -85,11 +85,11 @@ pub struct Printed {
 
 /// A built submission that can be asked about one pixel.
 pub struct Witness<'a> {
-    /// What runs.
+    /// The submission's program.
     pub program: &'a Program,
-    /// Where it runs.
+    /// The sandbox that it runs in.
     pub sandbox: &'a Sandbox,
-    /// Whose tasks it answers.
+    /// The assignment whose tasks it answers.
     pub assignment: &'a Assignment,
     /// How long each answer may take.
     pub wall: Duration,
@@ -136,7 +136,8 @@ impl Witness<'_> {
                 Answer::Hit(hit) => Some(hit),
                 Answer::Ray(_) => None,
             };
-            // A loop in one answer would cost its time again for every object.
+            // Ask an answer that never ends only once: each further object would cost the same
+            // time again.
             let mut endless = None;
             for shape in objects {
                 let question = ShapeQuestion {

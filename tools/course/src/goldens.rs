@@ -18,9 +18,9 @@ use crate::manifest::Manifest;
 pub struct Goldens {
     /// Where the films lie.
     pub folder: PathBuf,
-    /// In the order they are cast.
+    /// The scenes, in the order they are cast.
     pub scenes: Vec<GoldenScene>,
-    /// What is known of mistakes.
+    /// The known mistakes.
     pub known: KnownMistakes,
     /// Questions that were read already, by task.
     pub kept: Arc<Mutex<BTreeMap<String, Arc<Questions>>>>,
@@ -35,7 +35,8 @@ pub struct Goldens {
 pub struct GoldenScene {
     /// The film is `NAME.exr`.
     pub name: String,
-    /// What a command takes for the scene: its name if it is the assignment's.
+    /// How to name the scene on the command line: by its name if it is the assignment's, else
+    /// by its file.
     pub argument: String,
     /// The scene file.
     pub file: PathBuf,

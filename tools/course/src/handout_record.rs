@@ -23,7 +23,7 @@ pub const FILE: &str = "handout.toml";
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct HandoutRecord {
-    /// Whose assignment.
+    /// The assignment's name.
     pub assignment: String,
     /// Every other file, relative to this one.
     pub files: Hashes,
@@ -42,7 +42,7 @@ impl HandoutRecord {
         );
         let text = fs::read_to_string(&path).or_fail(&wrong)?;
         let record: HandoutRecord = toml::from_str(&text).or_fail(&wrong)?;
-        // Files are replaced and removed by this list.
+        // A later handout replaces and removes the files on this list.
         let is_inside = |path: &&String| {
             let mut parts = Path::new(path).components();
             parts.all(|part| matches!(part, Component::Normal(_)))

@@ -31,7 +31,7 @@ pub struct Manifest {
     pub mitsuba: String,
     /// Its variant.
     pub variant: String,
-    /// What the probes were drawn from.
+    /// The seed that the probes were drawn from.
     pub probe_seed: Option<Seed>,
     /// Fingerprints of the scripts behind the films, by scene, by task of the probes, and
     /// of the ties.
@@ -68,13 +68,13 @@ impl Manifest {
         )
     }
 
-    /// Enters who rendered.
+    /// Records the renderer.
     pub fn set_renderer(&mut self, renderer: &Renderer) {
         self.mitsuba = renderer.mitsuba.clone();
         self.variant = renderer.variant.clone();
     }
 
-    /// Enters the scripts that made the films, as they are now.
+    /// Records the scripts that made the films, in their present state.
     pub fn set_scripts(
         &mut self,
         folder: &Path,
@@ -85,7 +85,7 @@ impl Manifest {
         Ok(())
     }
 
-    /// What the scripts behind the films are now.
+    /// Fingerprints of the present scripts behind the films.
     fn script_fingerprints(
         &self,
         folder: &Path,
@@ -107,7 +107,7 @@ impl Manifest {
         sources.any(|source| source.starts_with("scenes/"))
     }
 
-    /// Enters a scene file and the meshes it names.
+    /// Records a scene file and the meshes it names.
     pub fn add_scene(
         &mut self,
         scene: &Path,
@@ -121,8 +121,8 @@ impl Manifest {
         Ok(())
     }
 
-    /// Enters the mistakes whose fingerprints lie in `folder`, in place of any others,
-    /// and what was written of them.
+    /// Records the mistakes whose fingerprints lie in `folder`, and the files of those
+    /// fingerprints. Replaces earlier records of mistakes.
     pub fn set_mistakes(
         &mut self,
         written: &[PathBuf],
@@ -145,7 +145,7 @@ impl Manifest {
             .collect()
     }
 
-    /// Enters a film of `folder`.
+    /// Records a film of `folder`.
     pub fn add_film(&mut self, film: &Path, folder: &Path) -> Result<()> {
         self.films.insert(slashed(film), hash(&folder.join(film))?);
         Ok(())

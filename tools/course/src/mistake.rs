@@ -92,7 +92,7 @@ impl MistakeFolder {
             None => Ok(folders),
             Some(task) => Err(Error::input(
                 format!("{}: its beliefs are both about {}", self.slug, task.name),
-                format!("write {} with both of them there", task.file()),
+                format!("put a {} with both mistakes into its folder", task.file()),
             )),
         }
     }

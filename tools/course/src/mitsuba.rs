@@ -1,4 +1,4 @@
-//! Running the Python that renders goldens, in an environment of the project's own.
+//! Runs the Python scripts that render goldens, in an environment of the project's own.
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -32,11 +32,12 @@ pub fn python(checkout: &Checkout) -> Command {
     Command::new(interpreter(&environment(checkout)))
 }
 
-/// Makes the environment, or mends it.
+/// Makes the environment, or repairs it.
 pub fn setup(checkout: &Checkout) -> Result<()> {
     let environment = environment(checkout);
     let python = system_python()?;
-    // After an upgrade of the system's Python the old environment finds nothing of its own.
+    // After an upgrade of the system's Python, an old environment doesn't find its own
+    // packages.
     let mut own_pip = Command::new(interpreter(&environment));
     let own_pip = own_pip.args(["-c", "import pip"]).stderr(Stdio::null());
     if !own_pip.status().is_ok_and(|status| status.success()) {
@@ -71,7 +72,7 @@ fn system_python() -> Result<&'static str> {
     })
 }
 
-/// What is drawn of the assignment in a folder.
+/// Which questions were drawn, and the folder of the assignment they were drawn for.
 #[derive(Clone, Copy, Debug)]
 pub enum Drawn<'a> {
     /// The committed questions of its tasks, and its ties.
@@ -81,8 +82,8 @@ pub enum Drawn<'a> {
 }
 
 /// Fingerprints of the scripts behind the films of these scenes and of what was drawn. Needs
-/// Python, but not Mitsuba; a
-/// checkout without scripts, such as a student's, has no fingerprints.
+/// Python, but not Mitsuba. A checkout without scripts, such as a student's, has no
+/// fingerprints.
 ///
 /// # Errors
 /// If there is no Python, or a script cannot be read.
@@ -139,7 +140,7 @@ pub struct Item {
     pub files: Vec<PathBuf>,
 }
 
-/// Who rendered.
+/// The renderer that made the films.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Renderer {
     /// Mitsuba's version.
@@ -149,13 +150,13 @@ pub struct Renderer {
     total: usize,
 }
 
-/// What a run of the scripts came to.
+/// What a run of the scripts has made.
 pub struct Rendered {
-    /// Who rendered.
+    /// The renderer.
     pub renderer: Renderer,
     /// Everything that was made.
     pub items: Vec<Item>,
-    /// Why something was not, in the scripts' words.
+    /// Why something was not made, in the scripts' words.
     pub refusal: Option<Error>,
 }
 

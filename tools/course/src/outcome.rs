@@ -28,7 +28,7 @@ pub const SCHEMA: u32 = 2;
 /// An outcome and the films it was made from.
 #[derive(Debug)]
 pub struct Examination {
-    /// What it came to.
+    /// The points, and everything that earned or lost them.
     pub outcome: Outcome,
     /// What was cast, in the order of the outcome's scenes.
     pub films: Vec<SceneFilm>,
@@ -39,7 +39,7 @@ pub struct Examination {
 pub struct SceneFilm {
     /// The scene file.
     pub file: PathBuf,
-    /// What `explain` and `render` take for it: its name, or its file.
+    /// How to name it in `explain` and `render`: its name, or its file.
     pub argument: String,
     /// What Mitsuba saw.
     pub golden: Golden,
@@ -54,12 +54,12 @@ pub struct SceneFilm {
 /// What is known of the rays that a submission sends through the pixels of a scene.
 #[derive(Debug, Default)]
 pub enum OwnRays {
-    /// Nothing.
+    /// Nothing is known.
     #[default]
     Unknown,
     /// The task that asks for them passes.
     Right,
-    /// This is what it answers.
+    /// The rays that it answers.
     Asked(Film),
 }
 

@@ -1,4 +1,4 @@
-//! What is going on: a line on a terminal, and words wherever something takes long.
+//! Shows progress: a line on a terminal, and messages where something takes long.
 
 use std::fs;
 use std::path::Path;
@@ -18,7 +18,7 @@ impl Default for Progress {
 }
 
 impl Progress {
-    /// Nothing to say yet.
+    /// An empty progress line.
     pub fn new() -> Progress {
         let bar = ProgressBar::new(1000);
         let style =
@@ -28,12 +28,12 @@ impl Progress {
         Progress(bar)
     }
 
-    /// Something of unknown length.
+    /// Shows what is being done, if nobody knows how long it takes.
     pub fn say(&self, what: &str) {
         self.show(what, 0.0);
     }
 
-    /// `share` of `what` is done, 0 to 1.
+    /// Shows that a share of `what` is done, from 0 to 1.
     pub fn show(&self, what: &str, share: f64) {
         if self.0.message() != what {
             self.0.set_message(what.to_owned());
@@ -41,17 +41,17 @@ impl Progress {
         self.0.set_position((share.clamp(0.0, 1.0) * 1000.0) as u64);
     }
 
-    /// Done; the line disappears.
+    /// Removes the line.
     pub fn clear(&self) {
         self.0.finish_and_clear();
     }
 }
 
-/// So long nobody waits without a word.
+/// The longest time between two messages.
 const MOST_SILENCE: Duration = Duration::from_secs(4);
 
-/// Works, and meanwhile says on standard error every few seconds what it is, for how long, and
-/// how long it took last time, which `record` keeps.
+/// Does some work. Meanwhile prints to standard error, every few seconds, what is being done,
+/// for how long, and how long it took last time. The file `record` keeps the last time.
 pub fn patiently<T>(what: &str, record: &Path, work: impl FnOnce() -> T) -> T {
     let start = Instant::now();
     let (working, done) = mpsc::channel::<()>();

@@ -13,7 +13,7 @@ use crate::checkout::Checkout;
 use crate::error::Result;
 use crate::sandbox::Choice;
 
-/// Which assignment is meant.
+/// The option that names an assignment.
 #[derive(Args, Default)]
 pub struct AssignmentOption {
     /// The assignment, by name or folder [default: the one that contains the folder in
@@ -93,7 +93,7 @@ impl RunOptions {
 
 /// A film's size as a user types it, `640x360`.
 pub fn resolution(text: &str) -> std::result::Result<Resolution, String> {
-    let wrong = || format!("`{text}` is no size like 640x360");
+    let wrong = || format!("`{text}` is not a size like 640x360");
     let (n_x, n_y) = text.split_once('x').ok_or_else(wrong)?;
     let count = |text: &str| {
         text.parse::<usize>()

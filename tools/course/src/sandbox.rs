@@ -1,10 +1,10 @@
 //! Where a submission is compiled and run: unprotected if its user trusts it, or in a
 //! sandbox.
 //!
-//! Inside the sandbox there are a read-only system, the compiler, the harness library
-//! and the submission's own files: no golden, no other submission, no home, no network,
-//! no environment. Only the compiler may write, into one folder. Whatever runs there is
-//! bounded by [`Limits`], as one tree, and gone when its job is.
+//! Inside the sandbox there are a read-only system, the compiler, the harness library and the
+//! submission's own files: no golden, no other submission, no home, no network, no
+//! environment. Only the compiler may write, into one folder. All that runs there is one tree
+//! of processes, which is bounded by [`Limits`] and killed when its job ends.
 
 mod budget;
 mod finish;
@@ -47,9 +47,10 @@ pub use finish::{Finished, finish};
 pub use limits::Limits;
 use watch::{Exceeded, Watch};
 
-/// Becomes a confined program if this process was started to be one: both sandboxes start
-/// this program again inside, as `confine`. Every binary calls this before anything else.
-/// Returns only if it was not, or that failed.
+/// Turns this process into a confined program if it was started as one. Both sandboxes start
+/// this program again inside, as `confine`, so every binary calls this function before
+/// anything else. Returns only if the process was not started as one, or if confining it
+/// failed.
 pub fn become_confined() -> Option<std::process::ExitCode> {
     #[cfg(target_os = "linux")]
     return confine::become_confined();
@@ -66,7 +67,7 @@ pub fn time_of_children() -> Option<std::time::Duration> {
     None
 }
 
-/// What a user asks for.
+/// The sandbox that a user asks for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
 pub enum Choice {
     /// No sandbox for a folder of this checkout, bubblewrap for any other
@@ -76,8 +77,8 @@ pub enum Choice {
     Bubblewrap,
     /// Another user id and Landlock; for root, in a container that is used once
     Container,
-    /// The same where the kernel has no Landlock; weaker, as file modes alone guard the
-    /// container's files
+    /// Like `container`, but for kernels without Landlock; weaker, because only file modes
+    /// guard the container's files
     ContainerWithoutLandlock,
     /// No sandbox; only for your own code
     None,
@@ -177,7 +178,8 @@ impl Sandbox {
         Sandbox::bubblewrap(checkout, "the code", secrets)
     }
 
-    /// Where the harness and the programs lie: where the code may reach them, if it must.
+    /// The folder for the harness and the programs. It lies where sandboxed code can reach it,
+    /// if it needs to.
     pub fn scratch(&self, checkout: &Checkout) -> PathBuf {
         match self {
             #[cfg(target_os = "linux")]
@@ -204,7 +206,7 @@ impl Sandbox {
             Sandbox::Trusted => "none".into(),
             #[cfg(target_os = "linux")]
             Sandbox::Bubblewrap(walls) => format!("bubblewrap {}", walls.sysroot().display()),
-            // Its file belongs to one user id.
+            // A program's file belongs to one user id.
             #[cfg(target_os = "linux")]
             Sandbox::Container(walls) => format!("container {}", walls.uid()),
         }
@@ -278,7 +280,7 @@ impl Sandbox {
                 None if reply.printed.contains("memory allocation of ") => {
                     reply.ending = Ending::OutOfMemory(limits.memory);
                 }
-                // Perhaps it was never started.
+                // Perhaps the program was never started because the sandbox doesn't work.
                 None => self.self_test()?,
             }
         }

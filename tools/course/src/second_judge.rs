@@ -1,4 +1,4 @@
-//! Asking oiiotool about films that only exist in memory.
+//! Asks oiiotool about films that exist only in memory.
 
 use std::collections::HashSet;
 use std::fs;
@@ -14,7 +14,7 @@ use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
 use crate::mitsuba;
 
-/// The second judge, with a place to lay films before it.
+/// The second judge, with a folder for the films that it reads.
 pub struct SecondJudge {
     tool: Oiiotool,
     folder: PathBuf,
@@ -44,7 +44,7 @@ impl SecondJudge {
         })
     }
 
-    /// Asks about `film`, of which the first judge says that it `passes`.
+    /// Confirms the first judge's verdict on `film`: whether it `passes`.
     ///
     /// # Errors
     /// If the two disagree: that is our fault, never the film's.

@@ -15,7 +15,7 @@ pub fn in_shell(word: &str) -> String {
     }
 }
 
-/// A path as short as it can be from where the user stands.
+/// The shortest path that opens from the current folder.
 pub fn from_here(path: &Path) -> PathBuf {
     let here = std::env::current_dir().unwrap_or_default();
     let path = path.strip_prefix(here).unwrap_or(path);

@@ -35,8 +35,8 @@ pub fn generate(assignment: &Assignment) -> Result<Package> {
     Ok(package)
 }
 
-/// The stubs as students got them: generated, or, where there is no reference, as they
-/// came beside the handout.
+/// The stubs as students got them. Without a reference to generate them from, these are the
+/// copies that came with the handout.
 pub fn pristine(assignment: &Assignment, checkout: &Checkout) -> Result<Package> {
     match HandoutRecord::read(checkout.root())? {
         None => generate(assignment),

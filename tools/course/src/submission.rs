@@ -1,5 +1,5 @@
-//! A submission as it comes from a student: six named files in a folder or a ZIP file,
-//! and nothing else.
+//! A submission as it comes from a student: the answer files in a folder or a ZIP file, and
+//! nothing else.
 
 pub mod allow_list;
 pub mod archive;
@@ -158,8 +158,8 @@ fn empty(folder: &Path, assignment: &Assignment) -> Error {
     )
 }
 
-/// Whether a folder may hold answers: not those that archives and version control leave
-/// beside it.
+/// Whether a folder may hold answers, and was not left there by an archiver or version
+/// control.
 fn is_ordinary(name: &str) -> bool {
     !name.starts_with('.') && !name.starts_with("__")
 }

@@ -1,7 +1,7 @@
 //! How long each stage takes, counted for all threads together.
 //!
-//! Stages are entered deep inside the work, so their times are kept in one place for the
-//! whole process instead of being handed through every call.
+//! Stages begin and end deep inside other code. So their times are kept in one place for the
+//! whole process, instead of being passed through every call.
 
 use std::fmt;
 use std::sync::{Mutex, PoisonError};

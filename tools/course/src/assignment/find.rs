@@ -1,4 +1,4 @@
-//! Finds the assignment that somebody means, and reads its `assignment.toml`.
+//! Finds the assignment that a user means, and reads its `assignment.toml`.
 
 use std::fs;
 use std::path::Path;
@@ -24,8 +24,8 @@ struct File {
 }
 
 impl Assignment {
-    /// The assignment that is meant: the one of this name, or in the folder of this name;
-    /// without a name, the one that `folder` lies in, or else the checkout's default.
+    /// Finds an assignment by its name or by the path of its folder. Without a name, finds the
+    /// assignment that contains `folder`, or else the checkout's default.
     ///
     /// # Errors
     /// If no assignment has this name, or its `assignment.toml` is wrong.
@@ -37,7 +37,7 @@ impl Assignment {
     }
 
     fn named(checkout: &Checkout, name: &str) -> Result<Assignment> {
-        // The whole path, as goldens lie beside the folder above.
+        // An absolute path, because the goldens are found from the parent folder's place.
         let folder = Path::new(name).canonicalize().ok();
         let folder = folder.filter(|folder| folder.join("assignment.toml").is_file());
         match folder

@@ -46,7 +46,7 @@ impl From<(String, u32, String)> for GroupPoints {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Dropped {
-    /// As `task.group`.
+    /// The group, as `task.group`.
     pub group: String,
     /// What becomes of its points.
     pub points: DroppedPoints,
@@ -58,7 +58,7 @@ pub struct Dropped {
 pub enum DroppedPoints {
     /// Everybody gets them.
     Given,
-    /// The other parts are worth more in proportion, so that the sum of all stays.
+    /// Everything else becomes worth proportionally more, so that the total stays the same.
     Rescaled,
 }
 
@@ -70,7 +70,7 @@ pub struct ScenePoints {
     pub name: String,
     /// Points for a film that passes.
     pub points: u32,
-    /// Whether students get it; a withheld scene is cast when it is graded only.
+    /// Whether students get it. A withheld scene is cast only for grading.
     #[serde(default = "is_public")]
     pub public: bool,
 }
@@ -89,7 +89,7 @@ impl Task {
         self.kind.takes_shape() == self.shape.is_some()
     }
 
-    /// Whether a group of its questions is made of all pixels of all scenes.
+    /// Whether this group asks about all pixels of all scenes.
     pub fn is_of_scenes(&self, group: &str) -> bool {
         self.kind.gives_rays() && group == SCENES_GROUP
     }
@@ -120,7 +120,7 @@ mod tests {
     }
 }
 
-/// What follows when all points are earned.
+/// What to show a student who has earned all points.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Finish {

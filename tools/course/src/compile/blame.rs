@@ -1,4 +1,4 @@
-//! Whose answer keeps a program from compiling.
+//! Finds the answers that keep a program from compiling.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -25,7 +25,7 @@ pub fn has_error(diagnostics: &[Diagnostic]) -> bool {
         .any(|diagnostic| diagnostic.level == "error")
 }
 
-/// One message of the compiler's.
+/// One message of the compiler.
 #[derive(Deserialize)]
 pub struct Diagnostic {
     level: String,
@@ -39,7 +39,7 @@ struct Span {
 }
 
 impl Diagnostic {
-    /// A message in place of the compiler's, if it was killed or crashed.
+    /// A message to show instead of the compiler's, if the compiler was killed or crashed.
     pub fn of_dead_compiler(finished: &Finished) -> Diagnostic {
         let said = String::from_utf8_lossy(&finished.stderr);
         let lines: Vec<&str> = said

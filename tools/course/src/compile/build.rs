@@ -1,4 +1,4 @@
-//! From the files of a whole program to the program.
+//! Compiles the files of a whole program.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -15,7 +15,7 @@ use crate::error::{Error, Result, ResultExt};
 use crate::sandbox::{Finished, Limits, Sandbox};
 use crate::timings::timed;
 
-/// The executable's name, as the system wants it.
+/// The executable's name on this system.
 const PROGRAM: &str = match cfg!(windows) {
     true => "submission.exe",
     false => "submission",
@@ -93,7 +93,7 @@ pub fn build(
             warnings: blame::diagnostics(&finished.stderr),
         };
         if !executable.is_file() {
-            // A folder without its program: somebody was stopped while deleting it.
+            // If the folder exists, somebody was interrupted while deleting it.
             let _gone_or_absent = fs::remove_dir_all(&folder);
         }
         return match fs::rename(&fresh, &folder) {
@@ -112,7 +112,7 @@ pub fn build(
     Ok(Built::Refused(said(&finished)))
 }
 
-/// A file of the compiler's, not a link to anything.
+/// Whether this is a regular file, as the compiler writes it, and not a link.
 fn is_program(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_file())
 }
@@ -126,7 +126,8 @@ fn said(finished: &Finished) -> Vec<Diagnostic> {
     diagnostics
 }
 
-/// Relative paths only, so that the compiler names files as the student does.
+/// Adds the compiler's arguments. All paths are relative, so that its messages name files as
+/// the student does.
 fn arguments(rustc: &mut Command, harness: &Harness, shown_in: &str) {
     rustc.args([
         "src/main.rs",
@@ -135,7 +136,8 @@ fn arguments(rustc: &mut Command, harness: &Harness, shown_in: &str) {
         "--crate-name=submission",
     ]);
     rustc.args(["-Copt-level=2", "-Ccodegen-units=1", "-Cstrip=debuginfo"]);
-    // An `i - 1` that wraps around shows as a panic in its line, not as a wrong picture.
+    // With overflow checks, an `i - 1` that would wrap around panics and names its line,
+    // instead of producing a wrong picture.
     rustc.args(["-Coverflow-checks=on", "-Funsafe_code"]);
     rustc.args(["--error-format=json", "--json=diagnostic-rendered-ansi"]);
     rustc.arg(format!("-oout/{PROGRAM}"));
@@ -158,8 +160,9 @@ fn prefixed(prefix: &str, path: &Path) -> std::ffi::OsString {
     text
 }
 
-/// What is compiled, against what, and where. The place counts, because a program that
-/// a trusted compiler built may contain files that a sandboxed one must not read.
+/// Identifies a build: what is compiled, against what, and where. The place counts, because a
+/// program that was compiled without a sandbox may contain files that sandboxed code must not
+/// read.
 fn fingerprint(sources: &Sources, shown_in: &str, harness: &Harness, sandbox: &Sandbox) -> String {
     let mut hash = Hash::new();
     hash.update(format!("{}\n{shown_in}", shown_in.len()));

@@ -96,7 +96,7 @@ impl Harness {
                     "the harness does not build:\n{}",
                     String::from_utf8_lossy(&output.stderr)
                 ),
-                "run `cargo build --release` in the checkout and mend what it says",
+                "run `cargo build --release` in the checkout and fix the errors it reports",
             ));
         }
         let mut libraries: Vec<(String, PathBuf)> = artifacts(&output.stdout).collect();
@@ -156,13 +156,14 @@ fn artifacts(stdout: &[u8]) -> impl Iterator<Item = (String, PathBuf)> + '_ {
         })
 }
 
-/// Rust libraries and, since they name them, the procedural macros they used.
+/// Whether cargo built a Rust library, or a procedural macro that a library refers to.
 fn is_library(file: &Path) -> bool {
     let extension = file.extension().and_then(|extension| extension.to_str());
     matches!(extension, Some("rlib" | "so" | "dylib" | "dll"))
 }
 
-/// Cargo's file names carry a hash, but not every change of content changes it.
+/// Identifies the state of the libraries by their names, lengths and times. The hash in
+/// cargo's file names is not enough: some changes of content don't change it.
 fn fingerprint(libraries: &[(String, PathBuf)]) -> String {
     let mut hash = Hash::new();
     for (_, file) in libraries {
@@ -189,7 +190,7 @@ fn fill(folder: &Path, libraries: &[(String, PathBuf)]) -> Result<()> {
             .or_fail(&failed)?;
     }
     match fs::rename(&fresh, folder) {
-        // Another command was quicker with the same.
+        // Another command has made the same folder in the meantime.
         Err(_) if folder.is_dir() => fs::remove_dir_all(&fresh).or_fail(&failed),
         renamed => renamed.or_fail(&failed),
     }

@@ -9,7 +9,7 @@ use std::time::{Duration, SystemTime};
 /// build.
 const KEPT: usize = 200;
 
-/// A younger program may still be needed.
+/// Younger programs are kept, because another command may still need them.
 const YOUNG: Duration = Duration::from_secs(15 * 60);
 
 /// Marks a program as new, because it is about to be asked.
@@ -33,7 +33,7 @@ fn prune_to(programs: &Path, kept: usize, young: Duration) {
     old.truncate(old.len().saturating_sub(kept));
     old.retain(|(made, _)| made.elapsed().is_ok_and(|age| age >= young));
     for (_, program) in old {
-        // Another command may have removed it first; if it cannot be removed, it stays.
+        // This may fail because another command was first. Otherwise the program just stays.
         let _gone_or_kept = fs::remove_dir_all(program);
     }
 }

@@ -1,4 +1,4 @@
-//! A submission for a command that lets its code run but judges nothing: every file must
+//! Compiles a submission for commands that run its code but don't judge it. Every file must
 //! compile.
 
 use std::path::Path;
@@ -14,11 +14,11 @@ use crate::submission::Submission;
 
 /// A submission that compiles as a whole.
 pub struct Whole {
-    /// Whose answers.
+    /// The answers.
     pub submission: Submission,
-    /// Where they run.
+    /// The sandbox that the program runs in.
     pub sandbox: Sandbox,
-    /// What runs.
+    /// The compiled answers.
     pub program: Program,
 }
 
@@ -45,7 +45,7 @@ impl Whole {
             if let Replaced::DoesNotCompile(diagnostics) = why {
                 return Err(Error::input(
                     format!("{}\n{task}.rs does not compile", diagnostics.trim_end()),
-                    "mend it and try again",
+                    "fix it and try again",
                 ));
             }
         }

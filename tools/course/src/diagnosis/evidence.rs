@@ -18,9 +18,9 @@ pub struct Evidence {
     pub failing: usize,
     /// How many pixels there are.
     pub pixels: usize,
-    /// In how many pixels each part is wrong, where the parts before it let us see it.
+    /// In how many pixels each part is wrong, where it can be seen.
     pub failing_parts: Vec<f64>,
-    /// For each mistake that would show in this film.
+    /// How well each mistake agrees that would show in this film.
     pub agreements: BTreeMap<String, Agreement>,
 }
 
@@ -37,7 +37,7 @@ pub struct Agreement {
     /// How many of the pixels that distinguish it from similar mistakes disagree with
     /// it.
     pub denied: f64,
-    /// The same part by part.
+    /// The agreement of each part of an answer.
     pub parts: Vec<PartAgreement>,
 }
 
@@ -59,7 +59,7 @@ impl Evidence {
         let mut agreements: BTreeMap<String, Agreement> = prints
             .map(|(slug, print)| (slug.to_owned(), agreement(&compared, &print)))
             .collect();
-        // A mistake that panics gives no answers; here some were given.
+        // A mistake that panics gives no answers, but this film has answers.
         let panicking = Agreement {
             predicted: pixels as f64,
             touched: failing as f64,
@@ -111,8 +111,8 @@ impl Evidence {
 }
 
 impl Agreement {
-    /// Pixels that are wrong in only one of the two, the film and the mistake, or wrong
-    /// in different ways.
+    /// How many pixels are wrong only in the film or only by the mistake, or are wrong in
+    /// different ways.
     pub fn apart(&self, failing: usize) -> f64 {
         let apart = self.predicted + failing as f64 - 2.0 * self.shared;
         apart.max(self.denied)

@@ -13,9 +13,9 @@ use pinhole::judge::Golden;
 pub struct Fingerprint {
     /// How many pixels it gets wrong.
     pub failing: usize,
-    /// An even sample of them: all, if they are few.
+    /// An even sample of these pixels, or all if they are few.
     pub sample: Vec<Witness>,
-    /// Some that other, similar mistakes leave otherwise.
+    /// Some pixels in which similar mistakes leave other values.
     pub telling: Vec<Witness>,
 }
 
@@ -28,7 +28,8 @@ pub struct Witness {
     pub values: Vec<f32>,
 }
 
-/// Sampled pixels per mistake and film: a share of them is known to within about 5 %.
+/// Sampled pixels per mistake and film. A share that is estimated from so many is off by at
+/// most about 5 %.
 pub const MOST_SAMPLED: usize = 96;
 
 /// Telling pixels per mistake and film, and per pair of similar mistakes.
@@ -39,18 +40,19 @@ const TELLING_PER_PAIR: usize = 6;
 /// value computed by another route: 32-bit arithmetic stays well below.
 const SAME: f32 = 1e-5;
 
-/// Where a golden's tolerance is wider than [`SAME`], it counts instead, up to this.
+/// Where a golden's tolerance is wider than [`SAME`], the tolerance is used instead, up to
+/// this.
 const MOST_SAME: f32 = 1e-3;
 
-/// Channels that are compared by themselves or as vectors: their places.
+/// A number or a vector that is compared as one, by the indices of its channels.
 enum Quantity {
     Id(usize),
     Other(Vec<usize>),
 }
 
-/// What can be right while the rest of a film is wrong.
+/// A part of a film that can be right while the rest is wrong.
 enum Part {
-    /// Objects.
+    /// Which object is hit.
     Id(usize),
     /// A number or a vector.
     Values(Vec<usize>),
@@ -144,7 +146,7 @@ impl<'a> FilmComparison<'a> {
         (0..self.parts.len()).map(count).collect()
     }
 
-    /// Whether a part is wrong in the film. Of another object nothing else is seen.
+    /// Whether a part can be seen and is wrong in the film.
     pub fn is_part_wrong(&self, part: usize, pixel: usize) -> bool {
         self.is_wrong(pixel)
             && self.is_seen(part, pixel, &|place| self.film[place][pixel])
@@ -176,7 +178,8 @@ impl<'a> FilmComparison<'a> {
         }
     }
 
-    /// Objects are always seen, and everything else where the object is right.
+    /// Whether a part can be seen. Which object is hit can always be seen, everything else
+    /// only where the object is right.
     fn is_seen(&self, part: usize, pixel: usize, value: &dyn Fn(usize) -> f32) -> bool {
         let mut ids = self
             .parts
@@ -254,7 +257,7 @@ pub fn fingerprints(films: &[FilmComparison<'_>]) -> Vec<Option<Fingerprint>> {
         let mut telling: Vec<usize> = Vec::new();
         for other in (0..films.len()).filter(|other| *other != own) {
             let differs = |pixel: &&usize| !films[other].shows(&film.witness(**pixel));
-            // One that differs nearly everywhere is told apart by the sample.
+            // The sample is enough to tell apart a mistake that differs nearly everywhere.
             let probed = sample.clone();
             let apart = probed.clone().filter(differs).count();
             if films[other].failing > 0 && apart * 4 <= probed.len() {
@@ -276,8 +279,8 @@ pub fn fingerprints(films: &[FilmComparison<'_>]) -> Vec<Option<Fingerprint>> {
         .collect()
 }
 
-/// The wrong pixels in an order without pattern, the same each time (Knuth's
-/// multiplicative hash, The Art of Computer Programming, vol. 3, §6.4).
+/// The wrong pixels in a scattered order, the same each time (Knuth's multiplicative hash, The
+/// Art of Computer Programming, vol. 3, §6.4).
 fn shuffled(film: &FilmComparison<'_>) -> Vec<usize> {
     let mut pixels: Vec<usize> = (0..film.pixels()).filter(|p| film.is_wrong(*p)).collect();
     pixels.sort_by_key(|pixel| (*pixel as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15));

@@ -18,7 +18,7 @@ use super::fingerprint::{
 use crate::error::{Error, Result, ResultExt};
 use crate::mistake::Mistake;
 
-/// The file of their words.
+/// The file of their beliefs and hints.
 pub const FILE: &str = "mistakes.toml";
 
 /// The channel that says which pixel of the film a column is about.
@@ -27,11 +27,11 @@ const PIXEL: &str = "pixel";
 /// In [`PIXEL`], a column that is not used.
 const UNUSED: f32 = -1.0;
 
-/// What a folder of goldens knows of mistakes.
+/// The known mistakes that are stored in a folder of goldens.
 #[derive(Clone, Debug, Default, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct KnownMistakes {
-    /// By name.
+    /// The mistakes, by name.
     #[serde(default)]
     pub mistake: BTreeMap<String, Mistake>,
     /// For each film the mistakes that show in it, and in how many pixels. Their order
@@ -44,7 +44,7 @@ pub struct KnownMistakes {
 }
 
 impl KnownMistakes {
-    /// What the folder knows; nothing if it has no such file.
+    /// Reads the known mistakes of a folder: none if it has no such file.
     pub fn read(folder: &Path) -> Result<KnownMistakes> {
         let path = folder.join(FILE);
         let Ok(text) = fs::read_to_string(&path) else {
@@ -171,7 +171,7 @@ fn file(film: &str) -> PathBuf {
     format!("{film}.mistakes.exr").into()
 }
 
-/// A row for each fingerprint: first its sample, then what is telling.
+/// Lays fingerprints out as a film. Each is a row: first its sample, then its telling pixels.
 fn laid_out(prints: &[&Fingerprint], names: &[String]) -> Film {
     let columns = MOST_SAMPLED + MOST_TELLING;
     let resolution = Resolution {

@@ -1,12 +1,13 @@
 //! What is measurably wrong in the answers to a task, even if no known mistake explains
 //! it.
 //!
-//! Reading order: [`sample`] is a question with both answers, part by part; [`law`] is what a
-//! part is instead of what it should be; [`rule`] is where; [`single`] finds rounding to
-//! `f32`; [`words`] says it, and [`claim`] tests what was said.
+//! Reading order: [`sample`] holds a question with both answers, part by part. [`law`] says
+//! how a wrong part follows from the right one, and [`rule`] where it is wrong. [`single`]
+//! finds rounding to `f32`. [`words`] writes the sentences, and [`claim`] tests them on other
+//! questions.
 //!
-//! Laws and rules are found on one half of the questions and said only if they hold on the
-//! other.
+//! Laws and rules are found on one half of the questions, and reported only if they hold on
+//! the other half.
 
 mod claim;
 mod law;
@@ -59,7 +60,7 @@ const MOST_SEARCHED: usize = 160;
 /// The word for the samples of a part that only a hit has.
 const HITS: &str = "hits";
 
-/// Sentences a task gets at most.
+/// The most sentences that are reported for a task.
 const MOST_SAID: usize = 3;
 
 /// What is wrong in the answers to one task.
@@ -111,7 +112,8 @@ pub fn measure(films: &[Asked<'_>]) -> Vec<Measured> {
     if has_law && noun != HITS {
         found.retain(|measured| measured.claim.rank() == 0);
     }
-    // Elsewhere an answer may repeat a number of its question, which has single precision.
+    // In other tasks an answer may repeat a number of its question, and those have single
+    // precision.
     if films.iter().all(|film| film.questions.kind().takes_shape()) {
         found.splice(0..0, single::found(&both));
     }
@@ -125,7 +127,7 @@ pub fn measure(films: &[Asked<'_>]) -> Vec<Measured> {
     found
 }
 
-/// Parts that are right wherever they can be compared.
+/// Reports the parts that are right wherever they can be compared.
 fn right_parts(parts: &[(&str, usize)], noun: &str, objects: bool) -> Measured {
     let names: Vec<String> = parts.iter().map(|(name, _)| (*name).to_owned()).collect();
     let names = words::list(names);
@@ -147,7 +149,7 @@ fn right_parts(parts: &[(&str, usize)], noun: &str, objects: bool) -> Measured {
     }
 }
 
-/// Hits that are missed, and hits where nothing is.
+/// Reports hits that are missed, and hits where there is nothing.
 fn decisions(samples: &[Sample]) -> Vec<Measured> {
     let mut found = Vec::new();
     for misses in [true, false] {

@@ -38,16 +38,17 @@ impl PartAgreement {
 /// A part counts as explained in a film from this agreement on.
 const ENOUGH: f64 = 0.9;
 
-/// Two beliefs hide some of each other.
+/// The same for two beliefs together. It is lower, because each hides some of the other's
+/// errors.
 const ENOUGH_TOGETHER: f64 = 0.85;
 
 /// Fewer pixels than this share of a film are no evidence for or against a belief.
 const FEW: f64 = 0.015;
 
-/// Nor is a part that fewer pixels than this spoil in all films together.
+/// Nor are fewer wrong pixels of a part than this, in all films together.
 const LEAST: f64 = 24.0;
 
-/// Whether these beliefs together are what is wrong in a part of a film.
+/// Whether these beliefs together explain what is wrong in a part of a film.
 fn explains(film: &Evidence, part: usize, beliefs: &[&str], enough: f64) -> bool {
     let failing = film.failing_parts.get(part).copied().unwrap_or(0.0);
     let (mut shared, mut absent) = (0.0, 0.0);
@@ -82,7 +83,7 @@ fn holds_a_part(films: &[Evidence], parts: usize, belief: &str) -> bool {
     for part in spoiled {
         match is_whole(part) {
             true => whole |= predicted(films, part, belief) >= LEAST,
-            // Another mistake may have changed the value again.
+            // The value may be wrong in another way, because a second mistake changed it too.
             false => denied |= !is_touched(films, part, belief),
         }
     }

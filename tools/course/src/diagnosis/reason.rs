@@ -19,13 +19,13 @@ const ENOUGH_TOGETHER: f64 = 0.8;
 /// reason.
 const FEW: f64 = 0.01;
 
-/// More candidates than this are no help to anybody.
+/// If more beliefs than this are possible, none is named: a long list helps nobody.
 const MOST_ALIKE: usize = 3;
 
 impl KnownMistakes {
     /// The belief that explains these films: all of one task, or one of a scene.
     ///
-    /// `is_candidate` tells which mistakes come into question.
+    /// `is_candidate` tells which mistakes to consider.
     pub fn explain(&self, films: &[Evidence], is_candidate: &dyn Fn(&str) -> bool) -> Diagnosis {
         if films.iter().all(|film| film.failing == 0) {
             return Diagnosis::default();
@@ -84,7 +84,7 @@ fn explains(slug: &str, film: &Evidence) -> bool {
 }
 
 /// The two beliefs that explain the films together, if only these two do. Each must show
-/// somewhere without the other, and there the film must be its own alone.
+/// somewhere without the other, and must explain the film there alone.
 fn pair<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<[&'a str; 2]> {
     let shows = |slug: &str, film: &Evidence| film.agreement(slug).predicted > 0.0;
     let partial: Vec<&'a str> = candidates
@@ -132,13 +132,13 @@ fn pair<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<[&'a str; 2]> 
 struct Sum {
     /// What is wrong in the films.
     failing: f64,
-    /// What of that the beliefs predict as it came.
+    /// What is wrong and has the values that the beliefs predict.
     shared: f64,
-    /// What they predict and is right.
+    /// What the beliefs predict to be wrong, but is right.
     absent: f64,
-    /// What only one of the two gets wrong, or both in different ways.
+    /// What is wrong only in the films or only by the beliefs, or wrong in different ways.
     apart: f64,
-    /// What a single pixel of each film adds up to.
+    /// The sum for a single pixel of each film.
     grain: f64,
 }
 
@@ -164,7 +164,7 @@ impl Sum {
         sum
     }
 
-    /// 1 if the beliefs predict exactly what came, 0 if nothing of it.
+    /// 1 if the beliefs predict exactly what is wrong, 0 if they predict none of it.
     fn agreement(&self) -> f64 {
         // Pixels that are predicted, but wrong in another way, are counted in `failing`
         // already.

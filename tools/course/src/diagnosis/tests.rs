@@ -110,12 +110,12 @@ fn the_same_belief_with_other_rounding_is_recognised() {
 }
 
 #[test]
-fn a_film_wrong_in_the_same_place_but_otherwise_gets_no_name() {
+fn a_film_with_other_values_in_the_same_wrong_pixels_gets_no_name() {
     assert!(diagnosis(&[("late", &[&late(0.5)])], &[&late(0.6)]).is_empty());
 }
 
 #[test]
-fn a_film_of_which_half_is_explained_gets_no_name() {
+fn a_film_that_is_only_half_explained_gets_no_name() {
     let wrong = film(|pixel| right(pixel) + if pixel >= 500 { 0.5 } else { 0.1 });
     assert!(diagnosis(&[("late", &[&late(0.5)])], &[&wrong]).is_empty());
 }
@@ -132,7 +132,7 @@ fn right_film_gets_no_diagnosis() {
 }
 
 #[test]
-fn not_a_number_is_recognised_too() {
+fn a_mistake_that_leaves_not_a_number_is_recognised() {
     let lost = |pixel: usize| if pixel >= 500 { f32::NAN } else { right(pixel) };
     let diagnosis = diagnosis(&[("lost", &[&film(lost)])], &[&film(lost)]);
     assert_eq!(names(&diagnosis), ["lost"]);
@@ -140,7 +140,7 @@ fn not_a_number_is_recognised_too() {
 
 #[test]
 fn beliefs_that_differ_in_few_pixels_are_told_apart() {
-    // Three pixels of a thousand, which an even sample of a hundred misses.
+    // They differ in three pixels of a thousand, which an even sample of a hundred misses.
     let but_three = film(|pixel| {
         let by = match pixel {
             548 | 578 | 741 => 0.25,
@@ -173,7 +173,7 @@ fn beliefs_that_look_alike_are_not_named_if_there_are_many() {
 }
 
 #[test]
-fn another_film_tells_apart_what_one_cannot() {
+fn a_second_film_tells_apart_beliefs_that_look_alike_in_one() {
     let (wrong, fine) = (late(0.5), film(right));
     let known: [(&str, &[&Film]); 2] = [("one", &[&wrong, &wrong]), ("other", &[&wrong, &fine])];
     assert_eq!(names(&diagnosis(&known, &[&wrong, &fine])), ["other"]);

@@ -24,7 +24,8 @@ pub trait Clock: Sync {
     fn check(&self, reply: &Reply) -> Result<()>;
 }
 
-/// Complete replies of another submission, for whatever is answered by the same files.
+/// Complete replies of other submissions. They can be reused for tasks and scenes that are
+/// answered by the same files.
 pub trait KnownReplies: Sync {
     /// The reply to all questions of a task, or to a scene.
     fn get(&self, what: &str) -> Option<Reply>;
@@ -33,7 +34,7 @@ pub trait KnownReplies: Sync {
     fn keep(&self, what: &str, reply: &Reply);
 }
 
-/// The least time for a process: starting it takes some, and that must not count against the
+/// The shortest limit for a process. Starting it takes time, which must not count against the
 /// student.
 const LEAST_WALL: Duration = Duration::from_secs(2);
 
@@ -43,7 +44,8 @@ impl Examiner<'_> {
         let films = questions.groups.iter().flat_map(|group| &group.films);
         let films: Vec<&QuestionFilm> = films.collect();
         let parts = match self.ask_together(task, questions, &films)? {
-            // Either all is well, or asking film by film would be as slow again.
+            // Either all is well, or every film failed and would fail as slowly when asked
+            // alone.
             Some(parts) if parts.iter().all(Reply::is_whole) => return Ok(parts),
             Some(parts) if !parts.iter().any(Reply::is_whole) => return Ok(parts),
             Some(parts) => parts.into_iter().map(Some).collect(),
@@ -60,7 +62,8 @@ impl Examiner<'_> {
             return films.map(|(film, part)| ask(film, part)).collect();
         }
         let ask = &ask;
-        // All at once: a film that is late waits for the clock, not for the processor.
+        // Ask about all films at once: a film that is late waits for the clock, not for the
+        // processor.
         thread::scope(|scope| {
             let asked = films.map(|(film, part)| scope.spawn(move || ask(film, part)));
             let asked: Vec<_> = asked.collect();
@@ -72,9 +75,9 @@ impl Examiner<'_> {
     }
 
     /// All films of a task in one process; `None` if some answer fails in a way that could
-    /// hide the others. Then each film is to be asked alone, so that the answer costs its own
-    /// group only. Where somebody waits, films count that were complete before an answer was
-    /// late.
+    /// hide the others. Then ask for each film alone, so that the failing answer costs its own
+    /// group only. Where somebody waits, films that were complete before an answer was late
+    /// are kept.
     fn ask_together(
         &self,
         task: &Task,

@@ -50,7 +50,7 @@ pub fn asked<'a>(task: &Task, questions: &'a Questions, replies: &'a [Reply]) ->
 impl Goldens {
     /// Which belief explains these films, which are all films of one task.
     pub fn diagnose_task(&self, task: &str, casts: &[Cast<'_>]) -> Result<Diagnosis> {
-        // Everybody's panics look alike.
+        // If every film panicked, nothing tells one belief from another.
         if casts.iter().all(|cast| cast.film.is_none()) {
             return Ok(Diagnosis::default());
         }
@@ -143,7 +143,7 @@ impl Goldens {
     }
 }
 
-/// The beliefs that tasks were found to be spoiled by, each once.
+/// The beliefs that were found in the tasks, each listed once.
 fn held(tasks: &[TaskOutcome]) -> Diagnosis {
     let mut beliefs: Vec<Explanation> = Vec::new();
     for belief in tasks.iter().flat_map(|task| &task.diagnosis.beliefs) {

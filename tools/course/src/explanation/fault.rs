@@ -36,7 +36,7 @@ impl Explanation {
         }
     }
 
-    /// Its kind, and the shape it intersects if it does.
+    /// The kind of the task at fault, and the shape it intersects if it is of that kind.
     fn fault(&self, objects: &[Shape]) -> Option<(Kind, Option<ShapeKind>)> {
         let of_object = |k: Option<usize>| match k {
             Some(k) => {

@@ -25,13 +25,14 @@ pub struct Questions {
 /// Questions that earn their points together or not at all.
 #[derive(Debug)]
 pub struct Group {
-    /// As `assignment.toml` has it.
+    /// The group's name in `assignment.toml`.
     pub name: String,
     /// Points.
     pub worth: u32,
     /// What it asks, in words.
     pub about: String,
-    /// Usually one; the viewing rays of scenes have one for each.
+    /// Its films: usually one, but the group of all scenes' viewing rays has one for each
+    /// scene.
     pub films: Vec<QuestionFilm>,
 }
 
@@ -46,7 +47,7 @@ pub struct QuestionFilm {
     pub resolution: Resolution,
     /// Mitsuba's answers.
     pub golden: Golden,
-    /// Where those lie.
+    /// The file of those answers.
     pub golden_path: PathBuf,
 }
 

@@ -33,10 +33,10 @@ impl Manifest {
         ))
     }
 
-    /// Refuses goldens that marks must not be made from.
+    /// Refuses to grade with goldens that have changed.
     ///
     /// # Errors
-    /// If a film or a scene has changed since.
+    /// If a film or a scene is not what it was when the manifest was written.
     pub fn refuse_changed(&self, folder: &Path, assignment: &Assignment) -> Result<()> {
         let changed = self.changed_files(folder, assignment);
         let Some(first) = changed.first() else {
@@ -48,7 +48,7 @@ impl Manifest {
         };
         Err(Error::input(
             format!(
-                "goldens in {} cannot be judged by: {first}{more}",
+                "the goldens in {} can't be used for grading: {first}{more}",
                 folder.display()
             ),
             "restore them: git checkout -- golden",

@@ -22,8 +22,8 @@ pub fn hash(path: &Path) -> Result<String> {
     Ok(hash_of(path, bytes))
 }
 
-/// The hash of a scene or a mesh. A scene is hashed as it is understood: its comments and
-/// layout make no film stale.
+/// The hash of a scene or a mesh. A scene's hash covers what it says and not its comments and
+/// layout, so that changing those makes no film stale.
 pub(super) fn source_hash(path: &Path) -> Result<String> {
     let scene = path
         .extension()

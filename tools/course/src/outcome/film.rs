@@ -13,7 +13,7 @@ use super::Status;
 pub enum FilmOutcome {
     /// It was compared with its golden, and passes or fails.
     Judged(Comparison),
-    /// The guards refused it.
+    /// It can't be compared with its golden.
     Refused {
         /// In words.
         why: String,
@@ -22,12 +22,12 @@ pub enum FilmOutcome {
     Unanswered,
     /// It needs another answer, which is still `todo!` or never ends.
     Blocked {
-        /// That task.
+        /// The task of that answer.
         by: String,
     },
     /// The student's code panicked.
     Panicked {
-        /// What it said.
+        /// The panic's message.
         message: String,
         /// The source file, as the compiler named it.
         file: String,
@@ -51,18 +51,18 @@ pub enum FilmOutcome {
         /// In words.
         how: String,
     },
-    /// What it sent was no answer.
+    /// It sent something that is not an answer.
     Garbled {
         /// In words.
         why: String,
     },
-    /// The student may not see what was asked, and so not all of how it went.
+    /// The student may not see what was asked, so the details are withheld.
     Withheld {
         /// Whether it earns its points.
         passes: bool,
         /// How it ended.
         ended: Status,
-        /// Whether the student may not even read how it ended.
+        /// Whether the student sees only the points, and not how it ended.
         points_only: bool,
     },
 }

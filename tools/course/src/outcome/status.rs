@@ -30,7 +30,7 @@ pub enum Status {
     TimedOut,
     /// The student's code panicked.
     Panicked,
-    /// What came was no film that could be compared.
+    /// The answers were not a film that could be compared.
     Unreadable,
     /// The answer, or one that it calls, is still `todo!`.
     Unanswered,
@@ -54,7 +54,7 @@ impl Status {
         Status::Graded,
     ];
 
-    /// The word.
+    /// The status in words.
     pub fn word(self) -> &'static str {
         match self {
             Status::NotGraded => "not graded",

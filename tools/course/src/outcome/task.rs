@@ -33,8 +33,8 @@ pub struct TaskOutcome {
     /// What is measurably wrong in its answers, whether a belief explains it or not.
     #[serde(default)]
     pub measured: Vec<Finding>,
-    /// What the compiler warned of, where a student's own answer fails: its words, with their
-    /// colours; without in documents.
+    /// The compiler's warnings, if the student's own answer fails. They have colours here, and
+    /// none in documents.
     #[serde(default, serialize_with = "without_colours")]
     pub warnings: String,
 }
@@ -70,7 +70,7 @@ pub enum AnswerFile {
     Compiled,
     /// It is not there.
     Missing,
-    /// It is no regular UTF-8 file of ordinary size.
+    /// It is not a regular UTF-8 file, or it is too long.
     Refused {
         /// In words.
         why: String,
@@ -78,14 +78,14 @@ pub enum AnswerFile {
     /// The compiler refused it.
     #[serde(rename = "does not compile")]
     DoesNotCompile {
-        /// The compiler's own words about it, with their colours; without in documents.
+        /// The compiler's messages about it. They have colours here, and none in documents.
         #[serde(serialize_with = "without_colours")]
         compiler: String,
     },
 }
 
 impl TaskOutcome {
-    /// A task whose groups are judged.
+    /// A task whose groups were judged.
     pub fn new(
         task: &Task,
         replaced: Option<&Replaced>,
@@ -146,7 +146,8 @@ impl TaskOutcome {
         !self.groups.is_empty() && self.groups.iter().all(unanswered)
     }
 
-    /// How it ended: the gravest of its groups, unless its file was the matter.
+    /// How it ended: the gravest status among its groups, unless the file itself could not be
+    /// judged.
     pub fn status(&self) -> Status {
         let groups = self.groups.iter().map(|group| group.outcome.status());
         match self.file {

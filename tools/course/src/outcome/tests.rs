@@ -11,7 +11,7 @@ use crate::assignment::Task;
 use crate::compile::Replaced;
 use crate::submission::Unusable;
 
-// The harness has no schemas: these are its types as documents hold them.
+// The harness derives no schemas, so these types repeat what its own look like in documents.
 
 /// A fact in words.
 #[derive(JsonSchema)]
@@ -63,7 +63,7 @@ struct MismatchSchema {
     got: f32,
     /// The golden's.
     expected: f32,
-    /// How far apart they might have been.
+    /// How far apart they may be.
     allowed: f32,
 }
 

@@ -29,9 +29,10 @@ pub struct Bubblewrap {
     pub budget: Budget,
 }
 
-/// By its whole path: it is not looked for where a user may write, and a search for it in
-/// another `PATH` than ours would make the standard library copy all of our memory's
-/// tables (`fork`) for every start, which took a third of the time of grading.
+/// Bubblewrap's absolute path. A search in `PATH` could find a program in a folder that a user
+/// may write to. Also, if we start a program by name with another `PATH` than ours, the
+/// standard library uses `fork`, which copies our page tables for every start: that took a
+/// third of the time of grading.
 const BWRAP: &str = "/usr/bin/bwrap";
 
 /// Where this program lies inside.
@@ -52,7 +53,7 @@ impl Bubblewrap {
             budget: Budget::default(),
         };
         walls.self_test()?;
-        // What the user's shell has open would be open inside as well.
+        // Otherwise, files that the user's shell has open would be open inside as well.
         close_fds::set_fds_cloexec(3, &[]);
         Ok(walls)
     }
@@ -101,7 +102,7 @@ impl Bubblewrap {
             chown(&out, Some(uid), Some(uid))?;
         }
         let mut command = self.bare();
-        // Before what may lie in it.
+        // Mounted first, because the folders below may lie in it.
         command.args(["--size", "67108864", "--perms", "1777", "--tmpfs", "/tmp"]);
         bind(&mut command, "--ro-bind", &self.sysroot);
         bind(&mut command, "--ro-bind", harness);
@@ -136,7 +137,7 @@ impl Bubblewrap {
         command
     }
 
-    /// Bubblewrap with what every program needs, open for more.
+    /// Bubblewrap with the arguments that every program needs. Callers add more.
     fn bare(&self) -> Command {
         let mut command = Command::new(BWRAP);
         command.env_clear();

@@ -1,8 +1,8 @@
 //! The inner part of both sandboxes: a new process of this program gives up every right that
 //! untrusted code does not need, and then becomes that code.
 //!
-//! Both sandboxes use it. Bubblewrap has set up its namespaces by then. In a container,
-//! where it can't, another user id and Landlock take their place.
+//! Bubblewrap has set up its namespaces by then. In a container, where there can be no
+//! namespaces, another user id and Landlock replace them.
 
 use std::fmt::Display;
 use std::os::unix::process::CommandExt;
@@ -42,7 +42,7 @@ struct Confine {
     file_size: u64,
     #[arg(long)]
     open_files: u64,
-    /// As on a kernel that has no Landlock, for tests.
+    /// Behave as on a kernel that has no Landlock, for tests.
     #[arg(long)]
     without_landlock: bool,
     /// Refuse to run where Landlock is not in force.
@@ -59,7 +59,7 @@ struct Confine {
     command: Vec<std::ffi::OsString>,
 }
 
-/// The command line of a confined program, which is to follow.
+/// Adds the arguments that confine a program. The program and its own arguments follow.
 pub fn arguments(command: &mut Command, limits: &Limits, purpose: Purpose, uid: Option<u32>) {
     command.arg(CONFINE);
     if purpose == Purpose::Compile {
@@ -83,8 +83,8 @@ pub fn arguments(command: &mut Command, limits: &Limits, purpose: Purpose, uid: 
     }
 }
 
-/// Becomes the confined program if the arguments say so; returns only if they do not, or
-/// that fails.
+/// Turns this process into the confined program if its arguments say so. Returns only if they
+/// don't, or if that fails.
 pub fn become_confined() -> Option<ExitCode> {
     let mut arguments = std::env::args_os().skip(1).peekable();
     arguments
@@ -114,7 +114,7 @@ fn give_up(confine: &Confine) -> Result<(), String> {
         step("group", thread::set_thread_res_gid(group, group, group))?;
         step("user", thread::set_thread_res_uid(user, user, user))?;
     }
-    // After the user has changed: the change would undo it.
+    // Only now, because the change of user would have undone it.
     let end_with_parent = rustix::process::set_parent_process_death_signal(Some(Signal::KILL));
     step("end with the parent", end_with_parent)?;
     for (resource, most) in [
@@ -156,7 +156,8 @@ fn step<T, E: Display>(name: &str, result: Result<T, E>) -> Result<T, String> {
     result.map_err(|error| format!("{name}: {error}"))
 }
 
-/// Landlock: puts files and signals outside out of reach, as far as this kernel can.
+/// Uses Landlock to keep the code from all other files, and from signalling processes outside,
+/// as far as this kernel can.
 fn fence_files(confine: &Confine) -> Result<(), String> {
     let abi = ABI::V6;
     let fence = || {

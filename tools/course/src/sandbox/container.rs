@@ -24,7 +24,7 @@ use super::visible::refuse_visible;
 use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
 
-/// What is needed to draw them.
+/// The sandbox for one submission in a container.
 #[derive(Clone, Debug)]
 pub struct Container {
     sysroot: PathBuf,
@@ -198,7 +198,8 @@ impl Container {
         }
     }
 
-    /// A folder that may be passed through is open too: the names inside can be guessed.
+    /// Refuses if the code's user can read something secret. A folder that it may pass through
+    /// counts as readable, because the names inside can be guessed.
     fn refuse_readable(&self, checkout: &Checkout, secrets: &[PathBuf]) -> Result<()> {
         let own = [checkout.root().to_owned()];
         let mut all = own.iter().chain(secrets);
@@ -228,7 +229,7 @@ const SYSTEM: [&str; 6] = [
     "/dev/null",
 ];
 
-/// A folder of root's that everyone may pass through and nobody else may list.
+/// A folder that belongs to root. Everyone may pass through it, but only root may list it.
 #[derive(Debug)]
 struct Scratch {
     folder: PathBuf,
@@ -240,7 +241,7 @@ impl Scratch {
         let number = NEXT.fetch_add(1, Ordering::Relaxed);
         let name = format!("pinhole-container-{}-{number}", std::process::id());
         let folder = std::env::temp_dir().join(name);
-        // Of an earlier process of this number, which was killed.
+        // An earlier process with the same id may have left it when it was killed.
         let _absent = fs::remove_dir_all(&folder);
         let made = DirBuilder::new().mode(0o711).create(&folder);
         made.and_then(|()| fs::set_permissions(&folder, Permissions::from_mode(0o711)))

@@ -1,4 +1,4 @@
-//! Runs a command to its end, or to its limits'.
+//! Runs a command until it ends or exceeds a limit.
 
 use std::io::{self, Read};
 use std::process::{Command, ExitStatus, Stdio};
@@ -13,7 +13,7 @@ use super::watch::{Exceeded, Watch};
 pub struct Finished {
     /// How it ended.
     pub status: ExitStatus,
-    /// What it said, cut at [`MOST_SAID`] bytes.
+    /// Its standard error, cut at [`MOST_SAID`] bytes.
     pub stderr: Vec<u8>,
     /// Which limit ended it, if one did.
     pub exceeded: Option<Exceeded>,
@@ -21,14 +21,14 @@ pub struct Finished {
     pub late: bool,
 }
 
-/// More is read and thrown away.
+/// The most bytes of standard error that are kept. The rest is read and thrown away.
 pub const MOST_SAID: usize = 1 << 20;
 
-/// Between two looks whether it has ended.
+/// The time between two checks whether a command has ended.
 const PAUSE: Duration = Duration::from_millis(2);
 
-/// Runs a command that reads and prints nothing, and says what it has to on standard
-/// error; `watch` is told its process.
+/// Runs a command without standard input and output, and collects its standard error. Calls
+/// `watch` with the command's process id.
 pub fn finish(
     mut command: Command,
     limits: &Limits,
@@ -47,7 +47,8 @@ pub fn finish(
             let mut kept = Vec::new();
             let beginning = (&mut pipe).take(MOST_SAID as u64).read_to_end(&mut kept);
             let rest = beginning.and_then(|_| io::copy(&mut pipe, &mut io::sink()));
-            // A broken pipe ends the text, and it does no harm if nobody waits for it.
+            // If the pipe breaks, the text ends there. If nobody waits for the text any more,
+            // sending it does no harm.
             let _ = (rest, sender.send(kept));
         });
     }

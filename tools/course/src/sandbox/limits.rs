@@ -4,11 +4,11 @@ use std::time::Duration;
 
 /// Bounds on one process and everything it starts.
 ///
-/// A time in a mark must not depend on what else the machine does: `cpu` counts the
-/// processor's seconds, of all threads and processes together, and `wall` is only for
-/// code that waits for something. Choose `cpu` at least a hundred times what the
-/// reference takes, and count a timeout only if it comes again when the submission
-/// runs alone: caches, clocks and memory are shared even where seconds are not.
+/// A mark must not depend on what else the machine does: `cpu` counts the processor's seconds,
+/// of all threads and processes together, and `wall` is only for code that waits for
+/// something. Choose `cpu` at least a hundred times what the reference takes, and count a
+/// timeout only if it comes again when the submission runs alone: caches, clocks and memory
+/// are shared even where seconds are not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Seconds of processor time, summed over the whole tree.
@@ -25,11 +25,12 @@ pub struct Limits {
     pub file_size: u64,
     /// Open files of one process.
     pub open_files: u64,
-    /// However much time a submission has lost, `cpu` and `wall` become no shorter.
+    /// `cpu` and `wall` never become shorter than this, however much time a submission has
+    /// lost.
     pub shortest: Duration,
 }
 
-/// 1 GiB is enough for rustc, half of it is not.
+/// 1 GiB is enough for rustc, but half of that is not.
 const MEMORY: u64 = 2 << 30;
 
 /// Still a hundred times what the reference takes for the probes of any task.
@@ -66,8 +67,8 @@ impl Limits {
         }
     }
 
-    /// The same where somebody waits for code of their own: an endless loop is found out
-    /// long before `wall` is over.
+    /// Like [`Limits::of_answers`], but for somebody who waits for their own code: an endless
+    /// loop is noticed long before `wall` is over.
     pub fn of_own_answers(wall: Duration) -> Limits {
         Limits::of_answers(wall).for_own_answers()
     }
@@ -86,7 +87,7 @@ impl Limits {
     pub fn of_processor(cpu: Duration, shortest: Duration) -> Limits {
         Limits {
             cpu,
-            // Twice, for a machine that does other things as well.
+            // Twice as long, because the machine may be doing other things as well.
             wall: cpu * 2 + Duration::from_secs(2),
             silence: cpu * 2 + Duration::from_secs(2),
             shortest: shortest.max(SHORTEST),

@@ -1,8 +1,8 @@
 //! The system calls that untrusted code may not make.
 //!
-//! A list of what is denied, not of what is allowed: the compiler and its linker belong
-//! to the machine, and a list of their calls would soon be out of date. Calls that are
-//! let through still face the rest of the sandbox.
+//! We list what is denied and not what is allowed, because the compiler and its linker come
+//! with the machine, and a list of their calls would soon be out of date. All other calls
+//! still face the rest of the sandbox.
 
 use std::collections::BTreeMap;
 
@@ -25,7 +25,8 @@ pub enum Purpose {
     Answer,
 }
 
-/// Other processes, the kernel itself, new namespaces, and memory that no limit counts.
+/// Calls that are always denied: they reach other processes, the kernel itself, new
+/// namespaces, or memory that no limit counts.
 const NEVER: [libc::c_long; 43] = [
     libc::SYS_ptrace,
     libc::SYS_process_vm_readv,
@@ -43,8 +44,8 @@ const NEVER: [libc::c_long; 43] = [
     libc::SYS_request_key,
     libc::SYS_unshare,
     libc::SYS_setns,
-    // Its flags lie in memory, where a filter cannot see them; the C library then
-    // takes `clone`.
+    // A filter can't check its flags, because they lie in memory. The C library then uses
+    // `clone`.
     libc::SYS_clone3,
     libc::SYS_mount,
     libc::SYS_umount2,
@@ -74,10 +75,10 @@ const NEVER: [libc::c_long; 43] = [
     libc::SYS_setpriority,
 ];
 
-/// Since Linux 6.15.
+/// `open_tree_attr`, which Linux has had since 6.15.
 const OPEN_TREE_ATTR: libc::c_long = 467;
 
-/// What only the compiler may do.
+/// Calls that only the compiler may make.
 const NEVER_WHILE_ANSWERING: [libc::c_long; 6] = [
     libc::SYS_socket,
     libc::SYS_socketpair,
@@ -87,14 +88,14 @@ const NEVER_WHILE_ANSWERING: [libc::c_long; 6] = [
     libc::SYS_setpgid,
 ];
 
-/// Landlock itself.
+/// The calls of Landlock itself.
 const LANDLOCK: [libc::c_long; 3] = [
     libc::SYS_landlock_create_ruleset,
     libc::SYS_landlock_add_rule,
     libc::SYS_landlock_restrict_self,
 ];
 
-/// Denies all of this to this process and its children.
+/// Denies these calls to this process and its children.
 ///
 /// A denied call fails as if the kernel did not have it.
 pub fn deny(purpose: Purpose, landlock_too: bool) -> Result<(), Box<dyn std::error::Error>> {
@@ -132,12 +133,12 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
             ]
             .map(|call| (call, Vec::new())),
         );
-        // It was told to end with the grader, and is not to change that.
+        // The process was told to end with the grader, and must not be able to change that.
         let outlives = SeccompCondition::new(0, Dword, Eq, libc::PR_SET_PDEATHSIG as u64)?;
         rules.insert(libc::SYS_prctl, vec![SeccompRule::new(vec![outlives])?]);
     }
     rules.insert(libc::SYS_clone, clones);
-    // The same calls by their second set of numbers.
+    // On x86-64 the same calls have a second set of numbers (x32).
     #[cfg(target_arch = "x86_64")]
     for (call, of_call) in rules.clone() {
         const X32: i64 = 0x4000_0000;

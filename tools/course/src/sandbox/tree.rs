@@ -6,12 +6,12 @@ use std::time::Duration;
 
 use rustix::process::{Pid, Signal, kill_process};
 
-/// What a tree of processes has taken.
+/// The time and memory that a tree of processes uses.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Used {
-    /// Of all living processes and of those they have waited for.
+    /// Processor time of all living processes, and of those they have waited for.
     pub cpu: Duration,
-    /// Bytes in memory, what several processes share counted for each.
+    /// Bytes in memory. What several processes share is counted for each of them.
     pub memory: u64,
 }
 
@@ -29,7 +29,8 @@ pub fn used_by(pid: u32) -> Used {
     used
 }
 
-/// What our own late children and theirs have used (fields 16 and 17).
+/// Processor time of our own children that have ended, and of their children (fields 16 and
+/// 17).
 pub fn time_of_children() -> Option<Duration> {
     let fields = stat(std::process::id())?;
     let ticks = fields.get(13..15)?.iter().map(|field| field.parse::<u64>());
@@ -89,14 +90,16 @@ fn children(pid: u32) -> Vec<u32> {
         .collect()
 }
 
-/// The fields of `stat` from the third, the state, on: a name may hold anything.
+/// The fields of `stat` from the third on, the state. The second is the program's name, which
+/// may hold any character.
 fn stat(pid: u32) -> Option<Vec<String>> {
     let text = fs::read_to_string(format!("/proc/{pid}/stat")).ok()?;
     let (_, fields) = text.rsplit_once(')')?;
     Some(fields.split_whitespace().map(str::to_owned).collect())
 }
 
-/// Its own clock ticks, user and system, and its late children's (fields 14 to 17).
+/// The clock ticks, user and system, of a process and of its children that have ended (fields
+/// 14 to 17).
 fn ticks_of(pid: u32) -> Option<u64> {
     let fields = stat(pid)?;
     let ticks = fields.get(11..15)?.iter().map(|field| field.parse::<u64>());

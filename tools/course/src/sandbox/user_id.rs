@@ -20,8 +20,9 @@ pub struct UserId {
     _lock: Arc<File>,
 }
 
-/// Ids that no distribution gives to people, services or containers, and that a container has
-/// whose own ids end at 65535. From 61184 on, systemd gives them to services.
+/// Ids that no distribution gives to people, services or containers. They are below 65536,
+/// because some containers have no higher ids, and below 61184, where systemd begins with its
+/// services.
 const FIRST: u32 = 60_706;
 const LAST: u32 = 61_183;
 
@@ -35,7 +36,8 @@ impl UserId {
     /// If the locks can't be written, or all ids are taken.
     pub fn reserve() -> Result<UserId> {
         let id = UserId::reserve_in(Path::new(LOCKS), FIRST..=LAST)?;
-        // Of a grader that was killed: its lock is gone, and its code may still run.
+        // An earlier grader may have been killed: its lock is gone, but its code may still
+        // run.
         tree::end_all_of(id.number);
         Ok(id)
     }
@@ -69,9 +71,9 @@ impl UserId {
     }
 }
 
-/// `None` if somebody else has it.
+/// Locks an id; `None` if another process has it.
 fn lock(locks: &Path, number: u32) -> io::Result<Option<UserId>> {
-    // Closed in the programs that we start, or they would hold the lock too.
+    // The file is closed in the programs that we start, because they would hold the lock too.
     let mut options = OpenOptions::new();
     options.write(true).create(true).truncate(false).mode(0o600);
     let file = options.open(locks.join(number.to_string()))?;

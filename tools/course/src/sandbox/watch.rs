@@ -6,7 +6,7 @@ use std::sync::mpsc::Sender;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-/// Which limit was passed, and what it is.
+/// The limit that was exceeded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Exceeded {
     /// Seconds of processor time.
@@ -37,7 +37,7 @@ impl Watch {
         Watch { looking: None }
     }
 
-    /// Stops watching. Which limit was exceeded, if any was.
+    /// Stops watching, and returns the limit that was exceeded, if any.
     pub fn stop(self) -> Option<Exceeded> {
         let (enough, thread) = self.looking?;
         drop(enough);
@@ -54,11 +54,11 @@ mod looking {
     use super::*;
     use crate::sandbox::{Limits, tree};
 
-    /// Between two looks; a gigabyte takes longer to fill.
+    /// The time between two checks. A gigabyte takes longer to fill.
     const PAUSE: Duration = Duration::from_millis(20);
 
     impl Watch {
-        /// Ends `pid` when it and its descendants pass the limits.
+        /// Kills `pid` when it and its descendants exceed the limits.
         pub fn tree(pid: u32, limits: Limits) -> Watch {
             let (enough, told) = mpsc::channel::<()>();
             let thread = std::thread::spawn(move || {

@@ -1,13 +1,14 @@
 //! The attributes and macros that an answer may use. All others are refused before anything is
 //! compiled: they can hold machine code, name linker sections, or make the compiler read files.
 //!
-//! A list of what is allowed, because nobody knows all that a new compiler adds. It holds only
-//! if a name means what it says, so answers define no macros, rename nothing to a name on the
-//! list, and use no raw names. The sandbox relies on none of this.
+//! The list says what is allowed and not what is forbidden, because a new compiler may add
+//! something that we don't know. It is reliable only if each name has its usual meaning, so
+//! answers may not define macros, rename anything to a name on the list, or use raw names. The
+//! sandbox does not rely on any of this.
 
 use super::tokens::{PATH, Token, tokens};
 
-/// Each expands to code that any function could hold.
+/// The allowed macros. Each expands to code that any function could hold.
 const MACROS: [&str; 29] = [
     "assert",
     "assert_eq",
@@ -40,7 +41,7 @@ const MACROS: [&str; 29] = [
     "writeln",
 ];
 
-/// None names a file, a symbol or a section.
+/// The allowed attributes. None names a file, a symbol or a section.
 const ATTRIBUTES: [&str; 21] = [
     "allow",
     "cfg",
@@ -65,7 +66,7 @@ const ATTRIBUTES: [&str; 21] = [
     "clippy",
 ];
 
-/// No macro can have one of these names, so `return !(a && b)` calls none.
+/// Keywords. No macro can have one of these names, so `return !(a && b)` calls none.
 const KEYWORDS: [&str; 39] = [
     "Self", "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum",
     "extern", "false", "fn", "for", "if", "impl", "in", "let", "loop", "match", "mod", "move",
@@ -73,18 +74,18 @@ const KEYWORDS: [&str; 39] = [
     "unsafe", "use", "where", "while", "yield",
 ];
 
-/// What came of looking through a text.
+/// The result of checking an answer's text.
 #[derive(Debug, PartialEq)]
 pub enum Verdict {
-    /// It uses nothing else.
+    /// It uses only what is allowed.
     Allowed,
-    /// What it must not use, in the compiler's way of putting it.
+    /// It uses something else: the message, worded like one of the compiler's.
     Refused(String),
     /// We can't tell its tokens apart, so it counts only if the compiler can't either.
     NotTokens,
 }
 
-/// Looks through the answer to a task.
+/// Checks the answer to a task.
 pub fn verdict(task: &str, text: &str) -> Verdict {
     let refused = |what: &str, line: usize, remedy: &str| {
         Verdict::Refused(format!(

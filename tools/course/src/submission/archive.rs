@@ -21,8 +21,8 @@ const MOST_ARCHIVE_BYTES: u64 = 16 << 20;
 /// names.
 const MOST_ENTRIES: usize = 50_000;
 
-/// The most that is read of an archive to list its contents, and again to unpack a file: what
-/// is read, not what the archive claims, bounds memory and time.
+/// The most bytes that are read of an archive to list its contents, and again to unpack a
+/// file. We bound what is read and don't trust the lengths that the archive claims.
 const MOST_READ: u64 = 16 << 20;
 
 /// A file type in the upper bits of a mode, as Unix packs it.
@@ -71,7 +71,7 @@ pub fn open(path: &Path) -> Result<Archive<Cursor<Vec<u8>>>> {
         format!("{} is refused", path.display()),
         "pack the answer files alone into a ZIP file, without a password",
     );
-    // Read whole, so that what goes wrong later is the archive's own fault.
+    // The file is read whole, so that any later error is the archive's own fault.
     let unreadable = text::unreadable(path);
     let file = text::open(path).or_fail(&unreadable)?;
     if !file.metadata().or_fail(&unreadable)?.is_file() {
@@ -91,8 +91,8 @@ impl<R: Read + Seek> Archive<R> {
     /// Reads the list of contents.
     ///
     /// # Errors
-    /// Why it is refused: it is no ZIP file, holds too much, or would put a file anywhere but
-    /// below its own folder.
+    /// Says why it is refused: it is not a ZIP file, holds too much, or would put a file
+    /// outside its own folder.
     pub fn new(inner: R) -> std::result::Result<Archive<R>, String> {
         let left = Rc::new(Cell::new(MOST_READ));
         let metered = Metered {
@@ -100,12 +100,12 @@ impl<R: Read + Seek> Archive<R> {
             left: left.clone(),
         };
         let mut zip =
-            ZipArchive::new(metered).map_err(|error| format!("it is no ZIP file ({error})"))?;
+            ZipArchive::new(metered).map_err(|error| format!("it is not a ZIP file ({error})"))?;
         if zip.len() > MOST_ENTRIES {
             return Err(format!("it holds more than {MOST_ENTRIES} files"));
         }
         if zip.has_duplicate_names() {
-            return Err("it holds two files of one name".into());
+            return Err("it holds two files of the same name".into());
         }
         left.set(MOST_READ);
         let mut files = BTreeMap::new();
@@ -166,7 +166,7 @@ impl<R: Read + Seek> Archive<R> {
     /// Unpacks the first `most` bytes of a file, whatever length the archive claims.
     ///
     /// # Errors
-    /// If it is missing, no regular file, encrypted or spoilt.
+    /// If it is missing, not a regular file, encrypted or damaged.
     pub fn unpack(
         &mut self,
         path: &str,

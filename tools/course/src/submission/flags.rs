@@ -1,7 +1,7 @@
 //! Parts of an answer that an instructor may want to look at: it uses files, processes,
 //! the network or the compiler's environment. They are flagged and cost no points.
 //!
-//! No comment or string is taken for code, and the inside of a macro is seen too.
+//! Comments and strings are not mistaken for code, and the insides of macros are searched too.
 
 use serde::{Deserialize, Serialize};
 
@@ -55,7 +55,7 @@ const MODULES: [&str; 11] = [
     "backtrace",
 ];
 
-/// Modules of the harness that an answer has no business with.
+/// Modules of the harness that no answer needs.
 const HARNESS: [&str; 13] = [
     "ask", "job", "serve", "judge", "film", "Film", "kind", "Kind", "oiiotool", "scene", "Scene",
     "mesh", "AnswerFn",
@@ -82,7 +82,7 @@ pub fn flags(submission: &Submission) -> Vec<Flag> {
 
 /// The flags of one answer.
 pub fn of_text(task: &str, text: &str) -> Vec<Flag> {
-    // What has no tokens is refused by the compiler too.
+    // The compiler, too, refuses a text that can't be split into tokens.
     let tokens = tokens(text).unwrap_or_default();
     let mut found = Finder {
         task,
@@ -197,7 +197,7 @@ const KEYWORDS: [&str; 10] = [
 #[derive(Default)]
 struct Paths {
     current: Vec<String>,
-    /// What each open brace stands behind.
+    /// The path in front of each open brace.
     behind: Vec<Vec<String>>,
 }
 
@@ -210,7 +210,7 @@ impl Paths {
         if !continues {
             self.current = self.behind.last().cloned().unwrap_or_default();
         }
-        // Deeper ones mean nothing to us, and a path may be nested without end.
+        // No flag needs a longer path, and a path may be nested without end.
         if self.current.len() < 4 {
             self.current.push(word.to_owned());
         }

@@ -46,11 +46,11 @@ fn is_absent(error: &io::Error) -> bool {
     matches!(error.kind(), NotFound | NotADirectory)
 }
 
-/// What is there and cannot be read.
+/// The error for a file that exists but cannot be read.
 pub fn unreadable(path: &Path) -> Error {
     Error::environment(
         format!("cannot read {}", path.display()),
-        "let whoever runs this read it (chmod -R u+rX), and run this again",
+        "make it readable for the user who runs this (chmod -R u+rX), and run this again",
     )
 }
 
@@ -66,7 +66,7 @@ pub fn open(path: &Path) -> io::Result<File> {
     options.open(path)
 }
 
-/// A file's name as people see it: two that differ are shown differently, even if they are no
+/// A file's name for people to read. Different names look different, even if they are not
 /// text.
 pub fn name(bytes: &[u8]) -> String {
     let mut name = String::new();

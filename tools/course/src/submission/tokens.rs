@@ -5,7 +5,7 @@
 
 use proc_macro2::{LexError, TokenStream, TokenTree};
 
-/// A token, its delimiters told apart from what they hold.
+/// A token. A delimiter is a token of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Token {
     /// A name or keyword; `r#` in front of it is kept.
@@ -27,7 +27,7 @@ pub const PATH: char = '∷';
 /// If it can't be split into tokens.
 pub fn tokens(text: &str) -> Result<Vec<(Token, usize)>, LexError> {
     let stream: TokenStream = text.parse()?;
-    // Not by recursion: delimiters may be nested without end.
+    // Recursion would overflow the stack, because delimiters may be nested without end.
     let mut flat: Vec<(Token, usize)> = Vec::new();
     let mut open = vec![(stream.into_iter(), None)];
     while let Some((tokens, close)) = open.last_mut() {

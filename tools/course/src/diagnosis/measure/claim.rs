@@ -5,7 +5,7 @@ use super::rule::Rule;
 use super::sample::{Asked, Sample, samples};
 use super::single;
 
-/// What can be tested on other questions.
+/// What a sentence claims, in a form that can be tested on other questions.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Claim {
     /// Nothing but a count.
@@ -30,7 +30,7 @@ pub enum Claim {
 }
 
 impl Claim {
-    /// What says more comes first.
+    /// The place of a claim in a list: claims that say more come first.
     pub fn rank(&self) -> u8 {
         match self {
             Claim::Never { .. }
@@ -54,7 +54,7 @@ pub fn share_of<'a>(
 }
 
 impl Claim {
-    /// Whether it is true of other questions too, within what a few tell.
+    /// Whether it is true of these questions too, apart from a few exceptions.
     pub fn holds(&self, films: &[Asked<'_>]) -> bool {
         let samples = samples(films);
         let both = || {

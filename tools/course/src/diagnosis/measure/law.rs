@@ -9,7 +9,7 @@ pub enum Law {
     Times(f64),
     /// The right value times a constant and a power of a quantity of the question.
     TimesQuantity(f64, usize, i32),
-    /// More by this.
+    /// The right value plus a constant.
     Plus(f64),
     /// The right value plus a constant times a power of a quantity.
     PlusQuantity(f64, usize, i32),
@@ -31,11 +31,11 @@ pub enum Law {
 /// Which values of a part follow a law.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PartLaw {
-    /// All axes the same one.
+    /// All axes follow the same law.
     Whole(Law),
-    /// Each axis its own, or it is right.
+    /// Each axis follows a law of its own, or is right (`None`).
     Axes(Vec<Option<Law>>),
-    /// Its length alone.
+    /// Only the length follows a law.
     Length(Law),
 }
 
@@ -78,12 +78,12 @@ impl Place {
 }
 
 impl Law {
-    /// Whether it can be about names, not only about measures.
+    /// Whether it makes sense for names, such as ids, and not only for measured values.
     fn is_counting(self) -> bool {
         matches!(self, Law::Plus(_) | Law::Other(_) | Law::Always(_))
     }
 
-    /// The value by the law, and the factor by which the law stretches the right one.
+    /// The value that the law predicts, and the factor by which it stretches the right one.
     fn says(self, sample: &Sample, part: usize, place: Place) -> Option<(f64, f64)> {
         let right = &sample.right.as_ref()?.get(part)?.values;
         let value = place.of(right);
@@ -111,7 +111,7 @@ impl Law {
         })
     }
 
-    /// With the constant that this sample gives it.
+    /// This law, with the constant that fits this sample.
     fn fitted(self, sample: &Sample, part: usize, place: Place) -> Option<Law> {
         let (right, given) = sample.both(part)?;
         let (value, given) = (place.of(right), place.of(given));
@@ -141,7 +141,7 @@ impl Law {
         })
     }
 
-    /// With the two constants that these samples give it.
+    /// This law, with the two constants that fit these samples.
     fn fitted_to_both(self, both: [&Sample; 2], part: usize, place: Place) -> Option<Law> {
         let values = |sample: &Sample| -> Option<(f64, f64)> {
             let (right, given) = sample.both(part)?;
@@ -326,7 +326,7 @@ fn by_axes(samples: &[&Sample], part: usize, axes: usize, quantities: usize) -> 
         .map(PartLaw::Axes)
 }
 
-/// Laws that two samples are needed for.
+/// Laws with two constants, which need two samples.
 fn with_two_constants(quantities: usize) -> Vec<Law> {
     let mut laws = vec![Law::Affine(0.0, 1.0, None)];
     for k in 0..quantities {

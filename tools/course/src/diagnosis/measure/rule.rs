@@ -28,10 +28,10 @@ pub enum Literal {
 /// Statements that separate, and how sharply.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rule {
-    /// All of them hold.
+    /// The statements, all of which must hold.
     pub literals: Vec<Literal>,
-    /// Whether nothing else meets them; if not, they hold wherever something is wrong, and
-    /// sometimes elsewhere.
+    /// Whether they hold only where something is wrong. If not, they hold there and sometimes
+    /// elsewhere.
     pub exactly: bool,
 }
 
@@ -59,7 +59,8 @@ impl Rule {
         self.literals.iter().all(|literal| literal.holds(sample))
     }
 
-    /// Whether it separates these from those, but for one in a hundred.
+    /// Whether it separates the wrong samples from the right ones, with at most one exception
+    /// in a hundred.
     pub fn separates(&self, wrong: &[&Sample], right: &[&Sample]) -> bool {
         let met = |samples: &[&Sample]| samples.iter().filter(|it| self.holds(it)).count();
         let (missed, extra) = (wrong.len() - met(wrong), met(right));
@@ -83,8 +84,8 @@ const LEAST: usize = 8;
 /// A statement that holds for more than this share of the right samples is useless.
 const TELLING: f64 = 0.34;
 
-/// The simplest rule that separates these from those: found on one half, and it holds on the
-/// other.
+/// The simplest rule that separates the wrong samples from the right ones. It is found on one
+/// half of the samples and must hold on the other.
 pub fn find(wrong: &[&Sample], right: &[&Sample], of: Of) -> Option<Rule> {
     // A few exceptions are too little to say anything about.
     if wrong.len() < LEAST || right.len() < LEAST.max(wrong.len() / 30) {
@@ -93,7 +94,7 @@ pub fn find(wrong: &[&Sample], right: &[&Sample], of: Of) -> Option<Rule> {
     let [fit, test] = [true, false].map(|fits| (half(wrong, fits), half(right, fits)));
     let stands = |rule: &Rule| rule.separates(&fit.0, &fit.1) && rule.separates(&test.0, &test.1);
     let mut literals = literals(&fit.0, &fit.1, of);
-    // Whatever is wrong meets all of these.
+    // Keep the statements that hold wherever something is wrong.
     literals.retain(|literal| {
         fit.0.iter().filter(|it| !literal.holds(it)).count() * 100 <= fit.0.len()
     });

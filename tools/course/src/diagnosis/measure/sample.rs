@@ -9,7 +9,7 @@ use pinhole::part::{Condition, Part, Quantity};
 pub struct Asked<'a> {
     /// What was asked.
     pub questions: &'a Questions,
-    /// In the questions' order.
+    /// The answers, in the questions' order.
     pub answers: &'a [Option<Answer>],
     /// Mitsuba's answers.
     pub golden: &'a Golden,
@@ -35,8 +35,8 @@ pub struct Sample {
     pub fits: bool,
 }
 
-/// Values that agree to this share of themselves are the same, computed in another order or
-/// rounded to 32 bits.
+/// Values that differ by at most this share of themselves count as the same: computed in
+/// another order, or rounded to 32 bits.
 const SAME: f64 = 2e-5;
 
 /// All questions of some films that were answered and are not exempt.
@@ -93,13 +93,13 @@ impl Sample {
         Some((&right.get(part)?.values, &given.get(part)?.values))
     }
 
-    /// How far a value may be from `value` and be the same, if it was made of the right one
-    /// by stretching it so many times.
+    /// How far a value may be from `value` and still count as the same, if `value` is the
+    /// right one multiplied by `stretch`.
     pub fn allowed(&self, part: usize, value: f64, stretch: f64) -> f64 {
         self.slack[part] * stretch.abs().max(1.0) + SAME * value.abs()
     }
 
-    /// Whether a part that both have is right.
+    /// Whether both answers have this part and it is right.
     pub fn is_right(&self, part: usize) -> bool {
         let Some((right, given)) = self.both(part) else {
             return false;
@@ -114,8 +114,8 @@ impl Sample {
         })
     }
 
-    /// Whether it is about the same thing as the right answer: where another object is hit,
-    /// everything else is another's too.
+    /// Whether both answers hit the same object. If they don't, comparing other parts would
+    /// tell nothing.
     pub fn is_same_object(&self) -> bool {
         let parts = self.right.iter().flatten().enumerate();
         let mut objects = parts.filter(|(_, part)| part.is_object());

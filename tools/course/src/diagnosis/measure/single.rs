@@ -27,8 +27,8 @@ pub fn found(both: &[&Sample]) -> Option<Measured> {
     })
 }
 
-/// Whether `f32` holds every value of a part that was given. Numbers that are short anyhow,
-/// such as 0.5, tell nothing; enough others must be there.
+/// Whether `f32` holds every value of a part that was given. Short numbers such as 0.5 prove
+/// nothing, so there must be enough others.
 pub fn is_single(both: &[&Sample], part: usize) -> bool {
     let is_told = |described: &Part| !described.is_object() && described.unit.is_empty();
     let given = both.iter().filter_map(|sample| sample.given.as_ref());
@@ -42,5 +42,5 @@ pub fn is_single(both: &[&Sample], part: usize) -> bool {
     long >= LEAST && finite().all(|value| f64::from(*value as f32) == *value)
 }
 
-/// A multiple of one over this is short.
+/// A number is short if it is a multiple of 1/`SHORT`.
 const SHORT: f64 = 1024.0;

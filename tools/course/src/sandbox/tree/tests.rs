@@ -15,7 +15,7 @@ fn limits() -> Limits {
     Limits::of_answers(Duration::from_secs(20))
 }
 
-/// Waits until a tree uses what it will.
+/// Waits until a tree of processes meets a condition.
 #[track_caller]
 fn eventually(child: &mut Child, condition: impl Fn(u32) -> bool) {
     let start = Instant::now();
@@ -29,7 +29,7 @@ fn eventually(child: &mut Child, condition: impl Fn(u32) -> bool) {
 
 #[test]
 fn memory_of_a_grandchild_counts() {
-    // `tail` keeps what it has read for lack of a line's end.
+    // `tail` keeps all that it has read, because no line ends.
     let line = "sh -c '(head -c 60000000 /dev/zero; sleep 9) | tail >/dev/null; true'; true";
     let mut child = shell(line).spawn().expect("there is a shell");
     eventually(&mut child, |pid| used_by(pid).memory > 50_000_000);

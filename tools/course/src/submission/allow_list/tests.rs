@@ -11,7 +11,7 @@ fn refusal(text: &str) -> Option<String> {
 }
 
 #[test]
-fn whatever_could_hold_machine_code_or_read_a_file_is_refused() {
+fn names_that_could_hold_machine_code_or_read_a_file_are_refused() {
     for (text, what) in [
         ("#[unsafe(naked)] extern \"C\" fn f() {}", "`#[unsafe]`"),
         (
@@ -44,7 +44,7 @@ fn whatever_could_hold_machine_code_or_read_a_file_is_refused() {
             "const A: Option<&str> = option_env!(\"HOME\");",
             "`option_env!`",
         ),
-        // What could put a forbidden name together.
+        // These could put a forbidden name together.
         (
             "macro_rules! a { ($a:tt $b:tt) => { $a $b } }",
             "`macro_rules!`",
@@ -128,7 +128,7 @@ fn every_answer_of_the_course_is_allowed() {
 }
 
 #[test]
-fn nesting_without_end_does_no_harm() {
+fn deep_nesting_does_no_harm() {
     for text in ["-".repeat(200_000), "#".repeat(200_000)] {
         verdict("plane", &text);
     }

@@ -69,7 +69,7 @@ fn answers_are_found_in_the_same_places_as_in_a_folder() {
     assert_eq!(
         sphere(&path),
         Err(Unusable::Missing),
-        "which of two is anyone's guess"
+        "with two folders, nobody knows which is meant"
     );
 }
 
@@ -83,7 +83,7 @@ fn paths_that_lead_elsewhere_refuse_the_whole_archive() {
         ("src/../../sphere.rs", "leads out"),
         ("src\\..\\..\\sphere.rs", "leads out"),
     ] {
-        // What writes archives is too well behaved to make them.
+        // The library that writes archives refuses such names, so they are forged afterwards.
         let plain: String = name.chars().map(|_| 'x').collect();
         let (_folder, path) = archive(&[(&plain, b"")]);
         forge(&path, plain.as_bytes(), name.as_bytes());
@@ -99,7 +99,7 @@ fn two_files_of_one_name_refuse_the_whole_archive() {
     let (_folder, path) = archive(&[("sphere.rs", b"// one"), ("spherX.rs", b"// two")]);
     forge(&path, b"spherX.rs", b"sphere.rs");
     assert!(
-        refusal(&path).contains("two files of one name"),
+        refusal(&path).contains("two files of the same name"),
         "{}",
         refusal(&path)
     );
@@ -168,7 +168,11 @@ fn file_that_is_not_an_archive_is_refused_with_a_reason() {
     let path = folder.path().join("a.zip");
     for bytes in [&b""[..], b"PK\x05\x06", b"no archive at all", &[0; 70_000]] {
         fs::write(&path, bytes).expect("it can be written");
-        assert!(refusal(&path).contains("no ZIP file"), "{}", refusal(&path));
+        assert!(
+            refusal(&path).contains("not a ZIP file"),
+            "{}",
+            refusal(&path)
+        );
     }
     let names = (0..50_001).map(|k: u32| k.to_string().into_bytes());
     fs::write(&path, listing(names)).expect("it can be written");
@@ -239,7 +243,7 @@ impl Dice {
 }
 
 #[test]
-fn spoilt_archives_do_not_harm_the_reader() {
+fn damaged_archives_do_not_harm_the_reader() {
     let seconds = std::env::var("PINHOLE_FUZZ_SECONDS").map(|text| text.parse::<u64>());
     let seconds = seconds.map_or(1, |seconds| seconds.expect("a number of seconds"));
     let long = "let a = 1;\n".repeat(2000);
@@ -267,7 +271,7 @@ fn spoilt_archives_do_not_harm_the_reader() {
             }
         }
         fs::write(&path, &bytes).expect("it can be written");
-        // What harms is found again in this file.
+        // If an input does harm, it is still in this file afterwards.
         if let Ok(mut archive) = open(&path) {
             for place in archive.places() {
                 let text = archive.text(&format!("{place}plane.rs"));

@@ -352,7 +352,7 @@ fn files_that_cannot_be_opened_are_listed() {
         (entry.unusable.join("; "), entry.doubts.join("; "))
     };
     assert!(told("ada.rar").0.contains("ask for a ZIP file"));
-    assert!(told("bob.zip").0.contains("no ZIP file"));
+    assert!(told("bob.zip").0.contains("not a ZIP file"));
     assert!(told("empty.zip").0.contains("sphere.rs is missing"));
     assert!(
         told("essay.zip").1.contains("but essay.docx"),
