@@ -61,8 +61,9 @@ impl Command {
 /// has changed. If the grader itself fails on a submission, that submission gets no mark
 /// instead of a zero, is listed first, and the exit code is 3.
 ///
-/// Nobody goes missing: what is on no roster, lacks files, could be several people's or is
-/// taken by nobody is listed at the end and at the top of class.html, and the exit code is 1.
+/// Nobody is lost: the end of the output and the top of class.html list submissions that are
+/// not on the roster, lack files or could belong to several people, and files that belong to
+/// nobody. If there are any, the exit code is 1.
 ///
 /// If Mitsuba is installed, the whole class is also asked fresh questions from a new seed. A
 /// group of questions then earns its points only if it passes both the public and the fresh

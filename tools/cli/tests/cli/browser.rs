@@ -1,7 +1,7 @@
 //! A real browser, driven by the W3C's WebDriver protocol.
 //!
-//! The protocol is JSON over HTTP, so that a plain HTTP client is enough; the clients
-//! that exist bring an asynchronous runtime each.
+//! The protocol is JSON over HTTP, so a plain HTTP client is enough. The existing WebDriver
+//! clients need an asynchronous runtime.
 
 use std::io::{BufRead, BufReader};
 use std::path::Path;
@@ -13,7 +13,7 @@ use tempfile::TempDir;
 const REMEDY: &str = "a report is tested in a real browser; on Debian: \
                       apt-get install chromium chromium-driver (tools/test does it)";
 
-/// Nothing of a person's browser, and nothing that calls home.
+/// Flags that keep out the settings of a person's browser, and everything that calls home.
 const FLAGS: [&str; 9] = [
     "--headless",
     "--no-sandbox",
@@ -79,11 +79,11 @@ impl Browser {
         browser
     }
 
-    /// Shows another file, or the same again.
+    /// Shows another file, or reloads the same one.
     pub fn load(&self, page: &Path) {
         let page = page.canonicalize().expect("the page exists");
         let path = page.to_str().expect("test folders have plain names");
-        // What else may stand in a path means something in an address.
+        // Escape the characters of a path that have a meaning in an address.
         let path = path
             .replace('%', "%25")
             .replace('#', "%23")
@@ -105,7 +105,7 @@ impl Browser {
         self.ask("execute/sync", json!({ "script": script, "args": [] }))
     }
 
-    /// The same, as text.
+    /// The value of a JavaScript expression, which is text.
     #[track_caller]
     pub fn text(&self, expression: &str) -> String {
         let value = self.value(expression);
@@ -143,7 +143,7 @@ impl Browser {
         self.click(x, y);
     }
 
-    /// Brings an element into sight; gives a point of it, by its share of width and
+    /// Scrolls an element into view. Returns a point of it, given by shares of its width and
     /// height, and then its width and height.
     #[track_caller]
     pub fn rectangle(&self, selector: &str, across: f64, down: f64) -> [f64; 4] {
@@ -197,7 +197,7 @@ impl Browser {
         panic!("no tab leads to {selector}");
     }
 
-    /// A command of Chromium's own.
+    /// A command that only Chromium has.
     pub fn command(&self, name: &str, parameters: Value) -> Value {
         self.ask(
             "goog/cdp/execute",
@@ -205,13 +205,13 @@ impl Browser {
         )
     }
 
-    /// A window of this size.
+    /// Gives the window this size.
     pub fn screen(&self, width: u32, height: u32) {
         let metrics = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600 });
         self.command("Emulation.setDeviceMetricsOverride", metrics);
     }
 
-    /// What a person prefers: `prefers-color-scheme`, `dark`.
+    /// Sets a preference, such as `prefers-color-scheme` to `dark`.
     pub fn prefer(&self, feature: &str, value: &str) {
         let features = json!([{ "name": feature, "value": value }]);
         self.command(
@@ -220,8 +220,8 @@ impl Browser {
         );
     }
 
-    /// Everything that was asked for but files, what the page holds itself, and the
-    /// pages of the browser.
+    /// The addresses of everything that was requested, except files, data in the page itself,
+    /// and the browser's own pages.
     fn requests(&self) -> Vec<String> {
         let log = self.ask("se/log", json!({ "type": "performance" }));
         let entries = log.as_array().cloned().unwrap_or_default();
@@ -244,7 +244,7 @@ impl Browser {
         addresses.filter(|address| !is_ours(address)).collect()
     }
 
-    /// Checks that the page asked nobody for anything and nothing went wrong in it.
+    /// Checks that the page made no requests and no errors.
     #[track_caller]
     pub fn expect_quiet(&self) {
         assert_eq!(self.requests(), Vec::<String>::new());
@@ -261,7 +261,7 @@ impl Drop for Browser {
     }
 }
 
-/// One command; the value that came back, or an object with `error`.
+/// Sends one command. Returns the value of the answer, or an object with `error`.
 fn send(address: &str, what: &Value) -> Value {
     let agent: ureq::Agent = ureq::Agent::config_builder()
         .http_status_as_error(false)

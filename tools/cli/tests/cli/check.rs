@@ -3,7 +3,8 @@
 use pinhole_testing::{Ran, TASKS, fresh, pinhole, pinhole_in, root, submission, trusted};
 use serde_json::Value;
 
-/// `check --json` of a folder; tasks only, which is quick, unless `more` says else.
+/// Runs `check --json` on a folder. Only the tasks are checked, which is quick, unless `more`
+/// selects something else.
 pub fn check(folder: &std::path::Path, more: &[&str]) -> Ran {
     let folder = folder.to_str().expect("test folders have plain names");
     let tasks = TASKS.iter().flat_map(|task| ["--task", task]);
@@ -97,7 +98,7 @@ pub fn from_root(folder: &str, file: &str) -> String {
 }
 
 #[test]
-fn what_the_worst_question_prints_stands_beside_it_and_so_do_warnings() {
+fn output_of_the_worst_question_and_warnings_are_reported() {
     let text = with_body(
         "plane",
         "let unused = 1; println!(\"min_t is {min_t}\"); return None;",
@@ -149,7 +150,7 @@ fn packed_answers_are_a_submission_and_a_reset_answer_is_kept() {
 }
 
 #[test]
-fn a_compile_error_shows_the_compilers_words_on_that_file_and_nothing_else() {
+fn a_compile_error_shows_only_the_compilers_messages_about_that_file() {
     let folder = submission(&trusted(), "compile-error", &[("plane.rs", "fn broken( {")]);
     let folder = folder.to_str().expect("a plain name");
     let ran = pinhole(&["check", folder, "--task", "plane", "--task", "sphere"]).expect_code(1);
@@ -185,7 +186,7 @@ fn a_missing_file_costs_its_own_task() {
 }
 
 #[test]
-fn a_panic_is_told_with_file_and_line() {
+fn a_panic_is_reported_with_file_and_line() {
     let text = with_body(
         "plane",
         "let none: Vec<f64> = Vec::new();\n        let _ = none[3];",
@@ -205,7 +206,7 @@ fn a_panic_is_told_with_file_and_line() {
 }
 
 #[test]
-fn exiting_early_and_printing_earn_nothing_and_spoil_nothing() {
+fn exiting_early_or_printing_points_earns_nothing_and_harms_no_other_task() {
     let text = with_body(
         "plane",
         "println!(\"all tests passed\"); std::process::exit(0);",

@@ -27,7 +27,7 @@ fn json(output: &Output) -> Value {
 }
 
 #[test]
-fn where_bubblewrap_cannot_work_the_remedy_is_named_and_nothing_is_run() {
+fn without_bubblewrap_nothing_is_run_and_the_remedy_is_named() {
     let mark = std::env::temp_dir().join(format!("pinhole-ran-{}", std::process::id()));
     let text = with_body("plane", &format!("let _ = std::fs::write({mark:?}, \"\");"));
     let folder = submission(
@@ -50,7 +50,7 @@ fn where_bubblewrap_cannot_work_the_remedy_is_named_and_nothing_is_run() {
 }
 
 #[test]
-fn in_a_container_code_runs_as_somebody_who_reads_and_reaches_nothing() {
+fn code_in_a_container_runs_as_a_user_who_can_read_and_reach_nothing() {
     let golden = root().join("golden/ray_casting/manifest.toml");
     let golden = golden.to_str().expect("a plain name");
     let listener = std::net::TcpListener::bind("127.0.0.1:0").expect("a port is free");

@@ -1,4 +1,4 @@
-//! Films by another program, before both judges.
+//! Films by another program, compared by both judges.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -7,8 +7,7 @@ use pinhole_testing::{Ran, fresh, pinhole, root, trusted};
 
 const GOLDEN: &str = "golden/ray_casting/sphere_and_plane.exr";
 
-/// Writes variations of the golden with OpenImageIO's Python module: nothing of ours
-/// is involved.
+/// Writes variations of the golden with OpenImageIO's Python module. It uses no code of ours.
 const WRITER: &str = r#"
 import sys
 import numpy as np
@@ -97,14 +96,14 @@ fn a_film_by_another_program_passes() {
 }
 
 #[test]
-fn the_order_of_channels_in_the_file_means_nothing() {
+fn the_order_of_channels_in_the_file_does_not_matter() {
     diff(&film("reversed_channels"))
         .expect_code(0)
         .expect_out("oiiotool agrees");
 }
 
 #[test]
-fn t_where_nothing_is_hit_means_nothing() {
+fn t_is_ignored_where_nothing_is_hit() {
     diff(&film("t_at_misses"))
         .expect_code(0)
         .expect_out("oiiotool agrees");
@@ -120,14 +119,14 @@ fn nan_and_infinity_are_refused() {
 }
 
 #[test]
-fn films_of_another_size_are_refused() {
+fn films_with_another_size_are_refused() {
     assert_refused_by_both("cropped", "157×87");
     assert_refused_by_both("padded", "170×96");
     assert_refused_by_both("window", "is not the whole picture");
 }
 
 #[test]
-fn films_of_other_channels_are_refused() {
+fn films_with_other_channels_are_refused() {
     assert_refused_by_both("missing", "no channel `N.Z`");
     assert_refused_by_both("extra", "channel `A`");
     assert_refused_by_both("renamed", "no channel `N.Z`");
@@ -163,7 +162,7 @@ fn both_judges_refuse_an_impossible_header() {
     let mut bytes = std::fs::read(root().join(GOLDEN)).expect("goldens are committed");
     let name = b"pixelAspectRatio\0float\0";
     let found = bytes.windows(name.len()).position(|window| window == name);
-    // Behind the name stands the value's length in four bytes, then the value.
+    // The name is followed by the value's length in four bytes, and then by the value.
     let value = found.expect("every film has an aspect") + name.len() + 4;
     bytes[value..value + 4].copy_from_slice(&f32::NEG_INFINITY.to_le_bytes());
     let film = fresh(&trusted(), "diff-aspect").join("film.exr");

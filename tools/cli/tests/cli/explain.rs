@@ -29,7 +29,7 @@ fn the_lectures_worked_example_comes_out_as_on_the_slides() {
 }
 
 #[test]
-fn a_wrong_ray_stands_above_the_right_one_with_what_it_printed() {
+fn a_wrong_ray_is_shown_above_the_right_one_with_what_it_printed() {
     let right = std::fs::read_to_string(
         pinhole_testing::root()
             .join(REFERENCE)
@@ -152,7 +152,7 @@ fn render_fills_in_missing_answers_from_the_golden_film() {
 }
 
 #[test]
-fn exact_casting_agrees_with_mitsuba_and_tells_what_it_took() {
+fn exact_casting_agrees_with_mitsuba_and_reports_its_work() {
     let out = fresh(&trusted(), "render-exact");
     let out_name = out.to_str().expect("a plain name");
     let exact = ["render", "bunny", "--exact", "--out", out_name];
@@ -177,7 +177,7 @@ fn exact_casting_agrees_with_mitsuba_and_tells_what_it_took() {
 }
 
 #[test]
-fn a_scene_with_a_light_is_told_why_there_are_none() {
+fn a_scene_with_a_light_is_refused_because_there_are_none() {
     let folder = fresh(&trusted(), "light");
     let scene = folder.join("lit.toml");
     let good = pinhole_testing::root().join("assignments/ray_casting/scenes/slide_example.toml");

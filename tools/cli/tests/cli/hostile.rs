@@ -1,10 +1,10 @@
 //! Submissions that attack their grader, each with its expected outcome.
 //!
-//! An attack lies in `plane.rs`, beside right answers to all else. Whatever it does,
-//! `sphere`, its neighbour, keeps every point; nothing of the secrets below shows; no
-//! process and no file is left; and it is over in time. An attack that *reaches* for
-//! something answers wrongly when it gets it: in the sandbox it earns full points, and
-//! without them it must lose some, or the case proves nothing.
+//! An attack is a `plane.rs` beside right answers to all other tasks. Whatever it does, its
+//! neighbour `sphere` keeps every point, no secret shows in any output, no process and no file
+//! is left behind, and it ends in time. An attack that *reaches* for something answers wrongly
+//! if it gets it. So it must earn full points in the sandbox and lose some without it;
+//! otherwise the case proves nothing.
 
 mod answering;
 mod compiling;
@@ -28,14 +28,15 @@ use pinhole_testing::{fresh, ran, root, submission};
 /// The expected outcome of an attack.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fate {
-    /// It looks for something that is not there: full points, but only in the sandbox.
+    /// It looks for something that the sandbox hides. It gets full points, but only in the
+    /// sandbox.
     Walled,
-    /// It gets full points with or without a sandbox, because it is harmless or fails
-    /// by itself.
+    /// It gets full points with or without a sandbox, because it is harmless or fails by
+    /// itself.
     Harmless,
-    /// No points, and each group came to this kind of outcome.
+    /// It gets no points, and each group has this kind of outcome.
     Outcome(&'static str),
-    /// No points: its file was this.
+    /// It gets no points, because its file has this state.
     File(&'static str),
 }
 
@@ -47,7 +48,7 @@ pub struct Attack {
     pub fate: Fate,
 }
 
-/// Statements before the reference's own.
+/// An attack by statements at the beginning of the reference's answer.
 pub fn attack(name: &'static str, fate: Fate, statements: &str) -> Attack {
     Attack {
         name,
@@ -56,7 +57,8 @@ pub fn attack(name: &'static str, fate: Fate, statements: &str) -> Attack {
     }
 }
 
-/// An expression that is true if the code can reach what it must not; tried once.
+/// An attack by an expression that is true if the code can reach something that it must not.
+/// It is evaluated once.
 pub fn reach(name: &'static str, expression: &str) -> Attack {
     let statements = format!(
         "static REACHED: std::sync::LazyLock<bool> = std::sync::LazyLock::new(|| {{ {expression} }});
@@ -65,7 +67,7 @@ pub fn reach(name: &'static str, expression: &str) -> Attack {
     attack(name, Fate::Walled, &statements)
 }
 
-/// Lines in front of the reference's whole file.
+/// An attack by lines at the top of the reference's file.
 pub fn file(name: &'static str, fate: Fate, top: &str) -> Attack {
     Attack {
         name,
@@ -117,7 +119,7 @@ fn examine_for(path: &Path, walls: &str, seconds: &str) -> Value {
             "sphere",
             "--json",
             "--no-report",
-            // The walls are to hold without it.
+            // The sandbox must hold without the allow list.
             "--allow-everything",
             "--timeout",
             seconds,
@@ -176,7 +178,7 @@ fn problems(attack: &Attack, walls: &str) -> Vec<String> {
         Fate::Walled if walls == "none" => {
             expect(
                 lost(&examination, "plane") > 0,
-                "it does no harm without walls either".into(),
+                "it does no harm without a sandbox either".into(),
             );
         }
         Fate::Walled | Fate::Harmless => expect(lost(&examination, "plane") == 0, shown()),
@@ -199,7 +201,7 @@ fn problems(attack: &Attack, walls: &str) -> Vec<String> {
     let printed = examination["printed"].as_str().expect("text").len();
     expect(
         printed <= 1 << 20,
-        format!("{printed} bytes of its words were kept"),
+        format!("{printed} bytes of its output were kept"),
     );
     std::fs::remove_dir_all(folder).expect("it was made");
     problems
@@ -234,8 +236,8 @@ pub fn every_attack_has_its_expected_outcome(attacks: &[Attack], walls: &str) {
     assert!(problems.is_empty(), "{}", problems.join("\n"));
 }
 
-/// Processes and files of the users that attacks run as. Those of other tests, which
-/// attack at the same time, end by themselves; those that are left behind stay.
+/// Processes and files of the users that attacks run as. Those of other tests, which attack at
+/// the same time, disappear by themselves. Those that an attack leaves behind stay.
 fn left_behind() -> Vec<String> {
     let mut left = strays();
     let start = Instant::now();

@@ -1,8 +1,8 @@
 //! The four kinds of sandbox on one machine. Each attack must fail in all of them.
 //!
-//! Bubblewrap stands for a container. Root keeps its rights inside, but can make no
-//! namespace, as under Docker's default seccomp profile, and the toolchain lies where every
-//! user can reach it. An ordinary user is root under another number.
+//! The tests use bubblewrap to imitate a container: root keeps its rights inside but can't
+//! make a namespace, as under Docker's default seccomp profile, and the toolchain lies where
+//! every user can reach it. To imitate an ordinary user, they run as another user id.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -21,7 +21,7 @@ pub const WITHOUT_LANDLOCK: &str = "container-without-landlock";
 /// All of them.
 pub const ALL: [&str; 4] = [BUBBLEWRAP, USER, CONTAINER, WITHOUT_LANDLOCK];
 
-/// The word for `--sandbox`.
+/// The value of `--sandbox` for a mode.
 pub fn sandbox(mode: &str) -> &str {
     match mode {
         USER => BUBBLEWRAP,

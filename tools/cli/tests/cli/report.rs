@@ -169,7 +169,8 @@ fn diff_writes_a_report_beside_its_pictures() {
     ran.expect_code(1).expect_out("report.html");
     let browser = Browser::open(&out.join("report.html"));
     browser.wait_for("document.querySelector('.viewer').hidden === false");
-    // The golden is the assignment's, so the scene is known, and the rays lie beside it.
+    // The golden belongs to the assignment, so its scene is known, and the golden rays lie
+    // beside it.
     let reading = browser.text("document.querySelector('.reading').innerText");
     assert!(
         reading.contains("(plane)") && reading.contains("min_t"),
@@ -179,7 +180,7 @@ fn diff_writes_a_report_beside_its_pictures() {
 }
 
 #[test]
-fn every_scene_failing_everywhere_is_still_less_than_two_megabytes() {
+fn a_report_on_scenes_that_fail_everywhere_has_less_than_two_megabytes() {
     let folder = mistaken(
         "report-size",
         "viewing_ray_half_pixel_sign",

@@ -55,7 +55,7 @@ fn code_outside_the_checkout_sees_no_golden_while_compiling_or_running() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn what_the_shell_has_open_is_closed_inside_the_sandbox() {
+fn files_that_the_shell_has_open_are_closed_inside_the_sandbox() {
     let scratch = fresh(&trusted(), "open-files");
     let grades = scratch.join("grades.csv");
     std::fs::write(&grades, "ada,100\n").expect("it can be written");
@@ -101,7 +101,7 @@ fn a_link_in_place_of_an_answer_is_refused() {
 
 #[cfg(unix)]
 #[test]
-fn a_link_in_place_of_the_source_folder_leads_nowhere() {
+fn a_link_in_place_of_the_source_folder_is_not_followed() {
     let folder = fresh(&trusted(), "linked-src");
     let reference = root().join("assignments/ray_casting/reference/src");
     std::os::unix::fs::symlink(reference, folder.join("src")).expect("links can be made");

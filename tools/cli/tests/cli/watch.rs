@@ -161,7 +161,8 @@ fn a_file_that_is_renamed_over_is_a_save_like_any_other() {
     let folder = with_plane("watch-rename", "");
     let watch = watch(&folder, &["--task", "plane"]);
     watch.read_to("does not compile");
-    // As vim does it: the new file under another name, the old one moved away.
+    // Save as vim does: write the new file under another name, move the old file away, and
+    // rename the new one.
     let (new, file) = (folder.join("plane.rs.new"), folder.join("plane.rs"));
     for text in [one_sided_plane(), reference("plane"), one_sided_plane()] {
         let expected = match text == reference("plane") {
@@ -202,7 +203,7 @@ fn empty_file_during_a_save_is_not_judged() {
 }
 
 #[test]
-fn a_file_or_folder_that_is_gone_is_told_and_so_is_its_return() {
+fn watch_reports_a_missing_file_or_folder_and_its_return() {
     let folder = with_plane("watch-gone", &reference("plane"));
     let watch = watch(&folder, &["--task", "plane"]);
     watch.read_to("✓ plane");
@@ -247,7 +248,7 @@ fn when_every_task_passes_the_scenes_are_judged() {
 }
 
 #[test]
-fn running_order_is_reported_before_a_closed_pipe_ends_the_watch() {
+fn the_current_verdict_is_printed_before_a_closed_pipe_ends_the_watch() {
     let folder = with_plane("watch-closed", &one_sided_plane());
     let (status, lines) = watch(&folder, &["--task", "plane"]).close();
     let lines = lines.join("\n");
@@ -258,7 +259,7 @@ fn running_order_is_reported_before_a_closed_pipe_ends_the_watch() {
 }
 
 #[test]
-fn a_watch_asks_neither_single_scenes_nor_the_second_judge() {
+fn a_watch_refuses_single_scenes_and_the_second_judge() {
     for other in [["--scene", "bunny"].as_slice(), &["--oiiotool"]] {
         pinhole(&[&["check", "--watch"], other].concat())
             .expect_code(2)

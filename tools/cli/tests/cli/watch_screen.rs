@@ -103,7 +103,7 @@ impl Screen {
             .expect("it can be resized");
     }
 
-    /// How it ended; the terminal must be as it was.
+    /// Waits until the watch ends, and checks that the terminal is as it was before.
     #[track_caller]
     fn expect_end(&mut self) -> ExitStatus {
         let end = Instant::now() + LONG;
@@ -141,7 +141,7 @@ fn one_sided_plane() -> String {
 fn a_student_walks_from_the_first_wrong_task_to_the_scenes() {
     let folder = with_plane("screen-walk", &one_sided_plane());
     let mut screen = watch(&folder, &[]);
-    // It begins with the task that is good to begin with.
+    // The first task is the one that the assignment starts with.
     let text = screen.expect_text("✗ plane");
     assert!(
         text.contains("expected") && text.contains("q:quit"),
@@ -243,7 +243,7 @@ fn student_output_is_escaped_in_the_terminal() {
 }
 
 #[test]
-fn over_ssh_the_report_is_written_and_said_how_to_get() {
+fn over_ssh_the_watch_says_how_to_get_the_report() {
     let folder = with_plane("screen-report", &one_sided_plane());
     let report = folder.join("report.html");
     let path = report.to_str().expect("test folders have plain names");
@@ -261,7 +261,7 @@ fn over_ssh_the_report_is_written_and_said_how_to_get() {
 }
 
 #[test]
-fn a_folder_that_is_gone_is_said_and_its_return_is_judged() {
+fn a_missing_folder_is_reported_and_judged_when_it_is_back() {
     let folder = with_plane("screen-gone", &one_sided_plane());
     let mut screen = watch(&folder, &["--task", "plane"]);
     screen.expect_text("✗ plane");
@@ -276,7 +276,7 @@ fn a_folder_that_is_gone_is_said_and_its_return_is_judged() {
 }
 
 #[test]
-fn a_signal_gives_the_terminal_back_too() {
+fn a_signal_restores_the_terminal_too() {
     for signal in [Signal::TERM, Signal::HUP, Signal::INT] {
         let folder = with_plane("screen-signal", &one_sided_plane());
         let mut screen = watch(&folder, &["--task", "plane"]);

@@ -58,7 +58,7 @@ pub struct Dropped {
 pub enum DroppedPoints {
     /// Everybody gets them.
     Given,
-    /// Everything else becomes worth proportionally more, so that the total stays the same.
+    /// They are left out: the mark is out of fewer points, so everything else counts for more.
     Rescaled,
 }
 

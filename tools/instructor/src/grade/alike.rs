@@ -1,8 +1,8 @@
 //! Answers that are the same but for comments, spaces, line breaks and the names of variables.
 //!
-//! Short answers may well coincide. So a match counts as much as it is rare: in bits, how many
-//! right answers there are for each that is like these. Six equal loops over triangles in a
-//! class of ten are worth less than one bit, and cost no points whatever they are worth.
+//! Short answers may well coincide, so rare matches count more. A match counts in bits: the
+//! logarithm of how many right answers there are for each one that is like these. Six equal
+//! loops over triangles in a class of ten have less than one bit. A match never costs points.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -20,11 +20,12 @@ use pinhole_course::stubs;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SharedAnswer {
     pub task: String,
-    /// "the reference", "variant sphere_half_b", "each other".
+    /// What they are the same as: "the reference", "the variant sphere_half_b", or "each
+    /// other".
     pub to: String,
-    /// Whose answers, by id.
+    /// The ids of the submissions with this answer.
     pub who: Vec<String>,
-    /// How many in the class that is of how many.
+    /// Their share of the class.
     pub share: f64,
     /// How rare it is among right answers: log₂ of their number over that of these.
     pub bits: f64,
@@ -39,8 +40,8 @@ pub struct SharedPair {
     pub bits: f64,
 }
 
-/// A hash of an answer's tokens, documentation left out and own names exchanged for numbers;
-/// `None` if it has none that can be told apart.
+/// A hash of an answer's tokens, without documentation, and with numbers for the answer's own
+/// names. `None` if the text can't be split into tokens.
 pub fn tokens(text: &str) -> Option<String> {
     let words = words(text.parse().ok()?);
     let own = own_names(&words);
@@ -61,11 +62,11 @@ pub fn tokens(text: &str) -> Option<String> {
     (!flat.trim().is_empty()).then(|| sha256(flat.as_bytes()))
 }
 
-/// The tokens one by one; `::` is one, and documentation is none.
+/// The tokens one by one. `::` is one token, and documentation is left out.
 fn words(stream: TokenStream) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
-    // A list of what is still to come, not recursion: a student may nest as deep as the
-    // file is long.
+    // A list of what is still to come, instead of recursion, because a student's file may be
+    // nothing but nested brackets.
     let mut open = vec![(stream.into_iter(), "")];
     while let Some((rest, close)) = open.last_mut() {
         let Some(token) = rest.next() else {
@@ -132,12 +133,12 @@ fn own_names(words: &[String]) -> BTreeSet<&str> {
             own.insert(word);
         }
     }
-    // What everybody is given keeps its name.
+    // Names that the handout gives to everybody stay.
     own.retain(|name| !name.starts_with(char::is_uppercase) || name.to_uppercase() == **name);
     own
 }
 
-/// Words of the language that stand where names do.
+/// Keywords that may stand in the place of a name.
 const KEYWORDS: [&str; 20] = [
     "as", "break", "const", "continue", "else", "false", "fn", "for", "if", "in", "let", "loop",
     "match", "move", "mut", "ref", "return", "self", "true", "while",
@@ -157,7 +158,7 @@ pub struct KnownAnswers {
 }
 
 impl KnownAnswers {
-    /// Reads them; an assignment without solutions has none.
+    /// Reads the known answers; an assignment without solutions has none.
     pub fn read(assignment: &Assignment) -> Result<KnownAnswers> {
         let mut named = BTreeMap::new();
         let variants = mistake::folders(&assignment.folder.join("variants"));
@@ -225,10 +226,10 @@ fn is_right(record: &Record, task: &str) -> bool {
 
 /// Pairs that share more than one answer, those with the most bits first.
 pub fn pairs(alike: &[SharedAnswer]) -> Vec<SharedPair> {
-    /// More would be read by nobody.
+    /// Nobody would read more pairs than this.
     const MOST: usize = 20;
     let mut pairs: BTreeMap<[&String; 2], SharedPair> = BTreeMap::new();
-    // Who has what half of the class has says nothing about a pair.
+    // An answer that half of the class has says nothing about a pair.
     for shared in alike.iter().filter(|shared| shared.bits >= 1.0) {
         for (k, first) in shared.who.iter().enumerate() {
             for second in &shared.who[k + 1..] {
@@ -282,7 +283,7 @@ mod tests {
             named: BTreeMap::new(),
             stubs: Vec::new(),
         };
-        // All loop over triangles alike; two have one sphere, and one plane.
+        // All have the same loop over triangles; two also share a sphere and a plane.
         let record = |k: usize| {
             let mut record = graded(&format!("s{k}"), 1, 1);
             let own = |task: &str| match k {

@@ -1,5 +1,5 @@
-//! The files of a graded class. Each is written atomically: after a power cut, there is
-//! the old file or the new one.
+//! The files of a graded class. Each is written atomically: after a power cut, either the old
+//! file is there or the new one.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, TryLockError};
@@ -17,7 +17,8 @@ use pinhole_report::escape::printable_json;
 /// The folder of a graded class, locked for as long as this lives.
 pub struct ResultCache {
     folder: PathBuf,
-    /// The operating system releases it however we end, so no lock is ever stale.
+    /// The operating system releases the lock when this process ends in any way, so it is
+    /// never stale.
     _lock: File,
 }
 
@@ -73,7 +74,8 @@ impl ResultCache {
         Ok(())
     }
 
-    /// Keeps a grade whose points alone have changed, and says so at the end of its report.
+    /// Stores a grade of which only the points have changed, and says so at the end of its
+    /// report.
     pub fn put_points(&self, record: &Record) -> Result<()> {
         let folder = self.of(&record.id);
         write_unflushed(&folder.join("result.json"), pretty(record)?.as_bytes())?;
@@ -137,11 +139,11 @@ fn read(path: &Path) -> Option<Record> {
     (record.got.schema == SCHEMA).then_some(record)
 }
 
-/// What a run has still to grade, stored until it is done: a run that is stopped leaves grades
-/// of older answers behind, and a merge must not take them for new ones.
+/// What a run still has to grade, stored until it is done. A run that is stopped leaves grades
+/// of older answers behind, and a merge must not mistake them for grades of the new answers.
 ///
-/// By submission: the answers that its grade is to be of. (By what they are judged, all
-/// parts must agree; a merge checks that itself.)
+/// It lists, by submission, the answers that are to be graded. Goldens and settings need no
+/// list, because a merge checks that all parts agree on them.
 #[derive(Debug, Default)]
 pub struct Backlog(BTreeMap<String, Hashes>);
 
@@ -152,7 +154,7 @@ type Hashes = Vec<(String, String)>;
 const BACKLOG: &str = "unfinished.json";
 
 impl Backlog {
-    /// Writes down all submissions whose grade is missing or of other answers.
+    /// Records all submissions that have no grade, or whose grade is of other answers.
     pub fn begin(entries: &[Entry], cache: &ResultCache, made_with: &MadeWith) -> Result<()> {
         let mut unfinished = BTreeMap::new();
         for entry in entries {
@@ -169,7 +171,7 @@ impl Backlog {
         cache.write(BACKLOG, &pretty(&unfinished)?)
     }
 
-    /// All is graded.
+    /// Removes the backlog when everything is graded.
     pub fn end(cache: &ResultCache) {
         let _was_never_there = fs::remove_file(cache.path(BACKLOG));
     }
@@ -186,11 +188,12 @@ impl Backlog {
         )
     }
 
-    /// The record, if it belongs to what was to be graded; otherwise the record as not graded.
+    /// Returns the record, marked as not graded if it belongs to other answers than were to be
+    /// graded.
     pub fn check(&self, record: Record) -> Record {
         match self.0.get(&record.id) {
             Some(wanted) if *wanted != record.provenance.answers => record.not_graded(
-                "the run was stopped before it came to these answers; an older mark is of others"
+                "the run was stopped before it graded these answers; an older mark is for other answers"
                     .into(),
             ),
             _ => record,
@@ -198,7 +201,7 @@ impl Backlog {
     }
 }
 
-/// Begins what is said at the end of a report that was written before points have changed.
+/// How a note begins that is added to the end of a report after points have changed.
 const NOTE: &str = "<p role=\"note\">";
 
 /// Writes a note to the end of a report, in place of an earlier one.
@@ -216,7 +219,7 @@ fn replace_note(report: &Path, note: &str) -> std::io::Result<()> {
     file.write_all(note.as_bytes())
 }
 
-/// JSON for people, too.
+/// JSON that people can read, too.
 pub fn pretty(value: &impl serde::Serialize) -> Result<String> {
     let text = serde_json::to_string_pretty(value)
         .or_environment("cannot write a result", "report this")?;

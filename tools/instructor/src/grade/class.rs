@@ -37,7 +37,7 @@ pub struct Roll {
     pub ignored: Vec<String>,
     /// Whether this is a class, or single submissions that were named.
     pub is_class: bool,
-    /// What becomes of judged marks.
+    /// How judged marks become final marks.
     #[serde(default)]
     pub policy: Option<Policy>,
 }
@@ -55,8 +55,8 @@ impl Roll {
         )
     }
 
-    /// Single submissions as part of the class that was graded before into the same folder:
-    /// one that is there already is replaced, and all others stay.
+    /// Adds single submissions to the class that was graded into the same folder before. They
+    /// replace earlier ones of the same id, and all others stay.
     pub fn into_class(self, class: Option<Roll>) -> Roll {
         let Some(mut class) = class else { return self };
         let is_new = |entry: &Entry| self.entries.iter().any(|new| new.id == entry.id);
@@ -73,7 +73,7 @@ impl Roll {
         class
     }
 
-    /// Nobody is missing whose group has handed in.
+    /// Removes people from the missing ones whose group has handed in.
     pub fn find_groups(&mut self) {
         let mut missing = std::mem::take(&mut self.placed.missing);
         let of = self.placed.of.values();
@@ -85,7 +85,8 @@ impl Roll {
         self.placed.missing = missing;
     }
 
-    /// Who gets the mark of what a person hands in: the person, or a group.
+    /// Everybody who gets the mark of what a person hands in: the person alone, or the
+    /// person's group.
     pub fn team_of<'a>(&'a self, person: &'a Person) -> Vec<&'a Person> {
         let policy = self.policy.as_ref();
         let Some(group) = policy.and_then(|policy| policy.group_of(&person.id)) else {
@@ -102,11 +103,11 @@ impl Roll {
 pub struct Class<'a> {
     pub title: String,
     pub roll: &'a Roll,
-    /// In the order of the roll; `None` if there is no grade and no record of a fault.
+    /// The rows, in the order of the roll.
     pub rows: Vec<Row<'a>>,
     /// Further rows of people whose group handed in for them.
     pub shared: Vec<Row<'a>>,
-    /// What somebody should look at, the gravest first.
+    /// What the instructor should look at, the gravest first.
     pub concerns: Vec<Concern>,
     pub alike: Vec<SharedAnswer>,
 }
@@ -117,7 +118,7 @@ pub struct Row<'a> {
     pub entry: &'a Entry,
     pub person: Option<&'a Person>,
     pub record: Option<&'a Record>,
-    /// `None` if there is none, or if another submission counts.
+    /// The mark; `None` if there is none, or if another submission counts.
     pub mark: Option<Mark>,
     /// Why another submission counts.
     pub not_counted: Option<String>,
@@ -147,7 +148,7 @@ impl<'a> Class<'a> {
             shared,
             concerns,
         } = marks::rows(roll, records);
-        // Attempts of one person are alike.
+        // Only submissions that count: several attempts of one person are alike anyway.
         let counted = own.iter().filter(|row| row.not_counted.is_none());
         let all: Vec<&Record> = counted.filter_map(|row| row.record).collect();
         Class {
@@ -171,7 +172,7 @@ impl<'a> Class<'a> {
         rows.filter_map(|row| Some((row.person?, row.mark.as_ref()?, row)))
     }
 
-    /// The graded ones.
+    /// The records that have a mark.
     pub fn graded(&self) -> impl Iterator<Item = &'a Record> {
         let records = self.rows.iter().filter_map(|row| row.record);
         records.filter(|record| record.is_graded())
@@ -182,7 +183,7 @@ impl<'a> Class<'a> {
         self.graded().any(|record| record.id == id)
     }
 
-    /// What they were judged on, each once.
+    /// What the records were judged on, each listed once.
     pub fn judged_on(&self) -> Vec<&'a str> {
         let all = self.graded();
         let mut all: Vec<&str> = all
@@ -200,7 +201,7 @@ impl<'a> Class<'a> {
             Some(record) => Some((row.entry.id.as_str(), record.explanation.as_str())),
             None => Some((
                 row.entry.id.as_str(),
-                "it was not graded yet: run the same again",
+                "it has not been graded yet: run the same command again",
             )),
         });
         without.collect()
@@ -244,7 +245,7 @@ impl<'a> Class<'a> {
         held
     }
 
-    /// The slowest, in seconds.
+    /// The slowest submissions, with their seconds.
     pub fn slowest(&self) -> Vec<(&'a str, f64)> {
         let times = self
             .graded()
@@ -296,7 +297,7 @@ impl Change {
         })
     }
 
-    /// In a line.
+    /// The change, in one line.
     pub fn in_words(&self) -> String {
         let parts = self
             .parts
@@ -316,7 +317,7 @@ impl Change {
     }
 }
 
-/// Drops first, because students ask about those; the largest at the top.
+/// Sorts changes: the largest losses first, because students ask about those.
 pub fn sort_changes(changes: &mut [Change]) {
     let gain = |change: &Change| i64::from(change.after) - i64::from(change.before);
     changes.sort_by(|a, b| (gain(a), &a.id).cmp(&(gain(b), &b.id)));

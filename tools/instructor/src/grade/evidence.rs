@@ -1,5 +1,5 @@
-//! What stands behind a mark, for the lecturer alone: everything that was asked, expected and
-//! answered, also where the student may only read that it does not pass.
+//! The evidence for a mark, for the lecturer alone: everything that was asked, expected and
+//! answered, even where the student learns only that it does not pass.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -10,17 +10,17 @@ use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::outcome::Outcome;
 use pinhole_course::submission::Submission;
 
-/// The folder of a graded class that holds it. Nothing in there is for students.
+/// The folder of a graded class that holds all evidence. Nothing in there is for students.
 const FOLDER: &str = "evidence";
 
-/// What stands behind one mark.
+/// The evidence for one mark.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Evidence {
     /// The submission's id.
     pub id: String,
-    /// What came of the public and withheld questions, as it was judged.
+    /// The outcome of the public and withheld questions, as it was judged.
     pub public: Outcome,
-    /// What came of the fresh ones, if they were asked.
+    /// The outcome of the fresh questions, if they were asked.
     pub fresh: Option<Outcome>,
     /// Where the fresh questions lie.
     pub fresh_folder: Option<PathBuf>,
@@ -29,7 +29,7 @@ pub struct Evidence {
 }
 
 impl Evidence {
-    /// What is known before anything is redacted.
+    /// Collects the evidence before anything is redacted.
     pub fn new(
         id: &str,
         submission: &Submission,
@@ -49,12 +49,12 @@ impl Evidence {
         }
     }
 
-    /// Its file, in the folder of a graded class.
+    /// The evidence's file, in the folder of a graded class.
     pub fn file(id: &str) -> String {
         format!("{FOLDER}/{id}.json")
     }
 
-    /// That of a submission, from the folder of a graded class.
+    /// Reads the evidence for a submission from the folder of a graded class.
     pub fn read(out: &Path, id: &str) -> Result<Evidence> {
         let path = out.join(Evidence::file(id));
         let text = std::fs::read_to_string(&path).or_input(

@@ -30,7 +30,7 @@ use pinhole_course::timings::timed;
 use pinhole_report::escape::printable;
 use pinhole_report::html::{Again, Report};
 
-/// How much of what a student's code prints is kept.
+/// The most bytes that are kept of what a student's code prints.
 const MOST_PRINTED: usize = 16 * 1024;
 
 /// What the whole class is graded with.
@@ -39,7 +39,7 @@ pub struct Grader<'a> {
     pub goldens: &'a Goldens,
     /// Fresh questions; a group earns its points only if it passes these too.
     pub fresh: Option<&'a Goldens>,
-    /// What is withheld. Fresh questions are shown to the same extent.
+    /// What is withheld, and how much of it is shown. As much is shown of fresh questions.
     pub withheld: Withheld,
     pub compiler: &'a Compiler,
     pub sandbox: &'a Sandbox,
@@ -49,8 +49,8 @@ pub struct Grader<'a> {
     pub made_with: &'a MadeWith,
 }
 
-/// A folder for one submission's programs, removed when it is graded: a whole class's would
-/// fill the disk, and no submission may find another's.
+/// A folder for one submission's programs, removed when it is graded. Otherwise the programs
+/// of a class would fill the disk, and a submission might find another's.
 struct ProgramFolder {
     folder: PathBuf,
 }

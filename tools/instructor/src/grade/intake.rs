@@ -1,9 +1,9 @@
 //! The submissions, and the people who handed them in.
 //!
-//! Reading order: [`reader`] reads what folders and archives hold; [`hand_in`] shares it out
-//! among people, by the [`names`] that platforms give; [`answers`] finds each person's answers;
-//! [`roster`] reads the list of a course's people, a [`table`] like others, and [`placement`]
-//! says whose is whose.
+//! Reading order: [`reader`] reads folders and archives; [`hand_in`] divides their files among
+//! people, by the [`names`] that platforms give; [`answers`] finds each person's answers;
+//! [`roster`] reads the list of a course's people, which is a [`table`]; and [`placement`]
+//! finds each submission's person on the roster.
 
 pub mod answers;
 pub mod hand_in;
@@ -27,19 +27,19 @@ use pinhole_course::assignment::{Assignment, Task};
 use pinhole_course::error::{Error, Result};
 use pinhole_course::submission::{Answer, Submission, Unusable, text};
 
-/// Something handed in.
+/// One submission, as it was handed in.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Entry {
     /// Its folder in the results: a plain name that no other entry has.
     pub id: String,
     /// Its name where it was handed in.
     pub name: String,
-    /// The names of its files and folders there, which may say when.
+    /// The names of its files and folders there, which may say when it was handed in.
     #[serde(default)]
     pub given: Vec<String>,
-    /// What that says of the person.
+    /// What these names say about the person.
     pub signs: Vec<Sign>,
-    /// What was done to read it.
+    /// What had to be done to read it.
     pub notes: Vec<String>,
     /// Why the instructor should check how it was read.
     pub doubts: Vec<String>,
@@ -55,7 +55,7 @@ fn not_read() -> std::result::Result<Submission, String> {
 }
 
 impl Entry {
-    /// What its author should know of how it was read.
+    /// What its author should know about how it was read.
     pub fn remarks(&self) -> Vec<String> {
         [&self.notes[..], &self.doubts].concat()
     }
@@ -69,10 +69,10 @@ impl PartialEq for Entry {
     }
 }
 
-/// Everything found.
+/// Everything that was found.
 #[derive(Clone, Debug, Default)]
 pub struct Intake {
-    /// By id.
+    /// The submissions, by id.
     pub entries: Vec<Entry>,
     /// Files among the submissions that belong to nobody. They are listed, not silently
     /// dropped.
@@ -83,7 +83,7 @@ pub struct Intake {
     pub is_class: bool,
 }
 
-/// What each path holds: itself a submission, or a folder of them.
+/// Finds the submissions in some paths. Each path is a submission, or a folder of submissions.
 pub fn find(
     paths: &[PathBuf],
     assignment: &Assignment,
@@ -134,7 +134,7 @@ fn entry(
     let mut id = plain(&one.name);
     let base = id.clone();
     let mut count = 2;
-    // Case alone does not tell folders apart everywhere.
+    // On some systems, capitals alone don't make two folder names different.
     while !taken.insert(id.to_lowercase()) {
         id = format!("{base}.{count}");
         count += 1;
@@ -169,7 +169,7 @@ fn entry(
     entry
 }
 
-/// The files of which there is no text, and why.
+/// The answer files without a usable text, and why.
 fn unusable(submission: &Submission, assignment: &Assignment) -> Vec<String> {
     let why = |(task, answer): (&Task, &Answer)| match &answer.text {
         Ok(_) => None,
@@ -180,7 +180,7 @@ fn unusable(submission: &Submission, assignment: &Assignment) -> Vec<String> {
     answers.filter_map(why).collect()
 }
 
-/// The name people see.
+/// A path's name, for people to read.
 fn name(path: &Path) -> String {
     let absolute = path.canonicalize().unwrap_or(path.into());
     text::name(absolute.file_name().unwrap_or_default().as_encoded_bytes())
@@ -189,8 +189,8 @@ fn name(path: &Path) -> String {
 /// Longer names are cut.
 const MOST_CHARACTERS: usize = 80;
 
-/// A name that is safe for a folder on every system, and no option of a command. A name that
-/// had to change gets a hash, so that it stays unique.
+/// A name that is safe for a folder on every system, and can't be mistaken for a command's
+/// option. If the name had to change, it gets a hash, so that it stays unique.
 fn plain(name: &str) -> String {
     let stem = reader::stem(name);
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "._-".contains(c);
@@ -223,7 +223,8 @@ pub fn without_answers(entry: &Entry, assignment: &Assignment) -> Submission {
     }
 }
 
-/// The share of shard `k` of `n`, 1 to n: every n-th, so that a slow class is even.
+/// The share of shard `k` of `n`, counted from 1. It takes every n-th submission, so that slow
+/// ones are spread evenly.
 pub fn shard<T>(all: Vec<T>, shard: Option<(usize, usize)>) -> Vec<T> {
     let Some((k, n)) = shard else { return all };
     let mine = all

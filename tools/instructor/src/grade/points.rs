@@ -1,6 +1,7 @@
-//! Marks from kept outcomes: how a group or a scene fared doesn't depend on what it is worth.
+//! Computes marks from stored outcomes, because the outcome of a group or a scene doesn't
+//! depend on what it is worth.
 //!
-//! So a change of points, or a group that is dropped, compiles and asks nothing again.
+//! So after a change of points, or after dropping a group, nothing is compiled or asked again.
 
 use super::record::Record;
 use crate::scene_cap::most_for_scenes;
@@ -65,7 +66,7 @@ fn dropped(assignment: &Assignment, task: &str, group: &str) -> Option<DroppedPo
         .map(|dropped| dropped.points)
 }
 
-/// What students read of the groups that were dropped; nothing if there are none.
+/// What students read about the groups that were dropped; empty if there are none.
 pub fn dropped_in_words(assignment: &Assignment) -> String {
     let sentence = |dropped: &Dropped| match dropped.points {
         DroppedPoints::Given => format!(
@@ -73,7 +74,7 @@ pub fn dropped_in_words(assignment: &Assignment) -> String {
             dropped.group
         ),
         DroppedPoints::Rescaled => format!(
-            " {} does not count, and the mark is of fewer points.",
+            " {} does not count, and the mark is out of fewer points.",
             dropped.group
         ),
     };
@@ -132,7 +133,8 @@ mod tests {
         }]
     }
 
-    /// Of a submission that fails `edges` and passes all else, and was asked fresh questions.
+    /// The record of a submission that was asked fresh questions, fails `edges`, and passes
+    /// everything else.
     fn record() -> Record {
         let film = |passes: bool| json!({ "kind": "withheld", "passes": passes, "ended": "graded", "points_only": true });
         let group = |name: &str, passes: bool| -> Value {

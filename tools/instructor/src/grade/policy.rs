@@ -1,5 +1,4 @@
-//! The lecturer's policy: what becomes of a mark that was judged before it goes into a
-//! gradebook.
+//! The lecturer's policy: how judged points become the final mark in a gradebook.
 //!
 //! Reading order: [`rules`] is `policy.toml` as it is written; [`times`] says when something
 //! was handed in, and how late that is; [`mark`] applies the rules to one mark.
@@ -20,7 +19,7 @@ use super::intake::roster::Person;
 use super::intake::table::Table;
 use pinhole_course::error::{Error, Result, ResultExt};
 
-/// The rules, and all that the files they name say.
+/// The rules, and the contents of the files that they name.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Policy {
     pub rules: Rules,
@@ -42,7 +41,7 @@ pub struct Group {
     pub members: Vec<String>,
 }
 
-/// What names the person in a table.
+/// Names of the column that identifies the person in a table.
 const WHO: [&str; 7] = [
     "id",
     "idnumber",
@@ -82,7 +81,8 @@ impl Policy {
         Ok(policy)
     }
 
-    /// The policy of these rules without the tables that they name, or what is wrong with them.
+    /// The policy of these rules, without the tables that they name, or a message that says
+    /// what is wrong with the rules.
     pub fn of(rules: Rules) -> std::result::Result<Policy, String> {
         rules.check()?;
         let zone = times::zone(rules.time_zone.as_deref())?;
@@ -109,7 +109,8 @@ impl Policy {
         groups.find(|group| group.members.iter().any(|member| member == id))
     }
 
-    /// Ids in the policy that nobody on the roster has: somebody waits for what stands there.
+    /// Ids in the policy that nobody on the roster has. Probably one is misspelt, and somebody
+    /// waits for an extension or an adjustment.
     pub fn strangers(&self, people: &[Person]) -> Vec<String> {
         let by_hand = self.rules.adjust.iter().map(|by_hand| &by_hand.id);
         let grouped = self.groups.iter().flat_map(|group| &group.members);
@@ -147,7 +148,7 @@ fn times_in(path: &Path, zone: Option<&TimeZone>) -> Result<BTreeMap<String, Vec
         let time = table.needed_column(&TIME)?;
         let mut times: BTreeMap<String, Vec<Timestamp>> = BTreeMap::new();
         for (line, row) in &table.rows {
-            // Nothing handed in.
+            // This person has handed in nothing.
             if matches!(cell(row, time), "" | "-") {
                 continue;
             }
@@ -175,7 +176,7 @@ fn groups_in(path: &Path) -> Result<Vec<Group>> {
             if groups.values().flatten().any(|other| other == id) {
                 return Err(format!("line {line}: {id} is in two groups"));
             }
-            // Not everybody is in one.
+            // Not everybody is in a group.
             if !name.is_empty() {
                 groups.entry(name.into()).or_default().push(id.into());
             }
@@ -200,7 +201,7 @@ fn late_days_in(path: &Path) -> Result<Vec<(String, u32)>> {
             .filter(|(_, row)| !cell(row, days).is_empty());
         let of = |(line, row): &(u64, csv::StringRecord)| {
             let days = cell(row, days).parse();
-            let days = days.map_err(|_| format!("line {line}: late_days is no number"))?;
+            let days = days.map_err(|_| format!("line {line}: late_days is not a number"))?;
             Ok((cell(row, id).to_owned(), days))
         };
         rows.map(of).collect()

@@ -15,7 +15,7 @@ use pinhole_course::rust_tool::rust_tool;
 use pinhole_course::seed::Seed;
 use pinhole_course::submission::{Submission, Unusable};
 
-/// Hashes and settings; equal ones give equal marks.
+/// The hashes and settings behind a mark. Equal ones give equal marks.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Provenance {
@@ -35,27 +35,28 @@ enum SeedInJson {
     Text(String),
 }
 
-/// What is the same for the whole class.
+/// The part that is the same for the whole class.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct MadeWith {
     /// "public goldens and fresh questions", say.
     pub judged_on: String,
-    /// What the fresh questions were drawn from; not for students.
+    /// The seed that the fresh questions were drawn from; not for students.
     #[cfg_attr(test, schemars(with = "Option<SeedInJson>"))]
     pub seed: Option<Seed>,
-    /// The manifest of the goldens, which names every film's hash.
+    /// The hash of the goldens' manifest, which holds every film's hash.
     pub goldens: String,
-    /// That of the fresh ones.
+    /// The hash of the fresh goldens' manifest.
     pub fresh: Option<String>,
-    /// Tasks, groups and scenes, without their points: from these, marks are computed again.
+    /// The hash of tasks, groups and scenes, without their points: if only points change,
+    /// marks are computed again from stored outcomes.
     pub assignment: String,
     pub tool: Tool,
     /// The sandbox that the student's code ran in.
     pub sandbox: String,
     /// Seconds an answer may take.
     pub timeout: u64,
-    /// How much of withheld questions is shown; none if there are none.
+    /// How much is shown of withheld questions; null if there are none.
     pub reveal: Option<Reveal>,
 }
 
@@ -64,7 +65,7 @@ pub struct MadeWith {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Tool {
     pub version: String,
-    /// Of the executable.
+    /// The hash of the executable.
     pub sha256: String,
     pub rustc: String,
 }
@@ -89,7 +90,7 @@ impl Tool {
 }
 
 impl Provenance {
-    /// That of a submission.
+    /// The provenance of a submission's mark.
     pub fn of(submission: &Submission, made_with: &MadeWith) -> Provenance {
         let answers = submission.answers.iter().map(|answer| {
             let state = match &answer.text {
@@ -115,7 +116,7 @@ pub fn of_file(path: &Path) -> Result<String> {
     Ok(sha256(&bytes))
 }
 
-/// The hash of what an assignment asks, whatever it is worth.
+/// The hash of what an assignment asks, without what it is worth.
 pub fn of_assignment(assignment: &Assignment) -> Result<String> {
     let path = assignment.folder.join("assignment.toml");
     let wrong = Error::input(path.display().to_string(), "correct the assignment file");

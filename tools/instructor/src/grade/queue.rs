@@ -1,5 +1,5 @@
-//! Grades submissions in parallel. Those whose result is still valid are not graded: at most,
-//! their points are computed again.
+//! Grades submissions in parallel, and skips those whose result is still valid. At most, the
+//! points of those are computed again.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -29,12 +29,12 @@ pub struct QueueResult {
     /// Whether it was graded in this run.
     pub is_new: bool,
     pub change: Option<Change>,
-    /// Whose grading failed now, and why.
+    /// The submission, if grading it failed in this run, and why.
     pub fault: Option<(String, String)>,
 }
 
-/// The result of a submission that need not be asked again, with the points that its parts are
-/// worth now; `None` if it has none.
+/// The stored result of a submission, if it is still valid, with the points that its parts are
+/// worth now.
 pub fn valid(
     entry: &Entry,
     cache: &ResultCache,
@@ -97,7 +97,7 @@ impl GradeQueue<'_> {
         all
     }
 
-    /// `None` if it is to be graded again, `alone`.
+    /// Grades one submission; `None` if it is to be graded again, `alone`.
     fn one(&self, entry: &Entry, alone: bool) -> Option<QueueResult> {
         let done = self.grade(entry, alone)?;
         self.progress.graded(&done.record, done.is_new);

@@ -1,5 +1,5 @@
-//! `result.json`: what is kept of one graded submission. Everything said of a class is
-//! computed from these and the roster, so that shards can be merged.
+//! `result.json`: what is stored about one graded submission. All tables and pages of a class
+//! are computed from these files and the roster, so that shards can be merged.
 //!
 //! It is an [`Outcome`] with what grading adds; `tools/schema/result.schema.json` describes
 //! both.
@@ -23,11 +23,11 @@ pub struct Record {
     pub status: Status,
     /// The meaning of the status, for the student; for `not graded`, the reason.
     pub explanation: String,
-    /// What it got, as far as students may see it. Its points are those of the mark.
+    /// Its outcome, as far as students may see it. The points are those of the mark.
     #[serde(flatten)]
     #[cfg_attr(test, schemars(skip))]
     pub got: Outcome,
-    /// How its files were read, where that is not as it should be.
+    /// How its files were read, where something was not as it should be.
     pub remarks: Vec<String>,
     /// Fresh scenes. They earn nothing, but limit what `scenes` may earn.
     #[cfg_attr(test, schemars(with = "Vec<tests::SceneReference>"))]
@@ -39,19 +39,19 @@ pub struct Record {
     pub needs: SceneNeeds,
     /// By task, a hash of the answer's tokens: without comments, spaces and line breaks.
     pub tokens: BTreeMap<String, String>,
-    /// What the mark was made from: if it is equal, so is the mark.
+    /// What the mark was made from. Equal provenance means an equal mark.
     pub provenance: Provenance,
     /// Where the time went.
     pub timings: Timings,
 }
 
-/// Which tasks scenes need: they bound what the scenes earn.
+/// Which tasks the scenes need. What those tasks earn bounds what the scenes earn.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SceneNeeds {
-    /// Of each scene, in the order of `scenes`.
+    /// The tasks that each scene needs, in the order of `scenes`.
     pub scenes: Vec<Vec<String>>,
-    /// Of the fresh scenes together.
+    /// The tasks that the fresh scenes need together.
     pub fresh: Vec<String>,
 }
 
@@ -59,7 +59,7 @@ pub struct SceneNeeds {
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Timings {
-    /// Of all that follows.
+    /// All of the following together.
     pub total: f64,
     /// Building the program.
     pub compiling: f64,

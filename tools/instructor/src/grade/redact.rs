@@ -21,9 +21,9 @@ pub enum Reveal {
     /// Whether each passes
     #[default]
     Points,
-    /// The same, and how it ended: wrong, panicked, too late
+    /// Whether each passes, and how it ended: wrong, panicked, too late
     Message,
-    /// The same, how much is wrong, and the pictures
+    /// In addition, how much is wrong, and the pictures
     Picture,
     /// Everything, down to each pixel and the worst question
     Full,
@@ -32,17 +32,18 @@ pub enum Reveal {
 /// Which parts of an outcome are withheld.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Withheld {
-    /// These scenes, and, if there are any, the questions made of scenes' pixels.
+    /// The withheld scenes. If there are any, the questions about scenes' pixels are withheld
+    /// too.
     pub scenes: Vec<String>,
-    /// Task and group of the questions made of scenes' pixels.
+    /// Task and group of the questions about scenes' pixels.
     pub scene_groups: Vec<(String, String)>,
-    /// The questions to single tasks.
+    /// Whether the questions to single tasks are withheld.
     pub probes: bool,
     pub reveal: Reveal,
 }
 
 impl Withheld {
-    /// Whether anything is.
+    /// Whether anything is withheld.
     pub fn any(&self) -> bool {
         !self.scenes.is_empty() || self.probes
     }
@@ -138,7 +139,7 @@ fn redacted(outcome: &FilmOutcome, reveal: Reveal) -> FilmOutcome {
 }
 
 fn redact_pictures(section: &mut SceneSection, reveal: Reveal) {
-    // The instructor's own file is named there.
+    // The command would name the instructor's own file.
     section.explain = None;
     section.command = "this scene is withheld".into();
     if reveal < Reveal::Full {

@@ -13,7 +13,7 @@ use pinhole_course::outcome::{FilmOutcome, TaskOutcome};
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct UnexplainedGroup {
     pub task: String,
-    /// Whose answers, by id.
+    /// The ids of the submissions with these answers.
     pub who: Vec<String>,
     /// What is measurably wrong in them.
     pub measured: Vec<String>,
@@ -25,8 +25,8 @@ pub struct UnexplainedGroup {
     pub draft: String,
 }
 
-/// The unexplained answers of a class, the largest groups first. Answers agree if they fail the
-/// same groups in as many questions, and the same is measured of them.
+/// The unexplained answers of a class, the largest groups first. Answers agree if they fail
+/// equally many questions of the same groups, and if measuring them gives the same sentences.
 pub fn groups<'a>(records: impl Iterator<Item = &'a Record>) -> Vec<UnexplainedGroup> {
     let mut groups: BTreeMap<(String, Vec<String>, Vec<String>), UnexplainedGroup> =
         BTreeMap::new();
@@ -74,7 +74,7 @@ fn draft(task: &TaskOutcome, measured: &[String]) -> String {
     let comments: Vec<String> = measured.iter().map(|says| format!("# {says}")).collect();
     let quoted = |text: &str| toml::Value::from(text).to_string();
     format!(
-        "# Measured of the answers to {}:\n{}\nbelief = \"I …\"\nfails = [{}]\nchapter = {}\n\n\
+        "# Measured in the answers to {}:\n{}\nbelief = \"I …\"\nfails = [{}]\nchapter = {}\n\n\
          [hint]\nlook = \"…\"\nthink = \"…\"\nread = \"a section of the chapter\"\n",
         task.name,
         comments.join("\n"),

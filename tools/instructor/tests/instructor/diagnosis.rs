@@ -11,7 +11,7 @@ fn plain(path: &Path) -> &str {
     path.to_str().expect("test folders have plain names")
 }
 
-/// A student with the belief of `slug`, whose code is not the one whose films are
+/// A student who holds the belief of `slug`, and whose code is not the one whose films are
 /// stored.
 fn student(name: &str, slug: &str) -> PathBuf {
     let mistakes = root().join("assignments/ray_casting/mistakes");

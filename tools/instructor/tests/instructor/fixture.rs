@@ -46,7 +46,7 @@ fn a_mistake_fails_where_it_shows_and_its_rewrite_is_named() {
 }
 
 #[test]
-fn a_pixel_is_explained_with_the_shapes_own_words() {
+fn a_pixel_is_explained_in_the_shapes_own_words() {
     run(&["explain", "coins", "32", "18"])
         .expect_code(0)
         .expect_out("disk c = (0.1, 0.4, −0.5), n = (0.3, 1, 2), r = 0.7")
@@ -205,7 +205,7 @@ fn films_stay_as_they_are_until_all_new_ones_are_made() {
         .and_then(|()| killed.wait())
         .expect("it can be killed");
     assert_eq!(fs::read(&film).ok(), Some(old.clone()));
-    // What it left behind does not interfere.
+    // What the killed process left behind does not interfere.
     fs::create_dir_all(folder.join(".rendering")).expect("a folder can be made");
     fs::write(folder.join(".rendering/coins.exr"), "half").expect("it can be written");
     pinhole(&line).expect_code(0);
@@ -214,7 +214,7 @@ fn films_stay_as_they_are_until_all_new_ones_are_made() {
 }
 
 #[test]
-fn a_students_repository_has_it_where_assignments_lie() {
+fn a_students_repository_has_the_assignment_in_its_usual_place() {
     let out: PathBuf = fresh(&trusted(), "fixture-handout").join("students");
     run(&["handout", "--check"]).expect_code(0);
     run(&["handout", "--out", plain(&out)]).expect_code(0);

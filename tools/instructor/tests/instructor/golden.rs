@@ -13,7 +13,7 @@ fn verify(folder: &Path) -> Ran {
     pinhole(&["golden", "verify", plain(folder)])
 }
 
-/// A copy of the committed goldens that may be spoilt.
+/// A copy of the committed goldens that a test may damage.
 fn copy(name: &str) -> std::path::PathBuf {
     let folder = fresh(&trusted(), name);
     let own = root().join("golden/ray_casting");
@@ -91,7 +91,7 @@ fn a_comment_leaves_goldens_in_step_and_another_number_or_script_does_not() {
 }
 
 #[test]
-fn scripts_that_cannot_be_compared_are_no_goldens_in_step() {
+fn goldens_are_not_verified_if_their_scripts_cannot_be_compared() {
     pinhole_with(&[("PATH", "")], &["golden", "verify"])
         .expect_code(3)
         .expect_err("there is no Python here");
@@ -152,7 +152,7 @@ obj = "edge.obj"
     fs::write(&scene, text).expect("it can be written");
     fs::write(folder.join("edge.obj"), mesh).expect("it can be written");
     let out = folder.join("out");
-    // A good scene beside it is made all the same, and its goldens are whole.
+    // A good scene beside it is rendered all the same, and its goldens are complete.
     let good = root().join("assignments/ray_casting/scenes/slide_example.toml");
     let line = [
         "golden",

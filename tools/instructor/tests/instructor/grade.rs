@@ -16,7 +16,7 @@ use pinhole_testing::{Ran, fresh, pinhole, root, small_assignment, submission, t
 
 const BROKEN: &str = "fn oops( {";
 
-/// Runs a command on an assignment without large scenes, which nothing here depends on.
+/// Runs a command on an assignment without large scenes, because no test here needs them.
 fn on_small_assignment(arguments: &[&str]) -> Ran {
     pinhole(&[arguments, &["--assignment", assignment()]].concat())
 }
@@ -28,8 +28,8 @@ fn assignment() -> &'static str {
     folder.to_str().expect("a plain name")
 }
 
-/// Submissions in a folder outside the checkout: right, wrong twice, not compiling,
-/// panicking, incomplete, and a copy with noise.
+/// Submissions in a folder outside the checkout: one right, two wrong, one that does not
+/// compile, one that panics, one incomplete, and a disguised copy.
 struct Class {
     folder: PathBuf,
 }
@@ -127,7 +127,7 @@ fn marks(csv: &str) -> Vec<(String, String, String)> {
 }
 
 #[test]
-fn a_class_is_graded_alike_at_any_number_of_jobs_and_everything_in_it_is_told() {
+fn a_class_gets_the_same_grades_with_any_number_of_jobs_and_a_full_report() {
     let class = Class::new("jobs");
     let roster = "id,name,section\nada,Ada Lovelace,A\nbob,Bob,B\nzoe,\"Zoe, =1+1\",B\n";
     fs::write(class.folder.join("roster.csv"), roster).expect("writable");
@@ -139,13 +139,13 @@ fn a_class_is_graded_alike_at_any_number_of_jobs_and_everything_in_it_is_told() 
         &formats,
     ]
     .concat();
-    // One lacks a file, five are on no roster, and one file belongs to nobody.
+    // One submission lacks a file, five are not on the roster, and one file belongs to nobody.
     let told = class.grade("one", &options).expect_code(1).json();
     class
         .grade("two", &["--roster", &roster, "--jobs", "2"])
         .expect_code(1)
         .expect_out("of 3 people on the roster, 2 are graded; 1 handed in nothing")
-        .expect_out("! 1 files taken by nobody\n      notes.txt")
+        .expect_out("! 1 files that belong to nobody\n      notes.txt")
         .expect_out("gus: plane.rs is missing");
     let csv = class.read("one/grades.csv");
     assert_eq!(csv, class.read("two/grades.csv"));
@@ -196,7 +196,7 @@ fn a_class_is_graded_alike_at_any_number_of_jobs_and_everything_in_it_is_told() 
     }
 }
 
-/// Where a document is not as a file of `tools/schema` says.
+/// Where a document differs from its schema in `tools/schema`.
 pub fn faults(schema: &str, document: &Value) -> Vec<String> {
     let read = |name: &str| -> Value {
         let text = fs::read_to_string(root().join("tools/schema").join(name));
@@ -215,7 +215,7 @@ pub fn faults(schema: &str, document: &Value) -> Vec<String> {
     errors.map(|error| error.to_string()).collect()
 }
 
-/// Each file against its schema, or read by a parser of others.
+/// Checks each file against its schema, or reads it with somebody else's parser.
 #[track_caller]
 fn every_format_is_valid(class: &Class, id: &str) {
     let documents = [

@@ -56,7 +56,8 @@ fn every_task_and_scene_has_a_snapshot_test() {
 fn handout_tests(settings: &[(&str, &str)], workspace: &Path) -> (bool, String) {
     let cargo = std::env::var("CARGO").unwrap_or("cargo".into());
     let mut command = Command::new(cargo);
-    // Of the whole workspace, so that nothing is built again with other features.
+    // Test the whole workspace, because a single package would be built again with other
+    // features.
     command
         .current_dir(root())
         .args(["test", "--release", "--workspace", "--test", "golden_films"])

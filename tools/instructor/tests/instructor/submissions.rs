@@ -1,4 +1,4 @@
-//! Known mistakes and variants before both judges; `validate` has every verdict.
+//! Known mistakes and variants, judged by both judges. `validate` checks every verdict.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -28,7 +28,7 @@ fn answers(folder: &Path) -> Vec<PathBuf> {
         .collect()
 }
 
-/// Lays an overlay over the reference and has both judges look at everything.
+/// Lays an overlay over the reference and has everything judged by both judges.
 fn check(overlay: &Path) -> Value {
     let slug = overlay
         .file_name()

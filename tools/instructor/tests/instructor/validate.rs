@@ -6,7 +6,7 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 
 use pinhole_testing::{Ran, fresh, pinhole, root, small_assignment, trusted};
 
-/// A small assignment of one test's own.
+/// A small assignment that belongs to one test.
 fn assignment(name: &str) -> PathBuf {
     small_assignment(&fresh(&trusted(), name))
 }
@@ -26,8 +26,8 @@ fn validate(assignment: &Path, arguments: &[&str]) -> Ran {
     pinhole(&[&["validate", folder], arguments].concat())
 }
 
-/// Writes a compound of these mistakes, which has no answer file of its own, and the
-/// mistakes, each its own rewrite.
+/// Writes a compound of these mistakes, which has no answer file of its own. Also writes the
+/// mistakes; each uses its own files as its rewrite.
 fn write_compound(course: &Path, beliefs: &[&str]) {
     let mut tasks = Vec::new();
     for slug in beliefs {
@@ -46,7 +46,7 @@ fn write_compound(course: &Path, beliefs: &[&str]) {
     write(course, "mistakes/compound/mistake.toml", &toml);
 }
 
-/// A course with everything in it that can be wrong with a submission.
+/// The output of `validate` for a course in which everything is wrong that can be wrong.
 fn wrong_verdicts() -> &'static Ran {
     static RAN: OnceLock<Ran> = OnceLock::new();
     RAN.get_or_init(|| {
@@ -143,7 +143,7 @@ fn right_verdict_is_not_a_fault() {
     assert!(!faults.contains("mistakes/plane_known "), "{faults}");
     assert!(!faults.contains("plane_known/rewrite"), "{faults}");
     assert!(!faults.contains("compound"), "{faults}");
-    // Five wrong verdicts, and no belief gets its name, in tasks and in scenes.
+    // There are five wrong verdicts, and no belief is named, neither in tasks nor in scenes.
     assert!(out.contains("7 targets are missed"), "{out}");
 }
 
@@ -159,11 +159,11 @@ fn a_reference_that_mitsuba_contradicts_is_a_false_fail() {
         .expect_out("✗ false fail: the reference fails plane.min_t\n");
 }
 
-/// The line of the sphere that three mutants leave without an effect: never true, and
-/// with `<=` or `==` true for tangent rays too, which are ties.
+/// The line of the sphere that has three mutants without an effect. One is never true; with
+/// `<=` or `==`, the others are also true for tangent rays, which are ties.
 const DISCRIMINANT: &str = "if discriminant < 0.0 {";
 
-/// The name of what is changed in that line.
+/// The name of a mutant that changes this line.
 fn of_the_discriminant() -> String {
     let text = read("reference/src/sphere.rs");
     let line = text.lines().position(|line| line.trim() == DISCRIMINANT);
@@ -235,7 +235,7 @@ fn two_beliefs_in_one_answer_are_both_named_and_their_edits_must_fit() {
     assert_eq!(pairs["both"], 1, "{pairs:#}");
     assert_eq!(pairs["sentences"]["told"], 1, "{pairs:#}");
 
-    // These edits are not what this name says.
+    // These edits don't do what the name says.
     let misnamed = edit("plane_one_sided", "(t >= min_t)", "true");
     write(&course, "pairs.toml", &[long.as_str(), &misnamed].concat());
     let ran = validate(&course, &["--only", "pairs"]).expect_code(1);

@@ -6,8 +6,8 @@ use super::Fate::{Harmless, Outcome};
 use super::{Attack, SECRET, attack, every_attack_has_its_expected_outcome, reach, scratch, walls};
 use pinhole_testing::root;
 
-/// Everything an answer must not reach. `%NAME%` stands for a value that differs from
-/// run to run.
+/// Everything an answer must not reach. `%NAME%` is replaced by a value that differs from run
+/// to run.
 const REACHES: [(&str, &str); 27] = [
     ("golden", "std::fs::metadata(\"%GOLDEN%\").is_ok()"),
     ("read-golden", "std::fs::read(\"%GOLDEN%\").is_ok()"),
@@ -280,8 +280,8 @@ fn attacks_at_run_time_cost_only_their_own_task() {
                 "stream.write_all(&[6, 0, 0, 0, 0, 0, 255, 255, 255, 127]).unwrap(); loop { std::thread::park(); }",
             ),
         ),
-        // Zeroed and never touched: the limit counts addresses, so that a slow machine
-        // finds the limit before the time is up.
+        // The memory is zeroed but never touched. The limit counts addresses, so even a slow
+        // machine reaches it in time.
         attack(
             "memory",
             Outcome("out of memory"),

@@ -111,7 +111,7 @@ fn the_compiler_reads_no_file_and_knows_no_environment() {
 }
 
 #[test]
-fn a_compiler_that_would_never_end_is_ended() {
+fn a_compiler_that_would_never_end_is_killed() {
     let deep = |n: usize, open: &str, close: &str| {
         format!("const N: i32 = {}1{};", open.repeat(n), close.repeat(n))
     };
@@ -164,7 +164,7 @@ fn a_compiler_that_would_never_end_is_ended() {
 }
 
 #[test]
-fn what_the_compiler_may_see_it_sees_without_walls() {
+fn without_a_sandbox_the_compiler_sees_files_and_environment() {
     let golden = root().join("golden/ray_casting/manifest.toml");
     let golden = golden.to_str().expect("a plain name");
     // A constant that is there only if the file or the variable is.

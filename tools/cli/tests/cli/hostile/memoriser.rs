@@ -14,7 +14,7 @@ const SHORT: &str = "fn pinhole_short(at: glam::DVec3) -> u32 { \
 
 #[test]
 fn memorised_answers_earn_nothing_on_fresh_questions() {
-    // The first hand-in prints the questions. A course that shows this output gives them
+    // The first submission prints the questions. A course that shows this output gives them
     // away.
     let listens = with_body("plane", &format!("eprintln!(\"?{{:x}}\", {NUMBER});"));
     let folder = submission(
@@ -30,7 +30,7 @@ fn memorised_answers_earn_nothing_on_fresh_questions() {
     let known: BTreeSet<u32> = numbers.collect();
     assert!(known.len() > 20, "it heard only {} questions", known.len());
 
-    // The second hand-in is right only on questions that it knows.
+    // The second submission is right only about the questions that it knows.
     let table: Vec<String> = known.iter().map(u32::to_string).collect();
     let knows = with_body(
         "plane",

@@ -21,7 +21,7 @@ fn look(path: &std::path::Path, depth: u32) -> bool {
 "#;
 
 #[test]
-fn no_kind_of_walls_lets_code_read_goldens_answers_or_built_programs() {
+fn no_kind_of_sandbox_lets_code_read_goldens_answers_or_built_programs() {
     let inside = [
         "Cargo.toml",
         "golden/ray_casting/manifest.toml",

@@ -4,8 +4,8 @@ use super::{SCENE, assert_as_explained, half_a_pixel_off, mistaken, numbers, rep
 use crate::browser::{Browser, ENTER};
 use pinhole_testing::{fresh, pinhole, root, trusted};
 
-/// An expression for the samples of a canvas, read from a copy: browsers complain of
-/// canvases that are read often.
+/// An expression for the samples of a canvas. They are read from a copy, because browsers
+/// complain about canvases that are read often.
 fn samples(canvas: &str) -> String {
     format!(
         "((c) => {{ const copy = new OffscreenCanvas(c.width, c.height).getContext('2d', {{ willReadFrequently: true }}); \
@@ -58,7 +58,7 @@ fn the_divider_shows_more_of_what_was_expected_or_more_of_yours() {
             .unwrap_or(0.0)
     };
     assert!((clip() - 50.0).abs() < 1.0);
-    // Dragging along the slider, as a click on its track does.
+    // A click on the slider's track moves the divider, as dragging does.
     let [x, y, ..] = browser.rectangle(".slide input", 0.25, 0.5);
     browser.click(x, y);
     assert!((clip() - 25.0).abs() < 3.0, "{}", clip());
@@ -133,7 +133,7 @@ fn the_pages_pictures_are_those_that_render_draws() {
 }
 
 #[test]
-fn hints_open_one_behind_the_other() {
+fn hints_open_one_after_the_other() {
     let folder = mistaken("report-hints", "sphere_near_root_only", "sphere.rs");
     let browser = Browser::open(&report(&folder, &["--task", "sphere"]));
     let text = std::fs::read_to_string(

@@ -6,12 +6,12 @@ use serde::Serialize;
 use super::Roll;
 use crate::grade::intake::roster::Person;
 
-/// Things of one sort.
+/// One kind of problem, and where it occurs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Concern {
     pub what: &'static str,
     pub which: Vec<String>,
-    /// Whether somebody may have lost points by it: the exit code is then 1.
+    /// Whether somebody may have lost points because of it. Then the exit code is 1.
     pub is_grave: bool,
 }
 
@@ -29,7 +29,7 @@ impl Roll {
             let people: Vec<String> = people.iter().map(in_words).collect();
             format!("{}: perhaps {}", self.called(id), people.join(" or "))
         });
-        // A policy says which of them counts.
+        // If there is a policy, it says which submission counts.
         let several = placed.several.values().filter(|_| self.policy.is_none());
         let several = several.map(|ids| ids.join(" and "));
         let superseded = placed.superseded.iter();
@@ -41,17 +41,17 @@ impl Roll {
                 entries(&|it| &it.unusable),
             ),
             ("other files may be meant", true, entries(&|it| &it.doubts)),
-            ("whose it is, is not certain", true, ambiguous.collect()),
-            ("on no roster", true, self.names(&placed.unknown)),
+            ("not certain whose it is", true, ambiguous.collect()),
+            ("not on the roster", true, self.names(&placed.unknown)),
             (
                 "several submissions by one person, all graded",
                 true,
                 several.collect(),
             ),
-            ("files taken by nobody", true, self.ignored.clone()),
+            ("files that belong to nobody", true, self.ignored.clone()),
             ("nothing handed in", false, people(&placed.missing)),
             (
-                "read although called or written otherwise",
+                "read in spite of another name or encoding",
                 false,
                 entries(&|it| &it.notes),
             ),
@@ -66,8 +66,8 @@ impl Roll {
         .collect()
     }
 
-    /// In a sentence: how many of the roster are graded (or, before that, found), and how many
-    /// are affected by what.
+    /// A sentence that says how many people on the roster are graded (or found, before
+    /// grading), and how many are affected by which problem.
     pub fn headline(&self, graded: &dyn Fn(&str) -> bool, word: &str) -> String {
         let placed = &self.placed;
         let count = |ids: &mut dyn Iterator<Item = &String>| ids.filter(|id| graded(id)).count();
@@ -94,8 +94,8 @@ impl Roll {
             .entries
             .iter()
             .filter(|entry| !entry.unusable.is_empty());
-        parts.push(format!("{} miss answer files", incomplete.count()));
-        parts.push(format!("{} files are taken by nobody", self.ignored.len()));
+        parts.push(format!("{} lack answer files", incomplete.count()));
+        parts.push(format!("{} files belong to nobody", self.ignored.len()));
         parts.join("; ")
     }
 
@@ -108,7 +108,7 @@ impl Roll {
         people.len()
     }
 
-    /// A submission, and the person where that says more.
+    /// The name of a submission, with the person's name if that says more.
     fn called(&self, id: &str) -> String {
         match self.placed.of.get(id) {
             Some(person) if person.id != id => format!("{id} ({})", in_words(person)),
@@ -121,7 +121,7 @@ impl Roll {
     }
 }
 
-/// The gravest first.
+/// Sorts concerns, the gravest first.
 pub fn sorted(mut all: Vec<Concern>) -> Vec<Concern> {
     all.sort_by_key(|concern| !concern.is_grave);
     all

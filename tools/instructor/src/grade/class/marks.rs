@@ -1,5 +1,5 @@
-//! Whose mark is which: the submission that counts for each person, and what the policy makes
-//! of it.
+//! Finds each person's mark: the submission that counts, and what the policy makes of its
+//! points.
 
 use std::collections::BTreeMap;
 
@@ -51,7 +51,7 @@ pub fn rows<'a>(roll: &'a Roll, records: &'a BTreeMap<String, Record>) -> Rows<'
     rows
 }
 
-/// What a policy leaves open, by what is to be done about it.
+/// What a policy leaves open, sorted by what the instructor can do about it.
 #[derive(Default)]
 struct Open {
     late_sometime: Vec<String>,
@@ -87,9 +87,13 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
     }
     let strangers = policy.strangers(roll.people.as_deref().unwrap_or_default());
     let all = [
-        ("named in the policy, but on no roster", true, strangers),
         (
-            "several submissions, and no telling which is the last: no final mark",
+            "named in the policy, but not on the roster",
+            true,
+            strangers,
+        ),
+        (
+            "several submissions, but nothing says which is the last: no final mark",
             true,
             open.undecided,
         ),
@@ -123,7 +127,7 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
         .collect();
 }
 
-/// Something that a team handed in.
+/// One submission of a team.
 struct Attempt {
     /// Its place among the class's rows.
     at: usize,
@@ -152,7 +156,7 @@ impl Attempt {
     }
 }
 
-/// Which attempt counts for somebody; `None` if nothing tells.
+/// Which attempt counts for somebody; `None` if that can't be decided.
 fn counted<'a>(
     policy: &Policy,
     person: Option<&Person>,
@@ -179,7 +183,7 @@ fn counted<'a>(
     }
 }
 
-/// Gives a person the mark of what counts.
+/// Gives a person the mark of the attempt that counts.
 fn give<'a>(
     policy: &Policy,
     person: Option<&'a Person>,
@@ -204,7 +208,7 @@ fn give<'a>(
         }
     }
     let why_not = match counts {
-        None => "no telling whether it is the last".to_owned(),
+        None => "nothing says whether it is the last".to_owned(),
         Some(counts) => format!("not counted: {} is", counts.id),
     };
     let is_own = |row: &Row| row.person.map(|it| &it.id) == person.map(|it| &it.id);

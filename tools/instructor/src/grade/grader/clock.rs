@@ -1,9 +1,9 @@
 //! How long an answer may take: seconds of the processor, never less than a hundred times
 //! what the reference took for the same questions in the same run.
 //!
-//! Jobs run side by side, and students must not pay for a loaded machine. So if an answer
-//! is late while others are graded, its whole submission is put back, and graded again when
-//! all others are done and it has the machine to itself. What is late then is late.
+//! Jobs run side by side, and students must not pay for a loaded machine. So if an answer is
+//! late while others are graded, its whole submission is put back. It is graded again when all
+//! others are done and it has the machine to itself. Only what is late then counts as late.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -21,25 +21,27 @@ use pinhole_course::goldens::Goldens;
 use pinhole_course::overlay;
 use pinhole_course::sandbox::{Limits, Sandbox, time_of_children};
 
-/// How many times the reference's own time an answer may take.
+/// An answer may take this many times the reference's own time.
 const TIMES: u32 = 100;
 
-/// Two clocks, of user and system, each a tick behind.
+/// How far measured times may be too short: the user's and the system's clock may each be a
+/// tick behind.
 const TICKS: Duration = Duration::from_millis(20);
 
 /// The reference's own limit.
 const WALL: Duration = Duration::from_secs(60);
 
-/// What the reference takes, by task and scene.
+/// How long the reference takes, by task and scene.
 pub struct Pace {
-    /// No limit is shorter.
+    /// The shortest limit.
     least: Duration,
     took: BTreeMap<String, Duration>,
 }
 
 impl Pace {
     /// Asks the reference everything that submissions will be asked. It is our own code and
-    /// runs without a sandbox, so that the system can measure it. Nothing else may run.
+    /// runs without a sandbox, so that the system can measure it. Nothing else may run
+    /// meanwhile.
     pub fn measure(
         assignment: &Assignment,
         goldens: &[&Goldens],
@@ -67,8 +69,8 @@ impl Pace {
                 let problem = format!("the reference does not answer {what}: {:?}", reply.ending);
                 return Err(Error::environment(problem, "run: cargo pinhole validate"));
             }
-            // An upper bound: the system counts in hundredths of a second, and where it does
-            // not count at all, assume that every core was busy.
+            // Take an upper bound, because the system counts in hundredths of a second. If it
+            // does not count at all, assume that every core was busy.
             let counted = before.zip(time_of_children());
             let counted = counted.map(|(before, after)| after.saturating_sub(before) + TICKS);
             let all = start.elapsed() * cores();
@@ -97,7 +99,8 @@ impl Pace {
     }
 }
 
-/// The next power of two, in seconds: the same in most runs, however the clock jitters.
+/// The next power of two, in seconds. It is the same in most runs, even if measured times vary
+/// a little.
 fn rounded(time: Duration) -> Duration {
     let seconds = time.as_secs_f64().ceil() as u64;
     Duration::from_secs(seconds.next_power_of_two())
@@ -116,7 +119,7 @@ pub struct SubmissionClock<'a> {
 }
 
 impl<'a> SubmissionClock<'a> {
-    /// No answer was late so far.
+    /// A clock by which no answer has been late yet.
     pub fn new(pace: &'a Pace, alone: bool) -> SubmissionClock<'a> {
         SubmissionClock {
             pace,
@@ -125,7 +128,7 @@ impl<'a> SubmissionClock<'a> {
         }
     }
 
-    /// Whether it is to be graded again, alone.
+    /// Whether an answer was late, so that the submission is to be graded again, alone.
     pub fn was_late(&self) -> bool {
         self.late.load(Ordering::Relaxed)
     }
@@ -144,7 +147,7 @@ impl Clock for SubmissionClock<'_> {
         }
         self.late.store(true, Ordering::Relaxed);
         Err(Error::environment(
-            "an answer came too late, beside others",
+            "an answer came too late while others were graded",
             "grade the submission again, alone",
         ))
     }

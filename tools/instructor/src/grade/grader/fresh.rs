@@ -21,7 +21,7 @@ use pinhole_course::seed::Seed;
 
 /// The fresh questions of a class.
 pub struct Questions {
-    /// Where they lie, or will.
+    /// The folder that holds them, or will hold them.
     pub folder: PathBuf,
     /// The seed to draw them from, if the user chose one.
     pub seed: Option<Seed>,
@@ -31,7 +31,7 @@ pub struct Questions {
 }
 
 impl Questions {
-    /// Whether those of this seed, which lie there, are asked.
+    /// Whether the questions that are there, drawn from the seed `kept`, can be asked.
     fn serve(&self, kept: Option<Seed>) -> bool {
         match self.seed {
             Some(_) => kept == self.seed,
@@ -39,8 +39,8 @@ impl Questions {
         }
     }
 
-    /// Their goldens, made if they are not there, and their seed; `None` if there is no
-    /// Mitsuba to make them.
+    /// Finds the goldens of the fresh questions, or makes them. Returns them with their seed,
+    /// or `None` if there is no Mitsuba to make them.
     pub fn find_or_make(
         &self,
         assignment: &Assignment,
@@ -70,7 +70,8 @@ impl Questions {
             )?,
         };
         anstream::eprintln!("making fresh questions with Mitsuba …");
-        // If we are killed, the folder is complete or does not exist.
+        // Make them in another folder, so that this one is complete or missing if we are
+        // killed.
         let beside = folder.with_extension("new");
         let _left_behind = fs::remove_dir_all(&beside);
         let request = GoldenRender {
@@ -82,7 +83,7 @@ impl Questions {
             no_mistakes: true,
         };
         golden::make(assignment, checkout, &request)?;
-        // Marks that were given may still be disputed.
+        // Keep earlier questions, because marks from them may still be disputed.
         let mut places = (1..).map(|number| folder.with_extension(format!("retired-{number}")));
         let retired = places.find(|place| !place.exists());
         let kept = match retired.filter(|_| folder.is_dir()) {
@@ -99,8 +100,8 @@ impl Questions {
     }
 }
 
-/// What the questions in a folder are for. Who may hand in often learns of questions for
-/// feedback what they ask, so they can't be those of the mark.
+/// What the fresh questions in a folder are for. A student who may hand in often learns what
+/// the questions for feedback ask, so the mark needs others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Purpose {
     /// An autograder, which students ask again and again.
@@ -109,14 +110,14 @@ pub enum Purpose {
     Grading,
 }
 
-/// The file that keeps a folder's purpose. It doesn't travel into archives: its name begins
-/// with a dot.
+/// The file that records a folder's purpose. Its name begins with a dot, so it isn't packed
+/// into archives.
 const PURPOSE: &str = ".purpose";
 
 /// Reserves a folder of fresh questions for one purpose, for good.
 ///
 /// # Errors
-/// If the folder has served the other.
+/// If the folder has been used for the other purpose.
 pub fn reserve(folder: &Path, purpose: Purpose) -> Result<()> {
     let path = folder.join(PURPOSE);
     let word = match purpose {
@@ -127,7 +128,7 @@ pub fn reserve(folder: &Path, purpose: Purpose) -> Result<()> {
         Ok(other) if other.trim() == word => Ok(()),
         Ok(other) => Err(Error::input(
             format!(
-                "the fresh questions in {} have served {} already",
+                "the fresh questions in {} have already been used for {}",
                 folder.display(),
                 other.trim()
             ),
@@ -156,7 +157,7 @@ pub fn worth_asking_fresh(outcome: &Outcome) -> Option<Selection> {
     }
 }
 
-/// Takes their points from the groups that pass the known questions and fail fresh ones.
+/// Takes away the points of groups that pass the known questions but fail fresh ones.
 pub fn revoke_failing_fresh(outcome: &mut Outcome, fresh: &Outcome) {
     for task in &mut outcome.tasks {
         let Some(again) = fresh.tasks.iter().find(|again| again.name == task.name) else {
@@ -177,7 +178,7 @@ pub fn revoke_failing_fresh(outcome: &mut Outcome, fresh: &Outcome) {
     outcome.add_up();
 }
 
-/// Lets nobody else on the machine look into a folder.
+/// Makes a folder private, so that nobody else on the machine can look into it.
 fn own(folder: &Path) -> std::io::Result<()> {
     #[cfg(unix)]
     {

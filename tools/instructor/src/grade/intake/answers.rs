@@ -14,7 +14,7 @@ use pinhole_course::submission::{Answer, Submission, Unusable};
 #[derive(Clone, Debug)]
 pub struct Choice {
     pub submission: Submission,
-    /// What was done to read them. They are judged as they are meant.
+    /// What had to be done to read them. The answers are judged as they were meant.
     pub notes: Vec<String>,
     /// Why other answers may be meant. The instructor should look at these.
     pub doubts: Vec<String>,
@@ -33,21 +33,21 @@ impl Candidate<'_> {
         self.upload.path.join("/")
     }
 
-    /// The folder in which a package lies that holds it.
+    /// How deep the folder is that holds the file, or the package with the file.
     fn depth(&self) -> usize {
         let folders = &self.upload.path[..self.upload.path.len() - 1];
         folders.len() - usize::from(folders.last().is_some_and(|last| last == "src"))
     }
 
-    /// Whether it lies where the course's own repository has answers.
+    /// Whether it lies where the course's repository keeps a student's answers.
     fn is_in_handout(&self) -> bool {
         let folders = &self.upload.path[..self.upload.path.len() - 1];
         folders.ends_with(&["handout".into(), "src".into()])
     }
 }
 
-/// Finds the answers to all tasks. The newest upload counts; then what lies at the top, or in
-/// the `src` there. `Err` if the machine could not read what may be one.
+/// Finds the answers to all tasks. The newest upload counts; among its files, those at the top
+/// or in the `src` there. `Err` if the machine could not read a file that may be an answer.
 pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result<Choice, String> {
     let mut refused = Vec::new();
     let mut others = Vec::new();
@@ -113,7 +113,7 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
 }
 
 impl Choice {
-    /// The text of the best candidate, if there is one best.
+    /// The text of the best candidate, if one is better than all others.
     fn of(&mut self, task: &Task, all: &[&Candidate]) -> Text {
         let newest = all.iter().map(|one| one.upload.order).max();
         let mut best: Vec<&&Candidate> = all.iter().collect();

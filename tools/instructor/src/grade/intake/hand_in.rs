@@ -12,17 +12,18 @@ pub struct HandIn {
     pub name: String,
     /// The names under which it lay where it was found, as the platform gave them.
     pub given: Vec<String>,
-    /// Several, if they may contradict each other.
+    /// What the names say about the person. There are several if they may contradict each
+    /// other.
     pub signs: Vec<Sign>,
     pub uploads: Vec<Upload>,
     /// Uploads that a later one replaces.
     pub superseded: Vec<String>,
 }
 
-/// A file of theirs.
+/// One file that somebody handed in.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Upload {
-    /// Below what was uploaded; empty if that itself is meant.
+    /// Its path inside what was uploaded; empty if it is what was uploaded.
     pub path: Vec<String>,
     /// Greater for later uploads, where the platform counts them.
     pub order: u64,
@@ -30,7 +31,7 @@ pub struct Upload {
 }
 
 impl Upload {
-    /// The path, as people are told it.
+    /// The path, for people to read.
     pub fn name(&self, whole: &str) -> String {
         match self.path.is_empty() {
             true => whole.into(),
@@ -51,7 +52,7 @@ pub struct Source<'a> {
     pub is_on_roster: &'a dyn Fn(&str) -> bool,
 }
 
-/// What lies at the top of a source, and everything in it.
+/// The names at the top of a source, and everything below each.
 type Tops = BTreeMap<String, Vec<Found>>;
 
 impl Source<'_> {
@@ -68,7 +69,7 @@ impl Source<'_> {
         (all, ignored, true)
     }
 
-    /// Takes away a single folder around a whole class.
+    /// Removes a single folder around a whole class.
     fn unwrap(&mut self) {
         let tops = tops(self.found.clone());
         let Some((top, found)) = tops.iter().next().filter(|_| tops.len() == 1) else {
@@ -174,7 +175,7 @@ fn tops(found: Vec<Found>) -> Tops {
     tops
 }
 
-/// The same without what lies at the top.
+/// The same files, with paths below the top folder.
 fn below(found: &[Found]) -> Vec<Found> {
     let inside = found.iter().filter(|found| found.path.len() > 1);
     let shorter = inside.map(|found| Found {
@@ -184,8 +185,9 @@ fn below(found: &[Found]) -> Vec<Found> {
     shorter.collect()
 }
 
-/// The key under which submissions of the same person are collected. A platform's number is
-/// one account's, whatever it uploads; anything else is a name of its own.
+/// The key under which uploads of the same person are collected. If the name is a platform's,
+/// it is the person's name and number there, which are the same for all uploads of an account.
+/// Otherwise, it is the whole name.
 fn account(name: &str) -> String {
     match &names::platforms(name)[..] {
         [one] => format!("{}_{}", one.person, one.number),
@@ -205,7 +207,7 @@ fn signs(name: &str) -> Vec<Sign> {
     }
 }
 
-/// Everybody's own.
+/// Divides the files of a class among its people.
 fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
     let mut ignored = Vec::new();
     let mut all: BTreeMap<String, Vec<(String, Vec<Found>)>> = BTreeMap::new();
@@ -228,7 +230,8 @@ fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
     (all.collect(), ignored)
 }
 
-/// What one person uploaded, in one or several files. Of archives, only the newest counts.
+/// What one person handed in, in one or several uploads. Of several archives, only the newest
+/// counts.
 fn of_one(name: String, parts: Vec<(String, Vec<Found>)>) -> HandIn {
     let order = |top: &str| match &names::platforms(top)[..] {
         [one] => one.upload,

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use pinhole_course::assignment::{Assignment, Task};
 
-/// What a name tells about the person.
+/// What the name of an upload tells about the person.
 #[derive(Clone, Debug, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize)]
 pub struct Sign {
     /// A person's name, or an id.
@@ -39,7 +39,7 @@ impl PlatformName<'_> {
         }
     }
 
-    /// The name as Canvas's, if it may be one.
+    /// Reads a name as Canvas writes it, if it may be one.
     pub fn canvas(name: &str) -> Option<PlatformName<'_>> {
         let (person, rest) = name.split_once('_')?;
         let (mut number, mut rest) = rest.split_once('_')?;
@@ -56,7 +56,7 @@ impl PlatformName<'_> {
         })
     }
 
-    /// The same for Moodle.
+    /// Reads a name as Moodle writes it, if it may be one.
     pub fn moodle(name: &str) -> Option<PlatformName<'_>> {
         let (before, rest) = name.split_once("_assignsubmission_")?;
         let (person, number) = before.rsplit_once('_')?;
@@ -74,8 +74,8 @@ fn is_number(text: &str) -> bool {
     text.parse::<u64>().is_ok()
 }
 
-/// The platforms that may have given a name. An uploader can make it look like two; then
-/// nobody knows which.
+/// All ways to read a name as a platform's. An uploader can make it look like two platforms'
+/// names; then nobody knows which it is.
 pub fn platforms(name: &str) -> Vec<PlatformName<'_>> {
     [PlatformName::canvas(name), PlatformName::moodle(name)]
         .into_iter()
@@ -87,13 +87,14 @@ pub fn platforms(name: &str) -> Vec<PlatformName<'_>> {
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
 pub enum HandedIn<Time> {
     At(Time),
-    /// After the platform's deadline, nobody knows when.
+    /// Some time after the platform's deadline.
     Late,
 }
 
-/// When these files were handed in: the last of them counts, and one that is late makes all
-/// late. Canvas marks what is `LATE`; Blackboard (`…_attempt_2026-11-20-23-59-01_…`) and
-/// Brightspace (`… - Nov 20, 2026 1159 PM - …`) write the time, before what the uploader chose.
+/// When these files were handed in, by their names. The last of them counts, and one that is
+/// late makes all late. Canvas marks what is `LATE`. Blackboard
+/// (`…_attempt_2026-11-20-23-59-01_…`) and Brightspace (`… - Nov 20, 2026 1159 PM - …`) write
+/// the time in front of the name that the uploader chose.
 pub fn handed_in(given: &[String]) -> Option<HandedIn<DateTime>> {
     given.iter().filter_map(|name| time_in(name)).max()
 }
@@ -113,9 +114,9 @@ fn time_in(name: &str) -> Option<HandedIn<DateTime>> {
     times.next().map(HandedIn::At)
 }
 
-/// The task that a file of this name may answer, and whether the name is as handed out. Names
-/// that people and programs change on the way are known: `Sphere.rs`, `sphere (1).rs`,
-/// `sphere-2.rs`, `sphere.rs.txt`.
+/// The task that a file of this name may answer, and whether the name is exactly the one that
+/// was handed out. Recognises names that people or programs have changed: `Sphere.rs`, `sphere
+/// (1).rs`, `sphere-2.rs`, `sphere.rs.txt`.
 pub fn task_of<'a>(name: &str, assignment: &'a Assignment) -> Option<(&'a Task, bool)> {
     let exact = assignment.tasks.iter().find(|task| task.file() == name);
     if let Some(task) = exact {
@@ -146,7 +147,7 @@ fn plain_stem(name: &str) -> Option<String> {
     Some(stem.replace([' ', '-', '_'], ""))
 }
 
-/// Without `(2)` or `-2` at its end.
+/// A name without `(2)` or `-2` at its end.
 fn without_count(stem: &str) -> &str {
     let is_count = |text: &str| !text.is_empty() && text.chars().all(|c| c.is_ascii_digit());
     let in_brackets = stem

@@ -12,12 +12,12 @@ use super::Entry;
 use super::names::Sign;
 use super::roster::Person;
 
-/// Which submission is whose, and which could not be placed.
+/// Which submission belongs to whom, and which could not be placed.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Placement {
     /// How many people are on the roster, if there is one.
     pub people: Option<usize>,
-    /// By the submission's id.
+    /// The person of each submission, by the submission's id.
     pub of: BTreeMap<String, Person>,
     /// People without a submission, and without one that could be theirs.
     pub missing: Vec<Person>,
@@ -28,7 +28,7 @@ pub struct Placement {
     pub ambiguous: BTreeMap<String, Vec<Person>>,
     /// Earlier uploads that are not graded, and the submission that is.
     pub superseded: BTreeMap<String, String>,
-    /// People with several submissions whose names tell no order. All are graded.
+    /// People with several submissions whose names don't say which came last. All are graded.
     pub several: BTreeMap<String, Vec<String>>,
 }
 
@@ -47,20 +47,20 @@ impl Placement {
     }
 }
 
-/// Letters and digits in small letters, accents composed however they were written.
+/// The letters and digits of a text in lower case, with accents composed.
 fn folded(text: &str) -> String {
     let composed: String = text.nfc().collect();
     let kept = composed.chars().filter(|c| c.is_alphanumeric());
     kept.flat_map(char::to_lowercase).collect()
 }
 
-/// The same without accents.
+/// The letters and digits of a text in lower case, without accents.
 fn unaccented(text: &str) -> String {
     let letters: String = text.nfkd().filter(|c| !is_combining_mark(*c)).collect();
     folded(&letters)
 }
 
-/// The ways a name may be run together, the last name first or last.
+/// The ways to write a name in one word, with the last name first or last.
 fn turned(name: &str, fold: &dyn Fn(&str) -> String) -> Vec<String> {
     let words: Vec<String> = name
         .split(|c: char| c.is_whitespace() || c == ',')
@@ -71,7 +71,7 @@ fn turned(name: &str, fold: &dyn Fn(&str) -> String) -> Vec<String> {
     (0..words.len()).map(turned).collect()
 }
 
-/// The people of this name. Platforms keep accents, drop them, or drop their letters.
+/// The people of this name. Platforms keep accents, drop them, or drop letters that have one.
 fn named<'a>(name: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let ascii = |text: &str| -> String { folded(text).chars().filter(char::is_ascii).collect() };
     let folds: [&dyn Fn(&str) -> String; 3] = [&folded, &unaccented, &ascii];
@@ -147,7 +147,8 @@ fn meant<'a>(sign: &Sign, people: &'a [Person]) -> Vec<&'a Person> {
             .find(|found| !found.is_empty())
             .unwrap_or_default();
     };
-    // The platform's number is an account's; names are what people call themselves.
+    // Trust the platform's number more than names, because people choose their names
+    // themselves.
     let own = |other: &&Person| other.number.as_ref() == Some(number);
     if let Some(person) = people.iter().find(own) {
         return vec![person];
@@ -164,7 +165,7 @@ fn meant<'a>(sign: &Sign, people: &'a [Person]) -> Vec<&'a Person> {
     }
 }
 
-/// Whether a name that means these people is certain of one.
+/// Whether the signs leave no doubt about the person.
 fn is_certain(signs: &[Sign], people: &[Person], found: &[&Person]) -> bool {
     let [person] = found else { return false };
     signs.iter().all(|sign| {
@@ -212,7 +213,7 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
         let mut ids: Vec<String> = all.iter().map(|(entry, _)| entry.id.clone()).collect();
         ids.sort();
         for (entry, person) in &all {
-            // Two accounts are two people, whatever their names.
+            // Two accounts belong to two people, even if their names are equal.
             match numbers.len() > 1 {
                 true => {
                     placed

@@ -1,8 +1,8 @@
-//! Reads a folder or an archive: the text of files that may be answers by their names, and
-//! the names of all others. Archives inside count as folders.
+//! Reads a folder or an archive: the text of every file whose name may be an answer's, and the
+//! names of all other files. Archives inside count as folders.
 //!
-//! Everything is read once, before anything is judged, so that a submission can't change any
-//! more, and everybody's files are known when they are matched with people.
+//! Everything is read once, before anything is judged. So a submission can't change any more,
+//! and all files are known when they are matched with people.
 
 mod folder;
 mod tarball;
@@ -23,7 +23,7 @@ use pinhole_course::submission::text::{self, MOST_BYTES, Text};
 /// A file that was found, or a folder or an archive at the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
-    /// Its folders and archives, and its name.
+    /// Its path: folders and archives, and then its name.
     pub path: Vec<String>,
     pub content: Content,
 }
@@ -35,12 +35,12 @@ pub enum Content {
     /// A file whose name may be an answer's.
     Answer {
         text: Text,
-        /// What was done to read it.
+        /// What had to be done to read it.
         note: Option<&'static str>,
     },
     /// A folder or an archive that is not accepted, and why.
     Refused(String),
-    /// What the machine cannot read, and why.
+    /// Something that the machine cannot read, and why.
     Unreadable(String),
     Other,
 }
@@ -56,7 +56,7 @@ enum Trouble {
 /// A file that is not read yet.
 enum Unread<'a> {
     File(File),
-    /// Writes the first bytes of it, as many as are asked.
+    /// A function that writes as many of its first bytes as the caller asks for.
     Packed(&'a mut dyn FnMut(u64, &mut dyn Write) -> std::result::Result<(), Trouble>),
 }
 
@@ -68,7 +68,7 @@ const MOST_FILES: usize = 100_000;
 /// How many other files are named.
 const MOST_OTHERS: usize = 20;
 
-/// Archives in archives, and folders in folders.
+/// How deep archives may be nested in archives, and folders in folders.
 const MOST_ARCHIVES: usize = 3;
 const MOST_FOLDERS: usize = 40;
 
@@ -101,11 +101,11 @@ pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<Vec<Found>>
 struct Reader<'a> {
     is_answer: &'a dyn Fn(&str) -> bool,
     found: Vec<Found>,
-    /// By what lies at the top.
+    /// What was read, by the name at the top.
     spent: BTreeMap<String, Spent>,
 }
 
-/// What was read of something.
+/// How much was read of one submission.
 #[derive(Default)]
 struct Spent {
     answers: u64,
@@ -124,7 +124,7 @@ impl Reader<'_> {
         self.spent.entry(top).or_default()
     }
 
-    /// Whether another file may be looked at. Too many are told once.
+    /// Whether another file may be looked at. If there are too many, that is reported once.
     fn may_go_on(&mut self, path: &[String]) -> bool {
         let spent = self.spent(path);
         spent.files += 1;
@@ -135,7 +135,7 @@ impl Reader<'_> {
         self.spent(path).files < MOST_FILES
     }
 
-    /// Whether it matters what is in a file of this path.
+    /// Whether the content of the file at this path matters.
     fn wants(&self, path: &[String]) -> bool {
         self.names_answer(path) || path.last().is_some_and(|name| is_archive(name))
     }
@@ -144,7 +144,7 @@ impl Reader<'_> {
         path.last().is_some_and(|name| (self.is_answer)(name))
     }
 
-    /// A file that does not matter, or is not regular.
+    /// Notes a file whose content doesn't matter, or that is not regular.
     fn pass(&mut self, path: &[String], is_regular: bool) {
         if !is_regular && self.names_answer(path) {
             let why = Unusable::Refused("it is not a regular file".into());
@@ -159,7 +159,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A file that matters, `depth` archives deep.
+    /// Reads a file whose content matters, `depth` archives deep.
     fn file(&mut self, path: &[String], depth: usize, unread: Unread) {
         let content = match self.names_answer(path) {
             true => self.answer(path, unread),
@@ -200,9 +200,7 @@ impl Reader<'_> {
             ));
         }
         if depth >= MOST_ARCHIVES {
-            return Err(Trouble::Refused(
-                "it is an archive in too many others".into(),
-            ));
+            return Err(Trouble::Refused("it is nested in too many archives".into()));
         }
         let file = match unread {
             Unread::File(file) => file,
@@ -222,8 +220,8 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// The files of an archive, whose format is told by its content, not by its name. An
-    /// archive that is made to harm its reader must not end the grading of a class.
+    /// Reads the files of an archive. Its format is recognised by its content and not by its
+    /// name. An archive that is made to harm its reader must not end the grading of a class.
     fn archive(&mut self, file: File, path: &[String], depth: usize) {
         let opened = catch_unwind(AssertUnwindSafe(|| self.open(file, path, depth)));
         let trouble = match opened {
@@ -335,8 +333,8 @@ pub fn stem(name: &str) -> &str {
     name.get(..name.len() - end).unwrap_or(name)
 }
 
-/// Whether a path, after its first `from` parts, goes through a folder that programs make:
-/// version control, builds, a system's own files. Such a folder holds no answers.
+/// Whether a path, after its first `from` parts, goes through a folder made by a program: by
+/// version control, a build, or the operating system. Such a folder holds no answers.
 fn is_skipped(path: &[String], from: usize) -> bool {
     let is_inside = path.len() > 1;
     path[from.min(path.len())..]
@@ -344,13 +342,14 @@ fn is_skipped(path: &[String], from: usize) -> bool {
         .any(|name| is_litter(name) || is_inside && (name.starts_with('.') || name == "target"))
 }
 
-/// What systems leave in every folder.
+/// Whether this is a file that operating systems leave in every folder.
 fn is_litter(name: &str) -> bool {
     let litter = ["__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini"];
     litter.contains(&name) || name.starts_with("._")
 }
 
-/// Text as compilers read it: UTF-8, also where an editor wrote UTF-16 and said so.
+/// Text in UTF-8, as compilers read it. Text in UTF-16 is converted if it begins with a byte
+/// order mark.
 fn decoded(bytes: Vec<u8>) -> (Text, Option<&'static str>) {
     match Encoding::for_bom(&bytes) {
         Some((encoding, _)) if encoding != UTF_8 && bytes.len() as u64 <= MOST_BYTES => {

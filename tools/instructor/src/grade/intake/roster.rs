@@ -23,8 +23,8 @@ pub struct Person {
     pub logins: Vec<String>,
 }
 
-/// The names of columns, without capitals and spaces: ours, and those of Canvas's gradebook and
-/// Moodle's lists. Of several, the first in this order counts.
+/// Names of columns, in lower case and without spaces: ours, and those of Canvas's gradebook
+/// and Moodle's lists. If a table has several of them, the first in this order counts.
 const ID: [&str; 8] = [
     "sisuserid",
     "idnumber",
@@ -56,7 +56,7 @@ pub fn read(path: &Path) -> Result<Vec<Person>> {
     Table::read(path, "roster", remedy, people)
 }
 
-/// The people in a table, or what is wrong in words.
+/// The people in a table, or a message that says what is wrong.
 fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
     let of = |names: &[&str]| table.column(names);
     let said = format!("its first line is `{}`", table.first_line);
@@ -78,7 +78,7 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
             Some(_) => cell(name).to_owned(),
             None => parts.map(cell).join(" ").trim().to_owned(),
         };
-        // Canvas's gradebook has a line of possible points.
+        // Skip the line of possible points in Canvas's gradebook.
         let own = cell(Some(id)).to_owned();
         if own.is_empty() && name == "Points Possible" {
             continue;
@@ -103,7 +103,7 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
         });
     }
     match people.is_empty() {
-        true => Err("nobody is on it".into()),
+        true => Err("it lists nobody".into()),
         false => Ok(people),
     }
 }

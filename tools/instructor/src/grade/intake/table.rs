@@ -8,36 +8,36 @@ use pinhole_course::error::{Error, Result, ResultExt};
 
 /// A table, read whole.
 pub struct Table {
-    /// The first line, as it is written.
+    /// The first line, as it is in the file.
     pub first_line: String,
-    /// The columns' names, without capitals and spaces.
+    /// The columns' names, in lower case and without spaces.
     header: Vec<String>,
     /// The other lines, with their numbers in the file.
     pub rows: Vec<(u64, csv::StringRecord)>,
 }
 
 impl Table {
-    /// Reads a file of `what`.
+    /// Reads a file that should hold `what`.
     pub fn read<T>(
         path: &Path,
         what: &str,
         remedy: &str,
         of: impl FnOnce(Table) -> std::result::Result<T, String>,
     ) -> Result<T> {
-        let wrong = Error::input(format!("{} is no {what}", path.display()), remedy);
+        let wrong = Error::input(format!("{} is not a {what}", path.display()), remedy);
         let bytes = std::fs::read(path).or_fail(&wrong)?;
         Table::of(&bytes)
             .and_then(of)
             .map_err(|why| wrong.because(why))
     }
 
-    /// The table in a file's bytes, or what is wrong in words.
+    /// The table in a file's bytes, or a message that says what is wrong.
     pub fn of(bytes: &[u8]) -> std::result::Result<Table, String> {
         if bytes.starts_with(b"PK\x03\x04") {
             return Err("it is a spreadsheet's own file; export it as CSV".into());
         }
         let text = decoded(bytes);
-        // Spreadsheets may say in a line of its own what stands between cells.
+        // Spreadsheets may name the separator of cells in an extra first line.
         let body = match text.split_once('\n') {
             Some((first, rest)) if first.trim_start().starts_with("sep=") => rest,
             _ => &text,
@@ -72,7 +72,7 @@ impl Table {
         names.find_map(|name| self.header.iter().position(|it| it == name))
     }
 
-    /// The same, where the table is nothing without it.
+    /// The place of the first of these columns that the table has, or an error if it has none.
     pub fn needed_column(&self, names: &[&str]) -> std::result::Result<usize, String> {
         self.column(names).ok_or(format!(
             "its first line is `{}`, which has no column `{}`",
@@ -81,13 +81,13 @@ impl Table {
         ))
     }
 
-    /// What a column is called.
+    /// The name of a column.
     pub fn name(&self, column: usize) -> &str {
         &self.header[column]
     }
 }
 
-/// A column's name as it is compared.
+/// A column's name in the form in which names are compared.
 fn plain(name: &str) -> String {
     let letters = name.chars().filter(|c| c.is_alphanumeric());
     letters.flat_map(char::to_lowercase).collect()

@@ -70,7 +70,8 @@ impl Export {
         find(&[self.path(name)], &assignment(), None).expect("it can be read")
     }
 
-    /// The names of everybody found, each with all answers, and all their own.
+    /// Checks whose submissions were found, and that each holds all answers and all are the
+    /// person's own.
     #[track_caller]
     fn is_of(&self, name: &str, who: &[&str]) -> Intake {
         let intake = self.find(name);
@@ -165,7 +166,7 @@ fn loose_files_of_canvas_are_put_together_for_each_account() {
 }
 
 #[test]
-fn the_newest_archive_of_an_account_counts_and_the_others_are_told() {
+fn the_newest_archive_of_an_account_counts_and_the_others_are_listed() {
     let export = Export::new();
     export.put("class/lovelaceada_11_501_a.zip", &zip(&answers("", "old")));
     export.put(
@@ -207,7 +208,7 @@ fn a_clone_or_the_whole_handout_is_read_where_students_write() {
     export.put("class/cleo.zip", &zip(&answers("handout/src/", "cleo")));
     export.is_of("class", &["bob.zip", "cleo.zip", "hw1-ada"]);
     export.is_of("class/hw1-ada", &["hw1-ada"]);
-    // Without their own file, nobody is judged by another of that name.
+    // If the student's own file is missing, no other file of that name is judged instead.
     fs::remove_file(export.path("class/hw1-ada/assignments/ray_casting/handout/src/sphere.rs"))
         .expect("it was there");
     let intake = export.find("class/hw1-ada");
@@ -215,7 +216,7 @@ fn a_clone_or_the_whole_handout_is_read_where_students_write() {
 }
 
 #[test]
-fn answers_however_deep_are_found_and_told_if_there_are_two() {
+fn answers_in_deep_folders_are_found_and_duplicates_are_reported() {
     let export = Export::new();
     export.put_all(
         "class/ada",
@@ -243,7 +244,7 @@ fn answers_however_deep_are_found_and_told_if_there_are_two() {
 }
 
 #[test]
-fn files_that_are_called_otherwise_are_read_with_a_note() {
+fn files_with_changed_names_are_read_with_a_note() {
     let export = Export::new();
     let mut files = answers("", "ada");
     files[0].0 = "Viewing_Ray.rs".into();
@@ -255,7 +256,7 @@ fn files_that_are_called_otherwise_are_read_with_a_note() {
     assert_eq!(notes.len(), 3, "{notes:?}");
     assert_eq!(notes[1], "`sphere (1).rs` was taken as `sphere.rs`");
     assert!(intake.entries[0].doubts.is_empty());
-    // Beside the file itself, somebody should look which is meant.
+    // If the right name is there too, the instructor should check which file is meant.
     export.put("class/ada/sphere.rs", b"// sphere by ada, again");
     let intake = export.find("class");
     assert_eq!(text(&intake, 0, "sphere"), "// sphere by ada, again");

@@ -1,4 +1,5 @@
-//! One mark: what was judged, what the policy makes of it, and what goes into the gradebook.
+//! One mark: the points that were judged, those after the policy, and those that go into the
+//! gradebook.
 
 use serde::Serialize;
 
@@ -7,7 +8,8 @@ use super::rules::{Direction, Of, Per};
 use super::times::{Lateness, begun, later};
 use crate::grade::record::Record;
 
-/// A mark on its way into the gradebook. All are points of the assignment, and none is below 0.
+/// A mark on its way into the gradebook. All numbers are points of the assignment, and none is
+/// below 0.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Mark {
     /// As it was judged.
@@ -17,7 +19,7 @@ pub struct Mark {
     /// After changes by hand, rounded.
     #[serde(rename = "final")]
     pub last: f64,
-    /// What can be had without extra credit.
+    /// The most points without extra credit.
     pub possible: f64,
     /// Days of the budget that were spent.
     pub late_days: u32,
@@ -33,7 +35,7 @@ pub struct Change {
 }
 
 impl Change {
-    /// In a line.
+    /// The change, in one line.
     pub fn in_words(&self) -> String {
         match self.points == 0.0 {
             true => self.why.clone(),
@@ -45,17 +47,17 @@ impl Change {
     }
 }
 
-/// What of a record the rules are about.
+/// The points of a record, as the rules need them.
 #[derive(Clone, Copy, Debug)]
 pub struct Judged {
     pub points: f64,
     pub possible: f64,
-    /// Of what is possible, the part that is extra credit.
+    /// The part of the possible points that is extra credit.
     pub extra: f64,
 }
 
 impl Judged {
-    /// `None` if it has no mark.
+    /// The points of a record; `None` if it has no mark.
     pub fn of(record: &Record, extra: &[String]) -> Option<Judged> {
         let tasks = record
             .got
@@ -76,7 +78,7 @@ impl Judged {
 }
 
 impl Mark {
-    /// Without a policy.
+    /// The mark if there is no policy.
     pub fn judged(judged: Judged) -> Mark {
         Mark {
             raw: judged.points,
@@ -88,7 +90,7 @@ impl Mark {
         }
     }
 
-    /// Adds points, as far as the mark stays at 0 or above.
+    /// Adds points, but the mark doesn't go below 0.
     fn add(&mut self, points: f64, why: String) {
         let after = (self.last + points).max(0.0);
         let points = exact(after - self.last);
@@ -98,7 +100,7 @@ impl Mark {
 }
 
 impl Policy {
-    /// The mark of a person, or of a submission that is nobody's.
+    /// The mark of a person, or of a submission that belongs to nobody.
     pub fn mark(&self, judged: Judged, lateness: &Lateness, id: Option<&str>) -> Mark {
         let mut mark = Mark::judged(judged);
         self.take_off_lateness(&mut mark, lateness, id);
@@ -157,7 +159,7 @@ impl Policy {
         let Some(rounding) = &self.rules.rounding else {
             return points;
         };
-        // Binary fractions may lie a hair beside what they stand for.
+        // Binary fractions may be slightly above or below the decimal number that is meant.
         const HAIR: f64 = 1e-9;
         let steps = points / rounding.to;
         let steps = match rounding.direction {
@@ -169,7 +171,7 @@ impl Policy {
     }
 }
 
-/// To the millionth: what remains of it below is of binary fractions.
+/// Points rounded to a millionth: any smaller difference comes from binary fractions.
 fn exact(points: f64) -> f64 {
     (points * 1e6).round() / 1e6
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-/// What becomes of a mark after judging. Files are beside this one.
+/// How judged points become final marks. Files are named relative to this one.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
@@ -13,7 +13,7 @@ pub struct Rules {
     pub time_zone: Option<String>,
     /// When it was due: `2026-11-20 23:59`.
     pub deadline: Option<String>,
-    /// This much later is still in time: `15 minutes`.
+    /// How much later still counts as in time: `15 minutes`.
     pub grace: Option<String>,
     /// A CSV file of when people handed in: `id,time`, Moodle's grading worksheet, or
     /// Gradescope's grades.
@@ -24,13 +24,13 @@ pub struct Rules {
     pub attempts: Attempts,
     /// What a late submission loses.
     pub late: Option<Late>,
-    /// Days that people may be late for nothing.
+    /// Days that people may be late without losing points.
     pub late_days: Option<LateDays>,
     /// Later deadlines for single people, by id.
     pub extensions: BTreeMap<String, String>,
-    /// Tasks whose points come on top.
+    /// Tasks whose points are extra credit.
     pub extra_credit: Option<ExtraCredit>,
-    /// How the final mark is rounded. Without it, it is not.
+    /// How the final mark is rounded. If absent, it is not rounded.
     pub rounding: Option<Rounding>,
     /// Changes to single people's marks, made by hand.
     pub adjust: Vec<Adjustment>,
@@ -55,11 +55,11 @@ pub enum Attempts {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Late {
-    /// So many percent for every hour or day that has begun.
+    /// This many percent for every hour or day that has begun.
     pub percent: f64,
     /// An hour or a day.
     pub per: Per,
-    /// Percent of what.
+    /// What the percentage is taken of.
     #[serde(default)]
     pub of: Of,
     /// Never more than this many percent.
@@ -78,23 +78,24 @@ fn everything() -> f64 {
 pub enum Per {
     /// 60 minutes.
     Hour,
-    /// A day of the calendar: also where clocks are changed, the same time tomorrow.
+    /// A day of the calendar: it ends at the same time tomorrow, even if clocks change in
+    /// between.
     Day,
 }
 
-/// What a percentage is of.
+/// What a percentage is taken of.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Of {
-    /// Of all points that can be had, as Canvas takes it.
+    /// Of all possible points, as in Canvas.
     #[default]
     Possible,
     /// Of the points earned.
     Earned,
 }
 
-/// Days that people may be late for nothing, over several assignments.
+/// Days that people may be late without losing points, over several assignments.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -106,7 +107,7 @@ pub struct LateDays {
     pub spent: Vec<String>,
 }
 
-/// Tasks whose points come on top of what can be had.
+/// Tasks whose points are extra credit, on top of the possible points.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -135,7 +136,7 @@ pub struct Rounding {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Direction {
-    /// To the nearest; a half goes up.
+    /// To the nearest multiple; a half goes up.
     #[default]
     Nearest,
     /// In the student's favour.
@@ -149,7 +150,7 @@ pub enum Direction {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Adjustment {
-    /// Whose mark.
+    /// The id of the person whose mark changes.
     pub id: String,
     /// Points to add; below 0, to take off.
     pub points: f64,
@@ -158,7 +159,7 @@ pub struct Adjustment {
 }
 
 impl Rules {
-    /// What TOML cannot say about them.
+    /// Checks what TOML's types can't: that the rules make sense.
     pub fn check(&self) -> Result<(), String> {
         let percent = |what: &str, percent: f64| match (0.0..=100.0).contains(&percent) {
             true => Ok(()),
@@ -181,7 +182,9 @@ impl Rules {
             }
         }
         if self.late_days.is_some() && self.late.is_none() {
-            return Err("it has `late_days`, but no `late` that they could spare anybody".into());
+            return Err(
+                "it has `late_days`, but no `late` from which they could exempt anybody".into(),
+            );
         }
         if let Some(rounding) = &self.rounding
             && !(rounding.to > 0.0 && rounding.to.is_finite())

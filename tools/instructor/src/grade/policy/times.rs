@@ -10,7 +10,7 @@ use crate::grade::intake::Entry;
 use crate::grade::intake::names::{self, HandedIn};
 use crate::grade::intake::roster::Person;
 
-/// How a submission stands to its deadline.
+/// Whether a submission is late, and how late.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Lateness {
     /// There is no deadline, or it was met.
@@ -22,7 +22,7 @@ pub enum Lateness {
     },
     /// The platform says that it is late, but not when it came.
     LateSometime,
-    /// Nothing says when it came.
+    /// Nothing says when it was handed in.
     Unknown,
 }
 
@@ -31,14 +31,14 @@ pub fn zone(name: Option<&str>) -> Result<Option<TimeZone>, String> {
     let Some(name) = name else { return Ok(None) };
     let zone = TimeZone::get(name);
     zone.map(Some)
-        .map_err(|_| format!("time_zone is `{name}`, which is no zone like Europe/Berlin"))
+        .map_err(|_| format!("time_zone is `{name}`, which is not a zone like Europe/Berlin"))
 }
 
 /// A length of time, as in `15 minutes`.
 pub fn grace(text: &str) -> Result<SignedDuration, String> {
     let grace: Result<SignedDuration, _> = text.parse();
     let grace = grace.ok().filter(|grace| !grace.is_negative());
-    grace.ok_or_else(|| format!("grace is `{text}`, which is no time like `15 minutes`"))
+    grace.ok_or_else(|| format!("grace is `{text}`, which is not a time like `15 minutes`"))
 }
 
 /// A time as people and platforms write it: with an offset, or in the policy's zone.
@@ -56,11 +56,11 @@ pub fn timestamp(text: &str, zone: Option<&TimeZone>) -> Result<Timestamp, Strin
         text.parse::<DateTime>()
             .ok()
             .filter(|_| text.len() > "2026-11-20".len()),
-        // Moodle's, in English.
+        // Moodle's format, in English.
         DateTime::strptime("%A, %d %B %Y, %I:%M %p", text).ok(),
     ];
     let Some(local) = local.into_iter().flatten().next() else {
-        return Err(format!("`{text}` is no time like `2026-11-20 23:59`"));
+        return Err(format!("`{text}` is not a time like `2026-11-20 23:59`"));
     };
     let Some(zone) = zone else {
         return Err(format!(
@@ -74,7 +74,8 @@ pub fn timestamp(text: &str, zone: Option<&TimeZone>) -> Result<Timestamp, Strin
 }
 
 impl Policy {
-    /// When it was handed in: what the table of times says, or else its own names.
+    /// When a submission was handed in: as the table of times says or, if it doesn't, as the
+    /// names of its files say.
     pub fn handed_in(&self, entry: &Entry, person: Option<&Person>) -> Option<HandedIn<Timestamp>> {
         let given = [&entry.id, &entry.name];
         let of_entry = given.into_iter().find_map(|name| self.times.get(name));
@@ -85,8 +86,8 @@ impl Policy {
             let keys = keys.chain(&person.number).chain(&person.logins);
             keys.chain(signs).find_map(|key| self.times.get(key))
         };
-        // Of several times for one person, nobody knows which is whose: the last is certain to
-        // be no earlier.
+        // If one person has several times, nobody knows which belongs to this submission. The
+        // last one is certainly not too early.
         let listed = of_entry.or_else(of_person).and_then(|all| all.iter().max());
         if let Some(time) = listed {
             return Some(HandedIn::At(*time));
@@ -99,14 +100,14 @@ impl Policy {
         })
     }
 
-    /// The deadline of these people: the latest of theirs.
+    /// The deadline of these people, which is the latest that one of them has.
     fn due(&self, people: &[&Person]) -> Option<Zoned> {
         let own = people.iter().filter_map(|it| self.extensions.get(&it.id));
         let due = own.copied().chain(self.deadline).max()?;
         Some(due.to_zoned(self.zone()))
     }
 
-    /// How a submission stands to the deadline of those who handed it in.
+    /// Whether a submission meets the deadline of those who handed it in.
     pub fn lateness(&self, entry: &Entry, people: &[&Person]) -> Lateness {
         let Some(due) = self.due(people) else {
             return Lateness::InTime;
@@ -114,7 +115,7 @@ impl Policy {
         let grace = self.rules.grace.as_deref().and_then(|it| grace(it).ok());
         match self.handed_in(entry, people.first().copied()) {
             None => Lateness::Unknown,
-            // An extension's owner may have met it.
+            // Somebody with an extension may still have met their own deadline.
             Some(HandedIn::Late) => Lateness::LateSometime,
             Some(HandedIn::At(at)) => {
                 let at = at.to_zoned(self.zone());
@@ -153,7 +154,7 @@ pub fn begun(due: &Zoned, at: &Zoned, per: Per) -> u32 {
     u32::try_from(whole + i64::from(is_more)).unwrap_or(u32::MAX)
 }
 
-/// So many hours or days after a deadline.
+/// A number of hours or days after a deadline.
 pub fn later(due: &Zoned, count: i64, per: Per) -> Option<Zoned> {
     let span = match per {
         Per::Hour => Span::new().try_hours(count),

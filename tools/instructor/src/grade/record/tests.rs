@@ -8,7 +8,7 @@ use serde_json::json;
 use super::*;
 use crate::grade::provenance::{MadeWith, Tool};
 
-/// A type whose schema stands in `outcome.schema.json`.
+/// Declares a type whose schema is in `outcome.schema.json`.
 macro_rules! reference {
     ($name:ident, $definition:literal) => {
         pub struct $name;

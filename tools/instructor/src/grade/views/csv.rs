@@ -1,5 +1,5 @@
-//! `grades.csv`, `groups.csv` and `changes.csv`: marks without times, the same byte for byte whenever
-//! the marks are.
+//! `grades.csv`, `groups.csv` and `changes.csv`. They hold no times, so equal marks give equal
+//! files, byte for byte.
 
 use crate::grade::class::{Change, Class, Row};
 use crate::grade::policy::mark::{Mark, number};
@@ -7,7 +7,7 @@ use crate::grade::record::Record;
 use pinhole_course::assignment::Assignment;
 use pinhole_report::escape::printable;
 
-/// One line for each submission, then one for each person without.
+/// One line for each submission, then one for each person without a submission.
 pub fn grades(class: &Class, assignment: &Assignment) -> String {
     let tasks: Vec<&str> = assignment
         .tasks
@@ -77,7 +77,7 @@ pub fn grades(class: &Class, assignment: &Assignment) -> String {
     table.text()
 }
 
-/// What the policy makes of a mark: raw, policy, final, late days, and why.
+/// A mark's cells: raw, policy, final, late days, and the reasons for changes.
 fn of_mark(mark: Option<&Mark>, record: &Record, not_counted: &Option<String>) -> [String; 5] {
     let Some(mark) = mark else {
         let raw = record.got.points.unwrap_or_default().to_string();
@@ -164,7 +164,7 @@ pub fn changes(changes: &[Change]) -> String {
     table.text()
 }
 
-/// A CSV file in the making.
+/// A CSV file that is being written.
 pub struct Table(csv::Writer<Vec<u8>>);
 
 impl Table {
@@ -180,7 +180,7 @@ impl Table {
         table
     }
 
-    /// One line.
+    /// Adds a line.
     pub fn line(&mut self, cells: &[String]) {
         let cells: Vec<String> = cells.iter().map(|cell| harmless(cell)).collect();
         self.0
@@ -188,13 +188,14 @@ impl Table {
             .expect("memory can be written, and lines are even");
     }
 
-    /// All of it. Without the mark at its beginning, Excel reads UTF-8 as the system's old
-    /// 8-bit encoding.
+    /// The whole file. It begins with a byte order mark, because without one Excel reads UTF-8
+    /// as the system's old 8-bit encoding.
     pub fn text(self) -> String {
         format!("\u{feff}{}", self.for_machines())
     }
 
-    /// All of it for programs that compare the first column's name.
+    /// The whole file without a byte order mark, for programs that compare the first column's
+    /// name.
     pub fn for_machines(self) -> String {
         let bytes = self.0.into_inner().expect("memory can be written");
         String::from_utf8(bytes).expect("only text was written")
@@ -212,7 +213,7 @@ fn harmless(cell: &str) -> String {
     cell.split(';').map(part).collect::<Vec<_>>().join(";")
 }
 
-/// Characters that formulas begin with, including full-width ones.
+/// Whether a formula may begin with a character, including full-width ones.
 fn is_formulas(c: char) -> bool {
     "=+-@|＝＋－＠｜".contains(c)
 }

@@ -1,4 +1,4 @@
-//! Everybody's report, as archives that course systems share out again.
+//! Everybody's report, in archives that course systems distribute to the students.
 
 use std::io::{Cursor, Write};
 
@@ -46,7 +46,7 @@ fn for_moodle(row: &Row) -> Option<String> {
     ))
 }
 
-/// For sending by other ways: by the person's id.
+/// For sending in other ways: the report is named by the person's id.
 fn for_anybody(row: &Row) -> Option<String> {
     let name = row.person.map_or(&row.entry.id, |person| &person.id);
     let is_plain = |c: char| c.is_alphanumeric() || "._-@".contains(c);
@@ -62,7 +62,7 @@ fn archive(
     let failed = Error::environment("cannot pack the reports", "free some memory");
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     let mut is_empty = true;
-    // Whose attempt does not count gets the report of the one that does.
+    // Only attempts that count have a report in the archives.
     let rows = class.all_rows().filter(|row| row.mark.is_some());
     for row in rows {
         let Some(name) = name(row) else { continue };

@@ -36,7 +36,7 @@ pub enum Format {
     Feedback,
 }
 
-/// One thing that earns points.
+/// One part of an assignment that earns points.
 struct Part {
     suite: String,
     name: String,
@@ -77,7 +77,7 @@ impl Format {
 
 fn parts(record: &Record) -> Vec<Part> {
     let groups = record.got.tasks.iter().flat_map(|task| {
-        // What helps with the whole task is told once.
+        // Help that concerns the whole task is given once, at the first group that fails.
         let mut help = Some(help(task));
         task.groups.iter().map(move |group| Part {
             suite: task.name.clone(),
@@ -126,8 +126,8 @@ fn parts(record: &Record) -> Vec<Part> {
     groups.chain(scenes).collect()
 }
 
-/// What may be believed, and where to look. An outcome holds none of it where it would tell
-/// of withheld questions.
+/// What the student may believe, and where to look. An outcome has no such help where it would
+/// tell something about withheld questions.
 fn help(task: &TaskOutcome) -> Vec<String> {
     let said = terminal::diagnosis(&task.diagnosis);
     let said = said.lines().map(str::to_owned);
@@ -136,7 +136,8 @@ fn help(task: &TaskOutcome) -> Vec<String> {
     said.chain(hints).collect()
 }
 
-/// A question that shows what is wrong; how many are, only where there is none to show.
+/// A question that shows what is wrong. The number of wrong questions is given only if there
+/// is no question to show.
 fn shown(group: &GroupOutcome) -> Vec<String> {
     let said = terminal::group_in_words(group);
     let facts = terminal::facts(&group.worst);
@@ -146,7 +147,8 @@ fn shown(group: &GroupOutcome) -> Vec<String> {
     }
 }
 
-/// None without a mark: Gradescope then says that grading failed, and records no score.
+/// Gradescope's results; `None` without a mark: Gradescope then says that grading failed, and
+/// records no score.
 fn gradescope(record: &Record) -> Option<Value> {
     let points = record.got.points?;
     let tests = parts(record).into_iter().enumerate().map(|(k, part)| {
@@ -193,8 +195,8 @@ fn prairielearn(record: &Record) -> Value {
 }
 
 /// After https://github.com/foundation50/classroom50/wiki/Advanced-Autograding, “The
-/// `result.json` contract”. Who and what it is of, its runner says in the environment. None
-/// without a mark, so that the runner reports an error of its own.
+/// `result.json` contract”. The runner's environment names the classroom, the assignment and
+/// the submission. `None` without a mark, so that the runner reports an error of its own.
 fn classroom50(record: &Record, runner: &dyn Fn(&str) -> Option<String>) -> Option<Value> {
     let points = record.got.points?;
     let tests = parts(record).into_iter().map(|part| {
@@ -229,7 +231,7 @@ fn classroom50(record: &Record, runner: &dyn Fn(&str) -> Option<String>) -> Opti
     Some(result)
 }
 
-/// A suite of JUnit's, as `templates/junit.xml` shows it.
+/// A test suite for `templates/junit.xml`.
 #[derive(Serialize)]
 struct Suite {
     name: String,

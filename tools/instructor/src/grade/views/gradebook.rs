@@ -1,5 +1,5 @@
-//! Files that gradebooks import: everybody's final mark, once. Who has none keeps an empty
-//! cell, which is no zero.
+//! Files that gradebooks import, with everybody's final mark once. People without a mark get
+//! an empty cell, which doesn't mean zero.
 
 use super::csv::Table;
 use crate::grade::class::{Class, Row};
@@ -7,8 +7,8 @@ use crate::grade::intake::names::{PlatformName, platforms};
 use crate::grade::intake::roster::Person;
 use crate::grade::policy::mark::{Mark, number};
 
-/// Canvas: Grades, Import. The columns and the line of possible points are those that Canvas
-/// documents and exports; `Name (number)` meets the assignment that there is.
+/// For Canvas: Grades, Import. The columns and the line of possible points are those that
+/// Canvas documents and exports. `Name (number)` names the assignment that is there already.
 pub fn canvas(class: &Class) -> String {
     let policy = class.roll.policy.as_ref();
     let column = policy.and_then(|policy| policy.rules.gradebook_column.clone());
@@ -33,8 +33,8 @@ pub fn canvas(class: &Class) -> String {
     table.for_machines()
 }
 
-/// Moodle: the assignment's “Upload grading worksheet”, or the gradebook's import from CSV,
-/// where `ID number` says who it is.
+/// For Moodle: the assignment's “Upload grading worksheet”, or the gradebook's import from
+/// CSV, where `ID number` identifies the person.
 pub fn moodle(class: &Class) -> String {
     let mut table = Table::new(&[
         "Identifier",
@@ -83,7 +83,8 @@ fn account(
         .iter()
         .any(|name| !platforms(name).is_empty());
     let named = row.entry.given.iter().find_map(|name| of_platform(name));
-    // What was handed in for a group says who did it, not who all are.
+    // The number in what was handed in is that of the person who uploaded it, not of the
+    // others in the group.
     let is_shared = row.is_shared;
     let named = named
         .filter(|_| is_own && !is_shared)

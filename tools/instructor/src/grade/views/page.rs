@@ -25,8 +25,8 @@ const TEMPLATES: [(&str, &str); 2] = [
     ),
 ];
 
-/// The contents of the page. Names come from students: invisible characters are shown
-/// as codes, and the template escapes the rest.
+/// The contents of the page. Names come from students, so invisible characters are shown as
+/// codes, and the template escapes the rest.
 #[derive(Serialize)]
 struct Page<'a> {
     title: &'a str,
@@ -47,7 +47,8 @@ struct Page<'a> {
     sections: Vec<SectionRow>,
     /// Whether there is a policy, which may change marks.
     has_policy: bool,
-    /// Whether it is for showing to the class: without names, and without a row for anybody.
+    /// Whether it is to be shown to the class, without names and without rows for single
+    /// people.
     is_anonymous: bool,
     slowest: Vec<(String, String)>,
     /// Who is graded, in a sentence.
@@ -82,7 +83,7 @@ struct Part {
     mean: String,
     full: usize,
     of: usize,
-    /// Of a hundred, how many do not have all its points.
+    /// The percentage of submissions that don't have all its points.
     failing: u32,
 }
 
@@ -103,7 +104,7 @@ struct Line {
     person: String,
     section: String,
     points: Option<u32>,
-    /// Of a mark: after the policy, and at last.
+    /// The mark after the policy, and the final mark.
     policy: String,
     last: String,
     changes: Vec<String>,
@@ -118,7 +119,7 @@ struct Line {
 #[derive(Clone, Copy, Eq, PartialEq)]
 pub enum Names {
     Shown,
-    /// For showing the page in class.
+    /// No names, for showing the page in class.
     Hidden,
 }
 
@@ -152,7 +153,7 @@ fn of<'a>(class: &'a Class<'a>, assignment: &Assignment, names: Names) -> Page<'
         .max()
         .unwrap_or(0);
     let bins = bins(&points, possible);
-    // How many they are is shown in any case.
+    // Only the number of people is shown.
     let name = |id: &str| match is_anonymous {
         true => String::new(),
         false => printable(id),
@@ -273,7 +274,7 @@ fn line(row: &Row) -> Line {
     }
 }
 
-/// Section by section, where there are several.
+/// A row for each section of the course, if there are several.
 fn sections(class: &Class) -> Vec<SectionRow> {
     let mut sections: BTreeMap<String, Vec<u32>> = BTreeMap::new();
     for row in class.rows.iter().filter(|row| row.not_counted.is_none()) {
@@ -303,7 +304,7 @@ fn mean(points: impl Iterator<Item = u32>) -> Option<String> {
     (count > 0).then(|| format!("{:.1}", f64::from(sum) / f64::from(count)))
 }
 
-/// Ten bars; full marks have their own.
+/// The histogram of points: ten bars, and one of its own for full marks.
 fn bins(points: &[u32], possible: u32) -> Vec<Bin> {
     let width = possible.div_ceil(10).max(1);
     let starts = (0..possible).step_by(width as usize);
@@ -321,7 +322,7 @@ fn bins(points: &[u32], possible: u32) -> Vec<Bin> {
         .collect()
 }
 
-/// Task by task, group by group, scene by scene.
+/// A row for each task, each group of questions and each scene.
 fn parts(class: &Class, assignment: &Assignment) -> Vec<Part> {
     let part = |name: &str, about: &str, is_group: bool, all: Vec<(u32, u32)>| Part {
         name: name.into(),

@@ -1,4 +1,5 @@
-//! What `grade --dry-run` shows: whose each submission is, and what was found in it.
+//! Prints what `grade --dry-run` shows: whom each submission belongs to, and what was found in
+//! it.
 
 use std::collections::BTreeMap;
 

@@ -25,12 +25,12 @@ impl GradingProgress<'_> {
         }
     }
 
-    /// A submission is graded again, alone, because an answer was late.
+    /// Reports that a submission is graded again, alone, because an answer was late.
     pub fn again_alone(&self, id: &str) {
         self.line.say(&again_line(id));
     }
 
-    /// A submission is done: graded in this run, or its result is still valid.
+    /// Reports that a submission is done: graded in this run, or its result is still valid.
     pub fn graded(&self, record: &Record, is_new: bool) {
         let count = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         let share = count as f64 / self.of.max(1) as f64;
@@ -46,7 +46,10 @@ impl GradingProgress<'_> {
 }
 
 fn again_line(id: &str) -> String {
-    format!("{} again, alone: an answer came too late", printable(id))
+    format!(
+        "{} is graded again, alone: an answer came too late",
+        printable(id)
+    )
 }
 
 fn log_line(id: &str, said: &str) -> String {

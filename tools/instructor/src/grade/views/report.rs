@@ -1,5 +1,5 @@
-//! The marks in students' reports. A policy may change after grading, so reports are written
-//! without, and get theirs whenever the class's files are written.
+//! Writes the marks into students' reports. A policy may change after grading, so reports are
+//! first written without a mark, and get it whenever the class's files are written.
 
 use std::fs;
 

@@ -21,14 +21,14 @@ use pinhole_course::error::Result;
 use pinhole_report::escape::printable;
 use pinhole_report::program::Status;
 
-/// What this run alone has done.
+/// What has been done in this run.
 #[derive(Default)]
 pub struct RunSummary {
-    /// How many were graded, not only found valid.
+    /// How many submissions were graded and not only found valid.
     pub graded: usize,
     pub seconds: f64,
     pub changes: Vec<Change>,
-    /// Whether all was graded again, to see what changes.
+    /// Whether everything was graded again, to see what changes.
     pub is_regrade: bool,
     /// The submissions whose grading failed, and why; an earlier grade may still be
     /// valid.
@@ -39,7 +39,7 @@ pub struct RunSummary {
 pub struct ClassOutput<'a> {
     pub cache: &'a ResultCache,
     pub assignment: &'a Assignment,
-    /// Written beside the files that are always written.
+    /// Formats to write in addition to the files that are always written.
     pub formats: &'a [Format],
     /// Print a JSON document.
     pub as_json: bool,

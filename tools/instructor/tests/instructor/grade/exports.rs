@@ -29,7 +29,7 @@ fn put(folder: &Path, files: &[(String, Vec<u8>)]) {
     }
 }
 
-/// Semicolons and one byte a letter, as a spreadsheet in Germany writes them.
+/// A roster with semicolons and one byte per letter, as a spreadsheet in Germany writes it.
 const ROSTER: &str = "id;name;section\r\n1;Ada Lovelace;A\r\n2;Yu Yang;A\r\n3;Grace Hopper;A\r\n\
     4;Zoë Müller;B\r\n5;Alan Turing;B\r\n6;Emmy Noether;B\r\n7;Gus Ghost;B\r\n";
 
@@ -79,7 +79,7 @@ fn a_class_from_four_places_is_matched_judged_and_summed_up() {
     on_small_assignment(&[&line[..], &["--dry-run"]].concat())
         .expect_code(1)
         .expect_out("lovelaceada_11: Ada Lovelace [1]: 6 of 6 answer files")
-        .expect_out("of 7 people on the roster, 6 are found; 1 handed in nothing; 1 miss answer");
+        .expect_out("of 7 people on the roster, 6 are found; 1 handed in nothing; 1 lack answer");
     assert!(!Path::new(&out).exists(), "nothing is graded");
 
     let policy = class.path("policy.toml");
@@ -87,7 +87,7 @@ fn a_class_from_four_places_is_matched_judged_and_summed_up() {
     let more = ["--out", &out, "--policy", &policy];
     let ran = on_small_assignment(&[&line[..], &more, &formats.concat()].concat());
     ran.expect_code(1)
-        .expect_out("of 7 people on the roster, 6 are graded; 1 handed in nothing; 1 miss answer")
+        .expect_out("of 7 people on the roster, 6 are graded; 1 handed in nothing; 1 lack answer")
         .expect_out("(Emmy Noether [6]): plane.rs is missing")
         .expect_out("`Sphere (1).rs` was taken as `sphere.rs`")
         .expect_out("Gus Ghost [7]");
@@ -136,7 +136,7 @@ fn a_class_from_four_places_is_matched_judged_and_summed_up() {
         }
     }
 
-    // One of them again: the others stay.
+    // Grade one of them again: the others keep their marks.
     let grace = class.folder.join(moodle("Grace Hopper_2001"));
     put(&grace, &[("hw1.zip".into(), zip(&answers("", None)))]);
     let grace = grace.to_str().expect("a plain name");
@@ -162,7 +162,8 @@ const POLICY: &str = "time_zone = 'Europe/Berlin'\ndeadline = '2026-11-20 23:59'
 const TIMES: &str = "id,time\n1,2026-11-20 12:00\n2,2026-11-21 12:00\n3,2026-11-20 12:00\n\
     4,2026-11-20 12:00\n5,2026-11-20 12:00\n6,2026-11-20 12:00\n";
 
-/// Raw, after the policy, and final: in the list, on the page, in reports and for platforms.
+/// Checks the raw, policy and final marks in the list, on the page, in reports and in files
+/// for platforms.
 fn policy_reaches_every_way_out(class: &Class) {
     let csv = class.read("out/grades.csv");
     for (id, marks) in [

@@ -12,7 +12,8 @@ use super::{BROKEN, Class, answers, assignment, on_small_assignment, wrong_plane
 use pinhole_testing::{program_of, root};
 
 impl Class {
-    /// Grades one submission at a time, and is killed when it has come so far.
+    /// Starts a grader that grades one submission at a time, and kills it when it `has_come`
+    /// so far.
     fn kill_grader(&self, out: &str, has_come: impl Fn() -> bool) {
         let (class, out) = (self.path("class"), self.path(out));
         let mut grader = Command::new(program_of("grade"))
@@ -61,7 +62,7 @@ fn killed_grader_resumes_without_losing_a_grade() {
     }
 }
 
-/// Results and when they were written.
+/// The results, and when they were written.
 fn finished(out: &Path) -> Vec<(PathBuf, std::time::SystemTime)> {
     let entries = fs::read_dir(out.join("submissions"))
         .into_iter()
@@ -109,7 +110,7 @@ fn shards_merge_to_the_grades_of_one_run() {
     for shard in ["1/2", "2/2"] {
         class
             .grade(&shard.replace('/', "-"), &["--shard", shard])
-            // Of the second part nobody lacks a file.
+            // In the second part, nobody lacks a file.
             .expect_code(i32::from(shard == "1/2"));
     }
     let (one, two, merged) = (class.path("1-2"), class.path("2-2"), class.path("merged"));
@@ -132,7 +133,7 @@ fn shards_merge_to_the_grades_of_one_run() {
 }
 
 #[test]
-fn a_merge_takes_no_older_mark_for_answers_that_a_stopped_part_did_not_come_to() {
+fn a_merge_does_not_use_old_marks_for_answers_that_a_stopped_part_did_not_grade() {
     let class = Class::new("stopped");
     class.grade("out", &[]).expect_code(1);
     let reference = fs::read_to_string(answers().join("plane.rs")).expect("it is there");
@@ -178,14 +179,14 @@ fn two_graders_do_not_write_into_one_folder() {
 #[test]
 fn grader_fault_is_not_a_zero_and_keeps_the_finished_grade() {
     let class = Class::new("fault");
-    // The first run may rebuild this program, and then the second run is that of
-    // another program.
+    // The first run may rebuild this program. Then the second run grades everything again,
+    // because the program is another.
     for _ in 0..2 {
         class.grade("out", &[]).expect_code(1);
     }
     let before = class.read("out/submissions/ada/result.json");
     let marks = class.read("out/grades.csv");
-    // Nobody can write a report where a folder lies.
+    // The report can't be written, because there is a folder of that name.
     let report = class.folder.join("out/submissions/ada/report.html");
     fs::remove_file(&report).expect("it was there");
     fs::create_dir(&report).expect("a folder can be made");
@@ -198,7 +199,7 @@ fn grader_fault_is_not_a_zero_and_keeps_the_finished_grade() {
     assert_eq!(class.read("out/submissions/ada/result.json"), before);
     assert_eq!(class.read("out/grades.csv"), marks);
 
-    // Of other answers the old mark says nothing.
+    // The old mark is not valid for other answers.
     class.hand_in("ada", &[("plane.rs", &wrong_plane())]);
     let told = class.grade("out", &["--json"]).expect_code(3).json();
     assert_eq!(told["not_graded"][0][0], "ada");

@@ -50,7 +50,7 @@ fn an_autograder_holds_both_scripts_and_every_golden() {
             .status();
         assert!(checked.expect("bash starts").success(), "{script}");
     }
-    // Cargo can read the workspace in it, as it must to build it.
+    // Cargo must be able to read the workspace in the archive to build it.
     let cargo = std::env::var("CARGO").unwrap_or("cargo".into());
     let metadata = Command::new(cargo)
         .args(["metadata", "--no-deps", "--offline", "--format-version=1"])
@@ -104,7 +104,7 @@ fn check_jsonschema() -> PathBuf {
 }
 
 #[test]
-fn the_workflow_is_one_to_github_pins_its_actions_and_covers_three_systems() {
+fn the_workflow_is_valid_pins_its_actions_and_covers_three_systems() {
     let workflow = root().join("tools/instructor/templates/handout/check.yml");
     let text = fs::read_to_string(&workflow).expect("it is there");
     for system in ["ubuntu-", "macos-", "windows-"] {

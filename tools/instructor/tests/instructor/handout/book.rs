@@ -6,7 +6,7 @@ use super::plain;
 use pinhole_testing::{fresh, pinhole, root, trusted};
 
 #[test]
-fn a_built_book_travels_and_one_that_shows_an_answer_does_not() {
+fn a_built_book_is_handed_out_unless_it_shows_an_answer() {
     let folder = fresh(&trusted(), "handout-book");
     let (book, out) = (folder.join("built"), folder.join("students"));
     let hand_out = || pinhole(&["handout", "--out", plain(&out), "--book", plain(&book)]);

@@ -67,7 +67,7 @@ fn commands(readme: &str) -> Vec<String> {
 }
 
 #[test]
-fn a_machine_with_rust_alone_runs_every_command_red_until_filled_and_green_when_filled() {
+fn with_rust_alone_every_command_works_and_tests_pass_once_the_stubs_are_filled() {
     let out = handed_out("handout-fresh");
     let run = |command: &str| on_a_fresh_machine(&out, command);
     run("cargo run --release --locked -- check")
@@ -115,7 +115,7 @@ fn a_machine_with_rust_alone_runs_every_command_red_until_filled_and_green_when_
     let readme = fs::read_to_string(out.join("README.md")).expect("it came along");
     let commands = commands(&readme);
     assert!(commands.len() >= 6, "{commands:?}");
-    // `film.exr` is whatever program's: here, our own.
+    // `film.exr` may come from any program. Here, it comes from ours.
     run("cargo run --release -- render bunny && cp render/film.exr film.exr").expect_code(0);
     let (resets, others): (Vec<&String>, Vec<&String>) = commands
         .iter()

@@ -73,27 +73,29 @@ struct Secrets {
 }
 
 impl Secrets {
-    /// All of the course's, but what stands in the stubs of a student's repository.
+    /// All secrets of the course, except lines that the stubs in a student's repository show
+    /// anyway.
     fn of_the_course(students: &Path) -> Secrets {
         let course = root().join("assignments/ray_casting");
         let stubs: Vec<String> =
             sources(&students.join("assignments/ray_casting/handout")).concat();
         let is_secret = |line: &str| !stubs.iter().any(|stub| stub == line);
-        // One line alone: `match camera.projection {` is no answer, `let h = …` is a part of one.
+        // Single lines: `match camera.projection {` gives nothing away, but `let h = …` is
+        // part of an answer.
         let answers: Vec<String> = sources(&course.join("reference")).concat();
         let telling = |line: &&String| {
             line.len() >= 24 && !line.ends_with('{') && !line.contains("ANCHOR") && is_secret(line)
         };
         let lines: Vec<String> = answers.iter().filter(telling).cloned().collect();
         assert!(lines.len() > 20, "the search knows too little");
-        // Two lines together: what wrong and other right answers are made of.
+        // Pairs of lines, from wrong answers and other right ones.
         let mut pairs = Vec::new();
         for kind in ["reference", "mistakes", "variants"] {
             for source in sources(&course.join(kind)) {
                 let two = source
                     .windows(2)
                     .filter(|two| two.iter().all(|line| is_secret(line)))
-                    // That there are two projections is told by the stubs as well.
+                    // The stubs, too, tell that there are two projections.
                     .filter(|two| !two.iter().all(|line| line.starts_with("Projection::")));
                 let long = two.filter(|two| two.concat().len() >= 48);
                 pairs.extend(long.map(|two| (two[0].clone(), two[1].clone())));
@@ -122,7 +124,7 @@ impl Secrets {
 /// A file with something that students must not get, and the reason for its refusal.
 #[test]
 #[cfg(target_os = "linux")]
-fn whatever_file_would_give_something_away_it_is_refused() {
+fn every_file_that_would_give_something_away_is_refused() {
     let folder = fresh(&trusted(), "handout-refused");
     let answer = "let discriminant = h * h - a * k;";
     let own = root().join("assignments/ray_casting/assignment.toml");
@@ -181,7 +183,8 @@ fn whatever_file_would_give_something_away_it_is_refused() {
     }
 }
 
-/// Runs `pinhole` where files of the checkout are others, without touching the checkout.
+/// Runs `pinhole` where some files of the checkout are replaced, without touching the
+/// checkout.
 #[cfg(target_os = "linux")]
 fn pinhole_where(files: &[(&str, &Path)], arguments: &[&str]) -> Ran {
     let mut walled = Command::new("bwrap");
@@ -200,7 +203,7 @@ fn pinhole_where(files: &[(&str, &Path)], arguments: &[&str]) -> Ran {
 
 #[test]
 #[cfg(target_os = "linux")]
-fn nothing_of_a_withheld_scene_travels_but_its_points() {
+fn a_handout_holds_nothing_of_a_withheld_scene_but_its_points() {
     let folder = fresh(&trusted(), "handout-withheld");
     let own = root().join("assignments/ray_casting/assignment.toml");
     let text = fs::read_to_string(own).expect("it is there");

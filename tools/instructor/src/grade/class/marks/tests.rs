@@ -84,7 +84,7 @@ fn the_last_attempt_counts_or_the_best_and_each_person_has_one_mark() {
         finals(&rows(&best, &records)),
         [("ada".into(), "one".into(), 60.0)]
     );
-    // Nothing tells which of these is the last.
+    // Nothing says which of these is the last.
     let entries = vec![entry("one", "ada", EARLY), entry("two", "ada", "ada")];
     let untold = roll(entries, RULES, &[]);
     let rows = rows(&untold, &records);
@@ -114,7 +114,7 @@ fn a_group_is_graded_once_and_marked_for_all() {
 }
 
 #[test]
-fn lateness_that_nobody_can_tell_and_ids_that_nobody_has_are_questions() {
+fn unknown_lateness_and_unknown_ids_are_listed() {
     let rules = format!("{RULES}[[adjust]]\nid = 'adda'\npoints = 5\nreason = 'talk'\n");
     let entries = vec![
         entry("one", "ada", "ada_LATE_1_2_a.zip"),
@@ -130,7 +130,7 @@ fn lateness_that_nobody_can_tell_and_ids_that_nobody_has_are_questions() {
         assert!(concern.is_grave, "{word}");
         concern.which.clone()
     };
-    assert_eq!(of("on no roster"), ["adda"]);
+    assert_eq!(of("not on the roster"), ["adda"]);
     assert_eq!(of("nothing says when: no points"), ["one"]);
     assert_eq!(of("taken as in time"), ["two"]);
     assert_eq!(concerns.len(), 3);

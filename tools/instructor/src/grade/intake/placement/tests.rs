@@ -1,7 +1,7 @@
 use super::*;
 use crate::grade::intake::names;
 
-/// An entry as names tell it.
+/// An entry with the signs that its name gives.
 fn entry(name: &str) -> Entry {
     let platforms = names::platforms(name);
     let signs = match platforms.is_empty() {
@@ -96,7 +96,7 @@ fn ambiguous_and_unknown_submissions_are_listed() {
 }
 
 #[test]
-fn account_with_somebody_elses_name_gets_no_mark_of_theirs() {
+fn an_account_with_somebody_elses_name_does_not_get_their_mark() {
     let names = ["lovelaceada_11_501_a.zip", "lovelaceada_12_502_a.zip"];
     let placed = place(&entries(&names), Some(&people()));
     assert!(
@@ -129,7 +129,7 @@ fn file_name_chosen_by_the_uploader_is_not_trusted() {
 }
 
 #[test]
-fn a_number_that_is_by_chance_anothers_id_contradicts_the_name() {
+fn a_number_that_happens_to_be_another_persons_id_contradicts_the_name() {
     let name = "lovelaceada_20239999_501_a.zip";
     let placed = place(&entries(&[name]), Some(&people()));
     assert_eq!(placed.ambiguous[name].len(), 2, "{placed:?}");
@@ -140,7 +140,7 @@ fn a_number_that_is_by_chance_anothers_id_contradicts_the_name() {
 }
 
 #[test]
-fn several_submissions_by_one_person_are_all_told() {
+fn several_submissions_by_one_person_are_all_listed() {
     let plain = ["s1", "Ada Lovelace_7_assignsubmission_file"];
     let placed = place(&entries(&plain), Some(&people()));
     assert!(placed.superseded.is_empty());

@@ -1,5 +1,5 @@
-//! A folder's files. A student may exchange a folder for a link while we read: each folder is
-//! opened from the one above, which is held open, and no link is ever followed.
+//! Reads a folder's files. A student may replace a folder by a link while we read it. So each
+//! folder is opened from its parent, which is held open, and no link is ever followed.
 
 use std::fs::File;
 use std::io;
@@ -46,7 +46,10 @@ fn visit(
                 reader.keep(path, Content::Folder);
             }
             if path.len() > MOST_FOLDERS {
-                reader.keep(path, Content::Refused("it lies in too many folders".into()));
+                reader.keep(
+                    path,
+                    Content::Refused("it is nested in too many folders".into()),
+                );
                 return Ok(());
             }
             match folder.folder(name)? {
@@ -64,7 +67,7 @@ fn visit(
     Ok(())
 }
 
-/// Whether a file could be opened, and is one.
+/// The file, if it could be opened and is a regular file.
 fn regular(file: File) -> io::Result<Option<File>> {
     let is_file = file.metadata()?.is_file();
     Ok(is_file.then_some(file))
@@ -84,7 +87,7 @@ mod held {
     use rustix::fs::{AtFlags, CWD, Dir, FileType, Mode, OFlags, openat, statat};
     use rustix::io::Errno;
 
-    /// What a name stands for.
+    /// What there is under a name.
     pub enum Kind {
         Folder,
         File,
@@ -96,7 +99,7 @@ mod held {
     const FOLDER: OFlags = OFlags::RDONLY
         .union(OFlags::DIRECTORY)
         .union(OFlags::CLOEXEC);
-    /// No link is followed, and no writer waited for.
+    /// How a file is opened: no link is followed, and we don't wait for a writer.
     const FILE: OFlags = OFlags::RDONLY
         .union(OFlags::NOFOLLOW)
         .union(OFlags::NONBLOCK)
@@ -107,7 +110,7 @@ mod held {
             Ok(Folder(openat(CWD, path, FOLDER, Mode::empty())?))
         }
 
-        /// Its names, sorted, and what they stand for.
+        /// The names in it, sorted, and what there is under each.
         pub fn entries(&self) -> io::Result<Vec<(OsString, Kind)>> {
             let mut entries = Vec::new();
             for entry in Dir::read_from(&self.0)? {
@@ -166,7 +169,7 @@ mod held {
     use std::io;
     use std::path::{Path, PathBuf};
 
-    /// What a name stands for.
+    /// What there is under a name.
     pub enum Kind {
         Folder,
         File,
@@ -180,7 +183,7 @@ mod held {
             Ok(Folder(path.into()))
         }
 
-        /// Its names, sorted, and what they stand for.
+        /// The names in it, sorted, and what there is under each.
         pub fn entries(&self) -> io::Result<Vec<(OsString, Kind)>> {
             let mut entries = Vec::new();
             for entry in fs::read_dir(&self.0)? {

@@ -10,7 +10,7 @@ use tar::{Archive, EntryType, PaxExtensions};
 
 use super::{Reader, Trouble, Unread, is_skipped, joined};
 
-/// More is not unpacked: whatever a few bytes of `gzip` claim to hold.
+/// The most bytes that are unpacked, because a few bytes of `gzip` can hold very many.
 const MOST_UNPACKED: u64 = 4 << 30;
 
 /// The longest name.
@@ -33,7 +33,7 @@ pub fn read(reader: &mut Reader, file: File, path: &[String], depth: usize) -> R
     let mut archive = Archive::new(unpacked.take(MOST_UNPACKED));
     let entries = archive.entries().map_err(spoilt)?;
     let mut long_name: Option<Vec<u8>> = None;
-    // Raw, because otherwise a name is read into memory whatever its length.
+    // Read raw entries; otherwise a name of any length would be read into memory.
     for entry in entries.raw(true) {
         let mut entry = entry.map_err(spoilt)?;
         let kind = entry.header().entry_type();

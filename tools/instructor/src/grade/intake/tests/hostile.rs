@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn archive_with_other_peoples_names_is_one_submission() {
+fn an_archive_with_other_peoples_names_is_one_submission() {
     let export = Export::new();
     let forged = zip(&answers("", "mallory"));
     let inside = vec![("lovelaceada_11_999_hw1.zip".to_owned(), forged)];
@@ -21,7 +21,7 @@ fn archive_with_other_peoples_names_is_one_submission() {
 
 #[test]
 #[cfg(unix)]
-fn two_names_that_are_no_text_are_shown_apart() {
+fn two_names_that_are_not_text_look_different() {
     use std::os::unix::ffi::OsStrExt;
     let export = Export::new();
     for byte in [0xe9, 0xe8] {
@@ -43,7 +43,7 @@ fn two_names_that_are_no_text_are_shown_apart() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_folder_exchanged_for_a_link_while_it_is_read_shows_nobody_elses_answers() {
+fn a_folder_replaced_by_a_link_while_it_is_read_shows_nobody_elses_answers() {
     use rustix::fs::{CWD, RenameFlags, renameat_with};
     use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -105,7 +105,7 @@ fn a_hostile_name_becomes_a_plain_folder_of_its_own() {
 }
 
 #[test]
-fn shards_share_out_everybody_once() {
+fn everybody_is_in_exactly_one_shard() {
     let all: Vec<u32> = (0..10).collect();
     let mut shared: Vec<u32> = (1..=3)
         .flat_map(|k| shard(all.clone(), Some((k, 3))))

@@ -38,7 +38,7 @@ const DAY: i64 = 24 * HOUR;
 const DEADLINE: &str = "deadline = '2026-11-20 23:59'\n";
 
 #[test]
-fn a_policy_makes_of_marks_what_it_says() {
+fn a_policy_changes_marks_as_it_says() {
     let by_day = "[late]\npercent = 10\nper = 'day'\n";
     let of_earned = "[late]\npercent = 10\nper = 'day'\nof = 'earned'\nat_most = 50\n";
     let by_hour = "[late]\npercent = 0.5\nper = 'hour'\nat_most = 20\n";
@@ -118,7 +118,7 @@ fn no_mark_is_below_zero_and_none_rises_with_lateness() {
 }
 
 #[test]
-fn a_day_late_is_the_same_time_tomorrow_also_when_clocks_change() {
+fn a_day_late_is_the_same_time_tomorrow_even_when_clocks_change() {
     // On 25 October 2026 the day in Berlin has 25 hours.
     let due: Zoned = "2026-10-24 23:59[Europe/Berlin]".parse().expect("a time");
     let next: Zoned = "2026-10-25 23:59[Europe/Berlin]".parse().expect("a time");
@@ -130,7 +130,7 @@ fn a_day_late_is_the_same_time_tomorrow_also_when_clocks_change() {
 }
 
 #[test]
-fn extra_credit_is_not_among_the_points_that_can_be_had() {
+fn extra_credit_does_not_count_as_possible_points() {
     let judged = Judged {
         points: 90.0,
         possible: 100.0,
@@ -141,14 +141,14 @@ fn extra_credit_is_not_among_the_points_that_can_be_had() {
 }
 
 #[test]
-fn rules_that_make_no_sense_are_refused_in_words() {
+fn rules_that_make_no_sense_are_refused_with_a_reason() {
     for (rules, why) in [
         ("[late]\npercent = 10\nper = 'day'\n", "no `deadline`"),
         (
             "deadline = 'x'\n[late]\npercent = 110\nper = 'day'\n",
             "not between 0 and 100",
         ),
-        ("deadline = 'x'\ngrace = 'soon'\n", "no time like"),
+        ("deadline = 'x'\ngrace = 'soon'\n", "not a time like"),
         ("[rounding]\nto = 0\n", "not above 0"),
         (
             "[[adjust]]\nid = 'a'\npoints = 1\nreason = ' '\n",
@@ -163,7 +163,7 @@ fn rules_that_make_no_sense_are_refused_in_words() {
 }
 
 #[test]
-fn times_are_read_as_people_and_platforms_write_them() {
+fn times_are_read_in_the_formats_of_people_and_platforms() {
     use super::super::times::{timestamp, zone};
     let berlin = zone(Some("Europe/Berlin")).expect("it is a zone");
     for text in [
