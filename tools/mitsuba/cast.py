@@ -38,7 +38,7 @@ def cast(scene, origins, directions, min_t):
     """The first intersection with t >= min_t of every ray with a Mitsuba scene.
 
     Each ray starts at o + min_t d and min_t is added back to t: casting from o
-    and dropping what lies nearer than min_t would hide what stands behind it.
+    and dropping what lies nearer than min_t would hide what lies behind it.
     `min_t` is one number or one per ray.
 
     Directions are halved or doubled to a length in [1/2, 1) first, which rounds

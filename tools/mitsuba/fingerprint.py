@@ -1,10 +1,11 @@
 """Fingerprints of the scripts that make golden films.
 
-Prints one JSON object: for each scene file, and for each task of an assignment and its
-ties (or, of fresh questions, its random scenes), a SHA-256 of all that decides the pixels of its films but the scene and the seed: every
-script that is imported on the way, and the versions of the packages. Docstrings,
-comments and layout count for nothing, so only a change that could change a film
-changes its fingerprint. Needs Python's standard library alone.
+Prints one JSON object with a SHA-256 for each scene file, for each task of an assignment,
+and for its ties (or, with fresh questions, for its random scenes). The hash covers
+everything that decides the pixels of the films except the scene and the seed: every
+imported script, and the versions of the packages. It ignores docstrings, comments and
+layout, so only a change that could change a film changes its fingerprint. Needs only
+Python's standard library.
 """
 
 import argparse

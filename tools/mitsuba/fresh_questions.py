@@ -1,9 +1,9 @@
 """Fresh question films: questions that nobody has seen, from a seed of their own.
 
 A mark must not depend on the draw, so fresh questions are spread over everything that
-can be drawn. How many a group has, its kind says (`FRESH`): enough for a mistake that
-shows in one of a thousand. `tools/RECORDS.md` has the measurement. The committed
-questions are drawn independently and stay as they are.
+can be drawn. The kind of a group says how many it has (`FRESH`): enough to catch a
+mistake that shows in one question of a thousand. `tools/RECORDS.md` has the
+measurement. The committed questions are drawn independently and stay as they are.
 """
 
 from importlib import import_module
@@ -14,7 +14,7 @@ from chance import generator
 from question_films import films, questions_of
 
 EXTREME = 2
-"""One question in so many is drawn towards the ends of its ranges."""
+"""One question out of this many is drawn towards the ends of its ranges."""
 
 BELOW_1 = 1 - 2.0**-53
 
@@ -48,17 +48,17 @@ class Strata:
         return getattr(self._rng, name)
 
     def uniform(self, low=0.0, high=1.0, size=None):
-        """As that of numpy's generators, for one number or a row of them."""
+        """Like the method of numpy's generators, for one number or a row of them."""
         return low + (high - low) * self._numbers((low, high), size)
 
     def integers(self, low, high=None, size=None):
-        """As that of numpy's generators, for one number or a row of them."""
+        """Like the method of numpy's generators, for one number or a row of them."""
         low, high = (0, low) if high is None else (low, high)
         numbers = low + np.floor((high - low) * self._numbers("integers", size))
         return int(numbers) if size is None else numbers.astype(int)
 
     def choice(self, options, size=None):
-        """As that of numpy's generators, for one option of a sequence or a row of them."""
+        """Like the method of numpy's generators, for one option of a sequence or a row."""
         chosen = self.integers(0, len(options), size)
         return options[chosen] if size is None else np.array([options[k] for k in chosen])
 
@@ -67,7 +67,7 @@ class Strata:
         return numbers[0] if size is None else np.array(numbers)
 
     def _number(self, kind):
-        """A number in [0, 1) of the dimension that the question asks for now."""
+        """The next number in [0, 1) for the dimension that the question has come to."""
         place = self._asked.get(kind, 0)
         self._asked[kind] = place + 1
         dimension = kind, place, self._is_extreme
@@ -78,8 +78,8 @@ class Strata:
 
 
 def _spread(rng):
-    """Endless numbers in [0, 1), of which the first 2^k lie one in each 2^-k: so they are
-    spread evenly too where only some of the questions ask for them."""
+    """Endless numbers in [0, 1). Each interval of length 2^-k holds one of the first 2^k
+    numbers, so they are spread evenly even if only some of the questions ask for them."""
     numbers = rng.uniform(size=1)
     yield from numbers
     while True:
@@ -91,7 +91,7 @@ def _spread(rng):
 
 
 def _towards_an_end(number):
-    """A number in [0, 1) moved towards 0 or 1: about half of all come within 0.05 of it."""
+    """A number in [0, 1) moved towards 0 or 1: about half of them come within 0.05 of it."""
     if number < 0.5:
         return 4 * number**3
     return min(1 - 4 * (1 - number)**3, BELOW_1)

@@ -1,13 +1,13 @@
 """Question films: films whose every pixel is a question of its own about one task.
 
-A picture of a scene asks little of a task; its questions ask it alone, from every
-side. For each group of a task's questions there are three films of 32 columns: `ask`
+A picture of a scene tests a task only a little. A task's questions test it alone, and
+in every case. For each group of a task's questions there are three films of 32 columns: `ask`
 holds the questions (float32 values), and beside it lie the golden and its tolerance.
 
 A task's questions are drawn by the module of its name in the folder `questions` of
 the assignment. Its dictionary GROUPS has for each group a function that draws one
 question, given a random generator: a `Question` of one of `kinds`, or None to be
-asked again.
+called again.
 """
 
 import sys

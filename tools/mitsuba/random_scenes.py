@@ -1,6 +1,6 @@
 """Random scenes: fresh goldens that nobody has seen before.
 
-The camera is drawn here. What stands before it is the assignment's: the function
+The camera is drawn here. The objects come from the assignment: the function
 `objects(rng, view)` in its `questions/random_scene.py` gives the tables of a scene
 file's objects. Numbers are written to four decimals.
 """
@@ -31,7 +31,7 @@ class View:
     focal_length: float | None  # scene units; None is orthographic
 
     def point(self, rng, depth, spread):
-        """A point `depth` before the eye, within `spread` half widths of the axis."""
+        """A point `depth` in front of the eye, within `spread` half widths of the axis."""
         reach = 0.5 * spread * (depth / self.focal_length if self.focal_length else 1)
         offset = rng.uniform(-reach, reach, 2) * self.size
         return self.eye + np.array([*offset, -depth]) @ self.frame
@@ -65,7 +65,7 @@ def render_random(assignment, seed, index, folder):
 
 
 def _require_every_shape(scene):
-    """Raise `SceneError` if a shape is hidden from every seventh pixel."""
+    """Raise `SceneError` if none of every seventh pixel shows some shape."""
     i, j = scene.camera.pixels()
     rays = scene.camera.rays(i[::7], j[::7])
     seen = set(cast(to_mitsuba(scene.objects), *rays, scene.camera.min_t).id) - {MISS}

@@ -2,8 +2,8 @@
 
 Two things are beyond a float32 caster and are decided in float64 here: a pixel
 centre that lies on a triangle's edge (either answer is right, and correct
-casters leak through), and a plane seen so flatly that the disk that stands for
-it ends (its horizon).
+casters leak through), and a plane seen at so flat an angle that the ray misses
+the disk that represents it (at the horizon).
 """
 
 import numpy as np
@@ -79,9 +79,12 @@ def _refuse_edges(scene, centre, displaced):
 
 
 def _refuse_horizon(scene, centre):
-    """A ray that misses a far disk looks like a ray that misses its plane, so the
-    plane's own t decides; on either side of the horizon, because a ray exactly
-    parallel to the plane is a coin toss in any arithmetic."""
+    """Raise `SceneError` if a ray looks along a plane, close to its horizon.
+
+    A ray that misses the disk looks like a ray that misses the plane, so the plane's
+    own t decides. Both sides of the horizon are refused, because rounding decides
+    whether a ray that is exactly parallel to the plane meets it.
+    """
     camera = scene.camera
     columns, rows = camera.pixels()
     origins, directions = camera.rays(columns, rows)

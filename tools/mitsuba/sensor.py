@@ -68,6 +68,6 @@ def golden_rays(camera, i, j):
 
 
 def _near_clip(camera):
-    """Where the sensor's rays start, as a distance from the eye. Of the size of the
-    image, or its float32 rounding would show in the picture of something tiny."""
+    """The distance from the eye at which the sensor's rays start. It is as large as the
+    image; otherwise its float32 rounding would show in a picture of something tiny."""
     return camera.width if camera.focal_length is None else camera.focal_length

@@ -27,7 +27,7 @@ EXEMPT_SHARE = 0.0005
 
 
 def round_up(x):
-    """The least powers of two that are not below `x` > 0: they compress well."""
+    """The smallest powers of two that are at least `x` > 0, because they compress well."""
     mantissa, exponent = np.frexp(x)
     return np.ldexp(1.0, np.where(mantissa == 0.5, exponent - 1, exponent))
 
@@ -38,11 +38,11 @@ def exempt_allowed(pixels):
 
 
 def hit_tolerance(centre, displaced, normal_rounding=0.0, t_absolute=T_ABSOLUTE):
-    """Tolerances (N, 5) of the channels id, t, N.X, N.Y, N.Z, and who is exempt.
+    """Tolerances (N, 5) of the channels id, t, N.X, N.Y, N.Z, and which pixels are exempt.
 
     `centre` are the golden `Hits`, `displaced` those of the displaced rays.
     Where the id changes among them, the pixel lies on an edge and is exempt. At
-    a golden miss t and the normal mean nothing, so only the id is held.
+    a golden miss t and the normal mean nothing, so only the id is compared.
     `normal_rounding`, one number or one per ray, is added for flat faces: see
     `face_rounding.py`.
     """

@@ -1,6 +1,6 @@
 """Small whole numbers to ask about, where many questions are exact ties.
 
-A tie is a question whose answer hangs on one comparison of equals: t exactly `min_t`,
+A tie is a question whose answer depends on comparing two equal numbers: t exactly `min_t`,
 a ray exactly through an edge, two objects at the same t. Vectors are numpy arrays of
 Python's own whole numbers and fractions, so that arithmetic is exact and says which
 questions are ties; a film's float32 values hold all of these numbers exactly.

@@ -1,6 +1,6 @@
 """Several objects along a ray: questions for `first_hit` and `triangle_soup`.
 
-Everything lies relative to the ray's origin.
+All positions are relative to the ray's origin.
 """
 
 import numpy as np
@@ -18,7 +18,7 @@ GROUPS = ("near_first", "far_first", "shuffled", "absent", "min_t", "empty")
 
 
 def sphere(rng, direction, t, hit):
-    """A sphere whose middle is passed at `t`, hit or just missed by the ray."""
+    """A sphere whose centre the ray passes at `t`; it hits the sphere or just misses."""
     length = np.linalg.norm(direction)
     radius = rng.uniform(0.1, 0.8) * t * length
     impact = 0.95 * np.sqrt(rng.uniform()) if hit else rng.uniform(1.02, 2)
@@ -65,7 +65,7 @@ def draw(rng, group, kind, things):
 
 def _wanted(rng, group):
     """Which objects the ray is to hit."""
-    if group == "empty":  # with a hit now and then, or "no hit" were always right
+    if group == "empty":  # with a hit now and then, or "no hit" would always be right
         hit = [True] if rng.uniform() < 0.25 else []
         return hit + [False] * int(rng.choice((0, rng.integers(1, SLOTS + 1 - len(hit)))))
     if group == "last_only":
@@ -78,8 +78,9 @@ def _wanted(rng, group):
 
 
 def _min_t(rng, group, found):
-    """In the group min_t above at least the nearest intersection, and in three
-    questions of ten above all of them; below all intersections elsewhere."""
+    """A value for min_t. In the group `min_t` it is above at least the nearest
+    intersection, and in three questions of ten above all of them. In all other groups
+    it is below all intersections."""
     every = sorted(t for hits in found for t, _ in hits)
     if not every:
         return float(as_f32(rng.uniform(0, 1)))

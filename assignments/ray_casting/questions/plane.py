@@ -12,7 +12,7 @@ from shapes.plane import Plane
 
 
 def place(rng, *, side=None, ahead=None, point=None, stored=None, length=None, min_t=None):
-    """A question; what is not given is drawn.
+    """A question; arguments that are not given are drawn.
 
     `side` is 1 for an origin on the side the normal points to, `ahead` whether the
     plane lies ahead, `stored` the length of its normal, `min_t` a share of the
@@ -44,7 +44,7 @@ def back(rng):
 
 
 def behind(rng):
-    """Mostly planes behind the origin, on either side of them."""
+    """Mostly planes behind the ray's origin, which is on either side of them."""
     return place(rng, ahead=rng.uniform() < 0.3)
 
 
@@ -55,12 +55,12 @@ def min_t(rng):
 
 
 def direction_length(rng):
-    """|d| from 1e-3 to 1e3: t counts in units of it."""
+    """|d| from 1e-3 to 1e3, because t counts in units of |d|."""
     return place(rng, length=log_uniform(rng, 1e-3, 1e3))
 
 
 def stored_normal(rng):
-    """Normals of length 1e-4 to 1e2: the answer's normal is unit all the same.
+    """Normals of length 1e-4 to 1e2. The answer's normal must be a unit vector all the same.
 
     Half the directions are short too, so that n . d is small without the ray being
     anywhere near parallel to the plane.
@@ -75,14 +75,14 @@ def offset(rng):
 
 
 def parallel(rng):
-    """Rays that reach the plane under 1e-3 to 5e-2 rad, leave it under as little, or
-    are exactly parallel to it (one in five) and miss.
+    """Rays that reach the plane at an angle of 1e-3 to 5e-2 rad, leave it at such an
+    angle, or are exactly parallel to it (one in five) and miss.
 
-    Exactly parallel in every right caster's arithmetic, also after the normal is
-    normalised and with fused multiply-adds: the normal has one component, or two
-    of one size against a direction's two components of 1. The height, at
-    least 2, keeps the rays that are tilted for the tolerance off the disk that
-    stands for the plane: they meet the plane 2e6 away.
+    These are exactly parallel in every right caster's arithmetic, even after the
+    normal is normalised and with fused multiply-adds: the normal has one component,
+    or two of equal size, and then the direction has two components of 1. They start
+    at least 2 above the plane. So when they are tilted for the tolerance, they miss
+    the disk that represents the plane, because they meet the plane 2e6 away.
     """
     stored, length = rng.uniform(0.5, 2), rng.uniform(0.3, 3)
     point = rng.uniform(-3, 3, 3)

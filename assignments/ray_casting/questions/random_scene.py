@@ -13,7 +13,7 @@ def objects(rng, view):
 
 
 def sphere(rng, view):
-    """A sphere 2.5 to 8 before the eye, a fifth as large at most."""
+    """A sphere at a depth of 2.5 to 8, with a radius of at most a fifth of that."""
     depth = rng.uniform(2.5, 8)
     return {
         "center": view.point(rng, depth, 0.9),
@@ -22,7 +22,7 @@ def sphere(rng, view):
 
 
 def plane(rng, view):
-    """A plane behind the rest, and tilted less than the view is wide."""
+    """A plane behind most other objects, and tilted by less than the angle of view."""
     normal = sign(rng) * normalize(view.frame[2] + 0.3 * unit_vector(rng))
     return {
         "point": view.point(rng, rng.uniform(6, 10), 0.5),
@@ -31,6 +31,6 @@ def plane(rng, view):
 
 
 def triangle(rng, view):
-    """A triangle 2.5 to 8 before the eye."""
+    """A triangle at a depth of 2.5 to 8."""
     middle = view.point(rng, rng.uniform(2.5, 8), 0.7)
     return {"corners": middle + corners(rng, rng.uniform(0.5, 2.5), rng.uniform(0.8, 3))}

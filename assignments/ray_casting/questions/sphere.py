@@ -1,8 +1,8 @@
 """Questions about one sphere.
 
 A ray is placed by two numbers in units of the radius: its impact parameter
-(the distance of its line from the centre) and how far before that nearest point
-it starts. Impact below 1 hits; 1.29 drawn evenly over the disc hits 60 %.
+(the distance of its line from the centre) and how far before the nearest point it
+starts. A parameter below 1 is a hit. Drawn evenly over a disc of radius 1.29, 60 % hit.
 """
 
 import numpy as np
@@ -13,7 +13,7 @@ from shapes.sphere import Sphere
 
 
 def place(rng, *, impact=None, before=None, radius=None, center=None, length=None, min_t=None):
-    """A question; what is not given is drawn.
+    """A question; arguments that are not given are drawn.
 
     `min_t` is a function of the two roots (None where the line misses).
     """
@@ -39,10 +39,10 @@ def outside(rng):
 
 
 def inside(rng):
-    """The near root lies below min_t: only the far one can answer.
+    """The near root lies below min_t, so only the far one can be the answer.
 
-    The origin is inside, or the sphere reaches through t = min_t; one question
-    in five puts min_t behind the far root too.
+    The origin is inside, or t = min_t lies inside the sphere. In one question of five
+    min_t is behind the far root too.
     """
     impact = 0.95 * np.sqrt(rng.uniform())
     half_chord = np.sqrt(1 - impact**2)
@@ -63,7 +63,7 @@ def behind(rng):
 
 
 def min_t(rng):
-    """min_t below both roots, between them, or above both, evenly."""
+    """min_t below both roots, between them, or above both, equally often."""
     impact = 0.95 * np.sqrt(rng.uniform())
     below, between, above = rng.uniform(0.1, 0.9), rng.uniform(0.1, 0.9), rng.uniform(1.1, 2)
     case = rng.choice(("below", "between", "above"))
@@ -77,7 +77,7 @@ def min_t(rng):
 
 
 def direction_length(rng):
-    """|d| from 1e-3 to 1e3: t counts in units of it."""
+    """|d| from 1e-3 to 1e3, because t counts in units of |d|."""
     return place(rng, length=log_uniform(rng, 1e-3, 1e3))
 
 
@@ -85,8 +85,8 @@ def scale(rng):
     """Tiny and huge spheres near the origin of space; half the directions are as
     long as the sphere is wide, half have the length of ordinary scenes.
 
-    For half the tiny ones min_t lies between the roots or behind both: small
-    discriminants are no reason to look at min_t less.
+    For half of the tiny ones, min_t lies between the roots or behind both, so that
+    min_t is tested with small discriminants too.
     """
     tiny = rng.uniform() < 0.6
     radius = log_uniform(rng, 1e-6, 1e-2) if tiny else log_uniform(rng, 1e2, 1e4)

@@ -11,8 +11,8 @@ from shapes.triangle import Triangles
 from whole_numbers import Ray, not_zero, vector, whole
 
 NORMALS = (*np.eye(3), *-np.eye(3))
-"""One for each object that a question has room for: the answer's normal tells which
-object was hit, and float32 holds its unit length exactly."""
+"""A normal for each object that a question has room for. The answer's normal tells which
+object was hit, and float32 holds it exactly."""
 
 
 def sphere(rng):
@@ -27,15 +27,15 @@ def sphere(rng):
 
 
 def plane(rng):
-    """Ties: t exactly min_t. A parallel ray is none: it misses, wherever it runs."""
+    """Ties: t exactly min_t. A parallel ray is not a tie: it misses, wherever it is."""
     shape, ray = Plane(vector(rng), not_zero(rng)), Ray.draw(rng)
     parallel = ray.direction @ shape.normal == 0
     return ray.ask(shape), not parallel and (ray.at_min_t() - shape.point) @ shape.normal == 0
 
 
 def triangle(rng):
-    """Ties: exactly on the line of an edge, or t exactly min_t. A parallel ray is none:
-    it misses, even in the triangle's own plane."""
+    """Ties: exactly on the line of an edge, or t exactly min_t. A parallel ray is
+    not a tie: it misses, even in the triangle's own plane."""
     a, b, c = (vector(rng) for _ in range(3))
     t1, t2 = b - a, c - a
     if not np.cross(t1, t2).any():
@@ -63,7 +63,7 @@ def objects(rng, kind):
     ]
     firsts = [next((t for t in ts if t >= ray.min_t), np.inf) for ts in met]
     nearest = min(firsts, default=np.inf)
-    # The objects are canned: the question holds what each is met at, and no shapes.
+    # The question holds the hits of each object, and no shapes.
     found = [[(t, normal) for t in ts] for ts, normal in zip(met, NORMALS)]
     question = kind.Question(ray.origin, ray.direction, ray.min_t, met, found)
     return question, nearest < np.inf and firsts.count(nearest) > 1

@@ -43,7 +43,7 @@ def place(
     rng, *, at=None, side=None, ahead=True, size=None, aspect=None,
     center=None, away=None, length=None, min_t=None,
 ):
-    """A question; what is not given is drawn.
+    """A question; arguments that are not given are drawn.
 
     `at` are barycentric coordinates, `side` is 1 for an origin on the side of the
     normal (b - a) x (c - a), `away` the origin's distance in sizes, `min_t` a share
@@ -71,8 +71,8 @@ def place(
 
 
 def plain(rng):
-    """A triangle along the axes, in numbers that leave nothing to round: the
-    determinant of its 3 x 3 system is exactly 1."""
+    """A triangle along the axes, with numbers that need no rounding: the determinant of
+    its 3 x 3 system is exactly 1."""
     over, height = np.array([*rng.integers(1, 4, 2) / 8, 0]), float(rng.integers(1, 5))
     origin = over + np.array([0, 0, height])
     triangle = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
@@ -80,7 +80,7 @@ def plain(rng):
 
 
 def front(rng):
-    """The normal points to the ray's side; one question in twenty is plain."""
+    """The normal points to the ray's side; one question in twenty is `plain`."""
     return plain(rng) if rng.uniform() < 0.05 else place(rng, side=1)
 
 
@@ -113,7 +113,7 @@ def min_t(rng):
 
 
 def direction_length(rng):
-    """|d| from 1e-3 to 1e3: t counts in units of it."""
+    """|d| from 1e-3 to 1e3, because t counts in units of |d|."""
     return place(rng, length=log_uniform(rng, 1e-3, 1e3))
 
 

@@ -1,4 +1,4 @@
-// A sphere that recedes while the lens follows: what three computations make of its picture.
+// A sphere that moves away while the lens zooms in, as three computations show it.
 
 import facts from "./facts.json";
 import { slider, table } from "./stage";

@@ -1,4 +1,4 @@
-// Wakes the figures of a page. Without this script their static pictures stay.
+// Makes the figures of a page interactive. Without this script, their static pictures stay.
 
 import { breakingDistance } from "./breaking_distance";
 import { pixelToRay } from "./pixel_to_ray";
@@ -19,7 +19,7 @@ for (const figure of document.querySelectorAll<HTMLElement>("figure[data-figure]
     const wake = figures[figure.dataset["figure"] ?? ""];
     if (stage !== null && wake !== undefined) {
         wake(stage);
-        // What the arrow keys move is a slider, and no chapter.
+        // In a figure, the arrow keys move a slider and must not turn to another chapter.
         figure.addEventListener("keydown", (event) => event.stopPropagation());
     }
 }

@@ -1,5 +1,5 @@
-// Equal balls in a row: how high each is on the image plane, for any focal length, and
-// orthographically, which is where the slider ends.
+// Equal balls in a row, and how high each is on the image plane, for any focal length. At the
+// end of the slider, the projection is orthographic.
 
 import facts from "./facts.json";
 import { WIDTH, circle, drawing, line, slider, table } from "./stage";
@@ -7,7 +7,7 @@ import { shown } from "./words";
 
 const [HEIGHT, AXIS] = [214, 80];
 const RADIUS = 0.8;
-// From the image plane, which stays.
+// The balls' distances from the image plane, which doesn't move.
 const BALLS = [2.5, 5, 7.5];
 const [SHORT, LONG, STEP] = [1, 8, 0.5];
 // With the longest focal length the eye is still on the drawing.
@@ -48,7 +48,7 @@ export function projections(stage: HTMLElement): void {
                 const from = parallel ? place(0, side * up) : place(-focal.value, 0);
                 parts.push(line(from, place(along, side * up), fill, 2));
             }
-            // As large as it is in the picture, below.
+            // Below the drawing, the ball is as large as it is in the picture.
             const [x] = place(ball, 0);
             parts.push(circle([x, HEIGHT - 32], (SCALE * high) / 2, fill));
             return [`ball ${number + 1}`, `${shown(high)} high`] as const;

@@ -1,5 +1,5 @@
 // A ray moved across a sphere: the discriminant, both roots, and the part of the ray that
-// min_t leaves. Which root counts is for the reader to say.
+// min_t leaves. It doesn't say which root counts: readers find that out themselves.
 
 import facts from "./facts.json";
 import { WIDTH, circle, clamped, drawing, line, slider, table, word } from "./stage";

@@ -30,8 +30,8 @@ export const circle = ([cx, cy]: Place, r: number, fill: string, opacity = 1): S
 export const word = ([x, y]: Place, text: string, anchor = "middle"): SVGElement =>
     shape("text", { x, y, fill: "currentColor", "font-size": FONT_SIZE, "text-anchor": anchor }, text);
 
-// A drawing that a pointer may be dragged over; what it means is told by the sliders and
-// the table, so that nobody misses anything who does not see it.
+// A drawing over which a pointer can be dragged. The sliders and the table say the same, so
+// readers who don't see the drawing miss nothing.
 export function drawing(height: number, dragged: (x: number, y: number) => void): SVGSVGElement {
     const svg = shape("svg", {
         viewBox: `0 0 ${WIDTH} ${height}`,
@@ -89,7 +89,7 @@ export function slider(
     };
 }
 
-// Names and what stands beside them; changes are read out when they pause.
+// A table of names and values. Screen readers read out changes when they pause.
 export function table(): { element: HTMLElement; show(rows: readonly (readonly [string, string])[]): void } {
     const element = document.createElement("dl");
     element.setAttribute("aria-live", "polite");

@@ -1,4 +1,4 @@
-// Numbers as the book and `explain` write them.
+// Writes numbers as the book and `explain` do.
 
 export function shown(value: number): string {
     const digits = Number(value.toPrecision(6));

@@ -66,7 +66,7 @@ class Question:
         return (golden, tolerance) if self._is_fair(golden, tolerance) else None
 
     def _is_fair(self, golden, tolerance):
-        """No near tie, and the casts alone and together agree on who is nearest."""
+        """Whether there is no near tie, and both kinds of casts agree on the nearest object."""
         every = sorted(
             ((t, k, normal) for k, found in enumerate(self.intersections) for t, normal in found),
             key=lambda hit: hit[0],
@@ -83,7 +83,7 @@ class Question:
 
 def intersections(thing, direction):
     """All intersections of one object with a ray from the origin of space, nearest
-    first: a list of (t, normal). Behind each, the next cast starts."""
+    first: a list of (t, normal). Each cast starts behind the hit before."""
     world, start, found = to_mitsuba([thing]), np.zeros((1, 3)), []
     min_t = 0.0
     while True:

@@ -1,6 +1,6 @@
 """Questions of the kind `soup`: which of one object's triangles does the ray hit first?
 
-They are those of `first_hit`, but all triangles are one object: its id is 0.
+They are like those of `first_hit`, but all triangles are one object, with the id 0.
 """
 
 from cast import MISS

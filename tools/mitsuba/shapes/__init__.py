@@ -1,6 +1,6 @@
 """The shapes of objects: one file for each `type` of a scene file.
 
-The file has a function `read(table, folder)`, which makes an object from a scene
+Each file has a function `read(table, folder)`, which makes an object from a scene
 file's `[[object]]` table, and the object has a method `to_mitsuba()`, which gives
 what Mitsuba loads. A shape that questions of the kind `intersect` are asked about
 has these too: the names of its `CHANNELS` in a question film, `values()` and

@@ -9,7 +9,7 @@ from camera import normalize
 from shapes import vector
 
 PLANE_RADIUS = 1e6
-"""Radius of the disk that stands for a plane, scene units. Measured: relative
+"""Radius of the disk that represents a plane, scene units. Measured: relative
 error of t at most 3e-7 (99th percentile); a rectangle of that size loses 3e-2."""
 
 

@@ -65,7 +65,7 @@ def folder(tmp_path):
 
 
 def fingerprints(folder, what="--questions"):
-    """As the command prints them, to whom no installed package is in sight."""
+    """The fingerprints that the command prints if it can't see any installed package."""
     line = ["round.toml", "flat.toml", what, "."]
     run = subprocess.run(
         [sys.executable, "-I", "-S", "mitsuba/fingerprint.py", *line],
@@ -75,7 +75,7 @@ def fingerprints(folder, what="--questions"):
 
 
 def changed(folder, file, old, new, what="--questions", names=ALL):
-    """Whose fingerprints change with this edit of a file."""
+    """The names of everything whose fingerprint changes with this edit of a file."""
     before, text = fingerprints(folder, what), (folder / file).read_text()
     assert old in text
     (folder / file).write_text(text.replace(old, new))

@@ -31,7 +31,7 @@ def test_each_number_of_a_question_meets_every_stratum():
     for seed in range(5):
         questions = drawn(1024, draw, seed)
         assert [strata_met(numbers, 1024) for numbers in questions.T] == [1024] * 4
-        # Each in an order of its own, or the questions would lie along a diagonal.
+        # Each needs an order of its own; otherwise the questions would lie along a diagonal.
         correlation = np.corrcoef(questions.T) - np.eye(4)
         assert np.abs(correlation).max() < 0.2
 

@@ -65,7 +65,7 @@ def room(request, tmp_path):
 
 
 def films_of_right_caster(path, shift=0.0):
-    """Its golden's and its ray film's answers, the camera `shift` px to the right."""
+    """The answers for its golden and its ray film, with the camera `shift` px to the right."""
     scene = load(path)
     rays = caster.scene_rays(scene.camera, shift)
     return caster.cast(scene.objects, *rays, scene.camera.min_t), np.hstack(rays)

@@ -15,7 +15,7 @@ impl<T: IntersectRay> IntersectRay for TriangleSoup<T> {
     }
 }
 
-/// Greater is nearer.
+/// A hit is greater if it is nearer, so that the heap's top is the nearest.
 struct Nearest(Intersection);
 
 impl Ord for Nearest {

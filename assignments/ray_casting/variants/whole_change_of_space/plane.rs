@@ -5,8 +5,8 @@ use crate::intersect_ray::IntersectRay;
 
 impl IntersectRay for Plane {
     fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
-        // In the plane's own frame, in which it is z = 0; z counts in multiples of the
-        // stored normal.
+        // Work in a frame in which the plane is z = 0, with z in multiples of the stored
+        // normal.
         let (right, forward) = self.normal.normalize().any_orthonormal_pair();
         let to_plane = DMat3::from_cols(right, forward, self.normal).transpose();
         let origin = to_plane * (ray.origin - self.point);

@@ -4,7 +4,7 @@ use crate::intersect_ray::IntersectRay;
 
 impl IntersectRay for Sphere {
     fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
-        // In the space where this is the unit sphere around the origin.
+        // Work in the space in which this is the unit sphere around the origin.
         let origin = (ray.origin - self.center) / self.radius;
         let direction = ray.direction / self.radius;
         let a = direction.length_squared();

@@ -4,7 +4,7 @@ use crate::intersect_ray::IntersectRay;
 
 impl IntersectRay for Plane {
     fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
-        // Distances along the normal, in multiples of its length.
+        // Distances from the plane along the normal, in multiples of the normal's length.
         let at_0 = (ray.origin - self.point).dot(self.normal);
         let change = ray.direction.dot(self.normal);
         if change.abs() == 0.0 {

@@ -7,7 +7,7 @@ pub fn viewing_ray(camera: &Camera, pixel: Pixel, resolution: Resolution) -> Ray
         Projection::Orthographic => DVec3::ZERO,
     };
     let (right, up) = (camera.u * camera.width, camera.v * camera.height);
-    // A point of the plane lies between its two ends as its index does in its row.
+    // A point divides its row of the plane as its index divides the row of pixels.
     let between = |from: DVec3, to: DVec3, index: usize, count: usize| {
         let after = (2 * index + 1) as f64;
         let before = (2 * count) as f64 - after;

@@ -16,7 +16,7 @@ impl IntersectRay for Triangle {
             return None;
         }
 
-        // On the inner side of each edge, seen against the normal.
+        // The point must lie on the inner side of each edge, as seen against the normal.
         let from_a = ray.origin - a + t * ray.direction;
         let corners = [DVec3::ZERO, b - a, c - a];
         for k in 0..3 {
