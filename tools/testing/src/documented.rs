@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use clap::error::ErrorKind;
+
 use crate::root;
 
 /// A command as a page prints it.
@@ -14,8 +16,8 @@ pub struct Documented {
     pub line: usize,
     /// Its words; `cargo pinhole` and `pinhole` are both `pinhole`.
     pub words: Vec<String>,
-    /// Whether it stands in a code block, to be typed as it is. Within a sentence, a
-    /// command may lack what it needs.
+    /// Whether it is in a code block, to be typed as it is. Within a sentence, a command may
+    /// lack what it needs.
     pub is_block: bool,
 }
 
@@ -24,6 +26,38 @@ impl Documented {
     pub fn text(&self) -> String {
         self.words.join(" ")
     }
+}
+
+/// Checks that a program's command line accepts every documented command with one of its
+/// subcommands, and that there are at least `least` of them. Commands with one of the options
+/// in `others` belong to another program.
+pub fn assert_all_parse(program: &clap::Command, others: &[&str], least: usize) {
+    let subcommands = program.get_subcommands().map(clap::Command::get_name);
+    let subcommands: Vec<&str> = subcommands.collect();
+    let mut count = 0;
+    for command in documented(&subcommands) {
+        let words = &command.words;
+        let is_own = words[0] == "pinhole" && subcommands.contains(&&*words[1]);
+        if !is_own || words.iter().any(|word| others.contains(&&**word)) {
+            continue;
+        }
+        count += 1;
+        let Err(error) = program.clone().try_get_matches_from(words) else {
+            continue;
+        };
+        // In a sentence, a command may lack what it needs, and have a name for a value.
+        let is_short = matches!(
+            error.kind(),
+            ErrorKind::MissingRequiredArgument
+                | ErrorKind::MissingSubcommand
+                | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
+                | ErrorKind::InvalidValue
+                | ErrorKind::ValueValidation
+        );
+        let place = format!("{}:{}", command.page, command.line);
+        assert!(!command.is_block && is_short, "{place}: {error}");
+    }
+    assert!(count >= least, "only {count} commands were found");
 }
 
 /// Every command in README, CONTRIBUTING, ARCHITECTURE, SECURITY and the book.
