@@ -289,6 +289,7 @@ mod tests {
     use serde_json::json;
 
     use super::*;
+    use crate::grade::record::tests::graded;
 
     #[test]
     fn report_says_only_the_last_mark_that_its_points_came_to() {
@@ -309,21 +310,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("there is room");
         let cache = ResultCache::open(folder.path()).expect("it is new");
         let path = cache.of("ada").join("result.json");
-        let mut record = json!({
-            "schema": SCHEMA, "id": "ada", "outcome": "graded", "explanation": "",
-            "assignment": "Ray casting", "submission": "ada", "passes": true, "points": 1,
-            "possible": 1, "withheld": 0, "tasks": [], "scenes": [], "printed": "",
-            "sandbox": "none", "flags": [], "remarks": [], "fresh_scenes": [], "most_for_scenes": null,
-            "tokens": {},
-            "provenance": {
-                "answers": [], "judged_on": "", "seed": null, "goldens": "", "fresh": null,
-                "assignment": "", "tool": { "version": "", "sha256": "", "rustc": "" },
-                "sandbox": "none", "timeout": 1, "reveal": null,
-            },
-            "timings": {
-                "total": 1.0, "compiling": 0.5, "asking": 0.5, "report": 0.0, "second_runs": 0,
-            },
-        });
+        let mut record = serde_json::to_value(graded("ada", 1, 1)).expect("it can be written");
         let is_there = |record: &serde_json::Value| {
             write(&path, record.to_string().as_bytes()).expect("there is room");
             (

@@ -89,6 +89,7 @@ mod tests {
     use serde_json::{Value, json};
 
     use super::*;
+    use crate::grade::record::tests::graded;
 
     /// Two groups, worth these points, and a scene that needs their task.
     fn assignment(edges: u32, front: u32, dropped: &[(&str, DroppedPoints)]) -> Assignment {
@@ -143,30 +144,18 @@ mod tests {
                 "worst": [], "fails_fresh": !passes,
             })
         };
-        let record = json!({
-            "schema": 2, "id": "ada", "outcome": "graded", "explanation": "",
-            "assignment": "Any", "submission": "ada", "passes": false, "points": 0,
-            "possible": 0, "withheld": 0, "printed": "", "sandbox": "none", "flags": [],
-            "tasks": [{
-                "name": "triangle", "chapter": "", "points": 0, "possible": 0,
-                "file": { "state": "compiled" }, "diagnosis": null,
-                "groups": [group("edges", false), group("front", true)],
-            }],
-            "scenes": [{
-                "name": "lone", "points": 0, "possible": 1, "outcome": film(true),
-                "seconds": null, "diagnosis": null,
-            }],
-            "remarks": [], "fresh_scenes": [], "most_for_scenes": 0,
-            "needs": { "scenes": [["triangle"]], "fresh": [] }, "tokens": {},
-            "provenance": {
-                "answers": [], "judged_on": "", "seed": null, "goldens": "", "fresh": null,
-                "assignment": "", "tool": { "version": "", "sha256": "", "rustc": "" },
-                "sandbox": "none", "timeout": 1, "reveal": null,
-            },
-            "timings": {
-                "total": 1.0, "compiling": 0.5, "asking": 0.5, "report": 0.0, "second_runs": 0,
-            },
-        });
+        let mut record = serde_json::to_value(graded("ada", 0, 0)).expect("it can be written");
+        record["tasks"] = json!([{
+            "name": "triangle", "chapter": "", "points": 0, "possible": 0,
+            "file": { "state": "compiled" }, "diagnosis": null,
+            "groups": [group("edges", false), group("front", true)],
+        }]);
+        record["scenes"] = json!([{
+            "name": "lone", "points": 0, "possible": 1, "outcome": film(true),
+            "seconds": null, "diagnosis": null,
+        }]);
+        record["most_for_scenes"] = 0.into();
+        record["needs"] = json!({ "scenes": [["triangle"]], "fresh": [] });
         serde_json::from_value(record).expect("a record")
     }
 
