@@ -109,7 +109,7 @@ pub fn verdict(task: &str, text: &str) -> Verdict {
 }
 
 /// What is wrong with the beginning of these tokens, and what helps.
-fn finding(tokens: &[(Token, usize)]) -> Option<(String, &'static str)> {
+pub(super) fn finding(tokens: &[(Token, usize)]) -> Option<(String, &'static str)> {
     let token = |at: usize| tokens.get(at).map(|(token, _)| token);
     let is = |at: usize, mark: char| token(at) == Some(&Token::Mark(mark));
     match token(0)? {

@@ -1,12 +1,12 @@
-//! Parts of an answer that an instructor may want to look at: it uses files, processes,
-//! the network or the compiler's environment. They are flagged and cost no points.
+//! Parts of an answer that an instructor may want to look at: whatever the allow list refuses,
+//! and uses of files, processes, the network or the environment. A flag costs no points.
 //!
 //! Comments and strings are not mistaken for code, and the insides of macros are searched too.
 
 use serde::{Deserialize, Serialize};
 
-use super::Submission;
 use super::tokens::{PATH, Token, tokens};
+use super::{Submission, allow_list};
 
 /// One thing to look at.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -25,20 +25,6 @@ const MOST_FLAGS: usize = 50;
 
 /// More numbers than this look like a table of results.
 const MOST_NUMBERS: usize = 300;
-
-/// Macros that read files or the environment, end the compiler, or are assembly.
-const MACROS: [&str; 10] = [
-    "include",
-    "include_str",
-    "include_bytes",
-    "env",
-    "option_env",
-    "asm",
-    "global_asm",
-    "naked_asm",
-    "compile_error",
-    "thread_local",
-];
 
 /// Modules of the standard library that reach out of the program, or around its types.
 const MODULES: [&str; 11] = [
@@ -59,18 +45,6 @@ const MODULES: [&str; 11] = [
 const HARNESS: [&str; 13] = [
     "ask", "job", "serve", "judge", "film", "Film", "kind", "Kind", "oiiotool", "scene", "Scene",
     "mesh", "AnswerFn",
-];
-
-/// Attributes that name other files or symbols.
-const ATTRIBUTES: [&str; 8] = [
-    "path",
-    "no_mangle",
-    "export_name",
-    "link",
-    "link_name",
-    "link_section",
-    "global_allocator",
-    "panic_handler",
 ];
 
 /// All flags of a submission, in the order of its answers.
@@ -115,6 +89,9 @@ impl Finder<'_> {
         for (at, (token, line)) in tokens.iter().enumerate() {
             let before = |steps: usize| Some(&tokens.get(at.checked_sub(steps)?)?.0);
             let after = |steps: usize| Some(&tokens.get(at + steps)?.0);
+            if let Some((what, _)) = allow_list::finding(&tokens[at..]) {
+                self.flag(*line, what.replace('`', ""));
+            }
             match token {
                 Token::Word(word) => {
                     self.word(word, *line, &before, &after);
@@ -145,20 +122,9 @@ impl Finder<'_> {
         after: &dyn Fn(usize) -> Option<&'t Token>,
     ) {
         let is = |token: Option<&Token>, mark| token == Some(&Token::Mark(mark));
-        let called = is(after(1), '!');
-        // `std::env` is a module too, and flagged as that.
-        let named = is(before(1), PATH) && word != "env";
-        if MACROS.contains(&word) && (called || named) {
-            self.flag(line, format!("{word}!"));
-        }
-        let in_attribute = is(before(1), '[') && (is(before(2), '#') || is(before(2), '!'));
-        let set = is(after(1), '=') && after(2) == Some(&Token::Text);
-        if ATTRIBUTES.contains(&word) && (in_attribute || set) {
-            self.flag(line, format!("#[{word}]"));
-        }
         match word {
             "unsafe" | "extern" => self.flag(line, word),
-            "macro_rules" if called => self.flag(line, "macro_rules!"),
+            "thread_local" if is(after(1), '!') => self.flag(line, "thread_local!"),
             "transmute" => self.flag(line, "transmute"),
             "mut" if before(1) == Some(&Token::Word("static".into())) => {
                 self.flag(line, "static mut");

@@ -21,7 +21,7 @@ fn each_way_out_of_an_answer_is_flagged_with_its_line() {
             "include_bytes!",
         ),
         ("compile_error!(include_str!(\"a\"));", "include_str!"),
-        ("use std::include_str as i;", "include_str!"),
+        ("use std::include_str as i; i!(\"a\");", "i!"),
         ("const A: &str = env!(\"HOME\");", "env!"),
         (
             "const A: Option<&str> = option_env!(\"HOME\");",
@@ -40,7 +40,8 @@ fn each_way_out_of_an_answer_is_flagged_with_its_line() {
         ("use std::*; fn f() { fs::read(\"a\"); }", "std::*"),
         ("fn f() { std::thread::spawn(|| ()); }", "std::thread"),
         ("#[path = \"/etc/passwd\"] mod a;", "#[path]"),
-        ("#[cfg_attr(all(), path = \"a\")] mod a;", "#[path]"),
+        ("#[cfg_attr(all(), path = \"a\")] mod a;", "#[cfg_attr]"),
+        ("thread_local! { static A: u8 = 0; }", "thread_local!"),
         ("mod a;", "mod of another file"),
         ("extern \"C\" { fn kill(a: i32, b: i32); }", "extern"),
         ("#[unsafe(no_mangle)] fn main() {}", "unsafe"),
