@@ -68,9 +68,9 @@ impl fmt::Display for Death {
             Death::StackOverflow => {
                 "its stack overflowed: does a function call itself without end?".into()
             }
-            Death::OutOfProcessorTime => killed("its processor time was up"),
+            Death::OutOfProcessorTime => killed("it used up its processor time"),
             Death::Signal(4) => killed("an illegal instruction"),
-            Death::Signal(6) => killed("it aborted itself"),
+            Death::Signal(6) => killed("it aborted"),
             Death::Signal(7 | 11) => killed("it touched memory that is not its own"),
             Death::Signal(9) => killed("SIGKILL"),
             Death::Signal(25) => killed("it wrote a file that is too long"),
@@ -80,7 +80,7 @@ impl fmt::Display for Death {
             }
             Death::Exit(code) => format!("it exited with code {code} before it had answered"),
             Death::Killed(how) => killed(how),
-            Death::Lost => "its process was lost".into(),
+            Death::Lost => "it ended for an unknown reason".into(),
         };
         f.write_str(&words)
     }

@@ -1,4 +1,4 @@
-//! What the study's program understands; the texts of `--help`.
+//! The command line of the study's program, and the texts of its `--help`.
 
 use std::path::PathBuf;
 
@@ -48,10 +48,11 @@ impl Command {
 /// Measure what speed costs in accuracy, down to the extremes
 ///
 /// Asks many ways to intersect a sphere, a plane and a triangle the same questions, which get
-/// harder step by step, and judges them with exact arithmetic. Then it casts every scene and
-/// judges every pixel. Everyday, hard and absurd questions are told apart. Writes study.json,
-/// summary.md and plots, and prints what was promised beside what came. The exit code is 0 if
-/// all promises are kept, apart from costs, which depend on the machine; otherwise it is 1.
+/// harder step by step, and judges the answers with exact arithmetic. Then it casts every
+/// scene and judges every pixel. Everyday, hard and absurd questions are counted separately.
+/// Writes study.json, summary.md and plots, and prints each promise beside what was measured.
+/// The exit code is 0 if all promises are kept, apart from costs, which depend on the machine;
+/// otherwise it is 1.
 #[derive(Args)]
 pub struct Study {
     /// Ask fewer questions, which takes less than a minute
@@ -84,10 +85,10 @@ pub struct Study {
 /// Find the cheapest way to cast a scene as accurately as you wish, and explain it
 ///
 /// A plan shows the true object at every pixel, and keeps t and normals as accurate as you
-/// wish: proven for every ray of the camera, not sampled. Says for each kind of shape what f64
-/// is proven to keep, where each hit is watched and computed exactly if need be, and whether a
-/// tree of boxes is worth searching. The same scene always has the same plan. Try: cargo
-/// pinhole plan bunny --accuracy 1e-6
+/// wish. This is proven for every ray of the camera, not just tested on a sample. The output
+/// says, for each kind of shape, how accurate f64 is proven to be, which hits are checked and
+/// computed exactly if needed, and whether searching a tree of boxes is worthwhile. The same
+/// scene always gets the same plan. Try: cargo pinhole plan bunny --accuracy 1e-6
 #[derive(Args)]
 pub struct Plan {
     /// A scene file, or the name of one of the assignment's scenes
@@ -166,14 +167,14 @@ pub struct Record {
     pub seed: u64,
 }
 
-/// What is wanted of a planned film.
+/// What a planned film should hold.
 #[derive(Args)]
 pub struct Wanted {
-    /// For a plan: whether rounding may decide which object a pixel shows. Plans show the true
-    /// object either way
+    /// For a plan: which object each pixel shows. This changes nothing, because plans always
+    /// show the true object
     #[arg(long, value_enum, value_name = "IDS")]
     pub ids: Option<Ids>,
-    /// For a plan: what to compute for each pixel; the rest is 0 in the film [default:
+    /// For a plan: what to compute for each pixel; everything else is 0 in the film [default:
     /// id,depth,normal]
     #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',')]
     pub outputs: Vec<Output>,
@@ -182,13 +183,13 @@ pub struct Wanted {
 /// Which objects a planned film shows.
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 pub enum Ids {
-    /// As rounding has them
+    /// The objects that rounded arithmetic finds
     Rounded,
-    /// As they truly are, at every pixel
+    /// The true objects
     Exact,
 }
 
-/// What is worked out for a pixel.
+/// What is computed for a pixel.
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 pub enum Output {
     /// The object
@@ -201,16 +202,16 @@ pub enum Output {
 
 fn accuracy(text: &str) -> Result<f64, String> {
     let accuracy = text.parse().ok().filter(|x| (1e-15..=1.0).contains(x));
-    accuracy.ok_or_else(|| format!("`{text}` is no accuracy between 1e-15 and 1, like 1e-6"))
+    accuracy.ok_or_else(|| format!("`{text}` is not an accuracy between 1e-15 and 1, like 1e-6"))
 }
 
 impl Wanted {
-    /// Whether nothing is said.
+    /// Whether the user gave none of these options.
     pub fn is_empty(&self) -> bool {
         self.ids.is_none() && self.outputs.is_empty()
     }
 
-    /// What the user wishes of a plan; unless they say otherwise, everything.
+    /// What the user wants from a plan: everything, unless they say otherwise.
     pub fn wish(&self, accuracy: f64) -> Wish {
         let wants = |output| self.outputs.is_empty() || self.outputs.contains(&output);
         Wish {
