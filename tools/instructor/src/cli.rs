@@ -1,5 +1,5 @@
-//! What instructors ask for: a class's grades, a course to hand out, goldens, and a check
-//! of all that.
+//! The instructor's command line: grading a class, handing out a course, making goldens, and
+//! testing all of that.
 
 use std::path::PathBuf;
 
@@ -79,7 +79,7 @@ pub struct Grade {
     /// Write results to this folder, and reuse those that it has
     #[arg(long, value_name = "DIR", required_unless_present = "dry_run")]
     pub out: Option<PathBuf>,
-    /// Show whose each submission is and what was found in it, and grade nothing
+    /// Show whom each submission belongs to and what was found in it, and grade nothing
     #[arg(long)]
     pub dry_run: bool,
     /// Grade this many submissions at a time [default: one for each core]
@@ -106,14 +106,14 @@ pub struct Grade {
     /// Canvas's or Moodle's
     #[arg(long, value_name = "CSV")]
     pub roster: Option<PathBuf>,
-    /// A policy.toml: what becomes of marks by deadlines, late days, extra credit, changes by hand
+    /// A policy.toml, which changes marks by deadlines, late days, extra credit, and by hand
     #[arg(long, value_name = "TOML")]
     pub policy: Option<PathBuf>,
     /// Write results in this format too (repeatable)
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub format: Vec<Format>,
-    /// Grade everything again, on new fresh questions, and list the marks that change, those
-    /// that drop first
+    /// Grade everything again, with new fresh questions, and list the marks that change,
+    /// starting with those that drop
     #[arg(long)]
     pub regrade: bool,
     /// Grade only part K of N; `pinhole merge` puts the parts together
@@ -168,7 +168,7 @@ pub struct Dispute {
     pub json: bool,
 }
 
-/// Put together the parts of a class that were graded apart
+/// Put together the parts of a class that were graded separately
 ///
 /// The parts are the --out folders of `grade --shard K/N`, all made with the same paths,
 /// roster and goldens. The result is the same as that of grading the class in one run.
@@ -306,7 +306,7 @@ fn shard(text: &str) -> Result<(usize, usize), String> {
     let parts = parts.and_then(|(k, n)| Some((k.parse().ok()?, n.parse().ok()?)));
     parts
         .filter(|(k, n)| (1..=*n).contains(k))
-        .ok_or_else(|| format!("`{text}` is no part like 2/8"))
+        .ok_or_else(|| format!("`{text}` is not a part like 2/8"))
 }
 
 #[cfg(test)]

@@ -59,8 +59,8 @@ fn mistakes(
     Ok(Status::Well)
 }
 
-/// Keeps the known mistakes' fingerprints on these scenes, and on the probes if the
-/// folder has any.
+/// Stores the known mistakes' fingerprints for these scenes, and for the probes if the folder
+/// has any.
 fn fingerprint(
     manifest: &mut Manifest,
     folder: &Path,
@@ -93,7 +93,8 @@ fn render(
     Ok(Status::Well)
 }
 
-/// The assignment's own films judge everybody, so replacing them needs `--force`.
+/// Refuses to replace the assignment's own films without `--force`, because they judge
+/// everybody.
 fn refuse_unforced(assignment: &Assignment, arguments: &GoldenRender) -> Result<()> {
     let own = assignment.golden();
     let folder = arguments.out.as_ref().unwrap_or(&own);

@@ -1,8 +1,9 @@
 //! Makes a repository for students, which has all they need and none of our answers.
 //!
-//! Reading order: [`course`] for what of the assignment travels, [`workspace`] for what
-//! builds around it, [`readme`]; then [`leak`], which refuses what must not travel, and
-//! [`place`], which writes it with a record by which it is known again.
+//! Reading order: [`course`] selects the parts of the assignment to hand out, [`workspace`]
+//! the packages around it, and [`readme`] writes the README. Then [`leak`] refuses anything
+//! that must not be handed out, and [`place`] writes the repository, with a record by which it
+//! is recognised later.
 
 mod course;
 mod gradescope;
@@ -79,7 +80,7 @@ pub fn vendor(repository: &Path) -> Result<()> {
     }
 }
 
-/// What files hold, by path from the top of a repository, with `/` on every system.
+/// The contents of files, by path from the top of a repository, with `/` on every system.
 pub type Files = BTreeMap<String, Vec<u8>>;
 
 /// An assignment's folder in what is handed out, wherever it lies here.
@@ -99,7 +100,7 @@ impl Repository {
     /// `book` is a folder with the book that was built for students.
     ///
     /// # Errors
-    /// If something that must not travel would.
+    /// If a file holds something that must not be handed out.
     pub fn of(
         assignment: &Assignment,
         checkout: &Checkout,
@@ -130,13 +131,13 @@ impl Repository {
         })
     }
 
-    /// Has it look for its dependencies in the folder that [`vendor`] fills.
+    /// Makes it look for its dependencies in the folder that [`vendor`] fills.
     pub fn use_vendored_sources(&mut self) {
         let settings = self.files.entry(CARGO_CONFIG.into()).or_default();
         settings.extend_from_slice(VENDORED.as_bytes());
     }
 
-    /// Writes it to `out`: whole, or not at all.
+    /// Writes it to `out`, completely or not at all.
     pub fn write(self, out: &Path, force: bool) -> Result<Written> {
         place::write(self, out, force)
     }

@@ -1,8 +1,8 @@
 //! The subcommands of `pinhole` that instructors have.
 //!
-//! Reading order: [`cli`] for the command line; [`grade`] for a class of submissions;
-//! [`handout`] for what students get; [`golden`] for goldens and what they know of
-//! mistakes; [`validate`] for how all of it is itself measured.
+//! Reading order: [`cli`] is the command line; [`grade`] grades a class of submissions;
+//! [`handout`] makes what students get; [`golden`] makes goldens and the films of known
+//! mistakes; [`validate`] tests the grading.
 
 mod cli;
 mod command;

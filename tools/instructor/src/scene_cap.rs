@@ -20,7 +20,7 @@ pub fn most_for_scenes(
     let of_fresh = share(fresh.iter().map(|scene| (scene.points, scene.possible)));
     let capped = outcome.scenes.iter().zip(needs).map(|(scene, needs)| {
         let tasks = outcome.tasks.iter();
-        // A task whose groups are all dropped vouches for nothing and is no doubt either.
+        // A task whose groups are all dropped doesn't count here, for better or worse.
         let needed = tasks.filter(|task| needs.contains(&task.name.as_str()) && task.possible > 0);
         let shares = needed.map(|task| share([(task.points, task.possible)]));
         let smallest = shares.fold(1.0, f64::min);

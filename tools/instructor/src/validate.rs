@@ -1,11 +1,11 @@
 //! Tests the grading: judges submissions whose verdict is known, and compares.
 //!
-//! Reading order: [`validator`] judges one submission; [`submissions`] holds those that
-//! people wrote, and [`mutants`] those that a program writes ([`mutate`]), with
-//! [`equivalents`] for the ones that are not mistakes, which [`difference`] searches for
-//! differences; [`hints`] checks the wording of hints; [`catches`] counts which questions
-//! catch which mistakes; [`sensitivity`] says how small an error the scenes still detect;
-//! [`table`] shows the results.
+//! Reading order: [`validator`] judges one submission. [`submissions`] judges those that
+//! people wrote, and [`mutants`] those that a program writes ([`mutate`]); [`equivalents`]
+//! lists mutants that are not mistakes, and [`difference`] checks that by searching for
+//! differences. [`hints`] checks the wording of hints, [`catches`] counts which questions
+//! catch which mistakes, [`sensitivity`] measures how small an error the scenes still detect,
+//! and [`table`] shows the results.
 
 mod catches;
 mod difference;
@@ -44,13 +44,13 @@ pub use table::validation as table;
 /// What to validate.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// Which parts, in no order. The stub and the reference are always judged.
+    /// The parts to judge, in any order. The stub and the reference are always judged.
     pub parts: Vec<Part>,
-    /// All pairs of beliefs, not only a few of each task.
+    /// Whether to judge all pairs of beliefs, and not only a few of each task.
     pub all_pairs: bool,
     /// Folders of fresh questions, if draws are compared.
     pub draws: Option<PathBuf>,
-    /// Only submissions whose name contains this.
+    /// Judge only submissions whose name contains this text.
     pub named: String,
 }
 
@@ -110,7 +110,7 @@ pub struct Validation {
 }
 
 impl Validation {
-    /// Whether nothing was judged beside the stub and the reference.
+    /// Whether only the stub and the reference were judged.
     pub fn is_empty(&self) -> bool {
         let known = [&self.mistakes, &self.rewrites, &self.variants];
         let judged = known

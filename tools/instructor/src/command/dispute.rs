@@ -35,7 +35,7 @@ pub fn run(arguments: &Dispute) -> Result<Status> {
     Ok(Status::Well)
 }
 
-/// The submission that is meant: by its own id, or by its person's id or name.
+/// Finds the submission that the user named, by its own id or by its person's id or name.
 fn id_of(named: &str, out: &Path) -> Result<String> {
     let roll = Roll::read(&out.join(ROLL))?;
     let is_meant = |id: &str| {
@@ -103,7 +103,7 @@ fn words(record: &Record, evidence: &Evidence) -> String {
     text
 }
 
-/// The groups of a task that fail, and on which questions.
+/// The groups of a task that fail, and the questions on which they fail.
 fn failing<'a>(task: &str, evidence: &'a Evidence) -> Vec<(&'static str, &'a GroupOutcome)> {
     let of = |outcome: &'a Outcome, which| {
         let tasks = outcome

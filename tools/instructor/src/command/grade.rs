@@ -96,7 +96,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         .chain(arguments.roster.clone())
         .chain(arguments.policy.clone())
         .collect();
-    // Submissions are never trusted for lying in the checkout.
+    // Submissions are never trusted, not even if they lie in the checkout.
     let sandbox = Sandbox::for_untrusted("submissions", checkout, arguments.walls(), &secrets)?;
     let of_manifest = |folder: &Path| provenance::of_file(&folder.join("manifest.toml"));
     let made_with = MadeWith {
@@ -223,8 +223,8 @@ fn jobs(arguments: &Grade) -> usize {
     arguments.jobs.unwrap_or(cores)
 }
 
-/// The folder for this class's programs, emptied of those of a run that was killed. Not
-/// in `--out`: the user that the code runs as may have no access there.
+/// The folder for this class's programs, without those that a killed run may have left. It
+/// isn't in `--out`, because the user that the code runs as may have no access there.
 fn programs(scratch: &Path, cache: &ResultCache) -> PathBuf {
     let out = cache.path("");
     let out = out.canonicalize().unwrap_or(out);
@@ -234,8 +234,8 @@ fn programs(scratch: &Path, cache: &ResultCache) -> PathBuf {
     programs
 }
 
-/// Students read this, so it must not name the seed, from which the questions can be
-/// made.
+/// Students read this text, so it must not name the seed, from which anybody could make the
+/// questions.
 fn judged_on(own: bool, fresh: bool, walls: Choice) -> String {
     let goldens = if own {
         "the instructor's goldens"
@@ -260,7 +260,7 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
     let roster = arguments.roster.as_ref();
     let mut people = roster.map(|path| roster::read(path)).transpose()?;
     for group in policy.iter().flat_map(|policy| &policy.groups) {
-        // What is called as a group is, one of its members has handed in.
+        // A submission with the name of a group was handed in by one of its members.
         let mut all = people.iter_mut().flatten();
         if let Some(person) = all.find(|person| group.members.contains(&person.id)) {
             person.logins.push(group.name.clone());

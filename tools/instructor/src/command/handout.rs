@@ -121,7 +121,7 @@ fn refuse_unforced(stale: &[PathBuf], assignment: &Assignment, arguments: &Hando
     ))
 }
 
-/// The handout inside the checkout, generated anew or compared.
+/// Generates the handout inside the checkout, or compares it with the reference.
 fn stubs_in_place(assignment: &Assignment, arguments: &Handout) -> Result<Status> {
     let package = stubs::generate(assignment)?;
     let stale = stubs::out_of_step(&package, &assignment.handout());
@@ -149,7 +149,7 @@ fn stubs_in_place(assignment: &Assignment, arguments: &Handout) -> Result<Status
             anstream::println!("out of step with the reference: {}", path.display());
         }
         anstream::println!(
-            "if nobody's work is in there, mend it: cargo pinhole handout {} --force",
+            "if nobody's work is in there, generate it again: cargo pinhole handout {} --force",
             assignment.name
         );
     }

@@ -66,7 +66,7 @@ fn unusable(manifest: &Manifest, folder: &Path) -> Vec<String> {
         .collect()
 }
 
-/// Goldens the assignment needs and the manifest lacks.
+/// Goldens that the assignment needs, but the manifest doesn't have.
 fn absent(manifest: &Manifest, assignment: &Assignment) -> Vec<String> {
     let scenes = assignment
         .scenes

@@ -89,19 +89,19 @@ pub fn write(
 /// unless told otherwise.
 const LIMIT: Duration = Duration::from_secs(4 * 2 + 2);
 
-/// What a process has when a submission has lost four limits.
+/// The time that a process has after its submission has lost four whole limits.
 const SHORTEST: Duration = Duration::from_secs(2);
 
-/// How long a submission takes in which every answer never ends, on public and on fresh
-/// questions: once beside others, once again, and then each group alone.
+/// How long a submission takes in which no answer ever ends, on public and on fresh questions:
+/// once beside others, once alone, and then each group by itself.
 fn worst_case(assignment: &Assignment) -> Duration {
     let groups = assignment.tasks.iter().map(|task| task.points.len());
     let processes = groups.sum::<usize>() + assignment.tasks.len();
     LIMIT + LIMIT * 4 + SHORTEST * 2 * processes as u32
 }
 
-/// What grades: the checkout without mistakes, variants, and what renders goldens; with it fresh
-/// questions, and what may be revealed.
+/// The files for grading: the checkout without mistakes, variants and the scripts that render
+/// goldens; and with it, fresh questions and what may be revealed.
 pub fn course(
     assignment: &Assignment,
     checkout: &Checkout,

@@ -30,7 +30,7 @@ pub fn refuse(files: &Files, assignment: &Assignment) -> Result<()> {
         if let Some(line) = answers.first_in(bytes) {
             return Err(Error::input(
                 format!("{path} would give away a line of the reference: `{line}`"),
-                "write it otherwise there",
+                "write it in another way there",
             ));
         }
         if let Some(what) = withheld.shown_by(path, bytes) {

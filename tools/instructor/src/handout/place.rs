@@ -77,7 +77,7 @@ pub fn write(repository: Repository, out: &Path, force: bool) -> Result<Written>
     Ok(written)
 }
 
-/// What lies at `out`: nothing, or what an earlier handout wrote and may be replaced.
+/// What there is at `out`: nothing, or an earlier handout that may be replaced.
 fn before(out: &Path, assignment: &str, force: bool) -> Result<Option<HandoutRecord>> {
     let is_free = match fs::read_dir(out) {
         Ok(mut entries) => entries.next().is_none(),
@@ -109,7 +109,7 @@ fn before(out: &Path, assignment: &str, force: bool) -> Result<Option<HandoutRec
 fn replace(fresh: &Path, out: &Path, old: &HandoutRecord, new: &HandoutRecord) -> Result<()> {
     let is_changed = |path: &&String| {
         let now = hash(&out.join(path)).ok();
-        // A run that was stopped has left some files new.
+        // A run that was interrupted may have written some new files already.
         let expected = [old.files.get(*path), new.files.get(*path)];
         now.is_some_and(|now| !expected.contains(&Some(&now)))
     };
@@ -176,7 +176,7 @@ impl Drop for Fresh {
     }
 }
 
-/// Has cargo drop from the lock file what a student's workspace does not need: with
+/// Makes cargo remove from the lock file what a student's workspace does not need. With
 /// `--locked`, as in CI, it would refuse to do so later.
 fn prune_lock(folder: &Path) -> Result<()> {
     let mut cargo = rust_tool("cargo", folder);

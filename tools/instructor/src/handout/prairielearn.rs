@@ -93,8 +93,8 @@ fn question(assignment: &Assignment) -> Result<Files> {
     Ok(files.into_iter().collect())
 }
 
-/// The same whenever it is made: PrairieLearn knows questions by it. Version 8 of RFC 9562,
-/// whose bits anybody may choose.
+/// The question's UUID. PrairieLearn recognises questions by it, so it is the same whenever it
+/// is made. It is of version 8 of RFC 9562, which lets anybody choose the bits.
 fn uuid(name: &str) -> String {
     let hash = sha256(format!("pinhole question {name}").as_bytes());
     let (a, b, c, d, e) = (

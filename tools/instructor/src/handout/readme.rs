@@ -12,7 +12,8 @@ const TEMPLATE: &str = include_str!("../../templates/handout/README.md");
 /// The page of the book that describes scene and film files.
 const FORMATS: &str = "book/src/appendix/scene_and_film_files.md";
 
-/// In the template, a line that stands for a section: this, and the section's heading.
+/// How a line of the template begins that is replaced by a section. The section's heading
+/// follows.
 const QUOTED: &str = "<!-- quoted: ";
 
 /// In the template, a line that is only for those who get this file: the word before it.
@@ -70,7 +71,7 @@ pub fn adapt(files: &mut Files, assignment: &Assignment, checkout: &Checkout) ->
         None => Ok(()),
         Some(heading) => Err(Error::input(
             format!("neither README.md nor {FORMATS} has a section `{heading}` for students"),
-            "restore it, or mend tools/instructor/templates/handout/README.md, which quotes it",
+            "restore it, or correct tools/instructor/templates/handout/README.md, which quotes it",
         )),
     }
 }
@@ -98,7 +99,7 @@ fn points(assignment: &Assignment) -> String {
     table
 }
 
-/// A section with its heading, or, named `beginning`, all that precedes the first.
+/// A section with its heading. The section `beginning` is all that precedes the first heading.
 fn section<'a>(readme: &'a str, heading: &str) -> Option<&'a str> {
     let start = match heading {
         "beginning" if readme.is_empty() => return None,

@@ -1,7 +1,8 @@
 //! The files that are copied unchanged.
 //!
-//! They are listed by folder and kind rather than asked of git: a course may have come
-//! as an archive, and what lies beside the sources, as editors leave it, must not travel.
+//! We list them by folder and kind, and don't ask git for them, because a course may have come
+//! as an archive. Other files beside the sources, such as those that editors leave, must not
+//! be handed out.
 
 use std::fs;
 use std::path::Path;
@@ -21,7 +22,7 @@ const TOP: [&str; 7] = [
     ".gitattributes",
 ];
 
-/// What stands at the top of every workspace that is handed out.
+/// The files at the top of every workspace that is handed out.
 pub fn add_top(files: &mut Files, checkout: &Checkout) -> Result<()> {
     TOP.iter().try_for_each(|name| add(files, checkout, name))?;
     add_folder(files, checkout, "book/figures", &["png"])
@@ -75,7 +76,7 @@ pub fn read_text(path: &Path) -> Result<String> {
     match String::from_utf8(read(path)?) {
         Ok(text) => Ok(text.replace("\r\n", "\n")),
         Err(_) => Err(Error::input(
-            format!("{} is no UTF-8 text", path.display()),
+            format!("{} is not UTF-8 text", path.display()),
             "restore the file",
         )),
     }

@@ -23,7 +23,7 @@ const SETTINGS: &str = "release.toml";
 
 /// A workspace to hand out.
 pub struct Workspace<'a> {
-    /// The assignment that commands mean if nothing else is said.
+    /// The assignment that commands use by default.
     pub assignment: &'a Assignment,
     /// Folders of the packages to include. The packages that they need are added.
     pub packages: &'a [String],
@@ -112,7 +112,7 @@ impl Workspace<'_> {
     }
 }
 
-/// Where an in-house dependency lies.
+/// The folder of an in-house dependency.
 fn path_of(dependency: &Item) -> Option<&str> {
     dependency.get("path")?.as_str()
 }

@@ -8,7 +8,7 @@ use super::submissions::SubmissionVerdict;
 use super::validator::Validator;
 use pinhole_course::assignment::GroupPoints;
 
-/// One row for each film, probes and scenes apart.
+/// Rows for groups of questions and, separately, for scenes.
 #[derive(Debug, Serialize)]
 pub struct Catches {
     /// How many single mistakes were judged.

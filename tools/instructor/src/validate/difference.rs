@@ -28,15 +28,15 @@ pub struct Difference {
     /// Whether both are the same machine code, byte for byte. That is a proof; a search
     /// is not.
     pub same_program: bool,
-    /// Questions that are no ties.
+    /// How many questions are not ties.
     pub asked: usize,
-    /// Questions that exact arithmetic calls ties.
+    /// How many questions are ties in exact arithmetic.
     pub ties: usize,
-    /// Of the questions that are no ties, how many are answered otherwise.
+    /// How many of the questions that are not ties have another answer.
     pub elsewhere: usize,
-    /// The first of them in words.
+    /// The first of these questions in words.
     pub example: Option<String>,
-    /// Of the ties, how many are answered otherwise.
+    /// How many of the ties have another answer.
     pub on_ties: usize,
 }
 
@@ -72,7 +72,7 @@ struct Answered {
     answers: Vec<Option<Answer>>,
 }
 
-/// No program takes longer over a task's questions.
+/// How long a program may take for a task's questions.
 const WALL: Duration = Duration::from_secs(60);
 
 impl<'a> Oracle<'a> {
@@ -168,7 +168,7 @@ impl<'a> Oracle<'a> {
     }
 }
 
-/// To the last bit, except that both zeros are one.
+/// Whether two answers agree to the last bit. Zero and negative zero count as the same.
 fn is_same(a: &Option<Answer>, b: &Option<Answer>) -> bool {
     a == b
 }

@@ -1,8 +1,8 @@
 //! Whether a mark depends on the draw: fresh questions of many seeds, asked of everything that
 //! is known to be wrong.
 //!
-//! What fails the public questions of a group earns nothing there, whatever was drawn. So only
-//! groups whose public questions pass are asked.
+//! An answer that fails the public questions of a group earns nothing there, whatever was
+//! drawn. So only groups whose public questions pass are asked.
 
 use std::path::{Path, PathBuf};
 use std::{fmt, fs};
@@ -23,10 +23,10 @@ use pinhole_course::mistake;
 use pinhole_course::overlay;
 use pinhole_course::submission::Submission;
 
-/// A mistake that shows in more of the questions of a group must be caught by every draw.
+/// Every draw must catch a mistake that shows in more than this share of a group's questions.
 const EVERYDAY: f64 = 0.001;
 
-/// What came of the draws.
+/// The result of comparing draws.
 #[derive(Debug, Default, Serialize)]
 pub struct Draws {
     /// Wrong answers to single tasks.
@@ -44,13 +44,13 @@ pub struct Draws {
 pub struct DrawnGroup {
     /// The wrong answer.
     pub name: String,
-    /// As `task.group`.
+    /// The group, as `task.group`.
     pub group: String,
     /// The share of questions that are wrong, of all seeds together.
     pub rate: f64,
-    /// Of so many seeds…
+    /// The number of seeds that were asked.
     pub seeds: usize,
-    /// … these fail the group.
+    /// The number of seeds whose questions the answer fails.
     pub failing: usize,
 }
 
@@ -176,7 +176,7 @@ fn wrong_questions(
         let pairs = films.iter().zip(&replies);
         return Ok(pairs.map(|(film, reply)| count(film, reply)).collect());
     }
-    // One answer that does not come costs its own film alone.
+    // A missing answer counts against its own film only.
     let one = |film: &&QuestionFilm| {
         let replies = ask(validator, program, &[film])?;
         Ok(replies.map_or(film.job.len(), |replies| count(film, &replies[0])))

@@ -19,16 +19,16 @@ pub const FILE: &str = "equivalent.toml";
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct EquivalentMutant {
-    /// Whose answer it changes.
+    /// The task whose answer it changes.
     pub task: String,
     /// The changed line as the reference has it, without indentation.
     pub was: String,
-    /// The same as the mutant has it.
+    /// The changed line as the mutant has it, without indentation.
     pub becomes: String,
     /// Where it differs from the reference.
     #[serde(rename = "differs")]
     pub claim: Claim,
-    /// Why it does not elsewhere.
+    /// Why it does not differ anywhere else.
     pub why: String,
 }
 
@@ -36,7 +36,7 @@ pub struct EquivalentMutant {
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
 #[serde(rename_all = "lowercase")]
 pub enum Claim {
-    /// On no question at all.
+    /// On no question.
     Nowhere,
     /// Only where exact arithmetic says that a question is a tie.
     Ties,

@@ -34,7 +34,7 @@ pub struct MutantVerdict {
     pub mutant: Mutant,
     /// Its result.
     pub fate: Fate,
-    /// What was measured of it, if its own task's questions fail.
+    /// What was measured in its answers, if its own task's questions fail.
     pub sentences: Sentences,
 }
 
@@ -50,14 +50,14 @@ pub enum Fate {
     Scene(String),
     /// Nothing fails.
     Escaped {
-        /// Where it answers other than the reference.
+        /// Where its answers differ from the reference's.
         difference: Difference,
-        /// Why it is no mistake, if the list says so and the difference agrees.
+        /// Why it is not a mistake, if the list says so and the difference agrees.
         why: Option<String>,
     },
 }
 
-/// A mutant that takes longer for a task or a scene is in an endless loop; the
+/// A mutant that takes longer than this for a task or a scene is in an endless loop: the
 /// reference takes less than a second.
 const WALL: Duration = Duration::from_secs(10);
 
@@ -99,7 +99,7 @@ pub fn generate(reference: &Submission) -> Result<Vec<Mutant>> {
     for answer in &reference.answers {
         let text = answer.text.as_deref().unwrap_or_default();
         let mutants = mutate::mutants(&answer.task, text).or_environment(
-            format_args!("the reference's {}.rs is no Rust", answer.task),
+            format_args!("the reference's {}.rs is not Rust", answer.task),
             "restore the assignment's `reference` folder",
         )?;
         all.extend(mutants);
@@ -192,12 +192,12 @@ impl MutantVerdict {
         }
     }
 
-    /// Whether it is listed as no mistake, and is none.
+    /// Whether it is rightly listed as equivalent.
     pub fn is_equivalent(&self) -> bool {
         matches!(self.fate, Fate::Escaped { why: Some(_), .. })
     }
 
-    /// Whether it is a fault that nothing catches.
+    /// Whether it is a mistake that nothing catches.
     pub fn is_missed(&self) -> bool {
         matches!(self.fate, Fate::Escaped { why: None, .. })
     }
@@ -234,12 +234,12 @@ impl MutantVerdict {
 }
 
 impl Mutants {
-    /// What was measured of all of them.
+    /// What was measured of all mutants.
     pub fn sentences(&self) -> Sentences {
         Sentences::sum(self.judged.iter().map(|judged| &judged.sentences))
     }
 
-    /// How many are such.
+    /// How many mutants satisfy a condition.
     pub fn count(&self, such: impl Fn(&MutantVerdict) -> bool) -> usize {
         self.judged.iter().filter(|judged| such(judged)).count()
     }

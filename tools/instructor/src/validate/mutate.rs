@@ -20,11 +20,11 @@ use serde::Serialize;
 /// One small fault.
 #[derive(Clone, Debug, Serialize)]
 pub struct Mutant {
-    /// Whose answer it spoils.
+    /// The task whose answer it changes.
     pub task: String,
-    /// Where the change begins, from 1.
+    /// The line where the change begins, from 1.
     pub line: usize,
-    /// In characters, from 1.
+    /// The column where the change begins, in characters, from 1.
     pub column: usize,
     /// What kind of change it is.
     pub operator: Operator,
@@ -92,7 +92,7 @@ struct Edit {
 /// the answer is changed.
 ///
 /// # Errors
-/// If the file is no Rust.
+/// If the file is not Rust.
 pub fn mutants(task: &str, text: &str) -> Result<Vec<Mutant>, syn::Error> {
     let file = syn::parse_file(text)?;
     let start = text.find("// ANCHOR: answer").unwrap_or(0);
@@ -130,7 +130,7 @@ impl Edit {
     }
 }
 
-/// Lines moved to the left together.
+/// Removes the indentation that lines have in common.
 fn without_indent(lines: &str) -> String {
     let indent = |line: &str| line.len() - line.trim_start().len();
     let least = lines

@@ -12,13 +12,15 @@ use pinhole_course::outcome::Examination;
 /// Diagnoses of wrong films, counted.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Names {
-    /// The belief alone; of a compound, none but its own.
+    /// How many films were given the right belief alone, or, for a compound, only beliefs that
+    /// it has.
     pub right: usize,
-    /// The belief among two or three that the film cannot tell apart.
+    /// How many were given the right belief among two or three that the film cannot tell
+    /// apart.
     pub among: usize,
-    /// No name.
+    /// How many were given no name.
     pub none: usize,
-    /// Another name, or another beside the right one: which film got which.
+    /// Films that were given a wrong name, perhaps beside the right one, and the names.
     pub wrong: Vec<String>,
 }
 
@@ -58,7 +60,7 @@ impl Names {
         }
     }
 
-    /// Adds others.
+    /// Adds the counts of others.
     pub fn add(&mut self, other: &Names) {
         self.right += other.right;
         self.among += other.among;
@@ -97,7 +99,7 @@ impl Naming {
         Ok(naming)
     }
 
-    /// All of these together.
+    /// The sum of all these counts.
     pub fn sum<'a>(all: impl Iterator<Item = &'a Naming>) -> Naming {
         let mut sum = Naming::default();
         for naming in all {
@@ -116,16 +118,16 @@ const ENOUGH: f64 = 0.95;
 /// How often diagnoses give the right name.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Diagnoses {
-    /// Of rewrites of single beliefs.
+    /// Diagnoses of rewrites of single beliefs.
     pub rewrites: Naming,
-    /// Of two beliefs at once: composed of rewrites, or written as one answer.
+    /// Diagnoses of two beliefs at once: composed of rewrites, or written as one answer.
     pub compounds: Naming,
-    /// Of single beliefs as if each had never been met before: any name is false.
+    /// Diagnoses of single beliefs as if each were unknown, so that any name is false.
     pub unmet: Naming,
 }
 
 impl Diagnoses {
-    /// Counts the names of everything that was judged.
+    /// Counts the names that were given to everything that was judged.
     pub fn of(mistakes: &SubmissionVerdicts, rewrites: &SubmissionVerdicts) -> Diagnoses {
         let sum =
             |judged: &[&SubmissionVerdict]| Naming::sum(judged.iter().map(|judged| &judged.naming));
@@ -144,7 +146,7 @@ impl Diagnoses {
         }
     }
 
-    /// What misses a target.
+    /// The targets that are missed.
     pub fn faults(&self) -> Vec<String> {
         let Diagnoses {
             rewrites,
@@ -156,12 +158,12 @@ impl Diagnoses {
             if names.all() > 0 && names.share_right() < ENOUGH {
                 let share = 100.0 * names.share_right();
                 faults.push(format!(
-                    "of {films} spoilt by one belief only {share:.1} % get its name"
+                    "of {films} spoilt by one belief, only {share:.1} % get its name"
                 ));
             }
         }
-        // Of a single belief a false name counts against its share above. A single picture
-        // of two beliefs can equal that of a third one.
+        // For a single belief, a false name already lowers its share above. A single picture
+        // of two beliefs may equal that of a third one, so it is not counted.
         for names in [&compounds.tasks, &compounds.scenes] {
             faults.extend(names.wrong.iter().map(|film| format!("false name: {film}")));
         }

@@ -22,8 +22,8 @@ const FILE: &str = "pairs.toml";
 /// How many pairs of each task are judged without `--pairs`.
 const SAMPLE: usize = 5;
 
-/// The share of pairs of which at least one belief must be named. It is what we have reached;
-/// the aim is four in five.
+/// The share of pairs for which at least one belief must be named. It is what we have reached
+/// so far; the aim is four in five.
 const ENOUGH: f64 = 0.65;
 
 /// A belief as edits of the reference.
@@ -50,13 +50,13 @@ pub struct Pairs {
     pub all: usize,
     /// Names of one belief or of both.
     pub names: Names,
-    /// Of how many both were named.
+    /// How many had both beliefs named.
     pub both: usize,
     /// Pairs that got no name, or a wrong one.
     pub unnamed: Vec<String>,
     /// Pairs that pass everything: each belief hides the other.
     pub passing: Vec<String>,
-    /// What was measured of them.
+    /// What was measured in their answers.
     pub sentences: Sentences,
 }
 
@@ -203,7 +203,7 @@ fn text_of<'a>(reference: &'a Submission, task: &str) -> Result<&'a str> {
 }
 
 impl Belief {
-    /// Where its edits are, and what stands there instead.
+    /// The places of its edits, and their replacements.
     fn places(&self, text: &str) -> Result<Vec<(Range<usize>, &str)>> {
         let place = |was: &String| -> Result<Range<usize>> {
             let mut found = text.match_indices(was.as_str());
@@ -223,7 +223,7 @@ impl Belief {
 }
 
 impl Pairs {
-    /// What misses a target.
+    /// The targets that are missed.
     pub fn faults(&self) -> Vec<String> {
         let wrong = self.names.wrong.iter();
         let mut faults: Vec<String> = wrong.map(|film| format!("false name: {film}")).collect();

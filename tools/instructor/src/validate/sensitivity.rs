@@ -19,7 +19,7 @@ use pinhole_course::examine;
 use pinhole_course::overlay;
 use pinhole_course::sandbox::Limits;
 
-/// What one scene detects.
+/// The smallest errors that one scene detects.
 #[derive(Debug, Serialize)]
 pub struct Sensitivity {
     /// The scene.
@@ -141,7 +141,7 @@ fn cast(validator: &Validator, program: &Program, scene: &Scene) -> Result<Film>
     }
 }
 
-/// A scene, and what the reference and Mitsuba see of it.
+/// A scene, with its films by the reference and by Mitsuba.
 struct Subject {
     scene: Scene,
     film: Film,
@@ -176,8 +176,7 @@ impl Subject {
         })
     }
 
-    /// By bisection: between the steps that are tried, larger errors are taken to be
-    /// seen where smaller ones are.
+    /// Searches by bisection. It assumes that an error is detected if a smaller one is.
     fn search(&self, kind: Kind, disturb: &Disturb) -> Result<Option<f64>> {
         let is_seen = |step: i32| -> Result<bool> {
             let film = disturb(size(step))?;
@@ -197,7 +196,7 @@ impl Subject {
         Ok(Some(size(seen)))
     }
 
-    /// Every ray passes beside its pixel's centre by these.
+    /// Every ray misses its pixel's centre by these distances.
     fn shifted(&self, across: f64, upward: f64) -> Camera {
         let camera = self.scene.camera;
         let resolution = self.scene.resolution;

@@ -1,5 +1,5 @@
-//! Whether what is measured of wrong answers is true: every sentence is said after the public
-//! questions, and tested on fresh ones.
+//! Checks whether the measured sentences about wrong answers are true. Every sentence is found
+//! with the public questions and tested on fresh ones.
 
 use serde::Serialize;
 
@@ -15,31 +15,31 @@ use pinhole_course::goldens::Goldens;
 use pinhole_course::goldens::questions::QuestionFilm;
 use pinhole_course::sandbox::Limits;
 
-/// What was said of a wrong task, or of many.
+/// The sentences about one wrong task, or about many.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Sentences {
     /// How many wrong tasks gave every answer.
     pub tasks: usize,
-    /// Those of which a law was said, or where they are wrong.
+    /// How many of these got a law, or a sentence about where they are wrong.
     pub told: usize,
-    /// All that was said.
+    /// All sentences.
     pub said: Vec<String>,
-    /// Those of which neither was said, with what was.
+    /// Tasks that got neither, with the sentences that they got.
     pub untold: Vec<String>,
     /// How many sentences were tested on fresh questions.
     pub tested: usize,
-    /// Those that are not true there.
+    /// The sentences that are false on the fresh questions.
     pub wrong: Vec<String>,
 }
 
-/// The share of wrong tasks of which a law must be said.
+/// The share of wrong tasks that must get a law.
 const ENOUGH: f64 = 0.8;
 
-/// Fewer wrong tasks than this have no share.
+/// For fewer wrong tasks than this, no share is required.
 pub const FEW: usize = 20;
 
 impl Sentences {
-    /// What is said of a program's answers to a task that it gets wrong.
+    /// The sentences about a program's answers to a task that it gets wrong.
     pub fn of(
         validator: &Validator,
         program: &Program,
@@ -75,7 +75,7 @@ impl Sentences {
         Ok(sentences)
     }
 
-    /// All of these together.
+    /// The sum of all these results.
     pub fn sum<'a>(all: impl Iterator<Item = &'a Sentences>) -> Sentences {
         let mut sum = Sentences::default();
         for one in all {
@@ -89,21 +89,19 @@ impl Sentences {
         sum
     }
 
-    /// What misses a target.
+    /// The targets that are missed.
     pub fn faults(&self, what: &str) -> Vec<String> {
         let false_ones = self.wrong.iter().map(|it| format!("false sentence: {it}"));
         let mut faults: Vec<String> = false_ones.collect();
         if self.tasks >= FEW && (self.told as f64) < ENOUGH * self.tasks as f64 {
             let (told, tasks) = (self.told, self.tasks);
-            faults.push(format!(
-                "of {tasks} wrong {what} only {told} are told a law"
-            ));
+            faults.push(format!("of {tasks} wrong {what}, only {told} get a law"));
         }
         faults
     }
 }
 
-/// The films of a task's questions, but for those of scenes.
+/// The films of a task's questions, except those about scenes.
 fn films(goldens: &Goldens, task: &Task) -> Result<Vec<QuestionFilm>> {
     let groups = goldens.groups_without_scenes(task)?;
     Ok(groups.into_iter().flat_map(|group| group.films).collect())
@@ -121,7 +119,7 @@ fn asked<'a>(films: &'a [QuestionFilm], replies: &'a [Reply]) -> Vec<Asked<'a>> 
     asked.collect()
 }
 
-/// All answers, in one process; `None` if some do not come.
+/// Asks for all answers in one process; `None` if some are missing.
 pub fn ask(
     validator: &Validator,
     program: &Program,

@@ -22,18 +22,18 @@ use pinhole_course::submission::{Answer, Submission};
 /// The results of the stub and the reference.
 #[derive(Debug, Serialize)]
 pub struct Pristine {
-    /// Points of the reference, and all there are.
+    /// The reference's points, and the points that are possible.
     pub reference: (u32, u32),
-    /// Points of the stub.
+    /// The stub's points.
     pub stub: u32,
-    /// Where a verdict is not as it must be.
+    /// The verdicts that are not as they must be.
     pub faults: Vec<String>,
 }
 
 /// Submissions of one kind.
 #[derive(Debug, Serialize)]
 pub struct SubmissionVerdicts {
-    /// One for each, by name.
+    /// The verdicts, by the submissions' names.
     pub judged: Vec<SubmissionVerdict>,
 }
 
@@ -56,9 +56,9 @@ pub struct SubmissionVerdict {
     pub scenes: Vec<String>,
     /// Points that its scenes earn by themselves.
     pub scene_points: u32,
-    /// What they may earn at most; see [`crate::scene_cap`].
+    /// The most that the scenes may earn; see [`crate::scene_cap`].
     pub most_for_scenes: u32,
-    /// Answers that do not compile: then nothing is shown by their failing.
+    /// Answers that do not compile, so that their failing shows nothing.
     pub not_compiled: Vec<String>,
     /// What its diagnoses name.
     pub naming: Naming,
@@ -88,7 +88,7 @@ pub fn pristine(validator: &Validator) -> Result<Pristine> {
     })
 }
 
-/// The handout as it is generated, whatever a student has made of the committed one.
+/// The generated handout, because somebody may have filled in the committed one.
 fn stub(validator: &Validator) -> Result<Submission> {
     let package = stubs::generate(validator.assignment)?;
     let text = |file: String| package.get(&PathBuf::from("src").join(file)).cloned();
@@ -111,7 +111,7 @@ fn films(outcome: &Outcome) -> impl Iterator<Item = (String, &FilmOutcome)> {
     })
 }
 
-/// Folders to lay over other answers one after the other, and what must come of it.
+/// Folders to lay over other answers one after the other, and the verdict that is expected.
 struct Overlay {
     name: String,
     folders: Vec<PathBuf>,
@@ -279,7 +279,7 @@ impl SubmissionVerdict {
         self.not_compiled.is_empty() && self.tasks == self.declared && !passes
     }
 
-    /// What is not as it must be.
+    /// What is wrong with its verdict, if anything.
     pub fn faults(&self) -> Option<String> {
         let SubmissionVerdict { name, .. } = self;
         let listed = |names: &[String]| match names {

@@ -108,7 +108,7 @@ fn failing(name: &str, known: &SubmissionVerdicts, more: &str) -> String {
     row(declared == all, name, said)
 }
 
-/// What the tasks' points take from scenes, where no fresh scene vouches for them.
+/// How many points scenes lose because of their tasks, if no fresh scene earns them.
 fn capped(mistakes: &SubmissionVerdicts) -> String {
     let lost = |judged: &SubmissionVerdict| {
         let (earned, most) = (judged.scene_points, judged.most_for_scenes);

@@ -1,4 +1,4 @@
-//! The one path: compile a submission, ask it, judge what it answers, just as `check`.
+//! Compiles a submission, asks it, and judges its answers, in the same way as `check`.
 
 mod base;
 
@@ -23,30 +23,30 @@ use pinhole_course::submission::Submission;
 /// What every submission is judged with.
 #[derive(Clone, Copy)]
 pub struct Validator<'a> {
-    /// Whose tasks.
+    /// The assignment whose tasks are asked.
     pub assignment: &'a Assignment,
-    /// By what.
+    /// The goldens that judge the answers.
     pub goldens: &'a Goldens,
     /// Questions from another seed, by which sentences are tested, if there are any.
     pub fresh: Option<&'a Goldens>,
-    /// Makes programs.
+    /// The compiler for submissions.
     pub compiler: &'a Compiler,
-    /// Where they run.
+    /// The sandbox that programs run in.
     pub sandbox: &'a Sandbox,
-    /// Asked about every film too, if there is one.
+    /// The second judge of every film, if there is one.
     pub second_judge: Option<&'a SecondJudge>,
-    /// As many at a time as this has threads.
+    /// Threads, each of which judges one submission at a time.
     pub pool: &'a rayon::ThreadPool,
-    /// Told how far it is.
+    /// The progress line.
     pub progress: &'a Progress,
 }
 
-/// As long as `check` gives an answer.
+/// How long an answer may take: as long as in `check`.
 pub const WALL: Duration = Duration::from_secs(30);
 
 impl Validator<'_> {
-    /// Does the same work on all items, as many at a time as the pool has threads.
-    /// Results come in the items' order.
+    /// Does some work on each item, as many at a time as the pool has threads. Results are in
+    /// the items' order.
     pub fn all<T: Sync, R: Send>(
         &self,
         what: &str,
@@ -71,8 +71,8 @@ impl Validator<'_> {
         self.examine_built(&program, submission, selection, WALL, None)
     }
 
-    /// The same for everything, but what is answered by the files of `base` alone is asked
-    /// of one submission only.
+    /// Asks a submission everything, but reuses replies that depend only on files of `base`:
+    /// these are asked of one submission only.
     pub fn examine_over(&self, submission: &Submission, base: &Base) -> Result<Examination> {
         let program = self.compiler.compile(submission)?;
         let known = base.replies_for(submission, self)?;

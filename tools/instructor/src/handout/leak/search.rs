@@ -23,7 +23,7 @@ impl Search {
         Search { by_beginning }
     }
 
-    /// The first of the texts that stands in these bytes.
+    /// The first of the texts that these bytes contain.
     pub fn first_in(&self, bytes: &[u8]) -> Option<&str> {
         (0..bytes.len()).find_map(|at| {
             let rest = &bytes[at..];

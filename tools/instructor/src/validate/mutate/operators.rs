@@ -43,7 +43,7 @@ pub fn other_numbers(number: f64) -> Vec<String> {
     others.iter().map(|other| format!("{other:?}")).collect()
 }
 
-/// What may stand in place of `.method`, with its parentheses where those go too.
+/// Replacements for `.method`, with its parentheses if those are replaced too.
 pub fn other_methods(method: &str) -> &'static [&'static str] {
     match method {
         "min_by" => &["max_by"],

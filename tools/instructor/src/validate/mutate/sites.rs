@@ -1,7 +1,7 @@
 //! Walks through an answer and writes down every change at every place.
 //!
-//! The walk is here; [`names`] knows the answer's variables, [`changes`] what may stand
-//! in place of what, and [`source`] how it is written.
+//! The walk is here; [`names`] knows the answer's variables, [`changes`] the replacements for
+//! each piece of syntax, and [`source`] writes them.
 
 mod changes;
 mod names;
@@ -164,7 +164,7 @@ impl<'ast> Visit<'ast> for Sites<'_> {
         if self.source(&expression.func) == "Some" {
             self.put(expression, "None", Operator::Answer);
         }
-        // The function's name is no variable.
+        // The function's name is not a variable.
         expression
             .args
             .iter()
@@ -172,7 +172,7 @@ impl<'ast> Visit<'ast> for Sites<'_> {
     }
 }
 
-/// Where a piece of syntax stands in its file, in bytes.
+/// The bytes of its file that a piece of syntax covers.
 fn range(node: &impl Spanned) -> Range<usize> {
     node.span().byte_range()
 }

@@ -9,23 +9,24 @@ use pinhole_course::mistake;
 use pinhole_course::overlay;
 use pinhole_course::submission::Submission;
 
-/// Whose answers lie under an overlay.
+/// The answers that an overlay is laid over.
 #[derive(Clone, Copy)]
 pub enum Under {
     /// The reference's.
     Reference,
-    /// The reference's, and its belief is diagnosed as if nobody had met it before: its
-    /// own films are those that are stored.
+    /// The reference's. The overlay's belief is diagnosed as if it were unknown, because the
+    /// stored films are its own.
     ReferenceUnaware,
-    /// A mixture of variants, each task's by another route; the number turns them over. So
-    /// the program has nothing in common with the films' but the belief.
+    /// A mixture of variants, in which each task is answered in another way; the number
+    /// selects the mixture. Then the program has nothing but the belief in common with the
+    /// program whose films are stored.
     Variants(usize),
 }
 
 /// The number of mixtures of variants. More would only repeat the same questions.
 const MIXTURES: usize = 8;
 
-/// What lies under overlays, with the replies that they have in common.
+/// The answers under overlays, with the replies that submissions share.
 pub struct Bases {
     reference: Base,
     mixtures: Vec<Base>,
@@ -42,7 +43,7 @@ impl Bases {
         })
     }
 
-    /// What lies under an overlay.
+    /// The answers under an overlay.
     pub fn of(&self, under: Under) -> &Base {
         match under {
             Under::Reference | Under::ReferenceUnaware => &self.reference,
@@ -51,7 +52,7 @@ impl Bases {
     }
 }
 
-/// Every task's answer by some variant's route, if there is one.
+/// For each task, the answer of some variant, if there is one.
 fn variants_mixed(validator: &Validator, base: Submission, turn: usize) -> Result<Submission> {
     let variants = mistake::folders(&validator.assignment.folder.join("variants"));
     let mut mixed = base;

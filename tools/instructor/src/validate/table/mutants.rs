@@ -4,7 +4,7 @@ use super::pairs::sentences;
 use super::{QUIET, row};
 use crate::validate::mutants::{Fate, MutantVerdict, Mutants};
 
-/// Sums, then each mutant that is no mistake, and what shows it.
+/// Sums, and then each mutant that is not a mistake, with the reason.
 pub fn table(mutants: &Mutants) -> String {
     let viable = mutants.count(MutantVerdict::is_viable);
     let missed = mutants.count(MutantVerdict::is_missed);
@@ -34,7 +34,7 @@ pub fn table(mutants: &Mutants) -> String {
         .filter(|judged| judged.is_equivalent());
     let rows = equivalent.map(equivalent_row).collect::<String>();
     if !rows.is_empty() {
-        text += &format!("\n{QUIET}  mutants that are no mistakes{QUIET:#}\n{rows}");
+        text += &format!("\n{QUIET}  mutants that are not mistakes{QUIET:#}\n{rows}");
     }
     text
 }

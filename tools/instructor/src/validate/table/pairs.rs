@@ -23,7 +23,7 @@ pub fn table(pairs: &Pairs) -> String {
     text
 }
 
-/// What was measured.
+/// The row about measured sentences.
 pub fn sentences(sentences: &Sentences) -> String {
     let Sentences {
         tasks,
@@ -32,7 +32,7 @@ pub fn sentences(sentences: &Sentences) -> String {
         ..
     } = sentences;
     let wrong = sentences.wrong.len();
-    let said = format!("{told} of {tasks} are told a law; {wrong} of {tested} sentences are false");
+    let said = format!("{told} of {tasks} get a law; {wrong} of {tested} sentences are false");
     let mut text = row(wrong == 0, "  measured", said);
     for untold in &sentences.untold {
         text += &format!("  {QUIET}no law: {untold}{QUIET:#}\n");

@@ -38,7 +38,8 @@ fn title(kind: Kind) -> &'static str {
     }
 }
 
-/// The smallest error that is detected, if the scene can have one and any was.
+/// The smallest error that is detected, if the scene can have such an error and any was
+/// detected.
 fn cell(least: Option<Option<f64>>, kind: Kind) -> String {
     match least {
         None => "–".into(),

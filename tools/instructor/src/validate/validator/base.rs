@@ -1,8 +1,8 @@
 //! Answers that many submissions have in common, and what they answer.
 //!
 //! A known mistake changes one answer file of the reference. A task is answered by its own
-//! file, and a scene by the files of the tasks it needs, so what the changed file has no part
-//! in is asked once, not again for each mistake.
+//! file, and a scene by the files of the tasks it needs. So everything that doesn't depend on
+//! the changed file is asked once, and not again for each mistake.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Mutex, PoisonError};
@@ -22,7 +22,7 @@ pub struct Base {
     replies: Mutex<BTreeMap<String, Reply>>,
 }
 
-/// A base's replies, as far as they are a submission's too.
+/// The replies of a base that are also those of a submission over it.
 pub struct RepliesInCommon<'a> {
     base: &'a Base,
     /// The tasks and scenes that are answered by files of the base alone.
@@ -30,7 +30,7 @@ pub struct RepliesInCommon<'a> {
 }
 
 impl Base {
-    /// Nothing was asked yet.
+    /// A base of which nothing has been asked yet.
     pub fn new(submission: Submission) -> Base {
         Base {
             submission,
@@ -71,8 +71,8 @@ impl Base {
     }
 }
 
-/// Whether no answer calls another by itself, or remembers anything: what one file does
-/// could then show in the tasks of others.
+/// Whether no answer calls another directly or remembers anything. Otherwise one file could
+/// affect the tasks of others.
 fn is_apart(submission: &Submission, assignment: &Assignment) -> bool {
     let fixed = assignment.fixed_files();
     let mut answers = submission.answers.iter();

@@ -1,4 +1,4 @@
-//! The changes of one place: what may stand there instead.
+//! The changes of one place: what may replace the syntax there.
 
 use syn::spanned::Spanned;
 use syn::{Expr, ExprBinary, ExprMethodCall};
@@ -23,7 +23,7 @@ impl Sites<'_> {
         }
     }
 
-    /// Always, never, and the other way round.
+    /// A condition that is always true, one that is never true, and the negated one.
     pub fn condition(&mut self, expression: &impl Spanned) {
         self.put(expression, "true", Operator::Relation);
         self.put(expression, "false", Operator::Relation);
@@ -49,7 +49,8 @@ impl Sites<'_> {
         self.replace(a.start..b.end, text, Operator::Swap);
     }
 
-    /// Another operator; of a logical one a side alone, of a comparison always and never.
+    /// Another operator. For a logical one also each side alone; for a comparison also always
+    /// and never.
     pub fn binary(&mut self, expression: &ExprBinary) {
         let ExprBinary {
             left, op, right, ..
@@ -81,7 +82,7 @@ impl Sites<'_> {
         }
     }
 
-    /// Another method or none, a detour, or the argument asked instead.
+    /// Another method or none, a detour, or the call with argument and receiver exchanged.
     pub fn method(&mut self, expression: &ExprMethodCall) {
         let method = expression.method.to_string();
         for other in other_methods(&method) {
@@ -112,7 +113,7 @@ impl Sites<'_> {
         }
     }
 
-    /// `None` for the whole body of a function that may say so.
+    /// `None` for the whole body of a function that returns an `Option`.
     pub fn no_answer(&mut self, signature: &syn::Signature, block: &syn::Block) {
         let syn::ReturnType::Type(_, returned) = &signature.output else {
             return;

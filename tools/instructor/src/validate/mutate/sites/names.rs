@@ -5,7 +5,7 @@ use syn::visit::Visit;
 /// The variables of an answer.
 #[derive(Default)]
 pub struct Names {
-    /// In the order they are bound.
+    /// The variables, in the order they are bound.
     bound: Vec<String>,
     /// Parameters that are numbers.
     pub numbers: Vec<String>,

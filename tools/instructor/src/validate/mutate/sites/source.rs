@@ -9,7 +9,7 @@ use super::{Sites, range};
 use crate::validate::mutate::{Edit, Operator};
 
 impl Sites<'_> {
-    /// As the reference has it.
+    /// The source of a piece of syntax in the reference.
     pub fn source(&self, node: &impl Spanned) -> &str {
         &self.text[range(node)]
     }
@@ -28,13 +28,13 @@ impl Sites<'_> {
         });
     }
 
-    /// It stands inside a closer-binding expression.
+    /// It is part of a closer-binding expression.
     pub fn hold(&mut self, node: &impl Spanned) {
         let Range { start, end } = range(node);
         self.inside.insert((start, end));
     }
 
-    /// As it is, or in parentheses if it stands inside a closer-binding expression.
+    /// A text as it is, or in parentheses if it is part of a closer-binding expression.
     pub fn closed(&self, node: &impl Spanned, text: String) -> String {
         let Range { start, end } = range(node);
         match self.inside.contains(&(start, end)) {
@@ -43,7 +43,7 @@ impl Sites<'_> {
         }
     }
 
-    /// The source of what is to be part of a closer-binding expression.
+    /// The source of an expression that becomes part of a closer-binding one.
     pub fn operand(&self, expression: &Expr) -> String {
         match expression {
             Expr::Binary(_) | Expr::Range(_) | Expr::Cast(_) => {
@@ -53,7 +53,7 @@ impl Sites<'_> {
         }
     }
 
-    /// The source of what is to be asked for a method.
+    /// The source of an expression on which a method is called.
     pub fn receiver(&self, expression: &Expr) -> String {
         match expression {
             Expr::Unary(_) => format!("({})", self.source(expression)),
