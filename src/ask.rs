@@ -26,7 +26,7 @@ use transport::Exchange;
 /// The reply to one job.
 #[derive(Clone, Debug)]
 pub struct Reply {
-    /// In the job's order; `None` where nothing came.
+    /// The answers, in the job's order; `None` where none came.
     pub answers: Vec<Option<Answer>>,
     missing: usize,
     /// How it ended.
@@ -38,12 +38,13 @@ pub struct Reply {
     pub printed: String,
 }
 
-/// How long an answer is waited for.
+/// How long to wait for answers.
 #[derive(Clone, Debug)]
 pub struct Limit {
-    /// For all answers together.
+    /// The limit for all answers together.
     pub wall: Duration,
-    /// Since it last sent anything. An endless loop is found out long before `wall` is over.
+    /// The limit for the time since the submission last sent anything. It ends an endless loop
+    /// long before `wall` is over.
     pub silence: Duration,
     /// Raised when the answer is no longer wanted.
     pub stop: Stop,
@@ -78,10 +79,11 @@ impl From<Duration> for Limit {
 /// How often a waiting exchange looks at its [`Stop`].
 const PULSE: Duration = Duration::from_millis(50);
 
-/// More output than this is read and thrown away.
+/// The most output that is kept. The rest is read and thrown away.
 pub const MOST_PRINTED: usize = 64 * 1024;
 
-/// No message of ours is longer: a chunk of hits takes about 45 bytes each.
+/// The longest message that is accepted. A chunk of hits takes about 45 bytes for each, so no
+/// message of ours is longer.
 const MOST_MESSAGE: usize = CHUNK * 64 + 4 * MOST_PANIC_TEXT;
 
 /// Runs `command`, a built submission, on `job` for a limited time.
@@ -242,7 +244,8 @@ impl Reply {
                     return Err("it answered a question that was not asked".into());
                 };
                 let places = &mut self.answers[first..end];
-                // Before any is filed: a wrong message must not complete the reply.
+                // Check all answers before storing any, because a wrong message must not
+                // complete the reply.
                 if places.iter().any(Option::is_some) {
                     return Err("it answered a question twice".into());
                 }
@@ -288,8 +291,8 @@ fn is_broken(error: &io::Error) -> bool {
     matches!(error.kind(), BrokenPipe | ConnectionReset | UnexpectedEof)
 }
 
-/// Reads a pipe to its end on a thread of its own, keeping only the beginning; says so when
-/// it has that.
+/// Reads a pipe to its end on a thread of its own, and keeps only the beginning. Calls a
+/// function when it has that.
 fn drain(
     pipe: Option<impl Read + Send + 'static>,
     enough: impl FnOnce() + Send + 'static,
@@ -313,7 +316,8 @@ fn drain(
 
 /// What was printed; nothing if a process left behind still holds the pipe.
 fn printed(pipe: Receiver<Vec<u8>>) -> String {
-    // A loaded machine needs a while, and a stack overflow is known by its text alone.
+    // A loaded machine may need a while. Wait for it, because a stack overflow is recognised
+    // only by this text.
     let bytes = pipe
         .recv_timeout(Duration::from_secs(2))
         .unwrap_or_default();

@@ -55,6 +55,6 @@ pub(crate) fn read_text(path: &Path) -> io::Result<String> {
     if fs::metadata(path)?.is_file() {
         fs::read_to_string(path)
     } else {
-        Err(io::Error::other("it is no file"))
+        Err(io::Error::other("it is not a regular file"))
     }
 }

@@ -33,9 +33,9 @@ pub struct Film {
 /// One number per pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Channel {
-    /// As in the file, case included.
+    /// The name, as in the file, case included.
     pub name: String,
-    /// In image order; see [`Resolution::pixel`].
+    /// The samples, in image order; see [`Resolution::pixel`].
     pub samples: Vec<f32>,
 }
 
@@ -152,8 +152,8 @@ impl Film {
     /// Reads an OpenEXR file.
     ///
     /// # Errors
-    /// If the file cannot be read, or is no single flat image of full-size channels
-    /// whose data window begins at (0, 0).
+    /// If the file cannot be read, or is not a single flat image of full-size channels whose
+    /// data window begins at (0, 0).
     pub fn read(path: &Path) -> Result<Film, Error> {
         openexr::read(path)
     }

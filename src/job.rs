@@ -120,7 +120,7 @@ pub enum Message {
     Answers {
         /// The place of the first of them in the job.
         first: usize,
-        /// In the job's order.
+        /// The answers, in the job's order.
         answers: Vec<Answer>,
     },
     /// The student's code panicked; nothing more will come.
@@ -153,7 +153,7 @@ pub(crate) fn receive<T: DeserializeOwned>(
     let mut length = [0; 4];
     let begun = loop {
         match input.read(&mut length[..1]) {
-            // As when a person stops the asker's process and lets it go on.
+            // This happens if a person stops the asker's process and lets it go on.
             Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
             begun => break begun?,
         }

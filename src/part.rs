@@ -35,9 +35,9 @@ pub struct Quantity {
 /// A condition on a question and an answer to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Condition {
-    /// As it follows "where": "the ray starts inside the sphere".
+    /// The condition in words that can follow "where": "the ray starts inside the sphere".
     pub name: &'static str,
-    /// The opposite condition, in the same place.
+    /// The opposite condition, in words that can follow "where".
     pub otherwise: &'static str,
     /// Whether it is met.
     pub holds: bool,

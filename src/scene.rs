@@ -19,7 +19,7 @@ pub const MOST_PIXELS: usize = 50_000_000;
 /// Everything a cast needs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Scene {
-    /// Who looks.
+    /// The camera.
     pub camera: Camera,
     /// How many pixels the film has.
     pub resolution: Resolution,
@@ -49,8 +49,8 @@ impl Scene {
         Document::parse(&text, path)?.into_scene()
     }
 
-    /// The files, such as meshes, that the scene file at `path` names; none if it is no
-    /// scene, which [`Scene::read`] says.
+    /// The files, such as meshes, that the scene file at `path` names. None if it is not a
+    /// scene; [`Scene::read`] reports that.
     pub fn files(path: &Path) -> Vec<PathBuf> {
         let text = read_text(path).unwrap_or_default();
         let file: Table = text.parse().unwrap_or_default();

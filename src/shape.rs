@@ -43,7 +43,7 @@ trait Notation: Sized {
     /// Reads it from a pixel of a question film.
     fn read_samples(samples: Samples<'_>) -> Result<Self, String>;
 
-    /// What stands behind its name when it is described.
+    /// What follows its name in a description.
     fn words(&self, digits: usize) -> String;
 
     /// Numbers that belong to it and a ray, under the same names for every shape of its kind.

@@ -21,7 +21,7 @@ pub enum Ending {
     OutOfMemory(u64),
     /// The process ended early.
     Died(Death),
-    /// It sent something that is no answer: what, in words.
+    /// It sent something that is not an answer. Says what, in words.
     Garbled(String),
 }
 
@@ -39,11 +39,11 @@ pub enum Death {
     StackOverflow,
     /// The kernel ended it for the processor time it took.
     OutOfProcessorTime,
-    /// A signal killed it: which.
+    /// This signal killed it.
     Signal(i32),
     /// It exited with this code.
     Exit(i32),
-    /// It was killed, and the system tells no more than this.
+    /// It was killed; this is all that the system tells.
     Killed(String),
     /// The cause is unknown.
     Lost,

@@ -38,7 +38,7 @@ impl Exchange {
         Instant::now() >= self.deadline
     }
 
-    /// Tells the submission something when it is called, once the job is sent.
+    /// A function that sends a word to the submission. Call it only after the job is sent.
     #[cfg(unix)]
     pub(super) fn tell(&self, word: u8) -> impl FnOnce() + Send + 'static {
         let link = self.link.try_clone();

@@ -30,7 +30,9 @@ pub(super) fn read(path: &Path) -> Result<Film, Error> {
 
     // A pipe or a device could be read for ever.
     if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
-        return Err(refuse("cannot read this film: it is no file".into()));
+        return Err(refuse(
+            "cannot read this film: it is not a regular file".into(),
+        ));
     }
     let bytes =
         fs::read(path).map_err(|error| refuse(format!("cannot read this film: {error}")))?;

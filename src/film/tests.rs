@@ -39,7 +39,7 @@ fn same(one: &Film, other: &Film) {
     }
 }
 
-/// Of this size, with every kind of number a float can be.
+/// A film of this size, with every kind of number that a float can be.
 fn any_film(random: &mut Random, n_x: usize, n_y: usize) -> Film {
     let resolution = Resolution { n_x, n_y };
     let mut channel = |name: &&str| Channel {

@@ -24,14 +24,14 @@ pub enum Refusal {
     TooLenient {
         /// How many it exempts.
         exempt: usize,
-        /// Of how many.
+        /// How many pixels it has.
         pixels: usize,
     },
     /// A sample is NaN or infinite.
     NotFinite {
-        /// In which channel.
+        /// The channel.
         channel: String,
-        /// At the first such pixel in image order.
+        /// The first such pixel in image order.
         pixel: Pixel,
     },
 }
@@ -96,13 +96,13 @@ pub struct ChannelVerdict {
 /// One sample that is too far from its golden.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Mismatch {
-    /// Where.
+    /// The pixel.
     pub pixel: Pixel,
     /// The film's sample.
     pub got: f32,
     /// The golden's.
     pub expected: f32,
-    /// How far apart they might have been.
+    /// How far apart they may be.
     pub allowed: f32,
 }
 

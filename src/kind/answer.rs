@@ -22,9 +22,9 @@ pub enum AnswerFn {
     Intersect(fn(&Shape, &Ray, f64) -> Option<Intersection>),
     /// The nearest object along a ray, from `min_t` on.
     FirstHit {
-        /// Of real shapes: what a film is cast with.
+        /// For real shapes: this casts a film.
         shapes: fn(&Ray, f64, &[Shape]) -> Option<Hit>,
-        /// Of canned objects: how it is judged alone.
+        /// For canned objects: this is judged alone.
         canned: fn(&Ray, f64, &[Canned]) -> Option<Hit>,
     },
     /// Where a ray first meets a soup of canned objects, from `min_t` on.

@@ -13,11 +13,11 @@ use crate::words::{number, vector};
 /// Which ray passes through the centre of `pixel`?
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct CameraQuestion {
-    /// Who looks.
+    /// The camera.
     pub camera: Camera,
-    /// Through which pixel.
+    /// The pixel that the ray passes through.
     pub pixel: Pixel,
-    /// Of how many.
+    /// How many pixels the picture has.
     pub resolution: Resolution,
 }
 
@@ -54,7 +54,7 @@ impl CameraQuestion {
             j: count("j")?,
         };
         if pixel.i >= resolution.n_x || pixel.j >= resolution.n_y {
-            return Err(format!("{pixel} is no pixel of {resolution}"));
+            return Err(format!("{pixel} is not a pixel of {resolution}"));
         }
         Ok(CameraQuestion {
             camera,

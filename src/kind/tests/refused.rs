@@ -103,7 +103,7 @@ fn too_many_objects_are_refused() {
 fn a_pixel_lies_in_its_picture() {
     for (name, value) in [("i", 8.0), ("j", 4.0), ("n_x", 0.0), ("n_y", 0.0)] {
         let question = with(camera(), name, value);
-        refused("viewing_ray", &question, "no pixel of");
+        refused("viewing_ray", &question, "not a pixel of");
     }
 }
 

@@ -1,4 +1,4 @@
-//! What the command understands; the texts of `--help`.
+//! The command line, and the texts of `--help`.
 
 use std::path::PathBuf;
 

@@ -15,7 +15,7 @@ use pinhole_report::program::Status;
 
 use crate::cli::{Cli, Command};
 
-/// Does what was asked.
+/// Runs the subcommand that the user chose.
 pub fn run(cli: Cli) -> Result<Status> {
     let checkout = Checkout::find()?;
     match cli.command {

@@ -1,8 +1,8 @@
 //! The `pinhole` command: what a student has.
 //!
-//! Reading order: [`cli`] for the command line; one file in `command` for each thing it
-//! does; [`watch`] for doing it at every save; [`programs`] for the subcommands that other
-//! programs of the course have; [`version`] for `--version`.
+//! Reading order: [`cli`] is the command line; `command` has a file for each subcommand;
+//! [`watch`] judges answers at every save; [`programs`] passes on the subcommands that other
+//! programs of the course have; [`version`] is for `--version`.
 
 mod cli;
 mod command;

@@ -1,6 +1,6 @@
-//! Subcommands that other programs of the course have: they are passed on, arguments
-//! untouched, to a program that is built when it is first asked for, as cargo does with
-//! `cargo-CMD`. So a student's build compiles nothing of them.
+//! Passes on subcommands that other programs of the course have, with all arguments, as cargo
+//! does with `cargo-CMD`. Such a program is built when it is first needed, so a student's
+//! build doesn't compile it.
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -114,7 +114,7 @@ impl Program {
             let record = checkout.scratch().join(format!("{}.seconds", self.package));
             patiently(&what, &record, || cargo.output())
         } else {
-            // Cargo says what it does.
+            // Let cargo print what it does.
             anstream::eprintln!("{what}, which takes a while the first time …");
             cargo.output()
         };

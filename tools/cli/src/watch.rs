@@ -1,9 +1,9 @@
 //! `pinhole check --watch`: a student's loop, one answer at a time.
 //!
-//! Whatever happens is an [`Event`] in one channel: a save ([`saves`]), a verdict
-//! ([`judge`]), a key ([`keys`]). [`state`] alone decides what follows from it and
-//! knows no terminal; [`screen`] and [`hints`] say what there is to see, [`terminal`]
-//! shows it, and [`plain`] does so where there is no terminal.
+//! Everything that happens is an [`Event`] in one channel: a save ([`saves`]), a verdict
+//! ([`judge`]), a key ([`keys`]). Only [`state`] decides what to do then, and it knows nothing
+//! of terminals. [`screen`] and [`hints`] write what there is to see, and [`terminal`] shows
+//! it. Without a terminal, [`plain`] prints lines.
 
 mod hints;
 mod judge;
@@ -55,12 +55,12 @@ pub struct Course {
     pub again: Again,
 }
 
-/// Whatever can happen.
+/// Everything that can happen.
 #[derive(Debug)]
 pub enum Event {
     /// The answers have changed.
     Saved {
-        /// All of them.
+        /// All answers.
         submission: Submission,
         /// The tasks whose files differ.
         tasks: Vec<String>,
@@ -75,13 +75,13 @@ pub enum Event {
         what: String,
         at: Instant,
     },
-    /// Part of an order is judged.
+    /// Part of an order has been judged.
     Judged {
         order: u64,
         examination: Box<Examination>,
         at: Instant,
     },
-    /// All of an order is judged.
+    /// All of an order has been judged.
     Finished { order: u64 },
     /// An order cannot be judged.
     Failed { order: u64, error: Error },
@@ -97,7 +97,7 @@ pub enum Event {
     Broken,
 }
 
-/// While something is asked the screen says for how long.
+/// How often the screen updates the time for which something has been asked.
 const TICK: Duration = Duration::from_millis(250);
 
 /// Watches until somebody quits.
@@ -127,7 +127,7 @@ pub fn run(course: Course, json: bool) -> Result<()> {
         }
         view.show(&mut state)?;
         let event = match events.recv_timeout(TICK) {
-            Ok(Event::Broken) => return Err(Error::environment("a fault of its own", "report it")),
+            Ok(Event::Broken) => return Err(Error::environment("internal error", "report it")),
             Ok(event) => event,
             Err(_) => {
                 acts = Vec::new();
@@ -143,7 +143,7 @@ pub fn run(course: Course, json: bool) -> Result<()> {
     }
 }
 
-/// Where results are shown.
+/// Shows results.
 enum View {
     Screen(Terminal),
     Plain(Plain),

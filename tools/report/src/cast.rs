@@ -20,7 +20,7 @@ pub struct Cast {
     pub scene: String,
     /// What was cast.
     pub film: Film,
-    /// Who cast it: a submission's folder, or how the study did.
+    /// Who cast it: a submission's folder, or a way of the study's.
     pub by: String,
     /// How long that took.
     pub seconds: f64,
@@ -28,11 +28,11 @@ pub struct Cast {
     pub problem: Option<String>,
     /// What a student's code printed.
     pub printed: String,
-    /// What exact casting took.
+    /// How much work exact casting was.
     pub exact: Option<Value>,
-    /// What planned casting took, and the plan.
+    /// How much work planned casting was, and the plan.
     pub planned: Option<Value>,
-    /// Whose pixels these are, if some come from the golden film.
+    /// Which pixels are the submission's own, if some come from the golden film.
     pub shares: Option<Shares>,
 }
 
@@ -149,7 +149,7 @@ impl Cast {
 impl fmt::Display for Shares {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.yours.is_empty() {
-            true => writeln!(f, "nothing here is yours yet")?,
+            true => writeln!(f, "none of this is yours yet")?,
             false => writeln!(f, "yours: {}", self.yours.join(", "))?,
         }
         let golden = self.golden.join(", ");

@@ -57,7 +57,8 @@ fn is_invisible(c: char) -> bool {
 pub fn printable_json(document: &str) -> String {
     let mut safe = String::with_capacity(document.len());
     for c in document.chars() {
-        // Outside strings there are none; what is a control character has a number already.
+        // There are none outside strings, and control characters are written by their number
+        // already.
         match is_invisible(c) || matches!(c, '\u{7f}'..='\u{9f}') {
             true => {
                 let mut units = [0; 2];

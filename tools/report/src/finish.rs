@@ -15,7 +15,7 @@ use crate::passage::Passage;
 use crate::pictures;
 use pinhole_course::error::Result;
 
-/// Everything is right.
+/// The end of an assignment: everything is right.
 #[derive(Clone, Debug)]
 pub struct Finish {
     /// Points that can be earned here.

@@ -1,8 +1,8 @@
 //! The report: one HTML file that opens from disk and loads nothing else.
 //!
-//! Reading order: [`task`] and [`scene`] for what stands on the page; [`cause`] for why a pixel
-//! is wrong; [`belief`] for diagnoses; [`pixels`], [`window`], [`rays`] for the data of films;
-//! [`page`] for how it becomes HTML; then `templates`, and `viewer.js` there.
+//! Reading order: [`task`] and [`scene`] hold what the page shows; [`cause`] says why a pixel
+//! is wrong; [`belief`] holds diagnoses; [`pixels`], [`window`] and [`rays`] hold the data of
+//! films; [`page`] turns it all into HTML. Then read `templates`, and `viewer.js` there.
 
 mod belief;
 mod cause;
@@ -63,17 +63,17 @@ pub struct Report {
     pub command: String,
     /// Where the book lies on the machine that will show this, as an address.
     pub book: Option<String>,
-    /// What follows when all points are earned.
+    /// What to show a student who has earned all points.
     pub finish: Option<FinishSection>,
 }
 
-/// The end, on the page.
+/// What the page shows when all points are earned.
 #[derive(Debug, Serialize)]
 pub struct FinishSection {
     pub scene: String,
     /// The picture's address.
     pub picture: String,
-    /// What packs the answers to hand in.
+    /// The command that packs the answers to hand in.
     pub command: String,
     pub next: Passage,
 }
@@ -93,9 +93,9 @@ impl FinishSection {
 /// Commands that repeat an examination.
 #[derive(Clone, Debug)]
 pub struct Again {
-    /// As it was asked for.
+    /// The command as it was typed.
     pub whole: String,
-    /// Before a task or a scene of its own is named.
+    /// The command without tasks and scenes; one is added to it.
     pub part: String,
 }
 
@@ -152,7 +152,7 @@ impl Report {
         })
     }
 
-    /// The report of one film; `golden` and `film` are where they lie.
+    /// The report of one film. `golden` and `film` are the paths of the two films.
     pub fn of_film(evidence: Evidence, golden: &str, film: &str) -> Report {
         let share = window::share([evidence.golden.film().resolution().pixels()]);
         let section = SceneSection::of(0, evidence, share);
@@ -162,7 +162,7 @@ impl Report {
             passes: section.passes,
             said: match section.passes {
                 true => "The film agrees with its golden at every pixel.".into(),
-                false => "The film is not as its golden.".into(),
+                false => "The film differs from its golden.".into(),
             },
             points: None,
             tasks: Vec::new(),

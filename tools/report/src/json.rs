@@ -1,7 +1,7 @@
 //! Results as JSON documents for scripts.
 //!
-//! [`Outcome`](pinhole_course::outcome::Outcome) is its own document: what follows is what
-//! other commands print with the same words.
+//! [`Outcome`](pinhole_course::outcome::Outcome) is serialised as it is. The functions here
+//! write documents of other commands, which use the same words.
 
 use pinhole::judge::{Refusal, Verdict};
 use pinhole_course::diagnosis::{Diagnosis, or_null};
@@ -14,7 +14,7 @@ pub fn document(what: &impl Serialize) -> Value {
     serde_json::to_value(what).expect("our documents have plain keys")
 }
 
-/// A diagnosis; `null` if nothing known explains what came.
+/// A diagnosis; `null` if no known belief explains the answers.
 pub fn diagnosis(diagnosis: &Diagnosis) -> Value {
     or_null::serialize(diagnosis, serde_json::value::Serializer)
         .expect("our documents have plain keys")

@@ -14,7 +14,7 @@ use pinhole_course::shell::from_here;
 /// repository. In the course's checkout, pages lie in `book/build/student`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Passage {
-    /// In prose.
+    /// The passage in words.
     pub words: String,
     /// The page, and the place on it.
     pub page: String,
@@ -39,7 +39,7 @@ impl Passage {
         }
     }
 
-    /// Opens it where there is a desktop, and says what came of that; `root` is the top
+    /// Opens the page if there is a desktop, and returns a message about it. `root` is the top
     /// of the checkout, or of a student's repository.
     pub fn open(&self, root: &Path) -> String {
         let Some(book) = built(root) else {

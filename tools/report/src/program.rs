@@ -17,8 +17,8 @@ pub enum Status {
     Incomplete,
 }
 
-/// Runs a command and turns what comes of it into an exit code; with `json`, an error is
-/// printed as a document on standard output too.
+/// Runs a command and turns its result into an exit code. With `json`, an error is also
+/// printed as a document on standard output.
 pub fn run(json: bool, command: impl FnOnce() -> Result<Status>) -> ExitCode {
     panic::set_hook(Box::new(report_panic));
     match panic::catch_unwind(panic::AssertUnwindSafe(command)) {
@@ -54,7 +54,7 @@ fn report_panic(info: &PanicHookInfo<'_>) {
     // The reader of our output may stop reading, as `head` does.
     if !what.starts_with("failed printing to") {
         let place = info.location().map(ToString::to_string).unwrap_or_default();
-        eprintln!("pinhole: a fault of its own at {place}: {what}\n  remedy: report it");
+        eprintln!("pinhole: internal error at {place}: {what}\n  remedy: report it");
     }
 }
 

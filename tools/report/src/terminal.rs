@@ -92,7 +92,7 @@ pub fn scenes(examination: &Examination) -> String {
     text
 }
 
-/// What a student's code printed, cut to its beginning; nothing for nothing.
+/// What a student's code printed, cut to its beginning. Empty if it printed nothing.
 pub fn printed(printed: &str) -> String {
     let mut text = String::new();
     let lines: Vec<&str> = printed.lines().collect();

@@ -177,10 +177,10 @@ fn show_finish(finish: &Finish, folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Columns that every terminal has.
+/// How many columns every terminal has.
 const MOST_COLUMNS: usize = 72;
 
-/// What helps with the first task that fails, or with the first scene.
+/// The passage of the book that helps with the first task or scene that fails.
 fn worth_reading(outcome: &Outcome) -> Option<Passage> {
     let mut tasks = outcome.tasks.iter();
     let task = tasks.find(|task| !task.passes());

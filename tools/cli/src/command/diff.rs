@@ -140,7 +140,7 @@ fn report_path(arguments: &Diff) -> Option<PathBuf> {
         .or(arguments.out.as_ref().map(in_folder))
 }
 
-/// What a judged film comes to on a page.
+/// The report of a judged film.
 fn film_report(
     checkout: &Checkout,
     arguments: &Diff,

@@ -1,4 +1,5 @@
-//! `--read`: the page of the book that helps, which is built first if somebody wants that.
+//! `--read`: opens the page of the book that helps. If the book is not built yet, asks whether
+//! to build it.
 
 use std::io::{IsTerminal, Write, stderr, stdin};
 use std::process::Command;
@@ -7,11 +8,11 @@ use pinhole_course::checkout::Checkout;
 use pinhole_report::escape::printable;
 use pinhole_report::passage::{self, Passage};
 
-/// Opens a passage, and says what came of that.
+/// Opens a passage, and says whether that worked.
 pub fn open(passage: &Passage, checkout: &Checkout) {
     let root = checkout.root();
     if passage::built(root).is_none() && passage::has_sources(root) && is_wanted() {
-        // What keeps the book from being built is said by the program that builds it.
+        // If the book can't be built, the program that builds it says why.
         let _built_or_not = std::env::current_exe()
             .and_then(|pinhole| Command::new(pinhole).args(["book", "build"]).status());
     }

@@ -66,8 +66,8 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
     cast.deliver(&arguments.out, golden, depth_per_t, arguments.json)
 }
 
-/// The scene as far as it can be cast; `None` if its golden films are missing, or are of
-/// another size.
+/// The scene as far as it can be cast; `None` if its golden films are missing or have another
+/// size.
 fn preview(
     scene: &Scene,
     golden: &Path,

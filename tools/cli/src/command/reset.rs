@@ -51,11 +51,12 @@ pub fn run(checkout: &Checkout, arguments: &Reset) -> Result<Status> {
     Ok(Status::Well)
 }
 
-/// Writes a stub over a file; what was there moves to another, if it was anything else.
+/// Writes a stub over a file. If the file held anything else, it is first moved to another
+/// name.
 fn put(stub: &str, file: &Path) -> Result<Option<PathBuf>> {
     let failed = Error::file(file);
     if file.is_symlink() || file.exists() && !file.is_file() {
-        return Err(failed.because("it is no ordinary file"));
+        return Err(failed.because("it is not a regular file"));
     }
     let old = file.is_file().then(|| fs::read(file)).transpose();
     let old = old.or_fail(&failed)?;

@@ -1,7 +1,7 @@
-//! From orders to verdicts, on a thread for each order.
+//! Turns orders into verdicts, on a thread for each order.
 //!
-//! What can be kept is kept in memory: the harness, the stubs, the golden films. What
-//! is left is one call of the compiler and one process for each task.
+//! The harness, the stubs and the golden films are kept in memory. So each order needs only
+//! one call of the compiler, and one process for each task.
 
 use std::ops::ControlFlow;
 use std::sync::mpsc::Sender;
@@ -23,8 +23,7 @@ use pinhole_course::submission::flags::flags;
 /// Takes orders; a new one replaces the one before.
 pub struct Judge {
     course: Arc<Course>,
-    /// Gathered again after a failure, because the folder of the harness may have been
-    /// deleted.
+    /// Made again after a failure, because the folder of the harness may have been deleted.
     compiler: Arc<Mutex<Option<Arc<Compiler>>>>,
     events: Sender<Event>,
     stop: Stop,
@@ -160,8 +159,8 @@ impl OrderJudge {
         Ok(())
     }
 
-    /// Whether an item is still to be asked: an answer that no program holds is judged
-    /// by that alone.
+    /// Whether an item is still to be asked. An answer that was replaced by its stub is judged
+    /// without asking.
     fn tell_if_replaced(&self, item: &Item, replaced: &Replacements) -> ControlFlow<()> {
         let Item::Task(name) = item else {
             return ControlFlow::Continue(());

@@ -7,7 +7,7 @@ use crossterm::event::{self, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
 use super::Event;
 
-/// What a key asks for.
+/// What a key does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Key {
     Hint,
@@ -62,7 +62,7 @@ pub fn listen(events: Sender<Event>) {
                 Ok(event::Event::Key(pressed)) => key(pressed).map(Event::Key),
                 Ok(event::Event::Resize(..)) => Some(Event::Resized),
                 Ok(_) => None,
-                // The terminal is gone.
+                // This happens when the terminal is gone.
                 Err(_) => Some(Event::Quit),
             };
             let over = matches!(event, Some(Event::Quit));

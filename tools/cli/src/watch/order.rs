@@ -14,7 +14,7 @@ pub enum Item {
 }
 
 impl Item {
-    /// As people say it.
+    /// The name for people.
     pub fn name(&self) -> &str {
         match self {
             Item::Task(name) => name,
@@ -23,10 +23,11 @@ impl Item {
     }
 }
 
-/// These items of these answers, in this sequence. A new order cancels the last.
+/// An order to judge some items of some answers, in this sequence. A new order cancels the
+/// last.
 #[derive(Clone, Debug)]
 pub struct Order {
-    /// Its number; results of an older one are stale.
+    /// The order's number. Results of older orders are stale.
     pub number: u64,
     pub items: Vec<Item>,
     pub submission: Arc<Submission>,

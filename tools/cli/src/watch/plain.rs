@@ -17,7 +17,7 @@ use pinhole_report::{json, terminal};
 /// Prints verdicts.
 pub struct Plain {
     json: bool,
-    /// Of the names of tasks.
+    /// The width of the column of tasks' names.
     width: usize,
 }
 

@@ -57,7 +57,7 @@ fn copy_command(path: &Path) -> Option<String> {
         false => server.into(),
     };
     let path = path.canonicalize().ok()?;
-    // The other side begins at home.
+    // `scp` starts in the home folder on the other machine.
     let home = std::env::home_dir().unwrap_or_default();
     let path = path.strip_prefix(home).unwrap_or(&path);
     let path = in_shell(&path.display().to_string());

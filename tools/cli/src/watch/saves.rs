@@ -1,9 +1,9 @@
 //! Notices saves.
 //!
 //! The system's notices only wake us up. We then read the answer files and compare them with
-//! what they were, so it does not matter whether an editor writes in place, renames or
-//! deletes, and if there are no notices, as on some network folders, polling finds the save
-//! a little later.
+//! what they were. So it does not matter whether an editor writes in place, renames or
+//! deletes. If there are no notices, as on some network folders, polling finds the save a
+//! little later.
 
 use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
@@ -96,7 +96,8 @@ fn notices(submission: &Submission, wake: &Sender<Instant>) -> Option<Recommende
         }
     };
     let mut watcher = notify::recommended_watcher(wake).ok()?;
-    // The folder, not the files: a file that is renamed over is another file.
+    // Watch the folder and not the files, because a file that another is renamed to is a new
+    // file.
     watcher
         .watch(&submission.place, RecursiveMode::NonRecursive)
         .ok()?;
@@ -116,7 +117,7 @@ fn look(course: &Course, seen: &Submission) -> Result<Submission> {
     }
 }
 
-/// Whether a file is empty or gone that was not.
+/// Whether a file is now empty or gone, and was not before.
 fn is_half_saved(answer: &Answer, seen: &Submission) -> bool {
     let is_blank = |answer: &Answer| answer.text.as_ref().map_or(true, |text| text.is_empty());
     is_blank(answer) && !seen.answer(&answer.task).is_some_and(is_blank)

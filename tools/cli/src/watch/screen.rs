@@ -11,9 +11,9 @@ use pinhole_report::terminal::{self, FAIL, PASS, QUIET, STRONG};
 
 /// A screenful.
 pub struct Frame {
-    /// As many lines as fit on the screen, none wider than it.
+    /// The lines: as many as fit on the screen, and none wider than it.
     pub lines: Vec<String>,
-    /// How far it is scrolled: as far as was asked for, or as far as possible.
+    /// How many lines it is scrolled: as far as was asked for, or as far as possible.
     pub scroll: usize,
 }
 
@@ -170,7 +170,7 @@ fn progress(state: &State, columns: usize) -> String {
     format!("[{PASS}{done}{PASS:#}{left}] {said}")
 }
 
-/// Lines no wider than the screen; what is indented stays so.
+/// Breaks lines so that none is wider than the screen, and keeps indentation.
 fn fold(text: &str, columns: usize) -> Vec<String> {
     let mut lines = Vec::new();
     for line in text.lines() {

@@ -1,7 +1,7 @@
 //! The state of the watch, and how events change it.
 //!
-//! Nothing here reads a file, a clock or a terminal. [`verdicts`] has what follows from
-//! saves and from what the judge says, [`walk`] what follows from keys.
+//! Nothing here reads a file, a clock or a terminal. [`verdicts`] handles saves and verdicts,
+//! and [`walk`] handles keys.
 
 mod verdicts;
 mod walk;
@@ -70,14 +70,14 @@ struct Stamp {
     printed: String,
 }
 
-/// What the caller is to do.
+/// What the caller has to do next.
 #[derive(Debug)]
 pub enum Act {
     /// Judge these, and cancel what is being judged.
     Ask(Order),
     /// Show the report.
     Report,
-    /// End.
+    /// End the watch.
     Quit,
 }
 
@@ -235,7 +235,7 @@ impl State {
         Some(at.saturating_duration_since(*saved))
     }
 
-    /// What follows when everything is right.
+    /// What to show when everything is right.
     pub fn finish(&self) -> Option<Finish> {
         Finish::of(&self.known, &self.assignment)
     }
@@ -245,7 +245,7 @@ impl State {
         (self.known.outcome.points.unwrap_or_default(), self.possible)
     }
 
-    /// Tells what has happened.
+    /// Sets the message about what has happened.
     pub fn say(&mut self, what: String) {
         self.notice = Some(what);
     }

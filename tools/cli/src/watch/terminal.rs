@@ -14,18 +14,18 @@ use super::state::State;
 use super::{Event, keys, screen};
 use pinhole_course::error::{Error, Result, ResultExt};
 
-/// A raw terminal; dropping it gives the terminal back.
+/// A raw terminal, which is restored when this is dropped.
 pub struct Terminal {
     shown: Vec<String>,
 }
 
-/// Where the cursor cannot be moved.
+/// Whether this is a terminal that cannot move its cursor.
 pub fn is_dumb() -> bool {
     std::env::var_os("TERM").is_some_and(|term| term == "dumb")
 }
 
 impl Terminal {
-    /// Takes the terminal.
+    /// Puts the terminal into raw mode.
     pub fn enter(events: Sender<Event>) -> Result<Terminal> {
         terminal::enable_raw_mode().or_fail(&broken())?;
         let terminal = Terminal { shown: Vec::new() };
@@ -36,7 +36,7 @@ impl Terminal {
             eprintln!();
             hook(info);
         }));
-        // What stands on the screen moves up, to where scrolling back finds it.
+        // Move the text on the screen up, so that the user can still scroll back to it.
         let (_, rows) = size();
         write!(stdout(), "{}", "\r\n".repeat(rows)).or_fail(&broken())?;
         keys::listen(events);
@@ -55,7 +55,7 @@ impl Terminal {
         Ok(())
     }
 
-    /// A terminal that changed its size may have moved what stood there.
+    /// Forgets what is on the screen, because a terminal may move it when its size changes.
     pub fn forget(&mut self) {
         self.shown.clear();
     }

@@ -9,16 +9,16 @@ use pinhole_course::diagnosis::{Diagnosis, Explanation, Reading};
 /// A belief that explains wrong answers, with hints.
 #[derive(Debug, PartialEq, Serialize)]
 pub struct Beliefs {
-    /// How several of them are meant; none for a single one.
+    /// How several beliefs go together; none for a single one.
     pub reading: Option<String>,
-    /// Each with its hints.
+    /// The beliefs, each with its hints.
     pub beliefs: Vec<Belief>,
 }
 
 /// One belief and its hints.
 #[derive(Debug, PartialEq, Serialize)]
 pub struct Belief {
-    /// Where the page has explained it already.
+    /// The place where the page has explained it already.
     pub told: Option<Told>,
     pub belief: String,
     /// The share it explains; none where only one of several is held.
@@ -47,7 +47,7 @@ impl Beliefs {
         let most = diagnosis.beliefs.iter().map(|held| held.explained);
         let reading = one_of.then(|| {
             let share = percent(most.fold(0.0, f64::max));
-            format!("One of these beliefs explains {share} of what is wrong here; this cannot tell them apart:")
+            format!("One of these beliefs explains {share} of what is wrong here, but the answers don't tell which:")
         });
         let belief = |held: &Explanation| {
             let mistake = &held.mistake;
@@ -70,7 +70,7 @@ impl Beliefs {
 }
 
 impl Told {
-    /// What the `k`-th task holds.
+    /// The beliefs that the section of the `k`-th task explains.
     pub fn by_task<'a>(
         k: usize,
         name: &'a str,

@@ -19,16 +19,16 @@ pub enum Cause {
     AnotherNormal,
 }
 
-/// A normal whose length is further from 1 than this is not unit: no rounding to
-/// 32-bit floats comes near it, and forgetting to normalise is rarely so close.
+/// A normal is not unit if its length differs from 1 by more than this. Rounding to 32-bit
+/// floats never does that much, and forgetting to normalise rarely does less.
 const UNIT: f32 = 1e-4;
 
-/// A normal is called reversed if it is this near to the golden's, the other way
-/// round. Wider than the tolerance: the name may be given generously, the points are not.
+/// A normal is called reversed if its opposite is this near to the golden's. This is wider
+/// than the tolerance, because the name earns no points.
 const REVERSED: f32 = 1e-3;
 
 impl Cause {
-    /// All, in the order they are looked for.
+    /// All causes, in the order in which they are tried.
     pub const ALL: [Cause; 9] = [
         Cause::NotFinite,
         Cause::MissesHit,
@@ -41,10 +41,10 @@ impl Cause {
         Cause::AnotherNormal,
     ];
 
-    /// What a person reads.
+    /// The cause in words.
     pub fn words(self) -> &'static str {
         match self {
-            Cause::NotFinite => "is no finite number",
+            Cause::NotFinite => "is not a finite number",
             Cause::MissesHit => "misses what should be hit",
             Cause::HitsMiss => "hits where nothing should be hit",
             Cause::AnotherObject => "hits another object",

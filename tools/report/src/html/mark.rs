@@ -1,25 +1,24 @@
-//! The mark that a course makes of what was judged, put into a report that is written already.
+//! Adds a course's final mark to a report that is already written.
 
 use minijinja::{context, value::Serde};
 use serde::Serialize;
 
 use super::environment;
 
-/// Between these, a report has room for a mark. Text of students never holds them: it is
-/// escaped.
+/// A mark goes between these two. Students' text can't contain them, because it is escaped.
 const OPEN: &str = "<!-- mark -->";
 const CLOSE: &str = "<!-- /mark -->";
 
 /// A mark, in words.
 #[derive(Debug, PartialEq, Serialize)]
 pub struct FinalMark {
-    /// What goes into the gradebook.
+    /// The mark that goes into the gradebook.
     pub points: String,
-    /// What can be had.
+    /// The points that are possible.
     pub possible: String,
-    /// What the answers earned.
+    /// The points that the answers earned.
     pub judged: String,
-    /// Why these differ.
+    /// Why the mark differs from the points.
     pub why: Vec<String>,
 }
 

@@ -21,9 +21,9 @@ pub struct RayGrid {
 pub struct Steps {
     /// At pixel (0, 0), bottom left.
     pub first: [f64; 3],
-    /// What one column to the right adds.
+    /// How it changes from one column to the next on the right.
     pub per_column: [f64; 3],
-    /// What one row up adds.
+    /// How it changes from one row to the next above.
     pub per_row: [f64; 3],
 }
 
@@ -33,17 +33,17 @@ pub struct Steps {
 pub enum RaysOfYours {
     /// Nothing is known.
     Unknown,
-    /// Those that are expected.
+    /// They are the expected rays.
     Right,
     /// They don't change evenly from pixel to pixel, so they are too many for the page.
     Uneven,
-    /// They do.
+    /// They change evenly, and this is their grid.
     #[serde(untagged)]
     Grid(RayGrid),
 }
 
 impl RaysOfYours {
-    /// What there is to tell.
+    /// What the page says about these rays.
     pub fn of(rays: &OwnRays) -> RaysOfYours {
         match rays {
             OwnRays::Unknown => RaysOfYours::Unknown,

@@ -23,20 +23,20 @@ pub struct Evidence<'a> {
     pub passes: bool,
     /// The verdict in a line.
     pub said: String,
-    /// Whether anything was cast, or tried to.
+    /// Whether an attempt was made to cast it.
     pub attempted: bool,
     /// Points earned and possible, if it has any.
     pub points: Option<(u32, u32)>,
-    /// None if the guards refused the film, or there is none.
+    /// None if the film can't be compared, or there is no film.
     pub verdict: Option<&'a Verdict>,
     pub golden: &'a Golden,
     pub film: Option<&'a Film>,
-    /// What it shows, if that is known.
+    /// The scene that the film shows, if it is known.
     pub scene: Option<&'a Scene>,
     pub rays: Option<RayGrid>,
     pub own_rays: RaysOfYours,
     pub beliefs: Option<Beliefs>,
-    /// What does it again.
+    /// The command that repeats this.
     pub command: String,
     /// The command that explains a pixel: before its column, and after its row.
     pub explain: Option<[String; 2]>,
@@ -75,7 +75,7 @@ pub struct SceneSection {
 /// The failing pixels of one cause.
 #[derive(Debug, Serialize)]
 pub struct CauseRow {
-    /// As in the packed pixels.
+    /// The cause's number in the packed pixels.
     pub code: usize,
     pub words: &'static str,
     pub pixels: usize,
@@ -182,7 +182,7 @@ impl SceneSection {
 }
 
 impl View {
-    /// Where a channel is seen.
+    /// The view that shows a channel.
     fn of(channel: &str) -> View {
         match channel {
             "id" => View::Id,
@@ -217,7 +217,7 @@ fn cut(whole: &RgbImage, window: Window, fits: bool) -> RgbImage {
     let [left, top, n_x, n_y] = [window.left, window.top, window.n_x, window.n_y].map(|n| n as u32);
     match fits {
         true => crop_imm(whole, left, top, n_x, n_y).to_image(),
-        // A film of another size than its golden's: its beginning.
+        // If the film's size differs from its golden's, start at its beginning.
         false => crop_imm(
             whole,
             0,

@@ -31,7 +31,7 @@ pub struct TaskSection {
     /// What is measurably wrong, sentence by sentence.
     pub measured: Vec<String>,
     pub chapter: Passage,
-    /// What shows the same again; none if the public questions pass.
+    /// The command that shows the same again; none if the public questions pass.
     pub command: Option<String>,
 }
 
@@ -42,7 +42,7 @@ pub struct GroupRow {
     pub passes: bool,
     pub worth: u32,
     pub said: String,
-    /// Whether its answers came, so that there is a worst one.
+    /// Whether it has answers, so that there is a worst one.
     pub judged: bool,
     /// The worst question, or the one at which the code panicked, fact by fact.
     pub worst: Vec<Fact>,

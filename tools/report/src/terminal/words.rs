@@ -141,7 +141,7 @@ fn verdict_in_words(comparison: &Comparison, what: &str) -> String {
 pub fn diagnosis(diagnosis: &Diagnosis) -> String {
     let mut lines = Vec::new();
     if diagnosis.reading == Reading::OneOf {
-        lines.push("One of these beliefs explains it, and this cannot tell them apart:".into());
+        lines.push("One of these beliefs explains it, but the answers don't tell which:".into());
     }
     for Explanation {
         mistake, explained, ..

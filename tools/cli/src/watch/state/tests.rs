@@ -13,7 +13,7 @@ use pinhole_course::outcome::{
 use pinhole_course::sandbox::Sandbox;
 use pinhole_report::html::Again;
 
-/// The real course, of which nothing is compiled or asked here.
+/// The real course. Nothing is compiled or asked here.
 pub(in crate::watch) fn course() -> Course {
     let checkout = Checkout::find().expect("the tests run in a checkout");
     let assignment = Assignment::read(&checkout, "ray_casting").expect("it is committed");
@@ -57,7 +57,7 @@ impl Watch {
         watch
     }
 
-    /// A watch that has judged every task, these as wrong.
+    /// A watch that has judged every task, and these as wrong.
     pub fn with_wrong(wrong: &[&str]) -> Watch {
         let mut watch = Watch::begin();
         watch.judge_all(wrong);

@@ -170,7 +170,7 @@ fn an_archive_counts_as_the_folder_it_holds() {
     let name = archive.to_str().expect("a plain name");
     pinhole(&["check", name])
         .expect_code(2)
-        .expect_err("no ZIP file");
+        .expect_err("not a ZIP file");
     fs::remove_dir_all(folder).expect("it was made");
 }
 
