@@ -30,11 +30,11 @@ const ASSETS: [(&str, &[u8]); 5] = [
 
 /// An edition that was built.
 pub struct Built {
-    /// For whom.
+    /// The readers that it is for.
     pub edition: Edition,
-    /// Where its `index.html` lies.
+    /// The folder of its `index.html`.
     pub folder: PathBuf,
-    /// Problems in its pages, where they are marked too.
+    /// Problems in its pages. They are marked in the pages, too.
     pub problems: Vec<Problem>,
 }
 

@@ -37,7 +37,7 @@ pub enum Part {
 }
 
 impl Part {
-    /// All of them.
+    /// All parts.
     pub const ALL: [Part; 6] = [
         Part::Pages,
         Part::Runs,

@@ -7,7 +7,7 @@ use crate::error::Wrong;
 pub enum Directive {
     /// Code between two anchors of a file.
     Listing {
-        /// From the top of the checkout.
+        /// The file, from the top of the checkout.
         path: String,
         /// The anchor's name.
         anchor: String,
@@ -22,7 +22,7 @@ pub enum Directive {
         name: String,
         /// The alternative text, for readers who can't see it.
         alternative: String,
-        /// Below it.
+        /// The caption below the figure.
         caption: String,
     },
     /// What the mistakes of a task look like.
@@ -50,7 +50,7 @@ const USES: [(&str, &str); 6] = [
 ];
 
 impl Directive {
-    /// Reads what stands between `{{#` and `}}`; otherwise what is wrong, and a remedy.
+    /// Reads the text between `{{#` and `}}`. If it is wrong, says what is wrong and a remedy.
     pub fn parse(inside: &str) -> Result<Directive, Wrong> {
         let mut words = words(inside).into_iter();
         let kind = words.next().unwrap_or_default();

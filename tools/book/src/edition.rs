@@ -4,12 +4,12 @@ use std::path::Path;
 
 use crate::error::Problem;
 
-/// For whom a book is built.
+/// An edition of the book, by its readers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Edition {
-    /// No solutions.
+    /// For students: without solutions.
     Student,
-    /// Everything.
+    /// For instructors: everything.
     Instructor,
 }
 
@@ -20,7 +20,7 @@ const OPEN: &str = "{{#instructor}}";
 const CLOSE: &str = "{{/instructor}}";
 
 impl Edition {
-    /// Both.
+    /// Both editions.
     pub const ALL: [Edition; 2] = [Edition::Student, Edition::Instructor];
 
     /// The folder it is built into.
@@ -37,7 +37,7 @@ impl Edition {
     }
 
     /// A page without the markers, and without what they enclose if it is not for these
-    /// readers. Lines that go leave an empty one, so that all others keep their number.
+    /// readers. Removed lines become empty ones, so that all others keep their numbers.
     pub fn lines(self, page: &str, file: &Path) -> Result<String, Problem> {
         let mut opened: Option<usize> = None;
         let mut kept = String::new();

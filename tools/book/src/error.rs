@@ -9,7 +9,7 @@ use std::process::ExitCode;
 pub struct Problem {
     /// The file, from the top of the checkout.
     pub file: PathBuf,
-    /// Counted from 1, where there is one.
+    /// The line, counted from 1, if there is one.
     pub line: Option<usize>,
     /// One sentence without a full stop.
     pub problem: String,
@@ -61,9 +61,9 @@ impl fmt::Display for Problem {
 /// Why there is no book.
 #[derive(Debug)]
 pub enum Error {
-    /// Its sources are wrong, each in its place.
+    /// Its sources have these problems.
     Sources(Vec<Problem>),
-    /// What the book is about cannot be had: a file, the machine, or this program is at
+    /// Something that the book needs is missing: a file, the machine, or this program is at
     /// fault.
     Course(pinhole_course::error::Error),
 }
@@ -75,7 +75,7 @@ pub type Wrong = (String, String);
 pub type Result<T> = std::result::Result<T, Error>;
 
 impl Error {
-    /// Something is missing or broken that no page can mend.
+    /// Something is missing or broken that can't be corrected in a page.
     pub fn environment(problem: impl Into<String>, remedy: impl Into<String>) -> Error {
         pinhole_course::error::Error::environment(problem, remedy).into()
     }
@@ -121,7 +121,7 @@ impl fmt::Display for Error {
                 for problem in problems {
                     writeln!(f, "{problem}")?;
                 }
-                write!(f, "{} to mend", problems.len())
+                write!(f, "{} to correct", problems.len())
             }
             Error::Course(error) => error.fmt(f),
         }

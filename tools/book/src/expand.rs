@@ -73,7 +73,7 @@ impl Expand {
                 .is_none_or(|path| self.edition.has(path))
         };
         items.retain(|item| !matches!(item, BookItem::Chapter(chapter) if !own(chapter)));
-        // A part whose chapters are all gone has no title.
+        // Remove the title of a part that has no chapters left.
         let mut kept: Vec<BookItem> = Vec::new();
         for item in items.drain(..) {
             let is_title = matches!(item, BookItem::PartTitle(_));

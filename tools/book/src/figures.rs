@@ -99,7 +99,7 @@ pub fn folder(checkout: &Checkout) -> PathBuf {
     checkout.book().join("src/figures")
 }
 
-/// What stands above each picture of a file that has several beside each other.
+/// The headings of pictures that are beside each other in one file.
 fn heads_of(name: &str) -> &'static [&'static str] {
     match name {
         "three_outputs_boxes" | "three_outputs_bunny" => &["id", "depth", "normal"],
@@ -112,8 +112,8 @@ fn heads_of(name: &str) -> &'static [&'static str] {
     }
 }
 
-/// HTML of a kept figure. A drawing stands in the page itself, so that it takes the
-/// page's colours, light or dark; its file is one line for each element.
+/// The HTML of a stored figure. A drawing is put into the page itself, so that it takes the
+/// page's colours, light or dark. Its file has one line for each element.
 pub fn shown(
     name: &str,
     alternative: &str,
@@ -152,7 +152,7 @@ pub fn keep(names: &[String], checkout: &Checkout) -> Result<()> {
     Ok(())
 }
 
-/// Figures that are not as their program makes them, or that no program makes.
+/// Figures that differ from what their program makes, or that no program makes.
 pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
     let mut kept = BTreeMap::new();
     for entry in fs::read_dir(folder(checkout))

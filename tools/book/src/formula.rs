@@ -39,7 +39,7 @@ impl Formulas {
     }
 }
 
-/// HTML in whose texts nothing is left that Markdown takes for its own.
+/// HTML whose text holds nothing that Markdown would interpret.
 fn inert(html: &str) -> String {
     let mut out = String::with_capacity(html.len());
     let (mut in_tag, mut in_entity) = (false, false);

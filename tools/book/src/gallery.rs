@@ -27,7 +27,7 @@ use choice::{Candidate, Shot, choose, difference};
 pub use page::shown;
 use strip::{SceneGolden, Strip};
 
-/// In which colours a film is shown.
+/// The kind of false colours in which a film is shown.
 #[derive(Clone, Copy, Debug, Deserialize, Eq, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum View {
@@ -58,11 +58,11 @@ impl fmt::Display for View {
 pub struct Shown {
     /// The scene that was cast.
     pub scene: String,
-    /// In which colours.
+    /// The kind of false colours.
     pub view: View,
-    /// In how many pixels it differs.
+    /// How many pixels differ.
     pub pixels: usize,
-    /// Of how many.
+    /// How many pixels there are.
     pub of: usize,
 }
 
@@ -210,7 +210,7 @@ fn alike(strips: &Strips, mistakes: &[MistakeFolder], checkout: &Checkout) -> Ve
     problems
 }
 
-/// By mistake.
+/// The strips, by mistake.
 type List = BTreeMap<String, Shown>;
 
 fn list_path(checkout: &Checkout) -> PathBuf {
@@ -224,13 +224,13 @@ fn strip_path(slug: &str, checkout: &Checkout) -> PathBuf {
         .join(format!("{slug}.png"))
 }
 
-/// What each strip shows; nothing if none was ever made.
+/// What each strip shows; empty if no strip was ever made.
 fn list(checkout: &Checkout) -> List {
     let text = fs::read_to_string(list_path(checkout)).unwrap_or_default();
     toml::from_str(&text).unwrap_or_default()
 }
 
-/// Keeps strips, and what each shows, in the place of those that were there.
+/// Stores strips, and what each shows, in place of earlier ones.
 fn keep_all(strips: Strips, checkout: &Checkout) -> Result<()> {
     for slug in list(checkout).keys() {
         let _absent = fs::remove_file(strip_path(slug, checkout));
@@ -247,7 +247,7 @@ fn keep_all(strips: Strips, checkout: &Checkout) -> Result<()> {
     Ok(checkout.write(list_path(checkout), format!("{head}{text}"))?)
 }
 
-/// Kept strips that are not these.
+/// Stored strips that differ from these.
 fn stale(strips: &Strips, checkout: &Checkout) -> Vec<Problem> {
     let list = list(checkout);
     let mut problems = Vec::new();

@@ -117,7 +117,7 @@ fn runs_values_and_figures_must_be_there() {
 
 #[test]
 fn no_directive_is_left_as_it_was_written() {
-    assert_told("`{{#value slide_u}}`", "stands in code");
+    assert_told("`{{#value slide_u}}`", "is inside code");
 }
 
 #[test]

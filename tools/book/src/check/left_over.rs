@@ -1,5 +1,4 @@
-//! Directives that were not expanded because they stand in code, so that readers would
-//! see them.
+//! Directives that were not expanded, because they are inside code. Readers would see them.
 
 use super::pages::Pages;
 use crate::error::Problem;
@@ -10,7 +9,7 @@ pub fn left_over(pages: &Pages) -> Vec<Problem> {
     for (path, page) in pages {
         for directive in &page.directives {
             let problem =
-                format!("the directive `{directive}` stands in code, where nothing is inserted");
+                format!("the directive `{directive}` is inside code, where nothing is inserted");
             let remedy = "write it outside of the backticks";
             problems.push(Problem::of(path, problem, remedy));
         }

@@ -17,13 +17,13 @@ const LEAST: usize = 16;
 /// A line of an answer, as it is looked for.
 pub struct Line {
     task: String,
-    /// As it stands in the answer.
+    /// The line in the answer.
     text: String,
-    /// Without spaces.
+    /// The line without spaces.
     bare: String,
 }
 
-/// The lines of all answers that tell something.
+/// The lines of all answers that would give something away.
 pub fn answers(assignment: &Assignment, checkout: &Checkout) -> Result<Vec<Line>> {
     let mut lines = Vec::new();
     for task in &assignment.tasks {
@@ -34,7 +34,7 @@ pub fn answers(assignment: &Assignment, checkout: &Checkout) -> Result<Vec<Line>
         let handout = checkout.read(assignment.handout().join("src").join(task.file()))?;
         for line in body.lines().map(str::trim) {
             let bare = bare(line);
-            // Which names there are is no secret: the appendix lists them.
+            // The names that exist are no secret, because the appendix lists them.
             let tells = bare.chars().count() >= LEAST && !line.starts_with("use ");
             if tells && !handout.contains(line) {
                 lines.push(Line {
@@ -48,7 +48,7 @@ pub fn answers(assignment: &Assignment, checkout: &Checkout) -> Result<Vec<Line>
     Ok(lines)
 }
 
-/// Where one of these lines stands in a folder's files.
+/// The places in a folder's files that contain one of these lines.
 pub fn shown(lines: &[Line], folder: &Path) -> Result<Vec<Problem>> {
     let mut problems = Vec::new();
     for path in files(folder)? {

@@ -36,7 +36,7 @@ fn problem(line: &str) -> Option<Problem> {
     Some(Problem::at(
         file,
         number,
-        format!("`{word}` is no word we know"),
+        format!("`{word}` is not a word we know"),
         remedy,
     ))
 }

@@ -32,18 +32,18 @@ pub fn colour(object: usize) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// Which side of its place a word stands on.
+/// On which side of its place a word is.
 #[derive(Clone, Copy, Debug)]
 pub enum Side {
-    /// Ends before it.
+    /// The word ends before the place.
     Left,
-    /// In the middle above it.
+    /// The word is centred above the place.
     Above,
-    /// In the middle below it.
+    /// The word is centred below the place.
     Below,
-    /// Begins after it.
+    /// The word begins after the place.
     Right,
-    /// Upon it.
+    /// The word is centred on the place.
     On,
 }
 
@@ -52,9 +52,9 @@ pub enum Side {
 pub struct Stroke {
     /// An SVG colour.
     pub colour: String,
-    /// In units of the page.
+    /// The line's width, in units of the page.
     pub width: f64,
-    /// Whether it is interrupted.
+    /// Whether the line is dashed.
     pub dashed: bool,
 }
 
@@ -73,7 +73,7 @@ pub fn stroke(colour: impl Into<String>) -> Stroke {
 }
 
 impl Stroke {
-    /// The same, interrupted and thinner.
+    /// The same line, but dashed and thinner.
     pub fn dashed(self) -> Stroke {
         Stroke {
             dashed: true,
@@ -82,12 +82,12 @@ impl Stroke {
         }
     }
 
-    /// The same, thin.
+    /// The same line, but thin.
     pub fn thin(self) -> Stroke {
         Stroke { width: 0.7, ..self }
     }
 
-    /// The same, thick.
+    /// The same line, but thick.
     pub fn thick(self) -> Stroke {
         Stroke { width: 3.0, ..self }
     }
@@ -204,7 +204,7 @@ impl Drawing {
         self.sized(place, side, words, SIZES[0]);
     }
 
-    /// The same, smaller.
+    /// Smaller words beside a place.
     pub fn small(&mut self, place: DVec2, side: Side, words: &str) {
         self.sized(place, side, words, SIZES[1]);
     }
@@ -274,7 +274,7 @@ impl Space {
         }
     }
 
-    /// Where a point of space stands in the drawing.
+    /// The place of a point of space in the drawing.
     pub fn at(&self, p: DVec3) -> DVec2 {
         p.x * self.axes[0] + p.y * self.axes[1] + p.z * self.axes[2]
     }

@@ -16,7 +16,7 @@ use pinhole_course::{examine, overlay};
 use super::strip::SceneGolden;
 use crate::error::{Problem, Result};
 
-/// No mistake casts longer.
+/// The longest time that a mistake may take to cast a scene.
 const WALL: Duration = Duration::from_secs(30);
 
 /// Compiles mistakes and has them cast scenes.

@@ -11,7 +11,7 @@ use super::View;
 pub struct Shot {
     /// The scene's name.
     pub scene: String,
-    /// In which colours.
+    /// The kind of false colours.
     pub view: View,
     /// How much it differs from what is expected, see [`difference`].
     pub visible: f64,
@@ -23,7 +23,7 @@ pub struct Shot {
 pub struct Candidate {
     /// The mistake's name.
     pub slug: String,
-    /// In the chapters of these tasks it is shown.
+    /// The tasks whose chapters show it.
     pub tasks: Vec<String>,
     /// Pictures that are not as expected.
     pub shots: Vec<Shot>,
