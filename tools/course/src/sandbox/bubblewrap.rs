@@ -107,6 +107,9 @@ impl Bubblewrap {
         bind(&mut command, "--ro-bind", &self.sysroot);
         bind(&mut command, "--ro-bind", harness);
         bind(&mut command, "--ro-bind", &folder.join("src"));
+        // rustc and its linker find their own files by the link /proc/self/exe. Landlock keeps
+        // them from reading anything there.
+        command.args(["--proc", "/proc"]);
         bind(&mut command, "--bind", &out);
         command.args(["--setenv", "PATH", "/usr/bin"]);
         command.arg("--chdir").arg(folder);
@@ -122,7 +125,8 @@ impl Bubblewrap {
         Ok(command)
     }
 
-    /// A built program, to be asked.
+    /// A built program, to be asked. There is no `/proc`: with it, safe Rust could write to
+    /// its own memory.
     pub fn runner(&self, executable: &Path, limits: &Limits) -> Command {
         let mut command = self.bare();
         command.arg("--ro-bind").arg(executable).arg(PROGRAM_INSIDE);
@@ -152,7 +156,7 @@ impl Bubblewrap {
              --unshare-cgroup-try --hostname submission --die-with-parent --new-session \
              --clearenv --cap-drop ALL";
         let files = "--ro-bind /usr /usr --symlink usr/lib /lib --symlink usr/lib64 /lib64 \
-             --symlink usr/bin /bin --proc /proc --dev /dev --remount-ro /dev";
+             --symlink usr/bin /bin --dev /dev --remount-ro /dev";
         command.args(fixed.split_whitespace());
         command.args(own.split_whitespace());
         command.args(files.split_whitespace());
@@ -172,7 +176,7 @@ impl Bubblewrap {
             limits.processes = UNCOUNTED;
         }
         confine::arguments(command, &limits, purpose, self.uid());
-        for read in ["/usr", "/proc", "/dev"] {
+        for read in ["/usr", "/dev"] {
             command.args(["--read", read]);
         }
         command.args(["--write", "/dev/null"]);

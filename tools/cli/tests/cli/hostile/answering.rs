@@ -6,9 +6,9 @@ use super::Fate::{Harmless, Outcome};
 use super::{Attack, SECRET, attack, every_attack_has_its_expected_outcome, reach, scratch, walls};
 use pinhole_testing::root;
 
-/// Everything an answer must not reach. `%NAME%` is replaced by a value that differs from run
-/// to run.
-const REACHES: [(&str, &str); 27] = [
+/// Everything an answer must not reach. `%NAME%` stands for a value that differs from
+/// run to run.
+const REACHES: [(&str, &str); 32] = [
     ("golden", "std::fs::metadata(\"%GOLDEN%\").is_ok()"),
     ("read-golden", "std::fs::read(\"%GOLDEN%\").is_ok()"),
     (
@@ -39,6 +39,23 @@ const REACHES: [(&str, &str); 27] = [
     (
         "other-processes",
         "std::fs::read_dir(\"/proc\").is_ok_and(|all| all.flatten().filter(|it| it.file_name().to_string_lossy().parse::<u32>().is_ok()).count() > 4)",
+    ),
+    (
+        "own-memory",
+        "std::fs::OpenOptions::new().read(true).write(true).open(\"/proc/self/mem\").is_ok()",
+    ),
+    (
+        "memory-of-a-thread",
+        "std::fs::File::open(\"/proc/thread-self/mem\").is_ok()",
+    ),
+    ("own-layout", "std::fs::read(\"/proc/self/maps\").is_ok()"),
+    (
+        "own-program",
+        "std::fs::File::open(\"/proc/self/exe\").is_ok()",
+    ),
+    (
+        "command-lines",
+        "[\"1\", \"self\"].iter().any(|it| std::fs::read(format!(\"/proc/{it}/cmdline\")).is_ok())",
     ),
     (
         "network",
