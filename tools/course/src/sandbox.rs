@@ -17,6 +17,8 @@ mod confine;
 #[cfg(target_os = "linux")]
 mod container;
 #[cfg(target_os = "linux")]
+mod seal;
+#[cfg(target_os = "linux")]
 mod syscalls;
 #[cfg(target_os = "linux")]
 mod toolchain;
@@ -234,6 +236,32 @@ impl Sandbox {
         let finished = finish(compiler, limits, |pid| self.watch(pid, limits));
         self.sweep();
         finished
+    }
+
+    /// Takes a compiled program and its folder from the user id that compiled it. Foreign code
+    /// may then run the program but not read it: the kernel denies a program that it can't read
+    /// its own memory in `/proc`, where that can be seen.
+    ///
+    /// # Errors
+    /// If they cannot be handed over.
+    #[cfg_attr(not(target_os = "linux"), expect(unused_variables))]
+    pub fn seal(&self, folder: &Path, program: &Path) -> io::Result<()> {
+        match self {
+            Sandbox::Trusted => Ok(()),
+            #[cfg(target_os = "linux")]
+            Sandbox::Bubblewrap(_) => seal::seal(folder, None, program),
+            #[cfg(target_os = "linux")]
+            Sandbox::Container(walls) => seal::seal(folder, Some(walls.uid()), program),
+        }
+    }
+
+    /// Whether there is a program that nobody but us could have changed.
+    pub fn is_sealed(&self, program: &Path) -> bool {
+        match self {
+            Sandbox::Trusted => program.is_file(),
+            #[cfg(target_os = "linux")]
+            _ => seal::is_ours(program),
+        }
     }
 
     /// Asks a built program. What its code does wrong is in the reply.

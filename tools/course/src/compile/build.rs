@@ -53,8 +53,8 @@ pub fn build(
     sandbox: &Sandbox,
 ) -> Result<Built> {
     let folder = programs.join(fingerprint(sources, shown_in, harness, sandbox));
-    let executable = folder.join("out").join(PROGRAM);
-    if executable.is_file() {
+    let executable = folder.join(PROGRAM);
+    if sandbox.is_sealed(&executable) {
         prune::keep(&folder);
         let warnings = fs::read(folder.join(WARNINGS)).unwrap_or_default();
         let warnings = blame::diagnostics(&warnings);
@@ -91,13 +91,17 @@ pub fn build(
         let built = Built::Program {
             executable: executable.clone(),
             warnings: blame::diagnostics(&finished.stderr),
+        fs::rename(out.join(PROGRAM), fresh.join(PROGRAM))
+            .and_then(|()| fs::remove_dir_all(&out))
+            .and_then(|()| sandbox.seal(&fresh, &fresh.join(PROGRAM)))
+            .or_fail(&failed)?;
         };
-        if !executable.is_file() {
-            // If the folder exists, somebody was interrupted while deleting it.
+        if !sandbox.is_sealed(&executable) {
+            // A folder without its program: somebody was stopped while deleting it.
             let _gone_or_absent = fs::remove_dir_all(&folder);
         }
         return match fs::rename(&fresh, &folder) {
-            Err(_) if executable.is_file() => {
+            Err(_) if sandbox.is_sealed(&executable) => {
                 fs::remove_dir_all(&fresh).or_fail(&failed)?;
                 Ok(built)
             }

@@ -128,7 +128,7 @@ impl Container {
     /// See [`Sandbox::compiler`](super::Sandbox::compiler).
     pub fn compiler(&self, folder: &Path, harness: &Path, limits: &Limits) -> io::Result<Command> {
         let out = folder.join("out");
-        // No other submission may look inside, or find the program there later.
+        // No other submission may look inside.
         fs::set_permissions(folder, Permissions::from_mode(0o700))?;
         chown(folder, Some(self.uid()), Some(self.uid()))?;
         chown(&out, Some(self.uid()), Some(self.uid()))?;
