@@ -17,6 +17,8 @@ mod confine;
 #[cfg(target_os = "linux")]
 mod container;
 #[cfg(target_os = "linux")]
+mod host_paths;
+#[cfg(target_os = "linux")]
 mod seal;
 #[cfg(target_os = "linux")]
 mod syscalls;
@@ -235,7 +237,13 @@ impl Sandbox {
     pub fn compile(&self, compiler: Command, limits: &Limits) -> io::Result<Finished> {
         let finished = finish(compiler, limits, |pid| self.watch(pid, limits));
         self.sweep();
-        finished
+        let mut finished = finished?;
+        #[cfg(target_os = "linux")]
+        if let Some(paths) = self.host_paths() {
+            let text = String::from_utf8_lossy(&finished.stderr);
+            finished.stderr = paths.hide(&text).into_bytes();
+        }
+        Ok(finished)
     }
 
     /// Takes a compiled program and its folder from the user id that compiled it. Foreign code
@@ -296,6 +304,10 @@ impl Sandbox {
         let exceeded = watch.and_then(Watch::stop);
         self.sweep();
         let mut reply = asked?;
+        #[cfg(target_os = "linux")]
+        if let Some(paths) = self.host_paths() {
+            paths.hide_in(&mut reply);
+        }
         if let Ending::Died(death) = &reply.ending {
             match exceeded {
                 Some(Exceeded::Cpu(most)) => reply.ending = Ending::TimedOut(most),
@@ -344,6 +356,16 @@ impl Sandbox {
             Sandbox::Bubblewrap(walls) => walls.self_test(),
             #[cfg(target_os = "linux")]
             Sandbox::Container(walls) => walls.self_test(),
+        }
+    }
+
+    /// What is not shown to the author of untrusted code.
+    #[cfg(target_os = "linux")]
+    fn host_paths(&self) -> Option<&host_paths::HostPaths> {
+        match self {
+            Sandbox::Trusted => None,
+            Sandbox::Bubblewrap(walls) => Some(&walls.host_paths),
+            Sandbox::Container(walls) => Some(&walls.host_paths),
         }
     }
 

@@ -9,6 +9,7 @@ use std::process::Command;
 use super::Limits;
 use super::budget::Budget;
 use super::confine;
+use super::host_paths::HostPaths;
 use super::syscalls::Purpose;
 use super::toolchain::{linker, sysroot};
 use super::user_id::UserId;
@@ -25,7 +26,9 @@ pub struct Bubblewrap {
     /// The user that the code runs as if we are root. Otherwise the code runs as our
     /// own user, under another number.
     uid: Option<UserId>,
-    /// The time lost to timeouts so far.
+    /// What is not shown to the code's author.
+    pub host_paths: HostPaths,
+    /// The limits run into so far.
     pub budget: Budget,
 }
 
@@ -46,8 +49,10 @@ impl Bubblewrap {
     pub fn new(checkout: &Checkout) -> io::Result<Bubblewrap> {
         let is_root = rustix::process::getuid().is_root();
         let uid = is_root.then(UserId::reserve).transpose();
+        let sysroot = sysroot(checkout).map_err(|error| io::Error::other(error.problem))?;
         let walls = Bubblewrap {
-            sysroot: sysroot(checkout).map_err(|error| io::Error::other(error.problem))?,
+            host_paths: HostPaths::new(checkout, &sysroot, None),
+            sysroot,
             pinhole: std::env::current_exe()?,
             uid: uid.map_err(|error| io::Error::other(error.problem))?,
             budget: Budget::default(),
@@ -102,14 +107,14 @@ impl Bubblewrap {
             chown(&out, Some(uid), Some(uid))?;
         }
         let mut command = self.bare();
-        // Mounted first, because the folders below may lie in it.
+        // rustc and its linker find their own files by the link /proc/self/exe. Landlock keeps
+        // them from reading anything there.
+        command.args(["--proc", "/proc"]);
+        // Before what may lie in it.
         command.args(["--size", "67108864", "--perms", "1777", "--tmpfs", "/tmp"]);
         bind(&mut command, "--ro-bind", &self.sysroot);
         bind(&mut command, "--ro-bind", harness);
         bind(&mut command, "--ro-bind", &folder.join("src"));
-        // rustc and its linker find their own files by the link /proc/self/exe. Landlock keeps
-        // them from reading anything there.
-        command.args(["--proc", "/proc"]);
         bind(&mut command, "--bind", &out);
         command.args(["--setenv", "PATH", "/usr/bin"]);
         command.arg("--chdir").arg(folder);

@@ -17,6 +17,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use super::Limits;
 use super::budget::Budget;
 use super::confine;
+use super::host_paths::HostPaths;
 use super::syscalls::Purpose;
 use super::toolchain::{linker, sysroot};
 use super::user_id::UserId;
@@ -34,7 +35,9 @@ pub struct Container {
     landlocked: bool,
     /// Holds what the code is compiled against, and the programs.
     scratch: Arc<Scratch>,
-    /// The time lost to timeouts so far.
+    /// What is not shown to the code's author.
+    pub host_paths: HostPaths,
+    /// The limits run into so far.
     pub budget: Budget,
 }
 
@@ -48,13 +51,15 @@ impl Container {
                 "run this as root inside the container, or use --sandbox bubblewrap",
             ));
         }
+        let (sysroot, scratch) = (sysroot(checkout)?, Scratch::new()?);
         let mut walls = Container {
-            sysroot: sysroot(checkout)?,
+            host_paths: HostPaths::new(checkout, &sysroot, Some(&scratch.folder)),
+            sysroot,
             pinhole: std::env::current_exe()
                 .or_environment("cannot find this program's own file", "run this again")?,
             uid: UserId::reserve()?,
             landlocked: true,
-            scratch: Arc::new(Scratch::new()?),
+            scratch: Arc::new(scratch),
             budget: Budget::default(),
         };
         walls.landlocked = walls.self_test().is_ok();

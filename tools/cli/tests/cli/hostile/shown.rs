@@ -4,7 +4,7 @@ use std::fs;
 
 use super::{scratch, walls};
 use crate::check::with_body;
-use pinhole_testing::{pinhole, submission};
+use pinhole_testing::{pinhole, root, submission};
 
 const EVIL: &str = "<script>alert(1)</script><img src=x onerror=alert(2)>\u{1b}[2J\u{1b}]0;owned\u{7}\u{202e}\r\n=HYPERLINK(1)";
 
@@ -96,6 +96,27 @@ fn folder_name_cannot_control_a_terminal_or_a_browser() {
         let json = pinhole(&["check", path, "--task", "plane", "--json", "--no-report"]);
         assert_eq!(json.expect_code(0).json()["submission"], path);
     }
+}
+
+#[test]
+fn compiler_names_no_folder_of_the_graders_machine() {
+    // The notes of these errors point into glam and into the harness.
+    let wrong = "fn f() { let _ = glam::DVec3::new(1, 2); \
+                 let _ = pinhole::Sphere::nothing(); let _ = pinhole::ray::Ray::clone(7); }";
+    let text = with_body("plane", "") + wrong;
+    let folder = submission(
+        &std::env::temp_dir(),
+        "hostile-paths",
+        &[("plane.rs", &text)],
+    );
+    let examination = super::examine(&folder, &walls());
+    let said = crate::check::task(&examination, "plane")["file"]["compiler"].to_string();
+    assert!(said.contains("/glam-"), "no note points into glam: {said}");
+    let home = std::env::var("HOME").expect("everyone lives somewhere");
+    for place in [root().display().to_string(), home + "/.cargo"] {
+        assert!(!said.contains(&place), "{place} was shown: {said}");
+    }
+    fs::remove_dir_all(folder).expect("it was made");
 }
 
 #[test]
