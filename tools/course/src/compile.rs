@@ -67,6 +67,8 @@ pub struct Compiler {
     allows_everything: bool,
     /// Whether messages name the student's files by a path that opens from the current folder.
     names_places: bool,
+    /// Whether a compiler that is late ends the attempt, because other work may have held it up.
+    stops_when_late: bool,
 }
 
 /// Compiles one submission for somebody who can edit it: see [`Compiler::compile`] and
@@ -97,6 +99,7 @@ impl Compiler {
             pristine: stubs::pristine(assignment, checkout)?,
             allows_everything: false,
             names_places: false,
+            stops_when_late: false,
         })
     }
 
@@ -114,6 +117,14 @@ impl Compiler {
     pub fn naming_places(self) -> Compiler {
         Compiler {
             names_places: true,
+            ..self
+        }
+    }
+
+    /// This compiler, for work beside others: see [`Attempt::Late`].
+    pub fn stopping_when_late(self, stops: bool) -> Compiler {
+        Compiler {
+            stops_when_late: stops,
             ..self
         }
     }
@@ -136,6 +147,10 @@ impl Compiler {
         match self.compile_until(submission, &mut |_| false)? {
             Attempt::Program(program) => Ok(program),
             Attempt::Enough => unreachable!("no replacement is ever enough"),
+            Attempt::Late => Err(Error::environment(
+                "the compiler came to no end, beside other work",
+                "run this command again",
+            )),
         }
     }
 
@@ -199,7 +214,10 @@ impl Compiler {
                         stop: Stop::default(),
                     }));
                 }
-                Built::Refused(diagnostics) => {
+                Built::Refused { is_late: true, .. } if self.stops_when_late => {
+                    return Ok(Attempt::Late);
+                }
+                Built::Refused { diagnostics, .. } => {
                     let mut blamed = blame::by_place(&diagnostics, submission, &replaced);
                     if blamed.is_empty() {
                         blamed = blame_alone(submission, &replaced, compile)?;
@@ -232,6 +250,8 @@ pub enum Attempt {
     Program(Program),
     /// No program, because the caller already knows enough.
     Enough,
+    /// The compiler was late, and is to be tried again alone.
+    Late,
 }
 
 /// The folder of the answer files, as a path that opens from the current folder. `None` for an
@@ -275,7 +295,7 @@ fn blame_alone(
     let stubs: Replacements = tasks
         .map(|task| (task, Replaced::Unusable(Unusable::Missing)))
         .collect();
-    if let Built::Refused(_) = compile(&stubs)? {
+    if let Built::Refused { .. } = compile(&stubs)? {
         return Ok(Replacements::new());
     }
     let mut blamed = Replacements::new();
@@ -283,7 +303,7 @@ fn blame_alone(
     for suspect in suspects() {
         let mut others = stubs.clone();
         others.remove(suspect);
-        if let Built::Refused(diagnostics) = compile(&others)? {
+        if let Built::Refused { diagnostics, .. } = compile(&others)? {
             let text = blame::rendered(&diagnostics);
             blamed.insert(suspect.clone(), Replaced::DoesNotCompile(text));
         }

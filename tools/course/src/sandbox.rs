@@ -238,6 +238,9 @@ impl Sandbox {
         let finished = finish(compiler, limits, |pid| self.watch(pid, limits));
         self.sweep();
         let mut finished = finished?;
+        if finished.is_late() {
+            self.charge();
+        }
         #[cfg(target_os = "linux")]
         if let Some(paths) = self.host_paths() {
             let text = String::from_utf8_lossy(&finished.stderr);
@@ -310,7 +313,9 @@ impl Sandbox {
         }
         if let Ending::Died(death) = &reply.ending {
             match exceeded {
-                Some(Exceeded::Cpu(most)) => reply.ending = Ending::TimedOut(most),
+                Some(Exceeded::Cpu(most) | Exceeded::Idle(most)) => {
+                    reply.ending = Ending::TimedOut(most)
+                }
                 Some(Exceeded::Memory(most)) => reply.ending = Ending::OutOfMemory(most),
                 // The kernel's own limit, in case a busy machine polls too seldom.
                 None if *death == Death::OutOfProcessorTime => {
@@ -324,8 +329,8 @@ impl Sandbox {
                 None => self.self_test()?,
             }
         }
-        if let Ending::TimedOut(lost) = reply.ending {
-            self.charge(lost);
+        if let Ending::TimedOut(_) = reply.ending {
+            self.charge();
         }
         Ok(reply)
     }
@@ -369,7 +374,8 @@ impl Sandbox {
         }
     }
 
-    fn within_budget(&self, limits: &Limits) -> Limits {
+    /// What is left of these limits for a submission that has run into some before.
+    pub fn within_budget(&self, limits: &Limits) -> Limits {
         match self {
             Sandbox::Trusted => *limits,
             #[cfg(target_os = "linux")]
@@ -379,13 +385,13 @@ impl Sandbox {
         }
     }
 
-    fn charge(&self, _lost: std::time::Duration) {
+    fn charge(&self) {
         match self {
             Sandbox::Trusted => {}
             #[cfg(target_os = "linux")]
-            Sandbox::Bubblewrap(walls) => walls.budget.charge(_lost),
+            Sandbox::Bubblewrap(walls) => walls.budget.charge(),
             #[cfg(target_os = "linux")]
-            Sandbox::Container(walls) => walls.budget.charge(_lost),
+            Sandbox::Container(walls) => walls.budget.charge(),
         }
     }
 }

@@ -37,7 +37,11 @@ pub enum Built {
         /// What the compiler warned of.
         warnings: Vec<Diagnostic>,
     },
-    Refused(Vec<Diagnostic>),
+    Refused {
+        diagnostics: Vec<Diagnostic>,
+        /// Whether the compiler might have come to an end with more time.
+        is_late: bool,
+    },
 }
 
 /// Compiles sources into a folder of `programs`, unless it is there already. Messages of the
@@ -79,7 +83,7 @@ pub fn build(
     for (name, text) in sources {
         fs::write(src.join(name), text).or_fail(&failed)?;
     }
-    let limits = Limits::of_compiler();
+    let limits = sandbox.within_budget(&Limits::of_compiler());
     let not_started = Error::environment("cannot start rustc", "install Rust from rustup.rs");
     let mut rustc = sandbox
         .compiler(&fresh, &harness.folder, &limits)
@@ -87,14 +91,14 @@ pub fn build(
     arguments(&mut rustc, harness, shown_in);
     let finished = timed("rustc", || sandbox.compile(rustc, &limits)).or_fail(&not_started)?;
     if finished.status.success() && is_program(&out.join(PROGRAM)) {
-        fs::write(fresh.join(WARNINGS), &finished.stderr).or_fail(&failed)?;
-        let built = Built::Program {
-            executable: executable.clone(),
-            warnings: blame::diagnostics(&finished.stderr),
         fs::rename(out.join(PROGRAM), fresh.join(PROGRAM))
             .and_then(|()| fs::remove_dir_all(&out))
             .and_then(|()| sandbox.seal(&fresh, &fresh.join(PROGRAM)))
             .or_fail(&failed)?;
+        fs::write(fresh.join(WARNINGS), &finished.stderr).or_fail(&failed)?;
+        let built = Built::Program {
+            executable: executable.clone(),
+            warnings: blame::diagnostics(&finished.stderr),
         };
         if !sandbox.is_sealed(&executable) {
             // A folder without its program: somebody was stopped while deleting it.
@@ -113,7 +117,10 @@ pub fn build(
         };
     }
     fs::remove_dir_all(&fresh).or_fail(&failed)?;
-    Ok(Built::Refused(said(&finished)))
+    Ok(Built::Refused {
+        diagnostics: said(&finished),
+        is_late: finished.is_late(),
+    })
 }
 
 /// Whether this is a regular file, as the compiler writes it, and not a link.

@@ -1,38 +1,53 @@
-//! The time that one submission may lose to timeouts in all.
+//! The limits that one submission may run into.
 //!
 //! Code that waits for its limit in every group and every scene would take a hundred
-//! times that limit. Only what ran into a limit is counted: answers that come are
-//! free, so a submission that is slow and right loses nothing.
+//! times that limit. Answers that come are free, so a submission that is slow and right loses
+//! nothing.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::Duration;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 use super::Limits;
 
-/// Seconds lost so far by one submission; clones count together.
+/// How many limits one submission has run into so far; clones count together.
 #[derive(Clone, Debug, Default)]
 pub struct Budget {
-    lost_millis: Arc<AtomicU64>,
+    lost: Arc<AtomicU32>,
 }
 
-/// Once this many whole limits are lost, every further question gets only its shortest
-/// time.
-const MOST_LOST: u32 = 4;
+/// After so many, everything else gets only its shortest time.
+const MOST_LOST: u32 = 2;
 
 impl Budget {
-    /// Shorter limits, if too much has been lost already.
+    /// Shorter limits, if too many have been lost already.
     pub fn bound(&self, limits: Limits) -> Limits {
-        let lost = Duration::from_millis(self.lost_millis.load(Ordering::Relaxed));
-        match lost >= limits.wall * MOST_LOST {
-            true => limits.at_most(limits.shortest),
+        match self.lost.load(Ordering::Relaxed) >= MOST_LOST {
+            true => limits.shortened(),
             false => limits,
         }
     }
 
     /// Counts one limit that was run into.
-    pub fn charge(&self, lost: Duration) {
-        let millis = lost.as_millis().try_into().unwrap_or(u64::MAX);
-        self.lost_millis.fetch_add(millis, Ordering::Relaxed);
+    pub fn charge(&self) {
+        self.lost.fetch_add(1, Ordering::Relaxed);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+
+    #[test]
+    fn limits_become_short_after_two_but_never_shorter_than_is_fair() {
+        let budget = Budget::default();
+        let seconds = Duration::from_secs;
+        let limits = Limits::of_processor(seconds(16), seconds(9));
+        budget.clone().charge();
+        assert_eq!(budget.bound(limits), limits);
+        budget.charge();
+        assert_eq!(budget.bound(limits).cpu, seconds(9));
+        assert_eq!(budget.bound(limits).wall, seconds(20));
     }
 }

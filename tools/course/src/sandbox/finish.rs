@@ -21,7 +21,14 @@ pub struct Finished {
     pub late: bool,
 }
 
-/// The most bytes of standard error that are kept. The rest is read and thrown away.
+impl Finished {
+    /// Whether it might have come to an end with more time.
+    pub fn is_late(&self) -> bool {
+        self.late || matches!(self.exceeded, Some(Exceeded::Cpu(_) | Exceeded::Idle(_)))
+    }
+}
+
+/// More is read and thrown away.
 pub const MOST_SAID: usize = 1 << 20;
 
 /// The time between two checks whether a command has ended.

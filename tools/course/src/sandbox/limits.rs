@@ -17,6 +17,9 @@ pub struct Limits {
     pub wall: Duration,
     /// Time on the clock between two answers, at most `wall`.
     pub silence: Duration,
+    /// Time on the clock in which no thread of the tree runs or is ready to: it sleeps, or waits
+    /// for what never comes. A busy machine makes no tree idle.
+    pub idle: Duration,
     /// Bytes: the address space of each process, and the memory in use of all together.
     pub memory: u64,
     /// Processes and threads together.
@@ -25,8 +28,7 @@ pub struct Limits {
     pub file_size: u64,
     /// Open files of one process.
     pub open_files: u64,
-    /// `cpu` and `wall` never become shorter than this, however much time a submission has
-    /// lost.
+    /// However much time a submission has lost, `cpu` becomes no shorter.
     pub shortest: Duration,
 }
 
@@ -34,7 +36,19 @@ pub struct Limits {
 const MEMORY: u64 = 2 << 30;
 
 /// Still a hundred times what the reference takes for the probes of any task.
-const SHORTEST: Duration = Duration::from_secs(2);
+const SHORTEST: Duration = Duration::from_secs(1);
+
+/// Still twenty times what right answers take to compile.
+const SHORTEST_OF_COMPILER: Duration = Duration::from_secs(5);
+
+/// Code under a processor's limit waits for nothing: it has no network and no other process.
+const IDLE: Duration = Duration::from_secs(1);
+
+/// The compiler waits for files, and some file systems don't tell waiting from sleeping.
+const IDLE_COMPILER: Duration = Duration::from_secs(5);
+
+/// Somebody who waits for their own answers gives silent ones up after no less than this.
+const LEAST_SILENCE: Duration = Duration::from_secs(2);
 
 /// Threads that code may have beside those which answer on all cores.
 const SPARE_PROCESSES: u64 = 32;
@@ -46,11 +60,12 @@ impl Limits {
             cpu: Duration::from_secs(20),
             wall: Duration::from_secs(60),
             silence: Duration::from_secs(60),
+            idle: IDLE_COMPILER,
             memory: MEMORY,
             processes: cores() + SPARE_PROCESSES,
             file_size: 64 << 20,
             open_files: 256,
-            shortest: SHORTEST,
+            shortest: SHORTEST_OF_COMPILER,
         }
     }
 
@@ -61,8 +76,10 @@ impl Limits {
             cpu: wall * cores() as u32 + Duration::from_secs(2),
             wall,
             silence: wall,
+            idle: wall,
             file_size: 0,
             open_files: 64,
+            shortest: SHORTEST,
             ..Limits::of_compiler()
         }
     }
@@ -75,7 +92,7 @@ impl Limits {
 
     /// These limits, but with less silence: see [`Limits::of_own_answers`].
     pub fn for_own_answers(self) -> Limits {
-        let silence = (self.wall / SILENCE).max(SHORTEST);
+        let silence = (self.wall / SILENCE).max(LEAST_SILENCE);
         Limits {
             silence: self.silence.min(silence),
             ..self
@@ -87,19 +104,19 @@ impl Limits {
     pub fn of_processor(cpu: Duration, shortest: Duration) -> Limits {
         Limits {
             cpu,
-            // Twice as long, because the machine may be doing other things as well.
-            wall: cpu * 2 + Duration::from_secs(2),
-            silence: cpu * 2 + Duration::from_secs(2),
+            wall: wall_of(cpu),
+            silence: wall_of(cpu),
+            idle: IDLE,
             shortest: shortest.max(SHORTEST),
             ..Limits::of_answers(cpu)
         }
     }
 
-    /// These limits, but for at most `time`.
-    pub fn at_most(self, time: Duration) -> Limits {
+    /// These limits for a submission that has lost too much time.
+    pub fn shortened(self) -> Limits {
         Limits {
-            cpu: self.cpu.min(time * cores() as u32 + Duration::from_secs(2)),
-            wall: self.wall.min(time),
+            cpu: self.cpu.min(self.shortest),
+            wall: self.wall.min(wall_of(self.shortest)),
             ..self
         }
     }
@@ -109,6 +126,11 @@ impl Limits {
 /// message holds 256 answers. On the largest mesh the reference gives them in 13 ms, and a
 /// program that is sixty times slower in less than half of that time.
 const SILENCE: u32 = 15;
+
+/// Twice, for a machine that does other things as well.
+fn wall_of(cpu: Duration) -> Duration {
+    cpu * 2 + Duration::from_secs(2)
+}
 
 /// How many threads answer.
 fn cores() -> u64 {

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::os::unix::fs::MetadataExt;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use rustix::process::{Pid, Signal, kill_process};
@@ -13,6 +14,8 @@ pub struct Used {
     pub cpu: Duration,
     /// Bytes in memory. What several processes share is counted for each of them.
     pub memory: u64,
+    /// Whether any thread runs, is ready to, or waits for a disk.
+    pub is_busy: bool,
 }
 
 /// What `pid` and its descendants use now. A process that ends meanwhile counts as nothing.
@@ -23,6 +26,7 @@ pub fn used_by(pid: u32) -> Used {
     while let Some(pid) = found.pop() {
         ticks += ticks_of(pid).unwrap_or(0);
         used.memory += memory_of(pid).unwrap_or(0);
+        used.is_busy |= is_busy(pid);
         found.extend(children(pid));
     }
     used.cpu = duration(ticks);
@@ -32,7 +36,7 @@ pub fn used_by(pid: u32) -> Used {
 /// Processor time of our own children that have ended, and of their children (fields 16 and
 /// 17).
 pub fn time_of_children() -> Option<Duration> {
-    let fields = stat(std::process::id())?;
+    let fields = stat(&of_process(std::process::id()))?;
     let ticks = fields.get(13..15)?.iter().map(|field| field.parse::<u64>());
     ticks.sum::<Result<u64, _>>().ok().map(duration)
 }
@@ -68,7 +72,7 @@ fn processes_of(uid: u32, signal: Signal) -> Vec<Pid> {
     let entries = fs::read_dir("/proc").into_iter().flatten().flatten();
     let theirs = entries.filter(|entry| entry.metadata().is_ok_and(|about| about.uid() == uid));
     let ids = theirs.filter_map(|entry| entry.file_name().to_str()?.parse().ok());
-    let reached = |pid: u32| match stat(pid) {
+    let reached = |pid: u32| match stat(&of_process(pid)) {
         Some(fields) => done.contains(&fields[0].as_str()),
         None => true,
     };
@@ -77,11 +81,23 @@ fn processes_of(uid: u32, signal: Signal) -> Vec<Pid> {
         .collect()
 }
 
-fn children(pid: u32) -> Vec<u32> {
+/// The folders of its threads.
+fn threads(pid: u32) -> impl Iterator<Item = PathBuf> {
     let threads = fs::read_dir(format!("/proc/{pid}/task"));
     let threads = threads.into_iter().flatten().flatten();
-    let lists =
-        threads.filter_map(|thread| fs::read_to_string(thread.path().join("children")).ok());
+    threads.map(|thread| thread.path())
+}
+
+fn is_busy(pid: u32) -> bool {
+    let is_busy = |thread: PathBuf| {
+        let fields = stat(&thread);
+        fields.is_some_and(|fields| fields[0] == "R" || fields[0] == "D")
+    };
+    threads(pid).any(is_busy)
+}
+
+fn children(pid: u32) -> Vec<u32> {
+    let lists = threads(pid).filter_map(|thread| fs::read_to_string(thread.join("children")).ok());
     lists
         .flat_map(|list| {
             let ids = list.split_whitespace().filter_map(|id| id.parse().ok());
@@ -90,10 +106,10 @@ fn children(pid: u32) -> Vec<u32> {
         .collect()
 }
 
-/// The fields of `stat` from the third on, the state. The second is the program's name, which
-/// may hold any character.
-fn stat(pid: u32) -> Option<Vec<String>> {
-    let text = fs::read_to_string(format!("/proc/{pid}/stat")).ok()?;
+/// The fields of `stat` of a process or thread from the third, the state, on: a name may hold
+/// anything.
+fn stat(folder: &Path) -> Option<Vec<String>> {
+    let text = fs::read_to_string(folder.join("stat")).ok()?;
     let (_, fields) = text.rsplit_once(')')?;
     Some(fields.split_whitespace().map(str::to_owned).collect())
 }
@@ -101,9 +117,13 @@ fn stat(pid: u32) -> Option<Vec<String>> {
 /// The clock ticks, user and system, of a process and of its children that have ended (fields
 /// 14 to 17).
 fn ticks_of(pid: u32) -> Option<u64> {
-    let fields = stat(pid)?;
+    let fields = stat(&of_process(pid))?;
     let ticks = fields.get(11..15)?.iter().map(|field| field.parse::<u64>());
     ticks.sum::<Result<u64, _>>().ok()
+}
+
+fn of_process(pid: u32) -> PathBuf {
+    format!("/proc/{pid}").into()
 }
 
 fn memory_of(pid: u32) -> Option<u64> {

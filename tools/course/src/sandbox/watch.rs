@@ -13,6 +13,8 @@ pub enum Exceeded {
     Cpu(Duration),
     /// Bytes in use.
     Memory(u64),
+    /// Time in which nothing ran.
+    Idle(Duration),
 }
 
 impl fmt::Display for Exceeded {
@@ -22,6 +24,9 @@ impl fmt::Display for Exceeded {
                 write!(f, "more than {} s of processor time", most.as_secs_f64())
             }
             Exceeded::Memory(most) => write!(f, "more than {} MiB of memory", most >> 20),
+            Exceeded::Idle(most) => {
+                write!(f, "it waited {} s for something", most.as_secs_f64())
+            }
         }
     }
 }
@@ -48,6 +53,7 @@ impl Watch {
 #[cfg(target_os = "linux")]
 mod looking {
     use std::sync::mpsc::{self, RecvTimeoutError};
+    use std::time::Instant;
 
     use rustix::process::{Pid, PidfdFlags, Signal, pidfd_open, pidfd_send_signal};
 
@@ -56,6 +62,34 @@ mod looking {
 
     /// The time between two checks. A gigabyte takes longer to fill.
     const PAUSE: Duration = Duration::from_millis(20);
+
+    /// How long a tree has done nothing.
+    struct Idleness {
+        since: Instant,
+        /// Looks in that time. If we ourselves look seldom, time alone shows nothing.
+        looks: u32,
+        cpu: Duration,
+    }
+
+    impl Idleness {
+        fn new(cpu: Duration) -> Idleness {
+            Idleness {
+                since: Instant::now(),
+                looks: 0,
+                cpu,
+            }
+        }
+
+        /// Whether the tree has been idle for too long, seen at half of the looks at least
+        /// that such a time has.
+        fn exceeds(&mut self, most: Duration, used: &tree::Used) -> bool {
+            match used.is_busy || used.cpu != self.cpu {
+                true => *self = Idleness::new(used.cpu),
+                false => self.looks += 1,
+            }
+            PAUSE * 2 * self.looks >= most && self.since.elapsed() >= most
+        }
+    }
 
     impl Watch {
         /// Kills `pid` when it and its descendants exceed the limits.
@@ -66,6 +100,7 @@ mod looking {
                 // Opened at the start, so that it can't mean a later process with the
                 // same id.
                 let handle = pidfd_open(first, PidfdFlags::empty()).ok()?;
+                let mut idleness = Idleness::new(Duration::ZERO);
                 loop {
                     if told.recv_timeout(PAUSE) != Err(RecvTimeoutError::Timeout) {
                         return None;
@@ -75,6 +110,8 @@ mod looking {
                         Exceeded::Memory(limits.memory)
                     } else if used.cpu > limits.cpu {
                         Exceeded::Cpu(limits.cpu)
+                    } else if idleness.exceeds(limits.idle, &used) {
+                        Exceeded::Idle(limits.idle)
                     } else {
                         continue;
                     };

@@ -19,7 +19,7 @@ use super::provenance::{MadeWith, Provenance};
 use super::record::{Record, SceneNeeds, Timings, explained};
 use super::redact::{Withheld, redact_scene};
 use pinhole_course::assignment::Assignment;
-use pinhole_course::compile::{Compiler, Program};
+use pinhole_course::compile::{Attempt, Compiler, Program};
 use pinhole_course::error::Result;
 use pinhole_course::examine::{Examiner, Selection};
 use pinhole_course::goldens::Goldens;
@@ -82,7 +82,7 @@ impl Grader<'_> {
     /// Grades a submission. If grading itself fails, the record says so: other submissions
     /// are still graded, and nobody gets a zero for it.
     ///
-    /// `None` if an answer came too late and it was not `alone`: see [`clock`].
+    /// `None` if an answer or the compiler came too late and it was not `alone`: see [`clock`].
     pub fn grade(&self, entry: &Entry, submission: &Submission, alone: bool) -> Option<Grade> {
         let clock = SubmissionClock::new(self.pace, alone);
         let work = AssertUnwindSafe(|| self.try_grade(entry, submission, &clock));
@@ -141,7 +141,12 @@ impl Grader<'_> {
         let folder = ProgramFolder::new(self.programs);
         let sandbox = self.sandbox.new_instance()?;
         let compiler = self.compiler.apart(&sandbox, folder.folder.clone());
-        let program = compiler.compile(submission)?;
+        let compiler = compiler.stopping_when_late(!clock.is_alone());
+        let program = match compiler.compile_until(submission, &mut |_| false)? {
+            Attempt::Late => return Err(clock.late()),
+            Attempt::Enough => unreachable!("no replacement is ever enough"),
+            Attempt::Program(program) => program,
+        };
         let compiled = start.elapsed();
         let everything = Selection::default();
         let mut examination = self.examine(

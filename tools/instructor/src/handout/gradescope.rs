@@ -89,7 +89,8 @@ pub fn write(
 /// unless told otherwise.
 const LIMIT: Duration = Duration::from_secs(4 * 2 + 2);
 
-/// The time that a process has after its submission has lost four whole limits.
+/// What a process takes when a submission has run into two limits: a second of processor time,
+/// or one of waiting.
 const SHORTEST: Duration = Duration::from_secs(2);
 
 /// How long a submission takes in which no answer ever ends, on public and on fresh questions:
@@ -97,7 +98,7 @@ const SHORTEST: Duration = Duration::from_secs(2);
 fn worst_case(assignment: &Assignment) -> Duration {
     let groups = assignment.tasks.iter().map(|task| task.points.len());
     let processes = groups.sum::<usize>() + assignment.tasks.len();
-    LIMIT + LIMIT * 4 + SHORTEST * 2 * processes as u32
+    LIMIT + LIMIT * 2 + SHORTEST * 2 * processes as u32
 }
 
 /// The files for grading: the checkout without mistakes, variants and the scripts that render

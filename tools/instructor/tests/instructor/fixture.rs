@@ -99,6 +99,44 @@ fn a_class_of_two_is_graded_by_fresh_questions_too() {
 }
 
 #[test]
+fn an_answer_that_sleeps_holds_up_neither_the_others_nor_its_own_grade() {
+    let class = fresh(&trusted(), "fixture-asleep");
+    let answer = fs::read_to_string(root().join(part("reference/src/disk.rs")));
+    let answer = answer.expect("it is there");
+    let asleep = answer.replacen(
+        "-> Option<Intersection> {",
+        "-> Option<Intersection> { \
+         std::thread::sleep(std::time::Duration::from_secs(3600));",
+        1,
+    );
+    assert_ne!(asleep, answer, "the sleep went in");
+    for (who, text) in [("asleep", &asleep), ("right", &answer)] {
+        let to = class.join("answers").join(who);
+        fs::create_dir_all(&to).expect("a folder can be made");
+        fs::write(to.join("disk.rs"), text).expect("it can be written");
+    }
+    let out = class.join("grades");
+    let folders = [plain(&class.join("answers")), "--out", plain(&out)].map(str::to_owned);
+    let folders: Vec<&str> = folders.iter().map(String::as_str).collect();
+    let options = ["grade", "--no-fresh", "--jobs", "2"];
+    run(&[&options[..], &folders].concat()).expect_code(0);
+    let result = |who: &str| -> Value {
+        let path = out.join("submissions").join(who).join("result.json");
+        let text = fs::read_to_string(path).expect("it was written");
+        serde_json::from_str(&text).expect("it is JSON")
+    };
+    assert_eq!(result("right")["points"], 20);
+    let asleep = result("asleep");
+    assert_eq!(
+        (&asleep["outcome"], &asleep["points"]),
+        (&"timed out".into(), &0.into())
+    );
+    // It is asked six times, and its limit is 10 s on the clock each time.
+    let seconds = asleep["timings"]["asking"].as_f64().expect("a number");
+    assert!(seconds < 30.0, "{seconds} s");
+}
+
+#[test]
 fn goldens_match_and_the_grading_meets_every_target() {
     run(&["golden", "verify"])
         .expect_code(0)

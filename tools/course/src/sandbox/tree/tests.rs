@@ -76,6 +76,29 @@ fn a_tree_that_takes_too_long_on_the_processor_is_ended() {
 }
 
 #[test]
+fn a_tree_that_sleeps_is_ended_and_one_that_works_is_not() {
+    let limits = Limits {
+        idle: Duration::from_millis(300),
+        wall: Duration::from_secs(3),
+        ..limits()
+    };
+    let exceeded = |line| {
+        let finished = finish(shell(line), &limits, |pid| Watch::tree(pid, limits));
+        finished.expect("there is a shell").exceeded
+    };
+    assert_eq!(
+        exceeded("sleep 15 & wait"),
+        Some(Exceeded::Idle(limits.idle))
+    );
+    // It is ready to run, although the processor may have no time for it.
+    assert_eq!(
+        exceeded("ulimit -t 9; nice -n 19 sh -c 'while :; do :; done'"),
+        None
+    );
+    assert_eq!(exceeded("for i in 1 2 3 4 5 6; do sleep 0.1; done"), None);
+}
+
+#[test]
 fn output_is_cut_and_waiting_is_ended_by_the_clock() {
     let limits = Limits {
         wall: Duration::from_secs(1),

@@ -1,9 +1,9 @@
 //! How long an answer may take: seconds of the processor, never less than a hundred times
 //! what the reference took for the same questions in the same run.
 //!
-//! Jobs run side by side, and students must not pay for a loaded machine. So if an answer is
-//! late while others are graded, its whole submission is put back. It is graded again when all
-//! others are done and it has the machine to itself. Only what is late then counts as late.
+//! Jobs run side by side, and students must not pay for a loaded machine. So if an answer
+//! or the compiler is late while others are graded, its whole submission is put back, and graded again when
+//! all others are done and it has the machine to itself. What is late then is late.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -128,7 +128,21 @@ impl<'a> SubmissionClock<'a> {
         }
     }
 
-    /// Whether an answer was late, so that the submission is to be graded again, alone.
+    /// Whether nothing else is graded meanwhile.
+    pub fn is_alone(&self) -> bool {
+        self.alone
+    }
+
+    /// Ends the examination, because something was late while others were graded.
+    pub fn late(&self) -> Error {
+        self.late.store(true, Ordering::Relaxed);
+        Error::environment(
+            "it came too late, beside others",
+            "grade the submission again, alone",
+        )
+    }
+
+    /// Whether it is to be graded again, alone.
     pub fn was_late(&self) -> bool {
         self.late.load(Ordering::Relaxed)
     }
@@ -145,11 +159,7 @@ impl Clock for SubmissionClock<'_> {
         if self.alone || !matches!(reply.ending, Ending::TimedOut(_)) {
             return Ok(());
         }
-        self.late.store(true, Ordering::Relaxed);
-        Err(Error::environment(
-            "an answer came too late while others were graded",
-            "grade the submission again, alone",
-        ))
+        Err(self.late())
     }
 }
 
