@@ -1,10 +1,11 @@
 //! Submissions that attack their grader, each with its expected outcome.
 //!
-//! An attack is a `plane.rs` beside right answers to all other tasks. Whatever it does, its
-//! neighbour `sphere` keeps every point, no secret shows in any output, no process and no file
-//! is left behind, and it ends in time. An attack that *reaches* for something answers wrongly
-//! if it gets it. So it must earn full points in the sandbox and lose some without it;
-//! otherwise the case proves nothing.
+//! Up to three attacks lie in one submission, each in the file of a task of its own: most of
+//! the cost is in compiling. All else is answered rightly. Whatever the attacks do,
+//! `viewing_ray`, their neighbour, keeps every point; nothing of the secrets below shows; no
+//! process and no file is left; and it is over in time. An attack that *reaches* for
+//! something answers wrongly when it gets it: in the sandbox it earns full points, and
+//! without them it must lose some, or the case proves nothing.
 
 mod answering;
 mod compiling;
@@ -15,15 +16,15 @@ mod shown;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, OnceLock};
 use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
 use crate::check::{lost, task, with_body};
 use crate::modes;
-use pinhole_testing::{fresh, ran, root, submission};
+use pinhole_testing::{fresh, ran, root, small_assignment, submission, trusted};
 
 /// The expected outcome of an attack.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,18 +44,46 @@ pub enum Fate {
 /// One attack.
 pub struct Attack {
     pub name: &'static str,
-    /// The text of `plane.rs`.
-    pub text: String,
     pub fate: Fate,
+    part: Part,
+}
+
+/// What an attack adds to a right answer.
+enum Part {
+    /// Statements before the reference's own.
+    Statements(String),
+    /// Lines in front of the whole file.
+    Top(String),
+}
+
+/// The tasks whose files hold attacks.
+const PLACES: [&str; 3] = ["plane", "sphere", "triangle"];
+
+/// A task that nobody attacks.
+const NEIGHBOUR: &str = "viewing_ray";
+
+impl Attack {
+    /// Whether a limit of memory is to end it.
+    fn is_hungry(&self) -> bool {
+        self.fate == Fate::Outcome("out of memory")
+    }
+
+    /// The file of the task that it lies in.
+    fn text(&self, task: &str) -> String {
+        match &self.part {
+            Part::Statements(statements) => with_body(task, statements),
+            Part::Top(top) => {
+                let file = with_body(task, "");
+                file.replacen("use pinhole::", &format!("{top}\nuse pinhole::"), 1)
+            }
+        }
+    }
 }
 
 /// An attack by statements at the beginning of the reference's answer.
 pub fn attack(name: &'static str, fate: Fate, statements: &str) -> Attack {
-    Attack {
-        name,
-        fate,
-        text: with_body("plane", statements),
-    }
+    let part = Part::Statements(statements.into());
+    Attack { name, fate, part }
 }
 
 /// An attack by an expression that is true if the code can reach something that it must not.
@@ -69,11 +98,27 @@ pub fn reach(name: &'static str, expression: &str) -> Attack {
 
 /// An attack by lines at the top of the reference's file.
 pub fn file(name: &'static str, fate: Fate, top: &str) -> Attack {
-    Attack {
-        name,
-        fate,
-        text: with_body("plane", "").replacen("use pinhole::", &format!("{top}\nuse pinhole::"), 1),
-    }
+    let part = Part::Top(top.into());
+    Attack { name, fate, part }
+}
+
+/// The assignment with two groups of questions for each of these tasks, and no scene: what is
+/// asked makes no difference to an attack.
+fn assignment() -> &'static str {
+    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+    let folder = FOLDER.get_or_init(|| {
+        let assignment = small_assignment(&fresh(&trusted(), "hostile-course"));
+        let file = assignment.join("assignment.toml");
+        let text = std::fs::read_to_string(&file).expect("it was copied");
+        let mut course: toml::Table = text.parse().expect("it is TOML");
+        let tasks = course["task"].as_array_mut().expect("a list");
+        for task in tasks {
+            task["points"].as_array_mut().expect("a list").truncate(2);
+        }
+        std::fs::write(&file, course.to_string()).expect("it can be written");
+        assignment
+    });
+    folder.to_str().expect("a plain name")
 }
 
 /// A variable in the grader's environment.
@@ -100,33 +145,30 @@ pub fn walls() -> String {
     std::env::var("PINHOLE_HOSTILE_WALLS").unwrap_or_else(|_| "bubblewrap".into())
 }
 
-/// Checks the two tasks of a folder or archive in this sandbox.
+/// Checks the tasks with attacks and their neighbour, of a folder or archive in this sandbox.
 pub fn examine(path: &Path, walls: &str) -> Value {
     examine_for(path, walls, "4")
 }
 
 fn examine_for(path: &Path, walls: &str, seconds: &str) -> Value {
     let path = path.to_str().expect("a plain name");
-    let checked = modes::run(
-        walls,
-        &[SECRET],
-        &[
-            "check",
-            path,
-            "--task",
-            "plane",
-            "--task",
-            "sphere",
-            "--json",
-            "--no-report",
-            // The sandbox must hold without the allow list.
-            "--allow-everything",
-            "--timeout",
-            seconds,
-            "--sandbox",
-            modes::sandbox(walls),
-        ],
-    );
+    let tasks = PLACES.iter().chain([&NEIGHBOUR]);
+    let tasks: Vec<&str> = tasks.flat_map(|task| ["--task", task]).collect();
+    let options = [
+        "check",
+        path,
+        "--assignment",
+        assignment(),
+        "--json",
+        "--no-report",
+        // The walls are to hold without it.
+        "--allow-everything",
+        "--timeout",
+        seconds,
+        "--sandbox",
+        modes::sandbox(walls),
+    ];
+    let checked = modes::run(walls, &[SECRET], &[&options[..], &tasks].concat());
     let ran = ran(checked);
     assert!(
         [0, 1].contains(&ran.code),
@@ -144,64 +186,69 @@ fn examine_for(path: &Path, walls: &str, seconds: &str) -> Value {
     ran.json()
 }
 
-/// How an attack's outcome differs from the expected one; empty if it doesn't.
-fn problems(attack: &Attack, walls: &str) -> Vec<String> {
-    let name = format!("hostile-{}-{walls}", attack.name.replace(' ', "-"));
-    let folder = submission(&std::env::temp_dir(), &name, &[("plane.rs", &attack.text)]);
+/// How the outcomes of attacks in one submission differ from the expected ones; empty if they
+/// don't.
+fn problems(attacks: &[&Attack], walls: &str) -> Vec<String> {
+    let name = format!("hostile-{}-{walls}", attacks[0].name).replace(' ', "-");
+    let files = attacks.iter().zip(PLACES);
+    let files = files.map(|(attack, task)| (format!("{task}.rs"), attack.text(task)));
+    let files: Vec<(String, String)> = files.collect();
+    let files = files.iter().map(|(file, text)| (&**file, &**text));
+    let folder = submission(&std::env::temp_dir(), &name, &files.collect::<Vec<_>>());
     let before = listing(&folder);
     let start = Instant::now();
     // The memory limit must end these, however long a busy machine takes to provide the
     // memory.
-    let seconds = match attack.fate {
-        Fate::Outcome("out of memory") => "120",
-        _ => "4",
+    let seconds = match attacks[0].is_hungry() {
+        true => "120",
+        false => "4",
     };
     let examination = examine_for(&folder, walls, seconds);
     let mut problems = Vec::new();
-    let mut expect = |right: bool, what: String| {
+    let names: Vec<&str> = attacks.iter().map(|attack| attack.name).collect();
+    let names = names.join(", ");
+    let mut expect = |right: bool, who: &str, what: String| {
         if !right {
-            problems.push(format!("{} behind {walls}: {what}", attack.name));
+            problems.push(format!("{who} behind {walls}: {what}"));
         }
     };
     let took = start.elapsed();
     expect(
         took < Duration::from_secs(MOST_SECONDS),
+        &names,
         format!("took {took:?}"),
     );
     expect(
-        lost(&examination, "sphere") == 0,
-        "its neighbour lost points".into(),
+        lost(&examination, NEIGHBOUR) == 0,
+        &names,
+        "their neighbour lost points".into(),
     );
-    let plane = task(&examination, "plane");
-    let shown = || format!("{plane:#}");
-    match attack.fate {
-        Fate::Walled if walls == "none" => {
-            expect(
-                lost(&examination, "plane") > 0,
-                "it does no harm without a sandbox either".into(),
-            );
-        }
-        Fate::Walled | Fate::Harmless => expect(lost(&examination, "plane") == 0, shown()),
-        Fate::Outcome(kind) => {
-            let groups = plane["groups"].as_array().expect("a list");
-            let all = groups.iter().all(|group| group["outcome"]["kind"] == kind);
-            expect(all && plane["points"] == 0, shown());
-        }
-        Fate::File(state) => {
-            expect(
-                plane["file"]["state"] == state && plane["points"] == 0,
-                shown(),
-            );
-        }
+    for (attack, name) in attacks.iter().zip(PLACES) {
+        let task = task(&examination, name);
+        let lost = lost(&examination, name);
+        let shown = || format!("{task:#}");
+        let right = match attack.fate {
+            Fate::Walled if walls == "none" => lost > 0,
+            Fate::Walled | Fate::Harmless => lost == 0,
+            Fate::Outcome(kind) => {
+                let groups = task["groups"].as_array().expect("a list");
+                let all = groups.iter().all(|group| group["outcome"]["kind"] == kind);
+                all && task["points"] == 0
+            }
+            Fate::File(state) => task["file"]["state"] == state && task["points"] == 0,
+        };
+        expect(right, attack.name, shown());
     }
     expect(
         listing(&folder) == before,
-        "it left a file in its folder".into(),
+        &names,
+        "they left a file in their folder".into(),
     );
     let printed = examination["printed"].as_str().expect("text").len();
     expect(
         printed <= 1 << 20,
-        format!("{printed} bytes of its output were kept"),
+        &names,
+        format!("{printed} bytes of their words were kept"),
     );
     std::fs::remove_dir_all(folder).expect("it was made");
     problems
@@ -214,18 +261,44 @@ fn listing(folder: &Path) -> Vec<PathBuf> {
     names
 }
 
-/// Tries all attacks, two at a time as a grader would.
+/// Tries all attacks in all kinds of sandbox, except where one `succeeds` in a mode, as
+/// SECURITY.md says.
+#[track_caller]
+pub fn every_attack_fails_in_every_mode(attacks: &[Attack], succeeds: fn(&str, &str) -> bool) {
+    for mode in modes::ALL {
+        let tried = attacks.iter().filter(|attack| !succeeds(mode, attack.name));
+        if modes::can_be_tried(mode) {
+            try_all(&tried.collect::<Vec<_>>(), mode);
+        }
+    }
+}
+
+/// Tries all attacks in one kind of sandbox.
 #[track_caller]
 pub fn every_attack_has_its_expected_outcome(attacks: &[Attack], walls: &str) {
+    try_all(&attacks.iter().collect::<Vec<_>>(), walls);
+}
+
+/// Tries two submissions at a time, as a grader would.
+#[track_caller]
+fn try_all(attacks: &[&Attack], walls: &str) {
+    let (hungry, others): (Vec<&Attack>, Vec<&Attack>) =
+        attacks.iter().partition(|attack| attack.is_hungry());
+    let packs = others
+        .chunks(PLACES.len())
+        .chain(hungry.chunks(PLACES.len()));
+    let packs: Vec<&[&Attack]> = packs.collect();
     let next = AtomicUsize::new(0);
     let problems = Mutex::new(Vec::new());
     std::thread::scope(|scope| {
         for _ in 0..2 {
             scope.spawn(|| {
-                while let Some(attack) = attacks.get(next.fetch_add(1, Ordering::Relaxed)) {
+                while let Some(pack) = packs.get(next.fetch_add(1, Ordering::Relaxed)) {
                     let start = Instant::now();
-                    let found = self::problems(attack, walls);
-                    eprintln!("{:>6.1} s  {}", start.elapsed().as_secs_f64(), attack.name);
+                    let found = self::problems(pack, walls);
+                    let names: Vec<&str> = pack.iter().map(|attack| attack.name).collect();
+                    let seconds = start.elapsed().as_secs_f64();
+                    eprintln!("{seconds:>6.1} s  {} ({walls})", names.join(", "));
                     problems.lock().expect("nobody panics here").extend(found);
                 }
             });
