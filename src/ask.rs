@@ -161,6 +161,14 @@ impl Reply {
         }
     }
 
+    /// The reply to a job that is not asked any more, because of how others ended.
+    pub fn unasked(job: &Job, ending: Ending) -> Reply {
+        Reply {
+            ending,
+            ..Reply::before(job)
+        }
+    }
+
     /// The film of a job of hits, missing answers as misses; `None` if it has rays.
     pub fn hits(&self) -> Option<Vec<Option<Hit>>> {
         let hit = |answer: &Option<Answer>| match answer {
