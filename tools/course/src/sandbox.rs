@@ -237,14 +237,17 @@ impl Sandbox {
     pub fn compile(&self, compiler: Command, limits: &Limits) -> io::Result<Finished> {
         let finished = finish(compiler, limits, |pid| self.watch(pid, limits));
         self.sweep();
-        let mut finished = finished?;
+        let finished = finished?;
         if finished.is_late() {
             self.charge();
         }
         #[cfg(target_os = "linux")]
         if let Some(paths) = self.host_paths() {
             let text = String::from_utf8_lossy(&finished.stderr);
-            finished.stderr = paths.hide(&text).into_bytes();
+            return Ok(Finished {
+                stderr: paths.hide(&text).into_bytes(),
+                ..finished
+            });
         }
         Ok(finished)
     }
