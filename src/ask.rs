@@ -15,13 +15,13 @@ use std::sync::mpsc::{self, Receiver};
 use std::time::{Duration, Instant};
 
 use crate::camera::Resolution;
-use crate::film::Film;
+use crate::film::{Film, TESTS};
 use crate::job::{CHUNK, Job, MOST_PANIC_TEXT, Message};
 use crate::kind::Answer;
 use crate::ray::{Hit, Ray};
 use crate::serve::{ENOUGH_ERRORS, ENOUGH_OUTPUT};
 pub use ending::{Death, Ending};
-use transport::Exchange;
+use transport::{Exchange, Next};
 
 /// The reply to one job.
 #[derive(Clone, Debug)]
@@ -29,6 +29,8 @@ pub struct Reply {
     /// The answers, in the job's order; `None` where none came.
     pub answers: Vec<Option<Answer>>,
     missing: usize,
+    /// How many tests each answer took, if they are counted; otherwise empty.
+    pub tests: Vec<u32>,
     /// How it ended.
     pub ending: Ending,
     /// How long it took to start: until the first answers came.
@@ -82,9 +84,9 @@ const PULSE: Duration = Duration::from_millis(50);
 /// The most output that is kept. The rest is read and thrown away.
 pub const MOST_PRINTED: usize = 64 * 1024;
 
-/// The longest message that is accepted. A chunk of hits takes about 45 bytes for each, so no
-/// message of ours is longer.
-const MOST_MESSAGE: usize = CHUNK * 64 + 4 * MOST_PANIC_TEXT;
+/// The longest message that is accepted. A chunk of hits takes about 45 bytes for each, one of
+/// trees up to 4 KiB, so no message of ours is longer.
+const MOST_MESSAGE: usize = CHUNK * 4096 + 4 * MOST_PANIC_TEXT;
 
 /// Runs `command`, a built submission, on `job` for a limited time.
 ///
@@ -128,9 +130,11 @@ pub fn ask_watched(
         if reply.start.is_zero() {
             reply.start = spawned.elapsed();
         }
-        let more = reply.take(job, message)?;
-        progress(job.len() - reply.missing);
-        Ok(more)
+        let next = reply.take(job, message)?;
+        if !matches!(next, Next::Send(_)) {
+            progress(job.len() - reply.missing);
+        }
+        Ok(next)
     });
     let status = end(&mut exchange.child);
     if limit.stop.is_raised() {
@@ -155,6 +159,7 @@ impl Reply {
         Reply {
             answers: vec![None; job.len()],
             missing: job.len(),
+            tests: vec![0; if job.is_counted() { job.len() } else { 0 }],
             ending: Ending::Complete,
             start: Duration::ZERO,
             printed: String::new(),
@@ -169,11 +174,11 @@ impl Reply {
         }
     }
 
-    /// The film of a job of hits, missing answers as misses; `None` if it has rays.
+    /// The film of a job of hits, missing answers as misses; `None` if it has others.
     pub fn hits(&self) -> Option<Vec<Option<Hit>>> {
         let hit = |answer: &Option<Answer>| match answer {
             Some(Answer::Hit(hit)) => Some(*hit),
-            Some(Answer::Ray(_)) => None,
+            Some(_) => None,
             None => Some(None),
         };
         self.answers.iter().map(hit).collect()
@@ -181,11 +186,10 @@ impl Reply {
 
     /// The rays of a job of rays, if every one came.
     pub fn rays(&self) -> Option<Vec<Ray>> {
-        let ray = |answer: &Option<Answer>| match answer {
-            Some(Answer::Ray(ray)) => Some(*ray),
+        self.all(|answer| match answer {
+            Answer::Ray(ray) => Some(*ray),
             _ => None,
-        };
-        self.answers.iter().map(ray).collect()
+        })
     }
 
     /// Whether every question is answered.
@@ -193,15 +197,44 @@ impl Reply {
         self.missing == 0
     }
 
-    /// The answers as a film: of rays if every one is a ray, of hits otherwise.
+    /// The answers as a film: of rays, boxes or trees if every one is such, of hits
+    /// otherwise. Tests that were counted have a channel of their own.
     pub fn film(&self, resolution: Resolution) -> Film {
-        match self.rays() {
-            Some(rays) if !rays.is_empty() => Film::of_rays(resolution, &rays),
-            _ => {
-                let misses = || vec![None; self.answers.len()];
-                Film::of_hits(resolution, &self.hits().unwrap_or_else(misses))
+        let film = match self.answers.first() {
+            Some(Some(Answer::Ray(_))) => self.rays().map(|rays| Film::of_rays(resolution, &rays)),
+            Some(Some(Answer::Box(_))) => {
+                let boxes = self.all(|answer| match answer {
+                    Answer::Box(bounds) => Some(*bounds),
+                    _ => None,
+                });
+                boxes.map(|boxes| Film::of_boxes(resolution, &boxes))
             }
+            Some(Some(Answer::Tree(_))) => {
+                let trees = self.all(|answer| match answer {
+                    Answer::Tree(measures) => Some(*measures),
+                    _ => None,
+                });
+                trees.map(|trees| Film::of_trees(resolution, &trees))
+            }
+            _ => None,
+        };
+        let film = film.unwrap_or_else(|| {
+            let misses = || vec![None; self.answers.len()];
+            Film::of_hits(resolution, &self.hits().unwrap_or_else(misses))
+        });
+        match self.tests.is_empty() {
+            true => film,
+            false => film.with(
+                TESTS,
+                self.tests.iter().map(|&count| count as f32).collect(),
+            ),
         }
+    }
+
+    /// What `pick` picks of every answer, if all are there and have it.
+    fn all<T>(&self, pick: impl Fn(&Answer) -> Option<T>) -> Option<Vec<T>> {
+        let answers = self.answers.iter();
+        answers.map(|answer| pick(answer.as_ref()?)).collect()
     }
 
     /// The replies to the jobs of these lengths that were asked as one.
@@ -214,9 +247,12 @@ impl Reply {
             let rest = self.answers.split_off(length);
             let answers = std::mem::replace(&mut self.answers, rest);
             let missing = answers.iter().filter(|answer| answer.is_none()).count();
+            let later = self.tests.split_off(length.min(self.tests.len()));
+            let tests = std::mem::replace(&mut self.tests, later);
             parts.push(Reply {
                 answers,
                 missing,
+                tests,
                 ending: self.ending.clone(),
                 start: self.start,
                 printed: String::new(),
@@ -226,20 +262,32 @@ impl Reply {
         parts
     }
 
-    /// Stores one message; `false` when no more is needed.
-    fn take(&mut self, job: &Job, message: Message) -> Result<bool, String> {
+    /// Stores one message, and says what comes next.
+    fn take(&mut self, job: &Job, message: Message) -> Result<Next, String> {
         match message {
+            Message::Test(index, test) => {
+                let questions = job.questions().filter(|_| index < self.tests.len());
+                let questions = questions.ok_or("it asked for a test of no question")?;
+                self.tests[index] += 1;
+                if self.tests[index] as usize > questions.most_tests(index) {
+                    return Err("it asked for ten times as many tests as there are".into());
+                }
+                let result = questions.test(index, test);
+                Ok(Next::Send(
+                    result.ok_or("it asked to test what is not in the tree")?,
+                ))
+            }
             Message::Panicked(mut panic) => {
                 panic
                     .message
                     .truncate(panic.message.floor_char_boundary(MOST_PANIC_TEXT));
                 panic.index = panic.index.min(self.answers.len().saturating_sub(1));
                 self.ending = Ending::Panicked(panic);
-                Ok(false)
+                Ok(Next::End)
             }
             Message::Unregistered(kind) => {
                 self.ending = Ending::Unregistered(kind);
-                Ok(false)
+                Ok(Next::End)
             }
             Message::Answers { answers, .. } if answers.is_empty() => {
                 Err("it sent a message without an answer".into())
@@ -257,18 +305,18 @@ impl Reply {
                 if places.iter().any(Option::is_some) {
                     return Err("it answered a question twice".into());
                 }
-                let is_ray = |answer: &Answer| matches!(answer, Answer::Ray(_));
-                if answers
-                    .iter()
-                    .any(|answer| is_ray(answer) != job.gives_rays())
-                {
-                    return Err("it sent a ray for a hit, or a hit for a ray".into());
-                }
+                let sent = (first..end).zip(answers);
+                let answers: Option<Vec<Answer>> =
+                    sent.map(|(index, sent)| job.receive(index, sent)).collect();
+                let answers = answers.ok_or("it sent an answer to another kind of question")?;
                 self.missing -= answers.len();
                 for (place, answer) in places.iter_mut().zip(answers) {
                     *place = Some(answer);
                 }
-                Ok(self.missing > 0)
+                Ok(match self.missing {
+                    0 => Next::End,
+                    _ => Next::Receive,
+                })
             }
         }
     }

@@ -4,9 +4,11 @@ use std::path::Path;
 
 use glam::DVec3;
 
+use crate::bounds::BoundingBox;
 use crate::camera::Resolution;
 use crate::error::Error;
 use crate::ray::{Hit, Intersection, Ray};
+use crate::tree::TreeMeasures;
 
 mod openexr;
 mod samples;
@@ -18,6 +20,15 @@ pub const HIT_CHANNELS: [&str; 5] = ["id", "t", "N.X", "N.Y", "N.Z"];
 
 /// The channels of a ray film: origin and direction.
 pub const RAY_CHANNELS: [&str; 6] = ["O.X", "O.Y", "O.Z", "D.X", "D.Y", "D.Z"];
+
+/// The channels of a film of boxes: their corners.
+pub const BOX_CHANNELS: [&str; 6] = ["min.X", "min.Y", "min.Z", "max.X", "max.Y", "max.Z"];
+
+/// The channels of a film about trees; see [`TreeMeasures`].
+pub const TREE_CHANNELS: [&str; 4] = ["misplaced", "depth", "leaf", "cost"];
+
+/// The channel that counts tests, which some films have besides those of hits.
+pub const TESTS: &str = "tests";
 
 /// The id of a pixel whose ray hits nothing.
 pub const MISS: f32 = -1.0;
@@ -83,6 +94,35 @@ impl Film {
         Film::from_samples(resolution, RAY_CHANNELS, samples)
     }
 
+    /// The film of these boxes, in image order.
+    pub fn of_boxes(resolution: Resolution, boxes: &[BoundingBox]) -> Film {
+        let samples = boxes.iter().map(|bounds| {
+            let [min, max] = [bounds.min, bounds.max].map(|corner| corner.as_vec3().to_array());
+            [min[0], min[1], min[2], max[0], max[1], max[2]]
+        });
+        Film::from_samples(resolution, BOX_CHANNELS, samples)
+    }
+
+    /// The film of what is judged of these trees, in image order.
+    pub fn of_trees(resolution: Resolution, trees: &[TreeMeasures]) -> Film {
+        let samples = trees.iter().map(|tree| {
+            let counts = [tree.misplaced, tree.depth, tree.largest_leaf];
+            let [misplaced, depth, leaf] = counts.map(|count| count as f32);
+            [misplaced, depth, leaf, tree.cost as f32]
+        });
+        Film::from_samples(resolution, TREE_CHANNELS, samples)
+    }
+
+    /// This film with one more channel.
+    ///
+    /// # Panics
+    /// If the channel has not exactly one sample per pixel.
+    pub fn with(mut self, name: &str, samples: Vec<f32>) -> Film {
+        let name = name.into();
+        self.channels.push(Channel { name, samples });
+        Film::new(self.resolution, self.channels)
+    }
+
     fn from_samples<const N: usize>(
         resolution: Resolution,
         names: [&str; N],
@@ -136,6 +176,27 @@ impl Film {
         Ray {
             origin: self.vector("O", index),
             direction: self.vector("D", index),
+        }
+    }
+
+    /// What a film of boxes shows at `index`: the inverse of [`of_boxes`](Film::of_boxes).
+    /// A channel that is not there is 0.
+    pub fn bounding_box(&self, index: usize) -> BoundingBox {
+        BoundingBox {
+            min: self.vector("min", index),
+            max: self.vector("max", index),
+        }
+    }
+
+    /// What a film about trees shows at `index`: the inverse of
+    /// [`of_trees`](Film::of_trees). A channel that is not there is 0.
+    pub fn tree(&self, index: usize) -> TreeMeasures {
+        let [misplaced, depth, leaf, cost] = TREE_CHANNELS.map(|name| self.sample(name, index));
+        TreeMeasures {
+            misplaced: misplaced as usize,
+            depth: depth as usize,
+            largest_leaf: leaf as usize,
+            cost,
         }
     }
 

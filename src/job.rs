@@ -9,7 +9,9 @@ use std::io::{self, Read, Write};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use crate::kind::{self, Answer, AnswerFn, CameraQuestion, Kind, Questions, Unregistered};
+use crate::kind::{
+    self, Answer, AnswerFn, CameraQuestion, Kind, Questions, Sent, Test, Unregistered,
+};
 use crate::ray::Ray;
 use crate::scene::Scene;
 use crate::shape::{Shape, ShapeKind};
@@ -43,10 +45,10 @@ impl Job {
         self.len() == 0
     }
 
-    /// Whether its answers are rays; all others are hits.
-    pub fn gives_rays(&self) -> bool {
+    /// Whether the tests that its answers take are counted.
+    pub fn is_counted(&self) -> bool {
         self.questions()
-            .is_some_and(|questions| questions.kind().gives_rays())
+            .is_some_and(|questions| questions.kind().is_counted())
     }
 
     /// Whether it cannot be answered without the answer to this kind of task, about this
@@ -72,18 +74,27 @@ impl Job {
         &self,
         index: usize,
         functions: &[AnswerFn],
-    ) -> Result<Answer, Unregistered> {
-        match self {
+    ) -> Result<Sent, Unregistered> {
+        let hit = match self {
             Job::Film(scene) => {
                 let ray = CameraQuestion::of_scene(scene, index).ray(functions)?;
                 kind::cast(&ray, scene.min_t, &scene.objects, functions)
             }
-            Job::Ask(questions) => questions.answer(index, functions),
+            Job::Ask(questions) => return questions.answer(index, functions),
             Job::Cast(ray, min_t, objects) => kind::cast(ray, *min_t, objects, functions),
             Job::Meet(scene, rays) => {
                 let (ray, object) = rays[index];
                 kind::meet(&ray, scene.min_t, &scene.objects[object], functions)
             }
+        };
+        hit.map(Sent::Answer)
+    }
+
+    /// What was sent for one of its questions as an answer to it, or `None` if it is none.
+    pub(crate) fn receive(&self, index: usize, sent: Sent) -> Option<Answer> {
+        match self {
+            Job::Ask(questions) => questions.receive(index, sent),
+            Job::Film(_) | Job::Cast(..) | Job::Meet(..) => sent.hit(),
         }
     }
 }
@@ -121,8 +132,10 @@ pub enum Message {
         /// The place of the first of them in the job.
         first: usize,
         /// The answers, in the job's order.
-        answers: Vec<Answer>,
+        answers: Vec<Sent>,
     },
+    /// A search asks for a test of the question at this place in the job.
+    Test(usize, Test),
     /// The student's code panicked; nothing more will come.
     Panicked(Panic),
     /// There is no function to ask; nothing more will come.

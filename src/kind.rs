@@ -10,10 +10,14 @@
 //! submission are asked the same.
 
 mod answer;
+mod bounds;
 mod cameras;
 mod first_hit;
 mod intersect;
+mod ray_box;
 mod soup;
+mod tree;
+mod tree_search;
 mod viewing_ray;
 
 use std::fmt;
@@ -29,14 +33,18 @@ use crate::film::{Film, Samples};
 use crate::part::{Condition, Part, Quantity};
 use crate::scene::Scene;
 use crate::shape::{Shape, ShapeKind};
-use crate::words;
 
-pub use answer::{Answer, AnswerFn, Unregistered};
+pub use answer::{Answer, AnswerFn, Sent, Unregistered};
+pub use bounds::BoundsQuestion;
 pub use first_hit::ObjectsQuestion;
 pub(crate) use first_hit::cast;
 pub use intersect::ShapeQuestion;
 pub(crate) use intersect::meet;
+pub use ray_box::BoxQuestion;
 pub use soup::SoupQuestion;
+pub use tree::TreeQuestion;
+pub(crate) use tree_search::ask_tests_with;
+pub use tree_search::{SearchQuestion, Test, TestResult, TestResults};
 pub use viewing_ray::CameraQuestion;
 
 /// A kind of question, by its name in `assignment.toml`.
@@ -51,6 +59,14 @@ pub enum Kind {
     FirstHit,
     /// A ray and a triangle soup, apart from the triangle.
     Soup,
+    /// The smallest box around a triangle, or around two boxes.
+    Bounds,
+    /// A ray and a solid box.
+    RayBox,
+    /// A tree over triangles.
+    Tree,
+    /// The first triangle of a tree along a ray, and how many tests it takes to find it.
+    TreeSearch,
 }
 
 /// Questions of one kind.
@@ -64,12 +80,26 @@ pub enum Questions {
     FirstHit(Vec<ObjectsQuestion>),
     /// See [`Kind::Soup`].
     Soup(Vec<SoupQuestion>),
+    /// See [`Kind::Bounds`].
+    Bounds(Vec<BoundsQuestion>),
+    /// See [`Kind::RayBox`].
+    RayBox(Vec<BoxQuestion>),
+    /// See [`Kind::Tree`].
+    Tree(Vec<TreeQuestion>),
+    /// See [`Kind::TreeSearch`].
+    TreeSearch(Vec<SearchQuestion>),
 }
 
 /// One question; each kind has a type of its own.
 trait Question {
-    /// Asks the submission's function for this kind.
-    fn answer(&self, functions: &[AnswerFn]) -> Result<Answer, Unregistered>;
+    /// Asks the submission's function for this kind. `index` is the question's place in its
+    /// job.
+    fn answer(&self, index: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered>;
+
+    /// The answer that was sent, or `None` if it is one to another kind of question.
+    fn receive(&self, sent: Sent) -> Option<Answer> {
+        sent.hit()
+    }
 
     /// The question in words, a line for each thing it is about. `part` is the name of
     /// the film it comes from.
@@ -77,17 +107,15 @@ trait Question {
 
     /// An answer to it in words.
     fn describe_answer(&self, answer: &Answer, digits: usize) -> String {
-        match answer {
-            Answer::Hit(hit) => words::intersection(*hit, digits),
-            Answer::Ray(ray) => words::ray(ray, digits),
-        }
+        answer.words(digits)
     }
 
     /// An answer to it part by part; `None` if it says that nothing is there.
     fn parts(&self, answer: &Answer) -> Option<Vec<Part>> {
         match answer {
             Answer::Hit(hit) => hit.map(|hit| hit.parts()),
-            Answer::Ray(_) => None,
+            Answer::Box(bounds) => Some(bounds.parts()),
+            Answer::Ray(_) | Answer::Tree(_) => None,
         }
     }
 
@@ -111,6 +139,10 @@ impl Kind {
             Kind::Intersect => "intersect",
             Kind::FirstHit => "first_hit",
             Kind::Soup => "soup",
+            Kind::Bounds => "bounds",
+            Kind::RayBox => "ray_box",
+            Kind::Tree => "tree",
+            Kind::TreeSearch => "tree_search",
         }
     }
 
@@ -135,13 +167,20 @@ impl Kind {
         match self {
             Kind::ViewingRay | Kind::FirstHit => true,
             Kind::Intersect => shapes.any(|other| Some(other) == shape),
-            Kind::Soup => shapes.any(|other| Kind::of_shape(other) == Kind::Soup),
+            Kind::Soup | Kind::Bounds | Kind::RayBox | Kind::Tree | Kind::TreeSearch => {
+                shapes.any(|other| Kind::of_shape(other) == Kind::Soup)
+            }
         }
     }
 
-    /// Whether its answers are rays; all others are hits.
+    /// Whether its answers are rays.
     pub fn gives_rays(self) -> bool {
         self == Kind::ViewingRay
+    }
+
+    /// Whether the tests that an answer takes are counted.
+    pub fn is_counted(self) -> bool {
+        self == Kind::TreeSearch
     }
 }
 
@@ -191,6 +230,10 @@ impl Questions {
             }
             Kind::FirstHit => Questions::FirstHit(all(film, ObjectsQuestion::read)?),
             Kind::Soup => Questions::Soup(all(film, SoupQuestion::read)?),
+            Kind::Bounds => Questions::Bounds(all(film, BoundsQuestion::read)?),
+            Kind::RayBox => Questions::RayBox(all(film, BoxQuestion::read)?),
+            Kind::Tree => Questions::Tree(all(film, TreeQuestion::read)?),
+            Kind::TreeSearch => Questions::TreeSearch(all(film, SearchQuestion::read)?),
         })
     }
 
@@ -201,6 +244,10 @@ impl Questions {
             Questions::Intersect(_) => Kind::Intersect,
             Questions::FirstHit(_) => Kind::FirstHit,
             Questions::Soup(_) => Kind::Soup,
+            Questions::Bounds(_) => Kind::Bounds,
+            Questions::RayBox(_) => Kind::RayBox,
+            Questions::Tree(_) => Kind::Tree,
+            Questions::TreeSearch(_) => Kind::TreeSearch,
         }
     }
 
@@ -211,6 +258,10 @@ impl Questions {
             Questions::Intersect(all) => all.len(),
             Questions::FirstHit(all) => all.len(),
             Questions::Soup(all) => all.len(),
+            Questions::Bounds(all) => all.len(),
+            Questions::RayBox(all) => all.len(),
+            Questions::Tree(all) => all.len(),
+            Questions::TreeSearch(all) => all.len(),
         }
     }
 
@@ -226,6 +277,10 @@ impl Questions {
             Questions::Intersect(all) => Questions::Intersect(all[range].to_vec()),
             Questions::FirstHit(all) => Questions::FirstHit(all[range].to_vec()),
             Questions::Soup(all) => Questions::Soup(all[range].to_vec()),
+            Questions::Bounds(all) => Questions::Bounds(all[range].to_vec()),
+            Questions::RayBox(all) => Questions::RayBox(all[range].to_vec()),
+            Questions::Tree(all) => Questions::Tree(all[range].to_vec()),
+            Questions::TreeSearch(all) => Questions::TreeSearch(all[range].to_vec()),
         }
     }
 
@@ -237,6 +292,12 @@ impl Questions {
             (Questions::Intersect(all), Questions::Intersect(more)) => all.extend_from_slice(more),
             (Questions::FirstHit(all), Questions::FirstHit(more)) => all.extend_from_slice(more),
             (Questions::Soup(all), Questions::Soup(more)) => all.extend_from_slice(more),
+            (Questions::Bounds(all), Questions::Bounds(more)) => all.extend_from_slice(more),
+            (Questions::RayBox(all), Questions::RayBox(more)) => all.extend_from_slice(more),
+            (Questions::Tree(all), Questions::Tree(more)) => all.extend_from_slice(more),
+            (Questions::TreeSearch(all), Questions::TreeSearch(more)) => {
+                all.extend_from_slice(more);
+            }
             _ => return false,
         }
         true
@@ -248,6 +309,10 @@ impl Questions {
             Questions::Intersect(all) => &all[index],
             Questions::FirstHit(all) => &all[index],
             Questions::Soup(all) => &all[index],
+            Questions::Bounds(all) => &all[index],
+            Questions::RayBox(all) => &all[index],
+            Questions::Tree(all) => &all[index],
+            Questions::TreeSearch(all) => &all[index],
         }
     }
 
@@ -256,8 +321,29 @@ impl Questions {
         &self,
         index: usize,
         functions: &[AnswerFn],
-    ) -> Result<Answer, Unregistered> {
-        self.question(index).answer(functions)
+    ) -> Result<Sent, Unregistered> {
+        self.question(index).answer(index, functions)
+    }
+
+    /// What was sent for one of them as an answer to it, or `None` if it is none.
+    pub(crate) fn receive(&self, index: usize, sent: Sent) -> Option<Answer> {
+        self.question(index).receive(sent)
+    }
+
+    /// The result of a test about one of them, if it can be asked about.
+    pub(crate) fn test(&self, index: usize, test: Test) -> Option<TestResult> {
+        match self {
+            Questions::TreeSearch(all) => all.get(index)?.test(test),
+            _ => None,
+        }
+    }
+
+    /// How many tests an answer to one of them may take at most.
+    pub(crate) fn most_tests(&self, index: usize) -> usize {
+        match self {
+            Questions::TreeSearch(all) => all[index].most_tests(),
+            _ => 0,
+        }
     }
 
     /// One of them in words, a line for each thing it is about; `part` is the name of
@@ -295,9 +381,11 @@ impl Questions {
 
     /// The answer to one of them that its golden film holds.
     pub fn expected(&self, golden: &Film, index: usize) -> Answer {
-        match self.kind().gives_rays() {
-            true => Answer::Ray(golden.ray(index)),
-            false => Answer::Hit(golden.hit(index)),
+        match self.kind() {
+            Kind::ViewingRay => Answer::Ray(golden.ray(index)),
+            Kind::Bounds => Answer::Box(golden.bounding_box(index)),
+            Kind::Tree => Answer::Tree(golden.tree(index)),
+            _ => Answer::Hit(golden.hit(index)),
         }
     }
 }

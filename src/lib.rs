@@ -9,7 +9,8 @@
 //! Reading order:
 //!
 //! 1. [`ray`], [`camera`], [`shape`]: the words of the lecture;
-//! 2. [`scene`], [`mesh`]: where they are read from;
+//! 2. [`scene`], [`mesh`]: where they are read from; [`bounds`], [`tree`]: what makes a
+//!    search fast;
 //! 3. [`film`], [`judge`], [`oiiotool`]: what a cast leaves behind, and who judges it;
 //! 4. [`words`], [`report`], [`false_colour`], [`part`]: how people look at it;
 //! 5. [`kind`], [`job`], [`serve`](mod@serve), [`ask`](mod@ask): the seam between harness
@@ -52,6 +53,7 @@
 //! ```
 
 pub mod ask;
+pub mod bounds;
 pub mod camera;
 pub mod error;
 pub mod fact;
@@ -72,8 +74,10 @@ pub mod shape;
 mod source;
 #[cfg(test)]
 mod testing;
+pub mod tree;
 pub mod words;
 
+pub use bounds::BoundingBox;
 pub use camera::{Camera, Pixel, Projection, Resolution};
 pub use error::Error;
 pub use fact::Fact;
@@ -83,3 +87,4 @@ pub use ray::{Hit, Intersection, Ray};
 pub use scene::Scene;
 pub use serve::serve;
 pub use shape::{Canned, Disk, Plane, Shape, ShapeKind, Sphere, Triangle, TriangleSoup};
+pub use tree::{FlatTree, Node, RayTree, Tree};

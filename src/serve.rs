@@ -4,13 +4,13 @@ use std::cell::RefCell;
 use std::io::{self, Read, Write};
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::process::ExitCode;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 
 use rayon::prelude::*;
 
 use crate::job::{self, CHUNK, Job, MOST_PANIC_TEXT, Message, Panic};
-use crate::kind::{Answer, AnswerFn};
+use crate::kind::{self, AnswerFn, Sent, TestResult};
 
 /// The word that makes a submission answer; without it a person has started it.
 pub const ANSWER: &str = "answer";
@@ -30,7 +30,11 @@ pub fn serve(functions: &[AnswerFn]) -> ExitCode {
     }
     let served = match arguments.next() {
         Some(file) => std::fs::File::create(file).and_then(|mut out| {
-            answer_job(functions, &receive_job(&mut io::stdin().lock())?, &mut out)
+            answer_job(
+                functions,
+                &receive_job(&mut io::stdin().lock())?,
+                &Mutex::new(&mut out),
+            )
         }),
         None => serve_through_stdin(functions),
     };
@@ -71,8 +75,23 @@ fn serve_through_stdin(functions: &[AnswerFn]) -> io::Result<()> {
 
     let mut socket = UnixStream::from(io::stdin().as_fd().try_clone_to_owned()?);
     let job = receive_job(&mut socket)?;
-    listen_to(socket.try_clone()?);
-    answer_job(functions, &job, &mut io::BufWriter::new(socket))
+    let results = Mutex::new(listen_to(socket.try_clone()?));
+    let out = Arc::new(Mutex::new(io::BufWriter::new(socket)));
+    let asking = out.clone();
+    kind::ask_tests_with(move |index, test| {
+        // Held until the result is there, so that it comes to the one who asked.
+        let results = lock(&results);
+        let sent = job::send(&Message::Test(index, test), &mut *lock(&asking));
+        match sent.ok().and_then(|()| results.recv().ok()) {
+            Some(result) => result,
+            None => std::process::exit(UNSENT.into()),
+        }
+    });
+    answer_job(functions, &job, &out)
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// What the asker sends when it has read as much of standard output as it wants.
@@ -81,22 +100,37 @@ pub(crate) const ENOUGH_OUTPUT: u8 = 1;
 /// What the asker sends when it has read as much of standard error as it wants.
 pub(crate) const ENOUGH_ERRORS: u8 = 2;
 
+/// What the asker sends before the result of a test.
+pub(crate) const TEST_RESULT: u8 = 3;
+
 /// Ends this process when the asker is gone, even if the student's code loops forever. Once
 /// the asker has read enough, discards what the code prints, because writing to a pipe
-/// takes ten times as long.
+/// takes ten times as long. Gives the results of tests.
 #[cfg(unix)]
-fn listen_to(mut asker: std::os::unix::net::UnixStream) {
+fn listen_to(asker: std::os::unix::net::UnixStream) -> mpsc::Receiver<TestResult> {
+    let (sender, results) = mpsc::channel();
     std::thread::spawn(move || {
+        let mut asker = io::BufReader::new(asker);
         loop {
             let mut word = [0];
             match asker.read(&mut word).map(|_| word[0]) {
                 Ok(stream @ (ENOUGH_OUTPUT | ENOUGH_ERRORS)) => print_nothing_to(stream),
+                Ok(TEST_RESULT) => match job::receive(&mut asker, MOST_RESULT) {
+                    // If nobody waits for it, it is not needed.
+                    Ok(Some(result)) => drop(sender.send(result)),
+                    _ => std::process::exit(UNSENT.into()),
+                },
                 Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
                 _ => std::process::exit(UNSENT.into()),
             }
         }
     });
+    results
 }
+
+/// The result of a test takes at most this many bytes.
+#[cfg(unix)]
+const MOST_RESULT: usize = 64;
 
 #[cfg(unix)]
 fn print_nothing_to(stream: u8) {
@@ -120,10 +154,9 @@ fn receive_job(input: &mut impl Read) -> io::Result<Job> {
 }
 
 /// Answers a job, writing messages to `out`.
-fn answer_job(functions: &[AnswerFn], job: &Job, out: &mut (impl Write + Send)) -> io::Result<()> {
+fn answer_job(functions: &[AnswerFn], job: &Job, out: &Mutex<impl Write + Send>) -> io::Result<()> {
     panic::set_hook(Box::new(remember));
 
-    let out = Mutex::new(out);
     let stop = AtomicBool::new(false);
     let chunks = job.len().div_ceil(CHUNK);
     (0..chunks).into_par_iter().try_for_each(|chunk| {
@@ -138,8 +171,7 @@ fn answer_job(functions: &[AnswerFn], job: &Job, out: &mut (impl Write + Send)) 
             Err(_) if stop.swap(true, Ordering::Relaxed) => return Ok(()),
             Err(failure) => failure,
         };
-        let mut out = out.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-        job::send(&message, &mut **out)
+        job::send(&message, &mut *lock(out))
     })
 }
 
@@ -148,7 +180,7 @@ fn answer_all(
     functions: &[AnswerFn],
     job: &Job,
     indices: std::ops::Range<usize>,
-) -> Result<Vec<Answer>, Message> {
+) -> Result<Vec<Sent>, Message> {
     let mut given = Vec::with_capacity(indices.len());
     for index in indices {
         match panic::catch_unwind(AssertUnwindSafe(|| job.answer(index, functions))) {

@@ -4,7 +4,7 @@ use std::time::Instant;
 use super::*;
 use crate::camera::{Camera, Pixel, Projection};
 use crate::job::Panic;
-use crate::kind::{CameraQuestion, ObjectsQuestion, Questions};
+use crate::kind::{CameraQuestion, ObjectsQuestion, Questions, Sent};
 use crate::ray::Intersection;
 use crate::testing::Random;
 use glam::DVec3;
@@ -52,7 +52,7 @@ fn hit(object: usize) -> Answer {
 }
 
 fn answers(first: usize, answers: &[Answer]) -> Message {
-    let answers = answers.to_vec();
+    let answers = answers.iter().copied().map(Sent::Answer).collect();
     Message::Answers { first, answers }
 }
 
@@ -78,9 +78,9 @@ mod message {
         let job = hits(5);
         let mut reply = Reply::before(&job);
         let take = |reply: &mut Reply, first, given: &[_]| reply.take(&job, answers(first, given));
-        assert_eq!(take(&mut reply, 3, &[hit(3), hit(4)]), Ok(true));
-        assert_eq!(take(&mut reply, 0, &[hit(0)]), Ok(true));
-        assert_eq!(take(&mut reply, 1, &[hit(1), hit(2)]), Ok(false));
+        assert_eq!(take(&mut reply, 3, &[hit(3), hit(4)]), Ok(Next::Receive));
+        assert_eq!(take(&mut reply, 0, &[hit(0)]), Ok(Next::Receive));
+        assert_eq!(take(&mut reply, 1, &[hit(1), hit(2)]), Ok(Next::End));
         let objects = reply
             .hits()
             .unwrap()
@@ -121,16 +121,12 @@ mod message {
 
     #[test]
     fn ray_for_a_hit_or_hit_for_a_ray_is_refused() {
-        refused(
-            &hits(2),
-            &[answers(0, &[Answer::Ray(RAY)])],
-            "a ray for a hit",
-        );
-        refused(&rays(2), &[answers(0, &[hit(0)])], "a hit for a ray");
+        refused(&hits(2), &[answers(0, &[Answer::Ray(RAY)])], "another kind");
+        refused(&rays(2), &[answers(0, &[hit(0)])], "another kind");
         refused(
             &hits(2),
             &[answers(0, &[hit(0), Answer::Ray(RAY)])],
-            "a ray for a hit",
+            "another kind",
         );
     }
 
@@ -144,7 +140,7 @@ mod message {
             line: 1,
             index: usize::MAX,
         };
-        assert_eq!(reply.take(&job, Message::Panicked(panic)), Ok(false));
+        assert_eq!(reply.take(&job, Message::Panicked(panic)), Ok(Next::End));
         let Ending::Panicked(panic) = reply.ending else {
             panic!("it ended otherwise");
         };
@@ -163,7 +159,7 @@ mod message {
         };
         assert_eq!(
             Reply::before(&job).take(&job, Message::Panicked(panic)),
-            Ok(false)
+            Ok(Next::End)
         );
     }
 

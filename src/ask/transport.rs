@@ -10,7 +10,10 @@ use std::time::{Duration, Instant};
 
 use super::{Limit, PULSE, Stop};
 use crate::job::{self, Job, Message};
+use crate::kind::TestResult;
 use crate::serve::ANSWER;
+#[cfg(unix)]
+use crate::serve::TEST_RESULT;
 
 /// A running submission and the way to it.
 pub(super) struct Exchange {
@@ -23,8 +26,19 @@ pub(super) struct Exchange {
     stop: Stop,
 }
 
-/// Called with each message; `Ok(false)` ends the exchange.
-type OnMessage<'a> = &'a mut dyn FnMut(Message) -> Result<bool, String>;
+/// Called with each message.
+type OnMessage<'a> = &'a mut dyn FnMut(Message) -> Result<Next, String>;
+
+/// How an exchange goes on after a message.
+#[derive(Debug, PartialEq)]
+pub(super) enum Next {
+    /// More messages are needed.
+    Receive,
+    /// This result is sent, and more messages are needed.
+    Send(TestResult),
+    /// Everything is there.
+    End,
+}
 
 #[cfg(unix)]
 type Link = std::os::unix::net::UnixStream;
@@ -85,7 +99,16 @@ impl Exchange {
             stop: &self.stop,
         };
         job::send(job, &mut io::BufWriter::new(&mut timed))?;
-        receive_all(&mut io::BufReader::new(timed), most, on_message)
+        let mut input = io::BufReader::new(timed);
+        receive_all(&mut input, most, &mut |message, input| {
+            let next = on_message(message).map_err(io::Error::other)?;
+            if let Next::Send(result) = &next {
+                let mut bytes = vec![TEST_RESULT];
+                job::send(result, &mut bytes)?;
+                io::Write::write_all(input.get_mut(), &bytes)?;
+            }
+            Ok(!matches!(next, Next::End))
+        })
     }
 
     #[cfg(not(unix))]
@@ -129,7 +152,17 @@ impl Exchange {
             late = Instant::now() > self.deadline || self.stop.is_raised();
         }
         if let Ok(file) = std::fs::File::open(&self.link) {
-            let received = receive_all(&mut io::BufReader::new(file), most, on_message);
+            let mut input = io::BufReader::new(file);
+            let received = receive_all(
+                &mut input,
+                most,
+                &mut |message, _| match on_message(message).map_err(io::Error::other)? {
+                    Next::Send(_) => Err(io::Error::other(
+                        "searches are not tested on this system; use Linux or macOS",
+                    )),
+                    next => Ok(!matches!(next, Next::End)),
+                },
+            );
             // A late writer may be in the middle of a message.
             if !late {
                 return received;
@@ -150,13 +183,14 @@ impl Drop for Exchange {
     }
 }
 
-fn receive_all(
-    input: &mut impl io::Read,
+/// Receives messages until `on_message` says that everything is there.
+fn receive_all<R: io::Read>(
+    input: &mut R,
     most: usize,
-    on_message: OnMessage<'_>,
+    on_message: &mut dyn FnMut(Message, &mut R) -> io::Result<bool>,
 ) -> io::Result<()> {
     while let Some(message) = job::receive(input, most)? {
-        if !on_message(message).map_err(io::Error::other)? {
+        if !on_message(message, input)? {
             break;
         }
     }

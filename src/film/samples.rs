@@ -4,6 +4,7 @@
 use glam::DVec3;
 
 use super::Film;
+use crate::bounds::BoundingBox;
 use crate::camera::Pixel;
 use crate::ray::Ray;
 
@@ -58,6 +59,15 @@ impl<'a> Samples<'a> {
         Ok(Ray {
             origin: self.vector("O")?,
             direction: self.vector("D")?,
+        })
+    }
+
+    /// The box in the channels `NAME.min.X` to `NAME.max.Z`.
+    pub fn bounding_box(self, name: &str) -> Result<BoundingBox, String> {
+        let corner = |corner| self.vector(&format!("{name}.{corner}"));
+        Ok(BoundingBox {
+            min: corner("min")?,
+            max: corner("max")?,
         })
     }
 

@@ -13,11 +13,12 @@ fn message() -> Message {
     Message::Answers {
         first: 300,
         answers: vec![
-            Answer::Hit(None),
+            Answer::Hit(None).into(),
             Answer::Hit(Some(Hit {
                 object: 7,
                 intersection,
-            })),
+            }))
+            .into(),
         ],
     }
 }

@@ -68,6 +68,22 @@ fn a_film_passes_at_its_tolerance_and_fails_one_step_beyond() {
 }
 
 #[test]
+fn work_is_judged_by_its_sum_and_everything_else_pixel_by_pixel() {
+    let golden = |name: &str| {
+        let [expected, allowed] = [[4.0, 4.0, 4.0], [2.0, 2.0, 2.0]];
+        Golden::new(row(&[(name, &expected)]), row(&[(name, &allowed)])).unwrap()
+    };
+    let failing = |name: &str, got: [f32; 3]| {
+        let verdict = judge(&golden(name), &row(&[(name, &got)])).unwrap();
+        verdict.failing
+    };
+    assert_eq!(failing("tests", [10.0, 4.0, 4.0]), [0; 0]);
+    assert_eq!(failing("t", [10.0, 4.0, 4.0]), [0]);
+    assert_eq!(failing("tests", [10.0, 4.0, 5.0]), [0]);
+    assert_eq!(failing("tests", [4.0, 7.0, 8.0]), [1, 2]);
+}
+
+#[test]
 fn a_film_fails_by_one_pixel_in_one_channel() {
     let ids = [0.0; 100];
     let ts = [2.0; 100];

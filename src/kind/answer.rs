@@ -5,10 +5,14 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use super::Kind;
+use crate::bounds::BoundingBox;
 use crate::camera::{Camera, Pixel, Resolution};
+use crate::film::BOX_CHANNELS;
 use crate::part::Part;
 use crate::ray::{Hit, Intersection, Ray};
-use crate::shape::{Canned, Shape, TriangleSoup};
+use crate::shape::{Canned, Shape, Triangle, TriangleSoup};
+use crate::tree::{FlatTree, RayTree, Tree, TreeMeasures};
+use crate::words;
 
 /// A submission's function for one kind of question.
 ///
@@ -29,6 +33,19 @@ pub enum AnswerFn {
     },
     /// Where a ray first meets a soup of canned objects, from `min_t` on.
     Soup(fn(&TriangleSoup<Canned>, &Ray, f64) -> Option<Intersection>),
+    /// Smallest boxes.
+    Bounds {
+        /// Around a triangle.
+        of_triangle: fn(&Triangle) -> BoundingBox,
+        /// Around two boxes.
+        join: fn(&BoundingBox, &BoundingBox) -> BoundingBox,
+    },
+    /// The t at which a ray enters a solid box, from `min_t` to `max_t`.
+    RayBox(fn(&BoundingBox, &Ray, f64, f64) -> Option<f64>),
+    /// A tree over triangles with these boxes.
+    Tree(fn(&[BoundingBox]) -> Tree),
+    /// The nearest triangle of a tree, from `min_t` on.
+    TreeSearch(fn(&dyn RayTree, f64) -> Option<Hit>),
 }
 
 impl AnswerFn {
@@ -50,14 +67,53 @@ pub enum Answer {
     Hit(Option<Hit>),
     /// A viewing ray.
     Ray(Ray),
+    /// A box.
+    Box(BoundingBox),
+    /// What is judged of a tree.
+    Tree(TreeMeasures),
+}
+
+/// What a submission sends for one question.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Sent {
+    /// The answer.
+    Answer(Answer),
+    /// A tree, which the asker measures.
+    Tree(FlatTree),
+}
+
+impl From<Answer> for Sent {
+    fn from(answer: Answer) -> Sent {
+        Sent::Answer(answer)
+    }
+}
+
+impl Sent {
+    /// It as an answer to a question about hits.
+    pub(crate) fn hit(self) -> Option<Answer> {
+        match self {
+            Sent::Answer(answer @ Answer::Hit(_)) => Some(answer),
+            _ => None,
+        }
+    }
 }
 
 impl Answer {
+    /// It in words; of a hit, all but the object.
+    pub fn words(&self, digits: usize) -> String {
+        match self {
+            Answer::Hit(hit) => words::intersection(*hit, digits),
+            Answer::Ray(ray) => words::ray(ray, digits),
+            Answer::Box(bounds) => bounds.words(digits),
+            Answer::Tree(measures) => measures.words(digits),
+        }
+    }
+
     /// What was hit, if it is about hits and anything was.
     pub(super) fn hit(&self) -> Option<Hit> {
         match self {
             Answer::Hit(hit) => *hit,
-            Answer::Ray(_) => None,
+            _ => None,
         }
     }
 
@@ -67,6 +123,22 @@ impl Answer {
             object: 0,
             intersection,
         }))
+    }
+}
+
+impl BoundingBox {
+    /// What can be right or wrong in it.
+    pub(super) fn parts(&self) -> Vec<Part> {
+        let part = |name, corner: glam::DVec3, channels| Part {
+            name,
+            values: corner.to_array().to_vec(),
+            axes: &["x", "y", "z"],
+            unit: "",
+            channels,
+            scale: 1.0,
+        };
+        let (low, high) = BOX_CHANNELS.split_at(3);
+        vec![part("min", self.min, low), part("max", self.max, high)]
     }
 }
 

@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-use super::{Answer, AnswerFn, Kind, Question, Unregistered};
+use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
 use crate::fact::Fact;
 use crate::film::Samples;
 use crate::part::{Condition, Quantity};
@@ -30,12 +30,12 @@ impl ObjectsQuestion {
 }
 
 impl Question for ObjectsQuestion {
-    fn answer(&self, functions: &[AnswerFn]) -> Result<Answer, Unregistered> {
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
         let first_hit = AnswerFn::find(functions, Kind::FirstHit, |function| match function {
             AnswerFn::FirstHit { canned, .. } => Some(*canned),
             _ => None,
         })?;
-        Ok(Answer::Hit(first_hit(&self.ray, self.min_t, &self.objects)))
+        Ok(Answer::Hit(first_hit(&self.ray, self.min_t, &self.objects)).into())
     }
 
     fn describe(&self, _: &str, digits: usize) -> Vec<Fact> {
@@ -56,10 +56,7 @@ impl Question for ObjectsQuestion {
 
     /// Only here does it matter which object is hit.
     fn describe_answer(&self, answer: &Answer, digits: usize) -> String {
-        match answer {
-            Answer::Hit(hit) => words::hit(*hit, digits),
-            Answer::Ray(ray) => words::ray(ray, digits),
-        }
+        words::hit(answer.hit(), digits)
     }
 }
 

@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-use super::{Answer, AnswerFn, Kind, Question, Unregistered, first_hit};
+use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered, first_hit};
 use crate::fact::Fact;
 use crate::film::Samples;
 use crate::part::{Condition, Quantity};
@@ -30,12 +30,12 @@ impl SoupQuestion {
 }
 
 impl Question for SoupQuestion {
-    fn answer(&self, functions: &[AnswerFn]) -> Result<Answer, Unregistered> {
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
         let intersect = AnswerFn::find(functions, Kind::Soup, |function| match function {
             AnswerFn::Soup(intersect) => Some(*intersect),
             _ => None,
         })?;
-        Ok(Answer::alone(intersect(&self.soup, &self.ray, self.min_t)))
+        Ok(Answer::alone(intersect(&self.soup, &self.ray, self.min_t)).into())
     }
 
     fn describe(&self, _: &str, digits: usize) -> Vec<Fact> {

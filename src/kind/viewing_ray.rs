@@ -1,7 +1,7 @@
 use glam::{DMat3, DVec3};
 use serde::Serialize;
 
-use super::{Answer, AnswerFn, Kind, Question, Unregistered};
+use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
 use crate::camera::{Camera, Pixel, Projection, Resolution};
 use crate::fact::Fact;
 use crate::film::{RAY_CHANNELS, Samples};
@@ -74,8 +74,15 @@ impl CameraQuestion {
 }
 
 impl Question for CameraQuestion {
-    fn answer(&self, functions: &[AnswerFn]) -> Result<Answer, Unregistered> {
-        self.ray(functions).map(Answer::Ray)
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
+        Ok(Answer::Ray(self.ray(functions)?).into())
+    }
+
+    fn receive(&self, sent: Sent) -> Option<Answer> {
+        match sent {
+            Sent::Answer(answer @ Answer::Ray(_)) => Some(answer),
+            _ => None,
+        }
     }
 
     fn describe(&self, part: &str, digits: usize) -> Vec<Fact> {
@@ -145,7 +152,7 @@ impl Question for CameraQuestion {
         let [n_x, n_y] = [self.resolution.n_x, self.resolution.n_y].map(|count| count as f64);
         let length = match right {
             Answer::Ray(ray) => ray.direction.length(),
-            Answer::Hit(_) => f64::NAN,
+            _ => f64::NAN,
         };
         let focal_length = self.focal_length().unwrap_or(f64::NAN);
         vec![

@@ -4,9 +4,11 @@ use std::hint::black_box;
 use std::process::Command;
 
 use super::*;
+use crate::bounds::BoundingBox;
 use crate::camera::{Camera, Pixel, Resolution};
 use crate::ray::{Hit, Intersection, Ray};
 use crate::shape::{Canned, Plane, Shape, Sphere, TriangleSoup};
+use crate::tree::{Node, RayTree, Tree};
 use glam::{DVec3, dvec3};
 
 #[cfg(unix)]
@@ -34,6 +36,7 @@ fn started_as_a_submission_it_answers() {
     };
     let viewing_ray = match kind.as_str() {
         "able" | "unregistered" => pixel_as_origin,
+        "testing" => pixel_as_origin,
         "unanswered" => |_: &_, _, _| todo!("a ray through the pixel"),
         "stumbling" => |_: &_, pixel: Pixel, _| {
             let of_three = [1.0, 2.0, 3.0];
@@ -67,6 +70,13 @@ fn started_as_a_submission_it_answers() {
             canned: |ray, min_t, objects| nearest(ray, min_t, objects.len()),
         },
         AnswerFn::Soup(|soup, _, min_t| soup.triangles[0].intersect(min_t)),
+        AnswerFn::Tree(|boxes| chain(0, boxes.len())),
+        AnswerFn::TreeSearch(match kind.as_str() {
+            "testing" => |tree, min_t| loop {
+                tree.enter_box(0, min_t, f64::INFINITY);
+            },
+            _ => test_everything,
+        }),
     ];
     let registered = match kind.as_str() {
         "unregistered" => &functions[..1],
@@ -97,6 +107,38 @@ fn nearest(ray: &Ray, min_t: f64, objects: usize) -> Option<Hit> {
 fn met_at(t: f64) -> Option<Intersection> {
     let normal = DVec3::Y;
     Some(Intersection { t, normal })
+}
+
+/// A tree whose every branch has a leaf of one triangle and all the rest.
+fn chain(first: usize, end: usize) -> Tree {
+    match end - first {
+        1 => Tree::Leaf(vec![first]),
+        _ => Tree::Branch(Box::new([Tree::Leaf(vec![first]), chain(first + 1, end)])),
+    }
+}
+
+/// The nearest triangle of a tree, found without using its boxes.
+fn test_everything(tree: &dyn RayTree, min_t: f64) -> Option<Hit> {
+    let mut nearest: Option<Hit> = None;
+    let mut waiting = vec![0];
+    while let Some(node) = waiting.pop() {
+        tree.enter_box(node, min_t, f64::INFINITY);
+        match tree.node(node) {
+            Node::Branch(children) => waiting.extend(children),
+            Node::Leaf(triangles) => {
+                for &object in triangles {
+                    let met = tree.intersect_triangle(object, min_t);
+                    let hit = met.map(|intersection| Hit {
+                        object,
+                        intersection,
+                    });
+                    let both = nearest.into_iter().chain(hit);
+                    nearest = both.min_by(|a, b| a.intersection.t.total_cmp(&b.intersection.t));
+                }
+            }
+        }
+    }
+    nearest
 }
 
 /// Calls itself until there is no stack left.

@@ -32,7 +32,7 @@ fn no_stream_harms_the_reader_or_completes_a_reply_without_answers() {
             let mut reply = Reply::before(&job);
             let mut input = bytes;
             while let Ok(Some(message)) = job::receive(&mut input, MOST_MESSAGE) {
-                if !reply.take(&job, message).unwrap_or(false) {
+                if reply.take(&job, message) != Ok(Next::Receive) {
                     break;
                 }
             }

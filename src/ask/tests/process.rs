@@ -126,7 +126,7 @@ fn garbage_in_place_of_answers_is_reported() {
         Ending::Garbled("it sent a message without an answer".into()),
     );
     ends(
-        &after_the_job("printf '\\005\\000\\000\\000\\000\\012\\001\\000\\000' >&0"),
+        &after_the_job("printf '\\006\\000\\000\\000\\000\\012\\001\\000\\000\\000' >&0"),
         Ending::Garbled("it answered a question that was not asked".into()),
     );
 }
@@ -148,7 +148,7 @@ fn submission_that_breaks_off_inside_a_message_is_reported() {
 #[test]
 fn one_answer_is_enough_for_one_question() {
     // Answers, from the first on, one of them: a hit of nothing.
-    let miss = after_the_job("printf '\\005\\000\\000\\000\\000\\000\\001\\000\\000' >&0");
+    let miss = after_the_job("printf '\\006\\000\\000\\000\\000\\000\\001\\000\\000\\000' >&0");
     let reply = asked(&miss, &hits(1), SOON);
     assert_eq!(reply.ending, Ending::Complete);
     assert_eq!(reply.answers, [Some(Answer::Hit(None))]);

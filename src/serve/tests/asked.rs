@@ -5,9 +5,12 @@ use std::time::Duration;
 use super::*;
 use crate::ask::{Death, Ending, Reply, ask};
 use crate::camera::Projection;
-use crate::kind::{CameraQuestion, Kind, ObjectsQuestion, Questions};
-use crate::kind::{ShapeQuestion, SoupQuestion, Unregistered};
+use crate::kind::{
+    Answer, CameraQuestion, Kind, ObjectsQuestion, Questions, SearchQuestion, ShapeQuestion,
+    SoupQuestion, TestResults, TreeQuestion, Unregistered,
+};
 use crate::scene::Scene;
+use crate::tree::{FlatNode, FlatTree, TreeMeasures};
 
 const LONG_ENOUGH: Duration = Duration::from_secs(60);
 
@@ -263,5 +266,68 @@ fn endless_answer_ends_when_the_asker_is_gone() {
             panic!("it goes on for nobody");
         }
         std::thread::sleep(Duration::from_millis(10));
+    }
+}
+
+/// Two boxes of two triangles each, of which the ray meets the nearest in the second.
+fn search() -> SearchQuestion {
+    let leaf = |first| FlatNode::Leaf(vec![first, first + 1]);
+    let met = |object, t| Hit {
+        object,
+        intersection: Intersection {
+            t,
+            normal: DVec3::Y,
+        },
+    };
+    SearchQuestion {
+        tree: FlatTree(vec![FlatNode::Branch([1, 2]), leaf(2), leaf(0)]),
+        min_t: 1.0,
+        results: TestResults {
+            boxes: vec![Some(0.5..=9.0), Some(4.0..=9.0), Some(0.5..=3.0)],
+            triangles: vec![met(3, 5.0), met(1, 2.0)],
+        },
+    }
+}
+
+#[test]
+fn tests_of_a_search_are_answered_and_counted_by_the_asker() {
+    let job = Job::Ask(Questions::TreeSearch(vec![search(); 300]));
+    let reply = asked("able", &job);
+    assert_eq!(reply.ending, Ending::Complete, "{}", reply.printed);
+    for answer in &reply.answers {
+        assert_eq!(*answer, Some(hit(1, 2.0, DVec3::Y)));
+    }
+    // Three boxes and four triangles: the submission tests everything.
+    assert_eq!(reply.tests, vec![7; 300]);
+    let film = reply.film(Resolution { n_x: 30, n_y: 10 });
+    assert_eq!(film.channel("tests").unwrap()[299], 7.0);
+}
+
+#[test]
+fn a_search_without_end_is_stopped() {
+    let job = Job::Ask(Questions::TreeSearch(vec![search()]));
+    let Ending::Garbled(why) = asked("testing", &job).ending else {
+        panic!("it ended otherwise");
+    };
+    assert!(why.contains("ten times as many tests"), "{why}");
+}
+
+#[test]
+fn a_tree_is_measured_by_the_asker() {
+    let bounds = |x: f64| BoundingBox {
+        min: dvec3(x, 0.0, 0.0),
+        max: dvec3(x + 1.0, 1.0, 1.0),
+    };
+    let boxes: Vec<BoundingBox> = (0..3).map(|x| bounds(2.0 * f64::from(x))).collect();
+    let job = Job::Ask(Questions::Tree(vec![TreeQuestion { boxes }; 300]));
+    let measures = TreeMeasures {
+        misplaced: 0,
+        depth: 2,
+        largest_leaf: 1,
+        // The first leaf has 3 of 11 of the whole's half surface, the branch beside it 7.
+        cost: (2.0 * 11.0 + 2.0 * 7.0 + 3.0 * 3.0) / 11.0,
+    };
+    for answer in answered(&job) {
+        assert_eq!(answer, Answer::Tree(measures));
     }
 }

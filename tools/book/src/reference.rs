@@ -46,7 +46,7 @@ impl Reference {
         };
         match self.ask(&Job::Ask(Questions::ViewingRay(vec![question])))? {
             Answer::Ray(ray) => Ok(ray),
-            Answer::Hit(_) => Err(odd()),
+            _ => Err(odd()),
         }
     }
 
@@ -59,7 +59,7 @@ impl Reference {
         };
         match self.ask(&Job::Ask(Questions::Intersect(vec![question])))? {
             Answer::Hit(hit) => Ok(hit.map(|hit| hit.intersection)),
-            Answer::Ray(_) => Err(odd()),
+            _ => Err(odd()),
         }
     }
 
@@ -123,7 +123,7 @@ impl Reference {
     pub fn first_hit(&self, shapes: &[Shape], ray: Ray, min_t: f64) -> Result<Option<Hit>> {
         match self.ask(&Job::Cast(ray, min_t, shapes.to_vec()))? {
             Answer::Hit(hit) => Ok(hit),
-            Answer::Ray(_) => Err(odd()),
+            _ => Err(odd()),
         }
     }
 

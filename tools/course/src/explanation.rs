@@ -120,7 +120,7 @@ impl Witness<'_> {
             &Job::Ask(Questions::ViewingRay(vec![question])),
             |answer| match answer {
                 Answer::Ray(ray) => Some(ray),
-                Answer::Hit(_) => None,
+                _ => None,
             },
             &mut printed.ray,
         )?;
@@ -134,7 +134,7 @@ impl Witness<'_> {
         if let Some(ray) = asked {
             let hit = |answer| match answer {
                 Answer::Hit(hit) => Some(hit),
-                Answer::Ray(_) => None,
+                _ => None,
             };
             // Ask an answer that never ends only once: each further object would cost the same
             // time again.

@@ -15,8 +15,8 @@ const ANSWER_END: &str = "// ANCHOR_END: answer";
 /// Generates the handout of an assignment.
 ///
 /// # Errors
-/// If a file of the reference cannot be read, or an answer is not enclosed by one
-/// pair of anchors: then it might leak.
+/// If a file of the reference cannot be read, or an answer is not enclosed by a pair of
+/// anchors: then it might leak.
 pub fn generate(assignment: &Assignment) -> Result<Package> {
     let reference = assignment.reference();
     let mut package = Package::new();
@@ -28,7 +28,7 @@ pub fn generate(assignment: &Assignment) -> Result<Package> {
         let path = reference.join("src").join(task.file());
         let stub = stub(&read(&path)?, &task.name).or_environment(
             format_args!("{}", path.display()),
-            format!("enclose the answer's whole body by one `{ANSWER}` and one `{ANSWER_END}`"),
+            format!("enclose each answer's whole body by `{ANSWER}` and `{ANSWER_END}`"),
         )?;
         package.insert(Path::new("src").join(task.file()), stub);
     }
@@ -44,7 +44,7 @@ pub fn pristine(assignment: &Assignment, checkout: &Checkout) -> Result<Package>
     }
 }
 
-/// Replaces the answer between its anchors by `todo!`.
+/// Replaces each answer between its anchors by `todo!`.
 fn stub(text: &str, task: &str) -> std::result::Result<String, String> {
     let mut stub = String::new();
     let mut inside = false;
@@ -68,9 +68,9 @@ fn stub(text: &str, task: &str) -> std::result::Result<String, String> {
         }
     }
     match (answers, inside) {
-        (1, false) => Ok(stub),
         (_, true) => Err("the answer has no end".into()),
-        (count, _) => Err(format!("there are {count} answers")),
+        (0, _) => Err("there is no answer".into()),
+        _ => Ok(stub),
     }
 }
 

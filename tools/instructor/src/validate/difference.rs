@@ -176,7 +176,7 @@ fn is_same(a: &Option<Answer>, b: &Option<Answer>) -> bool {
 fn in_words(answer: &Option<Answer>) -> String {
     match answer {
         None => "nothing".into(),
-        Some(Answer::Ray(ray)) => words::ray(ray, 17),
         Some(Answer::Hit(hit)) => words::hit(*hit, 17),
+        Some(other) => other.words(17),
     }
 }

@@ -95,10 +95,17 @@ struct Edit {
 /// If the file is not Rust.
 pub fn mutants(task: &str, text: &str) -> Result<Vec<Mutant>, syn::Error> {
     let file = syn::parse_file(text)?;
-    let start = text.find("// ANCHOR: answer").unwrap_or(0);
-    let end = text.find("// ANCHOR_END: answer").unwrap_or(text.len());
+    let starts = text.match_indices("// ANCHOR: answer");
+    let ends = text.match_indices("// ANCHOR_END: answer");
+    let answers: Vec<_> = starts
+        .zip(ends)
+        .map(|((start, _), (end, _))| start..end)
+        .collect();
     let mut edits = sites::edits(&file, text);
-    edits.retain(|edit| start <= edit.range.start && edit.range.end <= end);
+    let is_in = |answer: &Range<usize>, edit: &Edit| {
+        answer.start <= edit.range.start && edit.range.end <= answer.end
+    };
+    edits.retain(|edit| answers.is_empty() || answers.iter().any(|answer| is_in(answer, edit)));
     edits.sort_by_key(|edit| (edit.range.start, edit.range.end, edit.operator));
     let mut seen = BTreeSet::from([text.to_owned()]);
     let mutants = edits.iter().map(|edit| edit.apply(task, text));

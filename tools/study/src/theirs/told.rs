@@ -56,7 +56,7 @@ impl<'a> Told<'a> {
 fn t(answer: &Answer) -> Option<Option<f64>> {
     match answer {
         Answer::Hit(hit) => Some(hit.map(|hit| hit.intersection.t)),
-        Answer::Ray(_) => None,
+        _ => None,
     }
 }
 

@@ -1,0 +1,116 @@
+"""Questions about a ray and a solid box."""
+
+import numpy as np
+
+from chance import log_uniform, unit_vector
+from kinds.ray_box import ENDLESS, ask
+
+
+def box(rng, size=None):
+    """Min and max of a box whose sides are up to `size` long."""
+    size = rng.uniform(0.5, 3) if size is None else size
+    low = rng.uniform(-3, 3, 3)
+    return np.array([low, low + size * rng.uniform(0.2, 1, 3)])
+
+
+def within(rng, shape):
+    """A point inside, well away from the faces."""
+    return shape[0] + rng.uniform(0.05, 0.95, 3) * (shape[1] - shape[0])
+
+
+def beside(rng, shape):
+    """A point outside, but not far."""
+    middle, half = shape.mean(axis=0), (shape[1] - shape[0]) / 2
+    point = middle + half * rng.uniform(-0.95, 0.95, 3)
+    axis = rng.integers(3)
+    point[axis] = middle[axis] + rng.choice([-1, 1]) * (half[axis] + half.max()) * rng.uniform(1.05, 1.6)
+    return point
+
+
+def aim(rng, shape, target, *, away=None, length=None, min_t=None, max_t=None, zeros=0):
+    """A ray through `target`, from `away` sizes before it.
+
+    `min_t` and `max_t` are shares of the target's t; `zeros` components of the direction
+    are 0.
+    """
+    away = rng.uniform(2, 6) if away is None else away
+    length = rng.uniform(0.3, 3) if length is None else length
+    direction = unit_vector(rng)
+    direction[rng.permutation(3)[:zeros]] = 0
+    direction /= np.linalg.norm(direction)
+    size = (shape[1] - shape[0]).max()
+    t = away * size / length
+    min_t = rng.uniform(0, 0.2) if min_t is None else min_t
+    max_t = ENDLESS if max_t is None else max_t * t
+    origin = target - away * size * direction
+    return ask(shape, origin, direction * length, min_t * t, max_t)
+
+
+def target(rng, shape, hit=0.6):
+    """A point inside for a share of the questions, else beside the box."""
+    return within(rng, shape) if rng.uniform() < hit else beside(rng, shape)
+
+
+def outside(rng):
+    """From outside; two rays in five miss, more or less."""
+    shape = box(rng)
+    return aim(rng, shape, target(rng, shape))
+
+
+def inside(rng):
+    """From inside, or with min_t inside."""
+    shape = box(rng)
+    point = within(rng, shape)
+    if rng.uniform() < 0.5:
+        return aim(rng, shape, point, away=0, min_t=0)
+    return aim(rng, shape, point, min_t=1)
+
+
+def behind(rng):
+    """The box lies behind the origin, or before min_t."""
+    shape = box(rng)
+    if rng.uniform() < 0.5:
+        return aim(rng, shape, target(rng, shape), away=-rng.uniform(2, 6), min_t=0)
+    return aim(rng, shape, target(rng, shape), min_t=rng.uniform(1.5, 3))
+
+
+def max_t(rng):
+    """max_t before the box, inside it, or behind it."""
+    shape = box(rng)
+    share = rng.choice([rng.uniform(0.2, 0.7), 1, rng.uniform(1.5, 3)])
+    return aim(rng, shape, within(rng, shape), max_t=share)
+
+
+def zero_direction(rng):
+    """Rays parallel to one or two axis planes, inside or outside the box's slab."""
+    shape = box(rng)
+    return aim(rng, shape, target(rng, shape), zeros=rng.integers(1, 3))
+
+
+def flat(rng):
+    """Flat boxes, met at any angle."""
+    shape = box(rng)
+    axis = rng.integers(3)
+    shape[1, axis] = shape[0, axis]
+    point = target(rng, shape)
+    point[axis] = shape[0, axis]
+    return aim(rng, shape, point)
+
+
+def direction_length(rng):
+    """Directions whose length is anything from a thousandth to a thousand."""
+    shape = box(rng)
+    return aim(rng, shape, target(rng, shape), length=log_uniform(rng, 1e-3, 1e3))
+
+
+def scale(rng):
+    """Tiny and huge boxes."""
+    size = log_uniform(rng, 1e-4, 1e4)
+    shape = size * box(rng, 1)
+    return aim(rng, shape, target(rng, shape))
+
+
+GROUPS = {
+    draw.__name__: draw
+    for draw in (outside, inside, behind, max_t, zero_direction, flat, direction_length, scale)
+}

@@ -1,0 +1,41 @@
+use pinhole::{BoundingBox, Tree};
+
+// ANCHOR: stub
+/// A binary tree over triangles, whose boxes are given in the mesh's order.
+///
+/// A leaf holds the places of its triangles in that list, counted from 0, and has at most 8
+/// of them. Each triangle is in exactly one leaf.
+///
+/// Split a list at the middle of the longest axis of its boxes' centres: one child gets the
+/// triangles whose centre lies on one side of it, the other child gets the rest. Where that
+/// leaves one child without any triangle, halve the list instead. There is at least one
+/// triangle.
+///
+/// Book: Building the tree.
+pub fn build_tree(boxes: &[BoundingBox]) -> Tree {
+    // ANCHOR: answer
+    fn split(boxes: &[BoundingBox], mut triangles: Vec<usize>) -> Tree {
+        if triangles.len() <= 4 {
+            return Tree::Leaf(triangles);
+        }
+        let center = |triangle: usize| boxes[triangle].center();
+        let (mut low, mut high) = (center(triangles[0]), center(triangles[0]));
+        for &triangle in &triangles {
+            low = low.min(center(triangle));
+            high = high.max(center(triangle));
+        }
+        let axis = (high - low).max_position();
+        let middle = 0.5 * (low + high)[axis];
+        triangles.sort_by(|&a, &b| center(a)[axis].total_cmp(&center(b)[axis]));
+        let mut first = triangles.partition_point(|&it| center(it)[axis] < middle);
+        if first == 0 || first == triangles.len() {
+            first = triangles.len() / 2;
+        }
+        let rest = triangles.split_off(first);
+        Tree::Branch(Box::new([split(boxes, triangles), split(boxes, rest)]))
+    }
+
+    split(boxes, (0..boxes.len()).collect())
+    // ANCHOR_END: answer
+}
+// ANCHOR_END: stub

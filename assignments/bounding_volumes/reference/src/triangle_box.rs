@@ -1,0 +1,34 @@
+use pinhole::{BoundingBox, Triangle};
+
+// ANCHOR: stub
+/// The smallest box around a triangle whose faces are parallel to the axes.
+///
+/// Its `min` has the smallest x, the smallest y and the smallest z of the three corners,
+/// its `max` the greatest of each. The box of a triangle that lies in a plane parallel to two
+/// axes is flat.
+///
+/// Book: A box around it.
+pub fn triangle_box(triangle: &Triangle) -> BoundingBox {
+    // ANCHOR: answer
+    let [a, b, c] = triangle.corners;
+    BoundingBox {
+        min: a.min(b).min(c),
+        max: a.max(b).max(c),
+    }
+    // ANCHOR_END: answer
+}
+// ANCHOR_END: stub
+
+// ANCHOR: stub_join
+/// The smallest box around two boxes.
+///
+/// Book: A box around it.
+pub fn join(a: &BoundingBox, b: &BoundingBox) -> BoundingBox {
+    // ANCHOR: answer
+    BoundingBox {
+        min: a.min.min(b.min),
+        max: a.max.max(b.max),
+    }
+    // ANCHOR_END: answer
+}
+// ANCHOR_END: stub_join

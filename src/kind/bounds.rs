@@ -1,0 +1,93 @@
+use serde::{Deserialize, Serialize};
+
+use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
+use crate::bounds::BoundingBox;
+use crate::fact::Fact;
+use crate::film::Samples;
+use crate::part::{Condition, Quantity};
+use crate::shape::{Shape, ShapeKind, Triangle};
+
+/// Which is the smallest box around these?
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub enum BoundsQuestion {
+    /// A triangle.
+    Triangle(Triangle),
+    /// Two boxes.
+    Boxes(BoundingBox, BoundingBox),
+}
+
+impl BoundsQuestion {
+    pub(super) fn read(samples: Samples<'_>) -> Result<BoundsQuestion, String> {
+        match samples.count("boxes")? {
+            0 => match ShapeKind::Triangle.read_samples(samples)? {
+                Shape::Triangle(triangle) => Ok(BoundsQuestion::Triangle(triangle)),
+                other => Err(format!("it holds a {}", other.kind())),
+            },
+            2 => Ok(BoundsQuestion::Boxes(
+                samples.bounding_box("0")?,
+                samples.bounding_box("1")?,
+            )),
+            count => Err(format!(
+                "channel `boxes` holds {count}, and only 0 or 2 makes sense"
+            )),
+        }
+    }
+}
+
+impl Question for BoundsQuestion {
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
+        let (of_triangle, join) =
+            AnswerFn::find(functions, Kind::Bounds, |function| match function {
+                AnswerFn::Bounds { of_triangle, join } => Some((*of_triangle, *join)),
+                _ => None,
+            })?;
+        Ok(Answer::Box(match self {
+            BoundsQuestion::Triangle(triangle) => of_triangle(triangle),
+            BoundsQuestion::Boxes(a, b) => join(a, b),
+        })
+        .into())
+    }
+
+    fn receive(&self, sent: Sent) -> Option<Answer> {
+        match sent {
+            Sent::Answer(answer @ Answer::Box(_)) => Some(answer),
+            _ => None,
+        }
+    }
+
+    fn describe(&self, _: &str, digits: usize) -> Vec<Fact> {
+        match self {
+            BoundsQuestion::Triangle(triangle) => vec![Fact::new(
+                "triangle",
+                Shape::Triangle(*triangle).words(digits),
+            )],
+            BoundsQuestion::Boxes(a, b) => vec![
+                Fact::new("a", a.words(digits)),
+                Fact::new("b", b.words(digits)),
+            ],
+        }
+    }
+
+    fn quantities(&self, _: &Answer) -> Vec<Quantity> {
+        Vec::new()
+    }
+
+    fn conditions(&self, _: &Answer) -> Vec<Condition> {
+        let joins = matches!(self, BoundsQuestion::Boxes(..));
+        vec![Condition::new(
+            "two boxes are joined",
+            "a triangle is asked about",
+            joins,
+        )]
+    }
+
+    fn others(&self, _: &Answer) -> Vec<(&'static str, Answer)> {
+        match self {
+            BoundsQuestion::Triangle(_) => Vec::new(),
+            BoundsQuestion::Boxes(a, b) => vec![
+                ("that of the first box", Answer::Box(*a)),
+                ("that of the second box", Answer::Box(*b)),
+            ],
+        }
+    }
+}

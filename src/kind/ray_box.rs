@@ -1,0 +1,120 @@
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
+use crate::bounds::BoundingBox;
+use crate::fact::Fact;
+use crate::film::Samples;
+use crate::part::{Condition, Quantity};
+use crate::ray::{Intersection, Ray};
+use crate::words::{self, number};
+
+/// Where does `ray` enter a solid box, from `min_t` to `max_t`?
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct BoxQuestion {
+    /// The box; it may be flat.
+    pub bounds: BoundingBox,
+    /// The ray; its direction may have any length.
+    pub ray: Ray,
+    /// In multiples of the ray's direction.
+    pub min_t: f64,
+    /// Greater than `min_t`, in the same unit; may be infinite.
+    pub max_t: f64,
+}
+
+/// A film holds no infinity: this much or more means none.
+const ENDLESS: f64 = 1e30;
+
+impl BoxQuestion {
+    pub(super) fn read(samples: Samples<'_>) -> Result<BoxQuestion, String> {
+        let max_t = samples.number("max_t")?;
+        Ok(BoxQuestion {
+            bounds: samples.bounding_box("0")?,
+            ray: samples.ray()?,
+            min_t: samples.min_t()?,
+            max_t: if max_t < ENDLESS {
+                max_t
+            } else {
+                f64::INFINITY
+            },
+        })
+    }
+
+    fn starts_inside(&self) -> bool {
+        let start = self.ray.at(self.min_t);
+        start.cmpge(self.bounds.min).all() && start.cmple(self.bounds.max).all()
+    }
+}
+
+impl Question for BoxQuestion {
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
+        let ray_box = AnswerFn::find(functions, Kind::RayBox, |function| match function {
+            AnswerFn::RayBox(ray_box) => Some(*ray_box),
+            _ => None,
+        })?;
+        let t = ray_box(&self.bounds, &self.ray, self.min_t, self.max_t);
+        Ok(Answer::alone(t.map(|t| Intersection {
+            t,
+            normal: DVec3::ZERO,
+        }))
+        .into())
+    }
+
+    fn describe(&self, _: &str, digits: usize) -> Vec<Fact> {
+        let ray = words::ray(&self.ray, digits);
+        let [min_t, max_t] = [self.min_t, self.max_t].map(|t| number(t, digits));
+        vec![
+            Fact::new("ray", format!("{ray}, min_t = {min_t}, max_t = {max_t}")),
+            Fact::new("box", self.bounds.words(digits)),
+        ]
+    }
+
+    /// A box is entered or not; it has no normal.
+    fn describe_answer(&self, answer: &Answer, digits: usize) -> String {
+        match answer.hit() {
+            Some(hit) => format!("enters at t = {}", number(hit.intersection.t, digits)),
+            None => "not in the box".into(),
+        }
+    }
+
+    fn quantities(&self, _: &Answer) -> Vec<Quantity> {
+        let mut quantities = Quantity::of_ray(&self.ray, self.min_t);
+        quantities.push(Quantity::new("max_t", self.max_t));
+        quantities
+    }
+
+    fn conditions(&self, answer: &Answer) -> Vec<Condition> {
+        let t = answer.hit().map_or(f64::NAN, |hit| hit.intersection.t);
+        let size = self.bounds.max - self.bounds.min;
+        let direction = self.ray.direction;
+        vec![
+            Condition::new("t is below min_t", "t is min_t or more", t < self.min_t),
+            Condition::new("t is above max_t", "t is max_t or less", t > self.max_t),
+            Condition::new("t is below 0", "t is 0 or more", t < 0.0),
+            Condition::new(
+                "the ray is in the box at min_t",
+                "the ray is not in the box at min_t",
+                self.starts_inside(),
+            ),
+            Condition::new(
+                "the box is flat",
+                "the box is not flat",
+                size.min_element() == 0.0,
+            ),
+            Condition::new(
+                "the ray runs parallel to an axis plane",
+                "no component of d is 0",
+                direction.abs().min_element() == 0.0,
+            ),
+            Condition::new(
+                "d points down an axis (a component is negative)",
+                "no component of d is negative",
+                direction.min_element() < 0.0,
+            ),
+        ]
+    }
+
+    fn others(&self, _: &Answer) -> Vec<(&'static str, Answer)> {
+        Vec::new()
+    }
+}

@@ -1,0 +1,143 @@
+use serde::{Deserialize, Serialize};
+
+use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
+use crate::bounds::BoundingBox;
+use crate::fact::Fact;
+use crate::film::Samples;
+use crate::part::{Condition, Part, Quantity};
+use crate::tree::{FlatTree, TreeMeasures};
+use crate::words::number;
+
+/// Which tree holds triangles with these boxes?
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct TreeQuestion {
+    /// The box of each triangle, in the mesh's order; at least one.
+    pub boxes: Vec<BoundingBox>,
+}
+
+/// A pixel of a question film can hold at most this many boxes.
+const MOST_BOXES: usize = 64;
+
+/// An answer has at most this many nodes and places in leaves, ten times what it needs.
+const MOST_PLACES: usize = 32 * MOST_BOXES;
+
+impl TreeQuestion {
+    pub(super) fn read(samples: Samples<'_>) -> Result<TreeQuestion, String> {
+        let count = samples.count("count")?;
+        if !(1..=MOST_BOXES).contains(&count) {
+            return Err(format!(
+                "channel `count` holds {count}, which is not from 1 to {MOST_BOXES}"
+            ));
+        }
+        let boxes = (0..count).map(|k| samples.bounding_box(&k.to_string()));
+        Ok(TreeQuestion {
+            boxes: boxes.collect::<Result<_, String>>()?,
+        })
+    }
+}
+
+impl Question for TreeQuestion {
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
+        let build = AnswerFn::find(functions, Kind::Tree, |function| match function {
+            AnswerFn::Tree(build) => Some(*build),
+            _ => None,
+        })?;
+        let tree = FlatTree::from(build(&self.boxes));
+        assert!(
+            tree.size() <= MOST_PLACES,
+            "a tree over {} triangles must not have {} nodes and places in leaves",
+            self.boxes.len(),
+            tree.size()
+        );
+        Ok(Sent::Tree(tree))
+    }
+
+    fn receive(&self, sent: Sent) -> Option<Answer> {
+        match sent {
+            Sent::Tree(tree) if tree.is_tree() => Some(Answer::Tree(tree.measure(&self.boxes))),
+            _ => None,
+        }
+    }
+
+    fn describe(&self, _: &str, digits: usize) -> Vec<Fact> {
+        let all = self.boxes.iter().enumerate();
+        let lines: Vec<String> = all
+            .map(|(index, bounds)| format!("{index}: {}", bounds.words(digits)))
+            .collect();
+        vec![Fact::new("boxes", lines.join("\n"))]
+    }
+
+    fn parts(&self, answer: &Answer) -> Option<Vec<Part>> {
+        let Answer::Tree(measures) = answer else {
+            return None;
+        };
+        Some(measures.parts())
+    }
+
+    fn quantities(&self, _: &Answer) -> Vec<Quantity> {
+        vec![Quantity::new(
+            "the number of triangles",
+            self.boxes.len() as f64,
+        )]
+    }
+
+    fn conditions(&self, _: &Answer) -> Vec<Condition> {
+        let first = self.boxes[0].center();
+        let equal = self.boxes.iter().all(|bounds| bounds.center() == first);
+        vec![
+            Condition::new(
+                "there is one triangle",
+                "there are several triangles",
+                self.boxes.len() == 1,
+            ),
+            Condition::new(
+                "all boxes have the same centre",
+                "the boxes have different centres",
+                equal && self.boxes.len() > 1,
+            ),
+        ]
+    }
+
+    fn others(&self, _: &Answer) -> Vec<(&'static str, Answer)> {
+        Vec::new()
+    }
+}
+
+impl TreeMeasures {
+    /// "a tree with 0 triangles misplaced, depth 5, at most 4 triangles in a leaf, and an
+    /// expected 12.3 tests for a ray".
+    pub(super) fn words(&self, digits: usize) -> String {
+        let TreeMeasures {
+            misplaced,
+            depth,
+            largest_leaf,
+            cost,
+        } = *self;
+        let cost = number(cost, digits);
+        format!(
+            "a tree with {misplaced} triangles misplaced, depth {depth}, at most {largest_leaf} \
+             triangles in a leaf, and an expected {cost} tests for a ray"
+        )
+    }
+
+    fn parts(&self) -> Vec<Part> {
+        let part = |name, value, channels| Part {
+            name,
+            values: vec![value],
+            axes: &[],
+            unit: "",
+            channels,
+            scale: 1.0,
+        };
+        vec![
+            part(
+                "the number of misplaced triangles",
+                self.misplaced as f64,
+                &["misplaced"],
+            ),
+            part("the depth", self.depth as f64, &["depth"]),
+            part("the largest leaf", self.largest_leaf as f64, &["leaf"]),
+            part("the expected number of tests", self.cost, &["cost"]),
+        ]
+    }
+}

@@ -1,0 +1,262 @@
+use std::ops::RangeInclusive;
+use std::sync::OnceLock;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
+use crate::fact::Fact;
+use crate::film::Samples;
+use crate::part::{Condition, Quantity};
+use crate::ray::{Hit, Intersection};
+use crate::tree::{FlatNode, FlatTree, Node, RayTree};
+use crate::words::{self, number};
+
+/// Which triangle of a tree does a ray meet first, from `min_t` on?
+///
+/// What the ray meets is known beforehand, but not to the submission: it asks for one test
+/// after the other, and whoever asked the question answers and counts them.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct SearchQuestion {
+    /// The tree; its leaves name triangles.
+    pub tree: FlatTree,
+    /// In multiples of the ray's direction.
+    pub min_t: f64,
+    /// What the tests answer. It stays with the asker.
+    #[serde(skip)]
+    pub results: TestResults,
+}
+
+/// What the ray meets.
+#[derive(Clone, Debug, Default)]
+pub struct TestResults {
+    /// For each node, the t at which the ray enters and leaves its box, if it meets it.
+    pub boxes: Vec<Option<RangeInclusive<f64>>>,
+    /// The triangles that the ray meets, each once.
+    pub triangles: Vec<Hit>,
+}
+
+/// What a search may ask.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Test {
+    /// Where the ray enters a node's box, from `min_t` to `max_t`.
+    Box {
+        /// The node's place in the tree.
+        node: usize,
+        /// In multiples of the ray's direction.
+        min_t: f64,
+        /// In the same unit.
+        max_t: f64,
+    },
+    /// Where the ray meets a triangle, from `min_t` on.
+    Triangle {
+        /// As a leaf names it.
+        triangle: usize,
+        /// In multiples of the ray's direction.
+        min_t: f64,
+    },
+}
+
+/// The result of one test.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum TestResult {
+    /// Of a box.
+    Box(Option<f64>),
+    /// Of a triangle.
+    Triangle(Option<Intersection>),
+}
+
+impl SearchQuestion {
+    pub(super) fn read(samples: Samples<'_>) -> Result<SearchQuestion, String> {
+        let (mut nodes, mut boxes) = (Vec::new(), Vec::new());
+        for k in 0..samples.count("nodes")? {
+            let second = samples.count(&format!("{k}.second"))?;
+            let size = samples.count(&format!("{k}.size"))?;
+            let first = samples.count(&format!("{k}.first"))?;
+            nodes.push(match second {
+                0 => FlatNode::Leaf((first..first + size).collect()),
+                _ => FlatNode::Branch([k + 1, second]),
+            });
+            let near = samples.number(&format!("{k}.near"))?;
+            let far = samples.number(&format!("{k}.far"))?;
+            boxes.push((near <= far).then_some(near..=far));
+        }
+        let tree = FlatTree(nodes);
+        if !tree.is_tree() {
+            return Err("its nodes make no tree".into());
+        }
+        let hit = |k| {
+            Ok(Hit {
+                object: samples.count(&format!("hit.{k}.triangle"))?,
+                intersection: Intersection {
+                    t: samples.number(&format!("hit.{k}.t"))?,
+                    normal: samples.vector(&format!("hit.{k}.N"))?,
+                },
+            })
+        };
+        let triangles = (0..samples.count("hits")?).map(hit);
+        Ok(SearchQuestion {
+            tree,
+            min_t: samples.min_t()?,
+            results: TestResults {
+                boxes,
+                triangles: triangles.collect::<Result<_, String>>()?,
+            },
+        })
+    }
+
+    /// The result of a test, or `None` if it is about something that is not in the tree.
+    pub(crate) fn test(&self, test: Test) -> Option<TestResult> {
+        match test {
+            Test::Box { node, min_t, max_t } => {
+                let inside = self.results.boxes.get(node)?.as_ref();
+                let t = inside.map(|inside| (inside.start().max(min_t), inside.end().min(max_t)));
+                let entered = t.filter(|(enter, leave)| enter <= leave);
+                Some(TestResult::Box(entered.map(|(enter, _)| enter)))
+            }
+            Test::Triangle { triangle, min_t } => {
+                let is_there = |node: &FlatNode| match node {
+                    FlatNode::Leaf(members) => members.contains(&triangle),
+                    FlatNode::Branch(_) => false,
+                };
+                self.tree.0.iter().any(is_there).then(|| {
+                    let met = self.results.triangles.iter();
+                    let met = met.filter(|hit| hit.object == triangle);
+                    let mut met = met.filter(|hit| hit.intersection.t >= min_t);
+                    TestResult::Triangle(met.next().map(|hit| hit.intersection))
+                })
+            }
+        }
+    }
+
+    /// No search needs more tests than this: all boxes and all triangles, each ten times.
+    pub(crate) fn most_tests(&self) -> usize {
+        10 * self.tree.size()
+    }
+}
+
+impl Question for SearchQuestion {
+    fn answer(&self, index: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
+        let search = AnswerFn::find(functions, Kind::TreeSearch, |function| match function {
+            AnswerFn::TreeSearch(search) => Some(*search),
+            _ => None,
+        })?;
+        let tree = TestedTree {
+            tree: &self.tree,
+            index,
+        };
+        Ok(Answer::Hit(search(&tree, self.min_t)).into())
+    }
+
+    fn describe(&self, _: &str, digits: usize) -> Vec<Fact> {
+        let nodes = self.tree.0.iter().zip(&self.results.boxes).enumerate();
+        let node = |(index, (node, inside)): (usize, (&FlatNode, &Option<_>))| {
+            let inside = match inside {
+                Some(inside) => {
+                    let inside: &RangeInclusive<f64> = inside;
+                    let [near, far] = [inside.start(), inside.end()].map(|t| number(*t, digits));
+                    format!("t from {near} to {far}")
+                }
+                None => "missed".into(),
+            };
+            match node {
+                FlatNode::Branch([a, b]) => format!("{index}: branch to {a} and {b}, {inside}"),
+                FlatNode::Leaf(members) => format!("{index}: leaf of {members:?}, {inside}"),
+            }
+        };
+        let nodes: Vec<String> = nodes.map(node).collect();
+        let met = self.results.triangles.iter();
+        let met = met.map(|hit| {
+            let t = number(hit.intersection.t, digits);
+            format!("{} at t = {t}", hit.object)
+        });
+        let met = met.collect::<Vec<_>>().join(", ");
+        vec![
+            Fact::new("min_t", number(self.min_t, digits)),
+            Fact::new("nodes", nodes.join("\n")),
+            Fact::new("met", if met.is_empty() { "none".into() } else { met }),
+        ]
+    }
+
+    fn describe_answer(&self, answer: &Answer, digits: usize) -> String {
+        words::hit(answer.hit(), digits)
+    }
+
+    fn quantities(&self, _: &Answer) -> Vec<Quantity> {
+        vec![Quantity::new("min_t", self.min_t)]
+    }
+
+    fn conditions(&self, answer: &Answer) -> Vec<Condition> {
+        let t = answer.hit().map_or(f64::NAN, |hit| hit.intersection.t);
+        let root = matches!(self.tree.0[0], FlatNode::Leaf(_));
+        let boxes = self.results.boxes.first();
+        vec![
+            Condition::new("t is below min_t", "t is min_t or more", t < self.min_t),
+            Condition::new("the root is a leaf", "the root is a branch", root),
+            Condition::new(
+                "the ray misses the root's box",
+                "the ray meets the root's box",
+                boxes.is_none_or(Option::is_none),
+            ),
+        ]
+    }
+
+    fn others(&self, _: &Answer) -> Vec<(&'static str, Answer)> {
+        let met = &self.results.triangles;
+        let by_t = |a: &&Hit, b: &&Hit| a.intersection.t.total_cmp(&b.intersection.t);
+        let farthest = met.iter().max_by(by_t);
+        let nearest = met.iter().min_by(by_t);
+        let all = [
+            ("that of the farthest triangle", farthest),
+            ("that of the nearest triangle whatever min_t is", nearest),
+        ];
+        let answer = |(name, hit): (_, Option<&Hit>)| Some((name, Answer::Hit(Some(*hit?))));
+        all.into_iter().filter_map(answer).collect()
+    }
+}
+
+/// Asks for a test of the question at this place in the job.
+type AskTest = Box<dyn Fn(usize, Test) -> TestResult + Send + Sync>;
+
+/// How this process asks for tests, if it serves.
+static ASK_TEST: OnceLock<AskTest> = OnceLock::new();
+
+/// Says how this process asks for tests. The first call counts.
+pub(crate) fn ask_tests_with(ask: impl Fn(usize, Test) -> TestResult + Send + Sync + 'static) {
+    let _already = ASK_TEST.set(Box::new(ask));
+}
+
+/// The tree of a question, of which this process knows the nodes, but not what the ray
+/// meets.
+struct TestedTree<'a> {
+    tree: &'a FlatTree,
+    index: usize,
+}
+
+impl TestedTree<'_> {
+    fn test(&self, test: Test) -> TestResult {
+        match ASK_TEST.get() {
+            Some(ask) => ask(self.index, test),
+            None => panic!("nobody is there who could answer a test"),
+        }
+    }
+}
+
+impl RayTree for TestedTree<'_> {
+    fn node(&self, node: usize) -> Node<'_> {
+        self.tree.node(node)
+    }
+
+    fn enter_box(&self, node: usize, min_t: f64, max_t: f64) -> Option<f64> {
+        match self.test(Test::Box { node, min_t, max_t }) {
+            TestResult::Box(t) => t,
+            TestResult::Triangle(_) => None,
+        }
+    }
+
+    fn intersect_triangle(&self, triangle: usize, min_t: f64) -> Option<Intersection> {
+        match self.test(Test::Triangle { triangle, min_t }) {
+            TestResult::Triangle(intersection) => intersection,
+            TestResult::Box(_) => None,
+        }
+    }
+}

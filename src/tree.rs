@@ -1,0 +1,222 @@
+//! Trees over the triangles of a mesh, and how one is searched.
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use crate::bounds::BoundingBox;
+use crate::ray::Intersection;
+
+// ANCHOR: tree
+/// A binary tree over a list of triangles. It holds their places in the list, counted
+/// from 0; the boxes of its nodes are computed from them.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Tree {
+    /// Some of the triangles, in any order.
+    Leaf(Vec<usize>),
+    /// Two smaller trees.
+    Branch(Box<[Tree; 2]>),
+}
+// ANCHOR_END: tree
+
+// ANCHOR: ray_tree
+/// A tree as one ray sees it. What the ray meets is known by these tests alone, and the
+/// harness counts them: a search that needs fewer is faster.
+pub trait RayTree {
+    /// What is in a node. The root is node 0.
+    fn node(&self, node: usize) -> Node<'_>;
+
+    /// The t at which the ray enters a node's box, `min_t` if it starts inside, or `None`
+    /// if it is not in the box at any t from `min_t` to `max_t`. Counts as one test.
+    fn enter_box(&self, node: usize, min_t: f64, max_t: f64) -> Option<f64>;
+
+    /// Where the ray meets a triangle, from `min_t` on. Counts as one test.
+    fn intersect_triangle(&self, triangle: usize, min_t: f64) -> Option<Intersection>;
+}
+
+/// What is in a node of a tree.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Node<'a> {
+    /// Triangles, by their places in the mesh's list.
+    Leaf(&'a [usize]),
+    /// Two nodes, each with a box of its own.
+    Branch([usize; 2]),
+}
+// ANCHOR_END: ray_tree
+
+/// A tree in a list: each branch stands before its children, and its first child follows
+/// at once. The root is node 0.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct FlatTree(pub Vec<FlatNode>);
+
+/// A node of a [`FlatTree`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum FlatNode {
+    /// Triangles, by their places in the list.
+    Leaf(Vec<usize>),
+    /// The nodes of its two children.
+    Branch([usize; 2]),
+}
+
+impl From<Tree> for FlatTree {
+    fn from(tree: Tree) -> FlatTree {
+        let mut nodes = Vec::new();
+        // A tree to place, and the branch whose second child it is.
+        let mut waiting = vec![(tree, None)];
+        while let Some((tree, parent)) = waiting.pop() {
+            let index = nodes.len();
+            if let Some(parent) = parent
+                && let FlatNode::Branch(children) = &mut nodes[parent]
+            {
+                let children: &mut [usize; 2] = children;
+                children[1] = index;
+            }
+            match tree {
+                Tree::Leaf(triangles) => nodes.push(FlatNode::Leaf(triangles)),
+                Tree::Branch(children) => {
+                    let [first, second] = *children;
+                    nodes.push(FlatNode::Branch([index + 1, 0]));
+                    waiting.push((second, Some(index)));
+                    waiting.push((first, None));
+                }
+            }
+        }
+        FlatTree(nodes)
+    }
+}
+
+impl FlatTree {
+    /// One of its nodes.
+    ///
+    /// # Panics
+    /// If there is no such node.
+    pub fn node(&self, index: usize) -> Node<'_> {
+        match &self.0[index] {
+            FlatNode::Leaf(triangles) => Node::Leaf(triangles),
+            FlatNode::Branch(children) => Node::Branch(*children),
+        }
+    }
+
+    /// The box of each node, if `leaf` gives that of some triangles and `join` that around
+    /// two boxes.
+    pub fn boxes(
+        &self,
+        leaf: impl Fn(&[usize]) -> BoundingBox,
+        join: impl Fn(&BoundingBox, &BoundingBox) -> BoundingBox,
+    ) -> Vec<BoundingBox> {
+        let mut boxes = vec![around([]); self.0.len()];
+        // Children come after their parents.
+        for index in (0..self.0.len()).rev() {
+            boxes[index] = match self.node(index) {
+                Node::Leaf(triangles) => leaf(triangles),
+                Node::Branch([a, b]) => join(&boxes[a], &boxes[b]),
+            };
+        }
+        boxes
+    }
+
+    /// How many nodes and places in leaves it has.
+    pub(crate) fn size(&self) -> usize {
+        let members = |node: &FlatNode| match node {
+            FlatNode::Leaf(members) => members.len(),
+            FlatNode::Branch(_) => 0,
+        };
+        self.0.len() + self.0.iter().map(members).sum::<usize>()
+    }
+
+    /// Whether it is a list as described: the root first, each node in one place of the
+    /// tree, children after their parents.
+    pub(crate) fn is_tree(&self) -> bool {
+        let mut parents = vec![0; self.0.len()];
+        for (index, node) in self.0.iter().enumerate() {
+            if let FlatNode::Branch(children) = node {
+                for &child in children {
+                    match parents.get_mut(child) {
+                        Some(count) if child > index => *count += 1,
+                        _ => return false,
+                    }
+                }
+            }
+        }
+        parents.first() == Some(&0) && parents[1..].iter().all(|&count| count == 1)
+    }
+
+    /// What its judge looks at, as a tree over triangles with these boxes.
+    pub(crate) fn measure(&self, triangles: &[BoundingBox]) -> TreeMeasures {
+        let mut seen = vec![0_usize; triangles.len()];
+        let mut foreign = 0;
+        let mut depths = vec![0; self.0.len()];
+        let mut largest_leaf = 0;
+        for (index, node) in self.0.iter().enumerate() {
+            match node {
+                FlatNode::Leaf(members) => {
+                    largest_leaf = largest_leaf.max(members.len());
+                    for &triangle in members {
+                        match seen.get_mut(triangle) {
+                            Some(count) => *count += 1,
+                            None => foreign += 1,
+                        }
+                    }
+                }
+                FlatNode::Branch(children) => {
+                    for &child in children {
+                        depths[child] = depths[index] + 1;
+                    }
+                }
+            }
+        }
+        let misplaced = seen.iter().filter(|&&count| count != 1).count() + foreign;
+        TreeMeasures {
+            misplaced,
+            depth: depths.iter().copied().max().unwrap_or(0),
+            largest_leaf,
+            cost: match misplaced {
+                0 => self.cost(triangles),
+                _ => 0.0,
+            },
+        }
+    }
+
+    /// How many tests a ray that meets the root's box is expected to need if nothing stops
+    /// it, by the surface area heuristic (Goldsmith and Salmon 1987; MacDonald and Booth
+    /// 1990): a box inside a convex box is met with a probability of the ratio of their
+    /// surfaces. A box's test counts as much as a triangle's.
+    fn cost(&self, triangles: &[BoundingBox]) -> f64 {
+        let leaf = |members: &[usize]| around(members.iter().map(|&index| triangles[index]));
+        let boxes = self.boxes(leaf, |a, b| around([*a, *b]));
+        let whole = boxes[0].half_area();
+        let tests = |index: usize| match self.node(index) {
+            Node::Leaf([]) => 0.0,
+            Node::Leaf(members) => boxes[index].half_area() * members.len() as f64,
+            Node::Branch(_) => boxes[index].half_area() * 2.0,
+        };
+        let sum: f64 = (0..self.0.len()).map(tests).sum();
+        match whole > 0.0 {
+            true => sum / whole,
+            false => 0.0,
+        }
+    }
+}
+
+/// The smallest box around these; none of no volume if there are none.
+fn around(boxes: impl IntoIterator<Item = BoundingBox> + Clone) -> BoundingBox {
+    let corners = |corner: fn(BoundingBox) -> DVec3| boxes.clone().into_iter().map(corner);
+    BoundingBox {
+        min: corners(|it| it.min).fold(DVec3::INFINITY, DVec3::min),
+        max: corners(|it| it.max).fold(DVec3::NEG_INFINITY, DVec3::max),
+    }
+}
+
+/// What is judged of a tree.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TreeMeasures {
+    /// How many triangles are not in exactly one leaf, and how many places in leaves name
+    /// none.
+    pub misplaced: usize,
+    /// How many branches are on the way from the root to the deepest leaf.
+    pub depth: usize,
+    /// How many triangles the largest leaf has.
+    pub largest_leaf: usize,
+    /// How many tests a ray that meets the root's box needs, as expected from the surfaces
+    /// of the boxes; 0 if a triangle is misplaced.
+    pub cost: f64,
+}

@@ -1,0 +1,116 @@
+"""Questions of the kind `tree`: which binary tree holds triangles with these boxes?
+
+Many trees are right, so the harness measures the submission's: triangles that are not in
+exactly one leaf, depth, the largest leaf, and the expected number of tests by the surface
+area heuristic. The golden is 0 everywhere; the tolerance is how much of each is allowed.
+The last two are compared with trees that are split at the middle of the longest axis.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from chance import as_f32
+from kinds.bounds import BOX_CHANNELS
+
+SLOTS = 48
+"""How many boxes a question has room for."""
+
+LARGEST_LEAF = 8
+"""How many triangles a leaf may have."""
+
+COST = 1.5
+"""How many times the expected tests of the costliest middle split are allowed."""
+
+FRESH = 512
+"""How many fresh questions a group has."""
+
+
+@dataclass(frozen=True)
+class Question:
+    """Boxes, shape (n, 2, 3): min and max of each; float32 values."""
+
+    boxes: np.ndarray
+
+    answer_channels = ("misplaced", "depth", "leaf", "cost")
+    channels = (
+        "count",
+        *(f"{k}.{channel}" for k in range(SLOTS) for channel in BOX_CHANNELS),
+    )
+
+    def values(self):
+        """The pixel of the question's film."""
+        values = np.zeros(len(self.channels))
+        values[0] = len(self.boxes)
+        values[1 : 1 + self.boxes.size] = self.boxes.ravel()
+        return values
+
+    def answer(self):
+        """Golden and tolerance, (4,) each.
+
+        A depth is allowed that is twice that of the middle split, and two more for trees
+        that are split otherwise: by the surface area heuristic, say.
+        """
+        trees = [middle_split(self.boxes, largest) for largest in (1, 4, LARGEST_LEAF)]
+        deepest = max(depth(tree) for tree in trees)
+        costliest = max(cost(tree, self.boxes) for tree in trees)
+        return np.zeros(4), np.array([0, 2 * deepest + 2, LARGEST_LEAF, COST * costliest + 1])
+
+
+def ask(boxes):
+    """The question about boxes nearest to these that a film can hold."""
+    return Question(as_f32(boxes))
+
+
+def middle_split(boxes, largest, members=None):
+    """A tree over boxes: an array of members, or a pair of trees.
+
+    It splits at the middle of the longest axis of the boxes' centres, and halves the
+    list where one side would be empty.
+    """
+    members = np.arange(len(boxes)) if members is None else members
+    if len(members) <= largest:
+        return members
+    centres = boxes[members].mean(axis=1)
+    low, high = centres.min(axis=0), centres.max(axis=0)
+    axis = np.argmax(high - low)
+    first = centres[:, axis] < (low + high)[axis] / 2
+    if first.all() or not first.any():
+        first = np.arange(len(members)) < len(members) // 2
+    return tuple(middle_split(boxes, largest, members[side]) for side in (first, ~first))
+
+
+def depth(tree):
+    """How many branches are on the way to the deepest leaf."""
+    return 1 + max(map(depth, tree)) if isinstance(tree, tuple) else 0
+
+
+def members_of(tree):
+    """The places of all its boxes."""
+    return np.concatenate([*map(members_of, tree)]) if isinstance(tree, tuple) else tree
+
+
+def box_of(tree, boxes):
+    """The smallest box around all its boxes, (2, 3)."""
+    chosen = boxes[members_of(tree)]
+    return np.array([chosen[:, 0].min(axis=0), chosen[:, 1].max(axis=0)])
+
+
+def half_area(box):
+    """Half of the surface of a box."""
+    x, y, z = box[1] - box[0]
+    return x * y + y * z + z * x
+
+
+def cost(tree, boxes):
+    """The expected number of tests for a ray that meets the root's box, as the harness
+    computes it."""
+
+    def tests(tree):
+        area = half_area(box_of(tree, boxes))
+        if isinstance(tree, tuple):
+            return 2 * area + sum(map(tests, tree))
+        return area * len(tree)
+
+    whole = half_area(box_of(tree, boxes))
+    return tests(tree) / whole if whole > 0 else 0.0

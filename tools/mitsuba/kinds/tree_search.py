@@ -1,0 +1,193 @@
+"""Questions of the kind `tree_search`: which triangle of a tree does the ray hit first, and
+how many tests does it take to find out?
+
+The tree is ours, and the question says what each test of a box or a triangle would
+answer, so that a wrong box or tree cannot spoil a right search. Where the ray meets the
+triangles, and which is first, is Mitsuba's cast.
+
+Subtrees whose box the ray misses are cut down to a leaf, because no right search enters
+them: even a mesh of thousands of triangles leaves a question that a pixel can hold.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+import film
+from cast import MISS, cast
+from chance import as_f32
+from kinds.first_hit import NEAR_TIE, intersections
+from kinds.tree import members_of, middle_split
+from shapes import to_mitsuba
+from shapes.triangle import Triangles
+from tolerance import hit_tolerance
+
+NODES = 192
+"""How many nodes a question has room for."""
+
+HITS = 12
+"""How many triangles that the ray meets a question has room for."""
+
+LARGEST_STUB = 12
+"""How many triangles are kept of a subtree that the ray misses."""
+
+WORK = 0.6
+"""How many more tests are allowed than a search needs that knows the answer beforehand, as
+a share of them."""
+
+FRESH = 512
+"""How many fresh questions a group has."""
+
+
+@dataclass
+class Node:
+    """A node of the tree, in the order of its list."""
+
+    second: int  # the place of its second child, or 0 for a leaf
+    members: np.ndarray  # the triangles of a leaf
+    near: float  # where the ray enters its box, in units of |d|
+    far: float  # where it leaves; below `near` if it misses the box
+    first: int = 0  # the name of its first triangle; the others follow
+
+
+@dataclass(frozen=True)
+class Question:
+    """A tree as one ray sees it, and t >= min_t."""
+
+    nodes: list
+    hits: list  # (triangle, t, normal) of each triangle that the ray meets
+    min_t: float  # in units of |d|
+    golden: np.ndarray  # id, t, N.X, N.Y, N.Z
+    tolerance: np.ndarray
+
+    answer_channels = (*film.HIT_CHANNELS, "tests")
+    channels = (
+        "min_t",
+        "nodes",
+        "hits",
+        *(f"{k}.{name}" for k in range(NODES) for name in ("second", "size", "first", "near", "far")),
+        *(
+            f"hit.{k}.{name}"
+            for k in range(HITS)
+            for name in ("triangle", "t", "N.X", "N.Y", "N.Z")
+        ),
+    )
+
+    def values(self):
+        """The pixel of the question's film."""
+        values = np.zeros(len(self.channels))
+        values[:3] = self.min_t, len(self.nodes), len(self.hits)
+        for k, node in enumerate(self.nodes):
+            slot = node.second, len(node.members), node.first, node.near, node.far
+            values[3 + 5 * k :][:5] = slot
+        for k, (triangle, t, normal) in enumerate(self.hits):
+            values[3 + 5 * NODES + 5 * k :][:5] = triangle, t, *normal
+        return values
+
+    def answer(self):
+        """Golden and tolerance, (6,) each."""
+        least = self.least_tests()
+        return np.array([*self.golden, least]), np.array([*self.tolerance, WORK * least])
+
+    def least_tests(self):
+        """How many tests a search needs that knows the nearest t beforehand: the root's
+        box, and the children or triangles of each node that the ray enters before it."""
+        nearest = self.golden[1] if self.golden[0] != MISS else np.inf
+        tests = 1
+        for node in self.nodes:
+            if max(node.near, self.min_t) <= min(node.far, nearest):
+                tests += 2 if node.second else len(node.members)
+        return tests
+
+
+def ask(rng, corners, origin, direction, min_t, largest):
+    """The question about a mesh, shape (n, 3, 3), and leaves of at most `largest`
+    triangles, or None if it must be drawn again.
+
+    The origin of space is moved to the ray's origin, as for `first_hit`.
+    """
+    direction, min_t = as_f32(direction), float(as_f32(min_t))
+    corners = as_f32(corners - origin)
+    boxes = np.stack([corners.min(axis=1), corners.max(axis=1)], axis=1)
+    nodes = []
+    flatten(nodes, middle_split(boxes, largest), boxes, direction)
+    if len(nodes) > NODES:
+        return None
+    leaves = [node for node in nodes if not node.second]
+    names, first = [], 0
+    for leaf in rng.permutation(np.array(leaves, dtype=object)):
+        leaf.first = first
+        first += len(leaf.members)
+        names.extend(leaf.members)
+    mesh = corners[names]
+    met = met_triangles(mesh, direction)
+    if len(met) > HITS or not is_fair(met, min_t):
+        return None
+    world, start = to_mitsuba([Triangles(mesh)]), np.zeros((1, 3))
+    hits = cast(world, start, direction[None], min_t)
+    hits.id[:] = np.where(hits.id == MISS, MISS, hits.face)
+    (tolerance,), _ = hit_tolerance(hits, [hits])
+    (golden,) = hits.channels()
+    after = [hit for hit in met if hit[1] >= min_t]
+    if (golden[0] == MISS) != (not after):
+        return None
+    if after:
+        triangle, t, normal = min(after, key=lambda hit: hit[1])
+        if (np.abs(golden - [triangle, t, *normal]) > tolerance / 2).any():
+            return None
+    return Question(nodes, met, min_t, golden, tolerance)
+
+
+def met_triangles(mesh, direction):
+    """The triangles that a ray from the origin of space meets: (triangle, t, normal) of
+    each, in no order of t."""
+    size = direction @ direction
+    along = mesh @ direction / size
+    # What the ray can meet lies on both sides of it in every direction.
+    aside = mesh - along[..., None] * direction
+    near = np.flatnonzero(
+        (aside.min(axis=1) <= 0).all(axis=1) & (aside.max(axis=1) >= 0).all(axis=1)
+    )
+    return [
+        (int(triangle), t, normal)
+        for triangle in near
+        for t, normal in intersections(Triangles(mesh[[triangle]]), direction)
+    ]
+
+
+def is_fair(met, min_t):
+    """No two triangles at nearly the same t, and none near min_t."""
+    marks = sorted([min_t, *(t for _, t, _ in met)])
+    return all(far - near >= NEAR_TIE * far for near, far in zip(marks, marks[1:]))
+
+
+def flatten(nodes, tree, boxes, direction):
+    """Append the nodes of a tree to the list: a branch, its first child, its second."""
+    members = members_of(tree)
+    near, far = interval(boxes[members, 0].min(axis=0), boxes[members, 1].max(axis=0), direction)
+    node = Node(0, members, near, far)
+    nodes.append(node)
+    if near > far:
+        node.members = members[:LARGEST_STUB]
+    elif isinstance(tree, tuple):
+        node.members = members[:0]
+        flatten(nodes, tree[0], boxes, direction)
+        node.second = len(nodes)
+        flatten(nodes, tree[1], boxes, direction)
+
+
+def interval(low, high, direction):
+    """Where a ray from the origin of space enters and leaves a box, in t of any sign;
+    (1, 0) if it misses. Both are moved outwards by a share of 1e-5, ten times what Mitsuba's
+    float32 may cost, so that no triangle is met outside its box."""
+    near, far = -1e30, 1e30
+    for axis in range(3):
+        if direction[axis] == 0:
+            if low[axis] > 0 or high[axis] < 0:
+                return 1.0, 0.0
+            continue
+        a, b = sorted((low[axis] / direction[axis], high[axis] / direction[axis]))
+        near, far = max(near, a), min(far, b)
+    if near > far or far < 0:
+        return 1.0, 0.0
+    return near - 1e-5 * abs(near), far + 1e-5 * abs(far)
