@@ -220,3 +220,6 @@ pub struct TreeMeasures {
     /// of the boxes; 0 if a triangle is misplaced.
     pub cost: f64,
 }
+
+#[cfg(test)]
+mod tests;

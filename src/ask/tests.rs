@@ -2,11 +2,13 @@ use std::path::Path;
 use std::time::Instant;
 
 use super::*;
+use crate::bounds::BoundingBox;
 use crate::camera::{Camera, Pixel, Projection};
 use crate::job::Panic;
-use crate::kind::{CameraQuestion, ObjectsQuestion, Questions, Sent};
+use crate::kind::{CameraQuestion, ObjectsQuestion, Questions, Sent, Test, TreeQuestion};
 use crate::ray::Intersection;
 use crate::testing::Random;
+use crate::tree::{FlatNode, FlatTree, TreeMeasures};
 use glam::DVec3;
 
 mod fuzz;
@@ -128,6 +130,47 @@ mod message {
             &[answers(0, &[hit(0), Answer::Ray(RAY)])],
             "another kind",
         );
+    }
+
+    #[test]
+    fn a_list_of_nodes_that_is_no_tree_is_refused() {
+        let (min, max) = (DVec3::ZERO, DVec3::ONE);
+        let boxes = vec![BoundingBox { min, max }];
+        let job = Job::Ask(Questions::Tree(vec![TreeQuestion { boxes }]));
+        let tree = |nodes| Message::Answers {
+            first: 0,
+            answers: vec![Sent::Tree(FlatTree(nodes))],
+        };
+        let circle = vec![FlatNode::Branch([0, 0])];
+        refused(&job, &[tree(circle)], "another kind");
+        let measures = TreeMeasures {
+            misplaced: 0,
+            depth: 0,
+            largest_leaf: 0,
+            cost: 0.0,
+        };
+        // Measured by itself.
+        refused(
+            &job,
+            &[answers(0, &[Answer::Tree(measures)])],
+            "another kind",
+        );
+        let mut reply = Reply::before(&job);
+        let leaf = tree(vec![FlatNode::Leaf(vec![0])]);
+        assert_eq!(reply.take(&job, leaf), Ok(Next::End));
+    }
+
+    #[test]
+    fn only_searches_are_tested() {
+        let test = Message::Test(
+            0,
+            Test::Box {
+                node: 0,
+                min_t: 0.0,
+                max_t: 1.0,
+            },
+        );
+        refused(&hits(1), &[test], "no question");
     }
 
     #[test]

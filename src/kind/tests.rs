@@ -25,6 +25,10 @@ fn of_task(task: &str) -> (Kind, Option<ShapeKind>) {
         "plane" => (Kind::Intersect, Some(ShapeKind::Plane)),
         "triangle" => (Kind::Intersect, Some(ShapeKind::Triangle)),
         "disk" => (Kind::Intersect, Some(ShapeKind::Disk)),
+        "bounds" => (Kind::Bounds, None),
+        "ray_box" => (Kind::RayBox, None),
+        "tree" => (Kind::Tree, None),
+        "tree_search" => (Kind::TreeSearch, None),
         other => panic!("there is no task `{other}`"),
     }
 }
@@ -69,6 +73,60 @@ fn sphere() -> Channels<'static> {
         ("radius", 0.75),
     ];
     [ray(), own.into()].concat()
+}
+
+fn bounding_box(number: usize) -> Channels<'static> {
+    let names = [
+        [
+            "0.min.X", "0.min.Y", "0.min.Z", "0.max.X", "0.max.Y", "0.max.Z",
+        ],
+        [
+            "1.min.X", "1.min.Y", "1.min.Z", "1.max.X", "1.max.Y", "1.max.Z",
+        ],
+    ];
+    let values = [4.0, 5.0, 6.0, 7.0, 8.0, 9.0];
+    names[number].into_iter().zip(values).collect()
+}
+
+fn two_boxes() -> Channels<'static> {
+    [vec![("boxes", 2.0)], bounding_box(0), bounding_box(1)].concat()
+}
+
+fn ray_and_box() -> Channels<'static> {
+    [ray(), vec![("max_t", 2.5)], bounding_box(0)].concat()
+}
+
+fn boxes_for_a_tree() -> Channels<'static> {
+    [vec![("count", 2.0)], bounding_box(0), bounding_box(1)].concat()
+}
+
+/// A branch with a leaf of two triangles, of which the second is met, and one that is missed.
+fn search() -> Channels<'static> {
+    vec![
+        ("min_t", 0.125),
+        ("nodes", 3.0),
+        ("0.second", 2.0),
+        ("0.size", 0.0),
+        ("0.first", 0.0),
+        ("0.near", 1.0),
+        ("0.far", 4.0),
+        ("1.second", 0.0),
+        ("1.size", 2.0),
+        ("1.first", 1.0),
+        ("1.near", 1.0),
+        ("1.far", 3.0),
+        ("2.second", 0.0),
+        ("2.size", 1.0),
+        ("2.first", 0.0),
+        ("2.near", 1.0),
+        ("2.far", 0.0),
+        ("hits", 1.0),
+        ("hit.0.triangle", 2.0),
+        ("hit.0.t", 2.5),
+        ("hit.0.N.X", 0.0),
+        ("hit.0.N.Y", 1.0),
+        ("hit.0.N.Z", 0.0),
+    ]
 }
 
 fn plane() -> Channels<'static> {

@@ -11,6 +11,7 @@ import multiprocessing
 import os
 import sys
 import tomllib
+from importlib import import_module
 from importlib.metadata import version
 from pathlib import Path
 
@@ -87,10 +88,14 @@ def say(line):
 
 
 def question_items(arguments):
-    """One item for each group of the committed questions."""
+    """One item for each group of the committed questions; a kind may want another number
+    of them than most."""
     from question_films import QUESTIONS
 
-    return group_items(arguments, render_questions, lambda task: QUESTIONS)
+    def count_of(task):
+        return getattr(import_module(f"kinds.{task['kind']}"), "QUESTIONS", QUESTIONS)
+
+    return group_items(arguments, render_questions, count_of)
 
 
 def fresh_question_items(arguments):

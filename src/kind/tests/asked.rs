@@ -88,6 +88,56 @@ fn canned_objects_know_their_intersections() {
 }
 
 #[test]
+fn a_max_t_too_great_for_a_film_is_none() {
+    for (max_t, expected) in [(2.5, 2.5), (1e30, f64::INFINITY)] {
+        let question = with(ray_and_box(), "max_t", max_t);
+        let Questions::RayBox(questions) = ask("ray_box", &question).unwrap() else {
+            panic!("it is asked with a box");
+        };
+        assert_eq!(questions[0].max_t, expected);
+    }
+}
+
+#[test]
+fn tests_of_a_search_keep_to_min_t_and_max_t() {
+    let questions = ask("tree_search", &search()).unwrap();
+    let enters = |node, min_t, max_t| match questions.test(0, Test::Box { node, min_t, max_t }) {
+        Some(TestResult::Box(t)) => t,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(enters(0, 0.5, 9.0), Some(1.0));
+    assert_eq!(enters(0, 2.0, 9.0), Some(2.0));
+    assert_eq!(enters(1, 0.5, 1.0), Some(1.0));
+    assert_eq!(enters(1, 0.5, 0.75), None);
+    assert_eq!(enters(1, 3.5, 9.0), None);
+    assert_eq!(enters(2, 0.0, 9.0), None);
+    let meets = |triangle, min_t| match questions.test(0, Test::Triangle { triangle, min_t }) {
+        Some(TestResult::Triangle(met)) => met.map(|met| met.t),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(meets(2, 2.5), Some(2.5));
+    assert_eq!(meets(2, 2.75), None);
+    assert_eq!(meets(1, 0.0), None);
+}
+
+#[test]
+fn what_is_not_in_the_tree_is_not_tested() {
+    let questions = ask("tree_search", &search()).unwrap();
+    let [min_t, max_t] = [0.0, 9.0];
+    for test in [
+        Test::Box {
+            node: 3,
+            min_t,
+            max_t,
+        },
+        Test::Triangle { triangle: 3, min_t },
+    ] {
+        assert_eq!(questions.test(0, test), None);
+        assert_eq!(questions.test(1, test), None);
+    }
+}
+
+#[test]
 fn there_may_be_no_object_at_all() {
     let question = [ray(), vec![("count", 0.0)]].concat();
     let Questions::FirstHit(questions) = ask("first_hit", &question).unwrap() else {

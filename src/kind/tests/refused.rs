@@ -5,7 +5,7 @@ use super::*;
 /// Makes a question afresh.
 type Ask = fn() -> Channels<'static>;
 
-const TASKS: [(&str, Ask); 7] = [
+const TASKS: [(&str, Ask); 11] = [
     ("viewing_ray", camera),
     ("first_hit", canned),
     ("sphere", sphere),
@@ -13,6 +13,10 @@ const TASKS: [(&str, Ask); 7] = [
     ("triangle", triangle),
     ("disk", disk),
     ("triangle_soup", canned),
+    ("bounds", two_boxes),
+    ("ray_box", ray_and_box),
+    ("tree", boxes_for_a_tree),
+    ("tree_search", search),
 ];
 
 #[track_caller]
@@ -96,6 +100,27 @@ fn too_many_objects_are_refused() {
     for count in [7.0, 1e30] {
         let question = with(canned(), "count", count);
         refused("first_hit", &question, "more than 6 objects");
+    }
+}
+
+#[test]
+fn a_tree_is_asked_for_over_at_least_one_box_and_not_too_many() {
+    for count in [0.0, 65.0] {
+        let question = with(boxes_for_a_tree(), "count", count);
+        refused("tree", &question, "not from 1 to 64");
+    }
+    refused(
+        "bounds",
+        &with(two_boxes(), "boxes", 1.0),
+        "only 0 or 2 makes sense",
+    );
+}
+
+#[test]
+fn nodes_to_search_make_a_tree() {
+    for second in [1.0, 3.0] {
+        let question = with(search(), "0.second", second);
+        refused("tree_search", &question, "its nodes make no tree");
     }
 }
 

@@ -53,6 +53,40 @@ fn a_shape_is_described_with_its_ray() {
 }
 
 #[test]
+fn questions_about_boxes_are_described_by_their_corners() {
+    let corners = "from (4, 5, 6) to (7, 8, 9)";
+    described(
+        "bounds",
+        &two_boxes(),
+        &format!("a         {corners}\nb         {corners}"),
+    );
+    let ray = "ray       e = (1, 2, 3), d = (0.5, 0.25, −2), min_t = 0.125, max_t = 2.5";
+    described(
+        "ray_box",
+        &ray_and_box(),
+        &format!("{ray}\nbox       {corners}"),
+    );
+    described(
+        "tree",
+        &boxes_for_a_tree(),
+        &format!("boxes     0: {corners}\n          1: {corners}"),
+    );
+}
+
+#[test]
+fn a_search_is_described_by_what_the_ray_meets() {
+    described(
+        "tree_search",
+        &search(),
+        "min_t     0.125\n\
+         nodes     0: branch to 1 and 2, t from 1 to 4\n          \
+         1: leaf of [1, 2], t from 1 to 3\n          \
+         2: leaf of [0], missed\n\
+         met       2 at t = 2.5",
+    );
+}
+
+#[test]
 fn canned_objects_are_described_by_where_they_are_met() {
     let expected = "min_t     0.125\nobjects   met at t = { 0: 1.5, 2.5; 1: never }";
     described("first_hit", &canned(), expected);

@@ -31,9 +31,15 @@ HITS = 12
 LARGEST_STUB = 12
 """How many triangles are kept of a subtree that the ray misses."""
 
-WORK = 0.6
+WORK = 0.45
 """How many more tests are allowed than a search needs that knows the answer beforehand, as
-a share of them."""
+a share of them. Measured on layers behind each other and on the teapot: a search that takes
+the nearer box first needs 0.01 and 0.03 more, one that does not look again whether a box that
+waits is still near enough 0.35 and 0.18, one that takes the boxes in the order of the tree
+2.02 and 0.55, and one that is not stopped by what it has found 4.27 and 1.22."""
+
+QUESTIONS = 160
+"""How many questions a group has: every test of a box or a triangle is a message."""
 
 FRESH = 512
 """How many fresh questions a group has."""

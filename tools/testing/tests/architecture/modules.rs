@@ -22,6 +22,8 @@ const FOLDERS: [(&str, &[&str]); 8] = [
             "part",
             "words",
             "camera",
+            "bounds",
+            "tree",
             "film",
             "mesh",
             "source",

@@ -1,0 +1,131 @@
+use super::*;
+
+fn leaf(triangles: &[usize]) -> Tree {
+    Tree::Leaf(triangles.to_vec())
+}
+
+fn branch(first: Tree, second: Tree) -> Tree {
+    Tree::Branch(Box::new([first, second]))
+}
+
+/// Unit cubes in a row along x, two units apart.
+fn cubes(count: usize) -> Vec<BoundingBox> {
+    let cube = |index| {
+        let min = DVec3::new(2.0 * index as f64, 0.0, 0.0);
+        let max = min + DVec3::ONE;
+        BoundingBox { min, max }
+    };
+    (0..count).map(cube).collect()
+}
+
+#[track_caller]
+fn measured(tree: Tree, count: usize) -> TreeMeasures {
+    FlatTree::from(tree).measure(&cubes(count))
+}
+
+#[test]
+fn a_flat_tree_lists_a_branch_before_its_first_child_and_then_the_second() {
+    let tree = branch(branch(leaf(&[2]), leaf(&[0])), leaf(&[1]));
+    let flat = FlatTree::from(tree);
+    let expected = [
+        FlatNode::Branch([1, 4]),
+        FlatNode::Branch([2, 3]),
+        FlatNode::Leaf(vec![2]),
+        FlatNode::Leaf(vec![0]),
+        FlatNode::Leaf(vec![1]),
+    ];
+    assert_eq!(flat.0, expected);
+    assert!(flat.is_tree());
+    assert_eq!(flat.node(4), Node::Leaf(&[1]));
+    assert_eq!(flat.size(), 8);
+}
+
+#[test]
+fn boxes_of_branches_enclose_those_of_their_children() {
+    let flat = FlatTree::from(branch(leaf(&[0]), leaf(&[1, 2])));
+    let cubes = cubes(3);
+    let leaf = |members: &[usize]| around(members.iter().map(|&index| cubes[index]));
+    let boxes = flat.boxes(leaf, |a, b| around([*a, *b]));
+    let from_to = |min: f64, max: f64| BoundingBox {
+        min: DVec3::new(min, 0.0, 0.0),
+        max: DVec3::new(max, 1.0, 1.0),
+    };
+    assert_eq!(
+        boxes,
+        [from_to(0.0, 5.0), from_to(0.0, 1.0), from_to(2.0, 5.0)]
+    );
+}
+
+#[test]
+fn a_list_of_nodes_is_no_tree_if_a_node_is_reached_twice_or_never() {
+    let leaf = || FlatNode::Leaf(vec![0]);
+    for (nodes, is_tree) in [
+        (vec![], false),
+        (vec![leaf()], true),
+        (vec![leaf(), leaf()], false),
+        (vec![FlatNode::Branch([1, 2]), leaf(), leaf()], true),
+        (vec![FlatNode::Branch([1, 1]), leaf()], false),
+        (vec![FlatNode::Branch([0, 1]), leaf()], false),
+        (vec![FlatNode::Branch([1, 3]), leaf(), leaf()], false),
+        (
+            vec![
+                FlatNode::Branch([1, 2]),
+                FlatNode::Branch([2, 3]),
+                leaf(),
+                leaf(),
+            ],
+            false,
+        ),
+        (vec![FlatNode::Branch([1, usize::MAX]), leaf()], false),
+    ] {
+        assert_eq!(FlatTree(nodes.clone()).is_tree(), is_tree, "{nodes:?}");
+    }
+}
+
+#[test]
+fn a_triangle_is_misplaced_unless_it_is_in_one_leaf() {
+    for (tree, misplaced) in [
+        (leaf(&[0, 1, 2]), 0),
+        (branch(leaf(&[2, 0]), leaf(&[1])), 0),
+        (leaf(&[0, 1]), 1),
+        (leaf(&[0, 1, 1, 2]), 1),
+        (branch(leaf(&[0, 1]), leaf(&[1, 2])), 1),
+        (branch(leaf(&[]), leaf(&[])), 3),
+        (leaf(&[0, 1, 2, 3, usize::MAX]), 2),
+    ] {
+        assert_eq!(measured(tree.clone(), 3).misplaced, misplaced, "{tree:?}");
+    }
+}
+
+#[test]
+fn depth_counts_the_branches_above_the_deepest_leaf() {
+    let chain = |count: usize| {
+        let first = leaf(&[0]);
+        (1..count).fold(first, |tree, index| branch(leaf(&[index]), tree))
+    };
+    for count in 1..6 {
+        assert_eq!(measured(chain(count), count).depth, count - 1);
+    }
+    assert_eq!(measured(leaf(&[0, 1, 2]), 3).largest_leaf, 3);
+}
+
+#[test]
+fn a_tree_that_separates_what_lies_apart_costs_less() {
+    let in_order = branch(leaf(&[0, 1]), leaf(&[2, 3]));
+    let mixed = branch(leaf(&[0, 2]), leaf(&[1, 3]));
+    let cost = |tree| measured(tree, 4).cost;
+    // The whole is 7 long and has half a surface of 15, two cubes 3 and 7, three 5 and 11.
+    assert_eq!(cost(in_order), 2.0 + (7.0 + 7.0) * 2.0 / 15.0);
+    assert_eq!(cost(mixed), 2.0 + (11.0 + 11.0) * 2.0 / 15.0);
+    assert_eq!(cost(leaf(&[0, 1, 2, 3])), 4.0);
+}
+
+#[test]
+fn a_tree_of_boxes_without_surface_costs_nothing() {
+    let point = BoundingBox {
+        min: DVec3::ONE,
+        max: DVec3::ONE,
+    };
+    let flat = FlatTree::from(branch(leaf(&[0]), leaf(&[1])));
+    assert_eq!(flat.measure(&[point; 2]).cost, 0.0);
+}
