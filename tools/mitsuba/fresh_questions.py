@@ -48,11 +48,11 @@ class Strata:
         return getattr(self._rng, name)
 
     def uniform(self, low=0.0, high=1.0, size=None):
-        """Like the method of numpy's generators, for one number or a row of them."""
+        """Like the method of numpy's generators, for one number or an array of them."""
         return low + (high - low) * self._numbers((low, high), size)
 
     def integers(self, low, high=None, size=None):
-        """Like the method of numpy's generators, for one number or a row of them."""
+        """Like the method of numpy's generators, for one number or an array of them."""
         low, high = (0, low) if high is None else (low, high)
         numbers = low + np.floor((high - low) * self._numbers("integers", size))
         return int(numbers) if size is None else numbers.astype(int)
@@ -63,8 +63,9 @@ class Strata:
         return options[chosen] if size is None else np.array([options[k] for k in chosen])
 
     def _numbers(self, kind, size):
-        numbers = [self._number(kind) for _ in range(size or 1)]
-        return numbers[0] if size is None else np.array(numbers)
+        if size is None:
+            return self._number(kind)
+        return np.reshape([self._number(kind) for _ in range(np.prod(size))], size)
 
     def _number(self, kind):
         """The next number in [0, 1) for the dimension that the question has come to."""
