@@ -119,26 +119,26 @@ fn chain(first: usize, end: usize) -> Tree {
 
 /// The nearest triangle of a tree, found without using its boxes.
 fn test_everything(tree: &dyn RayTree, min_t: f64) -> Option<Hit> {
-    let mut nearest: Option<Hit> = None;
-    let mut waiting = vec![0];
-    while let Some(node) = waiting.pop() {
+    fn collect(tree: &dyn RayTree, min_t: f64, node: usize, hits: &mut Vec<Hit>) {
         tree.enter_box(node, min_t, f64::INFINITY);
         match tree.node(node) {
-            Node::Branch(children) => waiting.extend(children),
-            Node::Leaf(triangles) => {
-                for &object in triangles {
-                    let met = tree.intersect_triangle(object, min_t);
-                    let hit = met.map(|intersection| Hit {
-                        object,
-                        intersection,
-                    });
-                    let both = nearest.into_iter().chain(hit);
-                    nearest = both.min_by(|a, b| a.intersection.t.total_cmp(&b.intersection.t));
-                }
+            Node::Branch([a, b]) => {
+                collect(tree, min_t, a, hits);
+                collect(tree, min_t, b, hits);
             }
+            Node::Leaf(triangles) => hits.extend(triangles.iter().filter_map(|&object| {
+                let intersection = tree.intersect_triangle(object, min_t)?;
+                Some(Hit {
+                    object,
+                    intersection,
+                })
+            })),
         }
     }
-    nearest
+    let mut hits = Vec::new();
+    collect(tree, min_t, 0, &mut hits);
+    hits.sort_by(|a, b| a.intersection.t.total_cmp(&b.intersection.t));
+    hits.first().copied()
 }
 
 /// Calls itself until there is no stack left.

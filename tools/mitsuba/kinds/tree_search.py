@@ -41,7 +41,7 @@ waits is still near enough 0.35 and 0.18, one that takes the boxes in the order 
 QUESTIONS = 160
 """How many questions a group has: every test of a box or a triangle is a message."""
 
-FRESH = 512
+FRESH = 256
 """How many fresh questions a group has."""
 
 
