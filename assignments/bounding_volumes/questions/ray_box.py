@@ -27,22 +27,27 @@ def beside(rng, shape):
     return point
 
 
-def aim(rng, shape, target, *, away=None, length=None, min_t=None, max_t=None, zeros=0):
+def aim(
+    rng, shape, target, *, away=None, length=None, min_t=None, max_t=None, zeros=0, in_face=False
+):
     """A ray through `target`, from `away` sizes before it.
 
     `min_t` and `max_t` are shares of the target's t; `zeros` components of the direction
-    are 0.
+    are 0, and in the first of them the ray runs in a face if it is to.
     """
     away = rng.uniform(2, 6) if away is None else away
     length = rng.uniform(0.3, 3) if length is None else length
     direction = unit_vector(rng)
-    direction[rng.permutation(3)[:zeros]] = 0
+    still = rng.permutation(3)[:zeros]
+    direction[still] = 0
     direction /= np.linalg.norm(direction)
     size = (shape[1] - shape[0]).max()
     t = away * size / length
     min_t = rng.uniform(0, 0.2) if min_t is None else min_t
     max_t = ENDLESS if max_t is None else max_t * t
     origin = target - away * size * direction
+    if in_face:
+        origin[still[0]] = rng.choice(shape[:, still[0]])
     return ask(shape, origin, direction * length, min_t * t, max_t)
 
 
@@ -87,6 +92,15 @@ def zero_direction(rng):
     return aim(rng, shape, target(rng, shape), zeros=rng.integers(1, 3))
 
 
+def in_face(rng):
+    """Rays that run exactly in the plane of a face; some boxes are flat there."""
+    shape = box(rng)
+    if rng.uniform() < 0.3:
+        axis = rng.integers(3)
+        shape[1, axis] = shape[0, axis]
+    return aim(rng, shape, target(rng, shape), zeros=rng.integers(1, 3), in_face=True)
+
+
 def flat(rng):
     """Flat boxes, met at any angle."""
     shape = box(rng)
@@ -112,5 +126,15 @@ def scale(rng):
 
 GROUPS = {
     draw.__name__: draw
-    for draw in (outside, inside, behind, max_t, zero_direction, flat, direction_length, scale)
+    for draw in (
+        outside,
+        inside,
+        behind,
+        max_t,
+        zero_direction,
+        in_face,
+        flat,
+        direction_length,
+        scale,
+    )
 }

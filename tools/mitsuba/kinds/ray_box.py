@@ -60,9 +60,10 @@ class Question:
         or max_t moved. A component of the direction that is 0 stays 0: a tilt would turn
         a ray that runs beside a flat box into one that crosses it.
         """
-        size = self.box[1] - self.box[0]
-        scale = size.max() or 1.0
-        origin = (self.origin - self.box[0]) / scale
+        box = self.thickened()
+        size = box[1] - box[0]
+        scale = size.max()
+        origin = (self.origin - box[0]) / scale
         direction = self.direction / scale
         length = np.linalg.norm(direction)
         across = np.cross(direction, np.eye(3)[np.argmin(np.abs(direction))])
@@ -89,6 +90,17 @@ class Question:
         if exempt[0]:
             return None
         return centre.channels()[0], tolerance[0]
+
+
+    def thickened(self):
+        """The box, thickened in each axis in which the ray runs exactly in a face.
+
+        The faces belong to the box, and a ray that does not move along an axis enters and
+        leaves a thicker box at the same t.
+        """
+        in_face = (self.direction == 0) & (self.box == self.origin).any(axis=0)
+        thickness = np.where(in_face, (self.box[1] - self.box[0]).max() / 8, 0)
+        return self.box + np.array([-thickness, thickness])
 
 
 def solid(size):

@@ -17,7 +17,7 @@ import film
 from cast import MISS, cast
 from chance import as_f32
 from kinds.first_hit import NEAR_TIE, intersections
-from kinds.tree import members_of, middle_split
+from kinds.tree import below_middle, members_of, split
 from shapes import to_mitsuba
 from shapes.triangle import Triangles
 from tolerance import hit_tolerance
@@ -116,7 +116,7 @@ def ask(rng, corners, origin, direction, min_t, largest):
     corners = as_f32(corners - origin)
     boxes = np.stack([corners.min(axis=1), corners.max(axis=1)], axis=1)
     nodes = []
-    flatten(nodes, middle_split(boxes, largest), boxes, direction)
+    flatten(nodes, split(boxes, largest, below_middle), boxes, direction)
     if len(nodes) > NODES:
         return None
     leaves = [node for node in nodes if not node.second]
