@@ -72,8 +72,10 @@ def inside(rng):
 
 
 def behind(rng):
-    """The box lies behind the origin, or before min_t."""
+    """The box lies behind the origin, or before min_t; one in three lies ahead."""
     shape = box(rng)
+    if rng.uniform() < 0.33:
+        return aim(rng, shape, within(rng, shape))
     if rng.uniform() < 0.5:
         return aim(rng, shape, target(rng, shape), away=-rng.uniform(2, 6), min_t=0)
     return aim(rng, shape, target(rng, shape), min_t=rng.uniform(1.5, 3))
