@@ -65,6 +65,9 @@ pub enum TestResult {
     Triangle(Option<Intersection>),
 }
 
+/// Of more nodes than this, the rest is left out of a description.
+const MOST_DESCRIBED: usize = 10;
+
 impl SearchQuestion {
     pub(super) fn read(samples: Samples<'_>) -> Result<SearchQuestion, String> {
         let (mut nodes, mut boxes) = (Vec::new(), Vec::new());
@@ -150,20 +153,23 @@ impl Question for SearchQuestion {
     fn describe(&self, _: &str, digits: usize) -> Vec<Fact> {
         let nodes = self.tree.0.iter().zip(&self.results.boxes).enumerate();
         let node = |(index, (node, inside)): (usize, (&FlatNode, &Option<_>))| {
-            let inside = match inside {
-                Some(inside) => {
-                    let inside: &RangeInclusive<f64> = inside;
+            let inside = inside
+                .as_ref()
+                .map_or(String::new(), |inside: &RangeInclusive<f64>| {
                     let [near, far] = [inside.start(), inside.end()].map(|t| number(*t, digits));
                     format!("t from {near} to {far}")
-                }
-                None => "missed".into(),
-            };
+                });
             match node {
                 FlatNode::Branch([a, b]) => format!("{index}: branch to {a} and {b}, {inside}"),
                 FlatNode::Leaf(members) => format!("{index}: leaf of {members:?}, {inside}"),
             }
         };
-        let nodes: Vec<String> = nodes.map(node).collect();
+        let met = |(_, (_, inside)): &(usize, (&FlatNode, &Option<_>))| inside.is_some();
+        let mut nodes: Vec<String> = nodes.filter(met).map(node).collect();
+        if nodes.len() > MOST_DESCRIBED {
+            let more = nodes.split_off(MOST_DESCRIBED).len();
+            nodes.push(format!("… and {more} more"));
+        }
         let met = self.results.triangles.iter();
         let met = met.map(|hit| {
             let t = number(hit.intersection.t, digits);
@@ -172,7 +178,14 @@ impl Question for SearchQuestion {
         let met = met.collect::<Vec<_>>().join(", ");
         vec![
             Fact::new("min_t", number(self.min_t, digits)),
-            Fact::new("nodes", nodes.join("\n")),
+            Fact::new(
+                "entered",
+                if nodes.is_empty() {
+                    "none".into()
+                } else {
+                    nodes.join("\n")
+                },
+            ),
             Fact::new("met", if met.is_empty() { "none".into() } else { met }),
         ]
     }

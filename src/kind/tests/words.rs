@@ -79,9 +79,8 @@ fn a_search_is_described_by_what_the_ray_meets() {
         "tree_search",
         &search(),
         "min_t     0.125\n\
-         nodes     0: branch to 1 and 2, t from 1 to 4\n          \
-         1: leaf of [1, 2], t from 1 to 3\n          \
-         2: leaf of [0], missed\n\
+         entered   0: branch to 1 and 2, t from 1 to 4\n          \
+         1: leaf of [1, 2], t from 1 to 3\n\
          met       2 at t = 2.5",
     );
 }

@@ -1,10 +1,11 @@
 //! The worst question of a film in words.
 
-use pinhole::Fact;
 use pinhole::ask::{Ending, Reply};
+use pinhole::film::TESTS;
 use pinhole::judge::{ChannelVerdict, Mismatch, Verdict};
 use pinhole::report::digits_to_tell;
 use pinhole::words::number;
+use pinhole::{Fact, Film};
 
 use crate::goldens::questions::QuestionFilm;
 
@@ -22,6 +23,9 @@ pub fn worst(verdict: &Verdict, asked: &QuestionFilm, reply: &Reply) -> Vec<Fact
     else {
         return Vec::new();
     };
+    if channel.name == TESTS {
+        return vec![Fact::new("tests", work(mismatch, asked, reply))];
+    }
     let index = verdict.resolution.index(mismatch.pixel);
     let digits = digits_to_tell(&mismatch);
     let answer = |answer| questions.describe_answer(index, &answer, digits);
@@ -39,6 +43,21 @@ pub fn worst(verdict: &Verdict, asked: &QuestionFilm, reply: &Reply) -> Vec<Fact
         facts.push(Fact::new("allowed", allowed));
     }
     facts
+}
+
+/// How many tests were counted, at one question and at all together.
+fn work(mismatch: Mismatch, asked: &QuestionFilm, reply: &Reply) -> String {
+    let sum = |film: &Film| -> f64 {
+        let samples = film.channel(TESTS).unwrap_or_default().iter();
+        samples.map(|&sample| f64::from(sample)).sum()
+    };
+    let golden = &asked.golden;
+    let most = sum(golden.film()) + sum(golden.tolerance());
+    let all: u64 = reply.tests.iter().map(|&count| u64::from(count)).sum();
+    format!(
+        "{} for one ray, where {} are enough; {all} for all rays, and at most {most:.0} are allowed",
+        mismatch.got, mismatch.expected
+    )
 }
 
 /// The question at which an answer panicked; nothing if there was no panic, or no answer yet.

@@ -40,6 +40,8 @@ pub enum Claim {
     Nowhere,
     /// Only where exact arithmetic says that a question is a tie.
     Ties,
+    /// On other questions too, but every answer is one of several right ones.
+    Allowed,
 }
 
 impl Claim {
@@ -48,6 +50,7 @@ impl Claim {
         match self {
             Claim::Nowhere => found.elsewhere == 0 && found.on_ties == 0,
             Claim::Ties => found.elsewhere == 0 && found.on_ties > 0,
+            Claim::Allowed => found.elsewhere > 0,
         }
     }
 }
