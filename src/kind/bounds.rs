@@ -73,12 +73,24 @@ impl Question for BoundsQuestion {
     }
 
     fn conditions(&self, _: &Answer) -> Vec<Condition> {
-        let joins = matches!(self, BoundsQuestion::Boxes(..));
-        vec![Condition::new(
-            "two boxes are joined",
-            "a triangle is asked about",
-            joins,
-        )]
+        let points = match self {
+            BoundsQuestion::Triangle(triangle) => triangle.corners.to_vec(),
+            BoundsQuestion::Boxes(a, b) => vec![a.min, a.max, b.min, b.max],
+        };
+        let shares = |axis: usize| points.iter().all(|point| point[axis] == points[0][axis]);
+        vec![
+            Condition::new(
+                "two boxes are joined",
+                "a triangle is asked about",
+                matches!(self, BoundsQuestion::Boxes(..)),
+            ),
+            Condition::new("the box is flat", "the box is not flat", (0..3).any(shares)),
+            Condition::new(
+                "all coordinates are negative",
+                "some coordinate is positive",
+                points.iter().all(|point| point.max_element() < 0.0),
+            ),
+        ]
     }
 
     fn others(&self, _: &Answer) -> Vec<(&'static str, Answer)> {

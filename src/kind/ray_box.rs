@@ -5,7 +5,7 @@ use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
 use crate::bounds::BoundingBox;
 use crate::fact::Fact;
 use crate::film::Samples;
-use crate::part::{Condition, Quantity};
+use crate::part::{Condition, Part, Quantity};
 use crate::ray::{Intersection, Ray};
 use crate::words::{self, number};
 
@@ -40,9 +40,18 @@ impl BoxQuestion {
         })
     }
 
-    fn starts_inside(&self) -> bool {
-        let start = self.ray.at(self.min_t);
-        start.cmpge(self.bounds.min).all() && start.cmple(self.bounds.max).all()
+    /// Whether the ray is in the box at this t.
+    fn is_inside_at(&self, t: f64) -> bool {
+        let point = self.ray.at(t);
+        point.cmpge(self.bounds.min).all() && point.cmple(self.bounds.max).all()
+    }
+
+    /// Whether the ray runs in the plane of a face.
+    fn runs_in_face(&self) -> bool {
+        let BoundingBox { min, max } = self.bounds;
+        let origin = self.ray.origin;
+        let is_still = self.ray.direction.cmpeq(DVec3::ZERO);
+        (is_still & (origin.cmpeq(min) | origin.cmpeq(max))).any()
     }
 }
 
@@ -62,7 +71,11 @@ impl Question for BoxQuestion {
 
     fn describe(&self, _: &str, digits: usize) -> Vec<Fact> {
         let ray = words::ray(&self.ray, digits);
-        let [min_t, max_t] = [self.min_t, self.max_t].map(|t| number(t, digits));
+        let min_t = number(self.min_t, digits);
+        let max_t = match self.max_t.is_finite() {
+            true => number(self.max_t, digits),
+            false => "∞".into(),
+        };
         vec![
             Fact::new("ray", format!("{ray}, min_t = {min_t}, max_t = {max_t}")),
             Fact::new("box", self.bounds.words(digits)),
@@ -77,9 +90,17 @@ impl Question for BoxQuestion {
         }
     }
 
+    fn parts(&self, answer: &Answer) -> Option<Vec<Part>> {
+        let mut parts = answer.hit()?.parts();
+        parts.retain(|part| part.name != "the normal");
+        Some(parts)
+    }
+
     fn quantities(&self, _: &Answer) -> Vec<Quantity> {
         let mut quantities = Quantity::of_ray(&self.ray, self.min_t);
+        let size = self.bounds.max - self.bounds.min;
         quantities.push(Quantity::new("max_t", self.max_t));
+        quantities.push(Quantity::new("the box's longest side", size.max_element()));
         quantities
     }
 
@@ -94,7 +115,17 @@ impl Question for BoxQuestion {
             Condition::new(
                 "the ray is in the box at min_t",
                 "the ray is not in the box at min_t",
-                self.starts_inside(),
+                self.is_inside_at(self.min_t),
+            ),
+            Condition::new(
+                "the ray is in the box at max_t",
+                "the ray is not in the box at max_t",
+                self.is_inside_at(self.max_t),
+            ),
+            Condition::new(
+                "the ray runs in the plane of a face",
+                "the ray does not run in the plane of a face",
+                self.runs_in_face(),
             ),
             Condition::new(
                 "the box is flat",

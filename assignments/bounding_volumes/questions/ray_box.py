@@ -39,7 +39,7 @@ def aim(
     length = rng.uniform(0.3, 3) if length is None else length
     direction = unit_vector(rng)
     still = rng.permutation(3)[:zeros]
-    direction[still] = 0
+    direction[still] = [rng.choice([0.0, -0.0]) for _ in still]
     direction /= np.linalg.norm(direction)
     size = (shape[1] - shape[0]).max()
     t = away * size / length

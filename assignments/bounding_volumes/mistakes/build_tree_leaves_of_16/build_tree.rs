@@ -1,0 +1,29 @@
+use pinhole::{BoundingBox, Tree};
+
+const LARGEST_LEAF: usize = 16;
+
+pub fn build_tree(boxes: &[BoundingBox]) -> Tree {
+    grow(boxes, (0..boxes.len()).collect())
+}
+
+fn grow(boxes: &[BoundingBox], mut triangles: Vec<usize>) -> Tree {
+    if triangles.len() <= LARGEST_LEAF {
+        return Tree::Leaf(triangles);
+    }
+    let center = |triangle: usize| boxes[triangle].center();
+    let mut low = center(triangles[0]);
+    let mut high = low;
+    for &triangle in &triangles {
+        low = low.min(center(triangle));
+        high = high.max(center(triangle));
+    }
+    let axis = (high - low).max_position();
+    let middle = 0.5 * (low[axis] + high[axis]);
+    triangles.sort_by(|&a, &b| center(a)[axis].total_cmp(&center(b)[axis]));
+    let mut first = triangles.partition_point(|&triangle| center(triangle)[axis] < middle);
+    if first == 0 || first == triangles.len() {
+        first = triangles.len() / 2;
+    }
+    let rest = triangles.split_off(first);
+    Tree::Branch(Box::new([grow(boxes, triangles), grow(boxes, rest)]))
+}

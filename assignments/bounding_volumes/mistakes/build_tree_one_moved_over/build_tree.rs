@@ -1,0 +1,35 @@
+use pinhole::{BoundingBox, Tree};
+
+pub fn build_tree(boxes: &[BoundingBox]) -> Tree {
+    grow(boxes, (0..boxes.len()).collect())
+}
+
+fn grow(boxes: &[BoundingBox], triangles: Vec<usize>) -> Tree {
+    if triangles.len() <= 4 {
+        return Tree::Leaf(triangles);
+    }
+    let mut low = boxes[triangles[0]].center();
+    let mut high = low;
+    for &triangle in &triangles {
+        low = low.min(boxes[triangle].center());
+        high = high.max(boxes[triangle].center());
+    }
+    let axis = (high - low).max_position();
+    let middle = 0.5 * (low[axis] + high[axis]);
+    let mut left = Vec::new();
+    let mut right = Vec::new();
+    for triangle in triangles {
+        if boxes[triangle].center()[axis] < middle {
+            left.push(triangle);
+        } else {
+            right.push(triangle);
+        }
+    }
+    if left.is_empty() {
+        left.extend(right.pop());
+    }
+    if right.is_empty() {
+        right.extend(left.pop());
+    }
+    Tree::Branch(Box::new([grow(boxes, left), grow(boxes, right)]))
+}

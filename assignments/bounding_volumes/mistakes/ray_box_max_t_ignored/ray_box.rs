@@ -1,0 +1,20 @@
+use pinhole::{BoundingBox, Ray};
+
+pub fn ray_box(bounds: &BoundingBox, ray: &Ray, min_t: f64, _max_t: f64) -> Option<f64> {
+    let (mut near, mut far) = (min_t, f64::INFINITY);
+    for axis in 0..3 {
+        let low = bounds.min[axis] - ray.origin[axis];
+        let high = bounds.max[axis] - ray.origin[axis];
+        let along = ray.direction[axis];
+        if along == 0.0 {
+            if low > 0.0 || high < 0.0 {
+                return None;
+            }
+            continue;
+        }
+        let (a, b) = (low / along, high / along);
+        near = near.max(a.min(b));
+        far = far.min(a.max(b));
+    }
+    (near <= far).then_some(near)
+}

@@ -1,0 +1,16 @@
+use glam::DVec3;
+use pinhole::{BoundingBox, Ray};
+
+pub fn ray_box(bounds: &BoundingBox, ray: &Ray, min_t: f64, _max_t: f64) -> Option<f64> {
+    let (low, high) = (bounds.min - ray.origin, bounds.max - ray.origin);
+    let parallel = ray.direction.cmpeq(DVec3::ZERO);
+    let beside = low.cmpgt(DVec3::ZERO) | high.cmplt(DVec3::ZERO);
+    if (parallel & beside).any() {
+        return None;
+    }
+    let (a, b) = (low / ray.direction, high / ray.direction);
+    let near = DVec3::select(parallel, DVec3::NEG_INFINITY, a.min(b)).max_element();
+    let far = DVec3::select(parallel, DVec3::INFINITY, a.max(b)).min_element();
+    let enter = near.max(min_t);
+    if enter > far { None } else { Some(enter) }
+}

@@ -1,0 +1,22 @@
+use glam::DVec3;
+use pinhole::{BoundingBox, Ray};
+
+pub fn ray_box(bounds: &BoundingBox, ray: &Ray, min_t: f64, max_t: f64) -> Option<f64> {
+    let (low, high) = (bounds.min - ray.origin, bounds.max - ray.origin);
+    let parallel = ray.direction.cmpeq(DVec3::ZERO);
+    let beside = low.cmpgt(DVec3::ZERO) | high.cmplt(DVec3::ZERO);
+    if (parallel & beside).any() {
+        return None;
+    }
+    let [a, b] = [low / ray.direction, high / ray.direction];
+    let [a, b] = if ray.direction.x >= 0.0 {
+        [a, b]
+    } else {
+        [b, a]
+    };
+    let near = DVec3::select(parallel, DVec3::NEG_INFINITY, a);
+    let far = DVec3::select(parallel, DVec3::INFINITY, b);
+    let enter = near.max_element().max(min_t);
+    let leave = far.min_element().min(max_t);
+    if enter > leave { None } else { Some(enter) }
+}

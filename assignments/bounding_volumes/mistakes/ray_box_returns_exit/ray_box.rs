@@ -1,0 +1,21 @@
+use pinhole::{BoundingBox, Ray};
+
+pub fn ray_box(bounds: &BoundingBox, ray: &Ray, min_t: f64, max_t: f64) -> Option<f64> {
+    let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
+    for axis in 0..3 {
+        let low = bounds.min[axis] - ray.origin[axis];
+        let high = bounds.max[axis] - ray.origin[axis];
+        let along = ray.direction[axis];
+        if along == 0.0 {
+            if low > 0.0 || high < 0.0 {
+                return None;
+            }
+            continue;
+        }
+        let (a, b) = (low / along, high / along);
+        near = near.max(a.min(b));
+        far = far.min(a.max(b));
+    }
+    let (enter, leave) = (near.max(min_t), far.min(max_t));
+    (enter <= leave).then_some(leave)
+}
