@@ -6,11 +6,14 @@ use pinhole_testing::pinhole;
 fn the_version_names_the_commit_and_the_goldens() {
     let ran = pinhole(&["--version"]).expect_code(0);
     let lines: Vec<&str> = ran.out.lines().collect();
-    assert_eq!(lines.len(), 3, "{}", ran.out);
-    for (line, start) in lines
-        .iter()
-        .zip(["pinhole ", "commit ", "goldens ray_casting "])
-    {
+    let starts = [
+        "pinhole ",
+        "commit ",
+        "goldens bounding_volumes ",
+        "goldens ray_casting ",
+    ];
+    assert_eq!(lines.len(), starts.len(), "{}", ran.out);
+    for (line, start) in lines.iter().zip(starts) {
         let rest = line.strip_prefix(start).expect(line);
         assert!(rest.len() >= 5 && !rest.contains(' '), "{line}");
     }
