@@ -14,7 +14,7 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::mistake;
 
 use crate::build::Built;
-use crate::course::assignment;
+use crate::course::assignments;
 use crate::edition::Edition;
 use crate::error::{Problem, Result};
 use crate::{figures, gallery, interactive, run};
@@ -90,11 +90,12 @@ fn built(built: &Built, checkout: &Checkout) -> Result<Vec<Problem>> {
     if built.edition == Edition::Student {
         print!("{}", reading::grades(&pages));
         problems.extend(reading::hard(&pages));
-        let assignment = assignment(checkout)?;
-        let mistakes = mistake::read_all(&assignment)?;
-        problems.extend(headings::missing(&pages, &assignment, &mistakes, checkout));
-        let answers = solutions::answers(&assignment, checkout)?;
-        problems.extend(solutions::shown(&answers, &built.folder)?);
+        for assignment in assignments(checkout)? {
+            let mistakes = mistake::read_all(&assignment)?;
+            problems.extend(headings::missing(&pages, &assignment, &mistakes, checkout));
+            let answers = solutions::answers(&assignment, checkout)?;
+            problems.extend(solutions::shown(&answers, &built.folder)?);
+        }
     }
     Ok(problems)
 }

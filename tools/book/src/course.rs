@@ -1,20 +1,36 @@
-//! The assignment that the book explains.
+//! The assignments that the book explains.
 
+use pinhole::Kind;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use std::path::PathBuf;
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 
-/// Its name.
+/// The one from whose scenes most figures and numbers come.
 const NAME: &str = "ray_casting";
 
-/// Reads it.
+/// Reads that one.
 pub fn assignment(checkout: &Checkout) -> Result<Assignment> {
     Ok(Assignment::read(checkout, NAME)?)
 }
 
-/// Where its golden films lie.
+/// Reads all. No two of them have a task or a mistake of the same name.
+pub fn assignments(checkout: &Checkout) -> Result<Vec<Assignment>> {
+    Ok(Assignment::read_all(checkout)?)
+}
+
+/// Reads the one with a task of this kind.
+pub fn assignment_with(kind: Kind, checkout: &Checkout) -> Result<Assignment> {
+    let mut all = assignments(checkout)?.into_iter();
+    let found = all.find(|assignment| assignment.task_of_kind(kind, None).is_some());
+    found.ok_or_else(|| {
+        let problem = format!("no assignment has a task of the kind `{kind}`");
+        Error::environment(problem, "restore the folder of assignments")
+    })
+}
+
+/// Where the golden films of the first one lie.
 pub fn golden(checkout: &Checkout) -> PathBuf {
     checkout.root().join("golden").join(NAME)
 }

@@ -11,7 +11,7 @@ use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 
-use crate::course::assignment;
+use crate::course::assignments;
 use crate::directive::Directive;
 use crate::edition::Edition;
 use crate::error::{Problem, Result, Wrong};
@@ -25,7 +25,7 @@ use crate::{figures, gallery, interactive, listing};
 /// What pages quote, read or computed once for all editions.
 pub struct Sources {
     checkout: Checkout,
-    assignment: Assignment,
+    assignments: Vec<Assignment>,
     formulas: Formulas,
     runs: Runs,
     values: Values,
@@ -36,7 +36,7 @@ impl Sources {
     pub fn read(values: Values, checkout: &Checkout) -> Result<Sources> {
         Ok(Sources {
             checkout: checkout.clone(),
-            assignment: assignment(checkout)?,
+            assignments: assignments(checkout)?,
             formulas: Formulas::default(),
             runs: run::read(checkout)?,
             values,
@@ -144,7 +144,7 @@ impl Expand {
     fn directive(&self, directive: Directive, to_root: &str) -> std::result::Result<String, Wrong> {
         let Sources {
             checkout,
-            assignment,
+            assignments,
             runs,
             values,
             ..
@@ -176,13 +176,15 @@ impl Expand {
                 let shown = figures::shown(&name, &alternative, to_root, checkout)?;
                 Ok(figure("figure", &shown, &self.caption(&caption)?))
             }
-            Directive::Gallery(task) => match assignment.task(&task) {
-                Some(task) => gallery::shown(&task.name, to_root, assignment, checkout),
-                None => Err((
-                    format!("there is no task `{task}`"),
-                    "name one of assignment.toml".into(),
-                )),
-            },
+            Directive::Gallery(task) => {
+                match assignments.iter().find(|it| it.task(&task).is_some()) {
+                    Some(assignment) => gallery::shown(&task, to_root, assignment, checkout),
+                    None => Err((
+                        format!("there is no task `{task}`"),
+                        "name one of an assignment.toml".into(),
+                    )),
+                }
+            }
             Directive::Interactive { name, alternative } => {
                 interactive::shown(&name, &alternative, to_root, checkout)
             }

@@ -82,7 +82,7 @@ impl<'a> Studio<'a> {
     fn new(assignment: &'a Assignment, checkout: &'a Checkout) -> Result<Studio<'a>> {
         let all = mistake::read_all(assignment)?.into_iter();
         let scenes = assignment.scenes.iter();
-        let scenes = scenes.map(|scene| SceneGolden::read(&scene.name, assignment, checkout));
+        let scenes = scenes.map(|scene| SceneGolden::read(&scene.name, assignment));
         Ok(Studio {
             mistakes: all.filter(|one| one.mistake.is_single()).collect(),
             scenes: scenes.collect::<Result<_>>()?,
@@ -136,9 +136,17 @@ impl<'a> Studio<'a> {
 
 /// Chooses a scene and a view for every mistake, and keeps the strips.
 pub fn keep(checkout: &Checkout) -> Result<()> {
-    let assignment = course::assignment(checkout)?;
-    let known = KnownMistakes::read(&course::golden(checkout))?;
-    let studio = Studio::new(&assignment, checkout)?;
+    let mut strips = Strips::new();
+    for assignment in course::assignments(checkout)? {
+        strips.extend(chosen(&assignment, checkout)?);
+    }
+    keep_all(strips, checkout)
+}
+
+/// The strips of an assignment's mistakes, chosen anew.
+fn chosen(assignment: &Assignment, checkout: &Checkout) -> Result<Strips> {
+    let known = KnownMistakes::read(&assignment.golden())?;
+    let studio = Studio::new(assignment, checkout)?;
     let count = studio.mistakes.len();
     let mut candidates = Vec::new();
     for (number, mistake) in (1..).zip(&studio.mistakes) {
@@ -154,14 +162,26 @@ pub fn keep(checkout: &Checkout) -> Result<()> {
         };
         strips.push((mistake.slug.clone(), strip));
     }
-    keep_all(strips, checkout)
+    Ok(strips)
 }
 
 /// Strips that are not what their mistake casts, or that look like another of their
 /// chapter.
 pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
-    let assignment = course::assignment(checkout)?;
-    let studio = Studio::new(&assignment, checkout)?;
+    let mut strips = Strips::new();
+    let mut problems = Vec::new();
+    for assignment in course::assignments(checkout)? {
+        let (own, wrong) = cast_again(&assignment, checkout)?;
+        strips.extend(own);
+        problems.extend(wrong);
+    }
+    problems.extend(stale(&strips, checkout));
+    Ok(problems)
+}
+
+/// The strips of an assignment's mistakes as they are listed, and what is wrong with them.
+fn cast_again(assignment: &Assignment, checkout: &Checkout) -> Result<(Strips, Vec<Problem>)> {
+    let studio = Studio::new(assignment, checkout)?;
     let list = list(checkout);
     let mut strips = Strips::new();
     for mistake in &studio.mistakes {
@@ -171,13 +191,13 @@ pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
         };
         strips.push((mistake.slug.clone(), strip));
     }
-    let known = KnownMistakes::read(&course::golden(checkout))?;
+    let known = KnownMistakes::read(&assignment.golden())?;
     let shows = |slug: &String| {
         known.films.iter().any(|(film, its)| {
             assignment.scenes.iter().any(|scene| &scene.name == film) && its.contains_key(slug)
         })
     };
-    let mut problems = stale(&strips, checkout);
+    let mut problems = Vec::new();
     for (slug, _) in strips
         .iter()
         .filter(|(slug, strip)| strip.is_none() && shows(slug))
@@ -190,7 +210,7 @@ pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
         ));
     }
     problems.extend(alike(&strips, &studio.mistakes, checkout));
-    Ok(problems)
+    Ok((strips, problems))
 }
 
 /// Strips of one chapter that are the same picture.

@@ -6,6 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::shell::PINHOLE;
 use regex::Regex;
@@ -130,9 +131,10 @@ impl<'a> Runner<'a> {
             let remedy = "let the command begin with `pinhole`";
             return Err(wrong(format!("`{}` is not ours", run.command), remedy).into());
         }
-        let answers = self.answers(&run.answers)?;
+        let assignment = self.assignment(run)?;
+        let answers = self.answers(&assignment, &run.answers)?;
         let named = answers.display().to_string();
-        let handout = self.checkout.inside(&assignment(self.checkout)?.handout());
+        let handout = self.checkout.inside(&assignment.handout());
         let handout = handout.display().to_string();
         let mut arguments: Vec<String> = words.map(|word| word.replace(&handout, &named)).collect();
         // Without a folder they take the handout: the one folder that is not touched.
@@ -171,10 +173,20 @@ impl<'a> Runner<'a> {
         Ok(text.trim_start_matches('\n').to_owned())
     }
 
+    /// The assignment that a command names, or the first.
+    fn assignment(&self, run: &Run) -> Result<Assignment> {
+        let mut words = run.command.split_whitespace();
+        match words.find(|word| *word == "--assignment").and(words.next()) {
+            Some(name) => Ok(Assignment::read(self.checkout, name)?),
+            None => assignment(self.checkout),
+        }
+    }
+
     /// A folder of answers, in the checkout's scratch space, where code is trusted.
-    fn answers(&self, whose: &str) -> Result<PathBuf> {
-        let assignment = assignment(self.checkout)?;
-        let answers = scratch(self.checkout).join("answers");
+    fn answers(&self, assignment: &Assignment, whose: &str) -> Result<PathBuf> {
+        let answers = scratch(self.checkout)
+            .join("answers")
+            .join(&assignment.name);
         let folder = answers.join(whose.replace('/', "-"));
         let _absent = fs::remove_dir_all(&folder);
         let mut sources = vec![assignment.reference().join("src")];

@@ -8,7 +8,7 @@ use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 
 use super::pages::files;
-use crate::error::{Error, Problem, Result};
+use crate::error::{Error, Problem, Result, Wrong};
 use crate::listing::between;
 
 /// Shorter lines, such as `return None;` or a brace, give nothing away.
@@ -29,10 +29,10 @@ pub fn answers(assignment: &Assignment, checkout: &Checkout) -> Result<Vec<Line>
     for task in &assignment.tasks {
         let file = assignment.reference().join("src").join(task.file());
         let text = checkout.read(&file)?;
-        let body = between(&text, "answer")
+        let bodies = bodies(&text)
             .map_err(|(problem, remedy)| Problem::of(checkout.inside(&file), problem, remedy))?;
         let handout = checkout.read(assignment.handout().join("src").join(task.file()))?;
-        for line in body.lines().map(str::trim) {
+        for line in bodies.lines().map(str::trim) {
             let bare = bare(line);
             // The names that exist are no secret, because the appendix lists them.
             let tells = bare.chars().count() >= LEAST && !line.starts_with("use ");
@@ -46,6 +46,19 @@ pub fn answers(assignment: &Assignment, checkout: &Checkout) -> Result<Vec<Line>
         }
     }
     Ok(lines)
+}
+
+/// The bodies of all functions of a task, one after the other.
+fn bodies(text: &str) -> std::result::Result<String, Wrong> {
+    let mut bodies = between(text, "answer")?;
+    let mut rest = text;
+    while let Some((_, after)) = rest.split_once("// ANCHOR_END: answer") {
+        rest = after;
+        if rest.contains("// ANCHOR: answer") {
+            bodies += &between(rest, "answer")?;
+        }
+    }
+    Ok(bodies)
 }
 
 /// The places in a folder's files that contain one of these lines.
@@ -116,6 +129,13 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join(file), text).unwrap();
         shown(&lines, folder.path()).unwrap().len()
+    }
+
+    #[test]
+    fn a_file_of_two_functions_has_two_answers() {
+        let body = |line| format!("// ANCHOR: answer\n{line}\n// ANCHOR_END: answer\n");
+        let text = body("first") + "fn join() {\n" + &body("second");
+        assert_eq!(bodies(&text).unwrap(), "first\nsecond\n");
     }
 
     #[test]

@@ -5,10 +5,8 @@ use pinhole::film::HIT_CHANNELS;
 use pinhole::judge::Golden;
 use pinhole::{Film, Scene, false_colour};
 use pinhole_course::assignment::Assignment;
-use pinhole_course::checkout::Checkout;
 
 use super::{Shown, View};
-use crate::course;
 use crate::error::Result;
 use crate::png::{beside, opaque, png};
 
@@ -35,8 +33,8 @@ pub struct SceneGolden {
 
 impl SceneGolden {
     /// Reads both.
-    pub fn read(name: &str, assignment: &Assignment, checkout: &Checkout) -> Result<SceneGolden> {
-        let film = course::golden(checkout).join(format!("{name}.exr"));
+    pub fn read(name: &str, assignment: &Assignment) -> Result<SceneGolden> {
+        let film = assignment.golden().join(format!("{name}.exr"));
         Ok(SceneGolden {
             name: name.into(),
             scene: Scene::read(&assignment.scene(name))?,

@@ -36,6 +36,18 @@ impl Assignment {
         }
     }
 
+    /// All assignments of a checkout, by name.
+    ///
+    /// # Errors
+    /// If an `assignment.toml` is wrong.
+    pub fn read_all(checkout: &Checkout) -> Result<Vec<Assignment>> {
+        let names = names(checkout);
+        names
+            .iter()
+            .map(|name| Assignment::read(checkout, name))
+            .collect()
+    }
+
     fn named(checkout: &Checkout, name: &str) -> Result<Assignment> {
         // An absolute path, because the goldens are found from the parent folder's place.
         let folder = Path::new(name).canonicalize().ok();
