@@ -1,10 +1,11 @@
 //! Every figure of the book, by name. A program makes it; each check compares the
 //! stored file with what the program makes.
 
+mod boxes;
 mod camera;
 mod drawing;
 mod lit;
-pub mod loops;
+mod loops;
 mod nine_pixels;
 mod pictures;
 mod shapes;
@@ -35,7 +36,7 @@ pub type Maker = fn(&Checkout) -> Result<Made>;
 
 /// All makers by the figure's name.
 pub fn makers() -> BTreeMap<&'static str, Maker> {
-    let makers: [(&'static str, Maker); 43] = [
+    let makers: [(&'static str, Maker); 46] = [
         ("camera_obscura", camera::camera_obscura),
         ("ray_parameter", camera::ray_parameter),
         ("pinhole_and_image_plane", camera::pinhole_and_image_plane),
@@ -53,6 +54,9 @@ pub fn makers() -> BTreeMap<&'static str, Maker> {
         ("triangle_alpha_beta", shapes::triangle_alpha_beta),
         ("soup_of_triangles", shapes::soup_of_triangles),
         ("first_hit_along_ray", shapes::first_hit_along_ray),
+        ("slabs", boxes::slabs),
+        ("boxes_by_depth", boxes::boxes_by_depth),
+        ("tree_walk", boxes::tree_walk),
         ("three_outputs_bunny", pictures::three_outputs_bunny),
         ("three_outputs_boxes", pictures::three_outputs_boxes),
         ("image_function", pictures::image_function),

@@ -10,12 +10,13 @@
 //! 1. [`error`], [`course`], [`edition`]: what can be wrong, what is explained, for whom;
 //! 2. [`scan`], [`directive`]: what a writer's page consists of;
 //! 3. [`reference`](mod@reference), [`record`]: whom the book asks instead of claiming;
-//! 4. [`png`](mod@png), [`rasterizer`] and [`silhouette`]: what the book computes itself, to compare;
+//! 4. [`png`](mod@png), [`rasterizer`], [`silhouette`] and [`boxes`]: what the book computes itself, to compare;
 //! 5. [`listing`], [`formula`], [`run`], [`worked`], [`figures`], [`gallery`],
 //!    [`interactive`]: one file for each thing a page can quote;
 //! 6. [`expand`], [`build`]: a page with everything put in, and the book of all pages;
 //! 7. [`check`]: what would make the book lie, looked for in the built pages.
 
+pub mod boxes;
 pub mod build;
 pub mod check;
 pub mod course;

@@ -4,7 +4,7 @@
 //! the steps of both loops. A triangle with a corner nearer than min_t is refused: to
 //! clip it is what rasterizers need besides, and no idea of the chapter's.
 
-use glam::{DVec2, DVec3, dvec2};
+use glam::{DVec2, DVec3, dvec2, dvec3};
 use pinhole::{Camera, Projection, Resolution, Triangle};
 
 /// The picture, and the number of steps.
@@ -106,10 +106,35 @@ fn nearness_at(place: DVec2, corners: [Corner; 3]) -> Option<f64> {
     (covers && whole != 0.0).then(|| sum / whole)
 }
 
+/// Where the triangles of [`strewn`] are seen from.
+pub fn camera() -> Camera {
+    let projection = Projection::Perspective { focal_length: 1.0 };
+    let size = (1.6, 0.9);
+    Camera::new(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, size, projection).expect("it is a frame")
+}
+
+/// This many triangles of about this size, scattered in front of the camera, the same
+/// each time.
+pub fn strewn(count: usize, size: f64) -> Vec<Triangle> {
+    // The fractions of multiples of three irrational numbers fill a cube evenly.
+    let spread = |number: usize, by: f64| (number as f64 * by).fract() - 0.5;
+    let triangle = |number: usize| {
+        let at = [0.819_172_5, 0.671_043_6, 0.549_700_5].map(|by| spread(number + 1, by));
+        let middle = dvec3(at[0] * 6.0, at[1] * 3.4, at[2] * 2.0 - 4.0);
+        let corner = |k: usize| {
+            let by = [0.754_877_7, 0.569_840_3, 0.618_034];
+            middle + size * DVec3::from(by.map(|by| spread(3 * number + k, by)))
+        };
+        Triangle {
+            corners: [corner(0), corner(1), corner(2)],
+        }
+    };
+    (0..count).map(triangle).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figures::loops::{camera, strewn};
     use crate::reference::Reference;
     use pinhole::{Scene, Shape};
     use pinhole_course::checkout::Checkout;

@@ -8,9 +8,10 @@ use std::time::Duration;
 
 use pinhole::ask::{Ending, Reply};
 use pinhole::job::Job;
-use pinhole::kind::{Answer, CameraQuestion, Questions, ShapeQuestion};
+use pinhole::kind::{Answer, CameraQuestion, Questions, SearchQuestion, ShapeQuestion};
 use pinhole::{Camera, Hit, Intersection, Pixel, Ray, Resolution, Shape, Triangle};
 
+use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::{Program, compile};
 use pinhole_course::examine;
@@ -29,11 +30,15 @@ pub struct Reference {
 const WALL: Duration = Duration::from_secs(60);
 
 impl Reference {
-    /// Builds it.
+    /// Builds that of the first assignment.
     pub fn build(checkout: &Checkout) -> Result<Reference> {
-        let assignment = assignment(checkout)?;
-        let submission = overlay::reference(&assignment)?;
-        let program = compile(&submission, &assignment, checkout, &Sandbox::Trusted)?;
+        Reference::of(&assignment(checkout)?, checkout)
+    }
+
+    /// Builds that of an assignment.
+    pub fn of(assignment: &Assignment, checkout: &Checkout) -> Result<Reference> {
+        let submission = overlay::reference(assignment)?;
+        let program = compile(&submission, assignment, checkout, &Sandbox::Trusted)?;
         Ok(Reference { program })
     }
 
@@ -134,7 +139,17 @@ impl Reference {
         Ok(reply.film(resolution))
     }
 
-    fn ask(&self, job: &Job) -> Result<Answer> {
+    /// What a ray meets first in a tree, and how many tests it takes to find that.
+    pub fn search(&self, question: SearchQuestion) -> Result<(Option<Hit>, u32)> {
+        let reply = self.reply(&Job::Ask(Questions::TreeSearch(vec![question])))?;
+        match (reply.answers.as_slice(), reply.tests.as_slice()) {
+            ([Some(Answer::Hit(hit))], [tests]) => Ok((*hit, *tests)),
+            _ => Err(odd()),
+        }
+    }
+
+    /// The answer to a single question.
+    pub fn ask(&self, job: &Job) -> Result<Answer> {
         let answers = self.reply(job)?.answers;
         answers.into_iter().next().flatten().ok_or_else(odd)
     }

@@ -3,6 +3,7 @@
 //! What the reference does not return, a discriminant say, is computed here, and a test
 //! holds it against what the reference does return.
 
+pub mod boxes;
 mod camera;
 pub mod nine_pixels;
 mod shapes;
@@ -30,6 +31,7 @@ pub fn values(checkout: &Checkout) -> Result<Values> {
     camera::add(&mut values, &reference, checkout)?;
     shapes::add(&mut values, &reference)?;
     nine_pixels::add(&mut values, &reference)?;
+    boxes::add(&mut values, checkout)?;
     let colours = pinhole::false_colour::OBJECT_COLOURS;
     for (name, meets) in WAYS {
         for far in DISTANCES {

@@ -166,6 +166,7 @@ const FOLDERS: [(&str, &[&str]); 8] = [
             "rasterizer",
             "reference",
             "silhouette",
+            "boxes",
             "record",
             "worked",
             "figures",

@@ -1,0 +1,174 @@
+//! Drawings of boxes, and of a walk through their tree.
+
+use glam::{DVec2, DVec3, dvec2};
+use pinhole::{BoundingBox, Node};
+use pinhole_course::checkout::Checkout;
+
+use super::Made;
+use super::drawing::{Drawing, INK, Side, colour, ink, stroke};
+use crate::boxes::{Boxed, Search, box_of, inside, meet, slab};
+use crate::error::Result;
+use crate::worked::boxes::{PLAN_RAY, plan, walls};
+use crate::worked::{RAY, TRIANGLE};
+
+/// The corners of a box, seen along z.
+fn outline(bounds: &BoundingBox) -> [DVec2; 4] {
+    let (min, max) = (bounds.min, bounds.max);
+    [
+        dvec2(min.x, min.y),
+        dvec2(max.x, min.y),
+        dvec2(max.x, max.y),
+        dvec2(min.x, max.y),
+    ]
+}
+
+/// The worked ray and box seen along z with two slabs, and the times of all three.
+pub fn slabs(_: &Checkout) -> Result<Made> {
+    let bounds = box_of(&[TRIANGLE]);
+    let mut drawing = Drawing::new(dvec2(-1.2, -0.7), dvec2(18.4, 9.9));
+    let (min, max) = (bounds.min, bounds.max);
+    // The slab across x, then that across y, each from one border of the panel to the other.
+    let (low, high) = (DVec2::ZERO, dvec2(7.8, 9.2));
+    let across = [
+        [
+            dvec2(min.x, low.y),
+            dvec2(max.x, low.y),
+            dvec2(max.x, high.y),
+            dvec2(min.x, high.y),
+        ],
+        [
+            dvec2(low.x, min.y),
+            dvec2(high.x, min.y),
+            dvec2(high.x, max.y),
+            dvec2(low.x, max.y),
+        ],
+    ];
+    for (axis, area) in across.iter().enumerate() {
+        drawing.area(area, &colour(axis + 1), 0.2);
+    }
+    drawing.path(&outline(&bounds), true, "none", &ink());
+    drawing.small(dvec2(3.1, 0.35), Side::On, "slab across x");
+    drawing.small(dvec2(4.95, 5.4), Side::Right, "slab");
+    drawing.small(dvec2(4.95, 4.7), Side::Right, "across y");
+    let seen = |p: DVec3| dvec2(p.x, p.y);
+    let at = |t: f64| seen(RAY.at(t));
+    drawing.arrow(at(0.0), at(4.0), &stroke(colour(5)));
+    drawing.dot(at(0.0), INK);
+    drawing.text(at(0.0), Side::Left, "*e*");
+    for t in [1.0, 2.0, 3.0] {
+        drawing.ring(at(t));
+        drawing.small(at(t) - dvec2(0.0, 0.4), Side::Right, &format!("t = {t}"));
+    }
+    // The times beside each other, t upward as in the picture.
+    let place = |column: f64, t: f64| dvec2(10.1 + 2.1 * column, 1.0 + 2.0 * t);
+    let left = place(0.0, 0.0).x - 0.9;
+    for t in 0..=4 {
+        let t = f64::from(t);
+        drawing.line(dvec2(left, place(0.0, t).y), place(3.6, t), &ink().thin());
+        drawing.small(dvec2(left, place(0.0, t).y), Side::Left, &t.to_string());
+    }
+    let mut bar = |column: f64, [from, to]: [f64; 2], name: &str, fill: &str| {
+        let [a, b] = [place(column, from), place(column, to)];
+        let half = dvec2(0.45, 0.0);
+        drawing.area(&[a - half, a + half, b + half, b - half], fill, 0.8);
+        drawing.small(dvec2(a.x, 0.0), Side::On, name);
+    };
+    for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+        if let Some(times) = slab(&bounds, &RAY, axis) {
+            bar(axis as f64, times, name, &colour(axis + 1));
+        }
+    }
+    if let Some(times) = inside(&bounds, &RAY, 0.0, f64::INFINITY) {
+        bar(3.0, times, "box", &colour(5));
+    }
+    drawing.small(dvec2(left, 9.6), Side::On, "t");
+    Ok(drawing.made())
+}
+
+/// The boxes of a tree and their depths, the root's first.
+fn by_depth(boxed: &Boxed) -> Vec<(BoundingBox, usize, bool)> {
+    let mut all = Vec::new();
+    let mut waiting = vec![(0, 0)];
+    while let Some((node, depth)) = waiting.pop() {
+        let children = match boxed.tree().node(node) {
+            Node::Branch(children) => children.to_vec(),
+            Node::Leaf(_) => Vec::new(),
+        };
+        all.push((boxed.boxes()[node], depth, children.is_empty()));
+        waiting.extend(children.into_iter().map(|child| (child, depth + 1)));
+    }
+    all
+}
+
+fn draw_walls(drawing: &mut Drawing, by: DVec2, names: bool) {
+    for (number, wall) in walls().iter().enumerate() {
+        let [from, to, _] = wall.corners.map(|corner| dvec2(corner.x, corner.y) + by);
+        drawing.line(from, to, &ink().thick());
+        if names {
+            drawing.small(
+                0.5 * (from + to) + dvec2(0.4, -0.1),
+                Side::Below,
+                &number.to_string(),
+            );
+        }
+    }
+}
+
+/// Ten walls in one box, in two, in three.
+pub fn boxes_by_depth(_: &Checkout) -> Result<Made> {
+    let boxed = plan();
+    let mut drawing = Drawing::new(dvec2(-0.6, -2.4), dvec2(46.6, 7.2));
+    for panel in 0..=2 {
+        let by = dvec2(16.0 * panel as f64, 0.0);
+        for (bounds, depth, is_leaf) in by_depth(&boxed) {
+            if depth == panel || (depth < panel && is_leaf) {
+                let corners = outline(&bounds).map(|corner| corner + by);
+                drawing.area(&corners, &colour(depth + 1), 0.25);
+                drawing.path(&corners, true, "none", &stroke(colour(depth + 1)));
+            }
+        }
+        draw_walls(&mut drawing, by, false);
+        let words = format!("depth {panel}");
+        drawing.small(by + dvec2(7.0, -0.9), Side::On, &words);
+    }
+    Ok(drawing.made())
+}
+
+/// A ray across the walls, and the boxes that it enters.
+pub fn tree_walk(_: &Checkout) -> Result<Made> {
+    let boxed = plan();
+    let mut drawing = Drawing::new(dvec2(-1.2, -0.2), dvec2(17.2, 8.0));
+    let at = |t: f64| {
+        let p = PLAN_RAY.at(t);
+        dvec2(p.x, p.y)
+    };
+    let (nearest, _) = boxed.search(&PLAN_RAY, 0.0, Search::FULL);
+    let nearest = nearest.map_or(f64::INFINITY, |(_, t)| t);
+    for (bounds, depth, _) in by_depth(&boxed) {
+        let entered = inside(&bounds, &PLAN_RAY, 0.0, nearest);
+        let corners = outline(&bounds);
+        match entered {
+            Some(_) => drawing.area(&corners, &colour(depth + 1), 0.2),
+            None => {}
+        }
+        let look = stroke(colour(depth + 1));
+        let look = if entered.is_some() {
+            look
+        } else {
+            look.dashed()
+        };
+        drawing.path(&corners, true, "none", &look);
+    }
+    draw_walls(&mut drawing, DVec2::ZERO, true);
+    drawing.arrow(at(0.0), at(8.0), &stroke(colour(5)));
+    drawing.dot(at(0.0), INK);
+    drawing.text(at(0.0), Side::Above, "*e*");
+    for wall in walls() {
+        match meet(&wall, &PLAN_RAY, 0.0) {
+            Some(t) if t == nearest => drawing.dot(at(t), &colour(5)),
+            Some(t) => drawing.ring(at(t)),
+            None => {}
+        }
+    }
+    Ok(drawing.made())
+}
