@@ -1,18 +1,20 @@
 //! Each step's page has what a step's page needs, in the order in which one reads it.
 
-use pinhole_book::course::assignment;
+use pinhole_book::course::assignments;
+use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
+use pinhole_course::mistake;
 
 /// What stands on the page of a task: the question, a picture, the derivation and worked
 /// numbers, whose sections are its own, then the stub, what mistakes look like, the command,
 /// and questions.
-fn parts(task: &str) -> Vec<String> {
+fn parts(assignment: &Assignment, task: &str) -> Vec<String> {
     let parts = [
         "\n**",
         "{{#figure ",
         "\n$$",
         "{{#value ",
-        "{{#listing assignments/ray_casting/handout/src/TASK.rs:stub}}",
+        "{{#listing assignments/ASSIGNMENT/handout/src/TASK.rs:stub}}",
         "\n## If your picture looks like this\n",
         "{{#gallery TASK}}",
         "\n## Try it\n",
@@ -23,17 +25,28 @@ fn parts(task: &str) -> Vec<String> {
         "\n## Open challenges\n",
         "\n## For the curious: the numerics\n",
     ];
-    let parts = parts.map(|part| part.replace("TASK", task));
-    parts.into()
+    let mistakes = mistake::read_all(assignment).expect("they can be read");
+    let is_shown = |part: &&str| !mistakes.is_empty() || !GALLERY.contains(part);
+    let parts = parts.into_iter().filter(is_shown).map(|part| {
+        let part = part.replace("TASK", task);
+        part.replace("ASSIGNMENT", &assignment.name)
+    });
+    parts.collect()
 }
 
+/// What the page of a task needs once mistakes of its assignment are known.
+const GALLERY: [&str; 2] = [
+    "\n## If your picture looks like this\n",
+    "{{#gallery TASK}}",
+];
+
 /// The first part that does not follow those before it.
-fn missing(page: &str, task: &str) -> Option<String> {
+fn missing(page: &str, parts: &[String]) -> Option<String> {
     let mut rest = page;
-    for part in parts(task) {
-        match rest.find(&part) {
+    for part in parts {
+        match rest.find(part) {
             Some(at) => rest = &rest[at + part.len() - 1..],
-            None => return Some(part),
+            None => return Some(part.clone()),
         }
     }
     None
@@ -42,21 +55,26 @@ fn missing(page: &str, task: &str) -> Option<String> {
 #[test]
 fn every_steps_page_has_each_part_in_order() {
     let checkout = Checkout::find().expect("tests run in a checkout");
-    let assignment = assignment(&checkout).expect("it is there");
-    assert_eq!(assignment.tasks.len(), 6);
-    for task in assignment.tasks {
+    let assignments = assignments(&checkout).expect("they are there");
+    let tasks = assignments.iter().flat_map(|assignment| {
+        let tasks = assignment.tasks.iter();
+        tasks.map(move |task| (task, parts(assignment, &task.name)))
+    });
+    let mut pages = 0;
+    for (task, parts) in tasks {
         let page = task.chapter.to_lowercase().replace(' ', "_");
         let page = checkout.read(format!("book/src/{page}.md")).expect(&page);
-        assert_eq!(missing(&page, &task.name), None, "{}", task.chapter);
+        assert_eq!(missing(&page, &parts), None, "{}", task.chapter);
+        pages += 1;
         // And a page without a part is found out.
-        for part in parts(&task.name) {
-            let at = page.rfind(&part).expect("it was found");
+        for part in &parts {
+            let at = page.rfind(part).expect("it was found");
             let without = format!("{}{}", &page[..at], &page[at + part.len()..]);
-            if without.matches(&part).count()
-                < parts(&task.name).iter().filter(|it| **it == part).count()
-            {
-                assert!(missing(&without, &task.name).is_some(), "{part}");
+            let needed = parts.iter().filter(|it| *it == part).count();
+            if without.matches(part).count() < needed {
+                assert!(missing(&without, &parts).is_some(), "{part}");
             }
         }
     }
+    assert!(pages >= 10, "only {pages} pages were looked at");
 }

@@ -57,7 +57,7 @@ pub fn slabs(_: &Checkout) -> Result<Made> {
     drawing.text(at(0.0), Side::Left, "*e*");
     for t in [1.0, 2.0, 3.0] {
         drawing.ring(at(t));
-        drawing.small(at(t) - dvec2(0.0, 0.4), Side::Right, &format!("t = {t}"));
+        drawing.on_lines(at(t) - dvec2(0.0, 0.4), Side::Right, &format!("t = {t}"));
     }
     // The times beside each other, t upward as in the picture.
     let place = |column: f64, t: f64| dvec2(10.1 + 2.1 * column, 1.0 + 2.0 * t);
@@ -105,7 +105,7 @@ fn draw_walls(drawing: &mut Drawing, by: DVec2, names: bool) {
         let [from, to, _] = wall.corners.map(|corner| dvec2(corner.x, corner.y) + by);
         drawing.line(from, to, &ink().thick());
         if names {
-            drawing.small(
+            drawing.on_lines(
                 0.5 * (from + to) + dvec2(0.4, -0.1),
                 Side::Below,
                 &number.to_string(),
