@@ -6,6 +6,7 @@
 pub mod boxes;
 mod camera;
 pub mod nine_pixels;
+mod savings;
 mod shapes;
 
 use glam::DVec3;

@@ -147,9 +147,8 @@ pub fn tree_walk(_: &Checkout) -> Result<Made> {
     for (bounds, depth, _) in by_depth(&boxed) {
         let entered = inside(&bounds, &PLAN_RAY, 0.0, nearest);
         let corners = outline(&bounds);
-        match entered {
-            Some(_) => drawing.area(&corners, &colour(depth + 1), 0.2),
-            None => {}
+        if entered.is_some() {
+            drawing.area(&corners, &colour(depth + 1), 0.2);
         }
         let look = stroke(colour(depth + 1));
         let look = if entered.is_some() {
