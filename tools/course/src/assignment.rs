@@ -29,6 +29,8 @@ pub struct Assignment {
     pub scenes: Vec<ScenePoints>,
     /// Points for withheld scenes that are missing from this checkout.
     pub withheld: u32,
+    /// How many public solutions were read to count its mistakes, if any were.
+    pub solutions_read: Option<u32>,
     /// What to show a student who has earned all points.
     pub finish: Option<Finish>,
     /// Groups of questions that do not count when a class is graded.

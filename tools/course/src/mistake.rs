@@ -17,8 +17,7 @@ pub struct Mistake {
     pub belief: String,
     /// Tasks that lose points by it; all others keep theirs.
     pub fails: Vec<String>,
-    /// How many of the 115 public solutions that were looked at made it, where that
-    /// was counted.
+    /// How many of the public solutions that were read made it, where that was counted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub submissions: Option<u32>,
     /// The chapter of the book that helps.

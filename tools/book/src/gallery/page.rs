@@ -12,9 +12,6 @@ use super::{Shown, list};
 use crate::error::Wrong;
 use crate::html::{escaped, heads};
 
-/// In how many public solutions mistakes were counted.
-const SOLUTIONS_COUNTED: u32 = 115;
-
 /// How many are shown; the others are folded.
 const OPEN: usize = 4;
 
@@ -46,7 +43,7 @@ pub fn shown(
         (Reverse((mistake.submissions, share)), *slug)
     });
     let figure = |(slug, mistake, shown): &(&str, &Mistake, Option<&Shown>)| {
-        figure(slug, mistake, *shown, to_root)
+        figure(slug, mistake, *shown, assignment.solutions_read, to_root)
     };
     let (open, folded) = own.split_at(OPEN.min(own.len()));
     let open: String = open.iter().map(figure).collect();
@@ -71,11 +68,17 @@ fn legend() -> String {
     format!("<ul class=\"legend\" aria-label=\"Colours of the differences\">{entries}</ul>\n")
 }
 
-fn figure(slug: &str, mistake: &Mistake, shown: Option<&Shown>, to_root: &str) -> String {
+fn figure(
+    slug: &str,
+    mistake: &Mistake,
+    shown: Option<&Shown>,
+    solutions_read: Option<u32>,
+    to_root: &str,
+) -> String {
     let belief = escaped(&mistake.belief);
-    let often = match mistake.submissions {
-        Some(count) => format!(" Seen in {count} of {SOLUTIONS_COUNTED} solutions."),
-        None => String::new(),
+    let often = match (mistake.submissions, solutions_read) {
+        (Some(count), Some(all)) => format!(" Seen in {count} of {all} solutions."),
+        _ => String::new(),
     };
     let read = escaped(&mistake.hint.read);
     let reading = format!("Read “{read}” in {}.{often}", escaped(&mistake.chapter));

@@ -16,6 +16,7 @@ struct File {
     start: Option<String>,
     #[serde(default)]
     withheld: u32,
+    solutions_read: Option<u32>,
     finish: Option<Finish>,
     task: Vec<Task>,
     scene: Vec<ScenePoints>,
@@ -121,6 +122,7 @@ impl Assignment {
             tasks: file.task,
             scenes: file.scene,
             withheld: file.withheld,
+            solutions_read: file.solutions_read,
             finish: file.finish,
             dropped: file.dropped,
         })

@@ -120,6 +120,7 @@ mod tests {
                 public: true,
             }],
             withheld: 0,
+            solutions_read: None,
             finish: None,
             dropped: dropped.collect(),
         }
