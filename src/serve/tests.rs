@@ -137,8 +137,8 @@ fn test_everything(tree: &dyn RayTree, min_t: f64) -> Option<Hit> {
     }
     let mut hits = Vec::new();
     collect(tree, min_t, 0, &mut hits);
-    hits.sort_by(|a, b| a.intersection.t.total_cmp(&b.intersection.t));
-    hits.first().copied()
+    let by_t = |a: &Hit, b: &Hit| a.intersection.t.total_cmp(&b.intersection.t);
+    hits.into_iter().min_by(by_t)
 }
 
 /// Calls itself until there is no stack left.

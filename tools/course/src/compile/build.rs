@@ -58,6 +58,11 @@ pub fn build(
 ) -> Result<Built> {
     let folder = programs.join(fingerprint(sources, shown_in, harness, sandbox));
     let executable = folder.join(PROGRAM);
+    let failed = Error::environment(
+        format!("cannot write to {}", programs.display()),
+        "free some disk space and check that the folder can be written",
+    );
+    let lock = prune::lock(programs).or_fail(&failed)?;
     if sandbox.is_sealed(&executable) {
         prune::keep(&folder);
         let warnings = fs::read(folder.join(WARNINGS)).unwrap_or_default();
@@ -67,10 +72,7 @@ pub fn build(
             warnings,
         });
     }
-    let failed = Error::environment(
-        format!("cannot write to {}", programs.display()),
-        "free some disk space and check that the folder can be written",
-    );
+    drop(lock);
     // Compile in a folder of its own, because another command may be compiling the same
     // answers.
     static NEXT: AtomicUsize = AtomicUsize::new(0);
@@ -100,21 +102,18 @@ pub fn build(
             executable: executable.clone(),
             warnings: blame::diagnostics(&finished.stderr),
         };
-        if !sandbox.is_sealed(&executable) {
-            // A folder without its program: somebody was stopped while deleting it.
+        let _lock = prune::lock(programs).or_fail(&failed)?;
+        if sandbox.is_sealed(&executable) {
+            // Another command was faster, and may be running it.
+            prune::keep(&folder);
+            fs::remove_dir_all(&fresh).or_fail(&failed)?;
+        } else {
+            // It may exist without its program if somebody was stopped while deleting it.
             let _gone_or_absent = fs::remove_dir_all(&folder);
+            fs::rename(&fresh, &folder).or_fail(&failed)?;
+            prune::prune(programs);
         }
-        return match fs::rename(&fresh, &folder) {
-            Err(_) if sandbox.is_sealed(&executable) => {
-                fs::remove_dir_all(&fresh).or_fail(&failed)?;
-                Ok(built)
-            }
-            renamed => {
-                renamed.or_fail(&failed)?;
-                prune::prune(programs);
-                Ok(built)
-            }
-        };
+        return Ok(built);
     }
     fs::remove_dir_all(&fresh).or_fail(&failed)?;
     Ok(Built::Refused {

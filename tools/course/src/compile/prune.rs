@@ -2,6 +2,7 @@
 //! the disk.
 
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
@@ -12,6 +13,15 @@ const KEPT: usize = 200;
 /// Younger programs are kept, because another command may still need them.
 const YOUNG: Duration = Duration::from_secs(15 * 60);
 
+/// Locks the folder of programs until the file is dropped: nobody else takes one from it, puts
+/// one into it or deletes one meanwhile.
+pub fn lock(programs: &Path) -> io::Result<fs::File> {
+    fs::create_dir_all(programs)?;
+    let file = fs::File::create(programs.join(".lock"))?;
+    file.lock()?;
+    Ok(file)
+}
+
 /// Marks a program as new, because it is about to be asked.
 pub fn keep(program: &Path) {
     let opened = fs::File::open(program);
@@ -19,7 +29,7 @@ pub fn keep(program: &Path) {
     let _aged = opened.and_then(|folder| folder.set_modified(SystemTime::now()));
 }
 
-/// Removes the oldest programs.
+/// Removes the oldest programs of a folder that is locked.
 pub fn prune(programs: &Path) {
     prune_to(programs, KEPT, YOUNG);
 }
@@ -33,7 +43,7 @@ fn prune_to(programs: &Path, kept: usize, young: Duration) {
     old.truncate(old.len().saturating_sub(kept));
     old.retain(|(made, _)| made.elapsed().is_ok_and(|age| age >= young));
     for (_, program) in old {
-        // This may fail because another command was first. Otherwise the program just stays.
+        // If this fails, the program just stays.
         let _gone_or_kept = fs::remove_dir_all(program);
     }
 }
