@@ -1,12 +1,13 @@
-use pinhole::{Hit, Node, RayTree};
+use pinhole::{Hit, RayTree};
 
 // ANCHOR: stub
 /// The nearest triangle of a tree along a ray, from `min_t` on: `object` is the triangle's
 /// number, as a leaf names it. `None` if the ray meets no triangle.
 ///
 /// Node 0 is the root. Every call of `tree.enter_box` and `tree.intersect_triangle` is a
-/// test, and the tests are counted: don't look into a box that the ray misses, or one that
-/// it enters behind a triangle that you have found already.
+/// test, and the tests are counted. So look into the box first that the ray enters first,
+/// and don't look into a box that the ray misses, or that it enters behind a triangle that
+/// you have found already.
 ///
 /// Book: Walking the tree.
 pub fn nearest_hit(tree: &dyn RayTree, min_t: f64) -> Option<Hit> {

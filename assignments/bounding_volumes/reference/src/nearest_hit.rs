@@ -1,4 +1,4 @@
-use pinhole::{Hit, Node, RayTree};
+use pinhole::{Hit, RayTree};
 
 // ANCHOR: stub
 /// The nearest triangle of a tree along a ray, from `min_t` on: `object` is the triangle's
@@ -12,6 +12,8 @@ use pinhole::{Hit, Node, RayTree};
 /// Book: Walking the tree.
 pub fn nearest_hit(tree: &dyn RayTree, min_t: f64) -> Option<Hit> {
     // ANCHOR: answer
+    use pinhole::Node;
+
     let mut nearest: Option<Hit> = None;
     let root = tree.enter_box(0, min_t, f64::INFINITY);
     let mut waiting: Vec<(usize, f64)> = root.into_iter().map(|t| (0, t)).collect();

@@ -13,13 +13,14 @@ pub fn triangle_box(triangle: &Triangle) -> BoundingBox {
     bounds
 }
 
-/// How far apart its two corners are.
+/// Its volume.
 fn size(bounds: &BoundingBox) -> f64 {
-    bounds.min.distance(bounds.max)
+    let sides = bounds.max - bounds.min;
+    sides.x * sides.y * sides.z
 }
 
 pub fn join(a: &BoundingBox, b: &BoundingBox) -> BoundingBox {
-    let larger = [a, b]
+    let larger = [b, a]
         .into_iter()
         .max_by(|one, other| size(one).total_cmp(&size(other)));
     *larger.unwrap_or(a)
