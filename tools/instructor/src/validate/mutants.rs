@@ -261,7 +261,7 @@ impl Mutants {
 
 /// Removes a program from disk: hundreds of mutants are not worth keeping.
 fn discard(program: &Program) {
-    if let Some(folder) = program.executable.parent().and_then(|out| out.parent()) {
+    if let Some(folder) = program.executable.parent() {
         let _another_run_may_have = fs::remove_dir_all(folder);
     }
 }
