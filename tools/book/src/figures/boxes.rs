@@ -81,7 +81,7 @@ pub fn slabs(_: &Checkout) -> Result<Made> {
     if let Some(times) = inside(&bounds, &RAY, 0.0, f64::INFINITY) {
         bar(3.0, times, "box", &colour(5));
     }
-    drawing.small(dvec2(left, 9.6), Side::On, "t");
+    drawing.small(dvec2(left, 9.45), Side::On, "t");
     Ok(drawing.made())
 }
 
