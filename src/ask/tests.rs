@@ -3,10 +3,10 @@ use std::time::Instant;
 
 use super::*;
 use crate::bounds::BoundingBox;
-use crate::camera::{Camera, Pixel, Projection};
-use crate::job::Panic;
-use crate::kind::{CameraQuestion, ObjectsQuestion, Questions, Sent, Test, TreeQuestion};
-use crate::ray::Intersection;
+use crate::camera::{Camera, Pixel, Projection, Resolution};
+use crate::job::{Message, Panic};
+use crate::kind::{Answer, CameraQuestion, ObjectsQuestion, Questions, Sent, Test, TreeQuestion};
+use crate::ray::{Hit, Intersection, Ray};
 use crate::testing::Random;
 use crate::tree::{FlatNode, FlatTree, TreeMeasures};
 use glam::DVec3;

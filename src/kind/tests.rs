@@ -1,7 +1,9 @@
 //! Question films: one for each task, and how they are asked about.
 
 use super::*;
-use crate::camera::{Pixel, Projection};
+use crate::camera::{Pixel, Projection, Resolution};
+use crate::error::Error;
+use crate::film::Film;
 use crate::ray::Intersection;
 use crate::shape::{Disk, Plane, Shape, Sphere, Triangle, TriangleSoup};
 use crate::testing::{self, row};

@@ -13,8 +13,8 @@ use crate::words::{self, number};
 
 /// Which triangle of a tree does a ray meet first, from `min_t` on?
 ///
-/// What the ray meets is known beforehand, but not to the submission: it asks for one test
-/// after the other, and whoever asked the question answers and counts them.
+/// What the ray meets is known beforehand, but not to the submission. It asks for one test
+/// after the other, and the asker's process answers and counts them.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct SearchQuestion {
     /// The tree; its leaves name triangles.

@@ -1,0 +1,197 @@
+//! The answers to a job, filled in message by message.
+
+use std::time::Duration;
+
+use super::ending::Ending;
+use super::transport::Next;
+use crate::camera::Resolution;
+use crate::film::{Film, TESTS};
+use crate::job::{Job, MOST_PANIC_TEXT, Message};
+use crate::kind::Answer;
+use crate::ray::{Hit, Ray};
+
+/// The reply to one job.
+#[derive(Clone, Debug)]
+pub struct Reply {
+    /// The answers, in the job's order; `None` where none came.
+    pub answers: Vec<Option<Answer>>,
+    pub(super) missing: usize,
+    /// How many tests each answer took, if they are counted; otherwise empty.
+    pub tests: Vec<u32>,
+    /// How it ended.
+    pub ending: Ending,
+    /// How long it took to start: until the first answers came.
+    pub start: Duration,
+    /// What the student's code printed, standard output and error, cut at
+    /// [`MOST_PRINTED`] bytes each.
+    pub printed: String,
+}
+
+impl Reply {
+    /// The reply to a job before anything came.
+    pub(crate) fn before(job: &Job) -> Reply {
+        Reply {
+            answers: vec![None; job.len()],
+            missing: job.len(),
+            tests: vec![0; if job.is_counted() { job.len() } else { 0 }],
+            ending: Ending::Complete,
+            start: Duration::ZERO,
+            printed: String::new(),
+        }
+    }
+
+    /// The reply to a job that is not asked any more, because of how others ended.
+    pub fn unasked(job: &Job, ending: Ending) -> Reply {
+        Reply {
+            ending,
+            ..Reply::before(job)
+        }
+    }
+
+    /// The film of a job of hits, missing answers as misses; `None` if it has others.
+    pub fn hits(&self) -> Option<Vec<Option<Hit>>> {
+        let hit = |answer: &Option<Answer>| match answer {
+            Some(Answer::Hit(hit)) => Some(*hit),
+            Some(_) => None,
+            None => Some(None),
+        };
+        self.answers.iter().map(hit).collect()
+    }
+
+    /// The rays of a job of rays, if every one came.
+    pub fn rays(&self) -> Option<Vec<Ray>> {
+        self.all(|answer| match answer {
+            Answer::Ray(ray) => Some(*ray),
+            _ => None,
+        })
+    }
+
+    /// Whether every question is answered.
+    pub fn is_whole(&self) -> bool {
+        self.missing == 0
+    }
+
+    /// The answers as a film: of rays, boxes or trees if every one is such, of hits
+    /// otherwise. Tests that were counted have a channel of their own.
+    pub fn film(&self, resolution: Resolution) -> Film {
+        let film = match self.answers.first() {
+            Some(Some(Answer::Ray(_))) => self.rays().map(|rays| Film::of_rays(resolution, &rays)),
+            Some(Some(Answer::Box(_))) => {
+                let boxes = self.all(|answer| match answer {
+                    Answer::Box(bounds) => Some(*bounds),
+                    _ => None,
+                });
+                boxes.map(|boxes| Film::of_boxes(resolution, &boxes))
+            }
+            Some(Some(Answer::Tree(_))) => {
+                let trees = self.all(|answer| match answer {
+                    Answer::Tree(measures) => Some(*measures),
+                    _ => None,
+                });
+                trees.map(|trees| Film::of_trees(resolution, &trees))
+            }
+            _ => None,
+        };
+        let film = film.unwrap_or_else(|| {
+            let misses = || vec![None; self.answers.len()];
+            Film::of_hits(resolution, &self.hits().unwrap_or_else(misses))
+        });
+        match self.tests.is_empty() {
+            true => film,
+            false => film.with(
+                TESTS,
+                self.tests.iter().map(|&count| count as f32).collect(),
+            ),
+        }
+    }
+
+    /// What `pick` picks of every answer, if all are there and have it.
+    fn all<T>(&self, pick: impl Fn(&Answer) -> Option<T>) -> Option<Vec<T>> {
+        let answers = self.answers.iter();
+        answers.map(|answer| pick(answer.as_ref()?)).collect()
+    }
+
+    /// The replies to the jobs of these lengths that were asked as one.
+    ///
+    /// # Panics
+    /// If the lengths do not add up to the number of answers.
+    pub fn split(mut self, lengths: impl Iterator<Item = usize>) -> Vec<Reply> {
+        let mut parts = Vec::new();
+        for length in lengths {
+            let rest = self.answers.split_off(length);
+            let answers = std::mem::replace(&mut self.answers, rest);
+            let missing = answers.iter().filter(|answer| answer.is_none()).count();
+            let later = self.tests.split_off(length.min(self.tests.len()));
+            let tests = std::mem::replace(&mut self.tests, later);
+            parts.push(Reply {
+                answers,
+                missing,
+                tests,
+                ending: self.ending.clone(),
+                start: self.start,
+                printed: String::new(),
+            });
+        }
+        assert!(self.answers.is_empty(), "the parts leave answers over");
+        parts
+    }
+
+    /// Stores one message, and says what comes next.
+    pub(super) fn take(&mut self, job: &Job, message: Message) -> Result<Next, String> {
+        match message {
+            Message::Test(index, test) => {
+                let questions = job.questions().filter(|_| index < self.tests.len());
+                let questions = questions.ok_or("it asked for a test of no question")?;
+                self.tests[index] += 1;
+                if self.tests[index] as usize > questions.most_tests(index) {
+                    return Err("it asked for ten times as many tests as there are".into());
+                }
+                let result = questions.test(index, test);
+                Ok(Next::Send(
+                    result.ok_or("it asked to test what is not in the tree")?,
+                ))
+            }
+            Message::Panicked(mut panic) => {
+                panic
+                    .message
+                    .truncate(panic.message.floor_char_boundary(MOST_PANIC_TEXT));
+                panic.index = panic.index.min(self.answers.len().saturating_sub(1));
+                self.ending = Ending::Panicked(panic);
+                Ok(Next::End)
+            }
+            Message::Unregistered(kind) => {
+                self.ending = Ending::Unregistered(kind);
+                Ok(Next::End)
+            }
+            Message::Answers { answers, .. } if answers.is_empty() => {
+                Err("it sent a message without an answer".into())
+            }
+            Message::Answers { first, answers } => {
+                let end = first
+                    .checked_add(answers.len())
+                    .filter(|end| *end <= self.answers.len());
+                let Some(end) = end else {
+                    return Err("it answered a question that was not asked".into());
+                };
+                let places = &mut self.answers[first..end];
+                // Check all answers before storing any, because a wrong message must not
+                // complete the reply.
+                if places.iter().any(Option::is_some) {
+                    return Err("it answered a question twice".into());
+                }
+                let sent = (first..end).zip(answers);
+                let answers: Option<Vec<Answer>> =
+                    sent.map(|(index, sent)| job.receive(index, sent)).collect();
+                let answers = answers.ok_or("it sent an answer to another kind of question")?;
+                self.missing -= answers.len();
+                for (place, answer) in places.iter_mut().zip(answers) {
+                    *place = Some(answer);
+                }
+                Ok(match self.missing {
+                    0 => Next::End,
+                    _ => Next::Receive,
+                })
+            }
+        }
+    }
+}
