@@ -72,12 +72,11 @@ const MOST_MESSAGE: usize = CHUNK * 4096 + 4 * MOST_PANIC_TEXT;
 
 /// Runs `command`, a built submission, on `job` for a limited time.
 ///
-/// `progress` is told the number of answers so far. The process is gone when this
-/// returns.
+/// Passes the number of answers so far to `progress`. The process has ended when this returns.
 ///
 /// # Errors
-/// If the program cannot be started, or its answer is no longer wanted. Whatever goes
-/// wrong later is in the reply.
+/// If the program cannot be started, or its answer is no longer wanted. The reply reports
+/// anything that goes wrong later.
 pub fn ask(
     command: Command,
     job: &Job,
@@ -137,7 +136,7 @@ pub fn ask_watched(
 
 /// Ends a process that may have ended already.
 fn end(child: &mut Child) -> Option<ExitStatus> {
-    // One that closed its stream is about to exit by itself; its status tells why.
+    // A process that closed its stream is about to exit, and its status tells why.
     for _ in 0..20 {
         if let Ok(Some(status)) = child.try_wait() {
             return Some(status);
@@ -160,8 +159,8 @@ fn is_broken(error: &io::Error) -> bool {
     matches!(error.kind(), BrokenPipe | ConnectionReset | UnexpectedEof)
 }
 
-/// Reads a pipe to its end on a thread of its own, and keeps only the beginning. Calls a
-/// function when it has that.
+/// Reads a pipe to its end on a separate thread, but keeps only the beginning. Calls `enough`
+/// when the beginning is as long as it may be.
 fn drain(
     pipe: Option<impl Read + Send + 'static>,
     enough: impl FnOnce() + Send + 'static,
@@ -175,8 +174,8 @@ fn drain(
                 enough();
             }
             let rest = beginning.and_then(|_| io::copy(&mut pipe, &mut io::sink()));
-            // A broken pipe ends the text. It is no error if nobody waits for the text
-            // any more.
+            // A broken pipe ends the text. If nobody waits for the text any more, it is not
+            // needed.
             let _ = (rest, sender.send(kept));
         });
     }

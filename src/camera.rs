@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 /// Shirley, 4th ed., §4.3). [`Camera::new`] guarantees it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Camera {
-    /// Where the camera stands; world space, scene units.
+    /// The camera's position; world space, scene units.
     pub eye: DVec3,
     /// Unit vector to the right of the picture, world space.
     pub u: DVec3,
@@ -29,7 +29,7 @@ pub struct Camera {
 /// How a camera projects.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Projection {
-    /// All rays leave the eye; the image plane stands `focal_length` before it.
+    /// All rays leave the eye; the image plane is `focal_length` in front of it.
     Perspective {
         /// Distance from the eye to the image plane, scene units, positive.
         focal_length: f64,
@@ -41,9 +41,9 @@ pub enum Projection {
 impl Camera {
     /// A camera at `eye` that looks along `view` with `up` somewhere above.
     ///
-    /// Neither vector need be unit, nor `up` perpendicular to `view`:
-    /// w = −normalize(view), u = normalize(view × up), v = w × u. `None` if they
-    /// are parallel or one of them is zero, for then there is no such frame.
+    /// Neither vector needs unit length, and `up` need not be perpendicular to `view`: w =
+    /// −normalize(view), u = normalize(view × up), v = w × u. `None` if they are parallel or one
+    /// of them is zero, because they define no frame then.
     pub fn new(
         eye: DVec3,
         view: DVec3,
@@ -54,7 +54,7 @@ impl Camera {
         let forward = view.try_normalize()?;
         let w = -forward;
         let u = forward.cross(up.try_normalize()?);
-        // sin of the angle between the two; below this the frame is noise.
+        // The sine of the angle between the two; below this limit the frame is noise.
         if u.length() < PARALLEL {
             return None;
         }

@@ -29,7 +29,7 @@ impl Error {
         }
     }
 
-    /// The same, at a line and column.
+    /// This error, at a line and column.
     pub fn at(self, line: usize, column: usize) -> Error {
         Error {
             position: Some((line, column)),

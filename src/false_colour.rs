@@ -24,7 +24,7 @@ const OBJECTS: [[u8; 3]; 8] = [
     [200, 200, 200],
 ];
 
-/// Every object in a colour of its own; the colours come round again, darker.
+/// Gives every object its own colour. After eight objects, the colours repeat in a darker shade.
 pub fn id(film: &Film) -> RgbImage {
     picture(film, |hit| object(hit.id as usize))
 }
@@ -38,8 +38,8 @@ pub fn object(id: usize) -> Rgb<u8> {
     Rgb(OBJECTS[id % OBJECTS.len()].map(|value| (f32::from(value) * shade) as u8))
 }
 
-/// Depth from near (bright) to far (dark) over `range`, in scene units; what lies
-/// outside the range takes the colour of its end.
+/// Depth from near (bright) to far (dark) over `range`, in scene units. A depth outside the range
+/// gets the colour of the nearer end.
 ///
 /// `depth_per_t` is the camera's (see [`Camera::depth_per_t`](crate::Camera::depth_per_t)).
 pub fn depth(film: &Film, depth_per_t: f64, range: Range<f64>) -> RgbImage {

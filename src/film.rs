@@ -33,8 +33,8 @@ pub const TESTS: &str = "tests";
 /// The id of a pixel whose ray hits nothing.
 pub const MISS: f32 = -1.0;
 
-/// A grid of pixels with named channels of 32-bit floats, which is what OpenEXR
-/// files hold. Samples stand in image order: rows from the **top**.
+/// A grid of pixels with named channels of 32-bit floats, which is what OpenEXR files hold.
+/// Samples are in image order: rows from the **top**.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Film {
     resolution: Resolution,
@@ -54,7 +54,7 @@ impl Film {
     /// A film of these channels.
     ///
     /// # Panics
-    /// If a channel has not exactly one sample per pixel.
+    /// If a channel does not have exactly one sample per pixel.
     pub fn new(resolution: Resolution, channels: Vec<Channel>) -> Film {
         let complete = |channel: &Channel| channel.samples.len() == resolution.pixels();
         assert!(
@@ -103,7 +103,7 @@ impl Film {
         Film::from_samples(resolution, BOX_CHANNELS, samples)
     }
 
-    /// The film of what is judged of these trees, in image order.
+    /// The film of these trees' measures, in image order.
     pub fn of_trees(resolution: Resolution, trees: &[TreeMeasures]) -> Film {
         let samples = trees.iter().map(|tree| {
             let counts = [tree.misplaced, tree.depth, tree.largest_leaf];
@@ -116,7 +116,7 @@ impl Film {
     /// This film with one more channel.
     ///
     /// # Panics
-    /// If the channel has not exactly one sample per pixel.
+    /// If the channel does not have exactly one sample per pixel.
     pub fn with(mut self, name: &str, samples: Vec<f32>) -> Film {
         let name = name.into();
         self.channels.push(Channel { name, samples });
@@ -145,7 +145,7 @@ impl Film {
         self.resolution
     }
 
-    /// Every channel, in no promised order.
+    /// All channels, in no particular order.
     pub fn channels(&self) -> &[Channel] {
         &self.channels
     }
@@ -156,8 +156,8 @@ impl Film {
         found.map(|channel| channel.samples.as_slice())
     }
 
-    /// What a film of hits shows at `index`: the inverse of [`of_hits`](Film::of_hits).
-    /// A channel that is not there is 0.
+    /// What a film of hits shows at `index`: the inverse of [`of_hits`](Film::of_hits). A missing
+    /// channel counts as 0.
     pub fn hit(&self, index: usize) -> Option<Hit> {
         let id = self.sample("id", index);
         let intersection = Intersection {
@@ -170,8 +170,8 @@ impl Film {
         })
     }
 
-    /// What a film of rays shows at `index`: the inverse of [`of_rays`](Film::of_rays).
-    /// A channel that is not there is 0.
+    /// What a film of rays shows at `index`: the inverse of [`of_rays`](Film::of_rays). A missing
+    /// channel counts as 0.
     pub fn ray(&self, index: usize) -> Ray {
         Ray {
             origin: self.vector("O", index),
@@ -179,8 +179,8 @@ impl Film {
         }
     }
 
-    /// What a film of boxes shows at `index`: the inverse of [`of_boxes`](Film::of_boxes).
-    /// A channel that is not there is 0.
+    /// What a film of boxes shows at `index`: the inverse of [`of_boxes`](Film::of_boxes). A
+    /// missing channel counts as 0.
     pub fn bounding_box(&self, index: usize) -> BoundingBox {
         BoundingBox {
             min: self.vector("min", index),
@@ -188,8 +188,8 @@ impl Film {
         }
     }
 
-    /// What a film about trees shows at `index`: the inverse of
-    /// [`of_trees`](Film::of_trees). A channel that is not there is 0.
+    /// What a film about trees shows at `index`: the inverse of [`of_trees`](Film::of_trees). A
+    /// missing channel counts as 0.
     pub fn tree(&self, index: usize) -> TreeMeasures {
         let [misplaced, depth, leaf, cost] = TREE_CHANNELS.map(|name| self.sample(name, index));
         TreeMeasures {

@@ -10,7 +10,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::kind::{
-    self, Answer, AnswerFn, CameraQuestion, Kind, Questions, Sent, Test, Unregistered,
+    self, Answer, AnswerFn, CameraQuestion, Kind, Questions, RawAnswer, Test, Unregistered,
 };
 use crate::ray::Ray;
 use crate::scene::Scene;
@@ -51,8 +51,8 @@ impl Job {
             .is_some_and(|questions| questions.kind().is_counted())
     }
 
-    /// Whether it cannot be answered without the answer to this kind of task, about this
-    /// shape where the kind takes one.
+    /// Whether answering it takes the answer to this kind of task, about this shape if the kind
+    /// takes one.
     pub fn needs(&self, kind: Kind, shape: Option<ShapeKind>) -> bool {
         match self {
             Job::Film(scene) | Job::Meet(scene, _) => kind.is_needed_by(shape, scene),
@@ -74,7 +74,7 @@ impl Job {
         &self,
         index: usize,
         functions: &[AnswerFn],
-    ) -> Result<Sent, Unregistered> {
+    ) -> Result<RawAnswer, Unregistered> {
         let hit = match self {
             Job::Film(scene) => {
                 let ray = CameraQuestion::of_scene(scene, index).ray(functions)?;
@@ -87,11 +87,12 @@ impl Job {
                 kind::meet(&ray, scene.min_t, &scene.objects[object], functions)
             }
         };
-        hit.map(Sent::Answer)
+        hit.map(RawAnswer::Answer)
     }
 
-    /// What was sent for one of its questions as an answer to it, or `None` if it is none.
-    pub(crate) fn receive(&self, index: usize, sent: Sent) -> Option<Answer> {
+    /// Turns what was sent for one of its questions into an answer; `None` if it answers another
+    /// kind of question.
+    pub(crate) fn receive(&self, index: usize, sent: RawAnswer) -> Option<Answer> {
         match self {
             Job::Ask(questions) => questions.receive(index, sent),
             Job::Film(_) | Job::Cast(..) | Job::Meet(..) => sent.hit(),
@@ -132,9 +133,9 @@ pub enum Message {
         /// The place of the first of them in the job.
         first: usize,
         /// The answers, in the job's order.
-        answers: Vec<Sent>,
+        answers: Vec<RawAnswer>,
     },
-    /// A search asks for a test of the question at this place in the job.
+    /// A search asks for a test. The number is the place of its question in the job.
     Test(usize, Test),
     /// The student's code panicked; nothing more will come.
     Panicked(Panic),
@@ -166,7 +167,7 @@ pub(crate) fn receive<T: DeserializeOwned>(
     let mut length = [0; 4];
     let begun = loop {
         match input.read(&mut length[..1]) {
-            // This happens if a person stops the asker's process and lets it go on.
+            // This happens when someone suspends the asker's process and resumes it.
             Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
             begun => break begun?,
         }

@@ -5,8 +5,8 @@
 //! allowed to differ: what may differ, and by how much, is written pixel by pixel
 //! in the tolerance film, which comes from Mitsuba like the golden itself.
 //!
-//! Work is judged by its sum: the channel [`TESTS`], if there is one, passes at every pixel
-//! as long as its distances from the golden are in sum no more than its tolerances.
+//! Work is judged by its sum. The channel [`TESTS`], if there is one, passes at every pixel if
+//! the sum of its distances from the golden is at most the sum of its tolerances.
 //!
 //! [`oiiotool`](crate::oiiotool) states the same rule as a command line of
 //! OpenImageIO's. Both compute in 32-bit floats, and must agree on every film.
@@ -91,11 +91,9 @@ impl Golden {
             .all(|channel| channel.samples[index] == EXEMPT)
     }
 
-    /// Where a film of the golden's size misses it by more than the tolerance, pixel by
-    /// pixel in image order. NaN misses it, and so does a missing channel.
-    ///
-    /// For pictures and explanations, which show refused films as well. Only [`judge`]
-    /// decides.
+    /// Where a film of the golden's size misses it by more than the tolerance, pixel by pixel in
+    /// image order. NaN and a missing channel count as misses. Use it for pictures and
+    /// explanations, which show refused films too; only [`judge`] decides.
     pub fn missed(&self, film: &Film, channel: &str) -> Vec<bool> {
         let pixels = 0..self.film.resolution().pixels();
         match comparison(self, film, channel) {
@@ -115,7 +113,7 @@ pub fn tolerance_path(golden: &Path) -> PathBuf {
 /// Judges a film by the one rule.
 ///
 /// # Errors
-/// If the guards refuse the film; it then fails without being compared.
+/// If the film can't be compared: wrong size, wrong channels, or a value that is not finite.
 pub fn judge(golden: &Golden, film: &Film) -> Result<Verdict, Refusal> {
     compare_layout(&golden.film, film)?;
     refuse_non_finite(film)?;
@@ -167,7 +165,7 @@ struct Comparison<'a> {
     got: &'a [f32],
     expected: &'a [f32],
     allowed: &'a [f32],
-    /// Whether it counts work, of which there is not too much.
+    /// Whether the channel counts work, and there is not too much of it.
     is_little_work: bool,
 }
 

@@ -30,7 +30,7 @@ use crate::part::{Condition, Part, Quantity};
 use crate::scene::Scene;
 use crate::shape::{Shape, ShapeKind};
 
-pub use answer::{Answer, AnswerFn, Sent, Unregistered};
+pub use answer::{Answer, AnswerFn, RawAnswer, Unregistered};
 pub use bounds::BoundsQuestion;
 pub use first_hit::ObjectsQuestion;
 pub(crate) use first_hit::cast;
@@ -70,10 +70,10 @@ pub enum Kind {
 trait Question {
     /// Asks the submission's function for this kind. `index` is the question's place in its
     /// job.
-    fn answer(&self, index: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered>;
+    fn answer(&self, index: usize, functions: &[AnswerFn]) -> Result<RawAnswer, Unregistered>;
 
     /// The answer that was sent, or `None` if it is one to another kind of question.
-    fn receive(&self, sent: Sent) -> Option<Answer> {
+    fn receive(&self, sent: RawAnswer) -> Option<Answer> {
         sent.hit()
     }
 
@@ -86,7 +86,7 @@ trait Question {
         answer.words(digits)
     }
 
-    /// An answer to it part by part; `None` if it says that nothing is there.
+    /// The parts of an answer to it; `None` if the answer is that nothing is there.
     fn parts(&self, answer: &Answer) -> Option<Vec<Part>> {
         match answer {
             Answer::Hit(hit) => hit.map(|hit| hit.parts()),
@@ -95,15 +95,15 @@ trait Question {
         }
     }
 
-    /// Numbers that a wrong answer may be off by, if this one is right; the same names for
-    /// all questions of a task.
+    /// Numbers that may explain how far a wrong answer is off. All questions of a task use the
+    /// same names.
     fn quantities(&self, right: &Answer) -> Vec<Quantity>;
 
-    /// Conditions on it and on an answer to it, each met or not; the same names for all
-    /// questions of a task.
+    /// Conditions on it and on an answer to it, each met or not. All questions of a task use the
+    /// same names.
     fn conditions(&self, answer: &Answer) -> Vec<Condition>;
 
-    /// Answers that a wrong one may be taken for, each with a name, if this one is right.
+    /// Plausible wrong answers, each with a name, if `right` is the right one.
     fn others(&self, right: &Answer) -> Vec<(&'static str, Answer)>;
 }
 
@@ -135,8 +135,8 @@ impl Kind {
         }
     }
 
-    /// Whether a scene cannot be cast without the answer to this kind of task, about this
-    /// shape where the kind takes one.
+    /// Whether casting a scene takes the answer to this kind of task, about this shape if the
+    /// kind takes one.
     pub fn is_needed_by(self, shape: Option<ShapeKind>, scene: &Scene) -> bool {
         let objects = scene.objects.iter().map(Shape::kind);
         let mut shapes = objects.flat_map(|object| [&[object], object.parts()].concat());

@@ -1,5 +1,4 @@
-//! The harness of Pinhole: everything around a ray casting assignment but its
-//! answers.
+//! The harness of Pinhole: everything around a ray casting assignment except its answers.
 //!
 //! A *submission* is a few small files of student's code; a *film* is the only thing it
 //! can say; a *golden* film, made by Mitsuba, is the only thing that judges it. The

@@ -16,9 +16,8 @@ pub type Corners = [DVec3; 3];
 /// Polygons become fans around their first corner. Normals, texture coordinates,
 /// groups and materials are ignored: a triangle's normal comes from its corners.
 ///
-/// # Errors
-/// If the file cannot be read, is no OBJ, has no face, a face names a vertex that
-/// is not there, or a vertex is not finite.
+/// If the file cannot be read, is not an OBJ file, or has no face; if a face names a vertex that
+/// is not there; or if a vertex is not finite.
 pub fn read(path: &Path) -> Result<Vec<Corners>, Error> {
     let text = read_text(path).map_err(|error| {
         Error::new(
@@ -77,10 +76,10 @@ fn parse(text: &str, path: &Path) -> Result<Vec<Corners>, Error> {
     Ok(triangles)
 }
 
-/// The same lines with nothing in them but what makes triangles: x, y, z of `v` and
-/// the vertices of `f`. tobj would also make triangles of polylines, divide by a
-/// vertex's w, and refuse comments behind values and texture coordinates it cannot
-/// find; the goldens' reader (tools/mitsuba/mesh.py) does none of that.
+/// The text without anything that makes no triangle: it keeps x, y, z of `v` and the vertices of
+/// `f`. tobj would also make triangles of polylines, divide by a vertex's w, and refuse comments
+/// behind values and texture coordinates it cannot find; the goldens' reader
+/// (tools/mitsuba/mesh.py) does none of that.
 fn corners_and_faces(text: &str) -> String {
     let mut kept = String::with_capacity(text.len());
     for line in text.lines() {

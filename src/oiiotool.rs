@@ -88,7 +88,7 @@ impl Oiiotool {
     }
 }
 
-/// A folder with the three films before the judge; gone when dropped.
+/// A folder with copies of the three films, which is deleted when dropped.
 struct Table {
     folder: PathBuf,
 }
@@ -105,7 +105,7 @@ impl Table {
         let table = Table {
             folder: env::temp_dir().join(name),
         };
-        // Not `create_dir_all`: a folder that is there already is somebody else's.
+        // Not `create_dir_all`: a folder of this name may belong to another process.
         fs::create_dir(&table.folder)?;
         fs::copy(film, table.folder.join(FILM))?;
         fs::copy(golden, table.folder.join(GOLDEN))?;
@@ -152,7 +152,8 @@ fn arguments(layout: &Film) -> Vec<OsString> {
     line.extend(words(
         "--if {eq(TOP.format,\"float\")} --else --i NOT_FLOAT --endif",
     ));
-    // Every film in one order of channels: the tool sorts them by rules of its own.
+    // Put the channels of every film in one order, because the tool sorts them by rules of its
+    // own.
     let in_order = words(&format!("--ch {}", names.join(",")));
     line.extend(words("--fixnan error"));
     line.extend_from_slice(&in_order);
@@ -174,8 +175,7 @@ fn arguments(layout: &Film) -> Vec<OsString> {
     line
 }
 
-/// Exit code 0 is not enough: a channel of another name is filled with 0 and only
-/// warned of.
+/// Exit code 0 is not enough: the tool fills a missing channel with 0 and only warns.
 fn verdict(output: &Output) -> SecondVerdict {
     let said = String::from_utf8_lossy(&output.stderr);
     let first = said.lines().next().unwrap_or_default().to_owned();

@@ -6,7 +6,7 @@
 
 use crate::ray::Ray;
 
-/// A part of an answer, which can be right while others are wrong: a number, or a vector.
+/// A part of an answer, which can be right while other parts are wrong: a number, or a vector.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
     /// Its name in a sentence: "the normal".
@@ -19,7 +19,7 @@ pub struct Part {
     pub unit: &'static str,
     /// The film channels it is made of.
     pub channels: &'static [&'static str],
-    /// How many of the channels' units one of its own is.
+    /// How many of the channels' units make one of its own.
     pub scale: f64,
 }
 
@@ -65,7 +65,7 @@ impl Quantity {
         Quantity { name, value }
     }
 
-    /// Those of every ray with a `min_t`.
+    /// The quantities of every ray with a `min_t`.
     pub(crate) fn of_ray(ray: &Ray, min_t: f64) -> Vec<Quantity> {
         vec![
             Quantity::new("|d|", ray.direction.length()),

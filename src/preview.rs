@@ -1,9 +1,9 @@
-//! A film of the answers that are there so far; the golden film fills in the rest.
+//! A film of a submission's answers so far, with the golden film filling in the rest.
 //!
-//! A film needs every answer, so a student would see no picture before the last one. Here
-//! each answer is asked apart: viewing rays that are missing come from the golden film of
-//! rays, the nearest object of a pixel comes from the golden film, and so does the whole
-//! pixel if its shape cannot be intersected yet. Nothing is judged by such a film.
+//! A film needs every answer, so a student would see no picture before writing the last one. A
+//! preview asks each answer alone. Missing viewing rays come from the golden film of rays. The
+//! nearest object of each pixel comes from the golden film, and so does the whole pixel if its
+//! shape can't be intersected yet. Nothing is judged by a preview.
 
 use crate::ask::Reply;
 use crate::film::Film;
@@ -15,7 +15,7 @@ use crate::shape::{Shape, ShapeKind};
 
 /// What is answered, or is not: a kind of question, and the shape it is about, if it is
 /// about one.
-pub type Asked = (Kind, Option<ShapeKind>);
+pub type TaskKind = (Kind, Option<ShapeKind>);
 
 /// A film that is made of a submission's answers as far as they go.
 #[derive(Clone, Debug)]
@@ -25,9 +25,9 @@ pub struct Preview {
     /// For each pixel, whether it was copied from the golden film.
     pub copied: Vec<bool>,
     /// What the submission answered.
-    pub answered: Vec<Asked>,
+    pub answered: Vec<TaskKind>,
     /// What came from the golden films instead.
-    pub missing: Vec<Asked>,
+    pub missing: Vec<TaskKind>,
 }
 
 impl Preview {
@@ -87,7 +87,7 @@ impl Preview {
         Ok(preview)
     }
 
-    fn note(&mut self, asked: Asked, is_answered: bool) {
+    fn note(&mut self, asked: TaskKind, is_answered: bool) {
         match is_answered {
             true => self.answered.push(asked),
             false => self.missing.push(asked),

@@ -16,7 +16,7 @@ use document::Document;
 /// No film has more pixels: five channels of them fill 1 GB.
 pub const MOST_PIXELS: usize = 50_000_000;
 
-/// Everything a cast needs.
+/// A camera, the film's size, and the objects: everything that a cast needs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Scene {
     /// The camera.

@@ -1,4 +1,4 @@
-//! The submission's side: read a job, answer it on all cores, send what comes.
+//! The submission's side: reads a job, answers it on all cores, and sends the answers.
 
 use std::cell::RefCell;
 use std::io::{self, Read, Write};
@@ -10,9 +10,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 use rayon::prelude::*;
 
 use crate::job::{self, CHUNK, Job, MOST_PANIC_TEXT, Message, Panic};
-use crate::kind::{self, AnswerFn, Sent, TestResult};
+use crate::kind::{self, AnswerFn, RawAnswer, TestResult};
 
-/// The word that makes a submission answer; without it a person has started it.
+/// The argument that makes a submission answer. Without it, a person has started the program.
 pub const ANSWER: &str = "answer";
 
 /// The exit code if the answers could not be sent.
@@ -47,8 +47,8 @@ pub fn serve(functions: &[AnswerFn]) -> ExitCode {
     }
 }
 
-/// Runs `pinhole` instead, because a person has started the submission by hand: in its
-/// folder, `cargo run` means this program.
+/// Runs `pinhole` instead, because a person has started the submission by hand. `cargo run` does
+/// that in the submission's folder.
 fn hand_on() -> ExitCode {
     let words: Vec<_> = std::env::args_os().skip(1).collect();
     let cargo = std::env::var_os("CARGO").filter(|_| !words.is_empty());
@@ -79,7 +79,7 @@ fn serve_through_stdin(functions: &[AnswerFn]) -> io::Result<()> {
     let out = Arc::new(Mutex::new(io::BufWriter::new(socket)));
     let asking = out.clone();
     kind::ask_tests_with(move |index, test| {
-        // Held until the result is there, so that it comes to the one who asked.
+        // Hold the lock until the result is here, so that no other thread takes it.
         let results = lock(&results);
         let sent = job::send(&Message::Test(index, test), &mut *lock(&asking));
         match sent.ok().and_then(|()| results.recv().ok()) {
@@ -116,7 +116,7 @@ fn listen_to(asker: std::os::unix::net::UnixStream) -> mpsc::Receiver<TestResult
             match asker.read(&mut word).map(|_| word[0]) {
                 Ok(stream @ (ENOUGH_OUTPUT | ENOUGH_ERRORS)) => print_nothing_to(stream),
                 Ok(TEST_RESULT) => match job::receive(&mut asker, MOST_RESULT) {
-                    // If nobody waits for it, it is not needed.
+                    // If no search waits for the result, it is not needed.
                     Ok(Some(result)) => drop(sender.send(result)),
                     _ => std::process::exit(UNSENT.into()),
                 },
@@ -180,7 +180,7 @@ fn answer_all(
     functions: &[AnswerFn],
     job: &Job,
     indices: std::ops::Range<usize>,
-) -> Result<Vec<Sent>, Message> {
+) -> Result<Vec<RawAnswer>, Message> {
     let mut given = Vec::with_capacity(indices.len());
     for index in indices {
         match panic::catch_unwind(AssertUnwindSafe(|| job.answer(index, functions))) {

@@ -29,12 +29,12 @@ pub use sphere::Sphere;
 pub(crate) use table::ObjectTable;
 pub use triangle::Triangle;
 
-/// How a shape is written, each in its own file.
+/// How a shape is read from files and put into words. Each shape implements it in its own file.
 trait Notation: Sized {
     /// The keys of its table in a scene file; all are needed.
     const KEYS: &'static [&'static str];
 
-    /// Those of its keys that name files.
+    /// The keys that name files.
     const FILE_KEYS: &'static [&'static str] = &[];
 
     /// Reads it from a scene file.
@@ -46,13 +46,13 @@ trait Notation: Sized {
     /// What follows its name in a description.
     fn words(&self, digits: usize) -> String;
 
-    /// Numbers that belong to it and a ray, under the same names for every shape of its kind.
+    /// Numbers that belong to it and a ray. Every shape of its kind uses the same names.
     fn quantities(&self, _ray: &Ray) -> Vec<Quantity> {
         Vec::new()
     }
 
     /// Conditions on it and on a ray that meets it, or should, at `point`, which is not
-    /// finite for a miss. The same names for every shape of its kind.
+    /// finite for a miss. Every shape of its kind uses the same names.
     fn conditions(&self, _ray: &Ray, _point: DVec3) -> Vec<Condition> {
         Vec::new()
     }
@@ -179,7 +179,7 @@ impl Shape {
 }
 
 impl ShapeKind {
-    /// The shapes that it is made of, if any: its intersections are theirs.
+    /// The shapes that it is made of, if any. It is met wherever one of them is met.
     pub fn parts(self) -> &'static [ShapeKind] {
         match self {
             ShapeKind::Soup => &[ShapeKind::Triangle],

@@ -9,7 +9,7 @@ use toml::Spanned;
 
 use crate::error::Error;
 
-/// Things a renderer has and ray casting does not.
+/// Things that a renderer knows and ray casting does not.
 const NOT_MODELLED: [&str; 12] = [
     "light",
     "lights",
@@ -110,7 +110,7 @@ impl Source<'_> {
             Some(key) => unknown_key(key, message),
             None => (
                 message.into(),
-                "see the scene format in README.md, \"Scenes\"".into(),
+                "see \"Scene and film files\" in the book".into(),
             ),
         };
         match error.span() {
@@ -131,7 +131,7 @@ impl Source<'_> {
     }
 }
 
-/// Problem and remedy for a key that no table has.
+/// Problem and remedy for a key that no table takes.
 fn unknown_key(key: &str, message: &str) -> (String, String) {
     if NOT_MODELLED.contains(&key) {
         let problem = format!(

@@ -43,8 +43,8 @@ pub enum Node<'a> {
 }
 // ANCHOR_END: ray_tree
 
-/// A tree in a list: each branch stands before its children, and its first child follows
-/// at once. The root is node 0.
+/// A tree in a list. Each branch precedes its children, and its first child comes directly after
+/// it. The root is node 0.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FlatTree(pub Vec<FlatNode>);
 
@@ -60,7 +60,7 @@ pub enum FlatNode {
 impl From<Tree> for FlatTree {
     fn from(tree: Tree) -> FlatTree {
         let mut nodes = Vec::new();
-        // A tree to place, and the branch whose second child it is.
+        // Trees still to be placed, each with the branch whose second child it is.
         let mut waiting = vec![(tree, None)];
         while let Some((tree, parent)) = waiting.pop() {
             let index = nodes.len();
@@ -85,7 +85,7 @@ impl From<Tree> for FlatTree {
 }
 
 impl FlatTree {
-    /// One of its nodes.
+    /// One of the nodes.
     ///
     /// # Panics
     /// If there is no such node.
@@ -114,7 +114,7 @@ impl FlatTree {
         boxes
     }
 
-    /// How many nodes and places in leaves it has.
+    /// The number of nodes and of places in leaves, added up.
     pub(crate) fn size(&self) -> usize {
         let members = |node: &FlatNode| match node {
             FlatNode::Leaf(members) => members.len(),
@@ -140,7 +140,7 @@ impl FlatTree {
         parents.first() == Some(&0) && parents[1..].iter().all(|&count| count == 1)
     }
 
-    /// What its judge looks at, as a tree over triangles with these boxes.
+    /// Its measures, as a tree over triangles with these boxes.
     pub(crate) fn measure(&self, triangles: &[BoundingBox]) -> TreeMeasures {
         let mut seen = vec![0_usize; triangles.len()];
         let mut foreign = 0;
@@ -197,7 +197,7 @@ impl FlatTree {
     }
 }
 
-/// The smallest box around these; none of no volume if there are none.
+/// The smallest box around these boxes. Around none, its corners are infinite.
 fn around(boxes: impl IntoIterator<Item = BoundingBox> + Clone) -> BoundingBox {
     let corners = |corner: fn(BoundingBox) -> DVec3| boxes.clone().into_iter().map(corner);
     BoundingBox {
@@ -209,8 +209,8 @@ fn around(boxes: impl IntoIterator<Item = BoundingBox> + Clone) -> BoundingBox {
 /// What is judged of a tree.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TreeMeasures {
-    /// How many triangles are not in exactly one leaf, and how many places in leaves name
-    /// none.
+    /// How many triangles are not in exactly one leaf, plus how many places in leaves name no
+    /// triangle.
     pub misplaced: usize,
     /// How many branches are on the way from the root to the deepest leaf.
     pub depth: usize,

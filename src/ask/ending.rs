@@ -13,15 +13,15 @@ pub enum Ending {
     Complete,
     /// The student's code panicked.
     Panicked(Panic),
-    /// It has no function for what was asked.
+    /// The submission has no function for this kind of question.
     Unregistered(Unregistered),
     /// Time was up before every question was answered.
     TimedOut(Duration),
-    /// The process took more memory than it may: how many bytes it may.
+    /// The process exceeded this memory limit, in bytes.
     OutOfMemory(u64),
     /// The process ended early.
     Died(Death),
-    /// It sent something that is not an answer. Says what, in words.
+    /// It sent something that is not an answer; the text says what.
     Garbled(String),
 }
 
@@ -43,15 +43,15 @@ pub enum Death {
     Signal(i32),
     /// It exited with this code.
     Exit(i32),
-    /// It was killed; this is all that the system tells.
+    /// It was killed; the text is all that the system says about it.
     Killed(String),
     /// The cause is unknown.
     Lost,
 }
 
 impl Death {
-    /// A stack overflow is known by what Rust itself prints: the signal is that of any
-    /// process that aborts.
+    /// Rust prints a message when the stack overflows. The signal alone (SIGABRT) doesn't tell it
+    /// from any other abort.
     fn of(status: Option<ExitStatus>, printed: &str) -> Death {
         if printed.contains("has overflowed its stack") {
             return Death::StackOverflow;
@@ -60,7 +60,7 @@ impl Death {
             return Death::Lost;
         };
         match status.code() {
-            // As a shell, and bubblewrap, report a signal; 24 is SIGXCPU.
+            // Shells and bubblewrap report signal N as exit code 128 + N; 24 is SIGXCPU.
             Some(152) => Death::OutOfProcessorTime,
             Some(code @ 129..=159) => Death::Signal(code - 128),
             Some(code) => Death::Exit(code),

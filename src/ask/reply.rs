@@ -40,7 +40,7 @@ impl Reply {
         }
     }
 
-    /// The reply to a job that is not asked any more, because of how others ended.
+    /// The reply to a job that was not sent, because others had already ended like this.
     pub fn unasked(job: &Job, ending: Ending) -> Reply {
         Reply {
             ending,
@@ -48,7 +48,7 @@ impl Reply {
         }
     }
 
-    /// The film of a job of hits, missing answers as misses; `None` if it has others.
+    /// The hits of a job of hits, with misses for missing answers; `None` for other jobs.
     pub fn hits(&self) -> Option<Vec<Option<Hit>>> {
         let hit = |answer: &Option<Answer>| match answer {
             Some(Answer::Hit(hit)) => Some(*hit),
@@ -58,7 +58,7 @@ impl Reply {
         self.answers.iter().map(hit).collect()
     }
 
-    /// The rays of a job of rays, if every one came.
+    /// The rays of a job of rays; `None` if one is missing.
     pub fn rays(&self) -> Option<Vec<Ray>> {
         self.all(|answer| match answer {
             Answer::Ray(ray) => Some(*ray),
@@ -71,8 +71,8 @@ impl Reply {
         self.missing == 0
     }
 
-    /// The answers as a film: of rays, boxes or trees if every one is such, of hits
-    /// otherwise. Tests that were counted have a channel of their own.
+    /// The answers as a film: of rays, boxes or trees if all answers are of that type, of hits
+    /// otherwise. Counted tests get a channel of their own.
     pub fn film(&self, resolution: Resolution) -> Film {
         let film = match self.answers.first() {
             Some(Some(Answer::Ray(_))) => self.rays().map(|rays| Film::of_rays(resolution, &rays)),
@@ -105,13 +105,15 @@ impl Reply {
         }
     }
 
-    /// What `pick` picks of every answer, if all are there and have it.
+    /// What `pick` returns for every answer; `None` if an answer is missing or `pick` returns
+    /// `None`.
     fn all<T>(&self, pick: impl Fn(&Answer) -> Option<T>) -> Option<Vec<T>> {
         let answers = self.answers.iter();
         answers.map(|answer| pick(answer.as_ref()?)).collect()
     }
 
-    /// The replies to the jobs of these lengths that were asked as one.
+    /// Splits the reply to several jobs that were sent as one. `lengths` are the numbers of their
+    /// questions.
     ///
     /// # Panics
     /// If the lengths do not add up to the number of answers.

@@ -5,7 +5,9 @@ use super::*;
 use crate::bounds::BoundingBox;
 use crate::camera::{Camera, Pixel, Projection, Resolution};
 use crate::job::{Message, Panic};
-use crate::kind::{Answer, CameraQuestion, ObjectsQuestion, Questions, Sent, Test, TreeQuestion};
+use crate::kind::{
+    Answer, CameraQuestion, ObjectsQuestion, Questions, RawAnswer, Test, TreeQuestion,
+};
 use crate::ray::{Hit, Intersection, Ray};
 use crate::testing::Random;
 use crate::tree::{FlatNode, FlatTree, TreeMeasures};
@@ -54,11 +56,11 @@ fn hit(object: usize) -> Answer {
 }
 
 fn answers(first: usize, answers: &[Answer]) -> Message {
-    let answers = answers.iter().copied().map(Sent::Answer).collect();
+    let answers = answers.iter().copied().map(RawAnswer::Answer).collect();
     Message::Answers { first, answers }
 }
 
-/// Expects all of these messages to be taken but the last.
+/// Sends these messages and expects the last one alone to be refused.
 #[track_caller]
 fn refused(job: &Job, messages: &[Message], why: &str) -> Reply {
     let mut reply = Reply::before(job);
@@ -102,7 +104,7 @@ mod message {
 
     #[test]
     fn message_without_an_answer_is_refused() {
-        // Or a stream of them would keep its reader busy until time is up.
+        // A stream of such messages would keep its reader busy until time is up.
         refused(&hits(5), &[answers(0, &[])], "without an answer");
     }
 
@@ -111,7 +113,7 @@ mod message {
         let job = hits(3);
         let again = [answers(0, &[hit(0)]), answers(0, &[hit(1)])];
         let reply = refused(&job, &again, "twice");
-        assert_eq!(reply.answers[0], Some(hit(0)), "the first answer stands");
+        assert_eq!(reply.answers[0], Some(hit(0)), "the first answer counts");
     }
 
     #[test]
@@ -139,7 +141,7 @@ mod message {
         let job = Job::Ask(Questions::Tree(vec![TreeQuestion { boxes }]));
         let tree = |nodes| Message::Answers {
             first: 0,
-            answers: vec![Sent::Tree(FlatTree(nodes))],
+            answers: vec![RawAnswer::Tree(FlatTree(nodes))],
         };
         let circle = vec![FlatNode::Branch([0, 0])];
         refused(&job, &[tree(circle)], "another kind");

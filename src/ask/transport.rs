@@ -1,8 +1,8 @@
-//! How a job travels to a submission's process and messages travel back.
+//! How a job reaches a submission's process, and how messages come back.
 //!
-//! On Unix both go through one socket that the process finds as its standard input:
-//! nothing is left on disk, and nobody else can reach it. Elsewhere the job goes
-//! through a pipe and the answers come back in a temporary file.
+//! On Unix, both go through one socket, which is the process's standard input, so nothing is left
+//! on disk and no other process can reach it. Elsewhere, the job goes through a pipe and the
+//! answers come back in a temporary file.
 
 use std::io;
 use std::process::{Child, Command};
@@ -36,7 +36,7 @@ pub(super) enum Next {
     Receive,
     /// This result is sent, and more messages are needed.
     Send(TestResult),
-    /// Everything is there.
+    /// The reply is complete.
     End,
 }
 
@@ -47,17 +47,18 @@ type Link = std::os::unix::net::UnixStream;
 type Link = std::path::PathBuf;
 
 impl Exchange {
-    /// Whether all its time is over.
+    /// Whether its time is up.
     pub(super) fn is_late(&self) -> bool {
         Instant::now() >= self.deadline
     }
 
-    /// A function that sends a word to the submission. Call it only after the job is sent.
+    /// Returns a function that sends one byte to the submission. Call it only after the job is
+    /// sent.
     #[cfg(unix)]
     pub(super) fn tell(&self, word: u8) -> impl FnOnce() + Send + 'static {
         let link = self.link.try_clone();
         move || {
-            // If it is not told, it goes on printing into the pipe.
+            // If this fails, the submission goes on printing into the pipe.
             let _ = link.and_then(|mut link| io::Write::write_all(&mut link, &[word]));
         }
     }
@@ -74,8 +75,8 @@ impl Exchange {
             .arg(ANSWER)
             .stdin(std::os::fd::OwnedFd::from(theirs));
         let child = command.spawn()?;
-        // `command` is dropped here and with it our copy of their end, so that we
-        // see the end of the stream when they close it.
+        // Dropping `command` closes our copy of the submission's end, so that we see the stream
+        // end when the submission closes it.
         Ok(Exchange {
             child,
             link,
@@ -183,7 +184,7 @@ impl Drop for Exchange {
     }
 }
 
-/// Receives messages until `on_message` says that everything is there.
+/// Receives messages until `on_message` returns [`Next::End`].
 fn receive_all<R: io::Read>(
     input: &mut R,
     most: usize,
@@ -197,8 +198,8 @@ fn receive_all<R: io::Read>(
     Ok(())
 }
 
-/// A socket whose every read and write ends at the same deadline, so that a slow
-/// drip of bytes gains no time, or when nobody wants the answer any more.
+/// A socket whose reads and writes all end at one deadline, so that sending bytes slowly gains no
+/// time. They also end when the answer is no longer wanted.
 #[cfg(unix)]
 struct Timed<'a> {
     link: &'a Link,
@@ -230,8 +231,8 @@ impl Timed<'_> {
     }
 }
 
-/// Where setting a timeout failed because the peer has closed the socket (macOS says
-/// so), nothing can block any more, and none is needed.
+/// Ignores a timeout that can't be set because the peer has closed the socket, which macOS
+/// reports: nothing can block any more.
 #[cfg(unix)]
 fn armed(set: io::Result<()>) -> io::Result<()> {
     match set {

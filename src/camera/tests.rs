@@ -45,7 +45,7 @@ fn a_camera_looks_along_view_with_up_above_and_never_sideways() {
 }
 
 #[test]
-fn a_frame_forgets_how_long_view_and_up_were() {
+fn a_frame_does_not_depend_on_the_lengths_of_view_and_up() {
     let mut random = Random::new(3);
     for _ in 0..500 {
         let (view, up) = (random.vector(), random.vector());

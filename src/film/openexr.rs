@@ -17,7 +17,7 @@ use super::{Channel, Film};
 use crate::camera::Resolution;
 use crate::error::Error;
 
-/// No more samples than this over all channels: they fill 1 GiB.
+/// The most samples that a film may have over all channels. They fill 1 GiB.
 const MOST_SAMPLES: usize = 1 << 28;
 
 /// Deflate can't compress data further than this, so a file that claims to hold more is
@@ -25,7 +25,8 @@ const MOST_SAMPLES: usize = 1 << 28;
 const MOST_COMPRESSION: usize = 1100;
 
 pub(super) fn read(path: &Path) -> Result<Film, Error> {
-    let remedy = "write an OpenEXR file of 32-bit float channels; see README.md, \"Films\"";
+    let remedy =
+        "write an OpenEXR file of 32-bit float channels; see \"Scene and film files\" in the book";
     let refuse = |problem: String| Error::new(path, problem, remedy);
 
     // A pipe or a device could be read for ever.
@@ -110,7 +111,7 @@ fn decode(bytes: &[u8]) -> Result<OneLayer, String> {
         .first_valid_layer()
         .all_attributes()
         .non_parallel()
-        // A damaged table of blocks is refused, as other programs do, not read around.
+        // Refuse a damaged table of blocks, as other programs do, instead of reading around it.
         .pedantic()
         .from_buffered(Cursor::new(bytes))
         .map_err(said)
@@ -138,7 +139,8 @@ pub(super) fn write(film: &Film, path: &Path) -> Result<(), Error> {
             "name a folder you may write to",
         )
     };
-    // One thread: the order of compressed blocks, and so the file, is then always the same.
+    // One thread writes compressed blocks in the same order every time, so the file is always the
+    // same.
     let mut bytes = Cursor::new(Vec::new());
     Image::from_layer(layer)
         .write()

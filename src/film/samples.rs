@@ -16,7 +16,7 @@ pub(crate) struct Samples<'a> {
 }
 
 impl<'a> Samples<'a> {
-    /// Those at `index` in the film's order.
+    /// The samples at `index`, in image order.
     pub fn at(film: &'a Film, index: usize) -> Samples<'a> {
         Samples { film, index }
     }

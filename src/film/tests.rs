@@ -22,10 +22,11 @@ fn bytes(film: &Film) -> Vec<u8> {
 fn refused(bytes: impl AsRef<[u8]>, problem: &str) {
     let error = read(bytes).expect_err("this film should be refused");
     assert!(error.problem.contains(problem), "{error}");
-    assert!(error.remedy.contains("README.md"), "{error}");
+    assert!(error.remedy.contains("in the book"), "{error}");
 }
 
-/// Same size, and the same bits in every channel, wherever in the list it stands.
+/// Asserts that both have the same size and the same bits in every channel, in any order of
+/// channels.
 #[track_caller]
 fn same(one: &Film, other: &Film) {
     assert_eq!(one.resolution(), other.resolution());

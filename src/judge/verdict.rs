@@ -9,7 +9,7 @@ use crate::camera::{Pixel, Resolution};
 /// A film that cannot be compared at all.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refusal {
-    /// Not as many pixels, or in another arrangement.
+    /// The film has another size.
     WrongSize {
         /// The film's.
         got: Resolution,
@@ -46,7 +46,7 @@ impl fmt::Display for Refusal {
             Refusal::ExtraChannel(name) => {
                 write!(
                     f,
-                    "the film has a channel `{}` that the golden has not",
+                    "the film has a channel `{}` that the golden lacks",
                     name.escape_debug()
                 )
             }
@@ -123,7 +123,7 @@ impl Verdict {
 }
 
 impl Bounds {
-    /// The smallest that holds `bounds` and `pixel`.
+    /// The smallest rectangle that holds `bounds` and `pixel`.
     pub(super) fn around(bounds: Option<Bounds>, pixel: Pixel) -> Bounds {
         let Bounds { min, max } = bounds.unwrap_or(Bounds {
             min: pixel,

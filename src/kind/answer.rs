@@ -49,7 +49,7 @@ pub enum AnswerFn {
 }
 
 impl AnswerFn {
-    /// The first of these functions that `pick` picks.
+    /// The first function that `pick` accepts.
     pub(super) fn find<F>(
         functions: &[AnswerFn],
         kind: Kind,
@@ -75,31 +75,31 @@ pub enum Answer {
 
 /// What a submission sends for one question.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Sent {
+pub enum RawAnswer {
     /// The answer.
     Answer(Answer),
     /// A tree, which the asker measures.
     Tree(FlatTree),
 }
 
-impl From<Answer> for Sent {
-    fn from(answer: Answer) -> Sent {
-        Sent::Answer(answer)
+impl From<Answer> for RawAnswer {
+    fn from(answer: Answer) -> RawAnswer {
+        RawAnswer::Answer(answer)
     }
 }
 
-impl Sent {
-    /// It as an answer to a question about hits.
+impl RawAnswer {
+    /// What was sent, as the answer to a question about hits.
     pub(crate) fn hit(self) -> Option<Answer> {
         match self {
-            Sent::Answer(answer @ Answer::Hit(_)) => Some(answer),
+            RawAnswer::Answer(answer @ Answer::Hit(_)) => Some(answer),
             _ => None,
         }
     }
 }
 
 impl Answer {
-    /// It in words; of a hit, all but the object.
+    /// The answer in words, without the object of a hit.
     pub fn words(&self, digits: usize) -> String {
         match self {
             Answer::Hit(hit) => words::intersection(*hit, digits),
@@ -109,7 +109,7 @@ impl Answer {
         }
     }
 
-    /// What was hit, if it is about hits and anything was.
+    /// The hit, if the answer is one.
     pub(super) fn hit(&self) -> Option<Hit> {
         match self {
             Answer::Hit(hit) => *hit,
@@ -117,7 +117,7 @@ impl Answer {
         }
     }
 
-    /// What a shape that is asked alone answers.
+    /// The answer about a shape that is asked about alone.
     pub(super) fn alone(intersection: Option<Intersection>) -> Answer {
         Answer::Hit(intersection.map(|intersection| Hit {
             object: 0,
@@ -127,7 +127,7 @@ impl Answer {
 }
 
 impl BoundingBox {
-    /// What can be right or wrong in it.
+    /// Its parts, which can be right or wrong one by one.
     pub(super) fn parts(&self) -> Vec<Part> {
         let part = |name, corner: glam::DVec3, channels| Part {
             name,
@@ -143,7 +143,7 @@ impl BoundingBox {
 }
 
 impl Hit {
-    /// What can be right or wrong in it.
+    /// Its parts, which can be right or wrong one by one.
     pub(super) fn parts(&self) -> Vec<Part> {
         let part = |name, values, axes, channels| Part {
             name,

@@ -6,7 +6,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use super::CameraQuestion;
 use crate::camera::{Camera, Pixel, Resolution};
 
-/// Neighbouring questions to one camera.
+/// Consecutive questions about one camera.
 #[derive(Serialize, Deserialize)]
 struct Run {
     camera: Camera,

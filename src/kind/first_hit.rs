@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
+use super::{Answer, AnswerFn, Kind, Question, RawAnswer, Unregistered};
 use crate::fact::Fact;
 use crate::film::Samples;
 use crate::part::{Condition, Quantity};
@@ -30,7 +30,7 @@ impl ObjectsQuestion {
 }
 
 impl Question for ObjectsQuestion {
-    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<RawAnswer, Unregistered> {
         let first_hit = AnswerFn::find(functions, Kind::FirstHit, |function| match function {
             AnswerFn::FirstHit { canned, .. } => Some(*canned),
             _ => None,
@@ -54,7 +54,7 @@ impl Question for ObjectsQuestion {
         others(&self.objects, self.min_t)
     }
 
-    /// Only here does it matter which object is hit.
+    /// Only this kind of question asks which object is hit.
     fn describe_answer(&self, answer: &Answer, digits: usize) -> String {
         words::hit(answer.hit(), digits)
     }
@@ -87,7 +87,7 @@ pub(super) fn conditions(objects: &[Canned], min_t: f64, answer: &Answer) -> Vec
             objects.is_empty(),
         ),
         Condition::new(
-            "one alone of the list is met",
+            "only one of the list is met",
             "several or none are met",
             hits == 1,
         ),
@@ -114,7 +114,7 @@ pub(super) fn conditions(objects: &[Canned], min_t: f64, answer: &Answer) -> Vec
     ]
 }
 
-/// Answers that a search gives if it looks for something else in the list.
+/// The answers of a search that looks for something else in the list.
 pub(super) fn others(objects: &[Canned], min_t: f64) -> Vec<(&'static str, Answer)> {
     let from = |min_t: f64| -> Vec<Hit> {
         let hit = |(object, canned): (usize, &Canned)| {
@@ -150,7 +150,7 @@ pub(super) fn others(objects: &[Canned], min_t: f64) -> Vec<(&'static str, Answe
     all.into_iter().filter_map(answer).collect()
 }
 
-/// What the submission's function finds first of real shapes.
+/// The first hit that the submission's function finds among real shapes.
 pub(crate) fn cast(
     ray: &Ray,
     min_t: f64,

@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
+use super::{Answer, AnswerFn, Kind, Question, RawAnswer, Unregistered};
 use crate::fact::Fact;
 use crate::film::Samples;
 use crate::part::{Condition, Quantity};
@@ -30,8 +30,8 @@ impl ShapeQuestion {
 }
 
 impl Question for ShapeQuestion {
-    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
-        meet(&self.ray, self.min_t, &self.shape, functions).map(Sent::Answer)
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<RawAnswer, Unregistered> {
+        meet(&self.ray, self.min_t, &self.shape, functions).map(RawAnswer::Answer)
     }
 
     fn describe(&self, _: &str, digits: usize) -> Vec<Fact> {
@@ -83,7 +83,7 @@ impl Question for ShapeQuestion {
     }
 }
 
-/// Where the submission's function says that a ray meets a shape.
+/// Where a ray meets a shape, according to the submission's function.
 pub(crate) fn meet(
     ray: &Ray,
     min_t: f64,

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Answer, AnswerFn, BoundsQuestion, BoxQuestion, CameraQuestion, Kind, ObjectsQuestion, Question,
-    SearchQuestion, Sent, ShapeQuestion, SoupQuestion, Test, TestResult, TreeQuestion,
+    RawAnswer, SearchQuestion, ShapeQuestion, SoupQuestion, Test, TestResult, TreeQuestion,
     Unregistered, cameras,
 };
 use crate::camera::Resolution;
@@ -56,7 +56,7 @@ impl Questions {
             Error::new(
                 path,
                 format!("this is no question film for `{task}`: {problem}"),
-                "make the probes again: cargo pinhole golden render",
+                "make the question films again: cargo pinhole golden render",
             )
         })?;
         Ok((questions, film.resolution()))
@@ -89,7 +89,7 @@ impl Questions {
         })
     }
 
-    /// Of which kind they are.
+    /// Their kind.
     pub fn kind(&self) -> Kind {
         match self {
             Questions::ViewingRay(_) => Kind::ViewingRay,
@@ -117,12 +117,12 @@ impl Questions {
         }
     }
 
-    /// Whether there is none.
+    /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Those in this range.
+    /// The questions in this range.
     pub fn part(&self, range: Range<usize>) -> Questions {
         match self {
             Questions::ViewingRay(all) => Questions::ViewingRay(all[range].to_vec()),
@@ -136,8 +136,7 @@ impl Questions {
         }
     }
 
-    /// Adds more questions of the same kind; `false`, and none is added, if they are of
-    /// another.
+    /// Adds questions of the same kind. Returns `false`, and adds none, if their kind differs.
     pub fn append(&mut self, more: &Questions) -> bool {
         match (self, more) {
             (Questions::ViewingRay(all), Questions::ViewingRay(more)) => all.extend(more),
@@ -168,21 +167,22 @@ impl Questions {
         }
     }
 
-    /// Asks one of them.
+    /// Asks one of the questions.
     pub(crate) fn answer(
         &self,
         index: usize,
         functions: &[AnswerFn],
-    ) -> Result<Sent, Unregistered> {
+    ) -> Result<RawAnswer, Unregistered> {
         self.question(index).answer(index, functions)
     }
 
-    /// What was sent for one of them as an answer to it, or `None` if it is none.
-    pub(crate) fn receive(&self, index: usize, sent: Sent) -> Option<Answer> {
+    /// Turns what was sent for one of them into an answer; `None` if it answers another kind of
+    /// question.
+    pub(crate) fn receive(&self, index: usize, sent: RawAnswer) -> Option<Answer> {
         self.question(index).receive(sent)
     }
 
-    /// The result of a test about one of them, if it can be asked about.
+    /// The result of a test for one of them; `None` if the question allows no such test.
     pub(crate) fn test(&self, index: usize, test: Test) -> Option<TestResult> {
         match self {
             Questions::TreeSearch(all) => all.get(index)?.test(test),
@@ -190,7 +190,7 @@ impl Questions {
         }
     }
 
-    /// How many tests an answer to one of them may take at most.
+    /// The most tests that an answer to one of them may take.
     pub(crate) fn most_tests(&self, index: usize) -> usize {
         match self {
             Questions::TreeSearch(all) => all[index].most_tests(),
@@ -198,8 +198,8 @@ impl Questions {
         }
     }
 
-    /// One of them in words, a line for each thing it is about; `part` is the name of
-    /// the film it comes from.
+    /// One of the questions in words, a line for each thing it is about. `part` is the name of
+    /// its film.
     pub fn describe(&self, index: usize, part: &str, digits: usize) -> Vec<Fact> {
         self.question(index).describe(part, digits)
     }
@@ -209,29 +209,29 @@ impl Questions {
         self.question(index).describe_answer(answer, digits)
     }
 
-    /// An answer to one of them part by part; `None` if it says that nothing is there.
+    /// The parts of an answer to one of them; `None` if the answer is that nothing is there.
     pub fn parts(&self, index: usize, answer: &Answer) -> Option<Vec<Part>> {
         self.question(index).parts(answer)
     }
 
-    /// Numbers that belong to one of them and its right answer, under the same names for all
-    /// of a task.
+    /// Numbers that belong to one of them and its right answer. All questions of a task use the
+    /// same names.
     pub fn quantities(&self, index: usize, right: &Answer) -> Vec<Quantity> {
         self.question(index).quantities(right)
     }
 
-    /// Conditions on one of them and on an answer to it, each met or not, under the same
-    /// names for all of a task.
+    /// Conditions on one of them and on an answer to it, each met or not. All questions of a task
+    /// use the same names.
     pub fn conditions(&self, index: usize, answer: &Answer) -> Vec<Condition> {
         self.question(index).conditions(answer)
     }
 
-    /// Answers that a wrong one may be taken for, each with a name, if this one is right.
+    /// Plausible wrong answers to one of them, each with a name, if `right` is the right one.
     pub fn others(&self, index: usize, right: &Answer) -> Vec<(&'static str, Answer)> {
         self.question(index).others(right)
     }
 
-    /// The answer to one of them that its golden film holds.
+    /// The answer that the golden film holds for one of them.
     pub fn expected(&self, golden: &Film, index: usize) -> Answer {
         match self.kind() {
             Kind::ViewingRay => Answer::Ray(golden.ray(index)),

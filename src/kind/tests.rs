@@ -1,4 +1,4 @@
-//! Question films: one for each task, and how they are asked about.
+//! Question films: how each task's film is read and asked.
 
 use super::*;
 use crate::camera::{Pixel, Projection, Resolution};
@@ -9,7 +9,7 @@ use crate::shape::{Disk, Plane, Shape, Sphere, Triangle, TriangleSoup};
 use crate::testing::{self, row};
 use glam::{DVec3, dvec3};
 
-mod asked;
+mod reading;
 mod refused;
 mod words;
 
@@ -202,7 +202,7 @@ fn camera() -> Channels<'static> {
     ]
 }
 
-/// The question with one channel holding something else.
+/// The question, with one channel changed.
 #[track_caller]
 fn with(mut question: Channels<'static>, name: &str, value: f32) -> Channels<'static> {
     let mut channels = question.iter_mut();

@@ -3,7 +3,7 @@ use std::sync::OnceLock;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
+use super::{Answer, AnswerFn, Kind, Question, RawAnswer, Unregistered};
 use crate::fact::Fact;
 use crate::film::Samples;
 use crate::part::{Condition, Quantity};
@@ -13,8 +13,8 @@ use crate::words::{self, number};
 
 /// Which triangle of a tree does a ray meet first, from `min_t` on?
 ///
-/// What the ray meets is known beforehand, but not to the submission. It asks for one test
-/// after the other, and the asker's process answers and counts them.
+/// The asker knows what the ray meets; the submission doesn't. The submission asks for one test
+/// after another, and the asker's process answers and counts them.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct SearchQuestion {
     /// The tree; its leaves name triangles.
@@ -65,7 +65,7 @@ pub enum TestResult {
     Triangle(Option<Intersection>),
 }
 
-/// Of more nodes than this, the rest is left out of a description.
+/// A description lists at most this many nodes.
 const MOST_DESCRIBED: usize = 10;
 
 impl SearchQuestion {
@@ -131,14 +131,14 @@ impl SearchQuestion {
         }
     }
 
-    /// No search needs more tests than this: all boxes and all triangles, each ten times.
+    /// The limit on the tests of one search: ten times as many as there are boxes and triangles.
     pub(crate) fn most_tests(&self) -> usize {
         10 * self.tree.size()
     }
 }
 
 impl Question for SearchQuestion {
-    fn answer(&self, index: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
+    fn answer(&self, index: usize, functions: &[AnswerFn]) -> Result<RawAnswer, Unregistered> {
         let search = AnswerFn::find(functions, Kind::TreeSearch, |function| match function {
             AnswerFn::TreeSearch(search) => Some(*search),
             _ => None,
@@ -238,8 +238,7 @@ pub(crate) fn ask_tests_with(ask: impl Fn(usize, Test) -> TestResult + Send + Sy
     let _already = ASK_TEST.set(Box::new(ask));
 }
 
-/// The tree of a question, of which this process knows the nodes, but not what the ray
-/// meets.
+/// The tree of a question. This process knows its nodes, but not what the ray meets.
 struct TestedTree<'a> {
     tree: &'a FlatTree,
     index: usize,
@@ -249,7 +248,7 @@ impl TestedTree<'_> {
     fn test(&self, test: Test) -> TestResult {
         match ASK_TEST.get() {
             Some(ask) => ask(self.index, test),
-            None => panic!("nobody is there who could answer a test"),
+            None => panic!("there is no asker to answer a test"),
         }
     }
 }

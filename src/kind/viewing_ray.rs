@@ -1,7 +1,7 @@
 use glam::{DMat3, DVec3};
 use serde::Serialize;
 
-use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
+use super::{Answer, AnswerFn, Kind, Question, RawAnswer, Unregistered};
 use crate::camera::{Camera, Pixel, Projection, Resolution};
 use crate::fact::Fact;
 use crate::film::{RAY_CHANNELS, Samples};
@@ -22,7 +22,7 @@ pub struct CameraQuestion {
 }
 
 impl CameraQuestion {
-    /// What is asked about the pixel at `index` of a scene's film.
+    /// The question about the pixel at `index` of a scene's film.
     pub fn of_scene(scene: &Scene, index: usize) -> CameraQuestion {
         let Scene {
             camera, resolution, ..
@@ -74,13 +74,13 @@ impl CameraQuestion {
 }
 
 impl Question for CameraQuestion {
-    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<RawAnswer, Unregistered> {
         Ok(Answer::Ray(self.ray(functions)?).into())
     }
 
-    fn receive(&self, sent: Sent) -> Option<Answer> {
+    fn receive(&self, sent: RawAnswer) -> Option<Answer> {
         match sent {
-            Sent::Answer(answer @ Answer::Ray(_)) => Some(answer),
+            RawAnswer::Answer(answer @ Answer::Ray(_)) => Some(answer),
             _ => None,
         }
     }

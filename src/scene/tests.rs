@@ -38,7 +38,7 @@ type = "triangle"
 corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
 "#;
 
-/// Stands before what an error must point at.
+/// Marks the place that an error must point at.
 const HERE: char = '▶';
 
 fn read(text: &str) -> Result<Scene, Error> {

@@ -12,9 +12,9 @@ use crate::tree::{Node, RayTree, Tree};
 use glam::{DVec3, dvec3};
 
 #[cfg(unix)]
-mod asked;
+mod answers;
 
-/// Tells this program that it has been started as a submission, and of which kind.
+/// Set when this program is started as a submission; the value says which kind.
 const KIND: &str = "PINHOLE_TEST_SUBMISSION";
 
 /// Starts this program as a submission of this kind.

@@ -18,7 +18,7 @@ const TYPE: &str = "type";
 
 /// An object's keys and values, each with its place.
 ///
-/// Not a tagged enum of serde's: that would forget the places.
+/// A tagged serde enum would lose the places.
 pub(crate) struct ObjectTable<'a> {
     /// The scene file.
     pub source: Source<'a>,

@@ -1,6 +1,6 @@
 //! Fuzzing: valid inputs, spoilt at random, for as long as you like.
 //!
-//! `PINHOLE_FUZZ_SECONDS` says how long each parser is tried; the seed is the clock's,
+//! `PINHOLE_FUZZ_SECONDS` says how long each parser is tried. The clock seeds the random numbers,
 //! so that every run tries something new. An input that does harm is kept as a file.
 
 use std::fs;
@@ -9,7 +9,7 @@ use std::time::{Duration, Instant, SystemTime};
 
 use super::Random;
 
-/// No parser of bytes like these may make this process grow further.
+/// If this process uses more memory, a parser has accepted a length that it should have refused.
 const MOST_MEMORY: u64 = 1 << 30;
 
 /// Numbers that often break programs, as bytes of a file.

@@ -32,8 +32,9 @@ def aim(
 ):
     """A ray through `target`, from `away` sizes before it.
 
-    `min_t` and `max_t` are shares of the target's t; `zeros` components of the direction
-    are 0, and in the first of them the ray runs in a face if it is to.
+    `min_t` and `max_t` are shares of the target's t; `zeros` is the number of components of
+    the direction that are 0. With `in_face`, the ray lies in a face of the box that is
+    perpendicular to the first of these axes.
     """
     away = rng.uniform(2, 6) if away is None else away
     length = rng.uniform(0.3, 3) if length is None else length

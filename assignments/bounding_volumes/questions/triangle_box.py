@@ -35,7 +35,7 @@ def box(rng):
 
 
 def join(rng):
-    """Two boxes, apart or not."""
+    """Two boxes, which may overlap."""
     return of_boxes(box(rng), box(rng))
 
 

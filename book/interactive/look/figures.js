@@ -1,7 +1,7 @@
-// What is wrong with a page's drawings, measured in the browser: words too small, words on
-// each other, anything beyond the border, for every end of every slider.
+// Finds what is wrong with a page's drawings, measured in the browser: words that are too small,
+// words that overlap, and anything beyond the border, with every slider at each of its ends.
 
-// Runs in the page. Gives sentences.
+// Runs in the page, and returns sentences.
 export function drawingsWrong({ smallest }) {
     const wrong = new Set();
     const inside = (box, frame) =>
@@ -69,7 +69,7 @@ export function drawingsWrong({ smallest }) {
     return [...wrong];
 }
 
-// Runs in the page: how much stays folded when it is printed.
+// Runs in the page, and counts what stays folded when it is printed.
 export function foldedInPrint() {
     dispatchEvent(new Event("beforeprint"));
     const folded = document.querySelectorAll("main details:not([open])").length;

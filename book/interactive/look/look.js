@@ -23,7 +23,7 @@ const SCREENS = [
 const THEMES = ["light", "navy"];
 // Pixels; on the phone a drawing is 350 wide.
 const SMALLEST_WORD = 11;
-// No pages: a frame of links, and the answer to a wrong address.
+// These are not pages: a frame of links, and the answer to a wrong address.
 const OTHER = ["toc.html", "404.html"];
 
 const { values, positionals } = parseArgs({
@@ -46,7 +46,7 @@ if (chromium === undefined) {
     process.exit(3);
 }
 
-// What is wrong with a page as it stands on the screen.
+// Finds what is wrong with a page on the screen.
 async function look(page, url) {
     const wrong = [];
     const listen = (message) => message.type() === "error" && wrong.push(`console: ${message.text()}`);
@@ -101,7 +101,7 @@ const browser = await puppeteer.launch({
     args: ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"],
 });
 let problems = 0;
-// A page that has moved leaves one behind that leads to its new place.
+// A page that has moved leaves a page behind that redirects to its new place.
 const leadsOn = (path) => readFileSync(path, "utf8").includes('http-equiv="refresh"');
 const chosen = pagesOf(folder).filter((path) => {
     const name = relative(folder, path);
@@ -119,7 +119,7 @@ for (const { name, width, height } of SCREENS) {
                 console.log(`${inside}, ${name}, ${theme}: ${what}`);
             }
             if (values.out !== undefined) {
-                // What is far down is fetched late; a screenshot sees it all at once.
+                // Pictures far down load late, but a screenshot needs them all at once.
                 await page.$$eval("img", (all) =>
                     Promise.all(all.map((one) => ((one.loading = "eager"), one.decode().catch(() => null)))),
                 );

@@ -19,8 +19,8 @@ const CELL = WIDTH / columns;
 const PICTURE = rows * CELL;
 const HEIGHT = PICTURE + 260;
 
-// In the slice, depth runs to the right. Heights are four times as large; otherwise nobody
-// would see anything.
+// In the slice, depth runs to the right. Heights are enlarged four times, because the slice
+// would be too flat to see.
 const [EYE_X, EYE_Y, DEEP, HIGH] = [22, PICTURE + 130, 5.8, 23.2];
 const FARTHEST = 77;
 const place = (depth: number, high: number): readonly [number, number] => [

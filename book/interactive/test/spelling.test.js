@@ -10,7 +10,7 @@ const spelt = (text) =>
         encoding: "utf8",
     });
 
-test("a word that nobody knows is found, and known ones are not", () => {
+test("an unknown word is found, and known ones are not", () => {
     const wrong = spelt("The parametre of a ray.\n");
     assert.equal(wrong.status, 1);
     assert.match(wrong.stdout, /Unknown word \(parametre\)/);

@@ -13,7 +13,7 @@ fn file_that_is_not_a_film_is_refused() {
 }
 
 #[test]
-fn a_picture_is_no_film() {
+fn a_picture_is_refused_as_a_film() {
     let (_folder, path) = testing::file("film.png", "");
     image::RgbImage::new(4, 3).save(&path).unwrap();
     refused(
@@ -58,7 +58,7 @@ const DISPLAY_WINDOW: &str = "displayWindow\0box2i\0";
 fn set_window(bytes: &mut [u8], name: &str, corners: [i32; 4]) {
     let mut windows = bytes.windows(name.len());
     let place = windows.position(|w| w == name.as_bytes()).unwrap();
-    // Behind the name stands a length of four bytes.
+    // A length of four bytes follows the name.
     let values = &mut bytes[place + name.len() + 4..][..16];
     for (value, corner) in values.chunks_exact_mut(4).zip(corners) {
         value.copy_from_slice(&corner.to_le_bytes());
@@ -88,7 +88,7 @@ fn film_that_claims_more_pixels_than_it_holds_is_refused() {
 
 #[test]
 fn a_film_that_claims_more_than_memory_holds_is_refused() {
-    // Long enough to be no lie about compression.
+    // The file is so long that the size it claims is possible by compression.
     let padding = vec![0; 4 << 20];
     let bytes = [claiming(&small(), 1 << 14, 1 << 14), padding].concat();
     refused(bytes, "claims 16384×16384 pixels");

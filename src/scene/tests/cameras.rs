@@ -27,7 +27,7 @@ fn unknown_projection_lists_both() {
         "\"perspective\"",
         "▶\"fisheye\"",
         "unknown variant `fisheye`, expected `perspective` or `orthographic`",
-        "README.md",
+        "in the book",
     );
 }
 
@@ -67,13 +67,13 @@ fn pixels_are_counted_in_whole_numbers() {
         "resolution = [8, 5]",
         "resolution = [8, ▶-5]",
         "integer `-5`, expected usize",
-        "README.md",
+        "in the book",
     );
     refused(
         "resolution = [8, 5]",
         "resolution = [8, ▶2.5]",
         "invalid type",
-        "README.md",
+        "in the book",
     );
 }
 

@@ -60,20 +60,24 @@ fn missing_key_is_reported_at_its_table() {
         object,
         "▶[[object]]\ncenter = [0.0, 1.0, -1.0]\nradius = 0.75",
         "missing field `type`",
-        "README.md",
+        "in the book",
     );
     refused(
         "[camera]\nprojection = \"perspective\"\neye = [0.0, 1.0, 5.0]",
         "▶[camera]\nprojection = \"perspective\"",
         "missing field `eye`",
-        "README.md",
+        "in the book",
     );
 }
 
 #[test]
 fn scene_without_a_camera_is_refused() {
     let objects = &GOOD[GOOD.find("[[object]]").unwrap()..];
-    refused_text(&format!("▶{objects}"), "missing field `camera`", "README");
+    refused_text(
+        &format!("▶{objects}"),
+        "missing field `camera`",
+        "in the book",
+    );
 }
 
 #[test]
@@ -82,12 +86,12 @@ fn error_points_at_a_value_of_the_wrong_kind() {
         "radius = 0.75",
         "radius = ▶\"big\"",
         "invalid type: string \"big\", expected f64",
-        "README.md",
+        "in the book",
     );
     refused(
         "center = [0.0, 1.0, -1.0]",
         "center = ▶[0.0, 1.0]",
         "invalid length 2",
-        "README.md",
+        "in the book",
     );
 }

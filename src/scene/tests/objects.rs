@@ -10,7 +10,7 @@ fn unknown_shape_lists_all_shapes() {
         "type = \"sphere\"",
         "type = ▶\"cube\"",
         "unknown variant `cube`, expected one of `sphere`, `plane`, `triangle`, `soup`, `disk`",
-        "README.md",
+        "in the book",
     );
 }
 

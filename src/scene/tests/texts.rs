@@ -6,18 +6,18 @@ use super::*;
 
 #[test]
 fn error_points_at_text_that_is_not_toml() {
-    refused("width = 2.0", "width = ▶two", "invalid", "README.md");
+    refused("width = 2.0", "width = ▶two", "invalid", "in the book");
     refused(
         "eye = [0.0, 1.0, 5.0]",
         "eye = [0.0, ▶1.0 5.0]",
         "",
-        "README.md",
+        "in the book",
     );
     refused(
         "width = 2.0",
         "width = 2.0\n▶width = 3.0",
         "duplicate key",
-        "README.md",
+        "in the book",
     );
 }
 
@@ -27,7 +27,7 @@ fn columns_count_characters_and_not_bytes() {
         "[[object]]\ntype = \"sphere\"\ncenter = [0.0, 1.0, -1.0]\nradius = 0.75",
         "[[object]]\ntype = \"soup\"\nobj = \"größte.obj\" ▶oops",
         "",
-        "README.md",
+        "in the book",
     );
 }
 

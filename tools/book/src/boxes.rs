@@ -1,8 +1,8 @@
 //! A search through boxes that counts its tests, to measure what it saves.
 //!
-//! The judge counts the tests of a search over small trees only; the book wants the counts of
-//! whole pictures, and of searches that leave out one idea or the other. What all of them
-//! find must be the same.
+//! The judge counts tests only in searches of small trees. The book needs the counts of whole
+//! pictures, and of searches that leave out one idea or the other. All of them must find the same
+//! triangles.
 
 use glam::{DVec3, Vec3};
 use pinhole::tree::FlatNode;
@@ -18,7 +18,7 @@ pub struct Boxed {
 /// Which ideas a search uses.
 #[derive(Clone, Copy, Debug)]
 pub struct Search {
-    /// Of two boxes, it walks into the one first that the ray enters first.
+    /// It first walks into the box that the ray enters first.
     pub nearer_first: bool,
     /// It skips boxes behind the nearest triangle so far.
     pub stops: bool,
@@ -32,7 +32,7 @@ impl Search {
     };
 }
 
-/// What was tested.
+/// How many tests a search took.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Tests {
     /// Boxes.
@@ -42,7 +42,7 @@ pub struct Tests {
 }
 
 impl Tests {
-    /// All together.
+    /// All tests together.
     pub fn sum(self) -> usize {
         self.boxes + self.triangles
     }
@@ -74,7 +74,7 @@ pub fn box_of(triangles: &[Triangle]) -> BoundingBox {
 }
 
 impl Boxed {
-    /// Splits at the middle of the longest axis of the boxes' centres, until a leaf has at
+    /// Splits at the middle of the longest axis of the boxes' centres, until each leaf has at
     /// most `largest` triangles.
     pub fn new(triangles: Vec<Triangle>, largest: usize) -> Boxed {
         let own: Vec<BoundingBox> = triangles.iter().map(|it| box_of(&[*it])).collect();
@@ -99,7 +99,7 @@ impl Boxed {
         self.boxes.len()
     }
 
-    /// How many branches are on the way to the deepest leaf.
+    /// How many branches are above the deepest leaf.
     pub fn depth(&self) -> usize {
         let mut depths = vec![0; self.nodes()];
         for (index, node) in self.tree.0.iter().enumerate() {
@@ -167,7 +167,7 @@ impl Boxed {
         (nearest, tests)
     }
 
-    /// The tests of all these rays.
+    /// The tests that all these rays take.
     pub fn tests(&self, rays: &[Ray], min_t: f64, how: Search) -> Tests {
         let mut all = Tests::default();
         for ray in rays {
@@ -232,8 +232,8 @@ pub fn meet(triangle: &Triangle, ray: &Ray, min_t: f64) -> Option<f64> {
     (is_inside && t >= min_t).then_some(t)
 }
 
-/// Whether a ray meets a box from t = 0 on if all is computed in `f32`, the box's faces
-/// moved outward by `padding`.
+/// Whether a ray meets a box from t = 0 on, computed in `f32` with the box's faces moved outward
+/// by `padding`.
 pub fn enters_in_f32(bounds: &BoundingBox, ray: &Ray, padding: f32) -> bool {
     let [min, max] = [bounds.min, bounds.max].map(|corner| corner.as_vec3());
     let (min, max) = (min - padding, max + padding);
@@ -259,8 +259,7 @@ mod tests {
     use crate::course::assignments;
     use crate::reference::Reference;
 
-    /// Every search must cast the film that the reference casts, and the slower ones must
-    /// be slower.
+    /// Every search must cast the reference's film, and the slower ones must take more tests.
     #[test]
     fn all_searches_find_what_the_reference_finds() {
         let checkout = Checkout::find().expect("tests run in a checkout");

@@ -12,8 +12,8 @@ use crate::error::{Problem, Result};
 use crate::expand::{Expand, Sources};
 use crate::interactive;
 
-/// What every page loads besides mdBook's own, whose names are taken (`book.js` is one):
-/// written into the book's top folder.
+/// Files that every page loads besides mdBook's own, whose names (such as `book.js`) are taken.
+/// They are written to the book's top folder.
 const ASSETS: [(&str, &[u8]); 5] = [
     ("pinhole.css", include_bytes!("../assets/pinhole.css")),
     ("pinhole.js", include_bytes!("../assets/pinhole.js")),
@@ -28,23 +28,23 @@ const ASSETS: [(&str, &[u8]); 5] = [
     ),
 ];
 
-/// An edition that was built.
-pub struct Built {
+/// An edition after it was built.
+pub struct BuiltEdition {
     /// The readers that it is for.
     pub edition: Edition,
     /// The folder of its `index.html`.
     pub folder: PathBuf,
-    /// Problems in its pages. They are marked in the pages, too.
+    /// Problems in its pages. They are also marked in the pages.
     pub problems: Vec<Problem>,
 }
 
-/// Builds an edition into a folder, which is emptied before.
+/// Builds an edition into a folder, which is emptied first.
 pub fn build(
     sources: &Arc<Sources>,
     edition: Edition,
     folder: &Path,
     checkout: &Checkout,
-) -> Result<Built> {
+) -> Result<BuiltEdition> {
     let problems = Arc::new(Mutex::new(Vec::new()));
     let failed = |error: mdbook_driver::errors::Error| {
         Problem::of(
@@ -78,7 +78,7 @@ pub fn build(
         checkout.write(folder.join(name), content)?;
     }
     let problems = std::mem::take(&mut *problems.lock().expect("nobody panics while adding one"));
-    Ok(Built {
+    Ok(BuiltEdition {
         edition,
         folder: folder.into(),
         problems,

@@ -1,4 +1,4 @@
-//! Checks the built pages for everything that would make the book wrong.
+//! Checks the built pages for everything that could be wrong in the book.
 
 mod headings;
 mod images;
@@ -13,7 +13,7 @@ use clap::ValueEnum as _;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::mistake;
 
-use crate::build::Built;
+use crate::build::BuiltEdition;
 use crate::course::assignments;
 use crate::edition::Edition;
 use crate::error::{Problem, Result};
@@ -53,8 +53,8 @@ impl Part {
     }
 }
 
-/// Everything that is wrong, found by these parts.
-pub fn check(built: &[Built], parts: &[Part], checkout: &Checkout) -> Result<Vec<Problem>> {
+/// Everything that these parts of the check find wrong.
+pub fn check(built: &[BuiltEdition], parts: &[Part], checkout: &Checkout) -> Result<Vec<Problem>> {
     let mut problems: Vec<Problem> = Vec::new();
     for (step, part) in (1..).zip(parts) {
         eprintln!("check {step} of {}: {}", parts.len(), part.name());
@@ -71,7 +71,7 @@ pub fn check(built: &[Built], parts: &[Part], checkout: &Checkout) -> Result<Vec
             Part::Spelling => problems.extend(spelling::check(checkout)?),
         }
     }
-    // Both editions are made of the same pages.
+    // Both editions consist of the same pages, so report each problem once.
     let mut told: Vec<Problem> = Vec::new();
     for problem in problems {
         if !told.contains(&problem) {
@@ -81,7 +81,7 @@ pub fn check(built: &[Built], parts: &[Part], checkout: &Checkout) -> Result<Vec
     Ok(told)
 }
 
-fn built(built: &Built, checkout: &Checkout) -> Result<Vec<Problem>> {
+fn built(built: &BuiltEdition, checkout: &Checkout) -> Result<Vec<Problem>> {
     let pages = pages::read(&built.folder)?;
     let mut problems = built.problems.clone();
     problems.extend(links::dead(&pages, &built.folder, built.edition));

@@ -7,20 +7,20 @@ use std::path::PathBuf;
 
 use crate::error::{Error, Result};
 
-/// The one from whose scenes most figures and numbers come.
+/// The assignment from whose scenes most figures and numbers come.
 const NAME: &str = "ray_casting";
 
-/// Reads that one.
+/// Reads that assignment.
 pub fn assignment(checkout: &Checkout) -> Result<Assignment> {
     Ok(Assignment::read(checkout, NAME)?)
 }
 
-/// Reads all. No two of them have a task or a mistake of the same name.
+/// Reads all assignments. No two of them have a task or a mistake of the same name.
 pub fn assignments(checkout: &Checkout) -> Result<Vec<Assignment>> {
     Ok(Assignment::read_all(checkout)?)
 }
 
-/// Reads the one with a task of this kind.
+/// Reads the assignment with a task of this kind.
 pub fn assignment_with(kind: Kind, checkout: &Checkout) -> Result<Assignment> {
     let mut all = assignments(checkout)?.into_iter();
     let found = all.find(|assignment| assignment.task_of_kind(kind, None).is_some());
@@ -30,12 +30,12 @@ pub fn assignment_with(kind: Kind, checkout: &Checkout) -> Result<Assignment> {
     })
 }
 
-/// Where the golden films of the first one lie.
+/// The folder of the first assignment's golden films.
 pub fn golden(checkout: &Checkout) -> PathBuf {
     checkout.root().join("golden").join(NAME)
 }
 
-/// Scratch space of the book's own.
+/// The book's folder for temporary files.
 pub fn scratch(checkout: &Checkout) -> PathBuf {
     checkout.scratch().join("book")
 }

@@ -1,6 +1,6 @@
-//! The directives that a writer puts between `{{#` and `}}`.
+//! The directives that writers put between `{{#` and `}}`.
 
-use crate::error::Wrong;
+use crate::error::ProblemAndRemedy;
 
 /// A directive: something to insert.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,31 +12,31 @@ pub enum Directive {
         /// The anchor's name.
         anchor: String,
     },
-    /// A command and what it prints.
+    /// A command and its output.
     Run(String),
     /// One number.
     Value(String),
     /// A figure.
     Figure {
-        /// Which one.
+        /// Its name.
         name: String,
         /// The alternative text, for readers who can't see it.
         alternative: String,
         /// The caption below the figure.
         caption: String,
     },
-    /// What the mistakes of a task look like.
+    /// Pictures of a task's mistakes.
     Gallery(String),
     /// An interactive figure.
     Interactive {
-        /// Which one.
+        /// Its name.
         name: String,
         /// The alternative text, for readers who can't see it.
         alternative: String,
     },
 }
 
-/// The syntax of each, for error messages.
+/// The syntax of each directive, for error messages.
 const USES: [(&str, &str); 6] = [
     ("listing", "{{#listing PATH:ANCHOR}}"),
     ("run", "{{#run ID}}"),
@@ -50,8 +50,8 @@ const USES: [(&str, &str); 6] = [
 ];
 
 impl Directive {
-    /// Reads the text between `{{#` and `}}`. If it is wrong, says what is wrong and a remedy.
-    pub fn parse(inside: &str) -> Result<Directive, Wrong> {
+    /// Reads the text between `{{#` and `}}`. The error says what is wrong, and the remedy.
+    pub fn parse(inside: &str) -> Result<Directive, ProblemAndRemedy> {
         let mut words = words(inside).into_iter();
         let kind = words.next().unwrap_or_default();
         let Some((_, usage)) = USES.iter().find(|(name, _)| *name == kind.as_str()) else {
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wrong_use_says_how_it_is_written() {
+    fn an_error_shows_the_directives_syntax() {
         for (inside, remedy) in [
             ("figure ray", "write {{#figure NAME"),
             ("figure ray \"\" \"caption\"", "write {{#figure NAME"),

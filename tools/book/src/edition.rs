@@ -1,4 +1,4 @@
-//! The two editions, and the lines of a page that each shows.
+//! The two editions, and which lines of a page each shows.
 
 use std::path::Path;
 
@@ -7,23 +7,23 @@ use crate::error::Problem;
 /// An edition of the book, by its readers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Edition {
-    /// For students: without solutions.
+    /// For students, without solutions.
     Student,
-    /// For instructors: everything.
+    /// For instructors, with everything.
     Instructor,
 }
 
 /// Opens a part for instructors, alone on its line.
 const OPEN: &str = "{{#instructor}}";
 
-/// Closes it.
+/// Closes such a part.
 const CLOSE: &str = "{{/instructor}}";
 
 impl Edition {
     /// Both editions.
     pub const ALL: [Edition; 2] = [Edition::Student, Edition::Instructor];
 
-    /// The folder it is built into.
+    /// The name of its folder.
     pub fn name(self) -> &'static str {
         match self {
             Edition::Student => "student",
@@ -31,13 +31,13 @@ impl Edition {
         }
     }
 
-    /// Whether a chapter is in this edition; `path` is from `SUMMARY.md`.
+    /// Whether a chapter is in this edition. `path` is the one in `SUMMARY.md`.
     pub fn has(self, path: &Path) -> bool {
         self == Edition::Instructor || !path.starts_with("instructor")
     }
 
-    /// A page without the markers, and without what they enclose if it is not for these
-    /// readers. Removed lines become empty ones, so that all others keep their numbers.
+    /// A page without the markers and, in the students' edition, without the parts that they
+    /// enclose. Removed lines become empty ones, so that all others keep their numbers.
     pub fn lines(self, page: &str, file: &Path) -> Result<String, Problem> {
         let mut opened: Option<usize> = None;
         let mut kept = String::new();
@@ -64,7 +64,7 @@ impl Edition {
                 }
                 CLOSE => opened = None,
                 other if other.contains(OPEN) || other.contains(CLOSE) => {
-                    let remedy = "let it stand alone on its line";
+                    let remedy = "put it on a line of its own";
                     return Err(Problem::at(
                         file,
                         line,

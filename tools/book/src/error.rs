@@ -1,4 +1,4 @@
-//! Errors: in the book, or on the machine that builds it.
+//! Errors in the book, or on the machine that builds it.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -58,20 +58,19 @@ impl fmt::Display for Problem {
     }
 }
 
-/// Why there is no book.
+/// Why the book could not be built.
 #[derive(Debug)]
 pub enum Error {
     /// Its sources have these problems.
     Sources(Vec<Problem>),
-    /// Something that the book needs is missing: a file, the machine, or this program is at
-    /// fault.
+    /// Something that the book needs is missing or broken: a file, the machine, or this program.
     Course(pinhole_course::error::Error),
 }
 
-/// A problem and its remedy, from code that doesn't know the page and line.
-pub type Wrong = (String, String);
+/// A problem and its remedy, from code that doesn't know the page and the line.
+pub type ProblemAndRemedy = (String, String);
 
-/// The result of everything here that can fail.
+/// The result of everything in this package that can fail.
 pub type Result<T> = std::result::Result<T, Error>;
 
 impl Error {
@@ -87,7 +86,7 @@ impl Error {
             .into()
     }
 
-    /// 2 if something the book is made of is wrong, 3 for any other fault.
+    /// 2 if the book's sources are wrong, 3 for any other fault.
     pub fn exit_code(&self) -> ExitCode {
         match self {
             Error::Sources(_) => ExitCode::from(2),

@@ -14,7 +14,7 @@ use pinhole_course::checkout::Checkout;
 use crate::course::assignments;
 use crate::directive::Directive;
 use crate::edition::Edition;
-use crate::error::{Problem, Result, Wrong};
+use crate::error::{Problem, ProblemAndRemedy, Result};
 use crate::formula::Formulas;
 use crate::html::{escaped, figure};
 use crate::run::{self, Runs};
@@ -22,7 +22,7 @@ use crate::scan::{Piece, pieces};
 use crate::worked::Values;
 use crate::{figures, gallery, interactive, listing};
 
-/// What pages quote, read or computed once for all editions.
+/// The sources that pages quote, read or computed once for both editions.
 pub struct Sources {
     checkout: Checkout,
     assignments: Vec<Assignment>,
@@ -32,7 +32,7 @@ pub struct Sources {
 }
 
 impl Sources {
-    /// Reads them; the numbers are those of [`worked::values`](crate::worked::values).
+    /// Reads them. The numbers are those of [`worked::values`](crate::worked::values).
     pub fn read(values: Values, checkout: &Checkout) -> Result<Sources> {
         Ok(Sources {
             checkout: checkout.clone(),
@@ -52,7 +52,7 @@ pub struct Expand {
 }
 
 impl Expand {
-    /// For this edition. What is wrong in the pages is added to `problems`.
+    /// Expands for one edition. Adds errors in the pages to `problems`.
     pub fn new(
         sources: Arc<Sources>,
         edition: Edition,
@@ -73,7 +73,7 @@ impl Expand {
                 .is_none_or(|path| self.edition.has(path))
         };
         items.retain(|item| !matches!(item, BookItem::Chapter(chapter) if !own(chapter)));
-        // Remove the title of a part that has no chapters left.
+        // Remove the title of a part without chapters.
         let mut kept: Vec<BookItem> = Vec::new();
         for item in items.drain(..) {
             let is_title = matches!(item, BookItem::PartTitle(_));
@@ -93,7 +93,7 @@ impl Expand {
         }
     }
 
-    /// The page's Markdown with its directives expanded; `path` is from `SUMMARY.md`.
+    /// The page's Markdown with its directives expanded. `path` is the one in `SUMMARY.md`.
     pub fn page(&self, text: &str, path: &Path) -> String {
         let file = Path::new("book/src").join(path);
         let mut problems = self
@@ -121,14 +121,13 @@ impl Expand {
         page
     }
 
-    fn piece(&self, piece: Piece<'_>, to_root: &str) -> std::result::Result<String, Wrong> {
+    fn piece(
+        &self,
+        piece: Piece<'_>,
+        to_root: &str,
+    ) -> std::result::Result<String, ProblemAndRemedy> {
         let formulas = &self.sources.formulas;
-        let latex = |problem| {
-            (
-                problem,
-                "write plain LaTeX, as the chapters beside it".into(),
-            )
-        };
+        let latex = |problem| (problem, "write plain LaTeX, as in other chapters".into());
         match piece {
             Piece::Text(text) => Ok(text.into()),
             Piece::Inline(text) => formulas.inline(text).map_err(latex),
@@ -141,7 +140,11 @@ impl Expand {
         }
     }
 
-    fn directive(&self, directive: Directive, to_root: &str) -> std::result::Result<String, Wrong> {
+    fn directive(
+        &self,
+        directive: Directive,
+        to_root: &str,
+    ) -> std::result::Result<String, ProblemAndRemedy> {
         let Sources {
             checkout,
             assignments,
@@ -192,7 +195,7 @@ impl Expand {
     }
 
     /// A caption, which may hold formulas but no directives.
-    fn caption(&self, text: &str) -> std::result::Result<String, Wrong> {
+    fn caption(&self, text: &str) -> std::result::Result<String, ProblemAndRemedy> {
         let put_in = pieces(text).into_iter().map(|(_, piece)| match piece {
             Piece::Directive(_) => Err((
                 "a directive in a caption".to_owned(),

@@ -1,5 +1,5 @@
-//! Every figure of the book, by name. A program makes it; each check compares the
-//! stored file with what the program makes.
+//! Every figure of the book, by name. A program makes each figure, and the check compares the
+//! stored file with what the program makes now.
 
 mod boxes;
 mod camera;
@@ -18,16 +18,16 @@ use std::path::PathBuf;
 
 use pinhole_course::checkout::Checkout;
 
-use crate::error::{Problem, Result, Wrong};
+use crate::error::{Problem, ProblemAndRemedy, Result};
 use crate::html::{escaped, heads};
 use crate::record;
 pub use drawing::colour;
 
-/// A figure's file: what is in it, and how its name ends.
+/// A figure's file: its content, and the extension of its name.
 pub struct Made {
     /// `svg` or `png`.
     pub extension: &'static str,
-    /// The file.
+    /// The file's content.
     pub content: Vec<u8>,
 }
 
@@ -98,12 +98,12 @@ fn plot(name: &str, checkout: &Checkout) -> Result<Made> {
     })
 }
 
-/// Where figures are kept.
+/// The folder of figures.
 pub fn folder(checkout: &Checkout) -> PathBuf {
     checkout.book().join("src/figures")
 }
 
-/// The headings of pictures that are beside each other in one file.
+/// The headings of pictures that are side by side in one file.
 fn heads_of(name: &str) -> &'static [&'static str] {
     match name {
         "three_outputs_boxes" | "three_outputs_bunny" => &["id", "depth", "normal"],
@@ -116,14 +116,14 @@ fn heads_of(name: &str) -> &'static [&'static str] {
     }
 }
 
-/// The HTML of a stored figure. A drawing is put into the page itself, so that it takes the
+/// The HTML of a stored figure. A drawing is inserted into the page itself, so that it uses the
 /// page's colours, light or dark. Its file has one line for each element.
 pub fn shown(
     name: &str,
     alternative: &str,
     to_root: &str,
     checkout: &Checkout,
-) -> std::result::Result<String, Wrong> {
+) -> std::result::Result<String, ProblemAndRemedy> {
     let alternative = escaped(alternative);
     let file = |extension: &str| folder(checkout).join(format!("{name}.{extension}"));
     if file("png").is_file() {
@@ -144,7 +144,7 @@ pub fn shown(
     Ok(drawing.trim_end().replacen("<svg ", &named, 1))
 }
 
-/// Makes figures, all or those named, and keeps them.
+/// Makes and stores the named figures, or all.
 pub fn keep(names: &[String], checkout: &Checkout) -> Result<()> {
     for (name, make) in makers() {
         if names.is_empty() || names.iter().any(|wanted| wanted == name) {

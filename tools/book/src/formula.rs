@@ -1,4 +1,4 @@
-//! LaTeX to MathML, at build time: browsers show it without any script.
+//! Converts LaTeX to MathML at build time, because browsers show MathML without a script.
 
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 
@@ -17,12 +17,12 @@ impl Default for Formulas {
 }
 
 impl Formulas {
-    /// A formula within a line, as HTML that Markdown leaves as it is.
+    /// A formula within a line, as HTML that Markdown leaves alone.
     pub fn inline(&self, latex: &str) -> Result<String, String> {
         self.convert(latex, MathDisplay::Inline)
     }
 
-    /// A formula on a line of its own. Where it is wider than the page, it scrolls.
+    /// A formula on a line of its own. If it is wider than the page, it scrolls.
     pub fn display(&self, latex: &str) -> Result<String, String> {
         let math = self.convert(latex, MathDisplay::Block)?;
         Ok(format!("<div class=\"formula\">{math}</div>"))
@@ -39,7 +39,7 @@ impl Formulas {
     }
 }
 
-/// HTML whose text holds nothing that Markdown would interpret.
+/// HTML whose text contains nothing that Markdown would interpret.
 fn inert(html: &str) -> String {
     let mut out = String::with_capacity(html.len());
     let (mut in_tag, mut in_entity) = (false, false);

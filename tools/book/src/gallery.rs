@@ -1,9 +1,9 @@
 //! Pictures of a task's known mistakes: expected, yours, and where they differ.
 //!
-//! Each mistake is compiled as a student's answers are, and casts the scenes that show
-//! it; [`choice`] picks the one that tells it from the others. The strips of three
-//! pictures are kept beside the chapters, and a list of what each shows, so that building
-//! the book needs none of that; the check casts each strip again and compares.
+//! Each mistake is compiled like a student's answers, and casts the scenes in which it shows.
+//! [`choice`] picks the scene that distinguishes it from the others. The strips of three pictures
+//! are stored beside the chapters, with a list of what each shows, so that building the book
+//! needs no compiler. The check casts each strip again and compares.
 
 pub mod cast;
 pub mod choice;
@@ -55,7 +55,7 @@ impl fmt::Display for View {
 
 /// What a strip shows.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
-pub struct Shown {
+pub struct StripSubject {
     /// The scene that was cast.
     pub scene: String,
     /// The kind of false colours.
@@ -71,7 +71,7 @@ type Strips = Vec<(String, Option<Strip>)>;
 
 const AGAIN: &str = "choose and cast again: cargo pinhole book gallery";
 
-/// The single mistakes, the scenes, and who casts them.
+/// The single mistakes, the scenes, and the program that casts them.
 struct Studio<'a> {
     mistakes: Vec<MistakeFolder>,
     scenes: Vec<SceneGolden>,
@@ -134,7 +134,7 @@ impl<'a> Studio<'a> {
     }
 }
 
-/// Chooses a scene and a view for every mistake, and keeps the strips.
+/// Chooses a scene and a view for every mistake, and stores the strips.
 pub fn keep(checkout: &Checkout) -> Result<()> {
     let mut strips = Strips::new();
     for assignment in course::assignments(checkout)? {
@@ -165,7 +165,7 @@ fn chosen(assignment: &Assignment, checkout: &Checkout) -> Result<Strips> {
     Ok(strips)
 }
 
-/// Strips that are not what their mistake casts, or that look like another of their
+/// Strips that differ from what their mistake casts, or look like another strip of the same
 /// chapter.
 pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
     let mut strips = Strips::new();
@@ -179,7 +179,7 @@ pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
     Ok(problems)
 }
 
-/// The strips of an assignment's mistakes as they are listed, and what is wrong with them.
+/// The listed strips of an assignment's mistakes, cast again, and their problems.
 fn cast_again(assignment: &Assignment, checkout: &Checkout) -> Result<(Strips, Vec<Problem>)> {
     let studio = Studio::new(assignment, checkout)?;
     let list = list(checkout);
@@ -205,7 +205,7 @@ fn cast_again(assignment: &Assignment, checkout: &Checkout) -> Result<(Strips, V
         let path = checkout.inside(&strip_path(slug, checkout));
         problems.push(Problem::of(
             path,
-            "a scene shows this mistake, no strip does",
+            "a scene shows this mistake, but no strip does",
             AGAIN,
         ));
     }
@@ -213,7 +213,7 @@ fn cast_again(assignment: &Assignment, checkout: &Checkout) -> Result<(Strips, V
     Ok((strips, problems))
 }
 
-/// Strips of one chapter that are the same picture.
+/// Strips of one chapter that show the same picture.
 fn alike(strips: &Strips, mistakes: &[MistakeFolder], checkout: &Checkout) -> Vec<Problem> {
     let mut seen: BTreeMap<(&str, &[u8]), &str> = BTreeMap::new();
     let mut problems = Vec::new();
@@ -231,7 +231,7 @@ fn alike(strips: &Strips, mistakes: &[MistakeFolder], checkout: &Checkout) -> Ve
 }
 
 /// The strips, by mistake.
-type List = BTreeMap<String, Shown>;
+type List = BTreeMap<String, StripSubject>;
 
 fn list_path(checkout: &Checkout) -> PathBuf {
     checkout.book().join("gallery.toml")
@@ -244,13 +244,13 @@ fn strip_path(slug: &str, checkout: &Checkout) -> PathBuf {
         .join(format!("{slug}.png"))
 }
 
-/// What each strip shows; empty if no strip was ever made.
+/// What each strip shows. Empty if there are no strips yet.
 fn list(checkout: &Checkout) -> List {
     let text = fs::read_to_string(list_path(checkout)).unwrap_or_default();
     toml::from_str(&text).unwrap_or_default()
 }
 
-/// Stores strips, and what each shows, in place of earlier ones.
+/// Stores strips and the list of what each shows, replacing earlier ones.
 fn keep_all(strips: Strips, checkout: &Checkout) -> Result<()> {
     for slug in list(checkout).keys() {
         let _absent = fs::remove_file(strip_path(slug, checkout));

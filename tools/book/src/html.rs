@@ -1,6 +1,6 @@
 //! Small pieces of HTML.
 
-/// Text that stands for itself, in an element or an attribute.
+/// Text with the characters of HTML escaped, for an element or an attribute.
 pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
@@ -15,8 +15,8 @@ pub fn figure(class: &str, content: &str, caption: &str) -> String {
     )
 }
 
-/// Words above pictures that stand beside each other in one file; its alternative text
-/// says the same.
+/// Words above pictures that are side by side in one file. Hidden from screen readers, because
+/// the alternative text says the same.
 pub fn heads(words: &[&str]) -> String {
     let columns = words.len();
     let spans: String = words

@@ -1,9 +1,9 @@
 //! Interactive figures, and their static pictures.
 //!
-//! The static picture is an ordinary figure in the page; a script makes it interactive.
-//! The script is TypeScript in `book/interactive`, kept bundled beside this package so
-//! that building the book needs no Node.js. It computes nothing that an assignment asks
-//! for: what it shows, it looks up in `facts.json`, which [`facts`] writes.
+//! The static picture is an ordinary figure in the page, and a script makes it interactive. The
+//! script is TypeScript in `book/interactive`. Its bundle is stored in this package, so that
+//! building the book needs no Node.js. The script computes nothing that an assignment asks for,
+//! but looks everything up in `facts.json`, which [`facts`] writes.
 
 mod facts;
 mod slice;
@@ -13,13 +13,13 @@ use std::process::Command;
 
 use pinhole_course::checkout::Checkout;
 
-use crate::error::{Error, Problem, Result, Wrong};
+use crate::error::{Error, Problem, ProblemAndRemedy, Result};
 use crate::figures;
 
 /// The bundle that pages load.
 pub const BUNDLE: &str = include_str!("../assets/interactive.js");
 
-/// Where the bundle is kept.
+/// The bundle's file.
 const KEPT: &str = "tools/book/assets/interactive.js";
 
 /// The facts about the course that the script uses.
@@ -27,13 +27,13 @@ const FACTS: &str = "book/interactive/src/facts.json";
 
 const AGAIN: &str = "make them again: cargo pinhole book bundle";
 
-/// HTML of a figure: its static picture, which the script replaces if it can.
+/// HTML of a figure: its static picture, which the script replaces where it can.
 pub fn shown(
     name: &str,
     alternative: &str,
     to_root: &str,
     checkout: &Checkout,
-) -> std::result::Result<String, Wrong> {
+) -> std::result::Result<String, ProblemAndRemedy> {
     let still = figures::shown(name, alternative, to_root, checkout)?;
     Ok(format!(
         "<figure class=\"interactive\" data-figure=\"{name}\">\n<div class=\"stage\">\n{still}\n</div>\n</figure>\n"
@@ -48,7 +48,7 @@ pub fn bundle(checkout: &Checkout) -> Result<()> {
     Ok(checkout.write(KEPT, bundle)?)
 }
 
-/// What is wrong with the figures: stale facts or bundle, types, mathematics.
+/// What is wrong with the figures: stale facts or a stale bundle, types, mathematics.
 pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
     let mut problems = Vec::new();
     let kept = checkout.read(FACTS).unwrap_or_default();
@@ -67,13 +67,13 @@ pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
     Ok(problems)
 }
 
-/// A problem if the stored file differs from what was made now.
+/// A problem if the stored file differs from the new one.
 fn stale(file: &str, kept: &str, made: &str) -> Option<Problem> {
     (kept != made).then(|| Problem::of(file, "it is not what the course makes now", AGAIN))
 }
 
-/// Runs npm in the script's folder, with what the lock file names installed. Gives what
-/// it prints; as an error, if it fails.
+/// Runs npm in the script's folder, after installing what the lock file names. Returns its
+/// output, as an error if it failed.
 pub fn npm(arguments: &[&str], checkout: &Checkout) -> Result<std::result::Result<String, String>> {
     let folder = folder(checkout);
     if !folder.join("node_modules/.package-lock.json").is_file() {
@@ -87,7 +87,7 @@ pub fn npm(arguments: &[&str], checkout: &Checkout) -> Result<std::result::Resul
     started(&folder, arguments)
 }
 
-/// Where the script lies.
+/// The folder of the script.
 pub fn folder(checkout: &Checkout) -> PathBuf {
     checkout.book().join("interactive")
 }

@@ -1,20 +1,22 @@
 //! Builds Pinhole's book, and checks what it shows.
 //!
-//! The book's chapters quote: code by its anchors, what a command prints, numbers,
-//! figures, pictures of mistakes. None of that is typed by hand; this package inserts
-//! it, for students (no solutions) and for instructors, and fails where it cannot.
-//! Students never compile it: `pinhole book` starts it when somebody asks.
+//! Chapters quote code by its anchors, the output of commands, numbers, figures, and pictures of
+//! mistakes. None of that is typed by hand. This package inserts it, for students (without
+//! solutions) and for instructors, and fails where it cannot. Students never compile this
+//! package; `pinhole book` builds it when needed.
 //!
 //! Reading order:
 //!
-//! 1. [`error`], [`course`], [`edition`]: what can be wrong, what is explained, for whom;
+//! 1. [`error`], [`course`], [`edition`]: what can be wrong, what is explained, and for which
+//! readers;
 //! 2. [`scan`], [`directive`]: what a writer's page consists of;
-//! 3. [`reference`](mod@reference), [`record`]: whom the book asks instead of claiming;
-//! 4. [`png`](mod@png), [`rasterizer`], [`silhouette`] and [`boxes`]: what the book computes itself, to compare;
+//! 3. [`reference`](mod@reference), [`record`]: the programs and records that the book quotes;
+//! 4. [`png`](mod@png), [`rasterizer`], [`silhouette`] and [`boxes`]: what the book computes
+//! itself, for comparison;
 //! 5. [`listing`], [`formula`], [`run`], [`worked`], [`figures`], [`gallery`],
 //!    [`interactive`]: one file for each thing a page can quote;
-//! 6. [`expand`], [`build`]: a page with everything put in, and the book of all pages;
-//! 7. [`check`]: what would make the book lie, looked for in the built pages.
+//! 6. [`expand`], [`build`]: a page with everything inserted, and the book of all pages;
+//! 7. [`check`]: everything that could be wrong in the built pages.
 
 pub mod boxes;
 pub mod build;

@@ -5,18 +5,18 @@ use std::path::Path;
 use pinhole_course::checkout::Checkout;
 
 use crate::edition::Edition;
-use crate::error::Wrong;
+use crate::error::ProblemAndRemedy;
 
-/// Folders whose code gives an answer away.
+/// Folders of code that gives an answer away.
 const SOLUTIONS: [&str; 3] = ["/reference/", "/variants/", "/mistakes/"];
 
-/// Markdown of a listing with the file's path above it.
+/// Markdown of a listing, with the file's path above it.
 pub fn listing(
     path: &str,
     anchor: &str,
     edition: Edition,
     checkout: &Checkout,
-) -> Result<String, Wrong> {
+) -> Result<String, ProblemAndRemedy> {
     let is_solution = SOLUTIONS.iter().any(|folder| path.contains(folder));
     if is_solution && edition == Edition::Student {
         return Err((
@@ -42,9 +42,9 @@ pub fn listing(
     ))
 }
 
-/// The lines between an anchor and its end, without those of other anchors, moved to
-/// the left as far as they go.
-pub fn between(text: &str, anchor: &str) -> Result<String, Wrong> {
+/// The lines between an anchor and its end, without markers of other anchors and without common
+/// indentation.
+pub fn between(text: &str, anchor: &str) -> Result<String, ProblemAndRemedy> {
     let (open, close) = (
         format!("// ANCHOR: {anchor}"),
         format!("// ANCHOR_END: {anchor}"),
@@ -64,7 +64,7 @@ pub fn between(text: &str, anchor: &str) -> Result<String, Wrong> {
         } else if let Some(lines) = &inside {
             return match lines.iter().all(|line| line.trim().is_empty()) {
                 true => Err((
-                    format!("nothing stands in the anchor `{anchor}`"),
+                    format!("nothing is in the anchor `{anchor}`"),
                     "move the markers around what is to be shown".into(),
                 )),
                 false => Ok(to_the_left(lines)),
@@ -107,7 +107,7 @@ mod tests {
                         // ANCHOR_END: empty\n// ANCHOR: endless\nd\n";
 
     #[test]
-    fn a_listing_is_what_stands_between_its_markers() {
+    fn a_listing_is_the_text_between_its_markers() {
         assert_eq!(between(FILE, "one").unwrap(), "b\n    c\n");
         assert_eq!(between(FILE, "two").unwrap(), "c\n");
     }
@@ -116,7 +116,7 @@ mod tests {
     fn a_missing_an_empty_and_an_endless_anchor_are_errors() {
         for (anchor, problem) in [
             ("three", "there is no anchor `three`"),
-            ("empty", "nothing stands in the anchor `empty`"),
+            ("empty", "nothing is in the anchor `empty`"),
             ("endless", "the anchor `endless` has no end"),
         ] {
             assert_eq!(between(FILE, anchor).unwrap_err().0, problem);

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::{Args, Parser, Subcommand};
-use pinhole_book::build::{Built, build};
+use pinhole_book::build::{BuiltEdition, build};
 use pinhole_book::check::{Part, check};
 use pinhole_book::edition::Edition;
 use pinhole_book::error::{Error, Problem, Result};
@@ -36,11 +36,11 @@ enum Command {
     Build {
         #[command(flatten)]
         which: Which,
-        /// Build even if something is missing or wrong, and mark it in the pages
+        /// Build even if something is missing or wrong, and mark the place in the pages
         #[arg(long)]
         draft: bool,
     },
-    /// Build the book, and check everything that it says
+    /// Build the book, and check everything in it
     Check {
         #[command(flatten)]
         which: Which,
@@ -50,23 +50,24 @@ enum Command {
     },
     /// Run the commands of book/commands.toml, and save what they print
     Capture {
-        /// Only these
+        /// The names of the commands [default: all]
         ids: Vec<String>,
     },
-    /// Cast the known mistakes, choose the picture that tells each from the others, and save it
+    /// Cast the known mistakes, and save for each the picture that distinguishes it from the
+    /// others
     Gallery,
     /// Bundle and save the script of the interactive figures (needs Node.js)
     Bundle,
     /// Draw and save the figures
     Figures {
-        /// Only these
+        /// The names of the figures [default: all]
         names: Vec<String>,
     },
 }
 
 #[derive(Args)]
 struct Which {
-    /// Only this edition
+    /// Build only this edition
     #[arg(long, value_enum)]
     edition: Option<Edition>,
     /// Write a folder for each edition into this folder [default: book/build]
@@ -119,7 +120,7 @@ fn run_command(command: Command) -> Result<Vec<Problem>> {
     }
 }
 
-fn editions(which: &Which, checkout: &Checkout) -> Result<Vec<Built>> {
+fn editions(which: &Which, checkout: &Checkout) -> Result<Vec<BuiltEdition>> {
     let here = std::env::current_dir().unwrap_or_default();
     let out = match &which.out {
         Some(out) => here.join(out),

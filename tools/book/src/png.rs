@@ -1,12 +1,12 @@
-//! Pictures side by side, as PNG files. What is between them is transparent, since the
-//! page may be light or dark.
+//! Puts pictures side by side and writes PNG files. Gaps are transparent, because the page may be
+//! light or dark.
 
 use image::imageops::{FilterType, replace, resize, rotate90, rotate270};
 use image::{DynamicImage, ImageFormat, RgbImage, Rgba, RgbaImage};
 
 use crate::error::{Error, Result};
 
-/// The picture with nothing transparent.
+/// The picture as an opaque one with an alpha channel.
 pub fn opaque(picture: &RgbImage) -> RgbaImage {
     DynamicImage::from(picture.clone()).into_rgba8()
 }

@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3, dvec2, dvec3};
 use pinhole::{Camera, Projection, Resolution, Triangle};
 
 /// The picture, and the number of steps.
-pub struct Drawn {
+pub struct Raster {
     /// For each pixel, in the film's order, the nearest triangle.
     pub nearest: Vec<Option<usize>>,
     /// Triangles visited, and pixels asked whether a triangle covers them.
@@ -31,7 +31,7 @@ pub fn rasterize(
     resolution: Resolution,
     min_t: f64,
     triangles: &[Triangle],
-) -> Drawn {
+) -> Raster {
     let Projection::Perspective { focal_length } = camera.projection else {
         panic!("an orthographic camera");
     };
@@ -48,7 +48,7 @@ pub fn rasterize(
         }
     };
     let mut depth_buffer = vec![0.0; resolution.pixels()];
-    let mut drawn = Drawn {
+    let mut drawn = Raster {
         nearest: vec![None; resolution.pixels()],
         steps: 0,
     };

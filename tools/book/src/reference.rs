@@ -1,8 +1,7 @@
-//! The compiled reference, asked like any submission: as a process of its own, not
-//! linked.
+//! Asks the compiled reference like any submission: it is a process of its own, not linked.
 //!
-//! No tool may import a submission. So a number that the book says "comes from the
-//! reference" comes from the program that is judged against Mitsuba.
+//! No tool may import a submission. So a number that the book attributes to the reference comes
+//! from the very program that is judged against Mitsuba.
 
 use std::time::Duration;
 
@@ -21,21 +20,21 @@ use pinhole_course::sandbox::{Limits, Sandbox};
 use crate::course::assignment;
 use crate::error::{Error, Result};
 
-/// Who answers.
+/// The running reference.
 pub struct Reference {
     program: Program,
 }
 
-/// No question of the book takes longer.
+/// The longest time for a question of the book.
 const WALL: Duration = Duration::from_secs(60);
 
 impl Reference {
-    /// Builds that of the first assignment.
+    /// Builds the reference of the first assignment.
     pub fn build(checkout: &Checkout) -> Result<Reference> {
         Reference::of(&assignment(checkout)?, checkout)
     }
 
-    /// Builds that of an assignment.
+    /// Builds the reference of an assignment.
     pub fn of(assignment: &Assignment, checkout: &Checkout) -> Result<Reference> {
         let submission = overlay::reference(assignment)?;
         let program = compile(&submission, assignment, checkout, &Sandbox::Trusted)?;

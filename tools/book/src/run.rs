@@ -1,4 +1,4 @@
-//! Commands and their output: captured once, shown in the book, and run again by every
+//! Commands and their output. It is captured once, shown in the book, and compared in every
 //! check.
 
 use std::collections::BTreeMap;
@@ -22,13 +22,13 @@ use crate::listing::fence;
 pub struct Run {
     /// As a reader types it; `pinhole` stands for this program.
     pub command: String,
-    /// Whose answers lie in the handout's folder meanwhile: `handout`, `reference`, or
-    /// `mistakes/SLUG`, the reference with that mistake's files over it.
+    /// Whose answers to put into the handout's folder: `handout`, `reference`, or
+    /// `mistakes/SLUG`, which is the reference with that mistake's files over it.
     #[serde(default = "handout")]
     pub answers: String,
-    /// First and last line shown, from 1.
+    /// The first and the last line to show, from 1.
     pub lines: Option<[usize; 2]>,
-    /// Regular expressions and replacements, for text that differs each time.
+    /// Regular expressions and replacements, for text that differs in every run.
     #[serde(default)]
     pub replace: Vec<[String; 2]>,
 }
@@ -40,7 +40,7 @@ fn handout() -> String {
 /// All commands by name.
 pub type Runs = BTreeMap<String, Run>;
 
-/// Where the commands are listed.
+/// The file that lists the commands.
 const LIST: &str = "book/commands.toml";
 
 /// Reads the list; without one, there are no commands.
@@ -54,7 +54,7 @@ pub fn read(checkout: &Checkout) -> Result<Runs> {
     })
 }
 
-/// Where the output of a command is kept.
+/// The path of a command's captured output.
 pub fn captured(id: &str, checkout: &Checkout) -> PathBuf {
     checkout.book().join("captured").join(format!("{id}.txt"))
 }
@@ -68,7 +68,7 @@ impl Run {
         }
     }
 
-    /// Markdown of the command and what it printed.
+    /// Markdown of the command and its output.
     pub fn shown(&self, output: &str) -> String {
         let lines: Vec<&str> = output.lines().collect();
         let [first, last] = self.lines.unwrap_or([1, lines.len()]);
@@ -87,7 +87,7 @@ impl Run {
     }
 }
 
-/// Runs commands in a folder of their own.
+/// Runs commands in a folder of its own.
 pub struct Runner<'a> {
     checkout: &'a Checkout,
     pinhole: PathBuf,
@@ -99,12 +99,12 @@ impl<'a> Runner<'a> {
         Ok(Runner::of(build(checkout)?, checkout))
     }
 
-    /// With this program in the place of `pinhole`.
+    /// Uses this program as `pinhole`.
     pub fn of(pinhole: PathBuf, checkout: &'a Checkout) -> Runner<'a> {
         Runner { checkout, pinhole }
     }
 
-    /// Commands that no longer print what the book shows.
+    /// Commands whose output is not what the book shows any more.
     pub fn changed(&self) -> Result<Vec<Problem>> {
         let mut problems = Vec::new();
         for (id, run) in &read(self.checkout)? {
@@ -122,7 +122,7 @@ impl<'a> Runner<'a> {
         Ok(problems)
     }
 
-    /// What a command prints, standard output alone.
+    /// The standard output of a command.
     pub fn run(&self, id: &str, run: &Run) -> Result<String> {
         let wrong =
             |problem: String, remedy: &str| Problem::of(LIST, format!("[{id}]: {problem}"), remedy);
@@ -137,7 +137,7 @@ impl<'a> Runner<'a> {
         let handout = self.checkout.inside(&assignment.handout());
         let handout = handout.display().to_string();
         let mut arguments: Vec<String> = words.map(|word| word.replace(&handout, &named)).collect();
-        // Without a folder they take the handout: the one folder that is not touched.
+        // Without a folder, these commands use the handout's, which must not be touched.
         match arguments.first().map(String::as_str) {
             Some("check") => arguments.push(named.clone()),
             Some("explain" | "render") => arguments.extend(["--submission".into(), named.clone()]),
@@ -150,7 +150,7 @@ impl<'a> Runner<'a> {
             .current_dir(&here)
             .output()
             .map_err(|error| Error::file(&self.pinhole, &error))?;
-        // Exit code 1 is a verdict, not an error.
+        // Exit code 1 is a verdict and not an error.
         if !matches!(output.status.code(), Some(0 | 1)) {
             let said = String::from_utf8_lossy(&output.stderr);
             return Err(wrong(format!("it fails: {said}"), "mend the command").into());
@@ -202,13 +202,13 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// What cargo says of a file it has made.
+/// What cargo prints about a file that it has built.
 #[derive(Deserialize)]
 struct Artifact {
     executable: Option<PathBuf>,
 }
 
-/// Builds the `pinhole` command; gives where it is.
+/// Builds the `pinhole` command and returns its path.
 fn build(checkout: &Checkout) -> Result<PathBuf> {
     let remedy = "run `cargo build --release -p pinhole-cli` and mend what it says";
     let cargo = std::env::var_os("CARGO").unwrap_or("cargo".into());
@@ -241,7 +241,7 @@ fn copy_rust(from: &Path, to: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Runs commands, all or those named, and keeps what they print.
+/// Runs the named commands, or all, and stores their output.
 pub fn capture(ids: &[String], checkout: &Checkout) -> Result<()> {
     let runs = read(checkout)?;
     let runner = Runner::new(checkout)?;
@@ -265,7 +265,7 @@ pub fn capture(ids: &[String], checkout: &Checkout) -> Result<()> {
     }
 }
 
-/// What no longer prints what the book shows.
+/// Commands whose output is not what the book shows any more.
 pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
     Runner::new(checkout)?.changed()
 }

@@ -1,24 +1,24 @@
 //! Splits a page into directives, formulas, and Markdown that stays as it is.
 //!
-//! Only what Markdown would not show as code is looked at: a `$` or a `{{#` in a code
-//! block or a code span is text.
+//! Skips everything that Markdown shows as code: a `$` or a `{{#` in a code block or a code span
+//! is text.
 
 /// A part of a page.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Piece<'a> {
     /// Markdown, code included.
     Text(&'a str),
-    /// What stands between `{{#` and `}}`.
+    /// The text between `{{#` and `}}`.
     Directive(&'a str),
     /// LaTeX between two `$`.
     Inline(&'a str),
     /// LaTeX between two `$$`.
     Display(&'a str),
-    /// Something that is opened and never closed: its opening.
+    /// Something that is opened and never closed; holds what opens it.
     Open(&'static str),
 }
 
-/// The parts of a page in their order, each with the number of the line it begins on.
+/// The parts of a page in order, each with the number of its first line.
 pub fn pieces(page: &str) -> Vec<(usize, Piece<'_>)> {
     let mut scan = Scan {
         page,
@@ -115,8 +115,8 @@ fn fenced(rest: &str, ticks: usize) -> usize {
     length
 }
 
-/// The length of a code span that begins with this many backticks. If it has no end,
-/// the length of the backticks alone, because Markdown then takes them as text.
+/// The length of a code span that begins with this many backticks. If it has no end, the length
+/// of the backticks alone, because Markdown then shows them as text.
 fn span(rest: &str, ticks: usize) -> usize {
     let mut at = ticks;
     let end = paragraph(rest).len();
@@ -131,7 +131,7 @@ fn span(rest: &str, ticks: usize) -> usize {
     ticks
 }
 
-/// What comes before the next empty line.
+/// The text before the next empty line.
 fn paragraph(rest: &str) -> &str {
     &rest[..rest.find("\n\n").unwrap_or(rest.len())]
 }

@@ -1,13 +1,13 @@
 //! The silhouette of one sphere from far away, computed in three ways.
 //!
-//! The unit sphere stands at distance `far` from the origin, where rays begin; each leads
-//! to a point (x, y) of the plane through the centre. However far that is, the picture
-//! should stay the same. These are no solutions of the sphere's task: nobody asks for t.
+//! The unit sphere is at distance `far` from the origin, where the rays begin. Each ray leads to
+//! a point (x, y) of the plane through the centre. However large the distance, the picture should
+//! stay the same. These are no solutions of the sphere's task, because none computes t.
 
 use glam::{DVec3, dvec3};
 
-/// From the origin to the sphere, and the two axes of the picture: no axis of space, for
-/// along those many roundings happen to be exact.
+/// The direction from the origin to the sphere, and the two axes of the picture. They are not
+/// axes of space, because along those many roundings happen to be exact.
 const AXIS: DVec3 = dvec3(0.36, 0.48, 0.8);
 const RIGHT: DVec3 = dvec3(0.8, -0.6, 0.0);
 const UP: DVec3 = dvec3(0.48, 0.64, -0.6);
@@ -15,7 +15,7 @@ const UP: DVec3 = dvec3(0.48, 0.64, -0.6);
 /// Whether the ray to (x, y) meets the sphere at distance `far`.
 pub type Meets = fn(f64, f64, f64) -> bool;
 
-/// The three ways, by their names in values.
+/// The three ways, by their names in the book's values.
 pub const WAYS: [(&str, Meets); 3] = [("f32", in_f32), ("f64", in_f64), ("foot", from_the_foot)];
 
 /// The distances, in radii, that the book shows.
@@ -31,9 +31,9 @@ pub fn on(k: u32) -> f64 {
 
 /// In how many pixels a way is wrong.
 ///
-/// The truth is that the line passes the centre at most a radius away: far² (x² + y²) ≤
-/// x² + y² + far². No two of these sums are near each other, for no pixel's middle lies
-/// near the outline, so that an `f64` decides it.
+/// The truth is that the line passes the centre at a distance of at most one radius: far² (x² +
+/// y²) ≤ x² + y² + far². The two sides are never close, because no pixel's middle is near the
+/// outline, so an `f64` decides it.
 pub fn wrong(meets: Meets, far: f64) -> usize {
     let pixels = (0..SIDE).flat_map(|i| (0..SIDE).map(move |j| (on(i), on(j))));
     let truth = |x: f64, y: f64| {
@@ -57,7 +57,7 @@ fn in_f64(x: f64, y: f64, far: f64) -> bool {
     h * h - a * k >= 0.0
 }
 
-/// The same in single precision, the data included.
+/// The textbook's discriminant in single precision, including the data.
 fn in_f32(x: f64, y: f64, far: f64) -> bool {
     let center = (far * AXIS).as_vec3();
     let (d, m) = (ray_to(x, y, center.as_dvec3()).as_vec3(), -center);

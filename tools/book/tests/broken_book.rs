@@ -1,10 +1,10 @@
-//! Every check of a page, shown to fail: a small book in which all is wrong.
+//! A small book in which everything is wrong, so that every check of a page is seen to fail.
 
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
-use pinhole_book::build::{Built, build};
+use pinhole_book::build::{BuiltEdition, build};
 use pinhole_book::check::{Part, check};
 use pinhole_book::edition::Edition;
 use pinhole_book::expand::Sources;
@@ -22,7 +22,7 @@ const STUB: &str = "// ANCHOR: stub\ntodo!()\n// ANCHOR_END: stub\n\
                     // ANCHOR: empty\n// ANCHOR_END: empty\n\
                     // ANCHOR: endless\nlet endless;\n";
 
-/// A checkout with this page, and with whatever pages need.
+/// A checkout with this page, and with everything that pages need.
 fn checkout(page: &str) -> (TempDir, Checkout) {
     let folder = tempfile::tempdir().expect("there is room");
     let assignment = "assignments/ray_casting";
@@ -56,7 +56,7 @@ fn checkout(page: &str) -> (TempDir, Checkout) {
     (folder, checkout)
 }
 
-fn built(edition: Edition, checkout: &Checkout) -> Built {
+fn built(edition: Edition, checkout: &Checkout) -> BuiltEdition {
     let sources = Sources::read(Values::new(), checkout).expect("the small course is whole");
     let out = checkout.root().join("built");
     build(&Arc::new(sources), edition, &out, checkout).expect("mdBook builds it")
@@ -71,7 +71,7 @@ fn told(page: &str) -> Vec<String> {
     told.collect()
 }
 
-/// The first page is also `index.html`, so that a problem may be told twice.
+/// The first page is also `index.html`, so a problem may be reported twice.
 #[track_caller]
 fn assert_told(page: &str, expected: &str) {
     let page = format!("# Dot\n\n## The sum\n\n{page}\n");
@@ -95,7 +95,7 @@ fn listings_need_a_file_and_an_anchor_with_lines_and_an_end() {
     let cases = [
         ("none.rs:stub", "there is no file none.rs"),
         (&format!("{stub}:gone"), "there is no anchor `gone`"),
-        (&format!("{stub}:empty"), "nothing stands in the anchor"),
+        (&format!("{stub}:empty"), "nothing is in the anchor"),
         (&format!("{stub}:endless"), "has no end"),
     ];
     for (listing, expected) in cases {
@@ -156,7 +156,7 @@ fn students_see_no_solution_and_instructors_do() {
 #[cfg(unix)]
 fn a_command_that_prints_something_else_now_is_a_problem_at_its_line() {
     let (_folder, checkout) = checkout("# Dot\n");
-    // It prints its arguments: the command, and the folder of answers by its name here.
+    // It prints its arguments: the command, and the folder of answers under its name here.
     let runner = Runner::of("/bin/echo".into(), &checkout);
     let told = || -> Vec<(Option<usize>, String)> {
         let problems = runner.changed().expect("it runs").into_iter();

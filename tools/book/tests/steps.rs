@@ -1,13 +1,12 @@
-//! Each step's page has what a step's page needs, in the order in which one reads it.
+//! The page of each task has everything that such a page needs, in reading order.
 
 use pinhole_book::course::assignments;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::mistake;
 
-/// What stands on the page of a task: the question, a picture, the derivation and worked
-/// numbers, whose sections are its own, then the stub, what mistakes look like, the command,
-/// and questions.
+/// What the page of a task must have: the question, a picture, the derivation and worked numbers
+/// under headings of its own, then the stub, pictures of mistakes, the command, and questions.
 fn parts(assignment: &Assignment, task: &str) -> Vec<String> {
     let parts = [
         "\n**",
@@ -34,7 +33,7 @@ fn parts(assignment: &Assignment, task: &str) -> Vec<String> {
     parts.collect()
 }
 
-/// What the page of a task needs once mistakes of its assignment are known.
+/// What the page of a task needs if mistakes of its assignment are known.
 const GALLERY: [&str; 2] = [
     "\n## If your picture looks like this\n",
     "{{#gallery TASK}}",
@@ -66,7 +65,7 @@ fn every_steps_page_has_each_part_in_order() {
         let page = checkout.read(format!("book/src/{page}.md")).expect(&page);
         assert_eq!(missing(&page, &parts), None, "{}", task.chapter);
         pages += 1;
-        // And a page without a part is found out.
+        // A page without one of the parts is reported.
         for part in &parts {
             let at = page.rfind(part).expect("it was found");
             let without = format!("{}{}", &page[..at], &page[at + part.len()..]);

@@ -1,8 +1,8 @@
-//! What reading, casting and judging cost: `cargo bench -p pinhole-cli`.
+//! The cost of reading, casting and judging: `cargo bench -p pinhole-cli`.
 //!
-//! Casts are the reference's, in a process of its own as everywhere. The last table
-//! takes the start of that process away: it compares a film with one of a single
-//! pixel, and gives the difference for each ray.
+//! The reference casts, in a process of its own as always. The last table subtracts the start of
+//! that process: it compares each film with one of a single pixel, and divides the difference by
+//! the number of rays.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -29,7 +29,7 @@ const SCENES: [&str; 12] = [
     "bunny",
 ];
 
-/// How often each film of the last table is cast; the median counts.
+/// How often each film of the last table is cast. The table shows the median.
 const ROUNDS: usize = 11;
 
 fn main() {
@@ -82,7 +82,7 @@ fn print_time_per_ray() {
         let mut one_pixel = scene.clone();
         one_pixel.resolution = Resolution { n_x: 1, n_y: 1 };
         let rays = scene.resolution.pixels() - 1;
-        // Interleaved, so that whatever else the machine does falls on both.
+        // Interleave the two, so that a busy machine slows both.
         let times = (0..ROUNDS).map(|_| (time(&scene), time(&one_pixel)));
         let (mut films, mut starts): (Vec<_>, Vec<_>) = times.unzip();
         films.sort();

@@ -1,8 +1,8 @@
-//! From a save to its verdict: `cargo bench -p pinhole-cli --bench watch`.
+//! The time from a save to its verdict: `cargo bench -p pinhole-cli --bench watch`.
 //!
-//! Runs the real `check --watch --json`, saves right and wrong answers in turn, each a
-//! text that was never compiled before, and reads the clock when the verdict's line has
-//! arrived. The last row saves an answer that does not compile.
+//! Runs the real `check --watch --json` and saves right and wrong answers in turn, each a text
+//! that was never compiled before. The time ends when the line of the verdict has arrived. The
+//! last row saves an answer that does not compile.
 
 use std::fs;
 use std::io::{BufRead, BufReader, Lines};
@@ -11,7 +11,7 @@ use std::process::{Child, ChildStdout, Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant, SystemTime};
 
-/// Of each task.
+/// How often each task is saved.
 const SAVES: usize = 20;
 
 /// A task and a known mistake in it.
@@ -55,7 +55,7 @@ fn read(folder: &Path, task: &str) -> String {
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// A copy of the reference's answers, inside the checkout, where code is trusted.
+/// A copy of the reference's answers inside the checkout, where code is trusted.
 fn answers() -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("watch-bench");
     let _absent = fs::remove_dir_all(&folder);
@@ -67,14 +67,14 @@ fn answers() -> PathBuf {
     folder
 }
 
-/// Saves these texts in turn, and prints how long the verdicts took.
+/// Saves these texts in turn, and prints how long each verdict took.
 fn row(name: &str, folder: &Path, task: &str, texts: &[String]) {
     let mut watch = Watch::begin(folder, task);
     let mut times: Vec<Duration> = (0..SAVES)
         .map(|turn| {
             let now = SystemTime::UNIX_EPOCH.elapsed().expect("it is past 1970");
             let text = format!("{}\n// {now:?}\n", texts[turn % texts.len()]);
-            // A student reads before they save again.
+            // A student reads before saving again.
             thread::sleep(Duration::from_millis(300));
             let start = Instant::now();
             fs::write(folder.join(task).with_extension("rs"), text).expect("it can be saved");
@@ -97,7 +97,7 @@ struct Watch {
 }
 
 impl Watch {
-    /// Begins, and waits for the verdict on what is there already.
+    /// Starts a watch, and waits for the verdict on the answers that are there.
     fn begin(folder: &Path, task: &str) -> Watch {
         let mut child = Command::new(env!("CARGO_BIN_EXE_pinhole"))
             .args(["check", "--watch", "--json", "--task", task])

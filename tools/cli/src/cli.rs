@@ -8,8 +8,8 @@ use pinhole_course::run_options::{AssignmentOption, RunOptions, resolution};
 
 /// Computer graphics assignments, judged against golden films by Mitsuba.
 ///
-/// To begin, run `cargo pinhole check --watch` and write your answers in the assignment's
-/// folder `handout/src`. Each answer is judged when you save it.
+/// To begin, run `cargo pinhole check --watch` and write your answers in the folder `handout/src`
+/// of the assignment. Each answer is judged when you save it.
 ///
 /// Exit codes: 0 if all is well; 1 if an answer is wrong; 2 if a file or an argument is
 /// wrong; 3 if the machine or this program is at fault.
@@ -38,7 +38,7 @@ pub enum Command {
 }
 
 impl Command {
-    /// Whether standard output is to be one JSON document, errors included.
+    /// Whether standard output must be one JSON document, errors included.
     pub fn wants_json(&self) -> bool {
         match self {
             Command::Check(arguments) => arguments.json,
@@ -61,13 +61,13 @@ impl Command {
 /// With --watch, this keeps running and judges an answer whenever you save it: first the
 /// tasks, one at a time, then the scenes. Press h for a hint and ? for all keys. Without a
 /// terminal, or with --json, it prints each verdict on a line of its own, and stops when
-/// standard input is closed or at Ctrl-C. Its exit code is always 0.
+/// standard input is closed or at Ctrl-C. With --watch, the exit code is always 0.
 ///
 /// Only the answer files are taken from the folder. Code from outside this checkout is
 /// compiled and run in a sandbox.
 ///
-/// A report is written as well: one HTML file with the expected picture and yours for every
-/// scene that fails, where you can click on each pixel, and hints.
+/// It also writes a report: an HTML file with hints. For every scene that fails, it shows the
+/// expected picture and yours, and you can click on each pixel.
 #[derive(Args)]
 pub struct Check {
     /// The folder with the answer files, or with a folder `src` that has them [default: the
@@ -84,10 +84,10 @@ pub struct Check {
     /// Judge only this scene (repeatable)
     #[arg(long, value_name = "SCENE")]
     pub scene: Vec<String>,
-    /// Judge by the goldens in this folder
+    /// Judge by the golden films in this folder
     #[arg(long, value_name = "DIR")]
     pub golden: Option<PathBuf>,
-    /// Let oiiotool, the second judge, compare every film too
+    /// Let oiiotool, the second judge, compare every film as well
     #[arg(long)]
     pub oiiotool: bool,
     #[command(flatten)]
@@ -102,7 +102,7 @@ pub struct Check {
     /// Open the page of the book that helps with the first thing that is wrong
     #[arg(long, conflicts_with_all = ["json", "watch"])]
     pub read: bool,
-    /// Write the answers to this ZIP file too, to hand in
+    /// Also write the answers to this ZIP file, to hand in
     #[arg(long, value_name = "FILE", conflicts_with = "watch")]
     pub pack: Option<PathBuf>,
     /// Show how long each stage took
@@ -122,8 +122,8 @@ pub struct Check {
 /// them in false colours. If the scene has a golden, depth.png uses the golden's range of
 /// depths, so that you can compare the two pictures.
 ///
-/// While some of your answers are missing, Mitsuba's film fills in for them, faded in the
-/// pictures, so that you see what your own code makes after each task.
+/// While some of your answers are missing, Mitsuba's film fills in for them. Its pixels are faded
+/// in the pictures, so that you see what your own code does after each task.
 #[derive(Args)]
 pub struct Render {
     /// A scene file, or the name of one of the assignment's scenes
@@ -149,9 +149,10 @@ pub struct Render {
 
 /// Explain one pixel in words
 ///
-/// Shows your ray beside the expected one: where it meets the image plane, in camera space and
-/// in world space. Then it shows what each object answers, what your code printed meanwhile,
-/// the first hit and, if the scene has a golden, what Mitsuba found.
+/// Shows your ray beside the expected one: where it meets the image plane, in camera space, and
+/// in world space. Then it shows what each object answers, what your code printed, the first hit
+/// and, if the scene has a golden, what Mitsuba found.
+///
 /// Try: cargo pinhole explain slide_example 2 3
 #[derive(Args)]
 pub struct Explain {
@@ -180,9 +181,9 @@ pub struct Explain {
 /// Compare a film of any renderer with a golden
 ///
 /// The rule: both films have the same size and channels, all values are finite, and at every
-/// pixel |film − golden| ≤ tolerance in every channel. The tolerance film lies beside the
-/// golden as NAME.tol.exr. If oiiotool is installed, it compares the films as well; should
-/// the two judges disagree, that is reported as our fault.
+/// pixel |film − golden| ≤ tolerance in every channel. The tolerance film NAME.tol.exr must be in
+/// the golden's folder. If oiiotool is installed, it compares the films too. If the two judges
+/// disagree, Pinhole has a bug, and `diff` says so.
 #[derive(Args)]
 pub struct Diff {
     /// The golden film: NAME.exr, with NAME.tol.exr beside it
@@ -207,10 +208,10 @@ pub struct Diff {
     pub json: bool,
 }
 
-/// Start an answer again from the stub that was handed out
+/// Replace an answer by the stub that was handed out
 ///
-/// What you had is kept beside it: the file's name gets the ending .old, the next time
-/// .old2, and so on.
+/// Your text is kept: the old file is renamed with the ending .old, the next time .old2, and so
+/// on.
 #[derive(Args)]
 pub struct Reset {
     /// The task
@@ -227,9 +228,9 @@ pub struct Reset {
 
 /// Check this machine for everything that Pinhole uses
 ///
-/// Prints a line for each thing: the Rust compiler, the linker, the sandbox, Mitsuba and so
-/// on. If one is missing, it says what it is used for and how to get it. The exit code is 3
-/// if answers can't be compiled here; all other things are optional.
+/// Prints a line for each thing: the Rust compiler, the linker, the sandbox, Mitsuba and so on.
+/// If something is missing, the line says what it is used for and how to get it. The exit code is
+/// 3 if answers can't be compiled here. Everything else is optional.
 #[derive(Args)]
 pub struct Doctor {
     /// Print one JSON document on standard output
@@ -239,8 +240,9 @@ pub struct Doctor {
 
 /// Print a script that completes commands and options in your shell
 ///
-/// It completes the program `pinhole`, not `cargo pinhole`. To have both, run
-/// `cargo install --path tools/cli` in the checkout, and for Bash:
+/// It completes the program `pinhole`, not `cargo pinhole`. To install that program, run
+/// `cargo install --path tools/cli` in the checkout. Then, for Bash, run:
+///
 /// pinhole completions bash > ~/.local/share/bash-completion/completions/pinhole
 #[derive(Args)]
 pub struct Completions {
@@ -257,7 +259,7 @@ mod tests {
 
     #[test]
     fn every_documented_command_parses() {
-        // Only the study casts exactly or by a plan.
+        // Only the study has options to cast exactly or by a plan.
         assert_all_parse(&Cli::command(), &["--exact", "--plan"], 10);
     }
 }

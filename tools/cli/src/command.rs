@@ -1,4 +1,4 @@
-//! One file for each thing the command does.
+//! The subcommands, each in a file of its own.
 
 mod check;
 mod completions;

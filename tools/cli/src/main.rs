@@ -1,4 +1,4 @@
-//! The `pinhole` command: what a student has.
+//! The `pinhole` command, as students have it.
 //!
 //! Reading order: [`cli`] is the command line; `command` has a file for each subcommand;
 //! [`watch`] judges answers at every save; [`programs`] passes on the subcommands that other
@@ -17,7 +17,7 @@ use pinhole_course::sandbox;
 use pinhole_report::program;
 
 fn main() -> ExitCode {
-    // Before anything else: inside a sandbox there is no checkout.
+    // This must come first, because inside a sandbox there is no checkout.
     if let Some(code) = sandbox::become_confined() {
         return code;
     }

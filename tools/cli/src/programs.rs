@@ -40,7 +40,7 @@ const PROGRAMS: [Program; 3] = [
     },
 ];
 
-/// The subcommands that are passed on.
+/// The subcommands of other programs.
 pub fn commands() -> impl Iterator<Item = &'static str> {
     PROGRAMS
         .iter()
@@ -48,8 +48,8 @@ pub fn commands() -> impl Iterator<Item = &'static str> {
         .copied()
 }
 
-/// Runs the program that has the subcommand on the command line; `None` if it is one of
-/// ours, or unknown.
+/// Runs the program that has the subcommand on the command line; `None` if it is one of ours or
+/// unknown.
 pub fn pass_on() -> Option<ExitCode> {
     let words: Vec<OsString> = env::args_os().skip(1).collect();
     let program = program_of(&words)?;
@@ -59,7 +59,7 @@ pub fn pass_on() -> Option<ExitCode> {
         code = program.run(&words)?;
         Ok(Status::Well)
     });
-    // The other program's exit code, unless it could not be started.
+    // Return the other program's exit code, unless it could not be started.
     Some(if started == ExitCode::SUCCESS {
         code
     } else {
@@ -69,7 +69,7 @@ pub fn pass_on() -> Option<ExitCode> {
 
 fn program_of(words: &[OsString]) -> Option<&'static Program> {
     let command = words.first()?.to_str()?;
-    // The study has casters of its own.
+    // Only the study can cast exactly or by a plan.
     let is_study = |word: &OsString| {
         word.to_str().is_some_and(|word| {
             word == "--exact" || word == "--plan" || word.starts_with("--plan=")
@@ -95,15 +95,15 @@ impl Program {
                 "run this in a checkout of the course",
             ));
         }
-        // Build in the checkout, and then run in the user's folder: paths are relative to that,
-        // and `cargo run` would obey the settings of that folder.
+        // Build in the checkout, but run in the user's folder, because paths are relative to it.
+        // `cargo run` there would obey that folder's settings.
         let mut cargo = rust_tool("cargo", checkout.root());
         cargo
             .args(["build", "--release", "--manifest-path"])
             .arg(manifest)
             .arg("--message-format=json-render-diagnostics")
             .stderr(Stdio::inherit());
-        // Optimisation settings that the program's manifest can't hold.
+        // Optimisation settings that only this file can hold.
         let settings = checkout.root().join(self.folder).join("release.toml");
         if settings.is_file() {
             cargo.arg("--config").arg(settings);
@@ -114,7 +114,7 @@ impl Program {
             let record = checkout.scratch().join(format!("{}.seconds", self.package));
             patiently(&what, &record, || cargo.output())
         } else {
-            // Let cargo print what it does.
+            // Let cargo print its progress.
             anstream::eprintln!("{what}, which takes a while the first time …");
             cargo.output()
         };
@@ -143,7 +143,7 @@ impl Program {
     }
 }
 
-/// The program that cargo says it has built.
+/// The program that cargo reports to have built.
 fn executable(messages: &[u8]) -> Option<PathBuf> {
     let lines = messages.split(|byte| *byte == b'\n');
     let messages = lines.filter_map(|line| serde_json::from_slice::<Value>(line).ok());

@@ -1,4 +1,4 @@
-//! `pinhole --version`: the program, the commit it is run from, and the goldens' version.
+//! `pinhole --version`: the program, the commit of the checkout, and the goldens' version.
 
 use std::ffi::OsString;
 use std::path::Path;
@@ -11,7 +11,7 @@ use pinhole_course::rust_tool::tool;
 /// How many digits of a commit or of a hash are shown.
 const DIGITS: usize = 12;
 
-/// What `--version` prints, if that is what the command line asks for.
+/// The output of `--version`, if the command line asks for it.
 pub fn asked() -> Option<String> {
     let mut words: Vec<OsString> = env::args_os().skip(1).collect();
     let word = words.pop()?;

@@ -1,9 +1,9 @@
-//! `pinhole check --watch`: a student's loop, one answer at a time.
+//! `pinhole check --watch`: judges each answer when it is saved.
 //!
 //! Everything that happens is an [`Event`] in one channel: a save ([`saves`]), a verdict
-//! ([`judge`]), a key ([`keys`]). Only [`state`] decides what to do then, and it knows nothing
-//! of terminals. [`screen`] and [`hints`] write what there is to see, and [`terminal`] shows
-//! it. Without a terminal, [`plain`] prints lines.
+//! ([`judge`]), a key ([`keys`]). Only [`state`] decides what to do about it, and it knows
+//! nothing of terminals. [`screen`] and [`hints`] write the text, and [`terminal`] shows it.
+//! Without a terminal, [`plain`] prints lines.
 
 mod hints;
 mod judge;
@@ -34,10 +34,10 @@ use pinhole_course::sandbox::Sandbox;
 use pinhole_course::submission::Submission;
 use pinhole_report::html::Again;
 use plain::Plain;
-use state::{Act, State};
+use state::{Action, State};
 use terminal::Terminal;
 
-/// The watched submission, and what it is judged with.
+/// The watched submission, and everything needed to judge it.
 pub struct Course {
     pub assignment: Assignment,
     pub goldens: Goldens,
@@ -49,9 +49,9 @@ pub struct Course {
     pub submission: Submission,
     /// Only these tasks and no scenes; empty for everything.
     pub tasks: Vec<String>,
-    /// Where the report is written when somebody asks for it.
+    /// Where the report is written when the student asks for it.
     pub report: PathBuf,
-    /// What repeats the examination, for the report.
+    /// The command that repeats the examination, for the report.
     pub again: Again,
 }
 
@@ -69,7 +69,7 @@ pub enum Event {
     },
     /// The answers cannot be read any more.
     Lost(Error),
-    /// The judge began with a part of an order.
+    /// The judge began a part of an order.
     Asking {
         order: u64,
         what: String,
@@ -89,18 +89,18 @@ pub enum Event {
     Key(Key),
     /// The terminal has another size.
     Resized,
-    /// No more saves will come: end when everything is reported.
+    /// No more saves will come. End when everything is reported.
     Closed,
     /// End now.
     Quit,
-    /// A thread of ours has panicked; its message is printed already.
+    /// One of our threads has panicked. Its message has been printed.
     Broken,
 }
 
-/// How often the screen updates the time for which something has been asked.
+/// How often the screen updates the time that the current question has taken.
 const TICK: Duration = Duration::from_millis(250);
 
-/// Watches until somebody quits.
+/// Watches until the user quits.
 pub fn run(course: Course, json: bool) -> Result<()> {
     let (send, events) = mpsc::channel();
     let course = Arc::new(course);
@@ -120,9 +120,9 @@ pub fn run(course: Course, json: bool) -> Result<()> {
     loop {
         for act in acts {
             match act {
-                Act::Ask(order) => judge.ask(order),
-                Act::Report => state.say(report::show(&course, &state.known)),
-                Act::Quit => return view.leave(&mut state),
+                Action::Ask(order) => judge.ask(order),
+                Action::Report => state.say(report::show(&course, &state.known)),
+                Action::Quit => return view.leave(&mut state),
             }
         }
         view.show(&mut state)?;

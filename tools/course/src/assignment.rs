@@ -10,7 +10,7 @@ use pinhole::{Kind, Scene, ShapeKind};
 
 use crate::error::{Error, Result};
 
-pub use self::parts::{Dropped, DroppedPoints, Finish, GroupPoints, ScenePoints, Task};
+pub use self::parts::{DroppedGroup, DroppedPoints, Finish, GroupPoints, ScenePoints, Task};
 
 /// An assignment: what students are asked to do, and the folder that defines it.
 #[derive(Clone, Debug)]
@@ -34,7 +34,7 @@ pub struct Assignment {
     /// What to show a student who has earned all points.
     pub finish: Option<Finish>,
     /// Groups of questions that do not count when a class is graded.
-    pub dropped: Vec<Dropped>,
+    pub dropped: Vec<DroppedGroup>,
 }
 
 impl Assignment {
@@ -58,8 +58,8 @@ impl Assignment {
         self.folder.join("reference")
     }
 
-    /// The folder with untouched copies of the stubs, in a student's repository. Students
-    /// write into those in the handout's folder.
+    /// The folder with untouched copies of the stubs, in a student's repository. Students write
+    /// their answers into the handout's folder.
     pub fn pristine(&self) -> PathBuf {
         self.folder.join("stubs")
     }
@@ -79,7 +79,7 @@ impl Assignment {
         fixed
     }
 
-    /// The file of one of its scenes.
+    /// The path of a scene's file.
     pub fn scene(&self, name: &str) -> PathBuf {
         self.folder.join("scenes").join(name).with_extension("toml")
     }
@@ -147,7 +147,7 @@ impl Assignment {
         groups.collect()
     }
 
-    /// The task of this kind, and of this shape where the kind needs one.
+    /// The task of this kind, and about this shape if the kind takes one.
     pub fn task_of_kind(&self, kind: Kind, shape: Option<ShapeKind>) -> Option<&Task> {
         let is_asked =
             |task: &&Task| task.kind == kind && (task.shape.is_none() || task.shape == shape);

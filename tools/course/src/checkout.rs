@@ -1,4 +1,4 @@
-//! Where things lie in a checkout of this repository.
+//! Where the files of a checkout are.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -14,7 +14,7 @@ pub struct Checkout {
 }
 
 impl Checkout {
-    /// The checkout in this folder; a test may use any folder as one.
+    /// The checkout in this folder. A test may use any folder.
     pub fn at(root: &Path) -> Checkout {
         Checkout { root: root.into() }
     }
@@ -44,7 +44,7 @@ impl Checkout {
         &self.root
     }
 
-    /// Where assignments lie.
+    /// The folder of assignments.
     pub fn assignments(&self) -> PathBuf {
         self.root.join("assignments")
     }
@@ -70,12 +70,12 @@ impl Checkout {
         })
     }
 
-    /// Where the book's sources lie.
+    /// The folder of the book's sources.
     pub fn book(&self) -> PathBuf {
         self.root.join("book")
     }
 
-    /// Scratch space that `cargo clean` sweeps away.
+    /// A folder for temporary files, which `cargo clean` deletes.
     pub fn scratch(&self) -> PathBuf {
         self.root.join("target").join("pinhole")
     }
@@ -100,7 +100,7 @@ impl Checkout {
             .or_fail(&Error::file(&path))
     }
 
-    /// Whether a folder lies in the checkout. Its user trusts the code there anyway.
+    /// Whether a folder is in the checkout. The user trusts the code there anyway.
     pub fn contains(&self, folder: &Path) -> bool {
         match (folder.canonicalize(), self.root.canonicalize()) {
             (Ok(folder), Ok(root)) => folder.starts_with(root),

@@ -1,7 +1,7 @@
 //! Compiles a submission's answer files to a program.
 //!
-//! Only the answers are taken from the student's folder. `main.rs`, `intersect_ray.rs` and the
-//! compiler's flags are ours, whatever else lies there.
+//! Only the answers come from the student's folder. `main.rs`, `intersect_ray.rs` and the
+//! compiler's flags are always ours.
 
 mod blame;
 mod build;
@@ -24,12 +24,12 @@ use crate::stubs;
 use crate::submission::allow_list::{self, Verdict};
 use crate::submission::{Answer, Submission, Unusable};
 use crate::timings::timed;
-use build::{Built, Sources, build};
+use build::{BuildResult, Sources, build};
 use harness::Harness;
 pub use whole::Whole;
 
 /// Answers that were replaced by their stubs, by task, and why.
-pub type Replacements = BTreeMap<String, Replaced>;
+pub type Replacements = BTreeMap<String, Replacement>;
 
 /// A submission that runs.
 #[derive(Clone, Debug)]
@@ -46,7 +46,7 @@ pub struct Program {
 
 /// Why an answer was replaced by its stub.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Replaced {
+pub enum Replacement {
     /// There was no usable file.
     Unusable(Unusable),
     /// It does not compile: the compiler's own words about that file.
@@ -56,22 +56,22 @@ pub enum Replaced {
 /// Compiles any number of submissions.
 #[derive(Clone)]
 pub struct Compiler {
-    /// Where finished programs lie.
+    /// The folder of compiled programs.
     programs: PathBuf,
     sandbox: Sandbox,
     harness: Harness,
-    /// The handout with untouched stubs. It is not read from the handout's folder, where
-    /// students write.
+    /// The handout with untouched stubs. It is not read from the handout's folder, because
+    /// students write there.
     pristine: Package,
     /// Whether answers may use any attribute and macro.
     allows_everything: bool,
-    /// Whether messages name the student's files by a path that opens from the current folder.
+    /// Whether messages name the student's files by paths that open from the current folder.
     names_places: bool,
-    /// Whether a compiler that is late ends the attempt, because other work may have held it up.
+    /// Whether to give up when the compiler is late, because other work may have held it up.
     stops_when_late: bool,
 }
 
-/// Compiles one submission for somebody who can edit it: see [`Compiler::compile`] and
+/// Compiles one submission for someone who can edit it: see [`Compiler::compile`] and
 /// [`Compiler::naming_places`].
 pub fn compile(
     submission: &Submission,
@@ -103,8 +103,8 @@ impl Compiler {
         })
     }
 
-    /// This compiler, but without the [`allow_list`] if `everything` is allowed: for tests of
-    /// the sandbox.
+    /// This compiler, but without the [`allow_list`] if `everything` is allowed. Tests of the
+    /// sandbox use it.
     pub fn allowing(self, everything: bool) -> Compiler {
         Compiler {
             allows_everything: everything,
@@ -112,8 +112,8 @@ impl Compiler {
         }
     }
 
-    /// This compiler, whose messages name a student's files by a path that opens from the
-    /// current folder, and not by their names alone.
+    /// This compiler, but messages name a student's files by paths that open from the current
+    /// folder instead of by their names alone.
     pub fn naming_places(self) -> Compiler {
         Compiler {
             names_places: true,
@@ -121,7 +121,7 @@ impl Compiler {
         }
     }
 
-    /// This compiler, for work beside others: see [`Attempt::Late`].
+    /// This compiler, set to stop when it is late; see [`Attempt::Late`].
     pub fn stopping_when_late(self, stops: bool) -> Compiler {
         Compiler {
             stops_when_late: stops,
@@ -129,7 +129,7 @@ impl Compiler {
         }
     }
 
-    /// A compiler for one untrusted submission, with a sandbox and a folder of its own.
+    /// A compiler for one untrusted submission, with its own sandbox and folder.
     pub fn apart(&self, sandbox: &Sandbox, programs: PathBuf) -> Compiler {
         Compiler {
             programs,
@@ -148,14 +148,14 @@ impl Compiler {
             Attempt::Program(program) => Ok(program),
             Attempt::Enough => unreachable!("no replacement is ever enough"),
             Attempt::Late => Err(Error::environment(
-                "the compiler came to no end, beside other work",
+                "the compiler did not finish, perhaps because of other work",
                 "run this command again",
             )),
         }
     }
 
-    /// Compiles a submission, but stops as soon as the answers that have been replaced are
-    /// `enough` to know: the compiler reports errors long before it has built the rest.
+    /// Compiles a submission, but stops as soon as the replaced answers are `enough` for the
+    /// caller. The compiler reports errors long before it has built the rest.
     pub fn compile_until(
         &self,
         submission: &Submission,
@@ -165,11 +165,11 @@ impl Compiler {
         let mut unclear = Vec::new();
         for Answer { task, text } in &submission.answers {
             let why = match text {
-                Err(unusable) => Replaced::Unusable(unusable.clone()),
+                Err(unusable) => Replacement::Unusable(unusable.clone()),
                 Ok(_) if self.allows_everything => continue,
                 Ok(text) => match allow_list::verdict(task, text) {
                     Verdict::Allowed => continue,
-                    Verdict::Refused(why) => Replaced::DoesNotCompile(why),
+                    Verdict::Refused(why) => Replacement::DoesNotCompile(why),
                     Verdict::NotTokens => {
                         unclear.push(task);
                         continue;
@@ -196,7 +196,7 @@ impl Compiler {
                 build(&sources, &shown_in, programs, harness, &self.sandbox)
             };
             match compile(&replaced)? {
-                Built::Program {
+                BuildResult::Program {
                     executable,
                     warnings,
                 } => {
@@ -214,10 +214,10 @@ impl Compiler {
                         stop: Stop::default(),
                     }));
                 }
-                Built::Refused { is_late: true, .. } if self.stops_when_late => {
+                BuildResult::Refused { is_late: true, .. } if self.stops_when_late => {
                     return Ok(Attempt::Late);
                 }
-                Built::Refused { diagnostics, .. } => {
+                BuildResult::Refused { diagnostics, .. } => {
                     let mut blamed = blame::by_place(&diagnostics, submission, &replaced);
                     if blamed.is_empty() {
                         blamed = blame_alone(submission, &replaced, compile)?;
@@ -237,8 +237,8 @@ impl Compiler {
 }
 
 /// Refuses an answer that the compiler can split into tokens, but we can't.
-fn unclear_tokens(task: &str) -> Replaced {
-    Replaced::DoesNotCompile(format!(
+fn unclear_tokens(task: &str) -> Replacement {
+    Replacement::DoesNotCompile(format!(
         "error: src/{task}.rs holds characters that Pinhole can't read as Rust\n  = help: write \
          plain Rust 2024\n"
     ))
@@ -250,12 +250,12 @@ pub enum Attempt {
     Program(Program),
     /// No program, because the caller already knows enough.
     Enough,
-    /// The compiler was late, and is to be tried again alone.
+    /// The compiler was late. Try again when nothing else runs.
     Late,
 }
 
 /// The folder of the answer files, as a path that opens from the current folder. `None` for an
-/// archive, and for a path that the compiler's option cannot hold.
+/// archive, or if the compiler's option cannot hold the path.
 fn place_from_here(submission: &Submission) -> Option<String> {
     let place = shell::from_here(&submission.place);
     let name = place.to_str().filter(|name| !name.contains('='))?;
@@ -289,13 +289,13 @@ fn sources(submission: &Submission, pristine: &Package, replaced: &Replacements)
 fn blame_alone(
     submission: &Submission,
     already: &Replacements,
-    compile: impl Fn(&Replacements) -> Result<Built>,
+    compile: impl Fn(&Replacements) -> Result<BuildResult>,
 ) -> Result<Replacements> {
     let tasks = submission.answers.iter().map(|answer| answer.task.clone());
     let stubs: Replacements = tasks
-        .map(|task| (task, Replaced::Unusable(Unusable::Missing)))
+        .map(|task| (task, Replacement::Unusable(Unusable::Missing)))
         .collect();
-    if let Built::Refused { .. } = compile(&stubs)? {
+    if let BuildResult::Refused { .. } = compile(&stubs)? {
         return Ok(Replacements::new());
     }
     let mut blamed = Replacements::new();
@@ -303,14 +303,16 @@ fn blame_alone(
     for suspect in suspects() {
         let mut others = stubs.clone();
         others.remove(suspect);
-        if let Built::Refused { diagnostics, .. } = compile(&others)? {
+        if let BuildResult::Refused { diagnostics, .. } = compile(&others)? {
             let text = blame::rendered(&diagnostics);
-            blamed.insert(suspect.clone(), Replaced::DoesNotCompile(text));
+            blamed.insert(suspect.clone(), Replacement::DoesNotCompile(text));
         }
     }
     if blamed.is_empty() {
         let text = "each of these answers compiles alone, but not together with the others\n";
-        blamed.extend(suspects().map(|task| (task.clone(), Replaced::DoesNotCompile(text.into()))));
+        blamed.extend(
+            suspects().map(|task| (task.clone(), Replacement::DoesNotCompile(text.into()))),
+        );
     }
     Ok(blamed)
 }

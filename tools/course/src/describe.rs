@@ -1,4 +1,4 @@
-//! The worst question of a film in words.
+//! Describes the worst question of a film in words.
 
 use pinhole::ask::{Ending, Reply};
 use pinhole::film::TESTS;
@@ -36,7 +36,7 @@ pub fn worst(verdict: &Verdict, asked: &QuestionFilm, reply: &Reply) -> Vec<Fact
         None => "nothing".into(),
     };
     facts.extend([Fact::new("expected", expected), Fact::new("got", got)]);
-    // An object is right or wrong; for all other channels it helps to see the tolerance.
+    // An object is right or wrong. For all other channels, show the tolerance too.
     if channel.name != "id" {
         let allowed = number(f64::from(mismatch.allowed), 2);
         let allowed = format!("{} ± {allowed}", channel.name);
@@ -45,7 +45,7 @@ pub fn worst(verdict: &Verdict, asked: &QuestionFilm, reply: &Reply) -> Vec<Fact
     facts
 }
 
-/// How many tests were counted, at one question and at all together.
+/// How many tests were counted, for one question and for all together.
 fn work(mismatch: Mismatch, asked: &QuestionFilm, reply: &Reply) -> String {
     let sum = |film: &Film| -> f64 {
         let samples = film.channel(TESTS).unwrap_or_default().iter();
@@ -60,7 +60,8 @@ fn work(mismatch: Mismatch, asked: &QuestionFilm, reply: &Reply) -> String {
     )
 }
 
-/// The question at which an answer panicked; nothing if there was no panic, or no answer yet.
+/// The question at which an answer panicked. Empty if there was no panic, or the answer is still
+/// `todo!`.
 pub fn panicked(asked: &QuestionFilm, reply: &Reply) -> Vec<Fact> {
     match (&reply.ending, asked.job.questions()) {
         (Ending::Panicked(panic), Some(questions))
@@ -72,5 +73,5 @@ pub fn panicked(asked: &QuestionFilm, reply: &Reply) -> Vec<Fact> {
     }
 }
 
-/// How many digits to show of a question's numbers if there is no wrong answer to compare.
+/// How many digits of a question's numbers to show if there is no wrong answer to compare.
 const DIGITS: usize = 6;

@@ -15,14 +15,14 @@ use crate::mistake::Mistake;
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Diagnosis {
-    /// Beliefs that explain the answers. Empty if no known belief does, because a false
-    /// name is worse than none.
+    /// Beliefs that explain the answers. Empty if no known belief does, because a false name is
+    /// worse than none.
     pub beliefs: Vec<Explanation>,
-    /// How several beliefs go together.
+    /// How several beliefs belong together.
     pub reading: Reading,
 }
 
-/// How the beliefs of a [`Diagnosis`] go together.
+/// How the beliefs of a [`Diagnosis`] belong together.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
@@ -42,7 +42,7 @@ pub struct Explanation {
     /// The known mistake's name.
     #[serde(rename = "mistake")]
     pub slug: String,
-    /// The belief, and hints for somebody who holds it.
+    /// The belief, and hints for a student who holds it.
     #[serde(flatten)]
     pub mistake: Mistake,
     /// The share of the wrong pixels or questions for which this belief predicts the given

@@ -1,4 +1,4 @@
-//! The one error of the command, and the exit code that goes with it.
+//! The one error type of the command, and its exit code.
 
 use std::fmt;
 use std::path::Path;
@@ -28,7 +28,7 @@ pub enum Fault {
     Environment,
 }
 
-/// The result of everything here that can fail.
+/// The result of everything in this package that can fail.
 pub type Result<T> = std::result::Result<T, Error>;
 
 impl Error {
@@ -42,7 +42,7 @@ impl Error {
         }
     }
 
-    /// Something is missing or broken that the user's files cannot mend.
+    /// Something is missing or broken that changes to the user's files can't mend.
     pub fn environment(problem: impl Into<String>, remedy: impl Into<String>) -> Error {
         Error {
             fault: Fault::Environment,
@@ -56,12 +56,12 @@ impl Error {
     pub fn file(path: &Path) -> Error {
         Error::environment(
             path.display().to_string(),
-            "see that the file can be read, and its folder written",
+            "check that the file can be read and its folder written",
         )
     }
 
-    /// This error with its cause. Where several steps can fail in the same way, the error
-    /// is made once and given its source where one of them does.
+    /// This error with its cause. Where several steps can fail in the same way, make the error
+    /// once and give it its source where one of them fails.
     pub fn because(&self, source: impl Into<Source>) -> Error {
         let source = source.into();
         Error {
@@ -94,7 +94,7 @@ impl std::error::Error for Error {
     }
 }
 
-/// Adds what failed, and the remedy, to an error of another library.
+/// Adds what failed and the remedy to an error of another library.
 pub trait ResultExt<T> {
     /// The user's file or argument is to blame.
     fn or_input(self, problem: impl fmt::Display, remedy: impl Into<String>) -> Result<T>;
@@ -102,7 +102,7 @@ pub trait ResultExt<T> {
     /// The machine or Pinhole is to blame.
     fn or_environment(self, problem: impl fmt::Display, remedy: impl Into<String>) -> Result<T>;
 
-    /// `what` failed, [because](Error::because) of this.
+    /// Something failed, and this is the [cause](Error::because).
     fn or_fail(self, what: &Error) -> Result<T>;
 }
 

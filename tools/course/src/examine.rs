@@ -35,7 +35,7 @@ use diagnose::Cast;
 pub use diagnose::asked;
 pub use judged::failure;
 
-/// The most bytes that are shown of what an answer printed for one question.
+/// The most bytes that are shown of an answer's output for one question.
 const MOST_PRINTED_BY_ONE: usize = 1000;
 
 /// Examines a built submission.
@@ -50,16 +50,15 @@ pub struct Examiner<'a> {
     pub sandbox: &'a Sandbox,
     /// How long each process may take.
     pub wall: Duration,
-    /// Whether somebody waits for the result. If so, trusted code is asked several things at a
-    /// time, and a process is ended that sends nothing for a fifteenth of `wall` (2 s at
-    /// least).
+    /// Whether someone waits for the result. If so, trusted code is asked several things at a
+    /// time, and a process that sends nothing for a fifteenth of `wall` (but at least 2 s) is
+    /// ended.
     pub interactive: bool,
-    /// The second judge, if every film is to be judged by it too; a disagreement is an
-    /// error.
+    /// The second judge, if it is to judge every film too. Disagreement is an error.
     pub second_judge: Option<&'a SecondJudge>,
     /// Limits for each process, in place of the usual ones.
     pub clock: Option<&'a dyn Clock>,
-    /// Replies that need not be asked for again, if there are any.
+    /// Replies that are known already, if there are any.
     pub known: Option<&'a dyn KnownReplies>,
     /// Called with what is being asked, and the share of answers so far, from 0 to 1.
     pub progress: &'a (dyn Fn(&str, f64) + Sync),
@@ -100,9 +99,8 @@ impl Selection {
 impl Examiner<'_> {
     /// Asks everything that is selected.
     ///
-    /// # Errors
-    /// If a golden or a scene cannot be read, or the program cannot be started;
-    /// whatever the submission does wrong is in the examination.
+    /// If a golden or a scene cannot be read, or the program cannot be started. The examination
+    /// reports anything that the submission does wrong.
     pub fn examine(&self, submission: &Submission, selection: &Selection) -> Result<Examination> {
         let tasks = self.assignment.tasks.iter();
         let tasks: Vec<&Task> = tasks
@@ -116,7 +114,7 @@ impl Examiner<'_> {
         let scenes: Vec<&GoldenScene> = scenes
             .filter(|scene| selection.has_scene(&scene.name))
             .collect();
-        // Scenes that need such an answer would be late too, so they are not cast.
+        // Scenes that need a late answer would be late too, so they are not cast.
         let late: Vec<&Task> = self.late(&tasks).collect();
         let mut outcomes = Vec::new();
         let mut films = Vec::new();
@@ -127,7 +125,7 @@ impl Examiner<'_> {
             films.push(film);
             printed.push(text);
         }
-        // Each process may print this much; all together are cut to the same length.
+        // Each process may print this much. The output of all together is cut to the same length.
         let mut printed = printed.concat();
         printed.truncate(printed.floor_char_boundary(MOST_PRINTED));
         let folder = submission.folder.display().to_string();
@@ -167,14 +165,14 @@ impl Examiner<'_> {
         );
     }
 
-    /// Whether to ask several things at a time: only if somebody waits for the result of their
-    /// own code.
+    /// Whether to ask several things at a time: only if someone waits for the result of their own
+    /// code.
     fn asks_several(&self) -> bool {
         self.interactive && matches!(self.sandbox, Sandbox::Trusted)
     }
 
-    /// Does some work on each item and keeps their order. Several items are done at a time if
-    /// somebody waits for the result of their own code. Processes of untrusted code run one by
+    /// Does some work on each item and keeps the items' order. Works on several items at a time
+    /// if someone waits for the result of their own code. Processes of untrusted code run one by
     /// one, because they share a user id and its limits.
     fn each<T: Sync, R: Send>(
         &self,
@@ -187,7 +185,7 @@ impl Examiner<'_> {
         }
     }
 
-    /// The tasks with an answer that did not come in time.
+    /// The tasks with an answer that was late.
     fn late<'t>(&'t self, tasks: &'t [TaskOutcome]) -> impl Iterator<Item = &'t Task> {
         let is_late = |outcome: &&TaskOutcome| {
             let mut groups = outcome.groups.iter();
@@ -231,7 +229,7 @@ impl Examiner<'_> {
                     film: judged.film,
                     end: outcome.clone(),
                 });
-                // The first film that fails is reported for its group.
+                // Report the first film of the group that fails.
                 if result
                     .as_ref()
                     .is_none_or(|(earlier, _): &(FilmOutcome, _)| earlier.passes())

@@ -1,4 +1,4 @@
-//! Explains one pixel by asking each answer alone, so that one failure hides no other.
+//! Explains one pixel. Each answer is asked alone, so that one failure hides no other.
 
 mod fault;
 
@@ -11,7 +11,7 @@ use pinhole::{Film, Hit, Kind, Pixel, Ray, Scene};
 use serde::Serialize;
 
 use crate::assignment::{Assignment, Task};
-use crate::compile::{Program, Replaced};
+use crate::compile::{Program, Replacement};
 use crate::error::Result;
 use crate::examine;
 use crate::outcome::FilmOutcome;
@@ -19,14 +19,14 @@ use crate::sandbox::{Limits, Sandbox};
 
 /// What Mitsuba found at a pixel, where a golden is committed.
 pub struct Mitsuba {
-    /// Its sensor's ray.
+    /// The ray of its sensor.
     pub ray: Ray,
     /// Its first hit.
     pub hit: Option<Hit>,
 }
 
 impl Mitsuba {
-    /// Reads both at `index` of the golden films, if there are any.
+    /// Reads ray and hit at `index` of the golden films, if there are any.
     pub fn read(golden: Option<PathBuf>, index: usize) -> Result<Option<Mitsuba>> {
         let Some(path) = golden else { return Ok(None) };
         let hits = Film::read(&path)?;
@@ -39,7 +39,7 @@ impl Mitsuba {
 }
 
 /// An answer's reply, or why there is none.
-pub type Said<T> = std::result::Result<T, NoAnswer>;
+pub type AnswerResult<T> = std::result::Result<T, NoAnswer>;
 
 /// Why there is no answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,41 +50,41 @@ pub enum NoAnswer {
     NoFile(String),
     /// This file does not compile.
     DoesNotCompile(String),
-    /// It was asked, and failed.
+    /// It failed when it was asked.
     Failed(FilmOutcome),
-    /// It was asked, and said nothing.
+    /// It was asked, and gave no answer.
     Nothing,
 }
 
 /// One pixel, answer by answer.
-pub struct Explanation {
+pub struct PixelExplanation {
     /// The ray through the pixel.
-    pub ray: Said<Ray>,
-    /// The ray the rest was asked about: the submission's, or else Mitsuba's.
+    pub ray: AnswerResult<Ray>,
+    /// The ray that all other answers were asked about: the submission's, or else Mitsuba's.
     pub asked: Option<Ray>,
-    /// Every object's own answer, in the scene's order.
-    pub candidates: Vec<Said<Option<Hit>>>,
+    /// What each object answers by itself, in the scene's order.
+    pub candidates: Vec<AnswerResult<Option<Hit>>>,
     /// The nearest object.
-    pub nearest: Said<Option<Hit>>,
+    pub nearest: AnswerResult<Option<Hit>>,
     /// What Mitsuba found at this pixel.
     pub mitsuba: Option<Mitsuba>,
-    /// What the submission's code printed meanwhile.
-    pub printed: Printed,
+    /// What the submission's code printed.
+    pub printed: PixelOutput,
 }
 
-/// What a submission's code printed while it was asked one thing after the other.
+/// What a submission's code printed for each question.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Printed {
+pub struct PixelOutput {
     /// For the ray.
     pub ray: String,
     /// For each object alone.
     pub candidates: Vec<String>,
-    /// For the nearest.
+    /// For the nearest object.
     pub nearest: String,
 }
 
 /// A built submission that can be asked about one pixel.
-pub struct Witness<'a> {
+pub struct PixelAsker<'a> {
     /// The submission's program.
     pub program: &'a Program,
     /// The sandbox that it runs in.
@@ -95,14 +95,14 @@ pub struct Witness<'a> {
     pub wall: Duration,
 }
 
-impl Witness<'_> {
+impl PixelAsker<'_> {
     /// Asks every answer that has to do with `pixel`, each alone.
     pub fn explain(
         &self,
         scene: &Scene,
         pixel: Pixel,
         mitsuba: Option<Mitsuba>,
-    ) -> Result<Explanation> {
+    ) -> Result<PixelExplanation> {
         let Scene {
             camera,
             resolution,
@@ -114,7 +114,7 @@ impl Witness<'_> {
             pixel,
             resolution,
         };
-        let mut printed = Printed::default();
+        let mut printed = PixelOutput::default();
         let ray = self.ask(
             self.assignment.task_of_kind(Kind::ViewingRay, None),
             &Job::Ask(Questions::ViewingRay(vec![question])),
@@ -136,8 +136,8 @@ impl Witness<'_> {
                 Answer::Hit(hit) => Some(hit),
                 _ => None,
             };
-            // Ask an answer that never ends only once: each further object would cost the same
-            // time again.
+            // Ask an answer that never ends only once, because each further object would take as
+            // long again.
             let mut endless = None;
             for shape in objects {
                 let question = ShapeQuestion {
@@ -165,7 +165,7 @@ impl Witness<'_> {
             let job = Job::Cast(ray, min_t, objects.clone());
             nearest = self.ask(task, &job, hit, &mut printed.nearest)?;
         }
-        Ok(Explanation {
+        Ok(PixelExplanation {
             ray,
             asked,
             candidates,
@@ -175,20 +175,20 @@ impl Witness<'_> {
         })
     }
 
-    /// One question to one answer, which may fail without hiding the others.
+    /// Asks one answer one question. A failure hides no other answer.
     fn ask<T>(
         &self,
         task: Option<&Task>,
         job: &Job,
         pick: impl Fn(Answer) -> Option<T>,
         printed: &mut String,
-    ) -> Result<Said<T>> {
+    ) -> Result<AnswerResult<T>> {
         let replaced = |task: &Task| self.program.replaced.get(&task.name);
         if let Some((task, replaced)) = task.and_then(|task| Some((task, replaced(task)?))) {
             let file = task.file();
             return Ok(Err(match replaced {
-                Replaced::Unusable(_) => NoAnswer::NoFile(file),
-                Replaced::DoesNotCompile(_) => NoAnswer::DoesNotCompile(file),
+                Replacement::Unusable(_) => NoAnswer::NoFile(file),
+                Replacement::DoesNotCompile(_) => NoAnswer::DoesNotCompile(file),
             }));
         }
         let reply = examine::run(

@@ -1,4 +1,4 @@
-//! A folder of goldens and the scenes it can judge.
+//! A folder of goldens and the scenes that it can judge.
 
 pub mod questions;
 
@@ -13,20 +13,20 @@ use crate::error::{Error, Result};
 use crate::goldens::questions::{QuestionFilm, Questions};
 use crate::manifest::Manifest;
 
-/// Golden films, probes, and the scenes they were made from.
+/// Golden films, question films, and the scenes they were made from.
 #[derive(Clone, Debug)]
 pub struct Goldens {
-    /// Where the films lie.
+    /// The folder of the films.
     pub folder: PathBuf,
     /// The scenes, in the order they are cast.
     pub scenes: Vec<GoldenScene>,
     /// The known mistakes.
     pub known: KnownMistakes,
-    /// Questions that were read already, by task.
+    /// Questions that have been read, by task.
     pub kept: Arc<Mutex<BTreeMap<String, Arc<Questions>>>>,
-    /// Films of scenes that were read already, by name.
+    /// Films of scenes that have been read, by name.
     pub scene_cache: Arc<Mutex<BTreeMap<String, Arc<QuestionFilm>>>>,
-    /// The goldens whose probes are asked if this folder has only scenes.
+    /// The goldens whose questions are asked if this folder has only scenes.
     pub probes: Option<Box<Goldens>>,
 }
 
@@ -35,8 +35,8 @@ pub struct Goldens {
 pub struct GoldenScene {
     /// The film is `NAME.exr`.
     pub name: String,
-    /// How to name the scene on the command line: by its name if it is the assignment's, else
-    /// by its file.
+    /// How to name the scene on the command line: by its name if it belongs to the assignment,
+    /// else by its file.
     pub argument: String,
     /// The scene file.
     pub file: PathBuf,
@@ -47,9 +47,9 @@ pub struct GoldenScene {
 impl Goldens {
     /// The goldens in `folder`.
     ///
-    /// A folder with scenes of its own, such as `golden render --seed` makes, is
-    /// judged on those; they share the points of the assignment's scenes. Any other
-    /// is judged on the assignment's scenes.
+    /// A folder with scenes of its own, such as `golden render --seed` makes, is judged on those,
+    /// which share the points of the assignment's scenes. Any other folder is judged on the
+    /// assignment's scenes.
     pub fn read(folder: &Path, assignment: &Assignment) -> Result<Goldens> {
         if !folder.is_dir() {
             return Err(Error::input(
@@ -95,9 +95,9 @@ impl Goldens {
         })
     }
 
-    /// Goldens of an assignment from any folder, even one with scenes alone, as `golden
-    /// render my.toml --out DIR` makes it. Its scenes share the points of the assignment's
-    /// scenes, and the assignment's public probes are asked.
+    /// Goldens of an assignment from any folder, even one with scenes alone, such as `golden
+    /// render my.toml --out DIR` makes. Its scenes share the points of the assignment's scenes,
+    /// and the assignment's public questions are asked.
     pub fn find(folder: &Path, assignment: &Assignment) -> Result<Goldens> {
         let manifest = Manifest::read_or_new(folder)?;
         if manifest.probe_seed.is_some() || manifest.sources.is_empty() {
@@ -118,7 +118,7 @@ impl Goldens {
         Ok(goldens)
     }
 
-    /// For each scene, the tasks that it can't be cast without.
+    /// For each scene, the tasks whose answers it needs.
     pub fn needs_of_scenes<'a>(&self, assignment: &'a Assignment) -> Result<Vec<Vec<&'a str>>> {
         let needs = |scene: &GoldenScene| {
             let film = self.cached_scene(scene)?;
@@ -134,7 +134,7 @@ impl Goldens {
         self.probes.as_deref().unwrap_or(self)
     }
 
-    /// The goldens of these scene files in `folder`, whatever else is there.
+    /// The goldens of these scene files in `folder`. Other files there are ignored.
     pub fn of_scenes(folder: &Path, files: &[PathBuf]) -> Result<Goldens> {
         Ok(Goldens {
             folder: folder.into(),
@@ -146,7 +146,7 @@ impl Goldens {
         })
     }
 
-    /// The goldens around one golden film, which may be a probe's.
+    /// The goldens of the folder that holds this film, which may be a question film.
     pub fn around(golden: &Path) -> Result<Goldens> {
         let beside = golden.parent().unwrap_or(Path::new(""));
         let above = beside.parent().unwrap_or(Path::new(""));
@@ -155,7 +155,7 @@ impl Goldens {
         Goldens::of_scenes(folder, &[])
     }
 
-    /// These goldens without what is known of this mistake.
+    /// These goldens, without this known mistake.
     pub fn unaware_of(&self, slug: &str) -> Goldens {
         let mut goldens = self.clone();
         goldens.known.mistake.remove(slug);
@@ -170,7 +170,7 @@ impl Goldens {
         }
     }
 
-    /// What a film is called: its path in the folder, without `.exr`.
+    /// A film's name: its path in the folder, without `.exr`.
     pub fn film_name(&self, golden: &Path) -> String {
         let inside = golden.strip_prefix(&self.folder).unwrap_or(golden);
         let name = inside.with_extension("");

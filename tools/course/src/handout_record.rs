@@ -1,4 +1,4 @@
-//! `handout.toml`: what `pinhole handout` wrote to a student's repository.
+//! `handout.toml`, the record of what `pinhole handout` wrote to a student's repository.
 //!
 //! It marks a student's repository, shows whether the stubs are unchanged, and lists
 //! the files that a later handout may replace.
@@ -19,7 +19,7 @@ pub type Package = BTreeMap<PathBuf, String>;
 /// The file's name, at the top.
 pub const FILE: &str = "handout.toml";
 
-/// A student's repository as it was written.
+/// The record of a student's repository as it was handed out.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct HandoutRecord {
@@ -61,7 +61,7 @@ impl HandoutRecord {
         Ok(format!("{head}{text}"))
     }
 
-    /// The files of a folder as they were handed out.
+    /// The files of a folder, as they were handed out.
     ///
     /// # Errors
     /// If one of them has changed.
@@ -80,7 +80,7 @@ impl HandoutRecord {
                 |text: &String| manifest::hash_of(&file, text.clone().into()) == *recorded;
             let text = text.filter(is_as_it_came).ok_or_else(|| {
                 Error::input(
-                    format!("{path} is not as it was handed out"),
+                    format!("{path} has changed since it was handed out"),
                     format!("restore it: git checkout {path}"),
                 )
             })?;

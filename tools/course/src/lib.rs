@@ -1,9 +1,9 @@
 //! From a submission to its outcome.
 //!
-//! Reading order: [`assignment`] for what is asked and what it is worth, [`submission`]
-//! for what a student hands in, [`compile`] and [`sandbox`] for how it is built and run,
-//! [`goldens`] for what it is compared with, [`examine`] for the way
-//! through all of that to an [`outcome`], and [`diagnosis`] for why something is wrong.
+//! Reading order: [`assignment`] for what is asked and what it is worth, [`submission`] for what
+//! a student hands in, [`compile`] and [`sandbox`] for how it is built and run, [`goldens`] for
+//! what it is compared with, [`examine`] for the steps that lead to an [`outcome`], and
+//! [`diagnosis`] for why something is wrong.
 
 pub mod assignment;
 pub mod checkout;

@@ -1,5 +1,5 @@
-//! `manifest.toml`: what goldens were made from and by, so that `golden verify` can
-//! notice changes.
+//! `manifest.toml`: what goldens were made from, and by which programs, so that `golden verify`
+//! notices changes.
 
 mod check;
 mod hashes;
@@ -14,7 +14,7 @@ use crate::assignment::Assignment;
 use crate::checkout::Checkout;
 use crate::diagnosis::known;
 use crate::error::{Result, ResultExt};
-use crate::mitsuba::{self, Drawn, Renderer};
+use crate::mitsuba::{self, QuestionSet, Renderer};
 use crate::seed::Seed;
 
 pub use self::hashes::{Hashes, hash, hash_of};
@@ -31,18 +31,18 @@ pub struct Manifest {
     pub mitsuba: String,
     /// Its variant.
     pub variant: String,
-    /// The seed that the probes were drawn from.
+    /// The seed that the questions were drawn from.
     pub probe_seed: Option<Seed>,
-    /// Fingerprints of the scripts behind the films, by scene, by task of the probes, and
-    /// of the ties.
+    /// Fingerprints of the scripts that make the films: by scene, by task of the questions, and
+    /// for the ties.
     pub scripts: Hashes,
-    /// Hashes of scenes (of what they say, not of comments and layout) and of meshes,
-    /// relative to this folder or else to the course: see [`Assignment::course`].
+    /// Hashes of scenes (of their content, not of comments and layout) and of meshes, relative to
+    /// this folder or else to the course: see [`Assignment::course`].
     pub sources: Hashes,
     /// The known mistakes' sources, relative to the course.
     #[serde(default)]
     pub mistakes: Hashes,
-    /// Every film, and what is known of mistakes, relative to this folder.
+    /// Every film, and the files about mistakes, relative to this folder.
     pub films: Hashes,
 }
 
@@ -74,7 +74,7 @@ impl Manifest {
         self.variant = renderer.variant.clone();
     }
 
-    /// Records the scripts that made the films, in their present state.
+    /// Records the current fingerprints of the scripts that made the films.
     pub fn set_scripts(
         &mut self,
         folder: &Path,
@@ -85,7 +85,7 @@ impl Manifest {
         Ok(())
     }
 
-    /// Fingerprints of the present scripts behind the films.
+    /// Current fingerprints of the scripts that make the films.
     fn script_fingerprints(
         &self,
         folder: &Path,
@@ -95,13 +95,13 @@ impl Manifest {
         let mut scenes = self.scenes(folder, assignment);
         scenes.retain(|scene| scene.is_file());
         let drawn = self.probe_seed.map(|_| match self.is_fresh() {
-            true => Drawn::Fresh(&assignment.folder),
-            false => Drawn::Public(&assignment.folder),
+            true => QuestionSet::Fresh(&assignment.folder),
+            false => QuestionSet::Public(&assignment.folder),
         });
         mitsuba::fingerprints(checkout, &scenes, drawn)
     }
 
-    /// Whether questions and scenes were drawn for this folder: then its scenes lie in it.
+    /// Whether questions and scenes were drawn for this folder. Then it holds its scenes.
     fn is_fresh(&self) -> bool {
         let mut sources = self.sources.keys();
         sources.any(|source| source.starts_with("scenes/"))
@@ -168,7 +168,7 @@ impl Manifest {
     }
 }
 
-/// Where a source lies that is recorded relative to the folder or the course.
+/// The path of a source that is recorded relative to the folder or the course.
 fn source(recorded: &str, folder: &Path, assignment: &Assignment) -> PathBuf {
     let inside = folder.join(recorded);
     match inside.is_file() {

@@ -8,21 +8,21 @@ use serde::{Deserialize, Serialize};
 use crate::assignment::{Assignment, Task};
 use crate::error::{Error, Result, ResultExt};
 
-/// A belief that leads to wrong answers, and hints for somebody who holds it.
+/// A belief that leads to wrong answers, and hints for a student who holds it.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Mistake {
     /// The belief, in a student's own words.
     pub belief: String,
-    /// Tasks that lose points by it; all others keep theirs.
+    /// The tasks that it makes wrong. All others keep their points.
     pub fails: Vec<String>,
-    /// How many of the public solutions that were read made it, where that was counted.
+    /// How many of the solutions that were read have it, if that was counted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub submissions: Option<u32>,
     /// The chapter of the book that helps.
     pub chapter: String,
-    /// The single mistakes it is made of, if it is more than one.
+    /// The single mistakes that it consists of, if it combines several.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub beliefs: Vec<String>,
     /// Help in three depths.
@@ -39,8 +39,8 @@ pub struct Hint {
     pub look: String,
     /// What to think about.
     pub think: String,
-    /// A small case in numbers, to be worked out by hand. Only compounds have none: no
-    /// diagnosis names them.
+    /// A small case in numbers, to be worked out by hand. Only combined mistakes have none,
+    /// because no diagnosis names them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub example: Option<String>,
     /// The section of the chapter to read.
@@ -52,27 +52,27 @@ pub struct Hint {
 pub struct MistakeFolder {
     /// The folder's name.
     pub slug: String,
-    /// Where it is: `mistake.toml`, the wrong answer files and, in `rewrite`, other files
-    /// with the same belief, starting from another algorithm. A compound whose beliefs are
-    /// about different tasks has no files of its own, see [`MistakeFolder::overlays`].
+    /// Where it is: `mistake.toml`, the wrong answer files and, in `rewrite`, other files that
+    /// apply the same belief to another algorithm. A combined mistake whose beliefs are about
+    /// different tasks has no files of its own; see [`MistakeFolder::overlays`].
     pub folder: PathBuf,
     /// What is believed.
     pub mistake: Mistake,
 }
 
 impl Mistake {
-    /// Whether it is one belief alone.
+    /// Whether it is a single belief.
     pub fn is_single(&self) -> bool {
         self.beliefs.is_empty()
     }
 }
 
 impl MistakeFolder {
-    /// The folders to lay over right answers one after the other: its own or, if it is a
-    /// compound without an answer file, those of its beliefs.
+    /// The folders to lay over right answers, one after the other: its own, or, if it combines
+    /// beliefs and has no answer file, those of its beliefs.
     ///
     /// # Errors
-    /// If two beliefs answer the same task: then only the later one's answer would count.
+    /// If two beliefs answer the same task, because only the later answer would count.
     pub fn overlays(&self, assignment: &Assignment) -> Result<Vec<PathBuf>> {
         let answers = |folder: &PathBuf, task: &Task| folder.join(task.file()).is_file();
         let mut tasks = assignment.tasks.iter();
@@ -97,7 +97,7 @@ impl MistakeFolder {
     }
 }
 
-/// The mistakes of an assignment by name; none if it came without them.
+/// The mistakes of an assignment by name. Empty if the assignment came without them.
 pub fn read_all(assignment: &Assignment) -> Result<Vec<MistakeFolder>> {
     folders(&assignment.folder.join("mistakes"))
         .into_iter()

@@ -1,4 +1,4 @@
-//! Runs the Python scripts that render goldens, in an environment of the project's own.
+//! Runs the Python scripts that render goldens, in a Python environment of the project's own.
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -12,22 +12,22 @@ use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
 use crate::progress::Progress;
 
-/// Where the Python environment lies.
+/// The folder of the Python environment.
 pub fn environment(checkout: &Checkout) -> PathBuf {
     scripts(checkout).join(".venv")
 }
 
-/// Where the scripts lie.
+/// The folder of the scripts.
 pub fn scripts(checkout: &Checkout) -> PathBuf {
     checkout.root().join("tools").join("mitsuba")
 }
 
-/// Whether the environment is there.
+/// Whether the environment exists.
 pub fn is_there(checkout: &Checkout) -> bool {
     interpreter(&environment(checkout)).is_file()
 }
 
-/// The environment's Python, to be given arguments.
+/// A command that runs the environment's Python. Add arguments.
 pub fn python(checkout: &Checkout) -> Command {
     Command::new(interpreter(&environment(checkout)))
 }
@@ -74,10 +74,10 @@ fn system_python() -> Result<&'static str> {
 
 /// Which questions were drawn, and the folder of the assignment they were drawn for.
 #[derive(Clone, Copy, Debug)]
-pub enum Drawn<'a> {
+pub enum QuestionSet<'a> {
     /// The committed questions of its tasks, and its ties.
     Public(&'a Path),
-    /// Questions and scenes that nobody has seen.
+    /// Questions and scenes that no student has seen.
     Fresh(&'a Path),
 }
 
@@ -90,7 +90,7 @@ pub enum Drawn<'a> {
 pub fn fingerprints(
     checkout: &Checkout,
     scenes: &[PathBuf],
-    drawn: Option<Drawn>,
+    drawn: Option<QuestionSet>,
 ) -> Result<BTreeMap<String, String>> {
     let script = scripts(checkout).join("fingerprint.py");
     if !script.is_file() {
@@ -104,8 +104,8 @@ pub fn fingerprints(
     let mut command = Command::new(python);
     command.arg(script).args(scenes);
     match drawn {
-        Some(Drawn::Public(assignment)) => command.arg("--questions").arg(assignment),
-        Some(Drawn::Fresh(assignment)) => command.arg("--fresh").arg(assignment),
+        Some(QuestionSet::Public(assignment)) => command.arg("--questions").arg(assignment),
+        Some(QuestionSet::Fresh(assignment)) => command.arg("--fresh").arg(assignment),
         None => &mut command,
     };
     let output = command.output().or_fail(&failed)?;
@@ -134,7 +134,7 @@ fn interpreter(environment: &Path) -> PathBuf {
 /// One finished item of the scripts.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Item {
-    /// A scene's name, or a probe's: `TASK.GROUP`.
+    /// A scene's name, or that of a group of questions: `TASK.GROUP`.
     pub name: String,
     /// The files made, relative to the output folder.
     pub files: Vec<PathBuf>,
@@ -151,20 +151,24 @@ pub struct Renderer {
 }
 
 /// What a run of the scripts has made.
-pub struct Rendered {
+pub struct RenderResult {
     /// The renderer.
     pub renderer: Renderer,
     /// Everything that was made.
     pub items: Vec<Item>,
-    /// Why something was not made, in the scripts' words.
+    /// Why something was not made, in the words of the scripts.
     pub refusal: Option<Error>,
 }
 
-/// Runs `golden.py` and gives what it made.
+/// Runs `golden.py` and returns what it made.
 ///
 /// # Errors
 /// If the environment is missing, or the scripts fail.
-pub fn render(checkout: &Checkout, arguments: &[&OsStr], progress: &Progress) -> Result<Rendered> {
+pub fn render(
+    checkout: &Checkout,
+    arguments: &[&OsStr],
+    progress: &Progress,
+) -> Result<RenderResult> {
     let python = interpreter(&environment(checkout));
     if !python.is_file() {
         return Err(Error::environment(
@@ -212,7 +216,7 @@ pub fn render(checkout: &Checkout, arguments: &[&OsStr], progress: &Progress) ->
         )
     });
     match renderer {
-        Some(renderer) if status.success() || refusal.is_some() => Ok(Rendered {
+        Some(renderer) if status.success() || refusal.is_some() => Ok(RenderResult {
             renderer,
             items,
             refusal,

@@ -1,9 +1,9 @@
 //! What a submission got: every task, group of questions and scene.
 //!
-//! [`Outcome`] is the only type for that, from the run to every view: `check --json` prints
-//! it, `grade` keeps it in `result.json`, and terminal, HTML and other graders' formats are
-//! made from it. `tools/schema/outcome.schema.json` describes it. Films are carried beside
-//! it, in an [`Examination`], because they are too large for a document.
+//! [`Outcome`] is the only type for this. `check --json` prints it, `grade` keeps it in
+//! `result.json`, and the terminal's text, HTML and other graders' formats are made from it.
+//! `tools/schema/outcome.schema.json` describes it. An [`Examination`] carries the films beside
+//! it, because they are too large for a document.
 
 mod film;
 mod status;
@@ -22,7 +22,7 @@ pub use self::film::{Comparison, FilmOutcome};
 pub use self::status::Status;
 pub use self::task::{AnswerFile, GroupOutcome, TaskOutcome};
 
-/// The version of the document. A change that breaks readers counts it up.
+/// The version of the document. Raise it with every change that breaks readers.
 pub const SCHEMA: u32 = 2;
 
 /// An outcome and the films it was made from.
@@ -39,13 +39,13 @@ pub struct Examination {
 pub struct SceneFilm {
     /// The scene file.
     pub file: PathBuf,
-    /// How to name it in `explain` and `render`: its name, or its file.
+    /// How to name it in `explain` and `render`: by its name, or by its file.
     pub argument: String,
     /// What Mitsuba saw.
     pub golden: Golden,
-    /// What the submission cast, if every pixel came.
+    /// What the submission cast, if every pixel is there.
     pub film: Option<Film>,
-    /// What the judge says of it, if it could be compared.
+    /// The judge's verdict, if the film could be compared.
     pub verdict: Option<Verdict>,
     /// The submission's rays through its pixels.
     pub rays: OwnRays,
@@ -59,7 +59,7 @@ pub enum OwnRays {
     Unknown,
     /// The task that asks for them passes.
     Right,
-    /// The rays that it answers.
+    /// The rays that the submission answers.
     Asked(Film),
 }
 
@@ -71,7 +71,7 @@ pub struct Outcome {
     pub schema: u32,
     /// The assignment's title.
     pub assignment: String,
-    /// The folder as the user named it; in a class, the name it was handed in under.
+    /// The folder as the user named it. In a class, the name it was handed in under.
     pub submission: String,
     /// Whether everything that was asked passes.
     pub passes: bool,
@@ -85,12 +85,12 @@ pub struct Outcome {
     pub tasks: Vec<TaskOutcome>,
     /// In the assignment's order.
     pub scenes: Vec<SceneOutcome>,
-    /// What the student's code printed, cut to its beginning; empty where anything that was
-    /// asked is withheld.
+    /// The beginning of what the student's code printed. Empty if anything that was asked is
+    /// withheld.
     pub printed: String,
     /// The sandbox that the student's code ran in.
     pub sandbox: String,
-    /// What an instructor may want to look at.
+    /// Lines that an instructor may want to look at.
     pub flags: Vec<Flag>,
 }
 
@@ -100,16 +100,15 @@ pub struct Outcome {
 pub struct SceneOutcome {
     /// The scene.
     pub name: String,
-    /// All that it is worth, or 0.
+    /// All its points, or 0.
     pub points: u32,
     /// What it is worth.
     pub possible: u32,
     /// How its film fared.
     pub outcome: FilmOutcome,
-    /// How long the cast took, start of the process included; null where the scene is
-    /// withheld.
+    /// How long the cast took, including the start of the process; null if the scene is withheld.
     pub seconds: Option<f64>,
-    /// Which beliefs explain its wrong pixels; null if nothing known does.
+    /// The beliefs that explain its wrong pixels; null if no known belief does.
     #[serde(with = "crate::diagnosis::or_null")]
     #[cfg_attr(test, schemars(with = "Option<Diagnosis>"))]
     pub diagnosis: Diagnosis,
@@ -147,7 +146,7 @@ impl Outcome {
         self.passes = passes;
     }
 
-    /// Everything that was asked: task and group, or nothing and scene.
+    /// Everything that was asked: for questions, task and group; for a scene, its name alone.
     pub fn films(&self) -> impl Iterator<Item = (Option<&str>, &str, &FilmOutcome)> {
         let groups = self.tasks.iter().flat_map(|task| {
             let of_group = |group| film_of_group(&task.name, group);
@@ -157,7 +156,7 @@ impl Outcome {
         groups.chain(scenes.map(|scene| (None, scene.name.as_str(), &scene.outcome)))
     }
 
-    /// How it ended: the gravest of its tasks and scenes.
+    /// How it ended: the worst status of its tasks and scenes.
     pub fn status(&self) -> Status {
         let tasks = self.tasks.iter().map(TaskOutcome::status);
         let scenes = self.scenes.iter().map(|scene| scene.outcome.status());

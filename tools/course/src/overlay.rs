@@ -1,5 +1,5 @@
-//! Answers laid over the reference's: how mistakes, variants and mutants become whole
-//! submissions.
+//! Lays answers over the reference's, which makes whole submissions of mistakes, variants and
+//! mutants.
 
 use std::fs;
 use std::path::Path;
@@ -8,7 +8,7 @@ use crate::assignment::Assignment;
 use crate::error::{Result, ResultExt};
 use crate::submission::{Answer, Submission};
 
-/// The reference's submission.
+/// The reference answers as a submission.
 pub fn reference(assignment: &Assignment) -> Result<Submission> {
     Submission::find(&assignment.reference(), assignment)
 }

@@ -28,7 +28,7 @@ impl Progress {
         Progress(bar)
     }
 
-    /// Shows what is being done, if nobody knows how long it takes.
+    /// Shows what is being done, if its duration is unknown.
     pub fn say(&self, what: &str) {
         self.show(what, 0.0);
     }
@@ -50,8 +50,8 @@ impl Progress {
 /// The longest time between two messages.
 const MOST_SILENCE: Duration = Duration::from_secs(4);
 
-/// Does some work. Meanwhile prints to standard error, every few seconds, what is being done,
-/// for how long, and how long it took last time. The file `record` keeps the last time.
+/// Does some work. Every few seconds, prints to standard error what is being done, for how long,
+/// and how long it took last time. The file `record` keeps that time.
 pub fn patiently<T>(what: &str, record: &Path, work: impl FnOnce() -> T) -> T {
     let start = Instant::now();
     let (working, done) = mpsc::channel::<()>();
@@ -65,11 +65,11 @@ pub fn patiently<T>(what: &str, record: &Path, work: impl FnOnce() -> T) -> T {
     });
     let made = work();
     drop(working);
-    // It only prints, and ends at once.
+    // The thread only prints, and ends at once.
     let _ended = teller.join();
     let took = start.elapsed();
     if took > MOST_SILENCE {
-        // Without a record, less is said next time.
+        // Without a record, the next message says no duration.
         let folder = record.parent().map_or(Ok(()), fs::create_dir_all);
         let _kept = folder.and_then(|()| fs::write(record, took.as_secs().to_string()));
     }
@@ -87,7 +87,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn who_waits_is_told_for_what_and_how_long_it_took_before() {
+    fn message_says_what_is_running_and_how_long_it_took_last_time() {
         let told = |before| still_at("building the book", Duration::from_secs(8), before);
         assert_eq!(told(None), "building the book, 8 s so far …");
         assert_eq!(

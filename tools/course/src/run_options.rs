@@ -1,4 +1,4 @@
-//! Command-line options about how a submission's program is run.
+//! Command-line options for running a submission's program.
 
 use std::env;
 use std::path::Path;
@@ -34,7 +34,7 @@ impl AssignmentOption {
         Assignment::find(checkout, self.name.as_deref(), &folder)
     }
 
-    /// The assignment of a command that takes the name as an argument too.
+    /// The assignment of a command that also takes its name as an argument.
     ///
     /// # Errors
     /// See [`Assignment::find`].
@@ -46,7 +46,7 @@ impl AssignmentOption {
     }
 }
 
-/// Which sandbox untrusted code runs in.
+/// The sandbox for untrusted code.
 #[derive(Args)]
 pub struct SandboxOptions {
     /// The sandbox that the code runs in
@@ -68,7 +68,7 @@ impl SandboxOptions {
     }
 }
 
-/// How a submission's program is run.
+/// How to run a submission's program.
 #[derive(Args)]
 pub struct RunOptions {
     /// Give up on a task or a scene after this many seconds, or after a fifteenth of them (2 s
@@ -82,7 +82,7 @@ pub struct RunOptions {
 }
 
 impl RunOptions {
-    /// Seconds, unless the user says otherwise.
+    /// The default, in seconds.
     pub const TIMEOUT: u64 = 30;
 
     /// How long an answer may take.

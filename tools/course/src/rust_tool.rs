@@ -1,16 +1,16 @@
 //! Starts cargo, rustc and git away from the current folder.
 //!
-//! All three obey files of the folder they are started in: `rust-toolchain.toml` can name any
+//! All three obey files in the folder where they start: `rust-toolchain.toml` can name any
 //! program as the compiler, and the settings of cargo and git any program to run. The current
-//! folder may be a student's, so they are started in one of ours, and by their whole path.
+//! folder may be a student's, so we start them in one of ours, and by their full path.
 
 use std::env;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// `cargo` or `rustc`, started in `folder`, which is to be ours: the one that cargo names in
-/// the environment of what it runs, or else the first in `PATH`.
+/// `cargo` or `rustc`, started in `folder`, which must be ours. Uses the one that cargo names in
+/// the environment of the programs it runs, or else the first in `PATH`.
 pub fn rust_tool(name: &str, folder: &Path) -> Command {
     let named = env::var_os(name.to_uppercase()).map(PathBuf::from);
     match named.filter(|program| program.is_absolute()) {
@@ -19,7 +19,7 @@ pub fn rust_tool(name: &str, folder: &Path) -> Command {
     }
 }
 
-/// The first program of this name in `PATH`, started in `folder`, which is to be ours.
+/// The first program of this name in `PATH`, started in `folder`, which must be ours.
 pub fn tool(name: &str, folder: &Path) -> Command {
     let path = env::var_os("PATH").unwrap_or_default();
     in_folder(in_path(&path, name).unwrap_or(name.into()), folder)
@@ -31,8 +31,8 @@ fn in_folder(program: PathBuf, folder: &Path) -> Command {
     command
 }
 
-/// A program in a search path. Relative folders in it are passed over, since they would be the
-/// current folder's.
+/// Finds a program in a search path. Skips relative folders, because they are relative to the
+/// current folder.
 fn in_path(path: &OsStr, name: &str) -> Option<PathBuf> {
     let name = format!("{name}{}", env::consts::EXE_SUFFIX);
     env::split_paths(path)

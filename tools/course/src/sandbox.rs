@@ -1,10 +1,9 @@
-//! Where a submission is compiled and run: unprotected if its user trusts it, or in a
-//! sandbox.
+//! Where a submission is compiled and run: in a sandbox, or unprotected if its user trusts it.
 //!
-//! Inside the sandbox there are a read-only system, the compiler, the harness library and the
-//! submission's own files: no golden, no other submission, no home, no network, no
-//! environment. Only the compiler may write, into one folder. All that runs there is one tree
-//! of processes, which is bounded by [`Limits`] and killed when its job ends.
+//! The sandbox shows a read-only system, the compiler, the harness library and the submission's
+//! own files. It shows no golden, no other submission, no home, no network and no environment.
+//! Only the compiler may write, into one folder. Everything that runs there forms one tree of
+//! processes, which is bounded by [`Limits`] and killed when its job ends.
 
 mod budget;
 mod finish;
@@ -51,10 +50,9 @@ pub use finish::{Finished, finish};
 pub use limits::Limits;
 use watch::{Exceeded, Watch};
 
-/// Turns this process into a confined program if it was started as one. Both sandboxes start
-/// this program again inside, as `confine`, so every binary calls this function before
-/// anything else. Returns only if the process was not started as one, or if confining it
-/// failed.
+/// Turns this process into a confined program if it was started as one. Both sandboxes start this
+/// program again inside, with the argument `confine`, so every binary must call this function
+/// first. Returns only if the process was not started this way, or if confining it failed.
 pub fn become_confined() -> Option<std::process::ExitCode> {
     #[cfg(target_os = "linux")]
     return confine::become_confined();
@@ -62,8 +60,7 @@ pub fn become_confined() -> Option<std::process::ExitCode> {
     None
 }
 
-/// Processor time of all processes that this one has started and seen end, where the
-/// system tells.
+/// Processor time of all child processes that have ended, if the system reports it.
 pub fn time_of_children() -> Option<std::time::Duration> {
     #[cfg(target_os = "linux")]
     return tree::time_of_children();
@@ -91,7 +88,7 @@ pub enum Choice {
 /// How a submission's processes are started.
 #[derive(Clone, Debug)]
 pub enum Sandbox {
-    /// Like any program of the user's: for code that lies in the checkout.
+    /// Like any program that the user starts. For code in the checkout.
     Trusted,
     /// In namespaces of their own.
     #[cfg(target_os = "linux")]
@@ -106,8 +103,7 @@ impl Sandbox {
     /// read the folders of `secrets`, nor the goldens and answers of the checkout.
     ///
     /// # Errors
-    /// If this machine can't provide that sandbox. Code is never run without it
-    /// instead.
+    /// If this machine can't provide that sandbox. Code never runs without it instead.
     pub fn around(
         folder: &Path,
         checkout: &Checkout,
@@ -138,8 +134,8 @@ impl Sandbox {
         }
     }
 
-    /// A new sandbox of the same kind for another submission. It has another user id, so that
-    /// neither can signal or starve the other, and a time budget of its own.
+    /// A new sandbox of the same kind for another submission. It has its own user id, so that
+    /// neither can signal or starve the other, and its own time budget.
     ///
     /// # Errors
     /// If no user id is left.
@@ -182,8 +178,8 @@ impl Sandbox {
         Sandbox::bubblewrap(checkout, "the code", secrets)
     }
 
-    /// The folder for the harness and the programs. It lies where sandboxed code can reach it,
-    /// if it needs to.
+    /// The folder for the harness and the programs, in a place that sandboxed code can reach if
+    /// it must.
     pub fn scratch(&self, checkout: &Checkout) -> PathBuf {
         match self {
             #[cfg(target_os = "linux")]
@@ -203,14 +199,14 @@ impl Sandbox {
         }
     }
 
-    /// What a compiled program depends on besides its sources. A program that was
-    /// compiled where more files could be read must not be reused for another sandbox.
+    /// What a compiled program depends on besides its sources. A program that was compiled where
+    /// more files are readable must not be used in another sandbox.
     pub fn fingerprint(&self) -> String {
         match self {
             Sandbox::Trusted => "none".into(),
             #[cfg(target_os = "linux")]
             Sandbox::Bubblewrap(walls) => format!("bubblewrap {}", walls.sysroot().display()),
-            // A program's file belongs to one user id.
+            // Each program's file belongs to one user id.
             #[cfg(target_os = "linux")]
             Sandbox::Container(walls) => format!("container {}", walls.uid()),
         }
@@ -233,7 +229,7 @@ impl Sandbox {
         }
     }
 
-    /// Runs a command of [`compiler`](Sandbox::compiler) to its end.
+    /// Runs a command made by [`compiler`](Sandbox::compiler) to its end.
     pub fn compile(&self, compiler: Command, limits: &Limits) -> io::Result<Finished> {
         let finished = finish(compiler, limits, |pid| self.watch(pid, limits));
         self.sweep();
@@ -253,8 +249,8 @@ impl Sandbox {
     }
 
     /// Takes a compiled program and its folder from the user id that compiled it. Foreign code
-    /// may then run the program but not read it: the kernel denies a program that it can't read
-    /// its own memory in `/proc`, where that can be seen.
+    /// may then run the program but not read it: if a program's file can't be read, the kernel
+    /// denies the program access to its own memory in `/proc`.
     ///
     /// # Errors
     /// If they cannot be handed over.
@@ -269,7 +265,7 @@ impl Sandbox {
         }
     }
 
-    /// Whether there is a program that nobody but us could have changed.
+    /// Whether the program exists and nobody but us could have changed it.
     pub fn is_sealed(&self, program: &Path) -> bool {
         match self {
             Sandbox::Trusted => program.is_file(),
@@ -278,7 +274,7 @@ impl Sandbox {
         }
     }
 
-    /// Asks a built program. What its code does wrong is in the reply.
+    /// Asks a built program. The reply reports anything that its code does wrong.
     ///
     /// # Errors
     /// If it could not be started, or the sandbox could not be made.
@@ -320,11 +316,11 @@ impl Sandbox {
                     reply.ending = Ending::TimedOut(most)
                 }
                 Some(Exceeded::Memory(most)) => reply.ending = Ending::OutOfMemory(most),
-                // The kernel's own limit, in case a busy machine polls too seldom.
+                // The kernel's own limit is a fallback for a busy machine that polls too seldom.
                 None if *death == Death::OutOfProcessorTime => {
                     reply.ending = Ending::TimedOut(limits.cpu);
                 }
-                // Rust itself prints this; otherwise the process ends like any other that aborts.
+                // Rust prints this text. Otherwise, the process ends like any other that aborts.
                 None if reply.printed.contains("memory allocation of ") => {
                     reply.ending = Ending::OutOfMemory(limits.memory);
                 }
@@ -347,7 +343,7 @@ impl Sandbox {
         }
     }
 
-    /// Kills the processes that were left behind, if no process namespace does that.
+    /// Kills processes that were left behind, if no process namespace does it.
     fn sweep(&self) {
         #[cfg(target_os = "linux")]
         if let Sandbox::Container(walls) = self {
@@ -355,8 +351,7 @@ impl Sandbox {
         }
     }
 
-    /// Whether the sandbox still works, so that a fault of the machine is not blamed on
-    /// a student.
+    /// Whether the sandbox still works, so that no student is blamed for a fault of the machine.
     fn self_test(&self) -> io::Result<()> {
         match self {
             Sandbox::Trusted => Ok(()),
@@ -367,7 +362,7 @@ impl Sandbox {
         }
     }
 
-    /// What is not shown to the author of untrusted code.
+    /// Paths that the author of untrusted code must not see.
     #[cfg(target_os = "linux")]
     fn host_paths(&self) -> Option<&host_paths::HostPaths> {
         match self {
@@ -377,7 +372,7 @@ impl Sandbox {
         }
     }
 
-    /// What is left of these limits for a submission that has run into some before.
+    /// The limits that remain for a submission that has exceeded some before.
     pub fn within_budget(&self, limits: &Limits) -> Limits {
         match self {
             Sandbox::Trusted => *limits,

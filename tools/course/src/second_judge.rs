@@ -1,4 +1,4 @@
-//! Asks oiiotool about films that exist only in memory.
+//! Lets oiiotool judge films that exist only in memory.
 
 use std::collections::HashSet;
 use std::fs;
@@ -18,8 +18,8 @@ use crate::mitsuba;
 pub struct SecondJudge {
     tool: Oiiotool,
     folder: PathBuf,
-    /// Fingerprints of films on which both judges agreed. Many mistakes cast the same
-    /// films, which need not be judged a hundred times.
+    /// Fingerprints of films on which both judges agreed. Many mistakes cast the same films, and
+    /// judging these once is enough.
     agreed: Mutex<HashSet<[u8; 32]>>,
 }
 
@@ -44,10 +44,10 @@ impl SecondJudge {
         })
     }
 
-    /// Confirms the first judge's verdict on `film`: whether it `passes`.
+    /// Confirms the first judge's verdict on `film`, which is that it `passes` or not.
     ///
     /// # Errors
-    /// If the two disagree: that is our fault, never the film's.
+    /// If the two disagree. The fault is then ours, never the film's.
     pub fn confirm(&self, film: &Film, golden: &Path, passes: bool) -> Result<()> {
         let fingerprint = fingerprint(film, golden, passes);
         let agreed = || self.agreed.lock().unwrap_or_else(|lock| lock.into_inner());
@@ -57,7 +57,7 @@ impl SecondJudge {
         static NEXT: AtomicUsize = AtomicUsize::new(0);
         let turn = NEXT.fetch_add(1, Ordering::Relaxed);
         let name = format!("{}-{turn}.exr", std::process::id());
-        let laid = Laid(self.folder.join(name));
+        let laid = TemporaryFilm(self.folder.join(name));
         film.write(&laid.0)?;
         let second = self.tool.judge(golden, &laid.0).map_err(|problem| {
             Error::environment(
@@ -83,16 +83,16 @@ impl SecondJudge {
     }
 }
 
-/// A film on disk that is gone when dropped.
-struct Laid(PathBuf);
+/// A film on disk that is deleted when dropped.
+struct TemporaryFilm(PathBuf);
 
-impl Drop for Laid {
+impl Drop for TemporaryFilm {
     fn drop(&mut self) {
         let _never_written = fs::remove_file(&self.0);
     }
 }
 
-/// Equal only for the same film, the same golden and the same first verdict.
+/// Two calls have the same fingerprint only if film, golden and first verdict are the same.
 fn fingerprint(film: &Film, golden: &Path, passes: bool) -> [u8; 32] {
     let mut hash = Hash::new();
     hash.update(golden.as_os_str().as_encoded_bytes());

@@ -6,35 +6,36 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-/// It has 128 bits, so that nobody who learns some questions can try all seeds.
+/// The seed has 128 bits, so that nobody who learns some questions can try all seeds.
 ///
-/// The scripts hash its decimal digits together with the name of what is drawn, so a small
-/// number draws what it always did.
+/// The scripts hash its decimal digits together with the name of what is drawn. A small number
+/// therefore draws the same questions as in earlier versions, which had only small seeds.
 #[derive(Clone, Copy, Debug, Deserialize, Eq, PartialEq, Serialize)]
-#[serde(try_from = "Written", into = "Written")]
+#[serde(try_from = "SeedInToml", into = "SeedInToml")]
 pub struct Seed(pub u128);
 
-/// TOML's numbers have 63 bits; a larger seed is written as text.
+/// A seed in TOML, whose numbers have 63 bits. A larger seed is written as text.
 #[derive(Deserialize, Serialize)]
 #[serde(untagged)]
-enum Written {
+enum SeedInToml {
     Number(i64),
     Text(String),
 }
 
-impl From<Seed> for Written {
-    fn from(seed: Seed) -> Written {
-        i64::try_from(seed.0).map_or_else(|_| Written::Text(seed.to_string()), Written::Number)
+impl From<Seed> for SeedInToml {
+    fn from(seed: Seed) -> SeedInToml {
+        i64::try_from(seed.0)
+            .map_or_else(|_| SeedInToml::Text(seed.to_string()), SeedInToml::Number)
     }
 }
 
-impl TryFrom<Written> for Seed {
+impl TryFrom<SeedInToml> for Seed {
     type Error = ParseIntError;
 
-    fn try_from(written: Written) -> Result<Seed, ParseIntError> {
+    fn try_from(written: SeedInToml) -> Result<Seed, ParseIntError> {
         match written {
-            Written::Number(number) => number.to_string().parse(),
-            Written::Text(text) => text.parse(),
+            SeedInToml::Number(number) => number.to_string().parse(),
+            SeedInToml::Text(text) => text.parse(),
         }
     }
 }

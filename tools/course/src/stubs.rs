@@ -15,8 +15,8 @@ const ANSWER_END: &str = "// ANCHOR_END: answer";
 /// Generates the handout of an assignment.
 ///
 /// # Errors
-/// If a file of the reference cannot be read, or an answer is not enclosed by a pair of
-/// anchors: then it might leak.
+/// If a file of the reference cannot be read, or an answer is not enclosed by a pair of anchors,
+/// because the answer might then leak.
 pub fn generate(assignment: &Assignment) -> Result<Package> {
     let reference = assignment.reference();
     let mut package = Package::new();
@@ -35,8 +35,8 @@ pub fn generate(assignment: &Assignment) -> Result<Package> {
     Ok(package)
 }
 
-/// The stubs as students got them. Without a reference to generate them from, these are the
-/// copies that came with the handout.
+/// The stubs as students got them. Where there is no reference to generate them from, these are
+/// the copies that came with the handout.
 pub fn pristine(assignment: &Assignment, checkout: &Checkout) -> Result<Package> {
     match HandoutRecord::read(checkout.root())? {
         None => generate(assignment),
@@ -89,7 +89,7 @@ pub fn write(package: &Package, folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// The files of `folder` that are not as the package has them.
+/// The files of `folder` that differ from the package.
 pub fn out_of_step(package: &Package, folder: &Path) -> Vec<PathBuf> {
     let differs = |(path, text): &(&PathBuf, &String)| {
         fs::read_to_string(folder.join(path)).map_or(true, |found| found != **text)

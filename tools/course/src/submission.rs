@@ -21,13 +21,13 @@ use text::Text;
 pub struct Submission {
     /// The folder or ZIP file as the user named it.
     pub folder: PathBuf,
-    /// Where in it the answer files lie.
+    /// The folder inside it that holds the answer files.
     pub place: PathBuf,
     /// One for each task, in the assignment's order.
     pub answers: Vec<Answer>,
 }
 
-/// One task's answer file.
+/// The answer file of one task.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
     /// The task, which is also the file's name without `.rs`.
@@ -41,17 +41,17 @@ pub struct Answer {
 pub enum Unusable {
     /// It is not there.
     Missing,
-    /// The file was not accepted, because it is not a regular UTF-8 file or too long; why, in
-    /// words.
+    /// The file was not accepted, because it is too long or not a regular UTF-8 file. The text
+    /// says which.
     Refused(String),
 }
 
 impl Submission {
-    /// Finds the answer files of `assignment` in `folder`, in its `src`, or in the
-    /// same two places of the only folder inside. A ZIP file counts as a folder.
+    /// Finds the answer files of `assignment` in `folder`, in its `src`, or in the same two
+    /// places of the only folder inside. A ZIP file counts as a folder.
     ///
     /// # Errors
-    /// If there is none, or the machine cannot read what is there.
+    /// If there is none, or the machine cannot read the files.
     pub fn find(folder: &Path, assignment: &Assignment) -> Result<Submission> {
         Submission::find_any(folder, assignment)?.ok_or_else(|| empty(folder, assignment))
     }
@@ -89,7 +89,7 @@ impl Submission {
         }))
     }
 
-    /// The submission in the folder a user named, or else in the current one, or else in
+    /// The submission in the folder that the user named, or else in the current one, or else in
     /// `fallback`.
     ///
     /// # Errors
@@ -158,14 +158,13 @@ fn empty(folder: &Path, assignment: &Assignment) -> Error {
     )
 }
 
-/// Whether a folder may hold answers, and was not left there by an archiver or version
-/// control.
+/// Whether a folder may hold answers. Folders left by archivers and version control may not.
 fn is_ordinary(name: &str) -> bool {
     !name.starts_with('.') && !name.starts_with("__")
 }
 
 fn places(folder: &Path) -> Result<Vec<PathBuf>> {
-    // A link could lead into somebody else's answers.
+    // A link could lead to another student's answers.
     let is_own = |place: &PathBuf| !place.is_symlink();
     let mut places = vec![folder.into()];
     places.extend(Some(folder.join("src")).filter(is_own));

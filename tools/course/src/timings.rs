@@ -1,7 +1,7 @@
-//! How long each stage takes, counted for all threads together.
+//! How long each stage takes, summed over all threads.
 //!
-//! Stages begin and end deep inside other code. So their times are kept in one place for the
-//! whole process, instead of being passed through every call.
+//! Stages begin and end deep inside other code. Their times are kept in one place for the whole
+//! process, so that no call needs to pass them.
 
 use std::fmt;
 use std::sync::{Mutex, PoisonError};
@@ -14,10 +14,10 @@ use serde::Serialize;
 pub struct Stage {
     /// What was done.
     pub name: String,
-    /// How often.
+    /// How often it ran.
     pub times: usize,
-    /// Seconds on the clock, summed. Stages run side by side, so the sum of all stages may
-    /// exceed the time of the whole.
+    /// Seconds on the clock, summed. Stages run at the same time, so their sum may exceed the
+    /// time of the whole run.
     pub seconds: f64,
 }
 
@@ -54,7 +54,7 @@ pub fn add(stage: &str, time: Duration) {
 pub struct Timings(Vec<Stage>);
 
 impl Timings {
-    /// What this process has spent its time on so far, in the order it began.
+    /// The stages of this process so far, in the order they began.
     pub fn so_far() -> Timings {
         Timings(
             STAGES

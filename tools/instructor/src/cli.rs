@@ -1,5 +1,5 @@
 //! The instructor's command line: grading a class, handing out a course, making goldens, and
-//! testing all of that.
+//! testing the grading.
 
 use std::path::PathBuf;
 
@@ -37,7 +37,7 @@ pub enum Command {
 }
 
 impl Command {
-    /// Whether standard output is to be one JSON document, errors included.
+    /// Whether standard output must be one JSON document, errors included.
     pub fn wants_json(&self) -> bool {
         match self {
             Command::Golden(Golden::Verify(arguments)) => arguments.json,
@@ -54,21 +54,22 @@ impl Command {
 /// Grade a class of submissions
 ///
 /// Each path is a submission (a folder or an archive, .zip or .tar.gz, with the answer files), a
-/// folder of submissions, or a class as Canvas or Moodle exports it. The result and the report of each submission go to DIR/submissions; the whole
-/// class is in DIR/grades.csv and DIR/class.html. All code runs in a sandbox.
+/// folder of submissions, or a class as Canvas or Moodle exports it. The result and the report of
+/// each submission go to DIR/submissions; the results of the whole class are in DIR/grades.csv
+/// and DIR/class.html. All code runs in a sandbox.
 ///
-/// You can stop this at any moment and run it again: it continues, and grades again only what
-/// has changed. If the grader itself fails on a submission, that submission gets no mark
-/// instead of a zero, is listed first, and the exit code is 3.
+/// You can stop this at any time and run it again. It continues where it stopped, and grades
+/// again only what has changed. If the grader itself fails on a submission, that submission is
+/// listed first and gets no mark instead of a zero, and the exit code is 3.
 ///
-/// Nobody is lost: the end of the output and the top of class.html list submissions that are
-/// not on the roster, lack files or could belong to several people, and files that belong to
-/// nobody. If there are any, the exit code is 1.
+/// The end of the output and the top of class.html list every submission that is not on the
+/// roster, lacks files or could belong to several people, and every file that belongs to no
+/// submission. If there are any, the exit code is 1.
 ///
-/// If Mitsuba is installed, the whole class is also asked fresh questions from a new seed. A
-/// group of questions then earns its points only if it passes both the public and the fresh
-/// ones. A scene earns no more than the smallest share of points among the tasks that it needs,
-/// unless fresh scenes that need the same tasks earn more.
+/// If Mitsuba is installed, the whole class is also asked fresh questions, drawn from a new seed.
+/// A group of questions then earns its points only if it passes both the public and the fresh
+/// questions. A scene earns no more than the smallest share of points among the tasks that it
+/// needs, unless fresh scenes that need the same tasks earn more.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions
@@ -76,20 +77,20 @@ pub struct Grade {
     pub paths: Vec<PathBuf>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Write results to this folder, and reuse those that it has
+    /// Write results to this folder, and reuse the results in it that are still valid
     #[arg(long, value_name = "DIR", required_unless_present = "dry_run")]
     pub out: Option<PathBuf>,
-    /// Show whom each submission belongs to and what was found in it, and grade nothing
+    /// Show who handed in each submission and what it contains, and grade nothing
     #[arg(long)]
     pub dry_run: bool,
     /// Grade this many submissions at a time [default: one for each core]
     #[arg(long, value_name = "N")]
     pub jobs: Option<usize>,
-    /// Judge by the goldens in this folder instead, and withhold them from students; `golden
+    /// Judge by the golden films in this folder instead, and withhold them from students; `golden
     /// render my.toml --out DIR` makes them
     #[arg(long, value_name = "DIR")]
     pub golden: Option<PathBuf>,
-    /// How much results and reports show of withheld and fresh questions
+    /// How much results and reports show about withheld and fresh questions
     #[arg(long, value_enum, default_value_t)]
     pub reveal: Reveal,
     /// Draw fresh questions from this seed [default: that of DIR/fresh, or a random one of 128
@@ -106,29 +107,30 @@ pub struct Grade {
     /// Canvas's or Moodle's
     #[arg(long, value_name = "CSV")]
     pub roster: Option<PathBuf>,
-    /// A policy.toml, which changes marks by deadlines, late days, extra credit, and by hand
+    /// A policy.toml, which changes marks by deadlines, late days, extra credit, and adjustments
+    /// by hand
     #[arg(long, value_name = "TOML")]
     pub policy: Option<PathBuf>,
-    /// Write results in this format too (repeatable)
+    /// Also write results in this format (repeatable)
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub format: Vec<Format>,
     /// Grade everything again, with new fresh questions, and list the marks that change,
     /// starting with those that drop
     #[arg(long)]
     pub regrade: bool,
-    /// Grade only part K of N; `pinhole merge` puts the parts together
+    /// Grade only part K of N; `pinhole merge` combines the parts
     #[arg(long, value_name = "K/N", value_parser = shard)]
     pub shard: Option<(usize, usize)>,
     /// Give each task and scene at least this many seconds of processor time, and at least a
-    /// hundred times what the reference takes. What is late is asked again with the machine to
-    /// itself before it counts as late
+    /// hundred times what the reference takes. A late answer is asked again with nothing else
+    /// running before it counts as late
     #[arg(long, value_name = "SECONDS", default_value_t = 4,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
     /// The sandbox that all code runs in; `auto` means bubblewrap
     #[arg(long, value_enum, value_name = "SANDBOX", default_value_t)]
     pub sandbox: Choice,
-    /// Run without a sandbox, which every result then says; only for your own code (short for
+    /// Run without a sandbox, which every result then mentions; only for your own code (short for
     /// --sandbox none)
     #[arg(long, conflicts_with = "sandbox")]
     pub trust: bool,
@@ -142,7 +144,7 @@ pub struct Grade {
 
 impl Grade {
     /// The sandbox that the user has chosen.
-    pub fn walls(&self) -> Choice {
+    pub fn sandbox_choice(&self) -> Choice {
         match self.trust {
             true => Choice::None,
             false => self.sandbox,
@@ -152,9 +154,9 @@ impl Grade {
 
 /// Show everything about one mark, to explain it to the student
 ///
-/// Prints for each group that fails what was asked, what was expected and what the answer gave,
-/// and the answer as it was handed in. Of fresh and withheld questions it shows more than the
-/// student may see. Nothing is graded again.
+/// Prints, for each group that fails, what was asked, what was expected and what the answer gave,
+/// and then the answer as it was handed in. It shows more about fresh and withheld questions than
+/// the student may see. Nothing is graded again.
 #[derive(Args)]
 pub struct Dispute {
     /// The submission, or the person's id or name, as in grades.csv
@@ -168,10 +170,10 @@ pub struct Dispute {
     pub json: bool,
 }
 
-/// Put together the parts of a class that were graded separately
+/// Combine the parts of a class that were graded separately
 ///
-/// The parts are the --out folders of `grade --shard K/N`, all made with the same paths,
-/// roster and goldens. The result is the same as that of grading the class in one run.
+/// The parts are the --out folders of `grade --shard K/N`, all made with the same paths, roster
+/// and goldens. The result is the same as if the class had been graded in one run.
 #[derive(Args)]
 pub struct Merge {
     /// The folders of the parts
@@ -182,10 +184,10 @@ pub struct Merge {
     /// Write the whole class to this folder
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
-    /// Apply this policy.toml to the marks instead of that of the parts
+    /// Apply this policy.toml to the marks instead of the one of the parts
     #[arg(long, value_name = "TOML")]
     pub policy: Option<PathBuf>,
-    /// Write results in this format too (repeatable)
+    /// Also write results in this format (repeatable)
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub format: Vec<Format>,
     /// Print one JSON document on standard output
@@ -195,7 +197,7 @@ pub struct Merge {
 
 /// Make the students' stubs from the reference, or a whole repository for them
 ///
-/// In the stubs, signatures and documentation stay, and answers become `todo!`.
+/// In the stubs, signatures and documentation stay, and each answer becomes `todo!`.
 ///
 /// With --out, this writes a repository around the stubs: the harness, the student's
 /// commands, the public scenes and their goldens, tests, a README and a workflow for GitHub.
@@ -222,23 +224,23 @@ pub struct Handout {
     /// book/build/student
     #[arg(long, value_name = "DIR", requires = "out")]
     pub book: Option<PathBuf>,
-    /// Replace what an earlier run wrote. In DIR, nothing is written if somebody has changed one
-    /// of those files; without --out, what was changed in the stubs is lost
+    /// Replace what an earlier run wrote. With --out, nothing is written if one of those files has
+    /// been changed; without --out, changes to the stubs are lost
     #[arg(long, conflicts_with = "check")]
     pub force: bool,
     /// Write an autograder for Gradescope to this file. Keep it to yourself: it contains all
     /// goldens and our answers
     #[arg(long, value_name = "FILE.zip")]
     pub gradescope: Option<PathBuf>,
-    /// Write a question for PrairieLearn to this folder, which must be new or empty, with what its
-    /// grader's image is built from. Keep it to yourself, too
+    /// Write a question for PrairieLearn, and the files of its grader's image, to this folder, which
+    /// must be new or empty. Keep it to yourself, too
     #[arg(long, value_name = "DIR")]
     pub prairielearn: Option<PathBuf>,
     /// Put the fresh questions in this folder into the autograder, because public goldens can
     /// be memorised; `golden render --seed random --out DIR` makes them
     #[arg(long, value_name = "DIR", requires = "autograder")]
     pub fresh: Option<PathBuf>,
-    /// What the autograder shows of withheld and fresh questions
+    /// How much the autograder shows about withheld and fresh questions
     #[arg(long, value_enum, default_value_t, requires = "autograder")]
     pub reveal: Reveal,
     /// Print one JSON document on standard output
@@ -274,12 +276,12 @@ pub struct Validate {
     /// Judge all pairs of beliefs in pairs.toml, not only a few of each task
     #[arg(long)]
     pub pairs: bool,
-    /// Test every measured sentence on the questions in this folder; `golden render --seed N
+    /// Also test every measured sentence on the questions in this folder; `golden render --seed N
     /// --out DIR` makes them
     #[arg(long, value_name = "DIR")]
     pub fresh: Option<PathBuf>,
-    /// Ask every mistake and mutant the fresh questions in each folder of this one, and list the
-    /// marks that depend on the draw; without --only, nothing else is judged
+    /// Ask every mistake and mutant the fresh questions in each subfolder of this one, and list
+    /// the marks that depend on the draw; without --only, nothing else is judged
     #[arg(long, value_name = "DIR")]
     pub draws: Option<PathBuf>,
     /// Judge only this part (repeatable)
@@ -289,7 +291,7 @@ pub struct Validate {
     /// `triangle.rs:26:` (a mutant) or `bunny`
     #[arg(long, value_name = "TEXT")]
     pub named: Option<String>,
-    /// Let oiiotool, the second judge, compare every film too
+    /// Let oiiotool, the second judge, compare every film as well
     #[arg(long)]
     pub oiiotool: bool,
     /// Judge this many submissions at a time [default: one for each core]

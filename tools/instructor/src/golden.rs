@@ -1,4 +1,4 @@
-//! `pinhole golden`: make goldens with Mitsuba, and verify them.
+//! `pinhole golden`: makes goldens with Mitsuba, and verifies them.
 
 pub mod arguments;
 mod mistake_films;
@@ -17,13 +17,13 @@ use pinhole_course::diagnosis::known::KnownMistakes;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
-use pinhole_course::mitsuba::{self, Rendered};
+use pinhole_course::mitsuba::{self, RenderResult};
 use pinhole_course::progress::Progress;
 use pinhole_course::run_options::AssignmentOption;
 use pinhole_course::seed::Seed;
 use pinhole_report::program::Status;
 
-/// The seed of the committed probes and ties.
+/// The seed of the committed questions and ties.
 const COMMITTED_SEED: Seed = Seed(1);
 
 pub fn run(checkout: &Checkout, arguments: &Golden) -> Result<Status> {
@@ -43,7 +43,7 @@ pub fn run(checkout: &Checkout, arguments: &Golden) -> Result<Status> {
     }
 }
 
-/// Fingerprints the mistakes again, on goldens that stay as they are.
+/// Fingerprints the mistakes again. The goldens stay as they are.
 fn mistakes(
     assignment: &Assignment,
     checkout: &Checkout,
@@ -59,7 +59,7 @@ fn mistakes(
     Ok(Status::Well)
 }
 
-/// Stores the known mistakes' fingerprints for these scenes, and for the probes if the folder
+/// Stores the known mistakes' fingerprints for these scenes, and for the questions if the folder
 /// has any.
 fn fingerprint(
     manifest: &mut Manifest,
@@ -93,8 +93,8 @@ fn render(
     Ok(Status::Well)
 }
 
-/// Refuses to replace the assignment's own films without `--force`, because they judge
-/// everybody.
+/// Refuses to replace the assignment's own films without `--force`, because every mark depends on
+/// them.
 fn refuse_unforced(assignment: &Assignment, arguments: &GoldenRender) -> Result<()> {
     let own = assignment.golden();
     let folder = arguments.out.as_ref().unwrap_or(&own);
@@ -146,12 +146,11 @@ pub fn make(
 
     let progress = Progress::new();
     progress.say("Mitsuba");
-    // Films are moved to their places when all are made, so that a failure leaves the
-    // old ones.
+    // Move films to their places only when all are made, so that a failure leaves the old ones.
     let staging = folder.join(".rendering");
     let _left_by_a_run_that_was_stopped = fs::remove_dir_all(&staging);
     fs::create_dir_all(&staging).or_fail(&Error::file(&staging))?;
-    // If all of the assignment's films are made, none of the old ones stays.
+    // If all of the assignment's films are made, remove the old ones.
     let whole = arguments.scenes.is_empty() && arguments.seed.is_none();
     let mut manifest = if whole {
         Manifest::default()
@@ -285,13 +284,13 @@ fn python(
     mut line: Vec<OsString>,
     folder: &Path,
     progress: &Progress,
-) -> Result<Rendered> {
+) -> Result<RenderResult> {
     line.extend(["--out".into(), folder.into()]);
     let line: Vec<&OsStr> = line.iter().map(OsString::as_os_str).collect();
     mitsuba::render(checkout, &line, progress)
 }
 
-fn enter(manifest: &mut Manifest, rendered: &Rendered, folder: &Path) -> Result<()> {
+fn enter(manifest: &mut Manifest, rendered: &RenderResult, folder: &Path) -> Result<()> {
     manifest.set_renderer(&rendered.renderer);
     let films = rendered.items.iter().flat_map(|item| &item.files);
     let films = films.filter(|file| file.extension().is_some_and(|extension| extension == "exr"));
@@ -300,7 +299,7 @@ fn enter(manifest: &mut Manifest, rendered: &Rendered, folder: &Path) -> Result<
         .try_for_each(|film| manifest.add_film(film, folder))
 }
 
-/// Whether two ways of writing a path lead into the same folder.
+/// Whether two spellings of a path lead to the same folder.
 fn inside(path: &Path, folder: &Path) -> bool {
     let real = |path: &Path| path.canonicalize().unwrap_or(path.into());
     real(path).starts_with(real(folder))

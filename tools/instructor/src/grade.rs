@@ -1,13 +1,13 @@
-//! Grades a class. Each submission is graded by itself, so that no grade is lost and marks can
-//! be reproduced.
+//! Grades a class. Each submission is graded by itself, so that no grade is lost and every mark
+//! can be reproduced.
 //!
-//! Reading order: [`intake`] reads what was handed in, and by whom. [`queue`] decides what is
-//! graded when. [`grader`] grades one submission into a [`record`]. [`redact`] removes what
-//! students may not see, [`evidence`] keeps what only the lecturer sees, [`points`] computes
+//! Reading order: [`intake`] reads what was handed in, and by whom. [`queue`] decides what to
+//! grade when. [`grader`] grades one submission into a [`record`]. [`redact`] removes what
+//! students may not see, [`evidence`] keeps what only the lecturer may see, [`points`] computes
 //! marks again, [`provenance`] says what a record was made from, and [`cache`] stores files.
-//! [`policy`] turns the judged points into a mark for the gradebook, [`class`] holds all
-//! records together, [`alike`] finds equal answers, and [`unexplained`] groups wrong answers
-//! that no known mistake explains. [`views`] writes and prints the results.
+//! [`policy`] turns the judged points into a mark for the gradebook, [`class`] holds all records
+//! together, [`alike`] finds equal answers, and [`unexplained`] groups wrong answers that no
+//! known mistake explains. [`views`] writes and prints the results.
 
 pub mod alike;
 pub mod cache;

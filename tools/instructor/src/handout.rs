@@ -1,9 +1,9 @@
-//! Makes a repository for students, which has all they need and none of our answers.
+//! Makes a repository for students, with everything they need and none of our answers.
 //!
-//! Reading order: [`course`] selects the parts of the assignment to hand out, [`workspace`]
-//! the packages around it, and [`readme`] writes the README. Then [`leak`] refuses anything
-//! that must not be handed out, and [`place`] writes the repository, with a record by which it
-//! is recognised later.
+//! Reading order: [`course`] selects the parts of the assignment to hand out, [`workspace`] the
+//! packages around it, and [`readme`] writes the README. Then [`leak`] refuses anything that must
+//! not be handed out, and [`place`] writes the repository, with a record by which later commands
+//! recognise it.
 
 mod course;
 mod gradescope;
@@ -23,11 +23,11 @@ use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::rust_tool::rust_tool;
 
 pub use gradescope::write as write_gradescope;
-pub use place::Written;
+pub use place::HandoutSize;
 pub use prairielearn::write as write_prairielearn;
 use workspace::Workspace;
 
-/// Settings for a student's editor and for GitHub, and where they lie.
+/// Settings for a student's editor and for GitHub, with their paths.
 const SETTINGS: [(&str, &str); 5] = [
     (
         ".github/workflows/check.yml",
@@ -54,7 +54,7 @@ const SETTINGS: [(&str, &str); 5] = [
 /// Cargo's settings.
 const CARGO_CONFIG: &str = ".cargo/config.toml";
 
-/// What `cargo vendor` asks for.
+/// The settings that `cargo vendor` asks for.
 const VENDORED: &str = r#"
 # All dependencies lie in this repository: it builds without a network.
 [source.crates-io]
@@ -64,8 +64,8 @@ replace-with = "vendored-sources"
 directory = "vendor"
 "#;
 
-/// Puts the sources of all dependencies into a repository that is written. What cargo has no
-/// copy of is downloaded.
+/// Adds the sources of all dependencies to a repository that has been written. Downloads those of
+/// which cargo has no copy.
 pub fn vendor(repository: &Path) -> Result<()> {
     let output = rust_tool("cargo", repository)
         .args(["vendor", "--quiet", "--locked", "vendor"])
@@ -83,7 +83,7 @@ pub fn vendor(repository: &Path) -> Result<()> {
 /// The contents of files, by path from the top of a repository, with `/` on every system.
 pub type Files = BTreeMap<String, Vec<u8>>;
 
-/// An assignment's folder in what is handed out, wherever it lies here.
+/// An assignment's folder in the handed-out repository, wherever it is here.
 fn place_of(assignment: &Assignment) -> String {
     format!("assignments/{}", assignment.name)
 }
@@ -113,8 +113,8 @@ impl Repository {
         let workspace = Workspace {
             assignment,
             packages: &packages,
-            // `cargo test` tests the answers; `cargo run` is the `pinhole` command, since
-            // only its package names a program to run.
+            // `cargo test` tests the answers. `cargo run` is the `pinhole` command, because only
+            // its package names a program to run.
             default: &packages,
         };
         workspace.add(&mut files, checkout)?;
@@ -131,14 +131,14 @@ impl Repository {
         })
     }
 
-    /// Makes it look for its dependencies in the folder that [`vendor`] fills.
+    /// Makes cargo look for dependencies in the folder that [`vendor`] fills.
     pub fn use_vendored_sources(&mut self) {
         let settings = self.files.entry(CARGO_CONFIG.into()).or_default();
         settings.extend_from_slice(VENDORED.as_bytes());
     }
 
     /// Writes it to `out`, completely or not at all.
-    pub fn write(self, out: &Path, force: bool) -> Result<Written> {
+    pub fn write(self, out: &Path, force: bool) -> Result<HandoutSize> {
         place::write(self, out, force)
     }
 }

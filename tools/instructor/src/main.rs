@@ -1,4 +1,4 @@
-//! The subcommands of `pinhole` that instructors have.
+//! The subcommands of `pinhole` for instructors.
 //!
 //! Reading order: [`cli`] is the command line; [`grade`] grades a class of submissions;
 //! [`handout`] makes what students get; [`golden`] makes goldens and the films of known
@@ -19,7 +19,7 @@ use pinhole_course::sandbox;
 use pinhole_report::program;
 
 fn main() -> ExitCode {
-    // Before anything else: inside a sandbox there is no checkout.
+    // This must come first, because inside a sandbox there is no checkout.
     if let Some(code) = sandbox::become_confined() {
         return code;
     }

@@ -1,16 +1,16 @@
 //! Limits the points of scenes by those of the tasks that they need.
 //!
-//! Somebody who has the public goldens could write their pixels, or their shapes, into the
-//! answer files. Fresh questions take the points of such tasks, so the tasks' points limit
-//! those of the scenes.
+//! A student who has the public goldens could write their pixels or shapes into the answer files.
+//! Fresh questions take away the points of such tasks, so the points of tasks limit those of
+//! scenes.
 
 use pinhole_course::outcome::{Outcome, SceneOutcome};
 
-/// The most that scenes may earn: for each that passes, its points times the smallest share
-/// of points among the tasks it needs, all together rounded up. If fresh scenes that need the
-/// same tasks earn more than that share, theirs counts.
+/// The most that scenes may earn. Each scene that passes gets its points times the smallest share
+/// of points among the tasks it needs, and the sum is rounded up. If fresh scenes that need the
+/// same tasks earn a larger share, theirs counts.
 ///
-/// `needs` says of each scene, and of the fresh scenes together, which tasks they need.
+/// `needs` says which tasks each scene needs, and which the fresh scenes need together.
 pub fn most_for_scenes(
     outcome: &Outcome,
     fresh: &[SceneOutcome],
@@ -20,7 +20,7 @@ pub fn most_for_scenes(
     let of_fresh = share(fresh.iter().map(|scene| (scene.points, scene.possible)));
     let capped = outcome.scenes.iter().zip(needs).map(|(scene, needs)| {
         let tasks = outcome.tasks.iter();
-        // A task whose groups are all dropped doesn't count here, for better or worse.
+        // A task whose groups are all dropped doesn't count here.
         let needed = tasks.filter(|task| needs.contains(&task.name.as_str()) && task.possible > 0);
         let shares = needed.map(|task| share([(task.points, task.possible)]));
         let smallest = shares.fold(1.0, f64::min);

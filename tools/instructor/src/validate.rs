@@ -1,11 +1,11 @@
 //! Tests the grading: judges submissions whose verdict is known, and compares.
 //!
-//! Reading order: [`validator`] judges one submission. [`submissions`] judges those that
-//! people wrote, and [`mutants`] those that a program writes ([`mutate`]); [`equivalents`]
-//! lists mutants that are not mistakes, and [`difference`] checks that by searching for
-//! differences. [`hints`] checks the wording of hints, [`catches`] counts which questions
-//! catch which mistakes, [`sensitivity`] measures how small an error the scenes still detect,
-//! and [`table`] shows the results.
+//! Reading order: [`validator`] judges one submission. [`submissions`] judges those that people
+//! wrote, and [`mutants`] those that a program writes ([`mutate`]); [`equivalents`] lists mutants
+//! that are not mistakes, and [`difference`] tests that list by searching for differences.
+//! [`hints`] checks the wording of hints, [`catches`] counts which questions catch which
+//! mistakes, [`sensitivity`] measures how small an error the scenes still detect, and [`table`]
+//! shows the results.
 
 mod catches;
 mod difference;
@@ -36,7 +36,7 @@ use pairs::Pairs;
 use pinhole_course::error::Result;
 use pinhole_course::mistake;
 use sensitivity::Sensitivity;
-use submissions::{Pristine, SubmissionVerdicts};
+use submissions::{PristineVerdicts, SubmissionVerdicts};
 use validator::Validator;
 
 pub use table::validation as table;
@@ -74,10 +74,10 @@ pub enum Part {
 pub struct Validation {
     /// The assignment's title.
     pub assignment: String,
-    /// The targets that are missed; empty if all is well.
+    /// The targets that were missed. Empty if all is well.
     pub faults: Vec<String>,
     /// The stub and the reference.
-    pub pristine: Pristine,
+    pub pristine: PristineVerdicts,
     /// The known mistakes, if they were judged.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mistakes: Option<SubmissionVerdicts>,
@@ -184,9 +184,7 @@ pub fn validate(validator: &Validator, plan: &Plan) -> Result<Validation> {
 
     let mut faults = pristine.faults.clone();
     faults.extend(diagnoses.iter().flat_map(Diagnoses::faults));
-    if wants(Part::Mistakes) {
-        faults.extend(hints::faults(&mistake::read_all(validator.assignment)?));
-    }
+    faults.extend(hints::faults(&mistake::read_all(validator.assignment)?));
     for known in [&mistakes, &rewrites, &variants].into_iter().flatten() {
         faults.extend(known.judged.iter().flat_map(|judged| judged.faults()));
     }

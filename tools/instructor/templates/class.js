@@ -1,4 +1,4 @@
-// Tables that sort: every column's name becomes a button, which the keyboard reaches too.
+// Makes tables sortable: every column's name becomes a button, which works by keyboard too.
 for (const table of document.querySelectorAll("table.sortable")) {
   const heads = [...table.tHead.rows[0].cells];
   const key = (row, column) => {

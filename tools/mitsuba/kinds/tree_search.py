@@ -32,7 +32,7 @@ LARGEST_STUB = 12
 """How many triangles are kept of a subtree that the ray misses."""
 
 WORK = 0.45
-"""How many more tests are allowed than a search needs that knows the answer beforehand, as
+"""How many more tests are allowed than a search needs that knows the answer in advance, as
 a share of them. Measured on layers behind each other and on the teapot: a search that takes
 the nearer box first needs 0.01 and 0.03 more, one that does not look again whether a box that
 waits is still near enough 0.35 and 0.18, one that takes the boxes in the order of the tree

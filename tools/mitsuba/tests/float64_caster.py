@@ -1,7 +1,7 @@
 """TESTS ONLY: a second ray caster, in float64 and from the textbook.
 
 It shares no formula with the generator: its camera multiplies pixel centres
-through a matrix, its triangle is a 3 x 3 solve. It stands for a right submission.
+through a matrix, its triangle is a 3 x 3 solve. It plays a right submission.
 """
 
 import numpy as np

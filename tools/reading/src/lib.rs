@@ -17,7 +17,7 @@ pub fn grade<T: AsRef<str>>(paragraphs: &[T]) -> Option<f64> {
                 words += 1;
                 syllables += syllables_of(word);
             }
-            // Only at the end of a word: the point in 1.5 ends no sentence.
+            // Look only at the end of a word, because the point in 1.5 ends no sentence.
             let bare = word.trim_end_matches([')', '”', '"']);
             if begun && bare.ends_with(['.', '?', '!', ':', ';']) {
                 begun = false;
@@ -30,7 +30,7 @@ pub fn grade<T: AsRef<str>>(paragraphs: &[T]) -> Option<f64> {
     (sentences > 0).then(|| 0.39 * share(words, sentences) + 11.8 * share(syllables, words) - 15.59)
 }
 
-/// Groups of vowels, without a silent e at the end; at least one.
+/// Counts groups of vowels, without a silent e at the end; at least one.
 fn syllables_of(word: &str) -> usize {
     let letters: Vec<char> = word
         .to_lowercase()

@@ -20,9 +20,9 @@ pub struct Cast {
     pub scene: String,
     /// What was cast.
     pub film: Film,
-    /// Who cast it: a submission's folder, or a way of the study's.
+    /// What cast it: a submission's folder, or one of the study's ways to cast.
     pub by: String,
-    /// How long that took.
+    /// How long the cast took.
     pub seconds: f64,
     /// Why the film is not complete.
     pub problem: Option<String>,
@@ -36,7 +36,7 @@ pub struct Cast {
     pub shares: Option<Shares>,
 }
 
-/// What a submission answered of a film whose other pixels come from the golden film.
+/// Which parts of a film a submission answered, and which come from the golden film.
 pub struct Shares {
     /// The tasks that it answered.
     pub yours: Vec<String>,
@@ -51,9 +51,9 @@ impl Cast {
         self.exact.is_none() && self.planned.is_none()
     }
 
-    /// Writes film.exr and its pictures into `out`, and prints what there is to say.
-    /// Depths are in scene units, `depth_per_t` of them for each t; the picture of depths
-    /// spans those of `golden`, if there is one.
+    /// Writes film.exr and its pictures into `out`, and prints a summary. Depths are in scene
+    /// units, `depth_per_t` of them for each t. The picture of depths spans those of `golden`, if
+    /// there is one.
     pub fn deliver(
         &self,
         out: &Path,

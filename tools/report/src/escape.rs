@@ -2,7 +2,7 @@
 
 use pinhole_course::shell::in_shell;
 
-/// One line of untrusted text, safe to show in a terminal.
+/// One line of untrusted text, made safe for a terminal.
 pub fn printable(text: &str) -> String {
     let safe = |c: char| match c {
         '\n' => "⏎ ".into(),
@@ -18,7 +18,7 @@ pub fn printable_word(word: &str) -> String {
     printable(&in_shell(word))
 }
 
-/// The compiler's words, line by line; its colours pass.
+/// The compiler's messages, line by line. Colours are kept.
 pub fn printable_coloured(text: &str) -> String {
     text.lines()
         .map(|line| printable_coloured_line(line) + "\n")
@@ -41,7 +41,7 @@ fn printable_coloured_line(line: &str) -> String {
     safe
 }
 
-/// Characters that reorder or hide their neighbours, or cannot be seen: Unicode's
+/// Characters that reorder or hide the characters beside them, or cannot be seen: Unicode's
 /// Default_Ignorable_Code_Point (DerivedCoreProperties.txt, 17.0) and its line separators.
 fn is_invisible(c: char) -> bool {
     matches!(c,
@@ -52,13 +52,12 @@ fn is_invisible(c: char) -> bool {
         | '\u{1d173}'..='\u{1d17a}' | '\u{e0000}'..='\u{e0fff}')
 }
 
-/// A JSON document whose strings hold no character that could harm a terminal: each is
-/// written by its number, which means the same.
+/// A JSON document in which every character that could harm a terminal is written as an escape of
+/// the same meaning.
 pub fn printable_json(document: &str) -> String {
     let mut safe = String::with_capacity(document.len());
     for c in document.chars() {
-        // There are none outside strings, and control characters are written by their number
-        // already.
+        // None occur outside strings, and serde_json has already escaped control characters.
         match is_invisible(c) || matches!(c, '\u{7f}'..='\u{9f}') {
             true => {
                 let mut units = [0; 2];

@@ -1,4 +1,4 @@
-//! What a student sees at the end: all points, a picture of their own, and what to do next.
+//! What a student who has all points sees: a picture of their own, and what to do next.
 
 use std::path::Path;
 
@@ -53,7 +53,7 @@ impl Finish {
         pictures::save(&self.picture, path)
     }
 
-    /// What it means, in three lines.
+    /// What it means and what to do next, in three lines.
     pub fn words(&self) -> String {
         let Finish { points, next, .. } = self;
         format!(
@@ -63,7 +63,7 @@ impl Finish {
         )
     }
 
-    /// Where the picture is, in a line.
+    /// A line that says where the picture is.
     pub fn caption(&self, path: &Path) -> String {
         let path = printable(&path.display().to_string());
         format!("{}, cast by your code: {path}\n", self.scene)
@@ -93,7 +93,7 @@ impl Finish {
     }
 }
 
-/// Wide enough to see what it is.
+/// Wide enough to recognise the picture.
 const MOST_COLUMNS: usize = 64;
 
 #[cfg(test)]

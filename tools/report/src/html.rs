@@ -30,12 +30,12 @@ use crate::finish::Finish;
 use crate::passage::Passage;
 use crate::terminal;
 pub use belief::Beliefs;
-use belief::Told;
+use belief::ExplainedBelief;
 pub use page::{PAGE_CSS, environment, policy};
 use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::outcome::{Examination, FilmOutcome, Outcome, SceneFilm, SceneOutcome};
 use pinhole_course::shell::PINHOLE;
-pub use rays::{RayGrid, RaysOfYours};
+pub use rays::{RayGrid, SubmissionRays};
 pub use scene::{Evidence, SceneSection};
 use task::TaskSection;
 
@@ -45,9 +45,9 @@ const MOST_PRINTED_LINES: usize = 200;
 /// The contents of the page.
 #[derive(Debug, Serialize)]
 pub struct Report {
-    /// What was judged: the assignment's title, or the film's name.
+    /// The title: the assignment's, or the film's name.
     pub title: String,
-    /// What was judged: its kind, and its path.
+    /// What was judged, as pairs of its kind and its path.
     pub of: Vec<(&'static str, String)>,
     pub passes: bool,
     /// The whole verdict in a sentence.
@@ -61,7 +61,7 @@ pub struct Report {
     pub more_printed: usize,
     /// The command that repeats the examination.
     pub command: String,
-    /// Where the book lies on the machine that will show this, as an address.
+    /// The book's address on the machine that will show this page.
     pub book: Option<String>,
     /// What to show a student who has earned all points.
     pub finish: Option<FinishSection>,
@@ -79,7 +79,7 @@ pub struct FinishSection {
 }
 
 impl FinishSection {
-    /// What a student sees who has all points.
+    /// The section for a student who has all points.
     pub fn of(finish: Finish) -> FinishSection {
         FinishSection {
             picture: picture::address(&finish.picture),
@@ -95,13 +95,13 @@ impl FinishSection {
 pub struct Again {
     /// The command as it was typed.
     pub whole: String,
-    /// The command without tasks and scenes; one is added to it.
+    /// The command without tasks and scenes, to which one is added.
     pub part: String,
 }
 
 impl Report {
-    /// The report of an examination by the golden films in a folder, which `again`
-    /// repeats.
+    /// The report of an examination by the golden films in a folder. `again` is the command that
+    /// repeats it.
     ///
     /// # Errors
     /// If a scene file cannot be read any more.
@@ -112,9 +112,9 @@ impl Report {
     ) -> Result<Report> {
         let Examination { outcome, films } = examination;
         let tasks = outcome.tasks.iter().enumerate();
-        let told: Vec<Told> = tasks
+        let told: Vec<ExplainedBelief> = tasks
             .clone()
-            .flat_map(|(k, task)| Told::by_task(k, &task.name, &task.diagnosis))
+            .flat_map(|(k, task)| ExplainedBelief::by_task(k, &task.name, &task.diagnosis))
             .collect();
         let scenes = outcome.scenes.iter().zip(films);
         let failing = scenes.filter(|(scene, _)| !scene.outcome.passes());
@@ -122,7 +122,7 @@ impl Report {
         let share = window::share(pixels);
         let scenes = outcome.scenes.par_iter().zip(films).enumerate();
         let scenes = scenes.map(|(k, (scene, film))| {
-            let evidence = Shown {
+            let evidence = JudgedScene {
                 scene,
                 film,
                 submission: &outcome.submission,
@@ -175,7 +175,7 @@ impl Report {
         }
     }
 
-    /// Writes the page; folders are made.
+    /// Writes the page, and makes folders where needed.
     pub fn write(&self, path: &Path) -> Result<()> {
         page::write(path, &self.html()).or_input(
             format_args!("cannot write the report {}", path.display()),
@@ -200,17 +200,17 @@ fn summary(outcome: &Outcome) -> String {
     format!("{} pass.", parts.join(" and "))
 }
 
-/// A scene's result, and what the page says beside it.
-struct Shown<'a> {
+/// A scene's result, and what the page says about it.
+struct JudgedScene<'a> {
     scene: &'a SceneOutcome,
     film: &'a SceneFilm,
     submission: &'a str,
     goldens: &'a Path,
     again: &'a Again,
-    told: &'a [Told],
+    told: &'a [ExplainedBelief],
 }
 
-impl Shown<'_> {
+impl JudgedScene<'_> {
     fn section(&self, k: usize, share: f64) -> Result<SceneSection> {
         let (result, cast) = (self.scene, self.film);
         let passes = result.outcome.passes();
@@ -236,7 +236,7 @@ impl Shown<'_> {
             film: cast.film.as_ref(),
             scene: scene.as_ref(),
             rays,
-            own_rays: RaysOfYours::of(&cast.rays),
+            own_rays: SubmissionRays::of(&cast.rays),
             beliefs: Beliefs::of(&result.diagnosis, self.told),
             command: format!(
                 "{} --scene {}",

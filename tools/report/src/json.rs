@@ -9,7 +9,7 @@ use pinhole_course::outcome::FilmOutcome;
 use serde::Serialize;
 use serde_json::Value;
 
-/// A document.
+/// A value as a document.
 pub fn document(what: &impl Serialize) -> Value {
     serde_json::to_value(what).expect("our documents have plain keys")
 }

@@ -10,13 +10,13 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::diagnosis::Diagnosis;
 use pinhole_course::shell::from_here;
 
-/// A chapter or a section of it: in words, and as its page, from the top of a student's
-/// repository. In the course's checkout, pages lie in `book/build/student`.
+/// A chapter of the book, or a section of one. It has its words, and its page relative to the top
+/// of a student's repository. In the course's checkout, pages are in `book/build/student`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Passage {
     /// The passage in words.
     pub words: String,
-    /// The page, and the place on it.
+    /// The page, with its anchor.
     pub page: String,
 }
 
@@ -25,7 +25,7 @@ impl Passage {
     pub fn chapter(title: &str) -> Passage {
         Passage {
             words: format!("the book, “{title}”"),
-            // Its file's name has `_` for each space.
+            // The file's name has `_` for each space.
             page: format!("book/{}.html", anchor(title).replace('-', "_")),
         }
     }
@@ -55,8 +55,7 @@ impl Passage {
         }
     }
 
-    /// The sections that help with these beliefs, each once; without a belief, the
-    /// chapter.
+    /// The sections that help with these beliefs, each once. Without a belief, the chapter.
     pub fn against(diagnosis: &Diagnosis, chapter: &str) -> Vec<Passage> {
         let mut passages: Vec<Passage> = Vec::new();
         for held in &diagnosis.beliefs {
@@ -73,8 +72,8 @@ impl Passage {
 }
 
 impl Passage {
-    /// A file to read it in: the page, where a student's repository has it, or its source in
-    /// the course's checkout; `None` without a book.
+    /// The file to read it in: the page, in a student's repository, or the chapter's source, in
+    /// the course's checkout. `None` without a book.
     fn file(&self, root: &Path) -> Option<PathBuf> {
         let (page, _) = self.page.split_once('#').unwrap_or((&self.page, ""));
         let source = Path::new(page).with_extension("md");
@@ -85,7 +84,7 @@ impl Passage {
 }
 
 impl fmt::Display for Passage {
-    /// In words, and a path that opens from the current folder.
+    /// In words, with a path that opens from the current folder.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let checkout = Checkout::find().ok();
         match checkout.and_then(|checkout| self.file(checkout.root())) {
@@ -100,8 +99,7 @@ pub fn has_sources(root: &Path) -> bool {
     root.join("book/src").is_dir()
 }
 
-/// Where the book lies, as a browser's address: as a student's repository has it, or as
-/// `book build` leaves it.
+/// The address of the book in a browser: in a student's repository, or as `book build` leaves it.
 pub fn built(root: &Path) -> Option<String> {
     let folders = [root.join("book"), root.join("book/build/student")];
     let has_pages = |folder: &&std::path::PathBuf| folder.join("index.html").is_file();
@@ -111,7 +109,7 @@ pub fn built(root: &Path) -> Option<String> {
         .map(|it| desktop::address(it))
 }
 
-/// A title as mdBook makes an address of it.
+/// A title as an anchor, in mdBook's way.
 fn anchor(title: &str) -> String {
     let letter = |c: char| match c {
         c if c.is_whitespace() => Some('-'),
@@ -128,7 +126,7 @@ mod tests {
     use pinhole_course::diagnosis::known::KnownMistakes;
 
     #[test]
-    fn a_passage_names_the_page_and_the_place_on_it() {
+    fn a_passage_names_the_page_and_its_anchor() {
         let passage = Passage::section("Viewing rays", "Which root counts?");
         assert_eq!(passage.page, "book/viewing_rays.html#which-root-counts");
         assert_eq!(
@@ -151,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn a_built_book_has_an_address_and_one_that_is_not_there_has_none() {
+    fn only_a_built_book_has_an_address() {
         let folder = tempfile::tempdir().expect("there is room");
         assert_eq!(built(folder.path()), None);
         for book in ["book/build/student", "book"] {
@@ -163,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn every_task_and_every_known_mistake_sends_to_a_page_and_a_heading_of_the_book() {
+    fn every_task_and_every_known_mistake_refers_to_a_heading_of_the_book() {
         let checkout = Checkout::find().expect("tests run in a checkout");
         let chapters = checkout.root().join("book/src");
         if !chapters.is_dir() {

@@ -1,4 +1,4 @@
-//! Writing false-colour pictures.
+//! Writes false-colour pictures.
 
 use std::ops::Range;
 use std::path::Path;
@@ -8,8 +8,8 @@ use pinhole::{Film, false_colour};
 
 use pinhole_course::error::{Result, ResultExt};
 
-/// Writes `id`, `depth` and `normal` pictures of a film of hits, their names behind
-/// `prefix`, with these pixels `faded` (none if the list is empty); gives their paths.
+/// Writes `id`, `depth` and `normal` pictures of a film of hits, with `prefix` before their names
+/// and these pixels `faded` (none if the list is empty). Returns their paths.
 pub fn write(
     folder: &Path,
     prefix: &str,

@@ -1,4 +1,4 @@
-//! What all our programs have in common: exit codes, errors, panics.
+//! What all our programs share: exit codes, errors, panics.
 
 use std::panic::{self, PanicHookInfo};
 use std::process::ExitCode;
@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use crate::escape::printable_coloured;
 use pinhole_course::error::{Error, Result};
 
-/// How a command that did its work ended.
+/// How a command ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Status {
     /// Exit code 0.
@@ -42,13 +42,13 @@ pub fn run(json: bool, command: impl FnOnce() -> Result<Status>) -> ExitCode {
     }
 }
 
-/// An error for the terminal. It may quote names that students chose and words of the
-/// compiler about their code.
+/// An error for the terminal. It may quote names that students chose, and the compiler's messages
+/// about their code.
 fn in_words(error: &Error) -> String {
     printable_coloured(&format!("pinhole: {error}"))
 }
 
-/// Prints what to do after a panic, which is always a fault of ours.
+/// Prints what to do after a panic, which is always a bug of Pinhole's.
 fn report_panic(info: &PanicHookInfo<'_>) {
     let what = info.payload_as_str().unwrap_or("(no message)");
     // The reader of our output may stop reading, as `head` does.
@@ -63,7 +63,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_error_that_quotes_a_student_sends_the_terminal_no_commands() {
+    fn an_error_that_quotes_a_student_cannot_control_the_terminal() {
         let problem = "\u{1b}[31merror\u{1b}[0m: \u{1b}]52;c;eA==\u{7}\u{202e}\nnot compiled";
         let words = in_words(&Error::input(problem, "mend it"));
         assert_eq!(

@@ -1,7 +1,7 @@
 //! An examination as a table for people.
 //!
-//! The rows of [`tasks`] and of [`scenes`] say what went wrong in each; [`words`] puts any
-//! one thing into a line.
+//! The rows of [`tasks`] and [`scenes`] say what is wrong in each. [`words`] puts each kind of
+//! thing into a line.
 
 mod scenes;
 mod tasks;
@@ -30,13 +30,13 @@ pub fn plain(text: &str) -> String {
     anstream::adapter::strip_str(text).to_string()
 }
 
-/// Whether standard output is a terminal that shows all colours.
+/// Whether standard output is a terminal that shows 24-bit colours.
 pub fn shows_pictures() -> bool {
     let all = std::env::var("COLORTERM").is_ok_and(|it| it == "truecolor" || it == "24bit");
     all && stdout().is_terminal() && AutoStream::choice(&stdout()) != ColorChoice::Never
 }
 
-/// Lines of a student's own output that are shown.
+/// How many lines of a student's output are shown.
 const MOST_PRINTED_LINES: usize = 20;
 
 /// The whole table: tasks, scenes, what went wrong, and the sum of points.
@@ -76,7 +76,7 @@ pub fn examination(examination: &Examination) -> String {
     text
 }
 
-/// One task with the first of its groups that fails; `width` is that of its name.
+/// One task with its first failing group. `width` is that of its name.
 pub fn task(task: &TaskOutcome, width: usize) -> String {
     let mut text = String::new();
     tasks::rows(&mut text, task, width, tasks::Extent::First);
@@ -92,7 +92,7 @@ pub fn scenes(examination: &Examination) -> String {
     text
 }
 
-/// What a student's code printed, cut to its beginning. Empty if it printed nothing.
+/// The beginning of what a student's code printed. Empty if it printed nothing.
 pub fn printed(printed: &str) -> String {
     let mut text = String::new();
     let lines: Vec<&str> = printed.lines().collect();
@@ -123,7 +123,7 @@ fn heading(what: &str, width: usize) -> String {
     format!("\n{QUIET}  {what:<width$}points{QUIET:#}")
 }
 
-/// One line of the table; `width` is that of the names' column.
+/// One line of the table. `width` is that of the column of names.
 fn row(text: &mut String, name: &str, width: usize, points: (u32, u32), said: String) {
     let (earned, possible) = points;
     let full = earned == possible;

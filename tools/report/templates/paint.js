@@ -22,7 +22,7 @@ function paint(canvas, size, view, film, depth) {
   fill(canvas, size, (k) => (film[0][k] >= 0 ? colours[view](film, k, depth) : palette.background));
 }
 
-// Failing pixels in the colour of their worst channel, the rest faint. With causes
+// Failing pixels get the colour of their worst channel, all others are faint. If causes are
 // chosen, pixels that fail for another reason are faint too.
 function paintDifference(canvas, size, pixels, chosen) {
   const [object, t, normal] = palette.difference;

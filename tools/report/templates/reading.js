@@ -5,7 +5,7 @@ function element(name, attributes = {}, ...children) {
   return made;
 }
 
-// What is known of a pixel: its ray, what was expected and what came.
+// What is known about a pixel: its ray, the expected values and the given ones.
 function reading(i, j, k, pixels, evidence) {
   const at = (film) => film.map((channel) => channel[k]);
   const [expected, allowed, got] = [pixels.expected, pixels.allowed, pixels.got].map(at);
@@ -70,7 +70,7 @@ function comparison(i, j, expected, allowed, got, missed, evidence) {
   return table;
 }
 
-// The same in a sentence, for who listens.
+// The same facts in a sentence, for screen readers.
 function sentence(i, j, k, pixels, evidence) {
   const told = (film) => {
     const [id, t] = film.map((channel) => channel[k]);

@@ -1,7 +1,7 @@
 "use strict";
 
-// The inverse of `pixels.rs`: which channels miss, why, and what was expected, allowed
-// and got at every pixel of a window.
+// The inverse of `pixels.rs`. For every pixel of a window, it gives the channels that miss, the
+// cause, and what was expected, allowed and got.
 async function unpack(text, count) {
   const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));

@@ -1,5 +1,5 @@
-// One viewer for each failing scene. It starts when its fold is first opened. Until
-// then, and without JavaScript, the page shows still pictures.
+// One viewer for each failing scene. It starts when its section is first opened. Until
+// then, and without JavaScript, the page shows plain pictures.
 for (const card of document.querySelectorAll("details.scene")) {
   const start = () => {
     if (!card.open || card.dataset.started || !card.querySelector(".viewer")) return;
@@ -40,7 +40,7 @@ async function view(card) {
     paintDifference(one(".difference"), size, pixels, state.chosen);
   }
 
-  // The divider stands still in its frame while the picture moves under it.
+  // The divider stays at its place in the frame while the picture moves under it.
   function divide() {
     const [glass] = glasses;
     const left = glass.scrollLeft + (state.divider / 100) * glass.clientWidth;
@@ -80,7 +80,7 @@ async function view(card) {
     }
   }
 
-  // Scrolls the chosen pixel into sight, into the middle if asked or if it is outside.
+  // Scrolls the chosen pixel into view: to the middle if asked, or if it is outside.
   function reveal(middle) {
     const [glass] = glasses;
     const cursor = glass.querySelector(".cursor");

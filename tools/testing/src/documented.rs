@@ -9,28 +9,28 @@ use crate::root;
 
 /// A command as a page prints it.
 #[derive(Clone, Debug)]
-pub struct Documented {
+pub struct DocumentedCommand {
     /// The page, from the top of the checkout.
     pub page: String,
     /// Its line there, from 1.
     pub line: usize,
-    /// Its words; `cargo pinhole` and `pinhole` are both `pinhole`.
+    /// Its words. `cargo pinhole` and `pinhole` both become `pinhole`.
     pub words: Vec<String>,
-    /// Whether it is in a code block, to be typed as it is. Within a sentence, a command may
-    /// lack what it needs.
+    /// Whether it is in a code block, to be typed as it is. In a sentence, a command may be
+    /// incomplete.
     pub is_block: bool,
 }
 
-impl Documented {
+impl DocumentedCommand {
     /// The command in one line.
     pub fn text(&self) -> String {
         self.words.join(" ")
     }
 }
 
-/// Checks that a program's command line accepts every documented command with one of its
-/// subcommands, and that there are at least `least` of them. Commands with one of the options
-/// in `others` belong to another program.
+/// Checks that a program's command line accepts every documented command that has one of its
+/// subcommands, and that there are at least `least` of them. Commands with one of the options in
+/// `others` belong to another program.
 pub fn assert_all_parse(program: &clap::Command, others: &[&str], least: usize) {
     let subcommands = program.get_subcommands().map(clap::Command::get_name);
     let subcommands: Vec<&str> = subcommands.collect();
@@ -45,7 +45,7 @@ pub fn assert_all_parse(program: &clap::Command, others: &[&str], least: usize) 
         let Err(error) = program.clone().try_get_matches_from(words) else {
             continue;
         };
-        // In a sentence, a command may lack what it needs, and have a name for a value.
+        // In a sentence, a command may be incomplete and have a placeholder for a value.
         let is_short = matches!(
             error.kind(),
             ErrorKind::MissingRequiredArgument
@@ -64,7 +64,7 @@ pub fn assert_all_parse(program: &clap::Command, others: &[&str], least: usize) 
 ///
 /// In sentences, these are pieces of code that begin with `cargo` or `pinhole`, or with one
 /// of `subcommands` and a space.
-pub fn documented(subcommands: &[&str]) -> Vec<Documented> {
+pub fn documented(subcommands: &[&str]) -> Vec<DocumentedCommand> {
     let top = [
         "README.md",
         "CONTRIBUTING.md",
@@ -98,9 +98,9 @@ fn markdown(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-fn on_page(page: &str, text: &str, subcommands: &[&str]) -> Vec<Documented> {
+fn on_page(page: &str, text: &str, subcommands: &[&str]) -> Vec<DocumentedCommand> {
     let mut found = Vec::new();
-    // The language of the block that a line lies in.
+    // The language of the current block.
     let mut block: Option<&str> = None;
     for (line, number) in text.lines().zip(1..) {
         if let Some(language) = line.trim_start().strip_prefix("```") {
@@ -129,7 +129,7 @@ fn on_page(page: &str, text: &str, subcommands: &[&str]) -> Vec<Documented> {
             let is_command = block.is_some()
                 || matches!(words.first().map(|it| &**it), Some("cargo" | "pinhole"));
             if is_command && words.len() > 1 || block.is_some() && !words.is_empty() {
-                found.push(Documented {
+                found.push(DocumentedCommand {
                     page: page.into(),
                     line: number,
                     words,

@@ -1,4 +1,4 @@
-//! Running the real programs on the real course, for the tests of every package.
+//! Runs the real programs on the real course, for the tests of every package.
 
 pub mod documented;
 
@@ -29,8 +29,8 @@ pub fn root() -> PathBuf {
         .expect("the checkout exists")
 }
 
-/// The result of a run of `pinhole`.
-pub struct Ran {
+/// The result of a run of a program.
+pub struct RunResult {
     /// The exit code.
     pub code: i32,
     /// Standard output.
@@ -40,11 +40,11 @@ pub struct Ran {
 }
 
 /// Runs `pinhole` at the top of the checkout.
-pub fn pinhole(arguments: &[&str]) -> Ran {
+pub fn pinhole(arguments: &[&str]) -> RunResult {
     pinhole_in(&root(), arguments)
 }
 
-/// Subcommands whose program is started directly instead of through `pinhole`.
+/// Subcommands whose program is started directly and not through `pinhole`.
 const OF_INSTRUCTORS: [&str; 5] = ["golden", "grade", "handout", "merge", "validate"];
 
 /// The program with this subcommand.
@@ -55,8 +55,8 @@ pub fn program_of(subcommand: &str) -> PathBuf {
     }
 }
 
-/// A program of the course, built as users build it, or by the tests' profile if that has
-/// debug assertions.
+/// A program of the course, built as users build it, or with the tests' profile if that has debug
+/// assertions.
 fn built(package: &str, name: &str) -> PathBuf {
     let (options, folder): (&[&str], _) = match (cfg!(debug_assertions), package) {
         (true, _) => (&[], "debug"),
@@ -84,7 +84,7 @@ fn built(package: &str, name: &str) -> PathBuf {
 }
 
 /// Runs `pinhole` in a folder.
-pub fn pinhole_in(folder: &Path, arguments: &[&str]) -> Ran {
+pub fn pinhole_in(folder: &Path, arguments: &[&str]) -> RunResult {
     let mut command = Command::new(program_of(arguments[0]));
     ran(command
         .current_dir(folder)
@@ -93,8 +93,8 @@ pub fn pinhole_in(folder: &Path, arguments: &[&str]) -> Ran {
         .expect("pinhole starts"))
 }
 
-/// Runs `pinhole` at the top of the checkout with more in its environment.
-pub fn pinhole_with(environment: &[(&str, &str)], arguments: &[&str]) -> Ran {
+/// Runs `pinhole` at the top of the checkout with additional environment variables.
+pub fn pinhole_with(environment: &[(&str, &str)], arguments: &[&str]) -> RunResult {
     let mut command = Command::new(program_of(arguments[0]));
     command
         .current_dir(root())
@@ -102,16 +102,16 @@ pub fn pinhole_with(environment: &[(&str, &str)], arguments: &[&str]) -> Ran {
     ran(command.args(arguments).output().expect("pinhole starts"))
 }
 
-/// What any program did.
-pub fn ran(output: Output) -> Ran {
-    Ran {
+/// The result of a program that has ended.
+pub fn ran(output: Output) -> RunResult {
+    RunResult {
         code: output.status.code().expect("pinhole is not killed"),
         out: String::from_utf8(output.stdout).expect("standard output is text"),
         err: String::from_utf8(output.stderr).expect("standard error is text"),
     }
 }
 
-impl Ran {
+impl RunResult {
     /// Its standard output as one JSON document.
     #[track_caller]
     pub fn json(&self) -> Value {
@@ -121,14 +121,14 @@ impl Ran {
 
     /// Checks the exit code; if it is wrong, shows all output.
     #[track_caller]
-    pub fn expect_code(self, code: i32) -> Ran {
+    pub fn expect_code(self, code: i32) -> RunResult {
         assert_eq!(self.code, code, "exit code\n{}\n{}", self.out, self.err);
         self
     }
 
     /// Checks that standard output holds a text.
     #[track_caller]
-    pub fn expect_out(self, text: &str) -> Ran {
+    pub fn expect_out(self, text: &str) -> RunResult {
         assert!(
             self.out.contains(text),
             "no {text:?} in:\n{}\n{}",
@@ -140,7 +140,7 @@ impl Ran {
 
     /// Checks that standard error holds a text.
     #[track_caller]
-    pub fn expect_err(self, text: &str) -> Ran {
+    pub fn expect_err(self, text: &str) -> RunResult {
         assert!(
             self.err.contains(text),
             "no {text:?} in:\n{}\n{}",
@@ -151,8 +151,7 @@ impl Ran {
     }
 }
 
-/// A fresh folder for one test, outside the checkout's trusted folders only if
-/// `place` says so.
+/// A new, empty folder for one test, in `place`.
 pub fn fresh(place: &Path, name: &str) -> PathBuf {
     let folder = place.join(format!("pinhole-{name}-{}", std::process::id()));
     let _absent = fs::remove_dir_all(&folder);
@@ -160,15 +159,15 @@ pub fn fresh(place: &Path, name: &str) -> PathBuf {
     folder
 }
 
-/// Scratch space inside the checkout, where code is trusted.
+/// A folder for temporary files in the checkout, where code is trusted.
 pub fn trusted() -> PathBuf {
     let folder = root().join("target/tmp");
     fs::create_dir_all(&folder).expect("there is room");
     folder
 }
 
-/// Goldens of fresh questions and scenes, which Mitsuba makes when a test first asks: that
-/// takes a minute. They are kept for other tests, and for other runs until they are stale.
+/// Goldens of fresh questions and scenes. Mitsuba makes them when a test first asks for them,
+/// which takes a minute. They are kept for other tests, and for other runs until they are stale.
 pub fn fresh_goldens() -> PathBuf {
     let folder = trusted().join("fresh-goldens");
     let lock = File::create(trusted().join("fresh-goldens.lock")).expect("there is room");
@@ -182,9 +181,9 @@ pub fn fresh_goldens() -> PathBuf {
     folder
 }
 
-/// A copy of the assignment, and of its goldens, in a folder: without mistakes, variants and
-/// listed mutants, and with three small scenes for the points of all. The others take most of
-/// the time of a check.
+/// A copy of the assignment and its goldens in a folder, without mistakes, variants and listed
+/// mutants, and with three small scenes that carry all scenes' points. The other scenes take most
+/// of the time of a check.
 pub fn small_assignment(course: &Path) -> PathBuf {
     let own = "assignments/ray_casting";
     for folder in [

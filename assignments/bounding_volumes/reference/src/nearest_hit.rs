@@ -5,9 +5,9 @@ use pinhole::{Hit, RayTree};
 /// number, as a leaf names it. `None` if the ray meets no triangle.
 ///
 /// Node 0 is the root. Every call of `tree.enter_box` and `tree.intersect_triangle` is a
-/// test, and the tests are counted. So look into the box first that the ray enters first,
-/// and don't look into a box that the ray misses, or that it enters behind a triangle that
-/// you have found already.
+/// test, and the tests are counted. So of two boxes, look first into the one that the ray
+/// enters first. Don't look into a box that the ray misses, or that it enters behind a
+/// triangle that you have already found.
 ///
 /// Book: Walking the tree.
 pub fn nearest_hit(tree: &dyn RayTree, min_t: f64) -> Option<Hit> {
@@ -27,7 +27,7 @@ pub fn nearest_hit(tree: &dyn RayTree, min_t: f64) -> Option<Hit> {
                 let enter = |child| Some((child, tree.enter_box(child, min_t, max_t)?));
                 let mut entered: Vec<(usize, f64)> =
                     children.into_iter().filter_map(enter).collect();
-                // The nearer one last, so that it is taken first.
+                // Put the nearer child last, because the last is taken first.
                 entered.sort_by(|(_, a), (_, b)| b.total_cmp(a));
                 waiting.extend(entered);
             }

@@ -4,10 +4,10 @@ usage: PYTHONPATH=tools/mitsuba:assignments/ray_casting python many_draws.py DIR
        [TASK.GROUP…]
 
 Writes the films of every seed from FIRST to LAST, of these groups or of all, to
-DIR/SEED/probes, for `pinhole validate --draws DIR`. Questions are drawn as `golden.py fresh-questions` draws them, and tolerances
-are computed by the same code, but a float64 caster of all rays at once takes the place of
-Mitsuba, which would need minutes for each seed. Questions that would not be
-fair are left out, not drawn again.
+DIR/SEED/probes, for `pinhole validate --draws DIR`. Questions are drawn as `golden.py
+fresh-questions` draws them, and tolerances are computed by the same code. But Mitsuba would
+need minutes for each seed, so a float64 caster of all rays at once answers instead. Questions
+that would not be fair are left out, not drawn again.
 """
 
 import sys

@@ -3,10 +3,10 @@
 usage: PYTHONPATH=tools/mitsuba:tools/mitsuba/tests:assignments/ray_casting
        python rare_thresholds.py DIR TASK.GROUP…
 
-DIR is what `many_draws.py` wrote. A mistake is to answer wrongly wherever t, the distance to
-the hit, the direction's length or min_t lies above or below a threshold, which is chosen so
-that one in a thousand everyday questions is wrong: questions drawn independently, as the
-committed ones are. For each it prints how many of the seeds ask no question that shows it,
+DIR is what `many_draws.py` wrote. Each mistake answers wrongly wherever t, the distance to the
+hit, the direction's length or min_t is above or below a threshold. The threshold is chosen so
+that one in a thousand everyday questions is wrong, which are drawn independently, as the
+committed ones are. For each mistake this prints how many seeds ask no question that shows it,
 and the smallest number of questions of a seed that do.
 """
 
@@ -22,7 +22,7 @@ from question_films import questions_of
 
 RATE = 0.001
 EVERYDAY = 20_000
-"""So many questions say where a threshold lies."""
+"""How many questions determine a threshold."""
 
 
 def quantities(t, is_hit, length, min_t):
@@ -63,7 +63,7 @@ def main():
                 known = np.sort(sign * values[~np.isnan(values)])
                 threshold = known[-1 - int(RATE * len(values))]
                 if threshold == known[-1]:
-                    continue  # many are equal: none or all of them lie beyond
+                    continue  # many are equal, so all or none of them lie beyond
                 wrong = [int((sign * seed[name] > threshold).sum()) for seed in seeds]
                 mistakes, without = mistakes + 1, sum(count == 0 for count in wrong)
                 missed += without > 0

@@ -1,4 +1,4 @@
-//! The chapters and sections that `check` and the report name must exist.
+//! Checks that the chapters and sections which `check` and the report name exist.
 
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;

@@ -1,4 +1,4 @@
-//! Images without a text for readers who can't see them.
+//! Finds images without a text for readers who can't see them.
 
 use super::pages::Pages;
 use crate::error::Problem;
@@ -24,7 +24,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn images_and_drawings_need_a_text_and_hidden_ones_do_not() {
+    fn images_and_drawings_need_an_alternative_text_unless_hidden() {
         let text = "<main><img src=a.png alt='A ray'><img src=b.png><img src=c.png alt=''>\
                     <svg></svg><svg aria-label='A ray'></svg><svg aria-hidden=true></svg></main>";
         let pages = Pages::from([("a.html".into(), Page::parse(text))]);

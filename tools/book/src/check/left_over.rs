@@ -1,4 +1,4 @@
-//! Directives that were not expanded, because they are inside code. Readers would see them.
+//! Finds directives that were not expanded because they are inside code. Readers would see them.
 
 use super::pages::Pages;
 use crate::error::Problem;

@@ -1,4 +1,4 @@
-//! Links to pages, files and anchors that are not there.
+//! Finds links to pages, files and anchors that are not there.
 
 use std::path::{Component, Path, PathBuf};
 
@@ -6,8 +6,8 @@ use super::pages::{Page, Pages};
 use crate::edition::Edition;
 use crate::error::Problem;
 
-/// Links that lead nowhere. Links out of the book are not followed: it works without a
-/// network, and so does its check.
+/// Links that lead nowhere. Links out of the book are not followed, because the check must work
+/// without a network, as the book does.
 pub fn dead(pages: &Pages, folder: &Path, edition: Edition) -> Vec<Problem> {
     let mut problems = Vec::new();
     for (path, page) in pages {

@@ -8,8 +8,8 @@ use scraper::{ElementRef, Html, Selector};
 
 use crate::error::{Error, Result};
 
-/// Pages by their path inside the book. `print.html`, which repeats all of them, and
-/// the page for a wrong address are left out.
+/// Pages by their path inside the book, without `print.html`, which repeats all of them, and the
+/// page for a wrong address.
 pub type Pages = BTreeMap<PathBuf, Page>;
 
 /// The parts of a page that are checked.
@@ -21,15 +21,15 @@ pub struct Page {
     pub links: Vec<String>,
     /// The texts of its headings, the title first.
     pub headings: Vec<String>,
-    /// For each image, drawing and canvas: how it is named, and its alternative text.
+    /// For each image, drawing and canvas: its name, and its alternative text.
     pub images: Vec<(String, Option<String>)>,
     /// Its paragraphs and points, without formulas and code.
     pub prose: Vec<String>,
-    /// Directives in it that were not expanded.
+    /// Directives that were not expanded.
     pub directives: Vec<String>,
 }
 
-/// Files made by mdBook that hold no page of their own.
+/// Files made by mdBook that are not pages of the book.
 const OTHER: [&str; 3] = ["print.html", "404.html", "toc.html"];
 
 /// Reads all pages of a folder.
@@ -46,7 +46,7 @@ pub fn read(folder: &Path) -> Result<Pages> {
     Ok(pages)
 }
 
-/// Every file of a folder and of those in it.
+/// Every file of a folder and its subfolders.
 pub fn files(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     let entries = fs::read_dir(folder).map_err(|error| Error::file(folder, &error))?;

@@ -10,7 +10,7 @@ use crate::error::Problem;
 /// The highest grade that a chapter may have.
 const HARDEST: f64 = 10.0;
 
-/// Pages with fewer words are left out: the grade of a short text is mostly chance.
+/// Pages with fewer words are left out, because the grade of a short text is mostly chance.
 const FEWEST_WORDS: usize = 100;
 
 /// Every page with a title and enough words, and its grade.
@@ -35,7 +35,7 @@ pub fn hard(pages: &Pages) -> Vec<Problem> {
     hard.map(problem).collect()
 }
 
-/// The chapters and their grades, the hardest first, for the console.
+/// The chapters and their grades for the console, the hardest first.
 pub fn grades(pages: &Pages) -> String {
     let mut grades: Vec<(f64, &str)> = graded(pages)
         .map(|(_, title, grade)| (grade, title))

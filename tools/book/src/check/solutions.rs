@@ -8,13 +8,13 @@ use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 
 use super::pages::files;
-use crate::error::{Error, Problem, Result, Wrong};
+use crate::error::{Error, Problem, ProblemAndRemedy, Result};
 use crate::listing::between;
 
 /// Shorter lines, such as `return None;` or a brace, give nothing away.
 const LEAST: usize = 16;
 
-/// A line of an answer, as it is looked for.
+/// A line of an answer, in the forms that are compared.
 pub struct Line {
     task: String,
     /// The line in the answer.
@@ -34,7 +34,7 @@ pub fn answers(assignment: &Assignment, checkout: &Checkout) -> Result<Vec<Line>
         let handout = checkout.read(assignment.handout().join("src").join(task.file()))?;
         for line in bodies.lines().map(str::trim) {
             let bare = bare(line);
-            // The names that exist are no secret, because the appendix lists them.
+            // Identifiers are no secret, because the appendix lists them.
             let tells = bare.chars().count() >= LEAST && !line.starts_with("use ");
             if tells && !handout.contains(line) {
                 lines.push(Line {
@@ -48,8 +48,8 @@ pub fn answers(assignment: &Assignment, checkout: &Checkout) -> Result<Vec<Line>
     Ok(lines)
 }
 
-/// The bodies of all functions of a task, one after the other.
-fn bodies(text: &str) -> std::result::Result<String, Wrong> {
+/// The bodies of all functions of a task.
+fn bodies(text: &str) -> std::result::Result<String, ProblemAndRemedy> {
     let mut bodies = between(text, "answer")?;
     let mut rest = text;
     while let Some((_, after)) = rest.split_once("// ANCHOR_END: answer") {

@@ -1,4 +1,5 @@
-//! Words that neither English nor the book's own list, `book/words.txt`, knows.
+//! Finds words that are neither in the English dictionary nor in the book's own list,
+//! `book/words.txt`.
 
 use std::path::Path;
 
@@ -7,7 +8,7 @@ use pinhole_course::checkout::Checkout;
 use crate::error::{Problem, Result};
 use crate::interactive;
 
-/// Unknown words, each in its place.
+/// Unknown words and their places.
 pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
     Ok(
         match interactive::npm(&["run", "--silent", "spell"], checkout)? {
@@ -23,9 +24,9 @@ pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
     )
 }
 
-/// A line of cspell: `FILE:LINE:COLUMN - Unknown word (WORD) Suggestions: [...]`, the file
-/// as from `book`. That cspell does find one is tested beside it, in
-/// `book/interactive/test`.
+/// Parses a line of cspell, `FILE:LINE:COLUMN - Unknown word (WORD) Suggestions: [...]`, with the
+/// file's path relative to `book`. A test in `book/interactive/test` checks that cspell finds
+/// one.
 fn problem(line: &str) -> Option<Problem> {
     let (place, told) = line.split_once(" - ")?;
     let mut place = place.rsplitn(3, ':').skip(1);
@@ -36,7 +37,7 @@ fn problem(line: &str) -> Option<Problem> {
     Some(Problem::at(
         file,
         number,
-        format!("`{word}` is not a word we know"),
+        format!("`{word}` is not a known word"),
         remedy,
     ))
 }

@@ -1,5 +1,4 @@
-//! The films of mistakes: each mistake is compiled like a student's answers, and asked
-//! for films.
+//! Casts the films of mistakes. Each mistake is compiled like a student's answers.
 
 use std::time::Duration;
 
@@ -19,7 +18,7 @@ use crate::error::{Problem, Result};
 /// The longest time that a mistake may take to cast a scene.
 const WALL: Duration = Duration::from_secs(30);
 
-/// Compiles mistakes and has them cast scenes.
+/// Compiles mistakes and lets them cast scenes.
 pub struct Caster<'a> {
     assignment: &'a Assignment,
     checkout: &'a Checkout,

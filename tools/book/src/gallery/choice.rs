@@ -1,5 +1,5 @@
-//! Chooses the scene and view that show a mistake best: its picture should differ from
-//! the expected one, and from those of other mistakes in its chapters.
+//! Chooses the scene and view that show a mistake best. Its picture should differ from the
+//! expected one, and from those of other mistakes in the same chapters.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ pub struct Shot {
     pub scene: String,
     /// The kind of false colours.
     pub view: View,
-    /// How much it differs from what is expected, see [`difference`].
+    /// How much it differs from the expected picture, see [`difference`].
     pub visible: f64,
     /// The picture.
     pub picture: RgbImage,
@@ -25,12 +25,12 @@ pub struct Candidate {
     pub slug: String,
     /// The tasks whose chapters show it.
     pub tasks: Vec<String>,
-    /// Pictures that are not as expected.
+    /// Pictures that differ from the expected ones.
     pub shots: Vec<Shot>,
 }
 
-/// The scene and view of each mistake that has one, by name. No two mistakes of a chapter
-/// get the same picture.
+/// The scene and view for each mistake that shows in a scene, by name. No two mistakes of a
+/// chapter get the same picture.
 pub fn choose(candidates: &[Candidate]) -> BTreeMap<&str, &Shot> {
     // Mistakes with few pictures choose first.
     let mut order: Vec<&Candidate> = candidates.iter().collect();
@@ -72,8 +72,8 @@ pub fn choose(candidates: &[Candidate]) -> BTreeMap<&str, &Shot> {
         .collect()
 }
 
-/// How unlike two pictures look, from 0 to 1: the mean over pixels. A third of one
-/// channel's range counts as the largest difference.
+/// How different two pictures look, from 0 to 1: the mean over pixels. A third of one channel's
+/// range counts as the largest difference.
 pub fn difference(one: &RgbImage, other: &RgbImage) -> f64 {
     let unlike = |a: &[u8; 3], b: &[u8; 3]| {
         let apart: u32 = (0..3).map(|k| u32::from(a[k].abs_diff(b[k]))).sum();
@@ -84,7 +84,7 @@ pub fn difference(one: &RgbImage, other: &RgbImage) -> f64 {
     sum / f64::from(one.width() * one.height())
 }
 
-/// The share of pixels that are not of the picture's commonest colour.
+/// The share of pixels that don't have the picture's most common colour.
 fn variety(picture: &RgbImage) -> f64 {
     let mut colours: BTreeMap<[u8; 3], usize> = BTreeMap::new();
     for pixel in picture.pixels() {

@@ -1,4 +1,4 @@
-//! The gallery of a task, as its chapter shows it.
+//! The HTML of a task's gallery, for its chapter.
 
 use std::cmp::Reverse;
 
@@ -8,26 +8,26 @@ use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::mistake::{self, Mistake, MistakeFolder};
 
-use super::{Shown, list};
-use crate::error::Wrong;
+use super::{StripSubject, list};
+use crate::error::ProblemAndRemedy;
 use crate::html::{escaped, heads};
 
-/// How many are shown; the others are folded.
+/// How many mistakes are shown. The others are folded.
 const OPEN: usize = 4;
 
-/// HTML of a task's gallery: the mistakes made most often, then all others, folded.
+/// HTML of a task's gallery: the most frequent mistakes, then all others, folded.
 pub fn shown(
     task: &str,
     to_root: &str,
     assignment: &Assignment,
     checkout: &Checkout,
-) -> Result<String, Wrong> {
+) -> Result<String, ProblemAndRemedy> {
     let list = list(checkout);
     let all = mistake::read_all(assignment).map_err(|error| (error.problem, error.remedy))?;
     let own = all.iter().filter(|MistakeFolder { mistake, .. }| {
         mistake.is_single() && mistake.fails.iter().any(|own| own == task)
     });
-    let mut own: Vec<(&str, &Mistake, Option<&Shown>)> = own
+    let mut own: Vec<(&str, &Mistake, Option<&StripSubject>)> = own
         .map(|MistakeFolder { slug, mistake, .. }| (slug.as_str(), mistake, list.get(slug)))
         .collect();
     if own.iter().all(|(_, _, shown)| shown.is_none()) {
@@ -37,12 +37,13 @@ pub fn shown(
             remedy.into(),
         ));
     }
-    // What students made most often first; of those never counted, what shows in most pixels.
+    // Sort by how often students made a mistake. Mistakes that were never counted are sorted by
+    // the number of wrong pixels.
     own.sort_by_key(|(slug, mistake, shown)| {
         let share = shown.map(|shown| shown.pixels * 1000 / shown.of);
         (Reverse((mistake.submissions, share)), *slug)
     });
-    let figure = |(slug, mistake, shown): &(&str, &Mistake, Option<&Shown>)| {
+    let figure = |(slug, mistake, shown): &(&str, &Mistake, Option<&StripSubject>)| {
         figure(slug, mistake, *shown, assignment.solutions_read, to_root)
     };
     let (open, folded) = own.split_at(OPEN.min(own.len()));
@@ -56,7 +57,7 @@ pub fn shown(
     ))
 }
 
-/// What the colours of the third picture mean.
+/// The legend for the colours of the third picture.
 fn legend() -> String {
     let entry = |(kind, words): (Difference, &str)| {
         let Rgb([r, g, b]) = kind.colour();
@@ -71,7 +72,7 @@ fn legend() -> String {
 fn figure(
     slug: &str,
     mistake: &Mistake,
-    shown: Option<&Shown>,
+    shown: Option<&StripSubject>,
     solutions_read: Option<u32>,
     to_root: &str,
 ) -> String {
@@ -82,7 +83,7 @@ fn figure(
     };
     let read = escaped(&mistake.hint.read);
     let reading = format!("Read “{read}” in {}.{often}", escaped(&mistake.chapter));
-    let Some(Shown {
+    let Some(StripSubject {
         scene,
         view,
         pixels,
@@ -95,7 +96,7 @@ fn figure(
         );
     };
     let alternative = format!(
-        "Scene {scene} as {view} picture: as expected, as somebody with this belief casts it, and \
+        "Scene {scene} as {view} picture: as expected, as cast by code with this belief, and \
          the {pixels} of {of} pixels that differ"
     );
     let heads = heads(&["expected", "yours", "difference"]);

@@ -1,4 +1,4 @@
-//! A strip: what is expected, what a mistake casts, and where they differ, side by side.
+//! A strip: the expected picture, what a mistake casts, and where they differ, side by side.
 
 use image::RgbImage;
 use pinhole::film::HIT_CHANNELS;
@@ -6,14 +6,14 @@ use pinhole::judge::Golden;
 use pinhole::{Film, Scene, false_colour};
 use pinhole_course::assignment::Assignment;
 
-use super::{Shown, View};
+use super::{StripSubject, View};
 use crate::error::Result;
 use crate::png::{beside, opaque, png};
 
 /// A strip, and what it shows.
 pub struct Strip {
-    /// See [`Shown`].
-    pub shown: Shown,
+    /// See [`StripSubject`].
+    pub shown: StripSubject,
     /// The file.
     pub png: Vec<u8>,
 }
@@ -25,14 +25,14 @@ const GAP: u32 = 4;
 pub struct SceneGolden {
     /// The scene's name.
     pub name: String,
-    /// What is to be cast.
+    /// The scene.
     pub scene: Scene,
     /// Mitsuba's film of it.
     pub golden: Golden,
 }
 
 impl SceneGolden {
-    /// Reads both.
+    /// Reads the scene and its film.
     pub fn read(name: &str, assignment: &Assignment) -> Result<SceneGolden> {
         let film = assignment.golden().join(format!("{name}.exr"));
         Ok(SceneGolden {
@@ -66,7 +66,7 @@ impl SceneGolden {
             false_colour::difference(&self.golden, film),
         ];
         Ok(Strip {
-            shown: Shown {
+            shown: StripSubject {
                 scene: self.name.clone(),
                 view,
                 pixels: (0..of).filter(is_wrong).count(),

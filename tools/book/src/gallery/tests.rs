@@ -1,11 +1,11 @@
-//! Stale and identical strips, shown to be problems.
+//! Tests that stale and identical strips are reported.
 
 use pinhole_course::mistake::{Hint, Mistake};
 
 use super::*;
 
 fn strip(pixels: usize, png: &str) -> Strip {
-    let shown = Shown {
+    let shown = StripSubject {
         scene: "bunny".into(),
         view: View::Id,
         pixels,

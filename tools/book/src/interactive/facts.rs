@@ -1,7 +1,7 @@
 //! The numbers that interactive figures show, computed beforehand.
 //!
-//! The script is handed out to students, so it holds no formula of an answer. It looks up
-//! what the reference, or the book's own programs, found for every position of a slider.
+//! Students get the script, so it must hold no formula of an answer. It looks up what the
+//! reference, or the book's own programs, found for every position of a slider.
 
 use glam::{DVec2, DVec3, dvec2};
 use pinhole::{Hit, Projection, Resolution};
@@ -36,8 +36,8 @@ pub fn text(checkout: &Checkout) -> Result<String> {
     Ok(format!("{{\n{}\n}}\n", lines.join(",\n")))
 }
 
-/// The lecture's picture: for each pixel, row by row from the top, its ray and what it
-/// hits, and for each column the slice of the scene that its rays stay in.
+/// The lecture's picture: for each pixel, row by row from the top, its ray and what it hits; and
+/// for each column, the slice of the scene that its rays stay in.
 fn pixel_to_ray(checkout: &Checkout) -> Result<Value> {
     let scene = slide(checkout)?;
     let (camera, Resolution { n_x, n_y }) = (scene.camera, scene.resolution);
@@ -108,7 +108,7 @@ fn sphere_roots() -> Value {
     })
 }
 
-/// The worked triangle in its plane, and what leads from a place there to α and β.
+/// The worked triangle in its plane, and the matrix from a place there to α and β.
 fn triangle_weights() -> Value {
     let [a, b, c] = TRIANGLE.corners;
     let (first, second) = (b - a, c - a);
@@ -149,7 +149,7 @@ fn breaking_distance() -> Value {
     json!({ "side": SIDE, "ways": WAYS.map(way) })
 }
 
-/// As many digits as the page shows.
+/// Rounds to as many digits as the page shows.
 fn rounded(value: f64) -> f64 {
     shown(value).replace('−', "-").parse().unwrap_or(f64::NAN)
 }

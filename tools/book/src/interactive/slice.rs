@@ -1,15 +1,14 @@
 //! A slice through a scene: the plane that the viewing rays of one column stay in.
 //!
-//! In it a point is (depth, height), and p = e + depth g + height v, where g is the
-//! column's direction, one unit forward. A ray meets in the slice exactly what it meets
-//! in space.
+//! A point in the slice is (depth, height), and p = e + depth g + height v, where g is the
+//! column's direction, one unit forward. A ray meets the same objects in the slice as in space.
 
 use glam::{DVec2, DVec3, dvec2};
 use pinhole::{Scene, Shape};
 use serde_json::{Value, json};
 
-/// What lies in the slice of the column whose rays lean to the right by `lean` for each
-/// unit forward: ellipses as [depth, height, and their radii], lines as two points.
+/// The objects in the slice of the column whose rays lean to the right by `lean` for each unit
+/// forward: ellipses as [depth, height, and their radii], lines as two points.
 pub fn slice(scene: &Scene, lean: f64) -> Value {
     let camera = &scene.camera;
     let (g, v) = (lean * camera.u - camera.w, camera.v);
@@ -64,7 +63,7 @@ fn line([from, to]: [DVec2; 2]) -> Value {
     json!({ "line": numbers })
 }
 
-/// Finer than a drawing shows.
+/// Rounds to more digits than a drawing shows.
 fn short(value: f64) -> f64 {
     (value * 1000.0).round() / 1000.0
 }

@@ -1,4 +1,4 @@
-//! The lecture's camera, and what it makes of pixel (2, 3).
+//! The lecture's camera, and the numbers for pixel (2, 3).
 
 use pinhole::{Pixel, Projection, Resolution, Scene, Shape};
 use pinhole_course::checkout::Checkout;

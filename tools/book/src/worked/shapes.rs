@@ -1,4 +1,4 @@
-//! One ray, and the three shapes, the soup and the list that it meets.
+//! One ray and everything that it meets: the three shapes, the soup and the list.
 
 use glam::{DVec3, dvec3};
 use pinhole::{Intersection, Plane, Ray, Shape, Sphere, Triangle, TriangleSoup};
@@ -25,8 +25,8 @@ pub const SPHERE: Sphere = Sphere {
     radius: 1.5,
 };
 
-/// The triangle it meets: three sides of different lengths, no right angle, no edge that
-/// lies flat, and an area of 12.
+/// The triangle it meets. It has three sides of different lengths, no right angle, no edge
+/// parallel to an axis, and an area of 12.
 pub const TRIANGLE: Triangle = Triangle {
     corners: [
         dvec3(1.0, 3.0, -3.0),
@@ -78,8 +78,8 @@ pub fn weights(ray: &Ray, triangle: &Triangle) -> [f64; 3] {
     [determinant, alpha / determinant, beta / determinant]
 }
 
-/// t of the plane, shifted with the ray by 2⁴⁰ along each axis, where every coordinate is
-/// exact: the numerator multiplied out, and the points subtracted first.
+/// t of the plane, after moving it and the ray by 2⁴⁰ along each axis, where every coordinate is
+/// exact: once with the numerator multiplied out, once with the points subtracted first.
 fn plane_from_afar() -> [f64; 2] {
     let far = DVec3::splat(2.0_f64.powi(40));
     let (q, e) = (PLANE.point + far, RAY.origin + far);

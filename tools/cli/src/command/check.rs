@@ -1,4 +1,4 @@
-//! `pinhole check`: a student's loop.
+//! `pinhole check`: judges the answers.
 
 use std::path::Path;
 use std::thread;
@@ -60,7 +60,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
             report: arguments.report.clone().unwrap_or(default_report),
             again: again(arguments),
         };
-        // The exit code is always 0, because the student has seen the verdicts.
+        // The exit code is always 0, because the student has already seen the verdicts.
         return watch::run(course, arguments.json).map(|()| Status::Well);
     }
     let second_judge = arguments
@@ -155,7 +155,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
     })
 }
 
-/// Where to go on: in the task to begin with, or else in the first that misses points.
+/// Where to continue: in the task to begin with, or else in the first that lacks points.
 fn show_next(assignment: &Assignment, submission: &Submission, outcome: &Outcome) {
     let failing = || outcome.tasks.iter().filter(|task| !task.passes());
     let start = failing().find(|task| task.name == assignment.start);
@@ -177,10 +177,10 @@ fn show_finish(finish: &Finish, folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// How many columns every terminal has.
+/// No terminal has fewer columns.
 const MOST_COLUMNS: usize = 72;
 
-/// The passage of the book that helps with the first task or scene that fails.
+/// The passage of the book about the first task or scene that fails.
 fn worth_reading(outcome: &Outcome) -> Option<Passage> {
     let mut tasks = outcome.tasks.iter();
     let task = tasks.find(|task| !task.passes());
@@ -195,7 +195,7 @@ fn worth_reading(outcome: &Outcome) -> Option<Passage> {
     .next()
 }
 
-/// The command that does the same again.
+/// The command that repeats this check.
 fn again(arguments: &Check) -> Again {
     let mut part = format!("{PINHOLE} check");
     let add = |words: &mut String, word: &str| {

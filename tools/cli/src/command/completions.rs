@@ -10,7 +10,7 @@ use crate::cli::{Cli, Completions};
 use crate::programs;
 
 pub fn run(arguments: &Completions) -> Status {
-    // The names of the other programs' subcommands; their options are known to them alone.
+    // Only the names of the other programs' subcommands. Their options are unknown here.
     let others = programs::commands().map(clap::Command::new);
     let mut command = Cli::command().subcommands(others);
     generate(arguments.shell, &mut command, "pinhole", &mut io::stdout());

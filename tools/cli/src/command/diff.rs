@@ -1,4 +1,4 @@
-//! `pinhole diff`: asks both judges about a film of any renderer.
+//! `pinhole diff`: asks both judges about a film by any renderer.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -19,13 +19,13 @@ use pinhole_course::mitsuba;
 use pinhole_course::outcome::FilmOutcome;
 use pinhole_course::shell::PINHOLE;
 use pinhole_report::escape::{printable, printable_word};
-use pinhole_report::html::{self, Beliefs, Evidence, RaysOfYours, Report};
+use pinhole_report::html::{self, Beliefs, Evidence, Report, SubmissionRays};
 use pinhole_report::program::Status;
 use pinhole_report::{json, pictures, terminal};
 
 pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Status> {
     let golden = Golden::read(&arguments.golden)?;
-    // An unreadable film is a wrong answer, just as one of the wrong size.
+    // An unreadable film is wrong, like one of the wrong size.
     if !arguments.film.is_file() {
         let problem = format!("there is no film file {}", arguments.film.display());
         return Err(Error::input(problem, "name the film to judge"));
@@ -177,7 +177,7 @@ fn film_report(
             film: film.as_ref().ok(),
             scene: scene.as_ref(),
             rays: html::rays_beside(&arguments.golden),
-            own_rays: RaysOfYours::Unknown,
+            own_rays: SubmissionRays::Unknown,
             beliefs: Beliefs::of(diagnosis, &[]),
             command,
             explain: None,
@@ -208,7 +208,7 @@ fn scene(checkout: &Checkout, arguments: &Diff) -> Result<Option<Scene>> {
     }
 }
 
-/// Pictures of golden, film and difference; none for a film that shows no hits.
+/// Pictures of golden, film and difference. None for a film without hits.
 fn draw(folder: &Path, golden: &Golden, film: &Film) -> Result<Vec<String>> {
     let drawable = |film: &Film| HIT_CHANNELS.iter().all(|name| film.channel(name).is_some());
     if !drawable(golden.film()) || !drawable(film) {
@@ -218,7 +218,7 @@ fn draw(folder: &Path, golden: &Golden, film: &Film) -> Result<Vec<String>> {
         format_args!("cannot write to {}", folder.display()),
         "name a folder you may write to",
     )?;
-    // t, not depth: a film alone does not know its camera, and the two are proportional.
+    // Show t and not depth: a film does not know its camera, and the two are proportional.
     let range = false_colour::depth_range(golden.film(), 1.0);
     let mut written = Vec::new();
     for (prefix, film) in [("expected", golden.film()), ("got", film)] {

@@ -1,4 +1,4 @@
-//! `pinhole doctor`: which of the things that Pinhole uses this machine has.
+//! `pinhole doctor`: checks this machine for everything that Pinhole uses.
 
 use std::path::Path;
 use std::process::Command;
@@ -20,9 +20,9 @@ use crate::cli::Doctor;
 #[derive(Serialize)]
 struct Finding {
     name: &'static str,
-    /// What can't be done without it.
+    /// What it is needed for.
     used_for: &'static str,
-    /// Whether nothing at all works without it.
+    /// Whether nothing works without it.
     required: bool,
     is_there: bool,
     /// What was found, or what is wrong.
@@ -32,10 +32,15 @@ struct Finding {
 }
 
 /// What was found, or what is wrong.
-type Found = std::result::Result<String, String>;
+type CheckResult = std::result::Result<String, String>;
 
 impl Finding {
-    fn required(name: &'static str, used_for: &'static str, found: Found, remedy: &str) -> Finding {
+    fn required(
+        name: &'static str,
+        used_for: &'static str,
+        found: CheckResult,
+        remedy: &str,
+    ) -> Finding {
         Finding {
             name,
             used_for,
@@ -46,7 +51,12 @@ impl Finding {
         }
     }
 
-    fn optional(name: &'static str, used_for: &'static str, found: Found, remedy: &str) -> Finding {
+    fn optional(
+        name: &'static str,
+        used_for: &'static str,
+        found: CheckResult,
+        remedy: &str,
+    ) -> Finding {
         Finding {
             required: false,
             ..Finding::required(name, used_for, found, remedy)
@@ -54,7 +64,7 @@ impl Finding {
     }
 }
 
-/// Less free space than this, in gigabytes, is too little: a build takes about one.
+/// Less free space than this, in gigabytes, is reported. A build takes about one.
 const ENOUGH_SPACE: f64 = 2.0;
 
 pub fn run(checkout: &Checkout, arguments: &Doctor) -> Result<Status> {
@@ -133,7 +143,7 @@ fn linker() -> Finding {
         "windows" => "install the C++ build tools of Visual Studio",
         _ => "install a C compiler (Debian: apt-get install gcc)",
     };
-    // Only rustc knows how to find Visual Studio's linker.
+    // Only rustc can find Visual Studio's linker.
     let found = match cfg!(windows) {
         true => Ok("left to rustc".into()),
         false => first_line(Command::new("cc").arg("--version")),
@@ -215,7 +225,7 @@ fn sandbox(checkout: &Checkout) -> Finding {
     )
 }
 
-/// Ubuntu 24.04 and later allow user namespaces to programs with a profile only.
+/// Ubuntu 24.04 and later allow user namespaces only to programs with an AppArmor profile.
 fn are_user_namespaces_restricted() -> bool {
     let setting = "/proc/sys/kernel/apparmor_restrict_unprivileged_userns";
     fs::read_to_string(setting).is_ok_and(|text| text.trim() == "1")
@@ -231,7 +241,10 @@ fn landlock() -> Finding {
                 Ok("the kernel has it".into())
             }
             Ok(_) => Err("the kernel does not have it, or it is switched off".into()),
-            Err(_) => Err("the kernel does not tell: there is no /sys/kernel/security/lsm".into()),
+            Err(_) => Err(
+                "it is unknown whether the kernel has it: there is no /sys/kernel/security/lsm"
+                    .into(),
+            ),
         },
         "boot Linux 5.13 or newer with `lsm=landlock,…`",
     )
@@ -259,7 +272,7 @@ fn renderer(checkout: &Checkout) -> Finding {
     )
 }
 
-fn mitsuba_version(checkout: &Checkout) -> Found {
+fn mitsuba_version(checkout: &Checkout) -> CheckResult {
     let question = "from importlib.metadata import version; print(version('mitsuba'))";
     match mitsuba::is_there(checkout) {
         true => first_line(mitsuba::python(checkout).args(["-c", question])),
@@ -281,7 +294,7 @@ fn second_judge(checkout: &Checkout) -> Finding {
 }
 
 /// The first line that a program prints.
-fn first_line(command: &mut Command) -> Found {
+fn first_line(command: &mut Command) -> CheckResult {
     let name = command.get_program().display().to_string();
     match command.output() {
         Ok(output) if output.status.success() => {

@@ -1,4 +1,4 @@
-//! `pinhole explain`: one pixel in words.
+//! `pinhole explain`: explains one pixel in words.
 
 use pinhole::kind::CameraQuestion;
 use pinhole::words::{self, number, ray};
@@ -10,7 +10,7 @@ use crate::cli::Explain;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::compile;
 use pinhole_course::error::{Error, Result};
-use pinhole_course::explanation::{Explanation, Mitsuba, Said, Witness};
+use pinhole_course::explanation::{AnswerResult, Mitsuba, PixelAsker, PixelExplanation};
 use pinhole_course::progress::Progress;
 use pinhole_course::sandbox::Sandbox;
 use pinhole_course::shell::from_here;
@@ -23,7 +23,7 @@ use pinhole_report::terminal::{self, FAIL, QUIET};
 /// Enough digits to follow a computation by hand.
 const DIGITS: usize = 6;
 
-/// Nobody reads a longer list of candidates, so the ones that miss are left out of it.
+/// Leave objects that the ray misses out of a list longer than this.
 const MOST_MISSES: usize = 12;
 
 pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Status> {
@@ -51,7 +51,7 @@ pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Status> {
     let progress = Progress::new();
     progress.say("building");
     let program = compile(&submission, &assignment, checkout, &sandbox)?;
-    let witness = Witness {
+    let witness = PixelAsker {
         program: &program,
         sandbox: &sandbox,
         assignment: &assignment,
@@ -83,8 +83,8 @@ pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Status> {
     Ok(Status::Well)
 }
 
-/// The ray through a pixel by the lecture's formulas, in camera space: where it meets the
-/// image plane, and the ray.
+/// What the lecture's formulas give for a pixel, in camera space: the ray, and its point on the
+/// image plane.
 struct Expected {
     u: f64,
     v: f64,
@@ -108,7 +108,13 @@ impl Expected {
     }
 }
 
-fn print(explanation: &Explanation, scene: &Scene, pixel: Pixel, arguments: &Explain, whose: &str) {
+fn print(
+    explanation: &PixelExplanation,
+    scene: &Scene,
+    pixel: Pixel,
+    arguments: &Explain,
+    whose: &str,
+) {
     anstream::println!(
         "pixel {pixel} of {}, scene {}, answers of {}\n",
         scene.resolution,
@@ -127,7 +133,7 @@ fn print(explanation: &Explanation, scene: &Scene, pixel: Pixel, arguments: &Exp
     print_output(&explanation.printed.nearest, "  ");
 }
 
-/// What is yours above what is expected, so that the digits can be compared.
+/// Prints your value above the expected one, so that the digits can be compared.
 fn pair(yours: String, differs: bool, whose: &str, expected: String) {
     let mark = match differs {
         true => format!("  {FAIL}← differs{FAIL:#}"),
@@ -145,8 +151,8 @@ fn print_output(printed: &str, indent: &str) {
     }
 }
 
-/// The ray in each space: yours, and what it should be.
-fn print_rays(explanation: &Explanation, scene: &Scene, pixel: Pixel) {
+/// Prints the ray in each space: yours, and the expected one.
+fn print_rays(explanation: &PixelExplanation, scene: &Scene, pixel: Pixel) {
     let show = |value| number(value, DIGITS);
     let camera = scene.camera;
     let question = CameraQuestion {
@@ -212,7 +218,7 @@ fn print_rays(explanation: &Explanation, scene: &Scene, pixel: Pixel) {
     }
 }
 
-/// A coordinate of this much of `size` is only what rounding left of 0.
+/// A coordinate this small compared with `size` is a rounding error, and shown as 0.
 fn without_noise(value: f64, size: f64) -> f64 {
     match value.abs() <= 1e-12 * size {
         true => 0.0,
@@ -220,9 +226,9 @@ fn without_noise(value: f64, size: f64) -> f64 {
     }
 }
 
-fn print_candidates(explanation: &Explanation, scene: &Scene) {
+fn print_candidates(explanation: &PixelExplanation, scene: &Scene) {
     anstream::println!("\ncandidates, t ≥ {}", number(scene.min_t, DIGITS));
-    let missed = |said: &Said<Option<Hit>>| matches!(said, Ok(None));
+    let missed = |said: &AnswerResult<Option<Hit>>| matches!(said, Ok(None));
     let candidates = &explanation.candidates;
     let misses = candidates.iter().filter(|said| missed(said)).count();
     let printed = &explanation.printed.candidates;
@@ -244,7 +250,7 @@ fn print_candidates(explanation: &Explanation, scene: &Scene) {
     }
 }
 
-fn in_words(said: &Said<Option<Hit>>, words: fn(Option<Hit>, usize) -> String) -> String {
+fn in_words(said: &AnswerResult<Option<Hit>>, words: fn(Option<Hit>, usize) -> String) -> String {
     match said {
         Ok(hit) => words(*hit, DIGITS),
         Err(why) => terminal::no_answer(why),
@@ -252,13 +258,13 @@ fn in_words(said: &Said<Option<Hit>>, words: fn(Option<Hit>, usize) -> String) -
 }
 
 fn as_json(
-    explanation: &Explanation,
+    explanation: &PixelExplanation,
     scene: &Scene,
     pixel: Pixel,
     arguments: &Explain,
     whose: &str,
 ) -> Value {
-    fn value<T: serde::Serialize>(said: &Said<T>) -> Value {
+    fn value<T: serde::Serialize>(said: &AnswerResult<T>) -> Value {
         match said {
             Ok(said) => json!(said),
             Err(why) => json!({ "problem": terminal::no_answer(why) }),

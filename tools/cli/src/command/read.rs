@@ -12,14 +12,14 @@ use pinhole_report::passage::{self, Passage};
 pub fn open(passage: &Passage, checkout: &Checkout) {
     let root = checkout.root();
     if passage::built(root).is_none() && passage::has_sources(root) && is_wanted() {
-        // If the book can't be built, the program that builds it says why.
+        // If the book can't be built, the program that builds it has said why.
         let _built_or_not = std::env::current_exe()
             .and_then(|pinhole| Command::new(pinhole).args(["book", "build"]).status());
     }
     anstream::println!("\n{}", printable(&passage.open(root)));
 }
 
-/// Asks, if there is anybody to answer.
+/// Asks the user, if there is one at a terminal.
 fn is_wanted() -> bool {
     if !stdin().is_terminal() || !stderr().is_terminal() {
         return false;

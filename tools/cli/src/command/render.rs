@@ -1,12 +1,12 @@
-//! `pinhole render`: a film and its pictures. While answers are missing, the golden film fills
-//! in for them.
+//! `pinhole render`: casts a film and draws its pictures. The golden film fills in for missing
+//! answers.
 
 use std::path::Path;
 use std::time::Instant;
 
 use pinhole::ask::{Ending, Reply};
 use pinhole::job::Job;
-use pinhole::preview::{Asked, Preview};
+use pinhole::preview::{Preview, TaskKind};
 use pinhole::{Film, Scene};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
@@ -66,7 +66,7 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
     cast.deliver(&arguments.out, golden, depth_per_t, arguments.json)
 }
 
-/// The scene as far as it can be cast; `None` if its golden films are missing or have another
+/// As much of the scene as can be cast. `None` if its golden films are missing or have another
 /// size.
 fn preview(
     scene: &Scene,
@@ -89,7 +89,7 @@ fn preview(
 }
 
 fn shares(preview: Preview, assignment: &Assignment) -> Shares {
-    let names = |asked: Vec<Asked>| {
+    let names = |asked: Vec<TaskKind>| {
         let tasks = asked.into_iter();
         let tasks = tasks.filter_map(|(kind, shape)| assignment.task_of_kind(kind, shape));
         tasks.map(|task| task.name.clone()).collect()

@@ -1,4 +1,4 @@
-//! `pinhole reset`: one answer as it was handed out, without losing what was there.
+//! `pinhole reset`: replaces an answer by its stub and keeps the old text.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -30,7 +30,7 @@ pub fn run(checkout: &Checkout, arguments: &Reset) -> Result<Status> {
     let stub = pristine.get(&Path::new("src").join(task.file()));
     let stub = stub.ok_or_else(|| {
         let problem = format!("the stub of {} is not here", task.file());
-        Error::environment(problem, "take it from the repository as you got it")
+        Error::environment(problem, "copy it from the repository that was handed out")
     })?;
     let backup = put(stub, &file)?;
     let shown = |path: &Path| from_here(path).display().to_string();
@@ -42,11 +42,11 @@ pub fn run(checkout: &Checkout, arguments: &Reset) -> Result<Status> {
     }
     match backup {
         Some(backup) => anstream::println!(
-            "{} is as it was handed out; what you had is in {}",
+            "{} is the stub again; your text is in {}",
             printable(&file),
             printable(&backup)
         ),
-        None => anstream::println!("{} is as it was handed out", printable(&file)),
+        None => anstream::println!("{} is the stub again", printable(&file)),
     }
     Ok(Status::Well)
 }

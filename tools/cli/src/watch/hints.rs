@@ -1,4 +1,4 @@
-//! The hints, from where to look to what to read; each key press shows one more.
+//! The hints, from where to look to what to read. Each press of a key shows one more.
 
 use super::order::Item;
 use super::state::State;
@@ -7,8 +7,7 @@ use pinhole_course::mistake::Mistake;
 use pinhole_course::outcome::{AnswerFile, TaskOutcome};
 use pinhole_report::passage::Passage;
 
-/// The hints for what is shown, each deeper than the one before; none if nothing is
-/// wrong.
+/// The hints for what is shown, each stronger than the one before. None if nothing is wrong.
 pub fn of(state: &State) -> Vec<String> {
     match state.item() {
         Some(Item::Task(_)) => state

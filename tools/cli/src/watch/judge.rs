@@ -1,4 +1,4 @@
-//! Turns orders into verdicts, on a thread for each order.
+//! Turns orders into verdicts, with a thread for each order.
 //!
 //! The harness, the stubs and the golden films are kept in memory. So each order needs only
 //! one call of the compiler, and one process for each task.
@@ -20,17 +20,17 @@ use pinhole_course::outcome::{Examination, Outcome, TaskOutcome};
 use pinhole_course::progress::Progress;
 use pinhole_course::submission::flags::flags;
 
-/// Takes orders; a new one replaces the one before.
+/// Takes orders. A new one replaces the last.
 pub struct Judge {
     course: Arc<Course>,
-    /// Made again after a failure, because the folder of the harness may have been deleted.
+    /// Made anew after a failure, because the folder of the harness may have been deleted.
     compiler: Arc<Mutex<Option<Arc<Compiler>>>>,
     events: Sender<Event>,
     stop: Stop,
     threads: Vec<JoinHandle<()>>,
 }
 
-/// How long a cancelled compiler may take to end.
+/// How long a cancelled compiler has to end.
 const LAST_WORDS: Duration = Duration::from_secs(3);
 
 impl Judge {
@@ -49,7 +49,7 @@ impl Judge {
         })
     }
 
-    /// Begins an order and cancels the one before.
+    /// Begins an order and cancels the last one.
     pub fn ask(&mut self, order: Order) {
         self.stop.raise();
         self.stop = Stop::default();
@@ -66,7 +66,7 @@ impl Judge {
 }
 
 impl Drop for Judge {
-    /// Wait, so that no process of a student's outlives the watch.
+    /// Wait, so that no process of a submission outlives the watch.
     fn drop(&mut self) {
         self.stop.raise();
         let end = Instant::now() + LAST_WORDS;
@@ -159,7 +159,7 @@ impl OrderJudge {
         Ok(())
     }
 
-    /// Whether an item is still to be asked. An answer that was replaced by its stub is judged
+    /// Whether an item must still be asked. An answer that was replaced by its stub is judged
     /// without asking.
     fn tell_if_replaced(&self, item: &Item, replaced: &Replacements) -> ControlFlow<()> {
         let Item::Task(name) = item else {
@@ -193,7 +193,7 @@ impl OrderJudge {
     }
 
     fn tell(&self, event: Event) {
-        // Once the watch has ended, nobody receives this.
+        // Once the watch has ended, the event has no receiver.
         let _ = self.events.send(event);
     }
 
@@ -211,7 +211,7 @@ impl OrderJudge {
     }
 }
 
-/// Ends the watch when its thread panics.
+/// Ends the watch when the thread that holds it panics.
 struct Alarm<'a>(&'a Sender<Event>);
 
 impl Drop for Alarm<'_> {

@@ -19,18 +19,18 @@ pub enum Key {
     Again,
     Quit,
     Help,
-    /// Scroll by this many lines: down, or up if negative.
+    /// Scroll down by this many lines, or up if negative.
     Scroll(isize),
 }
 
-/// Letter, meaning, its name on the screen, and what the help says of it.
+/// Letter, meaning, its name on the screen, and its description in the help.
 pub const KEYS: [(char, Key, &str, &str); 9] = [
-    ('h', Key::Hint, "hint", "a hint; each press tells more"),
+    ('h', Key::Hint, "hint", "a hint; each press shows one more"),
     (
         'o',
         Key::Report,
         "report",
-        "open the report of all that is judged so far",
+        "open the report of what has been judged so far",
     ),
     ('n', Key::Next, "next", "the next task"),
     ('p', Key::Previous, "previous", "the task before"),
@@ -47,14 +47,14 @@ pub const KEYS: [(char, Key, &str, &str); 9] = [
         "cast the scenes with all answers together",
     ),
     ('r', Key::Again, "again", "judge this once more"),
-    ('q', Key::Quit, "quit", "quit; so does Ctrl-C"),
+    ('q', Key::Quit, "quit", "quit (or press Ctrl-C)"),
     ('?', Key::Help, "help", "show or hide this"),
 ];
 
-/// Nearly a screenful, so that the reader keeps their place.
+/// Nearly a screen, so that some lines stay visible.
 const PAGE: isize = 10;
 
-/// Reports every key and change of size, from a thread of its own.
+/// Reports every key and change of size. Runs on a separate thread.
 pub fn listen(events: Sender<Event>) {
     thread::spawn(move || {
         loop {

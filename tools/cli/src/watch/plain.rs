@@ -21,7 +21,7 @@ pub struct Plain {
     width: usize,
 }
 
-/// Ends the watch when standard input closes, if that is a pipe: the program at its other
+/// Ends the watch when standard input closes, if it is a pipe, because the program at its other
 /// end is gone.
 pub fn listen(events: Sender<Event>) {
     if is_pipe() {
@@ -50,7 +50,7 @@ fn is_pipe() -> bool {
 }
 
 impl Plain {
-    /// Says what is watched.
+    /// Prints which folder is watched.
     pub fn begin(course: &Course, json: bool) -> Plain {
         if !json {
             let place = printable(&from_here(&course.submission.place).display().to_string());

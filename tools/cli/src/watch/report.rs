@@ -12,7 +12,7 @@ use pinhole_report::finish::Finish;
 use pinhole_report::html::{FinishSection, Report};
 use pinhole_report::passage;
 
-/// Writes the report of what is known and opens it. Returns a message for the screen.
+/// Writes and opens the report of the verdicts so far. Returns a message for the screen.
 pub fn show(course: &Course, known: &Examination) -> String {
     match write(course, known) {
         Ok(()) => open(&course.report),
@@ -27,7 +27,7 @@ fn write(course: &Course, known: &Examination) -> Result<()> {
     report.write(&course.report)
 }
 
-/// Opens a file in the desktop's program for it, or says how to get at it.
+/// Opens a file in the desktop's program for it, or says how to reach it.
 fn open(path: &Path) -> String {
     let shown = printable(&path.display().to_string());
     if let Some(copy) = copy_command(path) {

@@ -1,9 +1,9 @@
 //! Notices saves.
 //!
 //! The system's notices only wake us up. We then read the answer files and compare them with
-//! what they were. So it does not matter whether an editor writes in place, renames or
-//! deletes. If there are no notices, as on some network folders, polling finds the save a
-//! little later.
+//! their earlier text, so it does not matter whether an editor writes in place, renames or
+//! deletes. If there are no notices, as on some network folders, polling finds the save a little
+//! later.
 
 use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
@@ -23,10 +23,10 @@ const PATROL: Duration = Duration::from_millis(500);
 /// A save is over when nothing has happened for this long.
 const QUIET: Duration = Duration::from_millis(20);
 
-/// A file that is empty or gone may be in the middle of a save: wait this long.
+/// An empty or missing file may be in the middle of a save. Wait this long before believing it.
 const GRACE: Duration = Duration::from_millis(250);
 
-/// Reports every change of the answers, from a thread of its own.
+/// Reports every change of the answers. Runs on a separate thread.
 pub fn listen(course: &Arc<Course>, events: Sender<Event>) {
     let course = Arc::clone(course);
     thread::spawn(move || watch(&course, &events));
@@ -43,7 +43,7 @@ fn watch(course: &Course, events: &Sender<Event>) {
             Ok(now) => {
                 let tasks = changed(&seen, &now);
                 let found = !tasks.is_empty() || lost;
-                // A change without a notice: the folder may have been replaced.
+                // A change came without a notice, so the folder may have been replaced.
                 if found && (notice.is_none() || lost) || now.place != seen.place {
                     watcher = notices(&now, &wake);
                 }
@@ -64,8 +64,8 @@ fn watch(course: &Course, events: &Sender<Event>) {
     drop(watcher);
 }
 
-/// Waits for a notice and for the pause after it. Returns when the notice came, or
-/// `None` if it is time to poll.
+/// Waits for a notice and for the pause after it. Returns the time of the notice, or `None` if it
+/// is time to poll.
 fn wait(woken: &Receiver<Instant>) -> Option<Instant> {
     match woken.recv_timeout(PATROL) {
         Ok(at) => {
@@ -74,7 +74,7 @@ fn wait(woken: &Receiver<Instant>) -> Option<Instant> {
             Some(at)
         }
         Err(RecvTimeoutError::Timeout) => None,
-        // There are no notices here.
+        // Notices don't work here.
         Err(RecvTimeoutError::Disconnected) => {
             thread::sleep(PATROL);
             None
@@ -90,21 +90,20 @@ fn notices(submission: &Submission, wake: &Sender<Instant>) -> Option<Recommende
             matches!(kind, EventKind::Access(access)
                 if *access != AccessKind::Close(AccessMode::Write))
         };
-        // Our own reading must not wake us.
+        // Our own reading must not wake us up.
         if event.is_ok_and(|event| !is_reading(&event.kind)) {
             let _ = wake.send(Instant::now());
         }
     };
     let mut watcher = notify::recommended_watcher(wake).ok()?;
-    // Watch the folder and not the files, because a file that another is renamed to is a new
-    // file.
+    // Watch the folder and not the files. A file that is renamed over another is a new file.
     watcher
         .watch(&submission.place, RecursiveMode::NonRecursive)
         .ok()?;
     Some(watcher)
 }
 
-/// The answers as they are now, read again if a save seems to be under way.
+/// The current answers. Reads them again if a save seems to be under way.
 fn look(course: &Course, seen: &Submission) -> Result<Submission> {
     let end = Instant::now() + GRACE;
     loop {
@@ -130,8 +129,8 @@ fn changed(seen: &Submission, now: &Submission) -> Vec<String> {
     answers.map(|answer| answer.task.clone()).collect()
 }
 
-/// When the files say that they were written, if that can be believed: a copied file
-/// may keep an old date, and a network folder has a clock of its own.
+/// When the files were written, by their own dates if these can be trusted. A copied file may
+/// keep an old date, and a network folder has a clock of its own.
 fn written(submission: &Submission, tasks: &[String], noticed: Instant) -> Instant {
     let age = |task: &String| {
         let file = submission.place.join(task).with_extension("rs");

@@ -13,7 +13,7 @@ use pinhole_report::terminal::{self, FAIL, PASS, QUIET, STRONG};
 pub struct Frame {
     /// The lines: as many as fit on the screen, and none wider than it.
     pub lines: Vec<String>,
-    /// How many lines it is scrolled: as far as was asked for, or as far as possible.
+    /// How many lines it is scrolled: as far as the user asked, or as far as possible.
     pub scroll: usize,
 }
 
@@ -33,7 +33,7 @@ pub fn frame(state: &State, columns: usize, rows: usize) -> Frame {
     let below = body.len().saturating_sub(scroll + room);
     let mut lines: Vec<String> = body.into_iter().skip(scroll).take(room).collect();
     lines.resize(room, String::new());
-    // Between verdict and foot stands a blank line, or what the arrows lead to.
+    // A blank line between verdict and foot, or what is beyond the arrows.
     lines.push(match (scroll, below) {
         (_, 1..) => cut(format!("{QUIET}↓ {below} more{QUIET:#}"), columns),
         (1.., _) => cut(format!("{QUIET}↑ {scroll} more{QUIET:#}"), columns),
@@ -92,7 +92,7 @@ fn body(state: &State) -> String {
 /// The last event, the student's progress, which file to edit, and the keys.
 fn foot(state: &State, columns: usize) -> String {
     let keys = KEYS.iter().map(|(key, _, name, _)| {
-        // A space that no line ends at.
+        // A space at which no line breaks.
         format!("{STRONG}{key}{STRONG:#}:{}", name.replace(' ', "\u{a0}"))
     });
     let file = match state.item() {
@@ -111,7 +111,7 @@ fn foot(state: &State, columns: usize) -> String {
     )
 }
 
-/// Every task with its state, the one that is shown in bold: "✓ plane  ✗ sphere  … triangle".
+/// Every task with its state, the current one in bold: "✓ plane  ✗ sphere  … triangle".
 fn list(state: &State) -> String {
     let item = |item: &Item| {
         let (style, mark) = match (state.has_verdict(item), state.is_full(item)) {
@@ -120,7 +120,7 @@ fn list(state: &State) -> String {
             (true, false) => (FAIL, "✗"),
             (false, _) => (QUIET, "…"),
         };
-        // No line ends between a mark and its name.
+        // Don't break a line between a mark and its name.
         let name = match state.item() == Some(item) {
             true => format!("{STRONG}{}{STRONG:#}", item.name()),
             false => item.name().to_owned(),
@@ -148,7 +148,7 @@ fn happened(state: &State) -> String {
     all.join("; ")
 }
 
-/// "[####--------] 2 / 6 tasks, 51 / 80 points", or scenes where they are shown.
+/// "[####--------] 2 / 6 tasks, 51 / 80 points", or scenes if they are shown.
 fn progress(state: &State, columns: usize) -> String {
     let (full, count, what) = match state.item() {
         Some(Item::Scenes) => {
@@ -170,7 +170,7 @@ fn progress(state: &State, columns: usize) -> String {
     format!("[{PASS}{done}{PASS:#}{left}] {said}")
 }
 
-/// Breaks lines so that none is wider than the screen, and keeps indentation.
+/// Breaks lines that are wider than the screen, and keeps their indentation.
 fn fold(text: &str, columns: usize) -> Vec<String> {
     let mut lines = Vec::new();
     for line in text.lines() {

@@ -1,11 +1,11 @@
-//! Signals that end the program: an interrupt, a hang-up of the terminal.
+//! Signals that end the program: an interrupt, or the end of the terminal.
 
 use std::sync::mpsc::Sender;
 
 use super::Event;
 use pinhole_course::error::Result;
 
-/// Turns the signals that end a program into an orderly end.
+/// Turns signals that end the program into a quit event.
 #[cfg(unix)]
 pub fn listen(events: &Sender<Event>) -> Result<()> {
     use pinhole_course::error::ResultExt;
@@ -25,7 +25,7 @@ pub fn listen(events: &Sender<Event>) -> Result<()> {
     Ok(())
 }
 
-/// There are none.
+/// This system has none.
 #[cfg(not(unix))]
 pub fn listen(_: &Sender<Event>) -> Result<()> {
     Ok(())

@@ -20,37 +20,37 @@ use pinhole_report::finish::Finish;
 
 /// The whole watch.
 pub struct State {
-    /// What there is to do: the task to begin with, the others in the assignment's order, and
-    /// the scenes last.
+    /// The items to judge: the task to begin with, the others in the assignment's order, and the
+    /// scenes last.
     pub items: Vec<Item>,
-    /// Which of them is shown; `None` for the table of all.
+    /// The item that is shown; `None` for the table of all.
     pub shown: Option<usize>,
-    /// The newest verdict on everything that has one.
+    /// The newest verdict on every item that has one.
     pub known: Examination,
     stamps: BTreeMap<Item, Stamp>,
     /// When the saved answers began to wait for their verdict.
     saved: BTreeMap<Item, Instant>,
     pub submission: Arc<Submission>,
-    /// Counts the changes of the answers.
+    /// How often the answers have changed.
     generation: u64,
     /// What the judge is working on.
     order: Option<Order>,
     orders: u64,
-    /// What the judge is asking just now, and since when.
+    /// What the judge is asking now, and since when.
     pub asking: Option<(String, Instant)>,
-    /// Whether the student has reached a task to work on. Until then, we look for the
-    /// first one with missing points.
+    /// Whether the student has a task to work on. Until then, we look for the first one with
+    /// missing points.
     settled: bool,
     /// Why nothing can be judged.
     pub problem: Option<Error>,
-    /// What has happened, in few words.
+    /// A short message about what has happened.
     pub notice: Option<String>,
     /// How many hints are shown.
     pub hints: usize,
-    /// Lines of the verdict above the first that is shown.
+    /// How many lines of the verdict are above the screen.
     pub scroll: usize,
     pub help: bool,
-    /// Whether the report is to be shown once everything is judged.
+    /// Whether to show the report once everything is judged.
     report_wanted: bool,
     closing: bool,
     /// How many scenes there are.
@@ -60,20 +60,20 @@ pub struct State {
     assignment: Assignment,
 }
 
-/// What belongs to a verdict.
+/// What goes with a verdict.
 struct Stamp {
     /// The answers it judges.
     generation: u64,
     /// How long after their save it came.
     after_save: Option<Duration>,
-    /// What the student's code printed meanwhile.
+    /// What the student's code printed.
     printed: String,
 }
 
 /// What the caller has to do next.
 #[derive(Debug)]
-pub enum Act {
-    /// Judge these, and cancel what is being judged.
+pub enum Action {
+    /// Judge these items, and cancel the current order.
     Ask(Order),
     /// Show the report.
     Report,
@@ -123,12 +123,12 @@ impl State {
     }
 
     /// The first order: every task.
-    pub fn begin(&mut self) -> Vec<Act> {
+    pub fn begin(&mut self) -> Vec<Action> {
         self.ask(Vec::new())
     }
 
     /// Handles an event, and returns what to do next.
-    pub fn step(&mut self, event: Event) -> Vec<Act> {
+    pub fn step(&mut self, event: Event) -> Vec<Action> {
         match event {
             Event::Saved {
                 submission,
@@ -167,11 +167,11 @@ impl State {
                 self.closing = true;
                 self.quit_if_closing()
             }
-            Event::Quit | Event::Broken => vec![Act::Quit],
+            Event::Quit | Event::Broken => vec![Action::Quit],
         }
     }
 
-    /// Whether this order is about the present answers.
+    /// Whether this order is about the current answers.
     pub fn awaits(&self, order: u64) -> bool {
         let awaited = self.order.as_ref().map(|order| order.number);
         awaited == Some(order)
@@ -220,7 +220,7 @@ impl State {
         }
     }
 
-    /// Whether an item waits for an answer: its own, or one that it needs.
+    /// Whether an item waits for an answer that is still missing: its own, or one that it needs.
     pub fn is_open(&self, item: &Item) -> bool {
         match item {
             Item::Task(_) => self.task(item).is_some_and(TaskOutcome::is_unanswered),
@@ -228,14 +228,14 @@ impl State {
         }
     }
 
-    /// How long the answer that is judged just now has waited since it was saved.
+    /// How long the answer that is being judged has waited since it was saved.
     pub fn waiting(&self, examination: &Examination, at: Instant) -> Option<Duration> {
         let task = examination.outcome.tasks.first()?;
         let saved = self.saved.get(&Item::Task(task.name.clone()))?;
         Some(at.saturating_duration_since(*saved))
     }
 
-    /// What to show when everything is right.
+    /// What to show if everything is right.
     pub fn finish(&self) -> Option<Finish> {
         Finish::of(&self.known, &self.assignment)
     }
@@ -250,14 +250,14 @@ impl State {
         self.notice = Some(what);
     }
 
-    /// Goes to the beginning of the verdict, without hints.
+    /// Scrolls to the beginning of the verdict and hides the hints.
     fn top(&mut self) {
         self.hints = 0;
         self.scroll = 0;
         self.help = false;
     }
 
-    /// Whether an item's verdict is on the present answers, all of them.
+    /// Whether an item's verdict is about the current answers, all of them.
     fn is_current(&self, item: &Item) -> bool {
         let stamp = self.stamps.get(item);
         stamp.is_some_and(|stamp| stamp.generation == self.generation)
@@ -284,14 +284,14 @@ impl State {
         self.known.outcome.add_up();
     }
 
-    fn ask_again(&mut self, items: Vec<Item>) -> Vec<Act> {
+    fn ask_again(&mut self, items: Vec<Item>) -> Vec<Action> {
         items.iter().for_each(|item| self.forget(item));
         self.problem = None;
         self.ask(items)
     }
 
     /// Orders these items first, and then every task that has no verdict.
-    fn ask(&mut self, first: Vec<Item>) -> Vec<Act> {
+    fn ask(&mut self, first: Vec<Item>) -> Vec<Action> {
         let mut items = first;
         for item in &self.items {
             let is_open = *item != Item::Scenes && !self.has_verdict(item);
@@ -310,11 +310,11 @@ impl State {
         };
         self.order = Some(order.clone());
         self.asking = None;
-        vec![Act::Ask(order)]
+        vec![Action::Ask(order)]
     }
 }
 
-/// The points of the tasks that are watched, and of the scenes if they are.
+/// The points of the watched tasks, and of the scenes if they are watched.
 fn possible(course: &Course) -> u32 {
     let is_watched = |task: &&Task| course.tasks.is_empty() || course.tasks.contains(&task.name);
     let tasks = course.assignment.tasks.iter().filter(is_watched);

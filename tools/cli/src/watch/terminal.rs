@@ -1,4 +1,4 @@
-//! The terminal: in raw mode while we are watching, and restored whatever happens.
+//! The terminal. It is in raw mode while we watch, and restored on every way out.
 
 use std::io::{self, Write, stdout};
 use std::panic;
@@ -29,7 +29,7 @@ impl Terminal {
     pub fn enter(events: Sender<Event>) -> Result<Terminal> {
         terminal::enable_raw_mode().or_fail(&broken())?;
         let terminal = Terminal { shown: Vec::new() };
-        // A message that is printed in raw mode would not be readable.
+        // A message printed in raw mode would be unreadable.
         let hook = panic::take_hook();
         panic::set_hook(Box::new(move |info| {
             give_back();
@@ -43,7 +43,7 @@ impl Terminal {
         Ok(terminal)
     }
 
-    /// Shows the present state.
+    /// Shows the current state.
     pub fn show(&mut self, state: &mut State) -> Result<()> {
         let (columns, rows) = size();
         let frame = screen::frame(state, columns, rows);
@@ -67,8 +67,7 @@ impl Terminal {
         writeln!(stdout()).or_fail(&broken())
     }
 
-    /// All lines in one write, each over what stood there before, so that nothing
-    /// flickers.
+    /// Writes all lines at once, each over the old text in its place, so that nothing flickers.
     fn draw(&self) -> io::Result<()> {
         let mut bytes = Vec::new();
         let coloured = AutoStream::choice(&stdout()) != ColorChoice::Never;
@@ -81,7 +80,7 @@ impl Terminal {
                 true => write!(bytes, "{line}")?,
                 false => write!(bytes, "{}", anstream::adapter::strip_str(line))?,
             }
-            // A style that goes on in a line below may have been cut off with it.
+            // The end of a style may have been cut off with a line.
             write!(bytes, "{Reset}")?;
             queue!(bytes, Clear(ClearType::UntilNewLine))?;
         }
@@ -98,7 +97,7 @@ impl Drop for Terminal {
 }
 
 fn give_back() {
-    // An error cannot be reported: it would have to be printed on this terminal.
+    // This error cannot be reported, because it would have to be printed on this terminal.
     let _ = terminal::disable_raw_mode();
 }
 

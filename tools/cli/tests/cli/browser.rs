@@ -13,7 +13,7 @@ use tempfile::TempDir;
 const REMEDY: &str = "a report is tested in a real browser; on Debian: \
                       apt-get install chromium chromium-driver (tools/test does it)";
 
-/// Flags that keep out the settings of a person's browser, and everything that calls home.
+/// Flags that keep out a person's browser settings and all background network traffic.
 const FLAGS: [&str; 9] = [
     "--headless",
     "--no-sandbox",
@@ -136,7 +136,7 @@ impl Browser {
         self.ask("actions", json!({ "actions": [mouse] }));
     }
 
-    /// Clicks with the mouse in the middle of the first element of a selector.
+    /// Clicks with the mouse on the middle of the first element that a selector finds.
     #[track_caller]
     pub fn click_on(&self, selector: &str) {
         let [x, y, ..] = self.rectangle(selector, 0.5, 0.5);
@@ -197,7 +197,7 @@ impl Browser {
         panic!("no tab leads to {selector}");
     }
 
-    /// A command that only Chromium has.
+    /// Sends a command that only Chromium has.
     pub fn command(&self, name: &str, parameters: Value) -> Value {
         self.ask(
             "goog/cdp/execute",
@@ -244,7 +244,7 @@ impl Browser {
         addresses.filter(|address| !is_ours(address)).collect()
     }
 
-    /// Checks that the page made no requests and no errors.
+    /// Checks that the page made no requests and logged no errors.
     #[track_caller]
     pub fn expect_quiet(&self) {
         assert_eq!(self.requests(), Vec::<String>::new());

@@ -1,11 +1,11 @@
 //! `pinhole check`, as students meet it.
 
-use pinhole_testing::{Ran, TASKS, fresh, pinhole, pinhole_in, root, submission, trusted};
+use pinhole_testing::{RunResult, TASKS, fresh, pinhole, pinhole_in, root, submission, trusted};
 use serde_json::Value;
 
-/// Runs `check --json` on a folder. Only the tasks are checked, which is quick, unless `more`
-/// selects something else.
-pub fn check(folder: &std::path::Path, more: &[&str]) -> Ran {
+/// Runs `check --json` on a folder. Checks only the tasks, which is quick, unless `more` selects
+/// something else.
+pub fn check(folder: &std::path::Path, more: &[&str]) -> RunResult {
     let folder = folder.to_str().expect("test folders have plain names");
     let tasks = TASKS.iter().flat_map(|task| ["--task", task]);
     let tasks: Vec<&str> = if more.contains(&"--scene") {
@@ -263,7 +263,7 @@ fn a_wrong_scene_names_the_worst_pixel_and_how_to_look_at_it() {
         .expect_out("explain sphere_and_plane ");
 }
 
-/// The reference's answer with some statements before its own.
+/// The reference's answer, with some statements before its own.
 pub fn with_body(task: &str, statements: &str) -> String {
     let path = root()
         .join("assignments/ray_casting/reference/src")
@@ -274,7 +274,7 @@ pub fn with_body(task: &str, statements: &str) -> String {
 
 #[test]
 fn a_broken_file_in_the_handout_itself_costs_its_own_task() {
-    // The stubs come from the reference, not from the folder that students fill.
+    // The stubs come from the reference, not from the folder that students edit.
     let handout = root().join("assignments/ray_casting/handout/src");
     let folder = fresh(&trusted(), "handout");
     for entry in std::fs::read_dir(handout)
@@ -297,7 +297,7 @@ fn a_broken_file_in_the_handout_itself_costs_its_own_task() {
 }
 
 #[test]
-fn many_checks_of_the_same_answers_at_once_do_not_disturb_each_other() {
+fn simultaneous_checks_of_the_same_answers_do_not_disturb_each_other() {
     let text = with_body("plane", &format!("let _ = {};", std::process::id()));
     let folder = submission(&trusted(), "at-once", &[("plane.rs", &text)]);
     let run = || check(&folder, &["--task", "plane"]).expect_code(0);

@@ -45,7 +45,7 @@ fn without_bubblewrap_nothing_is_run_and_the_remedy_is_named() {
         said.contains("--sandbox container") && said.contains("--trust"),
         "{said}"
     );
-    assert!(!mark.exists(), "the code was run all the same");
+    assert!(!mark.exists(), "the code ran anyway");
     std::fs::remove_dir_all(folder).expect("it was made");
 }
 
@@ -138,7 +138,7 @@ fn code_in_a_container_runs_as_a_user_who_can_read_and_reach_nothing() {
         "out of memory"
     );
     let text = String::from_utf8_lossy(&checked.stdout);
-    assert!(!text.contains("root:x:"), "the users were told");
+    assert!(!text.contains("root:x:"), "the list of users was read");
     std::fs::remove_dir_all(folder).expect("it was made");
 }
 

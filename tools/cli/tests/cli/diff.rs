@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use pinhole_testing::{Ran, fresh, pinhole, root, trusted};
+use pinhole_testing::{RunResult, fresh, pinhole, root, trusted};
 
 const GOLDEN: &str = "golden/ray_casting/sphere_and_plane.exr";
 
-/// Writes variations of the golden with OpenImageIO's Python module. It uses no code of ours.
+/// Writes variants of the golden with OpenImageIO's Python module, without any code of ours.
 const WRITER: &str = r#"
 import sys
 import numpy as np
@@ -75,7 +75,7 @@ fn film(what: &str) -> PathBuf {
     target
 }
 
-fn diff(film: &Path) -> Ran {
+fn diff(film: &Path) -> RunResult {
     pinhole(&["diff", GOLDEN, film.to_str().expect("a plain name")])
 }
 

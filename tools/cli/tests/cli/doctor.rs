@@ -23,7 +23,7 @@ fn the_doctor_finds_what_these_tests_use() {
 
 #[test]
 fn the_doctor_says_what_is_missing_what_it_is_for_and_how_to_get_it() {
-    // Programs are looked for in `PATH`, and this one has none.
+    // Programs are searched for in `PATH`, and this one has none.
     let nowhere = [("PATH", "/nowhere"), ("RUSTC", "/nowhere/rustc")];
     let document = pinhole_with(&nowhere, &["doctor", "--json"])
         .expect_code(3)

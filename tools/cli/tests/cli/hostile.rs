@@ -1,11 +1,11 @@
 //! Submissions that attack their grader, each with its expected outcome.
 //!
-//! Up to three attacks lie in one submission, each in the file of a task of its own: most of
-//! the cost is in compiling. All else is answered rightly. Whatever the attacks do,
-//! `viewing_ray`, their neighbour, keeps every point; nothing of the secrets below shows; no
-//! process and no file is left; and it is over in time. An attack that *reaches* for
-//! something answers wrongly when it gets it: in the sandbox it earns full points, and
-//! without them it must lose some, or the case proves nothing.
+//! A submission holds up to three attacks, each in its own task's file, because most of the time
+//! goes into compiling. Every other answer is right. Whatever the attacks do, `viewing_ray`,
+//! their neighbour, keeps every point; none of the secrets below appears; no process and no file
+//! is left behind; and the check ends in time. An attack that *reaches* for something answers
+//! wrongly if it gets it. So in the sandbox it earns full points. Without a sandbox it must lose
+//! some, or the case proves nothing.
 
 mod answering;
 mod compiling;
@@ -29,8 +29,8 @@ use pinhole_testing::{fresh, ran, root, small_assignment, submission, trusted};
 /// The expected outcome of an attack.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fate {
-    /// It looks for something that the sandbox hides. It gets full points, but only in the
-    /// sandbox.
+    /// It looks for something that the sandbox hides. It gets full points in the sandbox, and
+    /// only there.
     Walled,
     /// It gets full points with or without a sandbox, because it is harmless or fails by
     /// itself.
@@ -59,16 +59,16 @@ enum Part {
 /// The tasks whose files hold attacks.
 const PLACES: [&str; 3] = ["plane", "sphere", "triangle"];
 
-/// A task that nobody attacks.
+/// A task that is not attacked.
 const NEIGHBOUR: &str = "viewing_ray";
 
 impl Attack {
-    /// Whether a limit of memory is to end it.
+    /// Whether a memory limit should end it.
     fn is_hungry(&self) -> bool {
         self.fate == Fate::Outcome("out of memory")
     }
 
-    /// The file of the task that it lies in.
+    /// The file of its task.
     fn text(&self, task: &str) -> String {
         match &self.part {
             Part::Statements(statements) => with_body(task, statements),
@@ -96,14 +96,14 @@ pub fn reach(name: &'static str, expression: &str) -> Attack {
     attack(name, Fate::Walled, &statements)
 }
 
-/// An attack by lines at the top of the reference's file.
+/// An attack by lines before the reference's file.
 pub fn file(name: &'static str, fate: Fate, top: &str) -> Attack {
     let part = Part::Top(top.into());
     Attack { name, fate, part }
 }
 
-/// The assignment with two groups of questions for each of these tasks, and no scene: what is
-/// asked makes no difference to an attack.
+/// The assignment with two groups of questions for each of these tasks and no scene, because an
+/// attack does the same whatever it is asked.
 fn assignment() -> &'static str {
     static FOLDER: OnceLock<PathBuf> = OnceLock::new();
     let folder = FOLDER.get_or_init(|| {
@@ -137,15 +137,15 @@ fn secrets() -> Vec<String> {
     ]
 }
 
-/// No attack may take longer, however slow the machine: its limits and a margin.
+/// No attack may take longer, however slow the machine. It is the sum of its limits and a margin.
 const MOST_SECONDS: u64 = 150;
 
-/// The sandbox that the whole suite uses: bubblewrap, unless another of [`modes`] is chosen.
+/// The sandbox that the whole suite uses: bubblewrap, unless one of [`modes`] is chosen.
 pub fn walls() -> String {
     std::env::var("PINHOLE_HOSTILE_WALLS").unwrap_or_else(|_| "bubblewrap".into())
 }
 
-/// Checks the tasks with attacks and their neighbour, of a folder or archive in this sandbox.
+/// Checks the attacked tasks and their neighbour, in a folder or archive, in this sandbox.
 pub fn examine(path: &Path, walls: &str) -> Value {
     examine_for(path, walls, "4")
 }
@@ -161,7 +161,7 @@ fn examine_for(path: &Path, walls: &str, seconds: &str) -> Value {
         assignment(),
         "--json",
         "--no-report",
-        // The walls are to hold without it.
+        // The sandbox must hold without the allow list.
         "--allow-everything",
         "--timeout",
         seconds,
@@ -186,8 +186,7 @@ fn examine_for(path: &Path, walls: &str, seconds: &str) -> Value {
     ran.json()
 }
 
-/// How the outcomes of attacks in one submission differ from the expected ones; empty if they
-/// don't.
+/// How the outcomes of a submission's attacks differ from the expected ones. Empty if they don't.
 fn problems(attacks: &[&Attack], walls: &str) -> Vec<String> {
     let name = format!("hostile-{}-{walls}", attacks[0].name).replace(' ', "-");
     let files = attacks.iter().zip(PLACES);
@@ -197,7 +196,7 @@ fn problems(attacks: &[&Attack], walls: &str) -> Vec<String> {
     let folder = submission(&std::env::temp_dir(), &name, &files.collect::<Vec<_>>());
     let before = listing(&folder);
     let start = Instant::now();
-    // The memory limit must end these, however long a busy machine takes to provide the
+    // The memory limit must end these attacks, even on a busy machine that is slow to provide
     // memory.
     let seconds = match attacks[0].is_hungry() {
         true => "120",
@@ -261,8 +260,8 @@ fn listing(folder: &Path) -> Vec<PathBuf> {
     names
 }
 
-/// Tries all attacks in all kinds of sandbox, except where one `succeeds` in a mode, as
-/// SECURITY.md says.
+/// Tries all attacks in all kinds of sandbox. `succeeds` tells which attacks succeed in which
+/// mode, as SECURITY.md says.
 #[track_caller]
 pub fn every_attack_fails_in_every_mode(attacks: &[Attack], succeeds: fn(&str, &str) -> bool) {
     for mode in modes::ALL {
@@ -346,7 +345,7 @@ fn strays() -> Vec<String> {
         .collect()
 }
 
-/// A folder for what one of these tests makes itself.
+/// A folder for files that one of these tests makes.
 pub fn scratch(name: &str) -> PathBuf {
     fresh(&std::env::temp_dir(), name)
 }

@@ -21,7 +21,7 @@ pub const WITHOUT_LANDLOCK: &str = "container-without-landlock";
 /// All of them.
 pub const ALL: [&str; 4] = [BUBBLEWRAP, USER, CONTAINER, WITHOUT_LANDLOCK];
 
-/// The value of `--sandbox` for a mode.
+/// The mode's value of `--sandbox`.
 pub fn sandbox(mode: &str) -> &str {
     match mode {
         USER => BUBBLEWRAP,
@@ -29,7 +29,7 @@ pub fn sandbox(mode: &str) -> &str {
     }
 }
 
-/// Whether this machine can arrange a mode: only root can be another user.
+/// Whether this machine can try a mode. Only root can become another user.
 pub fn can_be_tried(mode: &str) -> bool {
     let id = Command::new("id").arg("-u").output();
     let is_root = id.expect("there is `id`").stdout == b"0\n";
@@ -40,7 +40,7 @@ pub fn can_be_tried(mode: &str) -> bool {
     is_tried
 }
 
-/// Runs `pinhole` at the top of the checkout in one of the modes, or in none of them.
+/// Runs `pinhole` at the top of the checkout in one of the modes, or without one.
 pub fn run(mode: &str, environment: &[(&str, &str)], arguments: &[&str]) -> Output {
     let mut command = match mode {
         USER => as_a_user(),
@@ -70,7 +70,7 @@ fn in_a_container(landlock: bool) -> Command {
     if !landlock {
         close_checkout(&mut outer);
     }
-    // The same filter that confines submissions forbids namespaces.
+    // The filter that confines submissions also forbids namespaces.
     let limits = "--compiles --cpu 1000000 --memory 1000000000000 --processes 100000 \
          --file-size 100000000000 --open-files 1000 --read / --write /";
     outer.arg("--").arg(env!("CARGO_BIN_EXE_pinhole"));
@@ -85,13 +85,14 @@ fn in_a_container(landlock: bool) -> Command {
         .env_remove("RUSTUP_TOOLCHAIN")
         .env_remove("CARGO")
         .env_remove("RUSTC")
-        // Cargo puts the toolchain's own libraries here, and rustc looks beside them.
+        // Cargo sets this to the folder of the toolchain's libraries, and rustc looks beside
+        // them.
         .env_remove("LD_LIBRARY_PATH");
     outer
 }
 
-/// Does what `chmod 700` of the checkout would do, but only for what runs inside: a folder
-/// above it lets only root pass. Cargo's own folder may lie in there too.
+/// Imitates `chmod 700` of the checkout for programs inside: only root may enter a folder above
+/// it. Cargo's own folder may be in there too.
 fn close_checkout(outer: &mut Command) {
     let root = root();
     let above = root.parent().expect("it is not the top").to_owned();

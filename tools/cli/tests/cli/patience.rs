@@ -58,7 +58,7 @@ fn a_loop_in_one_group_costs_that_group() {
     let examination = check(&folder, &["--task", "plane", "--timeout", "3"])
         .expect_code(1)
         .json();
-    // Only the group `parallel`, worth a point, asks rays that never meet the plane.
+    // Only the group `parallel`, which is worth one point, has rays that never meet the plane.
     assert_eq!(lost(&examination, "plane"), 1, "{examination:#}");
 }
 
@@ -83,7 +83,7 @@ fn output_beyond_the_limit_is_discarded() {
 }
 
 #[test]
-fn timings_tell_what_each_stage_took() {
+fn timings_show_what_each_stage_took() {
     let folder = submission(&trusted(), "timings", &[]);
     let examination = check(&folder, &["--task", "plane", "--timings"]).json();
     let stages = examination["timings"].as_array().expect("a list");

@@ -11,17 +11,17 @@ use crate::browser::Browser;
 use crate::check::{from_root, with_body};
 use pinhole_testing::{TASKS, fresh, pinhole, root, submission, trusted};
 
-/// Scene of the tests: small, and with a sphere in front of a plane.
+/// The scene of these tests. It is small, and has a sphere in front of a plane.
 pub const SCENE: &str = "sphere_and_plane";
 
-/// The answer files of a known mistake over the reference's.
+/// A known mistake's answer files laid over the reference's.
 pub fn mistaken(name: &str, slug: &str, file: &str) -> PathBuf {
     let wrong = root().join("assignments/ray_casting/mistakes").join(slug);
     let text = std::fs::read_to_string(wrong.join(file)).expect("the mistake has it");
     submission(&trusted(), name, &[(file, &text)])
 }
 
-/// Checks a folder and gives its report.
+/// Checks a folder and returns the path of its report.
 #[track_caller]
 pub fn report(folder: &Path, arguments: &[&str]) -> PathBuf {
     let page = folder.join("report.html");
@@ -67,7 +67,7 @@ pub fn assert_near(shown: &str, values: &[&Value]) {
     }
 }
 
-/// Checks that what the page says of a pixel is what `explain` says.
+/// Checks that the page and `explain` say the same of a pixel.
 #[track_caller]
 pub fn assert_as_explained(browser: &Browser, folder: &Path, i: usize, j: usize) {
     let folder = folder.to_str().expect("plain");
@@ -135,7 +135,7 @@ fn student_text_in_a_report_is_only_text() {
         0
     );
     let seen = browser.text("document.body.innerText");
-    // Folder, panics, compiler and output: all four are shown as they are.
+    // The folder, panics, compiler messages and output are shown as plain text.
     assert!(
         seen.matches("<img src=x onerror='document.title=666'>")
             .count()
@@ -144,7 +144,7 @@ fn student_text_in_a_report_is_only_text() {
     );
     browser.expect_quiet();
 
-    // If something did slip through, the policy would still not let it run.
+    // If some text did get through as markup, the policy would still stop it.
     browser.value("document.body.insertAdjacentHTML('beforeend', \"<img src='x' onerror='document.title=666'>\")");
     browser.value("document.body.append(Object.assign(document.createElement('script'), { textContent: 'document.title=666' }))");
     std::thread::sleep(std::time::Duration::from_millis(200));
@@ -169,8 +169,8 @@ fn diff_writes_a_report_beside_its_pictures() {
     ran.expect_code(1).expect_out("report.html");
     let browser = Browser::open(&out.join("report.html"));
     browser.wait_for("document.querySelector('.viewer').hidden === false");
-    // The golden belongs to the assignment, so its scene is known, and the golden rays lie
-    // beside it.
+    // The golden belongs to the assignment, so its scene is known. Its golden rays are in the
+    // same folder.
     let reading = browser.text("document.querySelector('.reading').innerText");
     assert!(
         reading.contains("(plane)") && reading.contains("min_t"),

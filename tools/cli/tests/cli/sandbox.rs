@@ -1,4 +1,4 @@
-//! What untrusted code cannot reach, read or claim as its own.
+//! What untrusted code can't reach, read or pass off as its own.
 
 use crate::check::{check, lost, task, with_body};
 use pinhole_testing::{fresh, pinhole, root, submission, trusted};
@@ -41,7 +41,7 @@ fn code_outside_the_checkout_sees_no_golden_while_compiling_or_running() {
         "the code could see the network"
     );
 
-    // The same code inside the checkout is trusted, and does see the golden.
+    // Inside the checkout, the same code is trusted and does see the golden.
     let inside = submission(&trusted(), "no-walls", &files);
     let examination = check(&inside, &[]).expect_code(1).json();
     for task in ["sphere", "triangle"] {

@@ -17,14 +17,14 @@ use pinhole_testing::{pinhole, root, submission, trusted};
 pub const LONG: Duration = Duration::from_secs(120);
 
 /// A watch that writes into a pipe.
-struct Piped {
+struct PipedWatch {
     child: Child,
     stdin: Option<ChildStdin>,
     lines: Receiver<String>,
 }
 
-/// Watches a folder, and only the task `plane` unless `more` says else.
-fn watch(folder: &Path, more: &[&str]) -> Piped {
+/// Watches a folder, and only the task `plane` unless `more` says otherwise.
+fn watch(folder: &Path, more: &[&str]) -> PipedWatch {
     let mut child = Command::new(env!("CARGO_BIN_EXE_pinhole"))
         .current_dir(root())
         .args(["check", "--watch"])
@@ -42,14 +42,14 @@ fn watch(folder: &Path, more: &[&str]) -> Piped {
         }
     });
     let stdin = child.stdin.take();
-    Piped {
+    PipedWatch {
         child,
         stdin,
         lines,
     }
 }
 
-impl Piped {
+impl PipedWatch {
     /// All lines up to the first that holds a text.
     #[track_caller]
     fn read_to(&self, text: &str) -> Vec<String> {
@@ -82,7 +82,7 @@ impl Piped {
     }
 }
 
-impl Drop for Piped {
+impl Drop for PipedWatch {
     fn drop(&mut self) {
         let _ended_already = self.child.kill();
     }

@@ -138,7 +138,7 @@ fn one_sided_plane() -> String {
 }
 
 #[test]
-fn a_student_walks_from_the_first_wrong_task_to_the_scenes() {
+fn a_student_goes_from_the_first_wrong_task_to_the_scenes() {
     let folder = with_plane("screen-walk", &one_sided_plane());
     let mut screen = watch(&folder, &[]);
     // The first task is the one that the assignment starts with.
@@ -164,7 +164,7 @@ fn a_student_walks_from_the_first_wrong_task_to_the_scenes() {
     assert!(!text.contains("think: "), "hints start anew:\n{text}");
 
     screen.press("?");
-    screen.expect_text("quit; so does Ctrl-C");
+    screen.expect_text("quit (or press Ctrl-C)");
     screen.press("?");
     screen.expect_text("✗ plane   ");
 
@@ -202,7 +202,7 @@ fn a_save_replaces_the_verdict_and_the_screen_follows_the_student() {
 }
 
 #[test]
-fn the_screen_fits_whatever_size_it_gets() {
+fn the_screen_fits_every_size() {
     let folder = with_plane("screen-size", &one_sided_plane());
     let mut screen = watch(&folder, &["--task", "plane"]);
     screen.expect_text("✗ plane");

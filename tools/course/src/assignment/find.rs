@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-use super::{Assignment, Dropped, Finish, ScenePoints, Task};
+use super::{Assignment, DroppedGroup, Finish, ScenePoints, Task};
 use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
 
@@ -21,12 +21,12 @@ struct File {
     task: Vec<Task>,
     scene: Vec<ScenePoints>,
     #[serde(default)]
-    dropped: Vec<Dropped>,
+    dropped: Vec<DroppedGroup>,
 }
 
 impl Assignment {
     /// Finds an assignment by its name or by the path of its folder. Without a name, finds the
-    /// assignment that contains `folder`, or else the checkout's default.
+    /// one that contains `folder`, or else the checkout's default.
     ///
     /// # Errors
     /// If no assignment has this name, or its `assignment.toml` is wrong.
@@ -97,7 +97,7 @@ impl Assignment {
                 "give a `shape` to tasks that intersect one, and to no others",
             ));
         }
-        let is_group = |dropped: &Dropped| {
+        let is_group = |dropped: &DroppedGroup| {
             file.task.iter().any(|task| {
                 let mut groups = task.points.iter().map(|points| &points.group);
                 groups.any(|group| dropped.group == format!("{}.{group}", task.name))
@@ -128,7 +128,7 @@ impl Assignment {
         })
     }
 
-    /// The assignment a folder lies in, or else the default.
+    /// The assignment that contains a folder, or else the default.
     fn around(checkout: &Checkout, folder: &Path) -> Result<Assignment> {
         let folder = folder.canonicalize();
         let holds = |name: &String| {

@@ -28,7 +28,7 @@ pub struct GroupPoints {
     pub group: String,
     /// Points for a group without a wrong answer.
     pub worth: u32,
-    /// What it asks, in words for somebody who fails it.
+    /// What it asks, in words for a student who fails it.
     pub about: String,
 }
 
@@ -42,10 +42,10 @@ impl From<(String, u32, String)> for GroupPoints {
     }
 }
 
-/// A group of questions that does not count: an ambiguous one, say.
+/// A group of questions that does not count, for instance because it was ambiguous.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Dropped {
+pub struct DroppedGroup {
     /// The group, as `task.group`.
     pub group: String,
     /// What becomes of its points.
@@ -89,7 +89,7 @@ impl Task {
         self.kind.takes_shape() == self.shape.is_some()
     }
 
-    /// Whether this group asks about all pixels of all scenes.
+    /// Whether this group asks about every pixel of every scene.
     pub fn is_of_scenes(&self, group: &str) -> bool {
         self.kind.gives_rays() && group == SCENES_GROUP
     }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-use crate::compile::{Replaced, Replacements};
+use crate::compile::{Replacement, Replacements};
 use crate::error::Error;
 use crate::sandbox::Finished;
 use crate::submission::Submission;
@@ -61,8 +61,8 @@ impl Diagnostic {
     }
 }
 
-/// Errors by the answer they point at. An error that points at several answers is not
-/// attributed to any yet. Compiling each of them among stubs shows which one is wrong.
+/// Errors by the answer that they point at. An error that points at several answers is attributed
+/// to none; compiling each of these among stubs shows which one is wrong.
 pub fn by_place(
     diagnostics: &[Diagnostic],
     submission: &Submission,
@@ -71,11 +71,11 @@ pub fn by_place(
     let errors = of_level("error", diagnostics, submission, already);
     errors
         .into_iter()
-        .map(|(task, text)| (task, Replaced::DoesNotCompile(text)))
+        .map(|(task, text)| (task, Replacement::DoesNotCompile(text)))
         .collect()
 }
 
-/// Warnings by the answer they point at.
+/// Warnings by the answer that they point at.
 pub fn warnings(
     diagnostics: &[Diagnostic],
     submission: &Submission,
@@ -111,14 +111,14 @@ fn of_level(
     told
 }
 
-/// The most text of the compiler's that is shown for one file.
+/// The most compiler output that is shown for one file, in bytes.
 const MOST_TEXT: usize = 32 * 1024;
 
 fn cut(text: &str) -> &str {
     &text[..text.floor_char_boundary(MOST_TEXT)]
 }
 
-/// The compiler's words, without its closing count of errors.
+/// The compiler's messages, without the count of errors at the end.
 pub fn rendered(diagnostics: &[Diagnostic]) -> String {
     let errors = diagnostics
         .iter()

@@ -21,17 +21,17 @@ const PROGRAM: &str = match cfg!(windows) {
     false => "submission",
 };
 
-/// Beside a program: what the compiler warned of, a JSON document on each line.
+/// A file beside each program: the compiler's warnings, a JSON document on each line.
 const WARNINGS: &str = "warnings";
 
-/// Where answers lie, as the compiler sees it.
+/// The folder of the answers, as the compiler sees it.
 pub const SRC: &str = "src";
 
 /// File names and texts of a whole program.
 pub type Sources = BTreeMap<String, String>;
 
 /// What the compiler made of sources.
-pub enum Built {
+pub enum BuildResult {
     Program {
         executable: PathBuf,
         /// What the compiler warned of.
@@ -39,7 +39,7 @@ pub enum Built {
     },
     Refused {
         diagnostics: Vec<Diagnostic>,
-        /// Whether the compiler might have come to an end with more time.
+        /// Whether the compiler might have finished with more time.
         is_late: bool,
     },
 }
@@ -55,7 +55,7 @@ pub fn build(
     programs: &Path,
     harness: &Harness,
     sandbox: &Sandbox,
-) -> Result<Built> {
+) -> Result<BuildResult> {
     let folder = programs.join(fingerprint(sources, shown_in, harness, sandbox));
     let executable = folder.join(PROGRAM);
     let failed = Error::environment(
@@ -67,7 +67,7 @@ pub fn build(
         prune::keep(&folder);
         let warnings = fs::read(folder.join(WARNINGS)).unwrap_or_default();
         let warnings = blame::diagnostics(&warnings);
-        return Ok(Built::Program {
+        return Ok(BuildResult::Program {
             executable,
             warnings,
         });
@@ -98,17 +98,18 @@ pub fn build(
             .and_then(|()| sandbox.seal(&fresh, &fresh.join(PROGRAM)))
             .or_fail(&failed)?;
         fs::write(fresh.join(WARNINGS), &finished.stderr).or_fail(&failed)?;
-        let built = Built::Program {
+        let built = BuildResult::Program {
             executable: executable.clone(),
             warnings: blame::diagnostics(&finished.stderr),
         };
         let _lock = prune::lock(programs).or_fail(&failed)?;
         if sandbox.is_sealed(&executable) {
-            // Another command was faster, and may be running it.
+            // Another command was faster, and its program may be running.
             prune::keep(&folder);
             fs::remove_dir_all(&fresh).or_fail(&failed)?;
         } else {
-            // It may exist without its program if somebody was stopped while deleting it.
+            // The folder may exist without a program if an earlier command was stopped while
+            // deleting it.
             let _gone_or_absent = fs::remove_dir_all(&folder);
             fs::rename(&fresh, &folder).or_fail(&failed)?;
             prune::prune(programs);
@@ -116,7 +117,7 @@ pub fn build(
         return Ok(built);
     }
     fs::remove_dir_all(&fresh).or_fail(&failed)?;
-    Ok(Built::Refused {
+    Ok(BuildResult::Refused {
         diagnostics: said(&finished),
         is_late: finished.is_late(),
     })
@@ -127,7 +128,7 @@ fn is_program(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_file())
 }
 
-/// The compiler's words, or why there are none.
+/// The compiler's messages, or one that says why there are none.
 fn said(finished: &Finished) -> Vec<Diagnostic> {
     let mut diagnostics = blame::diagnostics(&finished.stderr);
     if !blame::has_error(&diagnostics) {
@@ -170,9 +171,8 @@ fn prefixed(prefix: &str, path: &Path) -> std::ffi::OsString {
     text
 }
 
-/// Identifies a build: what is compiled, against what, and where. The place counts, because a
-/// program that was compiled without a sandbox may contain files that sandboxed code must not
-/// read.
+/// Identifies a build by its sources, the harness and the sandbox. The sandbox counts, because a
+/// program compiled without one may contain files that sandboxed code must not read.
 fn fingerprint(sources: &Sources, shown_in: &str, harness: &Harness, sandbox: &Sandbox) -> String {
     let mut hash = Hash::new();
     hash.update(format!("{}\n{shown_in}", shown_in.len()));

@@ -1,8 +1,7 @@
 //! The compiled harness that submissions are linked against.
 //!
-//! Calling `rustc` with the library that cargo has already built makes one edit
-//! visible in about 0.15 s; a cargo package of its own for every submission would
-//! compile the harness anew.
+//! We call `rustc` with the library that cargo has already built, so an edit shows after about
+//! 0.15 s. With a cargo package for every submission, each would compile the harness again.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -42,9 +41,8 @@ struct Target {
 }
 
 impl Harness {
-    /// The libraries of this program's own build, in `scratch`. An earlier result is reused
-    /// without asking cargo, which takes 0.2 s: whatever changes the harness changes this program
-    /// too.
+    /// The libraries of this program's own build, in `scratch`. Asking cargo takes 0.2 s, so an
+    /// earlier result is used again: anything that changes the harness changes this program too.
     pub fn find(checkout: &Checkout, scratch: &Path) -> Result<Harness> {
         let record = record_of_this_program(&scratch.join("harness"));
         let known = record.as_deref().and_then(Harness::read);
@@ -58,7 +56,7 @@ impl Harness {
         Ok(harness)
     }
 
-    /// What a record says, if the libraries are still there.
+    /// The libraries in a record, if they still exist.
     fn read(record: &Path) -> Option<Harness> {
         let harness: Harness = serde_json::from_slice(&fs::read(record).ok()?).ok()?;
         let mut files = harness.externs.iter().map(|(_, file)| file);
@@ -69,16 +67,16 @@ impl Harness {
         let new = record.with_extension(format!("new{}", std::process::id()));
         let written = serde_json::to_vec(self).map_err(std::io::Error::other);
         let written = written.and_then(|text| fs::write(&new, text));
-        // Without a record, cargo is asked again next time.
+        // If this fails, we ask cargo again next time.
         let _kept_or_not = written.and_then(|()| fs::rename(&new, record));
     }
 
-    /// Asks cargo for the libraries (it builds them if needed) and gathers them in a
-    /// folder of their own, in `scratch`: cargo's holds the compiled reference as well.
+    /// Asks cargo for the libraries, which it builds if needed, and gathers them in a folder of
+    /// their own in `scratch`. Cargo's folder also holds the compiled reference.
     fn gather(checkout: &Checkout, scratch: &Path) -> Result<Harness> {
         let mut cargo = rust_tool("cargo", checkout.root());
-        // Not `-p pinhole` alone: it would be built with other features. And not the default
-        // members: in a student's repository, answers that may not compile are among them.
+        // Building `-p pinhole` alone would use other features. And the default members of a
+        // student's repository include answers, which may not compile.
         cargo
             .args(["build", "--quiet", "--message-format=json"])
             .args(["-p", "pinhole", "-p", "pinhole-cli"]);
@@ -102,7 +100,7 @@ impl Harness {
         let mut libraries: Vec<(String, PathBuf)> = artifacts(&output.stdout).collect();
         // Cargo names them in an order that changes from run to run.
         libraries.sort();
-        // A folder for each state of the libraries: while one command compiles against
+        // Each state of the libraries gets its own folder: while one command compiles against
         // them, another may find that cargo has built new ones.
         let folder = scratch.join("harness").join(fingerprint(&libraries));
         if !folder.is_dir() {
@@ -129,7 +127,7 @@ impl Harness {
     }
 }
 
-/// Where the libraries of this very build of the program are recorded.
+/// The file that records where the libraries of this build of the program are.
 fn record_of_this_program(folder: &Path) -> Option<PathBuf> {
     let program = std::env::current_exe().ok()?;
     let metadata = fs::metadata(&program).ok()?;

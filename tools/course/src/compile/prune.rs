@@ -1,20 +1,18 @@
-//! Deletes the oldest programs: every save of an answer makes one, and they would fill
-//! the disk.
+//! Deletes the oldest programs. Every save of an answer makes one, so they would fill the disk.
 
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-/// How many programs are kept, about a megabyte each, so that undoing an edit needs no new
-/// build.
+/// How many programs are kept, about a megabyte each. Undoing an edit then needs no new build.
 const KEPT: usize = 200;
 
-/// Younger programs are kept, because another command may still need them.
+/// Programs younger than this are kept, because another command may still need them.
 const YOUNG: Duration = Duration::from_secs(15 * 60);
 
-/// Locks the folder of programs until the file is dropped: nobody else takes one from it, puts
-/// one into it or deletes one meanwhile.
+/// Locks the folder of programs until the file is dropped. Meanwhile, no other command uses, adds
+/// or deletes a program.
 pub fn lock(programs: &Path) -> io::Result<fs::File> {
     fs::create_dir_all(programs)?;
     let file = fs::File::create(programs.join(".lock"))?;

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use super::{Program, Replaced, compile};
+use super::{Program, Replacement, compile};
 use crate::assignment::Assignment;
 use crate::checkout::Checkout;
 use crate::error::{Error, Result};
@@ -42,7 +42,7 @@ impl Whole {
         let program = compile(&submission, assignment, checkout, &sandbox)?;
         progress.clear();
         for (task, why) in &program.replaced {
-            if let Replaced::DoesNotCompile(diagnostics) = why {
+            if let Replacement::DoesNotCompile(diagnostics) = why {
                 return Err(Error::input(
                     format!("{}\n{task}.rs does not compile", diagnostics.trim_end()),
                     "fix it and try again",

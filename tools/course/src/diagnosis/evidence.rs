@@ -11,16 +11,16 @@ use super::known::KnownMistakes;
 use super::parts::PartAgreement;
 use crate::error::Result;
 
-/// A film's wrong pixels, and what known mistakes say of them.
+/// A film's wrong pixels, and how well each known mistake predicts them.
 #[derive(Clone, Debug)]
 pub struct Evidence {
     /// How many pixels are wrong.
     pub failing: usize,
     /// How many pixels there are.
     pub pixels: usize,
-    /// In how many pixels each part is wrong, where it can be seen.
+    /// In how many pixels each part is wrong, counted where it can be compared.
     pub failing_parts: Vec<f64>,
-    /// How well each mistake agrees that would show in this film.
+    /// The agreement of each mistake that would show in this film.
     pub agreements: BTreeMap<String, Agreement>,
 }
 
@@ -30,9 +30,9 @@ pub struct Evidence {
 pub struct Agreement {
     /// How many the mistake would get wrong.
     pub predicted: f64,
-    /// How many of these are wrong in the film, in whatever way.
+    /// How many of these are wrong in the film, in any way.
     pub touched: f64,
-    /// How many are wrong in the mistake's own way.
+    /// How many are wrong exactly as the mistake predicts.
     pub shared: f64,
     /// How many of the pixels that distinguish it from similar mistakes disagree with
     /// it.
@@ -97,7 +97,7 @@ impl Evidence {
         }
     }
 
-    /// How well this mistake agrees; all zero if it would not show.
+    /// How well this mistake agrees; all zero if it would not show in the film.
     pub fn agreement(&self, slug: &str) -> Agreement {
         self.agreements.get(slug).cloned().unwrap_or_default()
     }

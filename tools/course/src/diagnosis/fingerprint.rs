@@ -1,8 +1,8 @@
 //! The fingerprint of a known mistake in a film: a sample of the pixels it gets wrong,
 //! with the values it leaves there.
 //!
-//! Whole films of every mistake would outweigh the goldens many times; a sample says
-//! as much, because a belief is a rule and shows wherever it applies.
+//! Whole films of every mistake would take many times the space of the goldens. A sample says as
+//! much, because a belief is a rule and shows wherever it applies.
 
 use pinhole::Film;
 use pinhole::film::MISS;
@@ -40,8 +40,7 @@ const TELLING_PER_PAIR: usize = 6;
 /// value computed by another route: 32-bit arithmetic stays well below.
 const SAME: f32 = 1e-5;
 
-/// Where a golden's tolerance is wider than [`SAME`], the tolerance is used instead, up to
-/// this.
+/// Where a golden's tolerance is wider than [`SAME`], use the tolerance, up to this limit.
 const MOST_SAME: f32 = 1e-3;
 
 /// A number or a vector that is compared as one, by the indices of its channels.
@@ -83,7 +82,7 @@ impl<'a> FilmComparison<'a> {
         };
         let (expected, tolerance) = (of(golden.film())?, of(golden.tolerance())?);
         let film = of(film)?;
-        // Written so that NaN is wrong.
+        // Written this way so that NaN counts as wrong.
         let right = |pixel: usize| {
             (0..names.len()).all(|channel| {
                 let distance = (film[channel][pixel] - expected[channel][pixel]).abs();
@@ -119,7 +118,7 @@ impl<'a> FilmComparison<'a> {
         self.wrong.get(pixel) == Some(&true)
     }
 
-    /// Whether the pixel is wrong in the way of this witness.
+    /// Whether the pixel has this witness's wrong values.
     pub fn shows(&self, witness: &Witness) -> bool {
         let Witness { pixel, values } = witness;
         self.is_wrong(*pixel)
@@ -132,12 +131,12 @@ impl<'a> FilmComparison<'a> {
             })
     }
 
-    /// How many parts are told apart.
+    /// The number of parts that are compared separately.
     pub fn parts(&self) -> usize {
         self.parts.len()
     }
 
-    /// In how many pixels each part is wrong, where it is seen.
+    /// In how many pixels each part is wrong, where it can be seen.
     pub fn failing_parts(&self) -> Vec<f64> {
         let count = |part: usize| {
             let wrong = (0..self.pixels()).filter(|pixel| self.is_part_wrong(part, *pixel));
@@ -163,7 +162,7 @@ impl<'a> FilmComparison<'a> {
             && self.is_off(part, *pixel, &|place| values[place])
     }
 
-    /// Whether a part is as a mistake leaves it.
+    /// Whether a part has the values of a mistake.
     pub fn is_part_same(&self, part: usize, witness: &Witness) -> bool {
         let Witness { pixel, values } = witness;
         match &self.parts[part] {
@@ -178,8 +177,8 @@ impl<'a> FilmComparison<'a> {
         }
     }
 
-    /// Whether a part can be seen. Which object is hit can always be seen, everything else
-    /// only where the object is right.
+    /// Whether a part can be seen. The object can always be seen, everything else only where the
+    /// object is right.
     fn is_seen(&self, part: usize, pixel: usize, value: &dyn Fn(usize) -> f32) -> bool {
         let mut ids = self
             .parts
@@ -193,7 +192,7 @@ impl<'a> FilmComparison<'a> {
     }
 
     fn is_off(&self, part: usize, pixel: usize, value: &dyn Fn(usize) -> f32) -> bool {
-        // Written so that NaN is wrong.
+        // Written this way so that NaN counts as wrong.
         let is_near = |place: usize| {
             (value(place) - self.expected[place][pixel]).abs() <= self.tolerance[place][pixel]
         };
@@ -247,8 +246,8 @@ impl<'a> FilmComparison<'a> {
     }
 }
 
-/// The fingerprints of mistakes' films of one golden, in their order; `None` for a film
-/// that passes.
+/// The fingerprints of several mistakes' films of one golden, in the order of the films; `None`
+/// for a film that passes.
 pub fn fingerprints(films: &[FilmComparison<'_>]) -> Vec<Option<Fingerprint>> {
     let orders: Vec<Vec<usize>> = films.iter().map(shuffled).collect();
     let fingerprint = |own: usize| {

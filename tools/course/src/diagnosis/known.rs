@@ -1,7 +1,7 @@
-//! The known mistakes as they are stored beside the goldens: their words in
-//! `mistakes.toml`, their fingerprints in `FILM.mistakes.exr`.
+//! The known mistakes as they are stored beside the goldens: their text in `mistakes.toml`, their
+//! fingerprints in `FILM.mistakes.exr`.
 //!
-//! A student's checkout has no sources of mistakes, and can diagnose all the same.
+//! A student's checkout has no sources of mistakes, but it can still diagnose them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -24,7 +24,7 @@ pub const FILE: &str = "mistakes.toml";
 /// The channel that says which pixel of the film a column is about.
 const PIXEL: &str = "pixel";
 
-/// In [`PIXEL`], a column that is not used.
+/// The value of [`PIXEL`] in an unused column.
 const UNUSED: f32 = -1.0;
 
 /// The known mistakes that are stored in a folder of goldens.
@@ -34,17 +34,17 @@ pub struct KnownMistakes {
     /// The mistakes, by name.
     #[serde(default)]
     pub mistake: BTreeMap<String, Mistake>,
-    /// For each film the mistakes that show in it, and in how many pixels. Their order
-    /// is that of the rows of the fingerprints' file, from the top.
+    /// For each film, the mistakes that show in it, and in how many pixels. The rows of the
+    /// fingerprints' file have the same order, from the top.
     #[serde(default)]
     pub films: BTreeMap<String, BTreeMap<String, usize>>,
-    /// For each film the mistakes that panic over it.
+    /// For each film, the mistakes that panic while casting it.
     #[serde(default)]
     pub panics: BTreeMap<String, BTreeSet<String>>,
 }
 
 impl KnownMistakes {
-    /// Reads the known mistakes of a folder: none if it has no such file.
+    /// Reads the known mistakes of a folder. Without the file, there are none.
     pub fn read(folder: &Path) -> Result<KnownMistakes> {
         let path = folder.join(FILE);
         let Ok(text) = fs::read_to_string(&path) else {
@@ -56,7 +56,7 @@ impl KnownMistakes {
         )
     }
 
-    /// Writes the words into `folder`.
+    /// Writes `mistakes.toml` into `folder`.
     pub fn write(&self, folder: &Path) -> Result<()> {
         fs::write(folder.join(FILE), self.text()?).or_input(
             format_args!("cannot write {}", folder.join(FILE).display()),
@@ -73,8 +73,8 @@ impl KnownMistakes {
         Ok(format!("{head}{text}"))
     }
 
-    /// Fingerprints these mistakes' films of `golden` and writes them; a mistake without
-    /// a film panicked. Gives the file's path inside `folder`, if any mistake shows.
+    /// Fingerprints these mistakes' films of `golden` and writes them. A mistake without a film
+    /// panicked. Returns the file's path inside `folder`, if any mistake shows.
     pub fn add(
         &mut self,
         film: &str,
@@ -166,7 +166,7 @@ impl KnownMistakes {
     }
 }
 
-/// Where the fingerprints of a film lie.
+/// The path of a film's fingerprints.
 fn file(film: &str) -> PathBuf {
     format!("{film}.mistakes.exr").into()
 }

@@ -21,8 +21,8 @@ use serde::{Deserialize, Serialize};
 
 use claim::{Claim, share_of};
 use law::{PartLaw, best};
-use rule::Of;
-pub use sample::Asked;
+use rule::WhichAnswer;
+pub use sample::AnsweredFilm;
 use sample::{Sample, samples};
 
 /// One thing that was measured, in a sentence.
@@ -39,32 +39,32 @@ pub struct Finding {
 
 /// A finding, and what it claims.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Measured {
+pub struct Measurement {
     /// What people read.
     pub finding: Finding,
     claim: Claim,
 }
 
-/// With fewer wrong samples than this, no law is sought.
+/// With fewer wrong samples than this, don't look for a law.
 const LEAST: usize = 8;
 
 /// A law is reported only if at least this share of the wrong samples follows it.
 const LEAST_SHARE: f64 = 0.3;
 
-/// From this share on, the rest is put down to rounding.
+/// From this share on, blame rounding for the rest.
 const ALL: f64 = 0.99;
 
-/// At most this many samples are searched for a law.
+/// Search at most this many samples for a law.
 const MOST_SEARCHED: usize = 160;
 
-/// The word for the samples of a part that only a hit has.
+/// What the samples of a part are called if only hits have that part.
 const HITS: &str = "hits";
 
 /// The most sentences that are reported for a task.
 const MOST_SAID: usize = 3;
 
 /// What is wrong in the answers to one task.
-pub fn measure(films: &[Asked<'_>]) -> Vec<Measured> {
+pub fn measure(films: &[AnsweredFilm<'_>]) -> Vec<Measurement> {
     let samples = samples(films);
     let mut found = decisions(&samples);
     let both: Vec<&Sample> = samples
@@ -103,8 +103,8 @@ pub fn measure(films: &[Asked<'_>]) -> Vec<Measured> {
         };
         found.push(finding.measured());
     }
-    // If a law is known, leave out parts that are only known to be wrong: they may
-    // follow from it.
+    // If a law is known, leave out parts that are only known to be wrong, because they may follow
+    // from it.
     found.sort_by_key(|measured| measured.claim.rank());
     let has_law = found
         .iter()
@@ -112,7 +112,7 @@ pub fn measure(films: &[Asked<'_>]) -> Vec<Measured> {
     if has_law && noun != HITS {
         found.retain(|measured| measured.claim.rank() == 0);
     }
-    // In other tasks an answer may repeat a number of its question, and those have single
+    // In other tasks, an answer may repeat a number of its question, and questions have single
     // precision.
     if films.iter().all(|film| film.questions.kind().takes_shape()) {
         found.splice(0..0, single::found(&both));
@@ -128,7 +128,7 @@ pub fn measure(films: &[Asked<'_>]) -> Vec<Measured> {
 }
 
 /// Reports the parts that are right wherever they can be compared.
-fn right_parts(parts: &[(&str, usize)], noun: &str, objects: bool) -> Measured {
+fn right_parts(parts: &[(&str, usize)], noun: &str, objects: bool) -> Measurement {
     let names: Vec<String> = parts.iter().map(|(name, _)| (*name).to_owned()).collect();
     let names = words::list(names);
     let are = if parts.len() == 1 { "is" } else { "are" };
@@ -137,7 +137,7 @@ fn right_parts(parts: &[(&str, usize)], noun: &str, objects: bool) -> Measured {
         (HITS, false) => "wherever the object is",
         _ => "everywhere",
     };
-    Measured {
+    Measurement {
         finding: Finding {
             says: format!("{} {are} right {place}.", capital(&names)),
             about: names,
@@ -149,8 +149,8 @@ fn right_parts(parts: &[(&str, usize)], noun: &str, objects: bool) -> Measured {
     }
 }
 
-/// Reports hits that are missed, and hits where there is nothing.
-fn decisions(samples: &[Sample]) -> Vec<Measured> {
+/// Reports hits that are missed, and hits where there should be none.
+fn decisions(samples: &[Sample]) -> Vec<Measurement> {
     let mut found = Vec::new();
     for misses in [true, false] {
         let asked: Vec<&Sample> = samples
@@ -180,7 +180,11 @@ fn decisions(samples: &[Sample]) -> Vec<Measured> {
                 .filter(|sample| sample.right.is_some() && sample.given.is_some())
                 .collect(),
         };
-        let of = if misses { Of::Right } else { Of::Given };
+        let of = if misses {
+            WhichAnswer::Right
+        } else {
+            WhichAnswer::Given
+        };
         let rule = rule::find(&wrong, &found_rightly, of);
         let counted = match misses {
             true => format!("You miss {some} of the {all} hits"),
@@ -202,9 +206,9 @@ fn decisions(samples: &[Sample]) -> Vec<Measured> {
     found
 }
 
-fn decision(says: String, is_law: bool, claim: Claim) -> Measured {
+fn decision(says: String, is_law: bool, claim: Claim) -> Measurement {
     let about = "hit or miss".into();
-    Measured {
+    Measurement {
         finding: Finding {
             about,
             says,
@@ -224,10 +228,10 @@ struct PartFinding<'a> {
 }
 
 impl PartFinding<'_> {
-    fn measured(&self) -> Measured {
+    fn measured(&self) -> Measurement {
         let (some, all) = (self.wrong.len(), self.wrong.len() + self.good.len());
         let about = capital(self.about);
-        let rule = rule::find(&self.wrong, &self.good, Of::Right);
+        let rule = rule::find(&self.wrong, &self.good, WhichAnswer::Right);
         let place = rule.as_ref().map(|rule| {
             let place = words::rule(rule, self.wrong[0]);
             let nearly = rule.nearly(&self.wrong, &self.good);
@@ -282,7 +286,7 @@ impl PartFinding<'_> {
             ),
             (None, None) => (format!("{about} is wrong {of}."), Claim::Count),
         };
-        Measured {
+        Measurement {
             finding: Finding {
                 about: self.about.into(),
                 says,
@@ -292,7 +296,7 @@ impl PartFinding<'_> {
         }
     }
 
-    /// The law that most of what is wrong follows on both halves, and its share.
+    /// The law that most of the wrong samples follow on both halves, and its share.
     fn law(&self) -> Option<(PartLaw, f64)> {
         if self.wrong.len() < LEAST {
             return None;
@@ -311,15 +315,15 @@ impl PartFinding<'_> {
     }
 }
 
-impl Measured {
-    /// Whether its sentence is true on other questions too.
-    pub fn holds(&self, films: &[Asked<'_>]) -> bool {
+impl Measurement {
+    /// Whether its sentence is also true of other questions.
+    pub fn holds(&self, films: &[AnsweredFilm<'_>]) -> bool {
         self.claim.holds(films)
     }
 }
 
 fn capital(words: &str) -> String {
-    // A variable keeps its letter.
+    // A variable's letter is not capitalised.
     match words.split_once(' ') {
         Some(("the", rest)) => format!("The {rest}"),
         _ => words.into(),

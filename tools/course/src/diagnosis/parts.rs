@@ -35,17 +35,18 @@ impl PartAgreement {
     }
 }
 
-/// A part counts as explained in a film from this agreement on.
+/// From this agreement on, a film's part counts as explained.
 const ENOUGH: f64 = 0.9;
 
-/// The same for two beliefs together. It is lower, because each hides some of the other's
+/// The limit for two beliefs together. It is lower, because each hides some of the other's
 /// errors.
 const ENOUGH_TOGETHER: f64 = 0.85;
 
 /// Fewer pixels than this share of a film are no evidence for or against a belief.
 const FEW: f64 = 0.015;
 
-/// Nor are fewer wrong pixels of a part than this, in all films together.
+/// With fewer wrong pixels of a part than this in all films together, there is no evidence
+/// either.
 const LEAST: f64 = 24.0;
 
 /// Whether these beliefs together explain what is wrong in a part of a film.

@@ -1,29 +1,28 @@
 //! Names the belief that the evidence supports, if one does.
 //!
-//! A belief is named only if it predicts nearly everything that is wrong, and little
-//! else, in every film: the agreement is the Jaccard index of the two sets of wrong
-//! pixels, pixels that are wrong in different ways counting as different.
+//! A belief is named only if it predicts nearly everything that is wrong in every film, and
+//! little else. Agreement is the Jaccard index of the two sets of wrong pixels, where pixels that
+//! are wrong in different ways count as different.
 
 use super::evidence::Evidence;
 use super::known::KnownMistakes;
 use super::{Diagnosis, Explanation, Reading, parts};
 
-/// Less agreement than this earns no name. Rewrites of known mistakes agree to 0.95 and
-/// more (`pinhole validate` measures it); a coincidence rarely passes one half.
+/// With less agreement than this, no belief is named. Rewrites of known mistakes agree to 0.95
+/// and more (`pinhole validate` measures it), while a coincidence rarely exceeds one half.
 const ENOUGH: f64 = 0.9;
 
-/// Two beliefs in one task spoil each other's pixels where they meet.
+/// The limit for two beliefs in one task, which spoil each other's pixels where both apply.
 const ENOUGH_TOGETHER: f64 = 0.8;
 
-/// If a smaller share of a film's pixels disagrees than this, rounding may be the
-/// reason.
+/// If a smaller share of a film's pixels than this disagrees, rounding may be the reason.
 const FEW: f64 = 0.01;
 
-/// If more beliefs than this are possible, none is named: a long list helps nobody.
+/// If more beliefs than this are possible, none is named, because a long list is no help.
 const MOST_ALIKE: usize = 3;
 
 impl KnownMistakes {
-    /// The belief that explains these films: all of one task, or one of a scene.
+    /// The belief that explains these films, which are all films of one task, or one of a scene.
     ///
     /// `is_candidate` tells which mistakes to consider.
     pub fn explain(&self, films: &[Evidence], is_candidate: &dyn Fn(&str) -> bool) -> Diagnosis {
@@ -62,7 +61,7 @@ impl KnownMistakes {
         Diagnosis::of(beliefs.collect(), Reading::Together)
     }
 
-    /// A belief and what it explains of these films, whatever else is wrong in them.
+    /// A belief, and how much it explains of these films, even if other things are wrong too.
     pub fn explanation_of(&self, slug: &str, films: &[Evidence]) -> Option<Explanation> {
         self.explanation(slug, Sum::of(films, &[slug]).explained())
     }
@@ -77,14 +76,14 @@ impl KnownMistakes {
     }
 }
 
-/// Whether a belief predicts a film as it is, right or wrong.
+/// Whether a belief predicts a whole film, its right pixels and its wrong ones.
 fn explains(slug: &str, film: &Evidence) -> bool {
     let sum = Sum::of(std::slice::from_ref(film), &[slug]);
     sum.agreement() >= ENOUGH || sum.apart <= FEW
 }
 
-/// The two beliefs that explain the films together, if only these two do. Each must show
-/// somewhere without the other, and must explain the film there alone.
+/// The two beliefs that explain the films together, if there is only one such pair. Each must
+/// show somewhere without the other, and must explain that film alone.
 fn pair<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<[&'a str; 2]> {
     let shows = |slug: &str, film: &Evidence| film.agreement(slug).predicted > 0.0;
     let partial: Vec<&'a str> = candidates
@@ -136,7 +135,7 @@ struct Sum {
     shared: f64,
     /// What the beliefs predict to be wrong, but is right.
     absent: f64,
-    /// What is wrong only in the films or only by the beliefs, or wrong in different ways.
+    /// What is wrong only in the films, wrong only by the beliefs, or wrong in different ways.
     apart: f64,
     /// The sum for a single pixel of each film.
     grain: f64,

@@ -59,7 +59,7 @@ fn mistake() -> Mistake {
     }
 }
 
-/// Diagnoses films, given the films of known mistakes: the same number of each.
+/// Diagnoses films, given the films of known mistakes, the same number for each.
 #[track_caller]
 fn diagnosis(known_films: &[(&str, &[&Film])], films: &[&Film]) -> Diagnosis {
     let folder = tempfile::tempdir().expect("a folder can be made");
@@ -94,7 +94,7 @@ fn names(diagnosis: &Diagnosis) -> Vec<&str> {
     beliefs.map(|belief| belief.slug.as_str()).collect()
 }
 
-/// Wrong from pixel 500 on: `by` too far.
+/// From pixel 500 on, t is too large by `by`.
 fn late(by: f32) -> Film {
     film(move |pixel| right(pixel) + if pixel >= 500 { by } else { 0.0 })
 }

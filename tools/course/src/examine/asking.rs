@@ -1,4 +1,4 @@
-//! Asking a submission: each task and each scene in a process of its own.
+//! Asks a submission about each task and each scene, each in a process of its own.
 
 use std::panic::resume_unwind;
 use std::thread;
@@ -24,8 +24,8 @@ pub trait Clock: Sync {
     fn check(&self, reply: &Reply) -> Result<()>;
 }
 
-/// Complete replies of other submissions. They can be reused for tasks and scenes that are
-/// answered by the same files.
+/// Complete replies of other submissions. They are used again for tasks and scenes that the same
+/// files answer.
 pub trait KnownReplies: Sync {
     /// The reply to all questions of a task, or to a scene.
     fn get(&self, what: &str) -> Option<Reply>;
@@ -38,8 +38,8 @@ pub trait KnownReplies: Sync {
 /// student.
 const LEAST_WALL: Duration = Duration::from_secs(2);
 
-/// Where a class waits, so many films of a task may be late. The task's other films then count
-/// as late too: a loop that shows nearly everywhere would hold up the others for minutes.
+/// When a class is graded, a task may have so many late films. Then its other films count as late
+/// too, because a loop that shows nearly everywhere would hold up the class for minutes.
 const MOST_LATE: usize = 3;
 
 impl Examiner<'_> {
@@ -48,14 +48,14 @@ impl Examiner<'_> {
         let films = questions.groups.iter().flat_map(|group| &group.films);
         let films: Vec<&QuestionFilm> = films.collect();
         let parts = match self.ask_together(task, questions, &films)? {
-            // Either all is well, or every film failed and would fail as slowly when asked
+            // Either all is well, or every film failed and would fail just as slowly when asked
             // alone.
             Some(parts) if parts.iter().all(Reply::is_whole) => return Ok(parts),
             Some(parts) if !parts.iter().any(Reply::is_whole) => return Ok(parts),
             Some(parts) => parts.into_iter().map(Some).collect(),
             None => vec![None; films.len()],
         };
-        // An endless loop must not take more than twice the limit, whichever group it is in.
+        // An endless loop may take at most twice the limit, whichever group it is in.
         let share = (self.wall / films.len().max(1) as u32).max(LEAST_WALL);
         let ask = |film: &QuestionFilm, part: Option<Reply>| match part {
             Some(part) if part.is_whole() => Ok(part),
@@ -77,8 +77,7 @@ impl Examiner<'_> {
             return films.map(ask).collect();
         }
         let ask = &ask;
-        // Ask about all films at once: a film that is late waits for the clock, not for the
-        // processor.
+        // Ask about all films at once: a late film waits for the clock, not for the processor.
         thread::scope(|scope| {
             let asked = films.map(|(film, part)| scope.spawn(move || ask(film, part)));
             let asked: Vec<_> = asked.collect();
@@ -89,10 +88,10 @@ impl Examiner<'_> {
         })
     }
 
-    /// All films of a task in one process; `None` if some answer fails in a way that could
-    /// hide the others. Then ask for each film alone, so that the failing answer costs its own
-    /// group only. Where somebody waits, films that were complete before an answer was late
-    /// are kept.
+    /// Asks about all films of a task in one process. `None` if some answer fails in a way that
+    /// could hide the others; then ask about each film alone, so that the failing answer costs
+    /// its own group only. If someone waits for the result, films that were complete before an
+    /// answer was late are kept.
     fn ask_together(
         &self,
         task: &Task,

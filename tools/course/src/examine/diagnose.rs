@@ -6,7 +6,7 @@ use pinhole::judge::Golden;
 
 use crate::assignment::Task;
 use crate::diagnosis::evidence::Evidence;
-use crate::diagnosis::measure::Asked;
+use crate::diagnosis::measure::AnsweredFilm;
 use crate::diagnosis::{Diagnosis, Explanation, Reading};
 use crate::error::Result;
 use crate::goldens::Goldens;
@@ -21,15 +21,19 @@ const LEAST_SHARE: f64 = 0.02;
 pub struct Cast<'a> {
     /// What was asked.
     pub asked: &'a QuestionFilm,
-    /// The film, if it is whole.
+    /// The film, if it is complete.
     pub film: Option<Film>,
     /// How it was judged.
     pub end: FilmOutcome,
 }
 
-/// What was asked of a task, and what came, for measuring: `replies` are those to its films, in
-/// the groups' order. Pixels of scenes are left to the scenes, because they may be withheld.
-pub fn asked<'a>(task: &Task, questions: &'a Questions, replies: &'a [Reply]) -> Vec<Asked<'a>> {
+/// The questions of a task and the replies to its films, in the groups' order, for measuring.
+/// Groups about the pixels of scenes are left out, because a scene may be withheld.
+pub fn asked<'a>(
+    task: &Task,
+    questions: &'a Questions,
+    replies: &'a [Reply],
+) -> Vec<AnsweredFilm<'a>> {
     let films = questions.groups.iter().flat_map(|group| {
         let of_scenes = task.is_of_scenes(&group.name);
         group.films.iter().map(move |film| (film, of_scenes))
@@ -38,7 +42,7 @@ pub fn asked<'a>(task: &Task, questions: &'a Questions, replies: &'a [Reply]) ->
         .zip(replies)
         .filter(|((_, of_scenes), reply)| !of_scenes && reply.is_whole())
         .filter_map(|((film, _), reply)| {
-            Some(Asked {
+            Some(AnsweredFilm {
                 questions: film.job.questions()?,
                 answers: &reply.answers,
                 golden: &film.golden,
@@ -48,9 +52,9 @@ pub fn asked<'a>(task: &Task, questions: &'a Questions, replies: &'a [Reply]) ->
 }
 
 impl Goldens {
-    /// Which belief explains these films, which are all films of one task.
+    /// The belief that explains these films, which are all films of one task.
     pub fn diagnose_task(&self, task: &str, casts: &[Cast<'_>]) -> Result<Diagnosis> {
-        // If every film panicked, nothing tells one belief from another.
+        // If every film panicked, nothing distinguishes one belief from another.
         if casts.iter().all(|cast| cast.film.is_none()) {
             return Ok(Diagnosis::default());
         }
@@ -88,16 +92,15 @@ impl Goldens {
         Ok(self.known.explain(&evidence, &fails_here))
     }
 
-    /// Which belief explains one film, about which nothing else is known.
+    /// The belief that explains one film, judged by this film alone.
     pub fn diagnose_film(&self, name: &str, golden: &Golden, film: &Film) -> Result<Diagnosis> {
         let evidence = self.evidence(name, golden, film)?;
         Ok(self.known.explain(evidence.as_slice(), &|_| true))
     }
 
-    /// Diagnoses the scenes. The beliefs that spoil single tasks say what is wrong with
-    /// the pictures. Pictures are diagnosed by themselves only if no task was found
-    /// wrong: first all together, because beliefs that look alike in one picture may
-    /// differ in another.
+    /// Diagnoses the scenes. Beliefs that were found in single tasks explain the pictures. Only
+    /// if every task is right are pictures diagnosed by themselves, first all together, because
+    /// beliefs that look alike in one picture may differ in another.
     pub fn diagnose_scenes(&self, examination: &mut Examination) -> Result<()> {
         let Examination { outcome, films } = examination;
         let (tasks, scenes) = (&outcome.tasks, &mut outcome.scenes);

@@ -53,7 +53,7 @@ impl Examiner<'_> {
     }
 }
 
-/// What an ending means for the answers that were asked; `None` if all is well so far.
+/// What an ending means for the answers; `None` if all is well so far.
 pub fn failure(
     ending: &Ending,
     assignment: &Assignment,

@@ -2,14 +2,14 @@
 
 use pinhole::{Hit, Intersection, Kind, Ray, Shape, ShapeKind};
 
-use super::Explanation;
+use super::PixelExplanation;
 use crate::assignment::{Assignment, Task};
 
 /// An explanation calls two numbers different only if they differ by more than this share of
-/// themselves, or of 1. Only goldens with their tolerances can tell closer ones apart.
+/// themselves, or of 1. Only goldens and their tolerances can tell closer numbers apart.
 const CLEAR: f64 = 1e-3;
 
-impl Explanation {
+impl PixelExplanation {
     /// The first task whose answer is missing or clearly not Mitsuba's.
     pub fn task_at_fault<'a>(
         &self,
@@ -57,8 +57,8 @@ impl Explanation {
         if same_hit(found, &mitsuba.hit) {
             return None;
         }
-        // The object that should be seen is at fault if its own answer is wrong. Otherwise
-        // it is an object that claims to be nearer.
+        // The object that should be seen is at fault if its own answer is wrong. Otherwise, the
+        // fault lies with an object that claims to be nearer.
         let wrong = match (mitsuba.hit, found) {
             (Some(expected), _) if !self.says(expected) => Some(expected.object),
             (Some(expected), Some(found)) => {
@@ -71,7 +71,7 @@ impl Explanation {
         Some(of_object(wrong))
     }
 
-    /// Whether the object of this hit answers the same when it is asked alone.
+    /// Whether the object of this hit gives the same answer when it is asked alone.
     fn says(&self, hit: Hit) -> bool {
         let Some(Ok(Some(said))) = self.candidates.get(hit.object) else {
             return false;
@@ -106,7 +106,7 @@ fn same_hit(one: &Option<Hit>, other: &Option<Hit>) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::explanation::{Mitsuba, NoAnswer, Said};
+    use crate::explanation::{AnswerResult, Mitsuba, NoAnswer};
     use crate::outcome::FilmOutcome;
     use glam::DVec3;
     use pinhole::{Plane, Sphere};
@@ -127,9 +127,9 @@ mod tests {
 
     /// A sphere at 2 and a plane at 5, and these answers.
     fn at_fault(
-        ray: Said<Ray>,
+        ray: AnswerResult<Ray>,
         sphere: Option<Hit>,
-        first: Said<Option<Hit>>,
+        first: AnswerResult<Option<Hit>>,
     ) -> Option<(Kind, Option<ShapeKind>)> {
         let objects = [
             Shape::Sphere(Sphere {
@@ -141,7 +141,7 @@ mod tests {
                 normal: DVec3::Z,
             }),
         ];
-        let explanation = Explanation {
+        let explanation = PixelExplanation {
             ray,
             asked: Some(RAY),
             candidates: vec![Ok(sphere), Ok(hit(1, 5.0))],

@@ -1,5 +1,5 @@
-//! What is asked of a submission, read from the goldens: groups of question films for
-//! each task, and a film for each scene.
+//! What a submission is asked, read from the goldens: groups of question films for each task, and
+//! a film for each scene.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, PoisonError};
@@ -18,7 +18,7 @@ use crate::timings::timed;
 #[derive(Debug)]
 pub struct Questions {
     pub groups: Vec<Group>,
-    /// The jobs of all films as one; `None` if they are of different kinds, or none.
+    /// The jobs of all films as one; `None` if their kinds differ or there is no film.
     pub together: Option<Job>,
 }
 
@@ -58,7 +58,7 @@ impl Goldens {
         groups.map(|points| self.group(task, points)).collect()
     }
 
-    /// The questions of a task, cached: many submissions may be examined in one run.
+    /// The questions of a task, cached, because one run may examine many submissions.
     pub fn cached_questions(&self, task: &Task) -> Result<Arc<Questions>> {
         let kept = || self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(questions) = kept().get(&task.name) {
@@ -88,14 +88,14 @@ impl Goldens {
         })
     }
 
-    /// The groups of a task that ask about the scenes alone.
+    /// The groups of a task that ask about pixels of scenes.
     pub fn scene_groups(&self, task: &Task) -> Result<Vec<Group>> {
         let points = task.points.iter();
         let of_scenes = points.filter(|points| task.is_of_scenes(&points.group));
         of_scenes.map(|points| self.group(task, points)).collect()
     }
 
-    /// The groups of a task that do not ask about the scenes.
+    /// The groups of a task that do not ask about pixels of scenes.
     pub fn groups_without_scenes(&self, task: &Task) -> Result<Vec<Group>> {
         let points = task.points.iter();
         let others = points.filter(|points| !task.is_of_scenes(&points.group));
@@ -151,7 +151,7 @@ impl Goldens {
         })
     }
 
-    /// The film of a task's group, which is not one of scenes.
+    /// The film of a task's group, unless the group asks about scenes.
     pub fn probe(&self, task: &Task, group: &str) -> Result<QuestionFilm> {
         let stem = self
             .folder
@@ -201,7 +201,7 @@ fn read_golden(path: &Path) -> Result<Golden> {
     Golden::read(path).map_err(ours)
 }
 
-/// An unusable golden is our fault, not that of the submission it judges.
+/// An unusable golden is Pinhole's fault, not that of the submission.
 fn ours(error: pinhole::Error) -> Error {
     Error::environment(
         format!("{}: {}", error.path.display(), error.problem),

@@ -1,4 +1,5 @@
-//! Whether goldens are still what their manifest says, made from what it names.
+//! Checks that goldens are as their manifest says, and that what they were made from has not
+//! changed.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -11,7 +12,7 @@ use crate::checkout::Checkout;
 use crate::error::{Error, Result};
 
 impl Manifest {
-    /// Refuses to add to goldens that other scripts made.
+    /// Refuses to add films to goldens that other versions of the scripts made.
     pub fn refuse_other_scripts(
         &self,
         folder: &Path,
@@ -36,7 +37,7 @@ impl Manifest {
     /// Refuses to grade with goldens that have changed.
     ///
     /// # Errors
-    /// If a film or a scene is not what it was when the manifest was written.
+    /// If a film or a scene has changed since the manifest was written.
     pub fn refuse_changed(&self, folder: &Path, assignment: &Assignment) -> Result<()> {
         let changed = self.changed_files(folder, assignment);
         let Some(first) = changed.first() else {
@@ -66,8 +67,8 @@ impl Manifest {
         checkout: &Checkout,
     ) -> Result<Vec<String>> {
         let mut problems = Vec::new();
-        // Students have the fingerprints without the mistakes, and goldens can be made
-        // without either.
+        // Students have the fingerprints without the mistakes, and goldens can be made without
+        // either.
         let mistakes = mistake_hashes(assignment).unwrap_or_default();
         if !mistakes.is_empty() && !self.mistakes.is_empty() && mistakes != self.mistakes {
             problems.push(
@@ -75,7 +76,7 @@ impl Manifest {
                     .into(),
             );
         }
-        // Students have neither the scripts nor what is recorded of them.
+        // Students have neither the scripts nor their fingerprints.
         let others = match self.scripts.is_empty() {
             true => Vec::new(),
             false => self.of_other_scripts(folder, assignment, checkout)?,
@@ -104,7 +105,7 @@ impl Manifest {
         Ok(problems)
     }
 
-    /// The scenes and tasks whose films were made by other scripts than these.
+    /// The scenes and tasks whose films were made by other versions of the scripts.
     fn of_other_scripts(
         &self,
         folder: &Path,
@@ -120,7 +121,7 @@ impl Manifest {
             .collect())
     }
 
-    /// Films and scenes that are not what they were when the films were made.
+    /// Films and scenes that have changed since the films were made.
     fn changed_files(&self, folder: &Path, assignment: &Assignment) -> Vec<String> {
         let sources = self.sources.iter().map(|(path, recorded)| {
             let source = source(path, folder, assignment);

@@ -22,7 +22,7 @@ pub fn hash(path: &Path) -> Result<String> {
     Ok(hash_of(path, bytes))
 }
 
-/// The hash of a scene or a mesh. A scene's hash covers what it says and not its comments and
+/// The hash of a scene or a mesh. A scene's hash covers its content but not its comments and
 /// layout, so that changing those makes no film stale.
 pub(super) fn source_hash(path: &Path) -> Result<String> {
     let scene = path
@@ -35,8 +35,8 @@ pub(super) fn source_hash(path: &Path) -> Result<String> {
     }
 }
 
-/// The hash of a file's content. Text is hashed with `\n` line ends, as git may check it
-/// out with others.
+/// The hash of a file's content. Text is hashed with `\n` line ends, because git may check it out
+/// with others.
 pub fn hash_of(path: &Path, mut bytes: Vec<u8>) -> String {
     let is_picture = path.extension().is_some_and(|extension| extension == "png");
     if !is_film(path) && !is_picture {
@@ -45,7 +45,7 @@ pub fn hash_of(path: &Path, mut bytes: Vec<u8>) -> String {
     hex::encode(Hash::hash(&bytes))
 }
 
-/// The answer files and words of every mistake that is fingerprinted.
+/// The hashes of the answer files and texts of every mistake that is fingerprinted.
 pub(super) fn mistake_hashes(assignment: &Assignment) -> Result<Hashes> {
     let mut hashes = Hashes::new();
     for mistake in mistake::read_all(assignment)? {

@@ -78,11 +78,11 @@ pub struct Comparison {
     pub resolution: Resolution,
     /// How many pixels both have.
     pub pixels: usize,
-    /// In how many some channel fails.
+    /// In how many pixels some channel fails.
     pub failing: usize,
     /// How many are exempt by tolerance.
     pub exempt: usize,
-    /// Channel by channel; empty where what was asked is withheld.
+    /// Channel by channel. Empty if what was asked is withheld.
     #[cfg_attr(test, schemars(with = "Vec<super::tests::ChannelSchema>"))]
     pub channels: Vec<ChannelVerdict>,
 }

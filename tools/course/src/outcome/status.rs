@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-/// How a submission, a task or a group of questions ended. From the gravest to the best: a
-/// submission has the gravest status among its tasks.
+/// How a submission, a task or a group of questions ended, from the worst to the best. A
+/// submission has the worst status among its tasks.
 #[derive(Clone, Copy, Debug, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
@@ -39,7 +39,7 @@ pub enum Status {
 }
 
 impl Status {
-    /// All of them, the gravest first.
+    /// All statuses, the worst first.
     pub const ALL: [Status; 11] = [
         Status::NotGraded,
         Status::RefusedFile,

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize, Serializer};
 
 use super::{FilmOutcome, Status, sum};
 use crate::assignment::{GroupPoints, Task};
-use crate::compile::Replaced;
+use crate::compile::Replacement;
 use crate::diagnosis::Diagnosis;
 use crate::diagnosis::measure::Finding;
 use crate::submission::Unusable;
@@ -26,15 +26,15 @@ pub struct TaskOutcome {
     pub file: AnswerFile,
     /// Its groups of questions.
     pub groups: Vec<GroupOutcome>,
-    /// Which beliefs explain its wrong answers; null if nothing known does.
+    /// The beliefs that explain its wrong answers; null if no known belief does.
     #[serde(with = "crate::diagnosis::or_null")]
     #[cfg_attr(test, schemars(with = "Option<Diagnosis>"))]
     pub diagnosis: Diagnosis,
-    /// What is measurably wrong in its answers, whether a belief explains it or not.
+    /// What is measurably wrong in its answers, even if no belief explains it.
     #[serde(default)]
     pub measured: Vec<Finding>,
-    /// The compiler's warnings, if the student's own answer fails. They have colours here, and
-    /// none in documents.
+    /// The compiler's warnings, if the student's own answer fails. They have colours here, but
+    /// not in documents.
     #[serde(default, serialize_with = "without_colours")]
     pub warnings: String,
 }
@@ -47,17 +47,17 @@ pub struct GroupOutcome {
     pub name: String,
     /// What it asks.
     pub about: String,
-    /// All that it is worth, or 0.
+    /// All its points, or 0.
     pub points: u32,
     /// What it is worth.
     pub possible: u32,
     /// The outcome of the first film that does not pass, if any.
     pub outcome: FilmOutcome,
-    /// The worst question: what was asked, expected and given, or the question at which the
-    /// code panicked. Empty where no answer is wrong.
+    /// The worst question: what was asked, expected and given, or the question at which the code
+    /// panicked. Empty if no answer is wrong.
     #[cfg_attr(test, schemars(with = "Vec<super::tests::FactSchema>"))]
     pub worst: Vec<Fact>,
-    /// Whether it passes the known questions and fails fresh ones.
+    /// Whether it passes the public questions but fails fresh ones.
     pub fails_fresh: bool,
 }
 
@@ -78,7 +78,7 @@ pub enum AnswerFile {
     /// The compiler refused it.
     #[serde(rename = "does not compile")]
     DoesNotCompile {
-        /// The compiler's messages about it. They have colours here, and none in documents.
+        /// The compiler's messages about it. They have colours here, but not in documents.
         #[serde(serialize_with = "without_colours")]
         compiler: String,
     },
@@ -88,7 +88,7 @@ impl TaskOutcome {
     /// A task whose groups were judged.
     pub fn new(
         task: &Task,
-        replaced: Option<&Replaced>,
+        replaced: Option<&Replacement>,
         groups: Vec<GroupOutcome>,
         diagnosis: Diagnosis,
         measured: Vec<Finding>,
@@ -108,8 +108,8 @@ impl TaskOutcome {
         outcome
     }
 
-    /// A task whose answer cannot be asked.
-    pub fn replaced(task: &Task, replaced: &Replaced) -> TaskOutcome {
+    /// A task whose answer was replaced by its stub, because it can't be asked.
+    pub fn replaced(task: &Task, replaced: &Replacement) -> TaskOutcome {
         let group = |points: &GroupPoints| {
             let (name, about) = (points.group.clone(), points.about.clone());
             GroupOutcome::new(
@@ -140,13 +140,13 @@ impl TaskOutcome {
         self.groups.iter().all(|group| group.outcome.passes())
     }
 
-    /// Whether nothing has been attempted yet.
+    /// Whether the answer is still `todo!`.
     pub fn is_unanswered(&self) -> bool {
         let unanswered = |group: &GroupOutcome| group.outcome == FilmOutcome::Unanswered;
         !self.groups.is_empty() && self.groups.iter().all(unanswered)
     }
 
-    /// How it ended: the gravest status among its groups, unless the file itself could not be
+    /// How it ended: the worst status among its groups, unless the file itself could not be
     /// judged.
     pub fn status(&self) -> Status {
         let groups = self.groups.iter().map(|group| group.outcome.status());
@@ -182,14 +182,14 @@ impl GroupOutcome {
 
 impl AnswerFile {
     /// The state of a file, unless it was replaced by its stub.
-    pub fn of(replaced: Option<&Replaced>) -> AnswerFile {
+    pub fn of(replaced: Option<&Replacement>) -> AnswerFile {
         match replaced {
             None => AnswerFile::Compiled,
-            Some(Replaced::Unusable(Unusable::Missing)) => AnswerFile::Missing,
-            Some(Replaced::Unusable(Unusable::Refused(why))) => {
+            Some(Replacement::Unusable(Unusable::Missing)) => AnswerFile::Missing,
+            Some(Replacement::Unusable(Unusable::Refused(why))) => {
                 AnswerFile::Refused { why: why.clone() }
             }
-            Some(Replaced::DoesNotCompile(compiler)) => AnswerFile::DoesNotCompile {
+            Some(Replacement::DoesNotCompile(compiler)) => AnswerFile::DoesNotCompile {
                 compiler: compiler.clone(),
             },
         }

@@ -8,10 +8,10 @@ use schemars::generate::SchemaSettings;
 
 use super::*;
 use crate::assignment::Task;
-use crate::compile::Replaced;
+use crate::compile::Replacement;
 use crate::submission::Unusable;
 
-// The harness derives no schemas, so these types repeat what its own look like in documents.
+// The harness derives no schemas, so these types repeat how its types look in documents.
 
 /// A fact in words.
 #[derive(JsonSchema)]
@@ -141,9 +141,9 @@ fn an_outcome_is_read_back_as_it_was_written() {
         .map(|film| GroupOutcome::new("g".into(), "about".into(), 3, film, vec![fact.clone()]));
     let groups: Vec<GroupOutcome> = groups.collect();
     let states = [
-        Replaced::Unusable(Unusable::Missing),
-        Replaced::Unusable(Unusable::Refused("why".into())),
-        Replaced::DoesNotCompile("error".into()),
+        Replacement::Unusable(Unusable::Missing),
+        Replacement::Unusable(Unusable::Refused("why".into())),
+        Replacement::DoesNotCompile("error".into()),
     ];
     let mut outcome = Outcome::new("Ray casting", "ada".into(), "none");
     let none = Diagnosis::default();
@@ -171,7 +171,7 @@ fn the_compilers_colours_stay_out_of_documents() {
 }
 
 #[test]
-fn submission_has_the_gravest_status_of_its_tasks_and_scenes() {
+fn submission_has_the_worst_status_of_its_tasks_and_scenes() {
     let mut outcome = Outcome::new("Ray casting", "ada".into(), "none");
     assert_eq!(outcome.status(), Status::Graded);
     let died = FilmOutcome::Died { how: "how".into() };
@@ -186,7 +186,7 @@ fn submission_has_the_gravest_status_of_its_tasks_and_scenes() {
         chapter: "Plane".into(),
         points: Vec::new(),
     };
-    let missing = Replaced::Unusable(Unusable::Missing);
+    let missing = Replacement::Unusable(Unusable::Missing);
     outcome.tasks.push(TaskOutcome::replaced(&task, &missing));
     assert_eq!(outcome.status(), Status::MissingFile);
 }

@@ -1,5 +1,5 @@
-//! The sandbox made by bubblewrap from Linux namespaces: files that are not bound
-//! inside don't exist there.
+//! The sandbox that bubblewrap makes from Linux namespaces. Files that are not bound inside don't
+//! exist there.
 
 use std::io;
 use std::os::unix::fs::chown;
@@ -19,33 +19,33 @@ use crate::error::Result;
 /// What is needed to make the sandbox.
 #[derive(Clone, Debug)]
 pub struct Bubblewrap {
-    /// The toolchain, bound read-only.
+    /// The toolchain, which is bound read-only.
     sysroot: PathBuf,
-    /// This program, which confines the code further once it is inside.
+    /// This program. Inside, it confines the code further.
     pinhole: PathBuf,
-    /// The user that the code runs as if we are root. Otherwise the code runs as our
-    /// own user, under another number.
+    /// The user that the code runs as if we are root. Otherwise, the code runs as our own user,
+    /// shown inside with another number.
     uid: Option<UserId>,
-    /// What is not shown to the code's author.
+    /// Paths that the code's author must not see.
     pub host_paths: HostPaths,
-    /// The limits run into so far.
+    /// How many limits the submission has exceeded so far.
     pub budget: Budget,
 }
 
 /// Bubblewrap's absolute path. A search in `PATH` could find a program in a folder that a user
-/// may write to. Also, if we start a program by name with another `PATH` than ours, the
-/// standard library uses `fork`, which copies our page tables for every start: that took a
+/// may write to. There is also a matter of speed: when we start a program by name and change
+/// `PATH` for it, the standard library uses `fork`, which copies our page tables. That took a
 /// third of the time of grading.
 const BWRAP: &str = "/usr/bin/bwrap";
 
-/// Where this program lies inside.
+/// The path of this program inside.
 const PINHOLE_INSIDE: &str = "/pinhole";
 
-/// More processes than one user can own, so that this limit never applies.
+/// More processes than any user can own, so that this limit never applies.
 const UNCOUNTED: u64 = 1 << 20;
 
 impl Bubblewrap {
-    /// Tries whether bubblewrap works here; if not, returns its message.
+    /// Checks that bubblewrap works here. If not, returns its message.
     pub fn new(checkout: &Checkout) -> io::Result<Bubblewrap> {
         let is_root = rustix::process::getuid().is_root();
         let uid = is_root.then(UserId::reserve).transpose();
@@ -58,7 +58,7 @@ impl Bubblewrap {
             budget: Budget::default(),
         };
         walls.self_test()?;
-        // Otherwise, files that the user's shell has open would be open inside as well.
+        // Without this, files that the user's shell has open would be open inside too.
         close_fds::set_fds_cloexec(3, &[]);
         Ok(walls)
     }
@@ -76,7 +76,7 @@ impl Bubblewrap {
         self.uid.as_ref().map(UserId::number)
     }
 
-    /// What of the system the code may read, wherever it lies.
+    /// The folders of the system that the code may read.
     pub fn visible(&self) -> [&Path; 2] {
         [Path::new("/usr"), &self.sysroot]
     }
@@ -86,7 +86,7 @@ impl Bubblewrap {
         &self.sysroot
     }
 
-    /// Whether a program can be run inside.
+    /// Checks that a program can run inside.
     pub fn self_test(&self) -> io::Result<()> {
         let limits = Limits::of_compiler();
         let mut command = self.walled(&limits, Purpose::Answer);
@@ -107,10 +107,10 @@ impl Bubblewrap {
             chown(&out, Some(uid), Some(uid))?;
         }
         let mut command = self.bare();
-        // rustc and its linker find their own files by the link /proc/self/exe. Landlock keeps
-        // them from reading anything there.
+        // rustc and its linker find their own files through the link /proc/self/exe. Landlock
+        // keeps them from reading anything else there.
         command.args(["--proc", "/proc"]);
-        // Before what may lie in it.
+        // This must come before mounts that may lie in it.
         command.args(["--size", "67108864", "--perms", "1777", "--tmpfs", "/tmp"]);
         bind(&mut command, "--ro-bind", &self.sysroot);
         bind(&mut command, "--ro-bind", harness);
@@ -130,8 +130,8 @@ impl Bubblewrap {
         Ok(command)
     }
 
-    /// A built program, to be asked. There is no `/proc`: with it, safe Rust could write to
-    /// its own memory.
+    /// A built program, ready to be asked. It gets no `/proc`, where safe Rust could write to its
+    /// own memory.
     pub fn runner(&self, executable: &Path, limits: &Limits) -> Command {
         let mut command = self.bare();
         command.arg("--ro-bind").arg(executable).arg(PROGRAM_INSIDE);
@@ -151,9 +151,9 @@ impl Bubblewrap {
         let mut command = Command::new(BWRAP);
         command.env_clear();
         let own = match self.uid {
-            // Root may bind what others cannot reach, a toolchain in its home, say; the
-            // code becomes another user inside. Bubblewrap's own mapping would leave it
-            // root outside, for whom processes are not counted.
+            // Root may bind folders that other users cannot reach, such as a toolchain in its
+            // home; the code becomes another user inside. With bubblewrap's own mapping, the code
+            // would still be root outside, and the kernel doesn't count root's processes.
             Some(_) => "--cap-add CAP_SETUID --cap-add CAP_SETGID",
             None => "--unshare-user --disable-userns --uid 1000 --gid 1000",
         };
@@ -172,8 +172,7 @@ impl Bubblewrap {
         command
     }
 
-    /// Makes the file system read-only and confines the program, whose command line is
-    /// to follow.
+    /// Makes the file system read-only and confines the program, whose command line must follow.
     fn confine(&self, command: &mut Command, limits: &Limits, purpose: Purpose) {
         command.args(["--remount-ro", "/", "--", PINHOLE_INSIDE]);
         let mut limits = *limits;
@@ -188,11 +187,11 @@ impl Bubblewrap {
     }
 }
 
-/// Where a built program lies inside.
+/// The path of a built program inside.
 const PROGRAM_INSIDE: &str = "/submission";
 
-/// Since Linux 5.14 a namespace's processes are counted apart from those their user has
-/// outside, which may be more than the limit already.
+/// Since Linux 5.14, a namespace's processes are counted apart from the user's processes outside,
+/// which may already exceed the limit.
 fn counts_by_namespace() -> bool {
     let release = std::fs::read_to_string("/proc/sys/kernel/osrelease").unwrap_or_default();
     let mut numbers = release
@@ -202,7 +201,7 @@ fn counts_by_namespace() -> bool {
 }
 
 fn bind(command: &mut Command, how: &str, path: &Path) {
-    // By itself, bubblewrap would make parent folders that only root may enter.
+    // Bubblewrap itself would make parent folders that only root may enter.
     let mut above: Vec<&Path> = path.ancestors().skip(1).collect();
     above.retain(|folder| !folder.starts_with("/usr") && folder.parent().is_some());
     for folder in above

@@ -1,25 +1,24 @@
-//! The limits that one submission may run into.
+//! A budget for the limits that one submission may exceed.
 //!
-//! Code that waits for its limit in every group and every scene would take a hundred
-//! times that limit. Answers that come are free, so a submission that is slow and right loses
-//! nothing.
+//! Code that runs into its limit in every group and every scene would take a hundred times that
+//! limit. Answers that arrive cost nothing here, so a slow but right submission loses nothing.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use super::Limits;
 
-/// How many limits one submission has run into so far; clones count together.
+/// How many limits one submission has exceeded so far. Clones share the count.
 #[derive(Clone, Debug, Default)]
 pub struct Budget {
     lost: Arc<AtomicU32>,
 }
 
-/// After so many, everything else gets only its shortest time.
+/// After this many, everything else gets only its shortest time.
 const MOST_LOST: u32 = 2;
 
 impl Budget {
-    /// Shorter limits, if too many have been lost already.
+    /// Returns shorter limits if too many have been exceeded.
     pub fn bound(&self, limits: Limits) -> Limits {
         match self.lost.load(Ordering::Relaxed) >= MOST_LOST {
             true => limits.shortened(),
@@ -27,7 +26,7 @@ impl Budget {
         }
     }
 
-    /// Counts one limit that was run into.
+    /// Counts one limit that was exceeded.
     pub fn charge(&self) {
         self.lost.fetch_add(1, Ordering::Relaxed);
     }

@@ -1,4 +1,4 @@
-//! The inner part of both sandboxes: a new process of this program gives up every right that
+//! The inner part of both sandboxes. A new process of this program gives up every right that
 //! untrusted code does not need, and then becomes that code.
 //!
 //! Bubblewrap has set up its namespaces by then. In a container, where there can be no
@@ -29,7 +29,8 @@ struct Confine {
     /// The user and group to become.
     #[arg(long)]
     uid: Option<u32>,
-    /// Compiling may start other programs and write; answering may not.
+    /// Whether the code compiles. If so, it may start other programs and write; if it answers, it
+    /// may not.
     #[arg(long)]
     compiles: bool,
     #[arg(long)]
@@ -65,9 +66,9 @@ pub fn arguments(command: &mut Command, limits: &Limits, purpose: Purpose, uid: 
     if purpose == Purpose::Compile {
         command.arg("--compiles");
     }
-    // The kernel counts whole seconds of one process; the tree is watched from outside. On
-    // a busy machine the watcher may be late, and the same loop should always end the same
-    // way.
+    // The kernel counts whole seconds of single processes, while a watchdog outside counts the
+    // whole tree. On a busy machine, the watchdog may be late. The extra seconds make the same
+    // loop always end the same way.
     let cpu = limits.cpu.as_secs() + 5;
     for (name, value) in [
         ("--cpu", cpu),
@@ -83,8 +84,8 @@ pub fn arguments(command: &mut Command, limits: &Limits, purpose: Purpose, uid: 
     }
 }
 
-/// Turns this process into the confined program if its arguments say so. Returns only if they
-/// don't, or if that fails.
+/// Turns this process into the confined program if its arguments ask for that. Returns only if
+/// they don't, or if confining it fails.
 pub fn become_confined() -> Option<ExitCode> {
     let mut arguments = std::env::args_os().skip(1).peekable();
     arguments
@@ -104,7 +105,7 @@ fn run(confine: &Confine) -> ExitCode {
     ExitCode::from(NOT_CONFINED)
 }
 
-/// The exit code where code was not run because it could not be confined.
+/// The exit code if the code could not be confined, and therefore did not run.
 pub const NOT_CONFINED: u8 = 125;
 
 fn give_up(confine: &Confine) -> Result<(), String> {
@@ -114,7 +115,7 @@ fn give_up(confine: &Confine) -> Result<(), String> {
         step("group", thread::set_thread_res_gid(group, group, group))?;
         step("user", thread::set_thread_res_uid(user, user, user))?;
     }
-    // Only now, because the change of user would have undone it.
+    // This comes last, because changing the user would undo it.
     let end_with_parent = rustix::process::set_parent_process_death_signal(Some(Signal::KILL));
     step("end with the parent", end_with_parent)?;
     for (resource, most) in [
@@ -127,11 +128,11 @@ fn give_up(confine: &Confine) -> Result<(), String> {
         (Resource::Memlock, 0),
         (Resource::Msgqueue, 0),
     ] {
-        // If a tighter limit is set already, we may not be allowed to raise it.
+        // If a lower limit is already set, we may not be allowed to raise it.
         let most = getrlimit(resource)
             .maximum
             .map_or(most, |least| least.min(most));
-        // When the time is up, the kernel sends a signal of its own; a second later it kills.
+        // When the time is up, the kernel sends a signal. A second later, it kills the process.
         let current = match resource {
             Resource::Cpu => most.saturating_sub(1),
             _ => most,
@@ -151,13 +152,13 @@ fn give_up(confine: &Confine) -> Result<(), String> {
     step("seccomp", syscalls::deny(purpose, confine.without_landlock))
 }
 
-/// Adds a step's name to its error.
+/// Adds the name of a step to its error.
 fn step<T, E: Display>(name: &str, result: Result<T, E>) -> Result<T, String> {
     result.map_err(|error| format!("{name}: {error}"))
 }
 
-/// Uses Landlock to keep the code from all other files, and from signalling processes outside,
-/// as far as this kernel can.
+/// Uses Landlock to forbid all other files, and signals to processes outside, as far as this
+/// kernel supports it.
 fn fence_files(confine: &Confine) -> Result<(), String> {
     let abi = ABI::V6;
     let fence = || {

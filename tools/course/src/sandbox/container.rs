@@ -1,10 +1,10 @@
-//! The sandbox for machines without namespaces, as under Docker's default seccomp
-//! profile: the code runs as a user that owns nothing, restricted by Landlock.
+//! The sandbox for machines without namespaces, such as containers with Docker's default seccomp
+//! profile. The code runs as a user that owns nothing, restricted by Landlock.
 //!
-//! Where the kernel has no Landlock, a file's mode alone keeps it from the code. Then this
-//! sandbox is refused, unless the user asks for it by name; and even then the checkout and
-//! everything else that is secret must be closed to the code's user. So what the code needs
-//! lies in a folder outside the checkout.
+//! If the kernel has no Landlock, only file modes keep the code from reading files. Then this
+//! sandbox is refused unless the user asks for it by name, and even then, the checkout and
+//! everything else that is secret must be closed to the code's user. So the files that the code
+//! needs are in a folder outside the checkout.
 
 use std::fs::{self, DirBuilder, Permissions};
 use std::io;
@@ -31,19 +31,19 @@ pub struct Container {
     sysroot: PathBuf,
     pinhole: PathBuf,
     uid: UserId,
-    /// Whether the kernel guards files beyond what their modes say.
+    /// Whether Landlock restricts the code, and not only file modes.
     landlocked: bool,
-    /// Holds what the code is compiled against, and the programs.
+    /// The folder of the libraries that the code is compiled against, and of the programs.
     scratch: Arc<Scratch>,
-    /// What is not shown to the code's author.
+    /// Paths that the code's author must not see.
     pub host_paths: HostPaths,
-    /// The limits run into so far.
+    /// How many limits the submission has exceeded so far.
     pub budget: Budget,
 }
 
 impl Container {
-    /// Tries whether this sandbox works here. Without Landlock, that is an error unless
-    /// the user `accepts_modes` alone.
+    /// Checks that this sandbox works here. A missing Landlock is an error unless the user
+    /// `accepts_modes` alone.
     pub fn new(checkout: &Checkout, secrets: &[PathBuf], accepts_modes: bool) -> Result<Container> {
         if !rustix::process::getuid().is_root() {
             return Err(Error::environment(
@@ -107,7 +107,7 @@ impl Container {
         }
     }
 
-    /// Where the harness and the programs are to lie.
+    /// The folder for the harness and the programs.
     pub fn scratch(&self) -> &Path {
         &self.scratch.folder
     }
@@ -117,7 +117,7 @@ impl Container {
         self.uid.number()
     }
 
-    /// Whether a program can be run inside.
+    /// Checks that a program can run inside.
     pub fn self_test(&self) -> io::Result<()> {
         let mut command = self.confined(&Limits::of_compiler(), Purpose::Answer);
         let output = command.args(["--", "/usr/bin/true"]).output();
@@ -133,7 +133,7 @@ impl Container {
     /// See [`Sandbox::compiler`](super::Sandbox::compiler).
     pub fn compiler(&self, folder: &Path, harness: &Path, limits: &Limits) -> io::Result<Command> {
         let out = folder.join("out");
-        // No other submission may look inside.
+        // Keeps other submissions from looking inside.
         fs::set_permissions(folder, Permissions::from_mode(0o700))?;
         chown(folder, Some(self.uid()), Some(self.uid()))?;
         chown(&out, Some(self.uid()), Some(self.uid()))?;
@@ -151,7 +151,7 @@ impl Container {
         Ok(command)
     }
 
-    /// A built program, to be asked.
+    /// A built program, ready to be asked.
     pub fn runner(&self, executable: &Path, limits: &Limits) -> Command {
         let mut command = self.confined(limits, Purpose::Answer);
         command.current_dir("/");
@@ -167,7 +167,7 @@ impl Container {
         if self.landlocked {
             command.arg("--landlocked");
         }
-        // Not /proc: it shows every process of the container.
+        // Leave out /proc, which shows every process of the container.
         for read in SYSTEM {
             command.args(["--read", read]);
         }
@@ -175,7 +175,8 @@ impl Container {
         command
     }
 
-    /// Whether the code's user may do this to a file or folder: `-r`, read it, say.
+    /// Whether the code's user may do this to a file or folder, where `-r`, for instance, means
+    /// reading.
     fn may(&self, how: &[&str], path: &Path) -> bool {
         how.iter().any(|how| {
             let mut command = self.confined(&Limits::of_compiler(), Purpose::Answer);
@@ -190,7 +191,7 @@ impl Container {
         if !self.may(&["-r"], &rustc) {
             return Err(Error::environment(
                 format!("another user cannot reach {}", rustc.display()),
-                "install Rust where everyone may read it (RUSTUP_HOME=/opt/rustup, say), or let \
+                "install Rust where everyone may read it, such as RUSTUP_HOME=/opt/rustup, or let \
                  everyone pass through the folders above it (chmod a+x)",
             ));
         }
@@ -203,8 +204,8 @@ impl Container {
         }
     }
 
-    /// Refuses if the code's user can read something secret. A folder that it may pass through
-    /// counts as readable, because the names inside can be guessed.
+    /// Refuses if the code's user can read something secret. A folder that the user can enter
+    /// counts as readable, because names inside can be guessed.
     fn refuse_readable(&self, checkout: &Checkout, secrets: &[PathBuf]) -> Result<()> {
         let own = [checkout.root().to_owned()];
         let mut all = own.iter().chain(secrets);
@@ -224,7 +225,7 @@ impl Container {
     }
 }
 
-/// What the code may read of the system.
+/// The parts of the system that the code may read.
 const SYSTEM: [&str; 6] = [
     "/usr",
     "/lib",
@@ -246,7 +247,7 @@ impl Scratch {
         let number = NEXT.fetch_add(1, Ordering::Relaxed);
         let name = format!("pinhole-container-{}-{number}", std::process::id());
         let folder = std::env::temp_dir().join(name);
-        // An earlier process with the same id may have left it when it was killed.
+        // A killed process that had the same id may have left it behind.
         let _absent = fs::remove_dir_all(&folder);
         let made = DirBuilder::new().mode(0o711).create(&folder);
         made.and_then(|()| fs::set_permissions(&folder, Permissions::from_mode(0o711)))

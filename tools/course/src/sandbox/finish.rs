@@ -15,23 +15,23 @@ pub struct Finished {
     pub status: ExitStatus,
     /// Its standard error, cut at [`MOST_SAID`] bytes.
     pub stderr: Vec<u8>,
-    /// Which limit ended it, if one did.
+    /// The limit that ended it, if one did.
     pub exceeded: Option<Exceeded>,
     /// Whether the clock ended it.
     pub late: bool,
 }
 
 impl Finished {
-    /// Whether it might have come to an end with more time.
+    /// Whether it might have finished with more time.
     pub fn is_late(&self) -> bool {
         self.late || matches!(self.exceeded, Some(Exceeded::Cpu(_) | Exceeded::Idle(_)))
     }
 }
 
-/// More is read and thrown away.
+/// The most of its standard error that is kept. The rest is read and thrown away.
 pub const MOST_SAID: usize = 1 << 20;
 
-/// The time between two checks whether a command has ended.
+/// The time between two checks of whether a command has ended.
 const PAUSE: Duration = Duration::from_millis(2);
 
 /// Runs a command without standard input and output, and collects its standard error. Calls
@@ -54,8 +54,8 @@ pub fn finish(
             let mut kept = Vec::new();
             let beginning = (&mut pipe).take(MOST_SAID as u64).read_to_end(&mut kept);
             let rest = beginning.and_then(|_| io::copy(&mut pipe, &mut io::sink()));
-            // If the pipe breaks, the text ends there. If nobody waits for the text any more,
-            // sending it does no harm.
+            // A broken pipe ends the text. If nobody waits for the text any more, it is not
+            // needed.
             let _ = (rest, sender.send(kept));
         });
     }

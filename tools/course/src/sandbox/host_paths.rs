@@ -1,4 +1,4 @@
-//! Folders of the grader's machine, which students are not shown.
+//! Hides the folders of the grader's machine from students.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -8,12 +8,14 @@ use pinhole::ask::{Ending, Reply};
 
 use crate::checkout::Checkout;
 
-/// Folders of this machine that the compiler and the harness name, and what is shown instead.
+/// Folders of this machine that the compiler and the harness name, and the names that are shown
+/// instead.
 #[derive(Clone, Debug)]
 pub struct HostPaths(Arc<[(String, &'static str)]>);
 
 impl HostPaths {
-    /// Those of a checkout, a toolchain, cargo, and the `scratch` folder, if there is one.
+    /// The folders of a checkout, a toolchain and cargo, and the `scratch` folder if there is
+    /// one.
     pub fn new(checkout: &Checkout, sysroot: &Path, scratch: Option<&Path>) -> HostPaths {
         let home = env::var_os("HOME").map(PathBuf::from);
         let of_home = |name| home.as_ref().map(|home| home.join(name));
@@ -36,12 +38,12 @@ impl HostPaths {
                 }
             }
         }
-        // One may lie in another.
+        // One folder may contain another, so replace the longest paths first.
         all.sort_by_key(|(path, _)| std::cmp::Reverse(path.len()));
         HostPaths(all.into())
     }
 
-    /// The text without these folders.
+    /// The text, with these folders replaced.
     pub fn hide(&self, text: &str) -> String {
         let hidden = self.0.iter();
         hidden.fold(text.to_owned(), |text, (path, name)| {
@@ -52,7 +54,8 @@ impl HostPaths {
         })
     }
 
-    /// What was printed, and where and with what words it panicked, without these folders.
+    /// Replaces these folders in a reply: in what was printed, and in the place and message of a
+    /// panic.
     pub fn hide_in(&self, reply: &mut Reply) {
         reply.printed = self.hide(&reply.printed);
         if let Ending::Panicked(panic) = &mut reply.ending {

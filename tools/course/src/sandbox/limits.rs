@@ -2,13 +2,13 @@
 
 use std::time::Duration;
 
-/// Bounds on one process and everything it starts.
+/// Bounds on one process and all processes that it starts.
 ///
-/// A mark must not depend on what else the machine does: `cpu` counts the processor's seconds,
-/// of all threads and processes together, and `wall` is only for code that waits for
-/// something. Choose `cpu` at least a hundred times what the reference takes, and count a
-/// timeout only if it comes again when the submission runs alone: caches, clocks and memory
-/// are shared even where seconds are not.
+/// A mark must not depend on what else the machine does. So `cpu` counts the processor's seconds,
+/// of all threads and processes together, and `wall` is only for code that waits for something.
+/// Choose `cpu` at least a hundred times what the reference takes, and count a timeout only if it
+/// happens again when the submission runs alone, because caches, clocks and memory are shared
+/// even where seconds are not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Seconds of processor time, summed over the whole tree.
@@ -17,8 +17,8 @@ pub struct Limits {
     pub wall: Duration,
     /// Time on the clock between two answers, at most `wall`.
     pub silence: Duration,
-    /// Time on the clock in which no thread of the tree runs or is ready to: it sleeps, or waits
-    /// for what never comes. A busy machine makes no tree idle.
+    /// Time on the clock in which no thread of the tree runs or is ready to run, because it
+    /// sleeps or waits. A busy machine makes no tree idle.
     pub idle: Duration,
     /// Bytes: the address space of each process, and the memory in use of all together.
     pub memory: u64,
@@ -28,33 +28,34 @@ pub struct Limits {
     pub file_size: u64,
     /// Open files of one process.
     pub open_files: u64,
-    /// However much time a submission has lost, `cpu` becomes no shorter.
+    /// The least that `cpu` is shortened to, however much time a submission has lost.
     pub shortest: Duration,
 }
 
 /// 1 GiB is enough for rustc, but half of that is not.
 const MEMORY: u64 = 2 << 30;
 
-/// Still a hundred times what the reference takes for the probes of any task.
+/// A hundred times what the reference takes for the questions of any task.
 const SHORTEST: Duration = Duration::from_secs(1);
 
-/// Still twenty times what right answers take to compile.
+/// Twenty times what right answers take to compile.
 const SHORTEST_OF_COMPILER: Duration = Duration::from_secs(5);
 
-/// Code under a processor's limit waits for nothing: it has no network and no other process.
+/// Code that is limited in processor time has nothing to wait for: no network and no other
+/// process.
 const IDLE: Duration = Duration::from_secs(1);
 
-/// The compiler waits for files, and some file systems don't tell waiting from sleeping.
+/// The compiler waits for files, and on some file systems that looks like sleeping.
 const IDLE_COMPILER: Duration = Duration::from_secs(5);
 
-/// Somebody who waits for their own answers gives silent ones up after no less than this.
+/// The shortest silence after which an answer is given up while its author waits.
 const LEAST_SILENCE: Duration = Duration::from_secs(2);
 
-/// Threads that code may have beside those which answer on all cores.
+/// How many threads the code may have besides those that answer on all cores.
 const SPARE_PROCESSES: u64 = 32;
 
 impl Limits {
-    /// For one run of the compiler. Right answers take a fifth of a second.
+    /// Limits for one run of the compiler. Right answers take a fifth of a second.
     pub fn of_compiler() -> Limits {
         Limits {
             cpu: Duration::from_secs(20),
@@ -69,8 +70,8 @@ impl Limits {
         }
     }
 
-    /// For a built program that may answer for so long: every core for the whole time,
-    /// so that the clock is what ends a long answer.
+    /// Limits for a built program that may answer for this long. It gets every core for the whole
+    /// time, so that the clock is what ends a long answer.
     pub fn of_answers(wall: Duration) -> Limits {
         Limits {
             cpu: wall * cores() as u32 + Duration::from_secs(2),
@@ -84,8 +85,8 @@ impl Limits {
         }
     }
 
-    /// Like [`Limits::of_answers`], but for somebody who waits for their own code: an endless
-    /// loop is noticed long before `wall` is over.
+    /// Like [`Limits::of_answers`], but for someone who waits for their own code: an endless loop
+    /// is noticed long before `wall` is over.
     pub fn of_own_answers(wall: Duration) -> Limits {
         Limits::of_answers(wall).for_own_answers()
     }
@@ -99,8 +100,8 @@ impl Limits {
         }
     }
 
-    /// Limits for `cpu` seconds of the processor, however few cores there are. They never
-    /// become shorter than `shortest`, however much time a submission has lost.
+    /// Limits of `cpu` seconds of the processor, on any number of cores. They never get shorter
+    /// than `shortest`, however much time a submission has lost.
     pub fn of_processor(cpu: Duration, shortest: Duration) -> Limits {
         Limits {
             cpu,
@@ -122,17 +123,17 @@ impl Limits {
     }
 }
 
-/// Where somebody waits, a process may be silent for this share of its time: 2 s of 30. A
-/// message holds 256 answers. On the largest mesh the reference gives them in 13 ms, and a
-/// program that is sixty times slower in less than half of that time.
+/// While its author waits, a process may be silent for this fraction of its time: 2 s of 30. A
+/// message holds 256 answers. On the largest mesh, the reference needs 13 ms for them, and a
+/// program that is sixty times slower needs less than half of the limit.
 const SILENCE: u32 = 15;
 
-/// Twice, for a machine that does other things as well.
+/// Doubles the time, because the machine may do other things as well.
 fn wall_of(cpu: Duration) -> Duration {
     cpu * 2 + Duration::from_secs(2)
 }
 
-/// How many threads answer.
+/// The number of threads that answer.
 fn cores() -> u64 {
     std::thread::available_parallelism().map_or(1, usize::from) as u64
 }

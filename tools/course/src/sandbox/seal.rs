@@ -1,16 +1,17 @@
-//! Compiled programs belong to the grader: what compiled or runs them can't change them.
+//! Makes compiled programs the grader's own, so that the code that compiled or runs them can't
+//! change them.
 
 use std::fs::{self, Permissions};
 use std::io;
 use std::os::unix::fs::{MetadataExt, PermissionsExt, chown};
 use std::path::Path;
 
-/// Makes a program and its folder ours. Others may run it, and nobody but us may read it. If
-/// there is a `group`, only its members may pass through the folder.
+/// Makes a program and its folder ours. Others may run it, but only we may read it. If there is a
+/// `group`, only its members may enter the folder.
 pub fn seal(folder: &Path, group: Option<u32>, program: &Path) -> io::Result<()> {
     let own = rustix::process::geteuid();
     if !own.is_root() {
-        // Everything was made by us.
+        // We made everything ourselves.
         return fs::set_permissions(program, Permissions::from_mode(0o700));
     }
     chown(program, Some(0), Some(0))?;
@@ -22,7 +23,7 @@ pub fn seal(folder: &Path, group: Option<u32>, program: &Path) -> io::Result<()>
     Ok(())
 }
 
-/// Whether a program is a file of ours under one name, which nobody else may write.
+/// Whether a program is a file of ours with a single name, which nobody else may write.
 pub fn is_ours(program: &Path) -> bool {
     let own = rustix::process::geteuid().as_raw();
     fs::symlink_metadata(program).is_ok_and(|about| {

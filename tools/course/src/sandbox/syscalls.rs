@@ -1,8 +1,8 @@
 //! The system calls that untrusted code may not make.
 //!
-//! We list what is denied and not what is allowed, because the compiler and its linker come
-//! with the machine, and a list of their calls would soon be out of date. All other calls
-//! still face the rest of the sandbox.
+//! This list says what is denied and not what is allowed. The compiler and its linker come with
+//! the machine, so a list of the calls they need would soon be out of date. All other calls still
+//! face the rest of the sandbox.
 
 use std::collections::BTreeMap;
 
@@ -21,7 +21,7 @@ use seccompiler::{
 pub enum Purpose {
     /// Run the compiler, which starts a linker.
     Compile,
-    /// Answer questions: threads, but no process, no socket of its own, no file made.
+    /// Answer questions. Threads are allowed, but no process, no new socket and no new file.
     Answer,
 }
 
@@ -44,7 +44,7 @@ const NEVER: [libc::c_long; 43] = [
     libc::SYS_request_key,
     libc::SYS_unshare,
     libc::SYS_setns,
-    // A filter can't check its flags, because they lie in memory. The C library then uses
+    // A filter can't check its flags, because they are in memory. Without it, the C library uses
     // `clone`.
     libc::SYS_clone3,
     libc::SYS_mount,
@@ -133,7 +133,7 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
             ]
             .map(|call| (call, Vec::new())),
         );
-        // The process was told to end with the grader, and must not be able to change that.
+        // The process is set to end with the grader, and must not be able to change that.
         let outlives = SeccompCondition::new(0, Dword, Eq, libc::PR_SET_PDEATHSIG as u64)?;
         rules.insert(libc::SYS_prctl, vec![SeccompRule::new(vec![outlives])?]);
     }
@@ -149,7 +149,7 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
     SeccompFilter::new(rules, SeccompAction::Allow, unheard_of, arch)?.try_into()
 }
 
-/// A `clone` in whose flags this one is set, or is not.
+/// A `clone` with this flag set, or without it.
 fn clone_with(flag: libc::c_int, set: bool) -> Result<SeccompRule, seccompiler::BackendError> {
     let flag = u64::from(flag as u32);
     let expected = if set { flag } else { 0 };

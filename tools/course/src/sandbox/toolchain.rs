@@ -1,4 +1,4 @@
-//! Where the compiler lives.
+//! Finds the compiler and its linker.
 
 use std::ffi::OsString;
 use std::fs;
@@ -24,10 +24,9 @@ pub fn sysroot(checkout: &Checkout) -> Result<PathBuf> {
     }
 }
 
-/// The linker to use inside: gcc by name, because plain `cc` would go through /etc, which
-/// is not there. Naming a linker turns off rustc's own default for Linux, the LLVM linker
-/// that comes with it. Compiling takes half the time with that one, so this asks for it
-/// again.
+/// The linker to use inside. It must be gcc by name, because plain `cc` is a link through /etc,
+/// which is not there. Naming a linker turns off rustc's default on Linux, its own copy of LLVM's
+/// linker. With that one, compiling takes half the time, so these arguments ask for it again.
 pub fn linker(sysroot: &Path) -> Vec<OsString> {
     let mut arguments = vec!["-Clinker=gcc".into()];
     let targets = fs::read_dir(sysroot.join("lib/rustlib"))

@@ -10,15 +10,15 @@ use rustix::process::{Pid, Signal, kill_process};
 /// The time and memory that a tree of processes uses.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Used {
-    /// Processor time of all living processes, and of those they have waited for.
+    /// Processor time of all living processes and of the children they have waited for.
     pub cpu: Duration,
-    /// Bytes in memory. What several processes share is counted for each of them.
+    /// Bytes in memory. Memory that several processes share is counted for each of them.
     pub memory: u64,
-    /// Whether any thread runs, is ready to, or waits for a disk.
+    /// Whether any thread runs, is ready to run, or waits for a disk.
     pub is_busy: bool,
 }
 
-/// What `pid` and its descendants use now. A process that ends meanwhile counts as nothing.
+/// The current use of `pid` and its descendants. A process that ends meanwhile counts as nothing.
 pub fn used_by(pid: u32) -> Used {
     let mut used = Used::default();
     let mut ticks = 0;
@@ -46,9 +46,9 @@ fn duration(ticks: u64) -> Duration {
     Duration::from_millis(ticks * 1000 / per_second.max(1))
 }
 
-/// Ends every process of a user id that belongs to foreign code alone.
+/// Ends every process of a user id. Only foreign code may have this id.
 pub fn end_all_of(uid: u32) {
-    // First stop them all: each may start another one before it is killed.
+    // Stop them all first, because each may start another one before it is killed.
     for signal in [Signal::STOP, Signal::KILL] {
         for _ in 0..50 {
             let left = processes_of(uid, signal);
@@ -81,7 +81,7 @@ fn processes_of(uid: u32, signal: Signal) -> Vec<Pid> {
         .collect()
 }
 
-/// The folders of its threads.
+/// The folders of a process's threads.
 fn threads(pid: u32) -> impl Iterator<Item = PathBuf> {
     let threads = fs::read_dir(format!("/proc/{pid}/task"));
     let threads = threads.into_iter().flatten().flatten();
@@ -106,8 +106,8 @@ fn children(pid: u32) -> Vec<u32> {
         .collect()
 }
 
-/// The fields of `stat` of a process or thread from the third, the state, on: a name may hold
-/// anything.
+/// The fields of a process's or thread's `stat`, beginning with the third, which is its state.
+/// The second is a name that may contain anything.
 fn stat(folder: &Path) -> Option<Vec<String>> {
     let text = fs::read_to_string(folder.join("stat")).ok()?;
     let (_, fields) = text.rsplit_once(')')?;

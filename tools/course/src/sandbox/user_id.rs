@@ -1,8 +1,8 @@
-//! User ids for foreign code: no two runs on a machine share one, so that none can signal
-//! another or use up its processes.
+//! User ids for foreign code. No two runs on a machine share one, so that none can signal another
+//! or use up its processes.
 //!
-//! An id belongs to whoever holds the lock on its file in `/run/pinhole`. The kernel lets go of
-//! a lock when its holder ends, however it ends.
+//! A process owns an id while it holds the lock on the id's file in `/run/pinhole`. The kernel
+//! releases the lock when the process ends, however it ends.
 
 use std::fs::{DirBuilder, File, OpenOptions, Permissions, TryLockError};
 use std::io;
@@ -21,22 +21,21 @@ pub struct UserId {
 }
 
 /// Ids that no distribution gives to people, services or containers. They are below 65536,
-/// because some containers have no higher ids, and below 61184, where systemd begins with its
-/// services.
+/// because some containers have no higher ids, and below 61184, where systemd's services begin.
 const FIRST: u32 = 60_706;
 const LAST: u32 = 61_183;
 
-/// For all graders of this machine. Only root may write there.
+/// The folder of locks, for all graders of this machine. Only root may write there.
 const LOCKS: &str = "/run/pinhole";
 
 impl UserId {
-    /// An id that nobody else has.
+    /// Reserves an id that nobody else has.
     ///
     /// # Errors
     /// If the locks can't be written, or all ids are taken.
     pub fn reserve() -> Result<UserId> {
         let id = UserId::reserve_in(Path::new(LOCKS), FIRST..=LAST)?;
-        // An earlier grader may have been killed: its lock is gone, but its code may still
+        // An earlier grader may have been killed. Then its lock is free, but its code may still
         // run.
         tree::end_all_of(id.number);
         Ok(id)
@@ -73,7 +72,7 @@ impl UserId {
 
 /// Locks an id; `None` if another process has it.
 fn lock(locks: &Path, number: u32) -> io::Result<Option<UserId>> {
-    // The file is closed in the programs that we start, because they would hold the lock too.
+    // The file is closed in programs that we start, because they would hold the lock too.
     let mut options = OpenOptions::new();
     options.write(true).create(true).truncate(false).mode(0o600);
     let file = options.open(locks.join(number.to_string()))?;
@@ -92,7 +91,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nobody_gets_an_id_that_somebody_has_and_ids_are_given_back() {
+    fn an_id_is_given_to_one_holder_at_a_time_and_returned() {
         let folder = tempfile::tempdir().unwrap();
         let locks = folder.path().join("locks");
         let reserve = || UserId::reserve_in(&locks, 7..=8);
@@ -116,7 +115,7 @@ mod tests {
             .stdin(std::process::Stdio::piped())
             .stdout(std::process::Stdio::piped());
         let mut other = other.spawn().expect("there is `flock`");
-        // It has the lock when `cat` answers.
+        // The other process holds the lock once `cat` answers.
         use io::{Read, Write};
         let mut stdin = other.stdin.take().unwrap();
         stdin.write_all(b"x").unwrap();

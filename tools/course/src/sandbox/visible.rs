@@ -1,12 +1,12 @@
-//! Checks that no secret lies where untrusted code can read.
+//! Checks that untrusted code can read no secret.
 
 use std::path::{Path, PathBuf};
 
 use crate::checkout::Checkout;
 use crate::error::{Error, Result};
 
-/// Refuses a sandbox that could see a secret: the checkout, its goldens and
-/// assignments, or one of `secrets`, in a folder that the code may read.
+/// Refuses a sandbox that would show a secret: the checkout, its goldens and assignments, or one
+/// of `secrets` in a folder that the code may read.
 pub fn refuse_visible(visible: &[&Path], checkout: &Checkout, secrets: &[PathBuf]) -> Result<()> {
     let root = checkout.root().to_owned();
     let own = [root.join("golden"), checkout.assignments(), root];
@@ -19,14 +19,14 @@ pub fn refuse_visible(visible: &[&Path], checkout: &Checkout, secrets: &[PathBuf
                     secret.display(),
                     folder.display()
                 ),
-                "move it to another folder, in your home or in /srv, say",
+                "move it to another folder, for instance in your home or in /srv",
             ));
         }
     }
     Ok(())
 }
 
-/// The path without links. A folder that doesn't exist yet is resolved by its parent.
+/// The path with links resolved. If a folder doesn't exist yet, its parent is resolved.
 fn real(path: &Path) -> PathBuf {
     let path = std::path::absolute(path).unwrap_or(path.into());
     match (path.canonicalize(), path.parent(), path.file_name()) {

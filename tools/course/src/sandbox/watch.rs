@@ -1,5 +1,5 @@
-//! Watchdog: kills a process tree that exceeds its limits. The kernel's own limits count each
-//! process by itself.
+//! Watchdog: kills a process tree that exceeds its limits. It is needed because the kernel limits
+//! each process by itself.
 
 use std::fmt;
 use std::sync::mpsc::Sender;
@@ -31,13 +31,13 @@ impl fmt::Display for Exceeded {
     }
 }
 
-/// Watches until it is stopped.
+/// A watchdog that runs until it is stopped.
 pub struct Watch {
     looking: Option<(Sender<()>, JoinHandle<Option<Exceeded>>)>,
 }
 
 impl Watch {
-    /// A watch without limits.
+    /// A watchdog without limits.
     pub fn nothing() -> Watch {
         Watch { looking: None }
     }
@@ -60,13 +60,14 @@ mod looking {
     use super::*;
     use crate::sandbox::{Limits, tree};
 
-    /// The time between two checks. A gigabyte takes longer to fill.
+    /// The time between two checks. Filling a gigabyte takes longer.
     const PAUSE: Duration = Duration::from_millis(20);
 
-    /// How long a tree has done nothing.
+    /// How long a tree has been idle.
     struct Idleness {
         since: Instant,
-        /// Looks in that time. If we ourselves look seldom, time alone shows nothing.
+        /// How often we looked in that time. If we look too seldom, the time alone proves
+        /// nothing.
         looks: u32,
         cpu: Duration,
     }
@@ -80,8 +81,8 @@ mod looking {
             }
         }
 
-        /// Whether the tree has been idle for too long, seen at half of the looks at least
-        /// that such a time has.
+        /// Whether the tree has been idle for too long. At least half of the usual number of
+        /// looks in that time must have seen it.
         fn exceeds(&mut self, most: Duration, used: &tree::Used) -> bool {
             match used.is_busy || used.cpu != self.cpu {
                 true => *self = Idleness::new(used.cpu),
@@ -115,7 +116,7 @@ mod looking {
                     } else {
                         continue;
                     };
-                    // The process may have ended by now, but it exceeded the limit all the same.
+                    // The process may have ended by now, but it did exceed the limit.
                     let _ended = pidfd_send_signal(&handle, Signal::KILL);
                     return Some(exceeded);
                 }

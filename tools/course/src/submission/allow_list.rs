@@ -1,5 +1,6 @@
 //! The attributes and macros that an answer may use. All others are refused before anything is
-//! compiled: they can hold machine code, name linker sections, or make the compiler read files.
+//! compiled, because they can hold machine code, name linker sections, or make the compiler read
+//! files.
 //!
 //! The list says what is allowed and not what is forbidden, because a new compiler may add
 //! something that we don't know. It is reliable only if each name has its usual meaning, so
@@ -8,7 +9,7 @@
 
 use super::tokens::{PATH, Token, tokens};
 
-/// The allowed macros. Each expands to code that any function could hold.
+/// The allowed macros. Each expands to code that any function may hold.
 const MACROS: [&str; 29] = [
     "assert",
     "assert_eq",
@@ -66,7 +67,7 @@ const ATTRIBUTES: [&str; 21] = [
     "clippy",
 ];
 
-/// Keywords. No macro can have one of these names, so `return !(a && b)` calls none.
+/// Keywords. No macro can have a keyword's name, so `return !(a && b)` calls none.
 const KEYWORDS: [&str; 39] = [
     "Self", "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum",
     "extern", "false", "fn", "for", "if", "impl", "in", "let", "loop", "match", "mod", "move",
@@ -81,7 +82,7 @@ pub enum Verdict {
     Allowed,
     /// It uses something else: the message, worded like one of the compiler's.
     Refused(String),
-    /// We can't tell its tokens apart, so it counts only if the compiler can't either.
+    /// We can't split it into tokens. That is fine only if the compiler can't either.
     NotTokens,
 }
 
@@ -93,7 +94,7 @@ pub fn verdict(task: &str, text: &str) -> Verdict {
         ))
     };
     let bare = text.trim_start_matches('\u{feff}');
-    // The compiler skips such a line, and a comment that begins in it.
+    // The compiler skips such a line, and with it the beginning of a comment.
     if bare.starts_with("#!") && !bare.starts_with("#![") {
         return refused("a first line that begins with `#!`", 1, "remove this line");
     }
@@ -108,7 +109,7 @@ pub fn verdict(task: &str, text: &str) -> Verdict {
     Verdict::Allowed
 }
 
-/// What is wrong with the beginning of these tokens, and what helps.
+/// What is wrong at the beginning of these tokens, and what to do about it.
 pub(super) fn finding(tokens: &[(Token, usize)]) -> Option<(String, &'static str)> {
     let token = |at: usize| tokens.get(at).map(|(token, _)| token);
     let is = |at: usize, mark: char| token(at) == Some(&Token::Mark(mark));

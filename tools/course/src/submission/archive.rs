@@ -1,5 +1,5 @@
-//! A submission that comes as a ZIP file. Nothing is unpacked to disk, and only the answers
-//! are unpacked at all.
+//! A submission in a ZIP file. Nothing is unpacked to disk, and only the answers are unpacked at
+//! all.
 
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -14,36 +14,35 @@ use super::Unusable;
 use super::text::{self, MOST_BYTES, Text};
 use crate::error::{Error, Result, ResultExt};
 
-/// The longest archive that a student's own answers need.
+/// The length limit of a student's own archive.
 const MOST_ARCHIVE_BYTES: u64 = 16 << 20;
 
-/// An archive with more files is not a submission, and it would take long to read even their
-/// names.
+/// An archive with more files is not a submission, and even reading their names would take long.
 const MOST_ENTRIES: usize = 50_000;
 
-/// The most bytes that are read of an archive to list its contents, and again to unpack a
-/// file. We bound what is read and don't trust the lengths that the archive claims.
+/// The most bytes that are read of an archive to list its contents, and again to unpack a file.
+/// We limit what we read instead of trusting the lengths that the archive claims.
 const MOST_READ: u64 = 16 << 20;
 
-/// A file type in the upper bits of a mode, as Unix packs it.
+/// The bits of a Unix mode that hold the file type.
 const FILE_TYPE: u32 = 0o170_000;
 const REGULAR: u32 = 0o100_000;
 
 /// A ZIP file whose list of contents makes sense.
 pub struct Archive<R> {
-    zip: ZipArchive<Metered<R>>,
+    zip: ZipArchive<LimitedReader<R>>,
     left: Rc<Cell<u64>>,
     /// The index of each file, by its path, with `/` between its parts.
     files: BTreeMap<String, usize>,
 }
 
 /// A reader that stops after a number of bytes.
-struct Metered<R> {
+struct LimitedReader<R> {
     inner: R,
     left: Rc<Cell<u64>>,
 }
 
-impl<R: Read> Read for Metered<R> {
+impl<R: Read> Read for LimitedReader<R> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let most = usize::try_from(self.left.get()).unwrap_or(usize::MAX);
         if most == 0 && !buffer.is_empty() {
@@ -56,7 +55,7 @@ impl<R: Read> Read for Metered<R> {
     }
 }
 
-impl<R: Seek> Seek for Metered<R> {
+impl<R: Seek> Seek for LimitedReader<R> {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
         self.inner.seek(to)
     }
@@ -71,7 +70,7 @@ pub fn open(path: &Path) -> Result<Archive<Cursor<Vec<u8>>>> {
         format!("{} is refused", path.display()),
         "pack the answer files alone into a ZIP file, without a password",
     );
-    // The file is read whole, so that any later error is the archive's own fault.
+    // Read the whole file first, so that any later error is the archive's own fault.
     let unreadable = text::unreadable(path);
     let file = text::open(path).or_fail(&unreadable)?;
     if !file.metadata().or_fail(&unreadable)?.is_file() {
@@ -90,12 +89,11 @@ pub fn open(path: &Path) -> Result<Archive<Cursor<Vec<u8>>>> {
 impl<R: Read + Seek> Archive<R> {
     /// Reads the list of contents.
     ///
-    /// # Errors
-    /// Says why it is refused: it is not a ZIP file, holds too much, or would put a file
-    /// outside its own folder.
+    /// If it is refused; the text says why. It may not be a ZIP file, hold too much, or put a
+    /// file outside its own folder.
     pub fn new(inner: R) -> std::result::Result<Archive<R>, String> {
         let left = Rc::new(Cell::new(MOST_READ));
-        let metered = Metered {
+        let metered = LimitedReader {
             inner,
             left: left.clone(),
         };
@@ -127,8 +125,8 @@ impl<R: Read + Seek> Archive<R> {
         self.files.keys().map(String::as_str)
     }
 
-    /// The folders in which answers may lie, each with `/` at its end: at the top, in `src`,
-    /// or in the same two places of the only folder.
+    /// The folders in which answers may be, each with `/` at its end: at the top, in `src`, or in
+    /// the same two places of the only folder.
     pub fn places(&self) -> Vec<String> {
         let mut places = vec![String::new(), "src/".into()];
         let tops = self
@@ -163,7 +161,7 @@ impl<R: Read + Seek> Archive<R> {
         text::of_bytes(bytes)
     }
 
-    /// Unpacks the first `most` bytes of a file, whatever length the archive claims.
+    /// Unpacks the first `most` bytes of a file, ignoring the length that the archive claims.
     ///
     /// # Errors
     /// If it is missing, not a regular file, encrypted or damaged.
@@ -194,7 +192,7 @@ impl<R: Read + Seek> Archive<R> {
     }
 }
 
-/// An entry's path with `/` between its parts; some programs write `\`.
+/// An entry's path with `/` between its parts, because some programs write `\`.
 pub fn plain_path(name: &str) -> std::result::Result<String, &'static str> {
     if name.contains('\0') {
         return Err("has a NUL in its name");

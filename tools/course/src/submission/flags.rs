@@ -1,5 +1,6 @@
-//! Parts of an answer that an instructor may want to look at: whatever the allow list refuses,
-//! and uses of files, processes, the network or the environment. A flag costs no points.
+//! Finds parts of an answer that an instructor may want to look at: everything that the allow
+//! list refuses, and uses of files, processes, the network or the environment. A flag costs no
+//! points.
 //!
 //! Comments and strings are not mistaken for code, and the insides of macros are searched too.
 
@@ -26,7 +27,7 @@ const MOST_FLAGS: usize = 50;
 /// More numbers than this look like a table of results.
 const MOST_NUMBERS: usize = 300;
 
-/// Modules of the standard library that reach out of the program, or around its types.
+/// Modules of the standard library that reach outside the program or circumvent its types.
 const MODULES: [&str; 11] = [
     "fs",
     "process",
@@ -56,7 +57,7 @@ pub fn flags(submission: &Submission) -> Vec<Flag> {
 
 /// The flags of one answer.
 pub fn of_text(task: &str, text: &str) -> Vec<Flag> {
-    // The compiler, too, refuses a text that can't be split into tokens.
+    // The compiler also refuses a text that can't be split into tokens.
     let tokens = tokens(text).unwrap_or_default();
     let mut found = Finder {
         task,
@@ -154,12 +155,12 @@ fn is_library(root: &str) -> bool {
     ["std", "core", "alloc"].contains(&root)
 }
 
-/// What may stand before a path that begins with `::`.
+/// The keywords that may come before a path that begins with `::`.
 const KEYWORDS: [&str; 10] = [
     "use", "pub", "as", "in", "return", "dyn", "impl", "mut", "if", "match",
 ];
 
-/// Which path a word belongs to, through the braces of a `use`.
+/// Which path a word belongs to, followed through the braces of a `use`.
 #[derive(Default)]
 struct Paths {
     current: Vec<String>,
@@ -176,7 +177,7 @@ impl Paths {
         if !continues {
             self.current = self.behind.last().cloned().unwrap_or_default();
         }
-        // No flag needs a longer path, and a path may be nested without end.
+        // No flag needs a longer path, and paths may be nested without limit.
         if self.current.len() < 4 {
             self.current.push(word.to_owned());
         }

@@ -1,4 +1,4 @@
-//! A ZIP file to hand in, of the answers and nothing else.
+//! Packs the answers, and nothing else, into a ZIP file to hand in.
 
 use std::fs;
 use std::io::{Cursor, Write};
@@ -12,11 +12,11 @@ use crate::assignment::Assignment;
 use crate::error::{Error, Result, ResultExt};
 
 impl Submission {
-    /// Writes its answers to a ZIP file, and gives their number. A file that is there already
-    /// is replaced only if it holds answers, as an earlier one does.
+    /// Writes the answers to a ZIP file and returns their number. Replaces an existing file only
+    /// if it holds answers too.
     ///
     /// # Errors
-    /// If there is something else, or the file cannot be written.
+    /// If the path holds something else, or the file cannot be written.
     pub fn pack(&self, path: &Path, assignment: &Assignment) -> Result<usize> {
         let is_there = path.symlink_metadata().is_ok();
         let is_ours = || path.is_file() && Submission::find(path, assignment).is_ok();

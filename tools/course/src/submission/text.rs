@@ -19,7 +19,7 @@ pub const MOST_BYTES: u64 = 256 * 1024;
 /// If there is a file, but this machine cannot read it.
 pub fn read(path: &Path) -> Result<Text> {
     let refused = |why: &str| Ok(Err(Unusable::Refused(why.into())));
-    // `symlink_metadata` looks at the link itself: a link could lead anywhere.
+    // `symlink_metadata` looks at the link itself, because a link could lead anywhere.
     let metadata = match std::fs::symlink_metadata(path) {
         Ok(metadata) => metadata,
         Err(error) if is_absent(&error) => return Ok(Err(Unusable::Missing)),
@@ -29,7 +29,7 @@ pub fn read(path: &Path) -> Result<Text> {
         return refused("it is not a regular file");
     }
     let file = open(path).or_fail(&unreadable(path))?;
-    // Check again what was opened: the file may have been replaced in the meantime.
+    // Check again after opening, because the file may have been replaced in the meantime.
     if !file.metadata().is_ok_and(|metadata| metadata.is_file()) {
         return refused("it is not a regular file");
     }
@@ -40,7 +40,7 @@ pub fn read(path: &Path) -> Result<Text> {
     Ok(of_bytes(bytes))
 }
 
-/// Whether there is nothing of that name.
+/// Whether no file has this name.
 fn is_absent(error: &io::Error) -> bool {
     use io::ErrorKind::{NotADirectory, NotFound};
     matches!(error.kind(), NotFound | NotADirectory)
@@ -54,7 +54,7 @@ pub fn unreadable(path: &Path) -> Error {
     )
 }
 
-/// Opens a file, but follows no link and waits for no writer.
+/// Opens a file without following a link or waiting for a writer.
 pub fn open(path: &Path) -> io::Result<File> {
     let mut options = OpenOptions::new();
     options.read(true);
@@ -66,8 +66,7 @@ pub fn open(path: &Path) -> io::Result<File> {
     options.open(path)
 }
 
-/// A file's name for people to read. Different names look different, even if they are not
-/// text.
+/// A file's name for people to read. Different names look different, even if they are not UTF-8.
 pub fn name(bytes: &[u8]) -> String {
     let mut name = String::new();
     for chunk in bytes.utf8_chunks() {
@@ -97,8 +96,8 @@ mod tests {
 
     #[test]
     #[cfg(target_os = "linux")]
-    fn a_file_that_the_machine_cannot_read_is_nobodys_zero() {
-        // A regular file whose first byte cannot be read by anybody.
+    fn a_file_that_the_machine_cannot_read_is_an_error_and_not_a_zero() {
+        // A regular file whose first byte cannot be read.
         let error = read(Path::new("/proc/self/mem")).unwrap_err();
         assert!(
             error.problem.contains("cannot read /proc/self/mem"),

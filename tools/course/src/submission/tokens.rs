@@ -1,16 +1,16 @@
-//! An answer's text, split into tokens as the compiler does it.
+//! Splits an answer's text into tokens, as the compiler does.
 //!
-//! We don't parse it: parsers recurse, and an answer of 100,000 minus signs would overflow the
-//! grader's stack.
+//! We don't parse it, because parsers recurse: an answer of 100,000 minus signs would overflow
+//! the grader's stack.
 
 use proc_macro2::{LexError, TokenStream, TokenTree};
 
 /// A token. A delimiter is a token of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Token {
-    /// A name or keyword; `r#` in front of it is kept.
+    /// A name or keyword, including `r#` in front of it.
     Word(String),
-    /// One character of an operator, or a delimiter; [`PATH`] is one.
+    /// One character of an operator, or a delimiter. [`PATH`] counts as one character.
     Mark(char),
     /// A number.
     Number,
@@ -27,7 +27,7 @@ pub const PATH: char = '∷';
 /// If it can't be split into tokens.
 pub fn tokens(text: &str) -> Result<Vec<(Token, usize)>, LexError> {
     let stream: TokenStream = text.parse()?;
-    // Recursion would overflow the stack, because delimiters may be nested without end.
+    // Don't recurse: delimiters may be nested without limit and would overflow the stack.
     let mut flat: Vec<(Token, usize)> = Vec::new();
     let mut open = vec![(stream.into_iter(), None)];
     while let Some((tokens, close)) = open.last_mut() {

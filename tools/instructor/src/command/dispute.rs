@@ -1,4 +1,4 @@
-//! `pinhole dispute`: everything about one mark, for the lecturer who has to explain it.
+//! `pinhole dispute`: everything about one mark, for the lecturer who must explain it.
 
 use std::path::Path;
 
@@ -35,7 +35,7 @@ pub fn run(arguments: &Dispute) -> Result<Status> {
     Ok(Status::Well)
 }
 
-/// Finds the submission that the user named, by its own id or by its person's id or name.
+/// Finds the submission that the user named by its id, or by its person's id or name.
 fn id_of(named: &str, out: &Path) -> Result<String> {
     let roll = Roll::read(&out.join(ROLL))?;
     let is_meant = |id: &str| {

@@ -1,4 +1,4 @@
-//! `pinhole grade`: a class of submissions, each on its own.
+//! `pinhole grade`: grades a class of submissions.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -12,7 +12,7 @@ use crate::grade::grader::clock::Pace;
 use crate::grade::grader::{Grader, fresh};
 use crate::grade::intake::{self, Entry, placement, roster};
 use crate::grade::policy::Policy;
-use crate::grade::provenance::{self, MadeWith, Tool};
+use crate::grade::provenance::{self, GradingInputs, Tool};
 use crate::grade::queue::{GradeQueue, valid};
 use crate::grade::redact::Withheld;
 use crate::grade::views::preview;
@@ -96,14 +96,19 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         .chain(arguments.roster.clone())
         .chain(arguments.policy.clone())
         .collect();
-    // Submissions are never trusted, not even if they lie in the checkout.
-    let sandbox = Sandbox::for_untrusted("submissions", checkout, arguments.walls(), &secrets)?;
+    // Submissions are never trusted, even in the checkout.
+    let sandbox = Sandbox::for_untrusted(
+        "submissions",
+        checkout,
+        arguments.sandbox_choice(),
+        &secrets,
+    )?;
     let of_manifest = |folder: &Path| provenance::of_file(&folder.join("manifest.toml"));
-    let made_with = MadeWith {
+    let made_with = GradingInputs {
         judged_on: judged_on(
             arguments.golden.is_some(),
             made.is_some(),
-            arguments.walls(),
+            arguments.sandbox_choice(),
         ),
         seed: made.as_ref().and_then(|(_, seed)| *seed),
         goldens: of_manifest(folder)?,
@@ -190,13 +195,13 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     class::sort_changes(&mut changes);
     for entry in &roll.entries {
         if arguments.shard.is_none() && !records.contains_key(&entry.id) {
-            // Submissions of an earlier run into the same folder.
+            // Add submissions that an earlier run graded into the same folder.
             records.extend(standing(&cache.of(&entry.id)).map(|record| (entry.id.clone(), record)));
         }
     }
     let roll = match arguments.shard {
         None => roll,
-        // A shard reports only its own submissions; the merge says what was not handed in.
+        // A shard reports only its own submissions. The merge reports missing ones.
         Some(_) => Roll {
             entries: mine,
             ..Roll::default()
@@ -223,8 +228,8 @@ fn jobs(arguments: &Grade) -> usize {
     arguments.jobs.unwrap_or(cores)
 }
 
-/// The folder for this class's programs, without those that a killed run may have left. It
-/// isn't in `--out`, because the user that the code runs as may have no access there.
+/// The folder for this class's programs. Deletes programs that a killed run may have left. It
+/// isn't in `--out`, because the code's user may have no access there.
 fn programs(scratch: &Path, cache: &ResultCache) -> PathBuf {
     let out = cache.path("");
     let out = out.canonicalize().unwrap_or(out);
@@ -234,7 +239,7 @@ fn programs(scratch: &Path, cache: &ResultCache) -> PathBuf {
     programs
 }
 
-/// Students read this text, so it must not name the seed, from which anybody could make the
+/// Students read this text, so it must not name the seed, from which anyone could make the
 /// questions.
 fn judged_on(own: bool, fresh: bool, walls: Choice) -> String {
     let goldens = if own {

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use serde_json::json;
 
 use crate::cli::Handout;
-use crate::handout::{Repository, Written, vendor, write_gradescope, write_prairielearn};
+use crate::handout::{HandoutSize, Repository, vendor, write_gradescope, write_prairielearn};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};
@@ -70,7 +70,7 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
         document["gradescope"] = sizes(&path, &written);
         words.push_str(&format!(
             "wrote {path}: {}\n\nit holds every golden and our answers: upload it to Gradescope \
-             (Configure Autograder), and give it to nobody\n",
+             (Configure Autograder), and don't share it\n",
             in_words(&written)
         ));
     }
@@ -81,7 +81,7 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
         document["prairielearn"] = sizes(&path, &written);
         words.push_str(&format!(
             "wrote {path}: {}\n\nits README says how to make the image; the image holds every \
-             golden and our answers: give it to nobody\n",
+             golden and our answers, so don't share it\n",
             in_words(&written)
         ));
     }
@@ -93,16 +93,16 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
     Ok(Status::Well)
 }
 
-fn sizes(path: &str, written: &Written) -> serde_json::Value {
+fn sizes(path: &str, written: &HandoutSize) -> serde_json::Value {
     json!({ "path": path, "files": written.files, "bytes": written.bytes })
 }
 
-fn in_words(written: &Written) -> String {
+fn in_words(written: &HandoutSize) -> String {
     let megabytes = written.bytes as f64 / 1e6;
     format!("{} files, {megabytes:.1} MB", written.files)
 }
 
-/// A file that differs from what we would write may hold somebody's answer.
+/// A file that differs from what we would write may hold someone's answer.
 fn refuse_unforced(stale: &[PathBuf], assignment: &Assignment, arguments: &Handout) -> Result<()> {
     let there = stale
         .iter()
@@ -121,7 +121,7 @@ fn refuse_unforced(stale: &[PathBuf], assignment: &Assignment, arguments: &Hando
     ))
 }
 
-/// Generates the handout inside the checkout, or compares it with the reference.
+/// Generates the handout in the checkout, or compares it with the reference.
 fn stubs_in_place(assignment: &Assignment, arguments: &Handout) -> Result<Status> {
     let package = stubs::generate(assignment)?;
     let stale = stubs::out_of_step(&package, &assignment.handout());
@@ -149,7 +149,7 @@ fn stubs_in_place(assignment: &Assignment, arguments: &Handout) -> Result<Status
             anstream::println!("out of step with the reference: {}", path.display());
         }
         anstream::println!(
-            "if nobody's work is in there, generate it again: cargo pinhole handout {} --force",
+            "if they hold no work of yours, generate it again: cargo pinhole handout {} --force",
             assignment.name
         );
     }

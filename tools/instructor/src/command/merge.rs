@@ -1,4 +1,4 @@
-//! `pinhole merge`: puts the shards of a class together, wherever they were graded.
+//! `pinhole merge`: combines the shards of a class, wherever they were graded.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use crate::grade::cache::{Backlog, ResultCache, link, pretty, standing, write_un
 use crate::grade::class::{ROLL, Roll};
 use crate::grade::evidence::Evidence;
 use crate::grade::policy::Policy;
-use crate::grade::provenance::MadeWith;
+use crate::grade::provenance::GradingInputs;
 use crate::grade::record::Record;
 use crate::grade::views::summary::{ClassOutput, RunSummary};
 use pinhole_course::checkout::Checkout;
@@ -23,7 +23,7 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     }
     let cache = ResultCache::open(&arguments.out)?;
     let mut records: BTreeMap<String, Record> = BTreeMap::new();
-    let mut with: Option<MadeWith> = None;
+    let mut with: Option<GradingInputs> = None;
     let shards = arguments.shards.iter();
     let shards = shards.map(|shard| Ok((shard, Backlog::read(shard)?)));
     let shards: Vec<_> = shards.collect::<Result<_>>()?;
@@ -35,13 +35,14 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
             };
             let record = backlog.check(record);
             if !record.is_graded() {
-                // The reason, unless another shard has a grade.
+                // Keep the reason, unless another shard has a grade.
                 records.entry(entry.id.clone()).or_insert(record);
                 continue;
             }
             let made_with = &record.provenance.made_with;
             let with = with.get_or_insert_with(|| made_with.clone());
-            // Each machine may have built the program itself.
+            // Each machine may have built the program itself, so the hash of the program may
+            // differ.
             if with.goldens != made_with.goldens
                 || with.fresh != made_with.fresh
                 || with.assignment != made_with.assignment
@@ -79,7 +80,7 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     output.write(&roll, &records, &RunSummary::default())
 }
 
-/// What was handed in, on which all shards must agree.
+/// The roll of the class, on which all shards must agree.
 fn common_roll(arguments: &Merge) -> Result<Roll> {
     let mut common: Option<Roll> = None;
     for shard in &arguments.shards {

@@ -18,11 +18,11 @@ pub enum Golden {
 /// Render goldens with Mitsuba
 ///
 /// Makes a film and a tolerance film for each scene, the same for its viewing rays, and a
-/// manifest of what they were made from. Then the known mistakes cast the same films, and
-/// what each of them does to every film is kept for diagnoses.
+/// manifest of what they were made from. Then the known mistakes cast the same films, and what
+/// each mistake does to each film is stored for diagnoses.
 ///
-/// If you name no scene, this makes everything that the assignment has in `golden/`: its
-/// scenes, its question films, and the exact ties that `validate --mutants` asks about.
+/// Without a named scene, this makes everything that the assignment has in `golden/`: its scenes,
+/// its question films, and the exact ties that `validate --mutants` asks about.
 ///
 /// A scene is refused if an edge passes through a pixel's centre, or if a ray meets a plane
 /// too far away. Shift its camera a little.
@@ -36,23 +36,23 @@ pub struct GoldenRender {
     /// scenes]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Draw fresh questions and random scenes from this seed instead, `random` for one that
-    /// nobody can guess; needs --out
+    /// Draw fresh questions and random scenes from this seed instead; `random` draws a seed that
+    /// nobody can guess. Needs --out
     #[arg(long, value_name = "N", value_parser = seed, conflicts_with = "scenes", requires = "out")]
     pub seed: Option<Seed>,
-    /// Replace the assignment's own films, which judge everybody
+    /// Replace the assignment's own films, on which every mark depends
     #[arg(long)]
     pub force: bool,
-    /// Don't cast the known mistakes: this is faster, but nothing can be diagnosed then
+    /// Don't cast the known mistakes, which is faster, but then nothing can be diagnosed
     #[arg(long)]
     pub no_mistakes: bool,
 }
 
 /// Cast the known mistakes again, for goldens that exist
 ///
-/// Keeps beside each golden what each mistake does to the film, from which `check` and `diff`
-/// recognise it. `golden render` does this too; use this command when only a mistake has
-/// changed. It doesn't need Mitsuba.
+/// Stores beside each golden what each mistake does to the film, so that `check` and `diff` can
+/// recognise it. `golden render` does this too; use this command when only a mistake has changed.
+/// It doesn't need Mitsuba.
 #[derive(Args)]
 pub struct GoldenMistakes {
     #[command(flatten)]
@@ -83,7 +83,7 @@ fn seed(text: &str) -> Result<Seed, String> {
     }
 }
 
-/// A seed that nobody can guess: the system's own randomness.
+/// A seed that nobody can guess, from the system's own randomness.
 pub fn random_seed() -> Result<Seed, getrandom::Error> {
     let mut bytes = [0; 16];
     getrandom::fill(&mut bytes)?;

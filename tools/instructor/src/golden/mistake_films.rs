@@ -1,4 +1,4 @@
-//! Casts the films of all known mistakes, and keeps their fingerprints beside the goldens.
+//! Casts the films of all known mistakes, and stores their fingerprints beside the goldens.
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -23,11 +23,12 @@ use pinhole_course::sandbox::{Limits, Sandbox};
 /// How long a mistake may take for a film.
 const WALL: Duration = Duration::from_secs(60);
 
-/// Films to fingerprint, each with the task it tests alone, if it does.
+/// Films to fingerprint, each with the task that it tests alone, if it tests one.
 type FilmsToCast = Vec<(Option<String>, QuestionFilm)>;
 
-/// Fingerprints the mistakes on scenes and, with `probes`, on every group of questions;
-/// what was known of other films stays. Gives the files written, inside the folder.
+/// Fingerprints the mistakes on scenes and, with `probes`, on every group of questions. Keeps
+/// what was known of other films. Returns the files that were written, as paths inside the
+/// folder.
 pub fn make(
     assignment: &Assignment,
     goldens: &Goldens,
@@ -111,7 +112,7 @@ fn cast(program: &Program, film: &QuestionFilm) -> Result<Option<Film>> {
     Ok(complete.then(|| reply.film(film.resolution)))
 }
 
-/// Counts what is done, for the progress line.
+/// Counts finished items for the progress line.
 struct Counter<'a> {
     what: &'a str,
     all: usize,

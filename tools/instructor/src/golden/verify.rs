@@ -1,4 +1,4 @@
-//! `pinhole golden verify`: whether committed goldens are what their scenes and scripts make.
+//! `pinhole golden verify`: checks that committed goldens are what their scenes and scripts make.
 
 use std::path::Path;
 
@@ -54,8 +54,8 @@ pub fn verify(
     })
 }
 
-/// Goldens that can't be used: unreadable, without a fitting tolerance film, or too
-/// lenient.
+/// Goldens that can't be used: unreadable, without a fitting tolerance film, or with too many
+/// exempt pixels.
 fn unusable(manifest: &Manifest, folder: &Path) -> Vec<String> {
     let others = [".tol.exr", ".ask.exr", ".mistakes.exr", ".toml"];
     let is_golden = |name: &&String| !others.iter().any(|end| name.ends_with(end));
@@ -66,7 +66,7 @@ fn unusable(manifest: &Manifest, folder: &Path) -> Vec<String> {
         .collect()
 }
 
-/// Goldens that the assignment needs, but the manifest doesn't have.
+/// Goldens that the assignment needs but the manifest doesn't have.
 fn absent(manifest: &Manifest, assignment: &Assignment) -> Vec<String> {
     let scenes = assignment
         .scenes

@@ -1,8 +1,9 @@
-//! Answers that are the same but for comments, spaces, line breaks and the names of variables.
+//! Finds answers that are the same except for comments, spaces, line breaks and names of
+//! variables.
 //!
-//! Short answers may well coincide, so rare matches count more. A match counts in bits: the
-//! logarithm of how many right answers there are for each one that is like these. Six equal
-//! loops over triangles in a class of ten have less than one bit. A match never costs points.
+//! Short answers may coincide by chance, so rare matches count more. A match counts in bits: log₂
+//! of the number of right answers divided by the number of those that match. Six equal loops over
+//! triangles in a class of ten have less than one bit. A match never costs points.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -20,14 +21,13 @@ use pinhole_course::stubs;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SharedAnswer {
     pub task: String,
-    /// What they are the same as: "the reference", "the variant sphere_half_b", or "each
-    /// other".
+    /// What they are equal to: "the reference", "the variant sphere_half_b", or "each other".
     pub to: String,
     /// The ids of the submissions with this answer.
     pub who: Vec<String>,
     /// Their share of the class.
     pub share: f64,
-    /// How rare it is among right answers: log₂ of their number over that of these.
+    /// How rare it is: log₂ of the number of right answers divided by the number of these.
     pub bits: f64,
 }
 
@@ -40,8 +40,8 @@ pub struct SharedPair {
     pub bits: f64,
 }
 
-/// A hash of an answer's tokens, without documentation, and with numbers for the answer's own
-/// names. `None` if the text can't be split into tokens.
+/// A hash of an answer's tokens, without documentation and with numbers in place of the answer's
+/// own names. `None` if the text can't be split into tokens.
 pub fn tokens(text: &str) -> Option<String> {
     let words = words(text.parse().ok()?);
     let own = own_names(&words);
@@ -65,8 +65,8 @@ pub fn tokens(text: &str) -> Option<String> {
 /// The tokens one by one. `::` is one token, and documentation is left out.
 fn words(stream: TokenStream) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
-    // A list of what is still to come, instead of recursion, because a student's file may be
-    // nothing but nested brackets.
+    // Use a list instead of recursion, because a student's file may consist of nothing but nested
+    // brackets.
     let mut open = vec![(stream.into_iter(), "")];
     while let Some((rest, close)) = open.last_mut() {
         let Some(token) = rest.next() else {
@@ -77,7 +77,7 @@ fn words(stream: TokenStream) -> Vec<String> {
         };
         match token {
             TokenTree::Group(group) if is_doc(&group.stream()) => {
-                // `#[doc]`, and `#![doc]` with a `!` between.
+                // `#[doc]`, or `#![doc]` with a `!` in between.
                 while words.last().is_some_and(|word| word == "#" || word == "!") {
                     words.pop();
                 }
@@ -102,7 +102,7 @@ fn words(stream: TokenStream) -> Vec<String> {
     words
 }
 
-/// The names that an answer gives itself: of variables, parameters, functions and constants.
+/// The names that an answer chooses itself: of variables, parameters, functions and constants.
 fn own_names(words: &[String]) -> BTreeSet<&str> {
     let mut own = BTreeSet::new();
     let is_name = |word: &str| {
@@ -121,7 +121,7 @@ fn own_names(words: &[String]) -> BTreeSet<&str> {
         match word {
             "let" | "for" => in_pattern = true,
             "=" | "in" | ":" | ";" => in_pattern = false,
-            // A closure begins where no operator can stand.
+            // A closure begins where there can be no operator.
             "|" if in_closure => in_closure = false,
             "|" => in_closure = ["(", ",", "=", "{", "move", "return"].contains(&before),
             _ => {}
@@ -133,32 +133,32 @@ fn own_names(words: &[String]) -> BTreeSet<&str> {
             own.insert(word);
         }
     }
-    // Names that the handout gives to everybody stay.
+    // Keep names that the handout gives to everyone.
     own.retain(|name| !name.starts_with(char::is_uppercase) || name.to_uppercase() == **name);
     own
 }
 
-/// Keywords that may stand in the place of a name.
+/// Keywords that may be in the place of a name.
 const KEYWORDS: [&str; 20] = [
     "as", "break", "const", "continue", "else", "false", "fn", "for", "if", "in", "let", "loop",
     "match", "move", "mut", "ref", "return", "self", "true", "while",
 ];
 
-/// Whether an attribute is what a documentation comment becomes.
+/// Whether a documentation comment becomes this attribute.
 fn is_doc(stream: &TokenStream) -> bool {
     let first = stream.clone().into_iter().next();
     matches!(first, Some(TokenTree::Ident(name)) if name == "doc")
 }
 
-/// Answers that are not the students' own work: the stubs, the reference's and the variants',
-/// by task and hash.
+/// Answers that are not students' own work, by task and hash: the stubs, the reference's and the
+/// variants'.
 pub struct KnownAnswers {
     named: BTreeMap<(String, String), String>,
     stubs: Vec<String>,
 }
 
 impl KnownAnswers {
-    /// Reads the known answers; an assignment without solutions has none.
+    /// Reads the known answers. An assignment without solutions has none.
     pub fn read(assignment: &Assignment) -> Result<KnownAnswers> {
         let mut named = BTreeMap::new();
         let variants = mistake::folders(&assignment.folder.join("variants"));
@@ -185,8 +185,7 @@ impl KnownAnswers {
         })
     }
 
-    /// Which answers of a class are the same as a known one, or as each other; the rarest
-    /// first.
+    /// Answers of a class that are equal to a known one or to each other, the rarest first.
     pub fn alike(&self, records: &[&Record]) -> Vec<SharedAnswer> {
         let mut same: BTreeMap<(&str, &str), Vec<String>> = BTreeMap::new();
         for record in records {
@@ -226,7 +225,7 @@ fn is_right(record: &Record, task: &str) -> bool {
 
 /// Pairs that share more than one answer, those with the most bits first.
 pub fn pairs(alike: &[SharedAnswer]) -> Vec<SharedPair> {
-    /// Nobody would read more pairs than this.
+    /// The most pairs that are listed.
     const MOST: usize = 20;
     let mut pairs: BTreeMap<[&String; 2], SharedPair> = BTreeMap::new();
     // An answer that half of the class has says nothing about a pair.
@@ -255,7 +254,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn comments_layout_and_names_make_no_difference_and_what_is_done_does() {
+    fn comments_layout_and_names_make_no_difference_but_operations_do() {
         let plain =
             tokens("fn f(x: f64) -> f64 { let y = x * 2.0; g(y, x.y).iter().map(|i| i + y) }");
         for same in [
@@ -277,7 +276,7 @@ mod tests {
     }
 
     #[test]
-    fn a_match_is_worth_as_much_as_it_is_rare() {
+    fn rare_matches_count_more() {
         use crate::grade::record::tests::graded;
         let known = KnownAnswers {
             named: BTreeMap::new(),

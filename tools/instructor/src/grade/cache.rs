@@ -1,5 +1,5 @@
-//! The files of a graded class. Each is written atomically: after a power cut, either the old
-//! file is there or the new one.
+//! Stores the files of a graded class. Each is written atomically: after a power cut, either the
+//! old file is there or the new one.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, TryLockError};
@@ -8,17 +8,17 @@ use std::path::{Path, PathBuf};
 
 use super::evidence::Evidence;
 use super::intake::Entry;
-use super::provenance::{MadeWith, Provenance};
+use super::provenance::{GradingInputs, Provenance};
 use super::record::Record;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::outcome::SCHEMA;
 use pinhole_report::escape::printable_json;
 
-/// The folder of a graded class, locked for as long as this lives.
+/// The folder of a graded class, locked as long as this value lives.
 pub struct ResultCache {
     folder: PathBuf,
-    /// The operating system releases the lock when this process ends in any way, so it is
-    /// never stale.
+    /// The operating system releases the lock when this process ends, however it ends, so the
+    /// lock is never stale.
     _lock: File,
 }
 
@@ -40,8 +40,8 @@ impl ResultCache {
                 _lock: lock,
             }),
             Err(TryLockError::WouldBlock) => Err(Error::input(
-                format!("somebody else is grading into {}", folder.display()),
-                "wait until they are done, or name another folder with --out",
+                format!("another grader is writing to {}", folder.display()),
+                "wait until it is done, or name another folder with --out",
             )),
             Err(TryLockError::Error(error)) => Err(cannot_write(&path).because(error)),
         }
@@ -57,13 +57,12 @@ impl ResultCache {
         self.folder.join("submissions").join(id)
     }
 
-    /// The finished grade of a submission; `None` if there is none that can be read.
+    /// The finished grade of a submission; `None` if there is no readable one.
     pub fn get(&self, id: &str) -> Option<Record> {
         read(&self.of(id).join("result.json")).filter(Record::is_graded)
     }
 
-    /// Stores a finished grade. Its report is written before it, so that a result is
-    /// always complete.
+    /// Stores a finished grade. The report is written first, so that a result is always complete.
     pub fn put(&self, record: &Record, report: &str, evidence: &Evidence) -> Result<()> {
         let folder = self.of(&record.id);
         let place = self.path(&Evidence::file(&record.id));
@@ -74,7 +73,7 @@ impl ResultCache {
         Ok(())
     }
 
-    /// Stores a grade of which only the points have changed, and says so at the end of its
+    /// Stores a grade of which only the points have changed, and adds a note to the end of its
     /// report.
     pub fn put_points(&self, record: &Record) -> Result<()> {
         let folder = self.of(&record.id);
@@ -88,7 +87,7 @@ impl ResultCache {
         replace_note(&path, &note).or_fail(&cannot_write(&path))
     }
 
-    /// Stores the record of a fault of ours beside a finished grade, which it never overwrites.
+    /// Stores the record of a fault of ours beside a finished grade, without overwriting it.
     pub fn put_fault(&self, record: &Record) -> Result<()> {
         let folder = self.of(&record.id);
         let name = match folder.join("result.json").exists() {
@@ -98,7 +97,7 @@ impl ResultCache {
         write(&folder.join(name), pretty(record)?.as_bytes())
     }
 
-    /// Writes a file of the class, unless it holds the same already.
+    /// Writes a file of the class, unless it has this content already.
     pub fn write(&self, name: &str, content: impl AsRef<[u8]>) -> Result<()> {
         let (path, content) = (self.path(name), content.as_ref());
         if fs::read(&path).is_ok_and(|old| old == content) {
@@ -107,7 +106,7 @@ impl ResultCache {
         write(&path, content)
     }
 
-    /// Writes a file of the class, or removes it if it has no content now.
+    /// Writes a file of the class, or removes it if it has no content any more.
     pub fn write_or_remove(&self, name: &str, content: Option<impl AsRef<[u8]>>) -> Result<()> {
         let path = self.path(name);
         match content {
@@ -118,8 +117,8 @@ impl ResultCache {
     }
 }
 
-/// The record in the folder of one submission: its grade, or why it has none. A grade is no
-/// longer valid if grading newer answers has failed.
+/// The record in a submission's folder: its grade, or why it has none. A grade is not valid any
+/// more if grading newer answers has failed.
 pub fn standing(folder: &Path) -> Option<Record> {
     let (result, fault) = (
         read(&folder.join("result.json")),
@@ -133,29 +132,30 @@ pub fn standing(folder: &Path) -> Option<Record> {
     result
 }
 
-/// A record; `None` if there is none, or of another version.
+/// A record; `None` if there is none, or it has another version.
 fn read(path: &Path) -> Option<Record> {
     let record: Record = serde_json::from_str(&fs::read_to_string(path).ok()?).ok()?;
     (record.got.schema == SCHEMA).then_some(record)
 }
 
-/// What a run still has to grade, stored until it is done. A run that is stopped leaves grades
-/// of older answers behind, and a merge must not mistake them for grades of the new answers.
+/// What a run still has to grade, stored until the run is done. A run that is stopped leaves
+/// grades of older answers behind, and a merge must not mistake them for grades of the new
+/// answers.
 ///
-/// It lists, by submission, the answers that are to be graded. Goldens and settings need no
+/// For each submission, it lists the answers that are to be graded. Goldens and settings need no
 /// list, because a merge checks that all parts agree on them.
 #[derive(Debug, Default)]
 pub struct Backlog(BTreeMap<String, Hashes>);
 
-/// As [`Provenance::answers`].
+/// See [`Provenance::answers`].
 type Hashes = Vec<(String, String)>;
 
 /// The backlog's file, in the folder of a graded class.
 const BACKLOG: &str = "unfinished.json";
 
 impl Backlog {
-    /// Records all submissions that have no grade, or whose grade is of other answers.
-    pub fn begin(entries: &[Entry], cache: &ResultCache, made_with: &MadeWith) -> Result<()> {
+    /// Records all submissions without a grade, or with a grade of other answers.
+    pub fn begin(entries: &[Entry], cache: &ResultCache, made_with: &GradingInputs) -> Result<()> {
         let mut unfinished = BTreeMap::new();
         for entry in entries {
             // A submission that cannot be read has no answers; its record says why.
@@ -176,7 +176,7 @@ impl Backlog {
         let _was_never_there = fs::remove_file(cache.path(BACKLOG));
     }
 
-    /// What the last run in a folder left undone; empty if it was finished.
+    /// What the last run in a folder left undone. Empty if that run finished.
     pub fn read(folder: &Path) -> Result<Backlog> {
         let path = folder.join(BACKLOG);
         let Ok(text) = fs::read_to_string(&path) else {
@@ -188,8 +188,8 @@ impl Backlog {
         )
     }
 
-    /// Returns the record, marked as not graded if it belongs to other answers than were to be
-    /// graded.
+    /// Returns the record, but marks it as not graded if it is about other answers than the run
+    /// was to grade.
     pub fn check(&self, record: Record) -> Record {
         match self.0.get(&record.id) {
             Some(wanted) if *wanted != record.provenance.answers => record.not_graded(
@@ -201,10 +201,10 @@ impl Backlog {
     }
 }
 
-/// How a note begins that is added to the end of a report after points have changed.
+/// The beginning of a note that is added to the end of a report after points have changed.
 const NOTE: &str = "<p role=\"note\">";
 
-/// Writes a note to the end of a report, in place of an earlier one.
+/// Writes a note to the end of a report, replacing an earlier one.
 fn replace_note(report: &Path, note: &str) -> std::io::Result<()> {
     let mut file = File::options().read(true).write(true).open(report)?;
     let before_note = file.metadata()?.len().saturating_sub(2 * note.len() as u64);
@@ -219,7 +219,7 @@ fn replace_note(report: &Path, note: &str) -> std::io::Result<()> {
     file.write_all(note.as_bytes())
 }
 
-/// JSON that people can read, too.
+/// JSON, indented for people.
 pub fn pretty(value: &impl serde::Serialize) -> Result<String> {
     let text = serde_json::to_string_pretty(value)
         .or_environment("cannot write a result", "report this")?;
@@ -240,7 +240,7 @@ pub fn write(path: &Path, content: &[u8]) -> Result<()> {
     Ok(())
 }
 
-/// Writes a file atomically, but does not wait for the disk: for what can be made again.
+/// Writes a file atomically, but without waiting for the disk. For files that can be made again.
 pub fn write_unflushed(path: &Path, content: &[u8]) -> Result<()> {
     put(path, |beside| own_file(beside)?.write_all(content))
 }
@@ -254,7 +254,7 @@ fn own_file(path: &Path) -> std::io::Result<File> {
     options.open(path)
 }
 
-/// Puts a file in a second place: as a link or, where links don't work, as a copy.
+/// Puts a file in a second place, as a link, or as a copy where links don't work.
 pub fn link(from: &Path, to: &Path) -> Result<()> {
     let _absent = fs::remove_file(to);
     fs::create_dir_all(folder_of(to))
@@ -262,7 +262,7 @@ pub fn link(from: &Path, to: &Path) -> Result<()> {
         .or_fail(&cannot_write(to))
 }
 
-/// Has a file made beside its place, and renames it.
+/// Lets `make` make a file beside its place, and then renames it.
 fn put(path: &Path, make: impl FnOnce(&Path) -> std::io::Result<()>) -> Result<()> {
     let mut beside = path.as_os_str().to_owned();
     beside.push(".new");
@@ -280,7 +280,7 @@ fn folder_of(path: &Path) -> &Path {
 fn cannot_write(path: &Path) -> Error {
     Error::environment(
         format!("cannot write {}", path.display()),
-        "free some disk space and check that the folder can be written; run this again and it goes on",
+        "free some disk space and check that the folder can be written; run this again to continue",
     )
 }
 
@@ -292,7 +292,7 @@ mod tests {
     use crate::grade::record::tests::graded;
 
     #[test]
-    fn report_says_only_the_last_mark_that_its_points_came_to() {
+    fn report_names_only_the_latest_points() {
         let folder = tempfile::tempdir().expect("there is room");
         let report = folder.path().join("report.html");
         let page = "<html>".repeat(100);
@@ -306,7 +306,7 @@ mod tests {
     }
 
     #[test]
-    fn result_of_an_older_version_is_no_result() {
+    fn result_of_an_older_version_is_ignored() {
         let folder = tempfile::tempdir().expect("there is room");
         let cache = ResultCache::open(folder.path()).expect("it is new");
         let path = cache.of("ada").join("result.json");

@@ -1,4 +1,4 @@
-//! All records of a class together, and what grading them again has changed.
+//! All records of a class, and what changed when it was graded again.
 
 pub mod concern;
 pub mod marks;
@@ -22,10 +22,10 @@ use pinhole_course::diagnosis::Reading;
 use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::outcome::Status;
 
-/// The file of a graded class that holds its roll, for merges to read.
+/// The roll's file in the folder of a graded class. Merges read it.
 pub const ROLL: &str = "roll.json";
 
-/// What was handed in and by whom; the same in every shard.
+/// What was handed in, and by whom. Every shard has the same.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Roll {
     /// Everything that is graded, by id.
@@ -35,9 +35,9 @@ pub struct Roll {
     pub placed: Placement,
     /// Files that are not submissions.
     pub ignored: Vec<String>,
-    /// Whether this is a class, or single submissions that were named.
+    /// Whether this is a class, or only single submissions that the user named.
     pub is_class: bool,
-    /// How judged marks become final marks.
+    /// How judged points become final marks.
     #[serde(default)]
     pub policy: Option<Policy>,
 }
@@ -56,7 +56,7 @@ impl Roll {
     }
 
     /// Adds single submissions to the class that was graded into the same folder before. They
-    /// replace earlier ones of the same id, and all others stay.
+    /// replace earlier submissions of the same id; all others stay.
     pub fn into_class(self, class: Option<Roll>) -> Roll {
         let Some(mut class) = class else { return self };
         let is_new = |entry: &Entry| self.entries.iter().any(|new| new.id == entry.id);
@@ -73,7 +73,7 @@ impl Roll {
         class
     }
 
-    /// Removes people from the missing ones whose group has handed in.
+    /// Removes people whose group has handed in from the missing ones.
     pub fn find_groups(&mut self) {
         let mut missing = std::mem::take(&mut self.placed.missing);
         let of = self.placed.of.values();
@@ -85,8 +85,8 @@ impl Roll {
         self.placed.missing = missing;
     }
 
-    /// Everybody who gets the mark of what a person hands in: the person alone, or the
-    /// person's group.
+    /// Everyone who gets the mark of what a person hands in: the person alone, or the person's
+    /// group.
     pub fn team_of<'a>(&'a self, person: &'a Person) -> Vec<&'a Person> {
         let policy = self.policy.as_ref();
         let Some(group) = policy.and_then(|policy| policy.group_of(&person.id)) else {
@@ -99,20 +99,20 @@ impl Roll {
     }
 }
 
-/// A class, graded.
+/// A graded class.
 pub struct Class<'a> {
     pub title: String,
     pub roll: &'a Roll,
     /// The rows, in the order of the roll.
     pub rows: Vec<Row<'a>>,
-    /// Further rows of people whose group handed in for them.
+    /// Additional rows of people whose group handed in for them.
     pub shared: Vec<Row<'a>>,
-    /// What the instructor should look at, the gravest first.
+    /// What the instructor should look at, the most serious first.
     pub concerns: Vec<Concern>,
     pub alike: Vec<SharedAnswer>,
 }
 
-/// A submission's line, for one person.
+/// A submission's row, for one person.
 #[derive(Clone)]
 pub struct Row<'a> {
     pub entry: &'a Entry,
@@ -148,7 +148,8 @@ impl<'a> Class<'a> {
             shared,
             concerns,
         } = marks::rows(roll, records);
-        // Only submissions that count: several attempts of one person are alike anyway.
+        // Count only submissions that count, because several attempts of one person are alike
+        // anyway.
         let counted = own.iter().filter(|row| row.not_counted.is_none());
         let all: Vec<&Record> = counted.filter_map(|row| row.record).collect();
         Class {
@@ -161,12 +162,12 @@ impl<'a> Class<'a> {
         }
     }
 
-    /// Every row: one for each submission, then those of groups.
+    /// Every row: one for each submission, then those of group members.
     pub fn all_rows(&self) -> impl Iterator<Item = &Row<'a>> {
         self.rows.iter().chain(&self.shared)
     }
 
-    /// Everybody's mark, once.
+    /// Everyone's mark, once.
     pub fn gradebook(&self) -> impl Iterator<Item = (&'a Person, &Mark, &Row<'a>)> {
         let rows = self.all_rows();
         rows.filter_map(|row| Some((row.person?, row.mark.as_ref()?, row)))
@@ -217,8 +218,8 @@ impl<'a> Class<'a> {
         outcomes
     }
 
-    /// The mistakes that submissions make, the commonest first. A mistake is counted only
-    /// where it can be told apart from the others that would explain the same.
+    /// The mistakes in the submissions, the most common first. A mistake counts only where it can
+    /// be told apart from others that would explain the same.
     pub fn mistakes(&self) -> Vec<SharedBelief> {
         let mut held: BTreeMap<&str, SharedBelief> = BTreeMap::new();
         for record in self.graded() {
@@ -245,7 +246,7 @@ impl<'a> Class<'a> {
         held
     }
 
-    /// The slowest submissions, with their seconds.
+    /// The slowest submissions, with their times in seconds.
     pub fn slowest(&self) -> Vec<(&'a str, f64)> {
         let times = self
             .graded()
@@ -263,7 +264,7 @@ pub struct Change {
     pub id: String,
     pub before: u32,
     pub after: u32,
-    /// Tasks and scenes with the points they had and have.
+    /// The tasks and scenes whose points changed, with the old and the new points.
     pub parts: Vec<(String, u32, u32)>,
     /// Whether the answers themselves have changed.
     pub answers_changed: bool,

@@ -1,5 +1,5 @@
-//! The evidence for a mark, for the lecturer alone: everything that was asked, expected and
-//! answered, even where the student learns only that it does not pass.
+//! The evidence for a mark, for the lecturer alone. It holds everything that was asked, expected
+//! and answered, even where the student learns only that it does not pass.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -10,7 +10,7 @@ use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::outcome::Outcome;
 use pinhole_course::submission::Submission;
 
-/// The folder of a graded class that holds all evidence. Nothing in there is for students.
+/// The folder with all evidence, in the folder of a graded class. It holds nothing for students.
 const FOLDER: &str = "evidence";
 
 /// The evidence for one mark.
@@ -18,11 +18,11 @@ const FOLDER: &str = "evidence";
 pub struct Evidence {
     /// The submission's id.
     pub id: String,
-    /// The outcome of the public and withheld questions, as it was judged.
+    /// The outcome of the public and withheld questions, as judged.
     pub public: Outcome,
     /// The outcome of the fresh questions, if they were asked.
     pub fresh: Option<Outcome>,
-    /// Where the fresh questions lie.
+    /// The folder of the fresh questions.
     pub fresh_folder: Option<PathBuf>,
     /// The answers, by task.
     pub answers: BTreeMap<String, String>,

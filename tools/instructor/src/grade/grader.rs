@@ -1,4 +1,4 @@
-//! Grades one submission: from its files to its record and its report.
+//! Grades one submission, from its files to its record and report.
 
 pub mod clock;
 pub mod fresh;
@@ -15,7 +15,7 @@ use super::alike;
 use super::evidence::Evidence;
 use super::intake::Entry;
 use super::points;
-use super::provenance::{MadeWith, Provenance};
+use super::provenance::{GradingInputs, Provenance};
 use super::record::{Record, SceneNeeds, Timings, explained};
 use super::redact::{Withheld, redact_scene};
 use pinhole_course::assignment::Assignment;
@@ -33,24 +33,24 @@ use pinhole_report::html::{Again, Report};
 /// The most bytes that are kept of what a student's code prints.
 const MOST_PRINTED: usize = 16 * 1024;
 
-/// What the whole class is graded with.
+/// Everything that the whole class is graded with.
 pub struct Grader<'a> {
     pub assignment: &'a Assignment,
     pub goldens: &'a Goldens,
     /// Fresh questions; a group earns its points only if it passes these too.
     pub fresh: Option<&'a Goldens>,
-    /// What is withheld, and how much of it is shown. As much is shown of fresh questions.
+    /// What is withheld, and how much of it is shown. The same applies to fresh questions.
     pub withheld: Withheld,
     pub compiler: &'a Compiler,
     pub sandbox: &'a Sandbox,
     pub pace: &'a Pace,
-    /// Where programs lie while they are asked.
+    /// The folder of programs while they are asked.
     pub programs: &'a Path,
-    pub made_with: &'a MadeWith,
+    pub made_with: &'a GradingInputs,
 }
 
-/// A folder for one submission's programs, removed when it is graded. Otherwise the programs
-/// of a class would fill the disk, and a submission might find another's.
+/// A folder for one submission's programs, which is removed after grading. Otherwise, the
+/// programs of a class would fill the disk, and a submission might find another's.
 struct ProgramFolder {
     folder: PathBuf,
 }
@@ -79,10 +79,11 @@ pub struct Grade {
 }
 
 impl Grader<'_> {
-    /// Grades a submission. If grading itself fails, the record says so: other submissions
-    /// are still graded, and nobody gets a zero for it.
+    /// Grades a submission. If the grader itself fails, the record says so, the submission gets
+    /// no mark instead of a zero, and other submissions are still graded.
     ///
-    /// `None` if an answer or the compiler came too late and it was not `alone`: see [`clock`].
+    /// `None` if an answer or the compiler was late and the submission did not run `alone`: see
+    /// [`clock`].
     pub fn grade(&self, entry: &Entry, submission: &Submission, alone: bool) -> Option<Grade> {
         let clock = SubmissionClock::new(self.pace, alone);
         let work = AssertUnwindSafe(|| self.try_grade(entry, submission, &clock));
@@ -102,7 +103,7 @@ impl Grader<'_> {
         })
     }
 
-    /// What is known of a submission before anything was asked.
+    /// The record of a submission before anything was asked.
     pub fn blank(&self, entry: &Entry, submission: &Submission) -> Record {
         let scenes = self.goldens.scenes.iter().map(|scene| scene.worth);
         let groups = self.assignment.tasks.iter().flat_map(|task| &task.points);
@@ -254,7 +255,7 @@ impl Grader<'_> {
         };
         let mut report = Report::of_examination(examination, &self.goldens.folder, &again)?;
         self.withheld.redact_report(&mut report, &record.got);
-        let MadeWith {
+        let GradingInputs {
             judged_on, sandbox, ..
         } = &record.provenance.made_with;
         report.of.push(("judged on", judged_on.clone()));

@@ -27,19 +27,19 @@ use pinhole_course::assignment::{Assignment, Task};
 use pinhole_course::error::{Error, Result};
 use pinhole_course::submission::{Answer, Submission, Unusable, text};
 
-/// One submission, as it was handed in.
+/// One submission as it was handed in.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Entry {
     /// Its folder in the results: a plain name that no other entry has.
     pub id: String,
-    /// Its name where it was handed in.
+    /// Its name as it was handed in.
     pub name: String,
-    /// The names of its files and folders there, which may say when it was handed in.
+    /// The names of its files and folders, which may say when it was handed in.
     #[serde(default)]
     pub given: Vec<String>,
-    /// What these names say about the person.
+    /// What these names say about the person who handed it in.
     pub signs: Vec<Sign>,
-    /// What had to be done to read it.
+    /// What was done to read it.
     pub notes: Vec<String>,
     /// Why the instructor should check how it was read.
     pub doubts: Vec<String>,
@@ -61,7 +61,7 @@ impl Entry {
     }
 }
 
-/// Shards have the same class if these are the same; answers have hashes of their own.
+/// Two shards have the same class if these fields are equal. Answers have hashes of their own.
 impl PartialEq for Entry {
     fn eq(&self, other: &Entry) -> bool {
         let key = |entry: &Entry| (entry.id.clone(), entry.name.clone(), entry.signs.clone());
@@ -74,10 +74,10 @@ impl PartialEq for Entry {
 pub struct Intake {
     /// The submissions, by id.
     pub entries: Vec<Entry>,
-    /// Files among the submissions that belong to nobody. They are listed, not silently
+    /// Files among the submissions that belong to no submission. They are listed and not silently
     /// dropped.
     pub ignored: Vec<String>,
-    /// Uploads that are not graded, and the entry whose later upload is.
+    /// Uploads that are not graded, and the entry with a later upload.
     pub superseded: BTreeMap<String, String>,
     /// Whether there is a folder of submissions among the paths.
     pub is_class: bool,
@@ -134,7 +134,7 @@ fn entry(
     let mut id = plain(&one.name);
     let base = id.clone();
     let mut count = 2;
-    // On some systems, capitals alone don't make two folder names different.
+    // On some systems, two folder names can't differ in capitals alone.
     while !taken.insert(id.to_lowercase()) {
         id = format!("{base}.{count}");
         count += 1;
@@ -169,7 +169,7 @@ fn entry(
     entry
 }
 
-/// The answer files without a usable text, and why.
+/// The answer files without usable text, and why.
 fn unusable(submission: &Submission, assignment: &Assignment) -> Vec<String> {
     let why = |(task, answer): (&Task, &Answer)| match &answer.text {
         Ok(_) => None,
@@ -186,11 +186,11 @@ fn name(path: &Path) -> String {
     text::name(absolute.file_name().unwrap_or_default().as_encoded_bytes())
 }
 
-/// Longer names are cut.
+/// The length at which names are cut.
 const MOST_CHARACTERS: usize = 80;
 
 /// A name that is safe for a folder on every system, and can't be mistaken for a command's
-/// option. If the name had to change, it gets a hash, so that it stays unique.
+/// option. If it must change, it gets a hash, so that it stays unique.
 fn plain(name: &str) -> String {
     let stem = reader::stem(name);
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "._-".contains(c);
@@ -210,7 +210,7 @@ fn plain(name: &str) -> String {
     }
 }
 
-/// A submission of which no file can be used.
+/// A submission without any usable file.
 pub fn without_answers(entry: &Entry, assignment: &Assignment) -> Submission {
     let answer = |task: &Task| Answer {
         task: task.name.clone(),

@@ -1,15 +1,15 @@
-//! Computes marks from stored outcomes, because the outcome of a group or a scene doesn't
-//! depend on what it is worth.
+//! Computes marks from stored outcomes. This is possible because the outcome of a group or a
+//! scene doesn't depend on what it is worth.
 //!
-//! So after a change of points, or after dropping a group, nothing is compiled or asked again.
+//! So when points change or a group is dropped, nothing needs to be compiled or asked again.
 
 use super::record::Record;
 use crate::scene_cap::most_for_scenes;
-use pinhole_course::assignment::{Assignment, Dropped, DroppedPoints};
+use pinhole_course::assignment::{Assignment, DroppedGroup, DroppedPoints};
 use pinhole_course::goldens::GoldenScene;
 use pinhole_course::outcome::GroupOutcome;
 
-/// Gives a graded submission the points that its groups and scenes are worth now.
+/// Gives a graded submission the points that its groups and scenes are now worth.
 pub fn compute(record: &mut Record, assignment: &Assignment, scenes: &[GoldenScene]) {
     let got = &mut record.got;
     for outcome in &mut got.tasks {
@@ -66,11 +66,11 @@ fn dropped(assignment: &Assignment, task: &str, group: &str) -> Option<DroppedPo
         .map(|dropped| dropped.points)
 }
 
-/// What students read about the groups that were dropped; empty if there are none.
+/// What students read about dropped groups. Empty if there are none.
 pub fn dropped_in_words(assignment: &Assignment) -> String {
-    let sentence = |dropped: &Dropped| match dropped.points {
+    let sentence = |dropped: &DroppedGroup| match dropped.points {
         DroppedPoints::Given => format!(
-            " {} does not count: everybody gets its points.",
+            " {} does not count: everyone gets its points.",
             dropped.group
         ),
         DroppedPoints::Rescaled => format!(
@@ -91,14 +91,14 @@ mod tests {
     use super::*;
     use crate::grade::record::tests::graded;
 
-    /// Two groups, worth these points, and a scene that needs their task.
+    /// Two groups with these points, and a scene that needs their task.
     fn assignment(edges: u32, front: u32, dropped: &[(&str, DroppedPoints)]) -> Assignment {
         let group = |group: &str, worth| GroupPoints {
             group: group.into(),
             worth,
             about: String::new(),
         };
-        let dropped = dropped.iter().map(|(group, points)| Dropped {
+        let dropped = dropped.iter().map(|(group, points)| DroppedGroup {
             group: (*group).into(),
             points: *points,
         });
@@ -171,21 +171,21 @@ mod tests {
 
     #[test]
     fn mark_follows_the_points_and_the_scenes_follow_the_tasks() {
-        // 3 of 4, so three quarters of the scene.
+        // The task earns 3 of 4 points, so the scene earns three quarters of its own.
         assert_eq!(computed(&assignment(1, 3, &[]), 4), (Some(6), 8));
-        // 1 of 2, so half of the scene.
+        // The task earns 1 of 2 points, so the scene earns half of its own.
         assert_eq!(computed(&assignment(1, 1, &[]), 10), (Some(6), 12));
     }
 
     #[test]
-    fn dropped_group_gives_its_points_to_all_or_makes_the_others_count_for_more() {
+    fn dropped_group_gives_its_points_to_everyone_or_raises_the_others() {
         let drop = |points| computed(&assignment(1, 3, &[("triangle.edges", points)]), 4);
         assert_eq!(drop(DroppedPoints::Given), (Some(8), 8));
         assert_eq!(drop(DroppedPoints::Rescaled), (Some(7), 7));
     }
 
     #[test]
-    fn task_without_a_group_that_counts_costs_the_scenes_nothing() {
+    fn task_without_counted_groups_costs_the_scenes_nothing() {
         let all = ["triangle.edges", "triangle.front"].map(|it| (it, DroppedPoints::Rescaled));
         assert_eq!(computed(&assignment(1, 3, &all), 4), (Some(4), 4));
     }

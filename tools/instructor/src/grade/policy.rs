@@ -1,7 +1,7 @@
 //! The lecturer's policy: how judged points become the final mark in a gradebook.
 //!
-//! Reading order: [`rules`] is `policy.toml` as it is written; [`times`] says when something
-//! was handed in, and how late that is; [`mark`] applies the rules to one mark.
+//! Reading order: [`rules`] is `policy.toml` as a lecturer writes it; [`times`] says when
+//! something was handed in, and how late that is; [`mark`] applies the rules to one mark.
 
 pub mod mark;
 pub mod rules;
@@ -23,7 +23,7 @@ use pinhole_course::error::{Error, Result, ResultExt};
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Policy {
     pub rules: Rules,
-    /// The deadline, and those of people who have one of their own, by id.
+    /// The deadline, and the deadlines of people who have their own, by id.
     deadline: Option<Timestamp>,
     extensions: BTreeMap<String, Timestamp>,
     /// When something was handed in, by a person's id, number or login, or a submission's name.
@@ -53,7 +53,7 @@ const WHO: [&str; 7] = [
 ];
 
 impl Policy {
-    /// Reads `policy.toml` and the tables it names, which lie beside it.
+    /// Reads `policy.toml` and the tables it names, relative to its folder.
     pub fn read(path: &Path) -> Result<Policy> {
         let remedy =
             "see the chapter “Policies and gradebooks” and tools/schema/policy.schema.json";
@@ -81,8 +81,8 @@ impl Policy {
         Ok(policy)
     }
 
-    /// The policy of these rules, without the tables that they name, or a message that says
-    /// what is wrong with the rules.
+    /// The policy of these rules, without the tables that they name. An error says what is wrong
+    /// with the rules.
     pub fn of(rules: Rules) -> std::result::Result<Policy, String> {
         rules.check()?;
         let zone = times::zone(rules.time_zone.as_deref())?;
@@ -103,13 +103,13 @@ impl Policy {
         zone.ok().flatten().unwrap_or(TimeZone::UTC)
     }
 
-    /// Everybody who gets the mark of what this person hands in.
+    /// The group of people who get the mark of what this person hands in.
     pub fn group_of(&self, id: &str) -> Option<&Group> {
         let mut groups = self.groups.iter();
         groups.find(|group| group.members.iter().any(|member| member == id))
     }
 
-    /// Ids in the policy that nobody on the roster has. Probably one is misspelt, and somebody
+    /// Ids in the policy that nobody on the roster has. Probably an id is misspelt, and someone
     /// waits for an extension or an adjustment.
     pub fn strangers(&self, people: &[Person]) -> Vec<String> {
         let by_hand = self.rules.adjust.iter().map(|by_hand| &by_hand.id);
@@ -176,7 +176,7 @@ fn groups_in(path: &Path) -> Result<Vec<Group>> {
             if groups.values().flatten().any(|other| other == id) {
                 return Err(format!("line {line}: {id} is in two groups"));
             }
-            // Not everybody is in a group.
+            // Some people are in no group.
             if !name.is_empty() {
                 groups.entry(name.into()).or_default().push(id.into());
             }

@@ -1,5 +1,4 @@
-//! What a mark was made from. If none of it has changed, grading again would give the
-//! same mark.
+//! What a mark was made from. As long as none of it changes, grading again gives the same mark.
 
 use std::fs;
 use std::path::Path;
@@ -22,7 +21,7 @@ pub struct Provenance {
     /// The answers: task, and the hash of the file or why there is none.
     pub answers: Vec<(String, String)>,
     #[serde(flatten)]
-    pub made_with: MadeWith,
+    pub made_with: GradingInputs,
 }
 
 /// A seed that doesn't fit into 63 bits is text.
@@ -38,25 +37,25 @@ enum SeedInJson {
 /// The part that is the same for the whole class.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct MadeWith {
-    /// "public goldens and fresh questions", say.
+pub struct GradingInputs {
+    /// For example, "public goldens and fresh questions".
     pub judged_on: String,
-    /// The seed that the fresh questions were drawn from; not for students.
+    /// The seed that the fresh questions were drawn from. Not for students.
     #[cfg_attr(test, schemars(with = "Option<SeedInJson>"))]
     pub seed: Option<Seed>,
     /// The hash of the goldens' manifest, which holds every film's hash.
     pub goldens: String,
     /// The hash of the fresh goldens' manifest.
     pub fresh: Option<String>,
-    /// The hash of tasks, groups and scenes, without their points: if only points change,
-    /// marks are computed again from stored outcomes.
+    /// The hash of tasks, groups and scenes, without their points. If only points change, marks
+    /// are computed again from stored outcomes.
     pub assignment: String,
     pub tool: Tool,
     /// The sandbox that the student's code ran in.
     pub sandbox: String,
-    /// Seconds an answer may take.
+    /// How many seconds an answer may take.
     pub timeout: u64,
-    /// How much is shown of withheld questions; null if there are none.
+    /// How much is shown about withheld questions; null if there are none.
     pub reveal: Option<Reveal>,
 }
 
@@ -91,7 +90,7 @@ impl Tool {
 
 impl Provenance {
     /// The provenance of a submission's mark.
-    pub fn of(submission: &Submission, made_with: &MadeWith) -> Provenance {
+    pub fn of(submission: &Submission, made_with: &GradingInputs) -> Provenance {
         let answers = submission.answers.iter().map(|answer| {
             let state = match &answer.text {
                 Ok(text) => sha256(text.as_bytes()),
@@ -116,7 +115,7 @@ pub fn of_file(path: &Path) -> Result<String> {
     Ok(sha256(&bytes))
 }
 
-/// The hash of what an assignment asks, without what it is worth.
+/// The hash of what an assignment asks, without what the answers are worth.
 pub fn of_assignment(assignment: &Assignment) -> Result<String> {
     let path = assignment.folder.join("assignment.toml");
     let wrong = Error::input(path.display().to_string(), "correct the assignment file");
@@ -124,7 +123,7 @@ pub fn of_assignment(assignment: &Assignment) -> Result<String> {
     Ok(sha256(questions(&text).or_fail(&wrong)?.as_bytes()))
 }
 
-/// An assignment's file without points and without the groups that are dropped.
+/// An assignment's file without points and dropped groups.
 fn questions(text: &str) -> std::result::Result<String, toml::de::Error> {
     let mut table: toml::Table = toml::from_str(text)?;
     table.remove("dropped");
@@ -155,7 +154,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn points_change_no_question_and_groups_and_scenes_do() {
+    fn changed_points_keep_the_hash_and_changed_groups_or_scenes_do_not() {
         let file = "[[task]]\nname = \"plane\"\npoints = [[\"back\", 2, \"about\"]]\n\
                     [[scene]]\nname = \"lone\"\npoints = 1\n";
         let same = |was: &str, becomes: &str| {

@@ -1,5 +1,5 @@
-//! Grades submissions in parallel, and skips those whose result is still valid. At most, the
-//! points of those are computed again.
+//! Grades submissions in parallel, and skips those whose result is still valid. For those, at
+//! most the points are computed again.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -9,7 +9,7 @@ use super::class::Change;
 use super::grader::{Grade, Grader};
 use super::intake::{self, Entry};
 use super::points;
-use super::provenance::{MadeWith, Provenance};
+use super::provenance::{GradingInputs, Provenance};
 use super::record::Record;
 use super::views::progress::GradingProgress;
 use pinhole_course::assignment::Assignment;
@@ -33,12 +33,11 @@ pub struct QueueResult {
     pub fault: Option<(String, String)>,
 }
 
-/// The stored result of a submission, if it is still valid, with the points that its parts are
-/// worth now.
+/// The stored result of a submission if it is still valid, with the current points of its parts.
 pub fn valid(
     entry: &Entry,
     cache: &ResultCache,
-    made_with: &MadeWith,
+    made_with: &GradingInputs,
     assignment: &Assignment,
     scenes: &[GoldenScene],
 ) -> Result<Option<QueueResult>> {
@@ -70,8 +69,8 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 impl GradeQueue<'_> {
-    /// Grades all entries, `jobs` at a time. One that is late while others are graded
-    /// is graded again at the end, alone.
+    /// Grades all entries, `jobs` at a time. A submission that is late while others are graded is
+    /// graded again at the end, alone.
     pub fn work(&self, entries: &[Entry], jobs: usize) -> Vec<QueueResult> {
         let next = AtomicUsize::new(0);
         let all = Mutex::new(Vec::new());
@@ -97,7 +96,7 @@ impl GradeQueue<'_> {
         all
     }
 
-    /// Grades one submission; `None` if it is to be graded again, `alone`.
+    /// Grades one submission; `None` if it must be graded again, `alone`.
     fn one(&self, entry: &Entry, alone: bool) -> Option<QueueResult> {
         let done = self.grade(entry, alone)?;
         self.progress.graded(&done.record, done.is_new);
@@ -135,8 +134,8 @@ impl GradeQueue<'_> {
         })
     }
 
-    /// Records a fault of ours. The grade from `before` stays valid if the answers,
-    /// goldens, tools and settings are the same.
+    /// Records a fault of ours. The grade from `before` stays valid if the answers, goldens,
+    /// tools and settings are the same.
     fn faulty(&self, mut record: Record, before: Option<Record>) -> QueueResult {
         if let Err(error) = self.cache.put_fault(&record) {
             record.explanation.push_str(&format!("; {}", error.problem));

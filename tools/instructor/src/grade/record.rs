@@ -1,8 +1,8 @@
-//! `result.json`: what is stored about one graded submission. All tables and pages of a class
-//! are computed from these files and the roster, so that shards can be merged.
+//! `result.json`: what is stored about one graded submission. All tables and pages of a class are
+//! computed from these files and the roster, so that shards can be merged.
 //!
-//! It is an [`Outcome`] with what grading adds; `tools/schema/result.schema.json` describes
-//! both.
+//! It is an [`Outcome`] with the additions of grading. `tools/schema/result.schema.json`
+//! describes both.
 
 use std::collections::BTreeMap;
 
@@ -17,7 +17,7 @@ use pinhole_course::outcome::{Outcome, SceneOutcome, Status};
 pub struct Record {
     /// Its folder under `submissions`.
     pub id: String,
-    /// How it ended: the gravest of its tasks and scenes.
+    /// How it ended: the worst status of its tasks and scenes.
     #[serde(rename = "outcome")]
     #[cfg_attr(test, schemars(with = "tests::StatusReference"))]
     pub status: Status,
@@ -27,7 +27,7 @@ pub struct Record {
     #[serde(flatten)]
     #[cfg_attr(test, schemars(skip))]
     pub got: Outcome,
-    /// How its files were read, where something was not as it should be.
+    /// How its files were read, if something was unusual.
     pub remarks: Vec<String>,
     /// Fresh scenes. They earn nothing, but limit what `scenes` may earn.
     #[cfg_attr(test, schemars(with = "Vec<tests::SceneReference>"))]
@@ -37,7 +37,7 @@ pub struct Record {
     /// Which tasks the scenes need, if fresh questions were asked.
     #[serde(default)]
     pub needs: SceneNeeds,
-    /// By task, a hash of the answer's tokens: without comments, spaces and line breaks.
+    /// By task, a hash of the answer's tokens, without comments, spaces and line breaks.
     pub tokens: BTreeMap<String, String>,
     /// What the mark was made from. Equal provenance means an equal mark.
     pub provenance: Provenance,
@@ -45,7 +45,7 @@ pub struct Record {
     pub timings: Timings,
 }
 
-/// Which tasks the scenes need. What those tasks earn bounds what the scenes earn.
+/// Which tasks the scenes need. The points of those tasks limit the points of the scenes.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SceneNeeds {
@@ -67,8 +67,8 @@ pub struct Timings {
     pub asking: f64,
     /// Writing the report.
     pub report: f64,
-    /// 1 if an answer was late while others were graded, so that the submission was
-    /// graded again, alone.
+    /// 1 if an answer was late while other submissions were graded, so that this one was graded
+    /// again, alone.
     pub second_runs: u32,
 }
 
@@ -86,7 +86,7 @@ impl Record {
         self.got.points.is_some()
     }
 
-    /// What the scenes earn.
+    /// The points of the scenes.
     pub fn scene_points(&self) -> (u32, u32) {
         let scenes = self.got.scenes.iter();
         let earned: u32 = scenes.clone().map(|scene| scene.points).sum();
@@ -94,7 +94,7 @@ impl Record {
         (earned.min(most), scenes.map(|scene| scene.possible).sum())
     }
 
-    /// Which tasks ended in which way, other than judged, and how files were read: "panicked:
+    /// Which tasks ended in which way, except judged ones, and how files were read: "panicked:
     /// sphere, plane".
     pub fn notes(&self) -> String {
         let of = |status: Status| {
@@ -110,7 +110,7 @@ impl Record {
     }
 }
 
-/// What a status means, for the student who reads it.
+/// The meaning of a status, for students.
 pub fn explained(status: Status) -> &'static str {
     match status {
         Status::NotGraded => {
@@ -138,7 +138,7 @@ pub fn explained(status: Status) -> &'static str {
              it exceeded a limit."
         }
         Status::TimedOut => {
-            "An answer came too late, twice, the second time with the machine to itself. The \
+            "An answer was late twice, the second time with nothing else running. The \
              limit is far above what any right answer needs: look for a loop that does not end."
         }
         Status::Panicked => {

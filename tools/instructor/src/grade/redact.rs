@@ -1,8 +1,8 @@
-//! Removes from an outcome and its report what students must not see.
+//! Removes what students must not see from an outcome and its report.
 //!
-//! Detailed results would make a withheld scene an oracle: a student who may hand in often
-//! could reconstruct it from pictures, panic messages, exit codes or times. So nothing that
-//! the student's code prints there is ever shown, whatever is revealed.
+//! Detailed results would let a student who may hand in often reconstruct a withheld scene from
+//! pictures, panic messages, exit codes or times. So whatever is revealed, nothing that the
+//! student's code prints there is ever shown.
 
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
@@ -11,7 +11,7 @@ use pinhole_course::diagnosis::Diagnosis;
 use pinhole_course::outcome::{FilmOutcome, Outcome, SceneOutcome};
 use pinhole_report::html::{Report, SceneSection};
 
-/// How much of withheld questions results and reports show.
+/// How much results and reports show about withheld questions.
 #[derive(
     Clone, Copy, Debug, Default, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize, ValueEnum,
 )]
@@ -32,12 +32,12 @@ pub enum Reveal {
 /// Which parts of an outcome are withheld.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Withheld {
-    /// The withheld scenes. If there are any, the questions about scenes' pixels are withheld
+    /// The withheld scenes. If there are any, the questions about pixels of scenes are withheld
     /// too.
     pub scenes: Vec<String>,
-    /// Task and group of the questions about scenes' pixels.
+    /// Task and group of the questions about pixels of scenes.
     pub scene_groups: Vec<(String, String)>,
-    /// Whether the questions to single tasks are withheld.
+    /// Whether the questions about single tasks are withheld.
     pub probes: bool,
     pub reveal: Reveal,
 }
@@ -90,8 +90,7 @@ impl Withheld {
         }
     }
 
-    /// Removes what only a report shows from the report of an outcome that is already
-    /// redacted.
+    /// Takes the report of a redacted outcome and removes what only a report shows.
     pub fn redact_report(&self, report: &mut Report, outcome: &Outcome) {
         for (section, scene) in report.scenes.iter_mut().zip(&outcome.scenes) {
             if self.holds_scene(&scene.name) {
@@ -118,8 +117,7 @@ pub fn redact_scene(scene: &mut SceneOutcome, reveal: Reveal) {
 /// The outcome of a film, without any text from the student.
 fn redacted(outcome: &FilmOutcome, reveal: Reveal) -> FilmOutcome {
     match outcome {
-        // An answer can choose the number of wrong questions, and send a message with
-        // it.
+        // An answer can choose the number of wrong questions, and could send a message with it.
         FilmOutcome::Judged(comparison) if reveal > Reveal::Message => {
             let mut comparison = comparison.clone();
             if reveal < Reveal::Full {

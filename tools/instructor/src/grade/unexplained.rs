@@ -25,8 +25,9 @@ pub struct UnexplainedGroup {
     pub draft: String,
 }
 
-/// The unexplained answers of a class, the largest groups first. Answers agree if they fail
-/// equally many questions of the same groups, and if measuring them gives the same sentences.
+/// The unexplained answers of a class, the largest groups first. Two answers belong together if
+/// they fail equally many questions of the same groups and measuring them gives the same
+/// sentences.
 pub fn groups<'a>(records: impl Iterator<Item = &'a Record>) -> Vec<UnexplainedGroup> {
     let mut groups: BTreeMap<(String, Vec<String>, Vec<String>), UnexplainedGroup> =
         BTreeMap::new();
@@ -69,12 +70,12 @@ fn example(task: &TaskOutcome) -> Vec<Fact> {
     shown.next().map_or(Vec::new(), |group| group.worst.clone())
 }
 
-/// A draft of `mistake.toml`, which the instructor puts beside the wrong answer file.
+/// A draft of `mistake.toml`, to be placed beside the wrong answer file.
 fn draft(task: &TaskOutcome, measured: &[String]) -> String {
     let comments: Vec<String> = measured.iter().map(|says| format!("# {says}")).collect();
     let quoted = |text: &str| toml::Value::from(text).to_string();
     format!(
-        "# Measured in the answers to {}:\n{}\nbelief = \"I …\"\nfails = [{}]\nchapter = {}\n\n\
+        "# Measurement in the answers to {}:\n{}\nbelief = \"I …\"\nfails = [{}]\nchapter = {}\n\n\
          [hint]\nlook = \"…\"\nthink = \"…\"\nread = \"a section of the chapter\"\n",
         task.name,
         comments.join("\n"),

@@ -1,5 +1,5 @@
-//! The views of a graded class. Records hold text as students wrote it, and each view
-//! escapes it for its own format.
+//! The views of a graded class. Records hold text as students wrote it, and each view escapes it
+//! for its own format.
 
 pub mod csv;
 pub mod feedback;

@@ -29,8 +29,7 @@ pub fn files(assignment: &Assignment) -> Result<Files> {
     files.insert(format!("{folder}/handout/Cargo.toml"), read(&manifest)?);
     for (path, text) in stubs::generate(assignment)? {
         let path = path.to_string_lossy().replace('\\', "/");
-        // One copy is for the student to fill in, the other replaces answers that do not
-        // compile.
+        // One copy is for the student to fill in. The other replaces answers that do not compile.
         files.insert(format!("{folder}/stubs/{path}"), text.clone().into());
         files.insert(format!("{folder}/handout/{path}"), text.into());
     }

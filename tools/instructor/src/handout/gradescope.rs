@@ -1,6 +1,6 @@
 //! An autograder for Gradescope: the course, and the two scripts that Gradescope runs.
 //!
-//! It holds every golden and our answers, so it is for instructors alone and never part of a
+//! It holds every golden and our answers, so it is for instructors only and never part of a
 //! student's repository.
 
 use std::fs::File;
@@ -14,7 +14,7 @@ use zip::{CompressionMethod, ZipWriter};
 
 use super::sources::{add_folder_as, add_top, read};
 use super::workspace::{CLI, INSTRUCTOR, Workspace};
-use super::{Files, Written, place_of};
+use super::{Files, HandoutSize, place_of};
 use crate::grade::grader::fresh::{Purpose, reserve};
 use crate::grade::redact::Reveal;
 use pinhole_course::assignment::Assignment;
@@ -22,8 +22,8 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::manifest::Manifest;
 
-/// Gradescope runs the first when it builds the container's image, the second for each
-/// submission; the third is for people who unpack the archive.
+/// Gradescope runs the first when it builds the container's image, and the second for each
+/// submission. The third is for people who unpack the archive.
 const RECIPE: [(&str, &str, u32); 3] = [
     (
         "setup.sh",
@@ -42,17 +42,17 @@ const RECIPE: [(&str, &str, u32); 3] = [
     ),
 ];
 
-/// Where the course lies in the archive.
+/// The folder of the course in the archive.
 const COURSE: &str = "pinhole";
 
-/// Writes the archive; it appears at `path` only when it is complete.
+/// Writes the archive. It appears at `path` only when it is complete.
 pub fn write(
     assignment: &Assignment,
     checkout: &Checkout,
     fresh: Option<&Path>,
     reveal: Reveal,
     path: &Path,
-) -> Result<Written> {
+) -> Result<HandoutSize> {
     let course = course(assignment, checkout, fresh, reveal)?;
     let minutes = worst_case(assignment).as_secs().div_ceil(60).to_string();
     let recipe =
@@ -71,7 +71,7 @@ pub fn write(
     let mut archive = ZipWriter::new(File::create(fresh).or_fail(&failed)?);
     let mut files = 0;
     for (name, bytes, mode) in recipe.chain(course) {
-        // Films are packed already, and sources are small.
+        // Films are compressed already, and sources are small.
         let options = SimpleFileOptions::default()
             .compression_method(CompressionMethod::Stored)
             .unix_permissions(mode);
@@ -82,19 +82,18 @@ pub fn write(
     let file = archive.finish().or_fail(&failed)?;
     let bytes = file.metadata().or_fail(&failed)?.len();
     std::fs::rename(fresh, path).or_fail(&failed)?;
-    Ok(Written { files, bytes })
+    Ok(HandoutSize { files, bytes })
 }
 
-/// The limit of one process on the clock, for the limit of processor time that `grade` has
-/// unless told otherwise.
+/// The wall time of one process, for the default limit of processor time in `grade`.
 const LIMIT: Duration = Duration::from_secs(4 * 2 + 2);
 
-/// What a process takes when a submission has run into two limits, in processor time of one
-/// thread: a hundred times what the reference takes for the questions of most tasks.
+/// The processor time of a process once a submission has exceeded two limits, with one thread. It
+/// is a hundred times what the reference takes for the questions of most tasks.
 const SHORTEST: Duration = Duration::from_secs(4);
 
-/// How long a submission takes in which every answer never ends, on public and on fresh
-/// questions: once beside others, once again, and then three groups of each task alone.
+/// How long a submission takes if no answer ever ends, on public and on fresh questions: once
+/// beside others, once again, and then three groups of each task alone.
 fn worst_case(assignment: &Assignment) -> Duration {
     let groups = assignment.tasks.iter().map(|task| task.points.len().min(3));
     let processes = groups.sum::<usize>() + assignment.tasks.len();
@@ -102,7 +101,7 @@ fn worst_case(assignment: &Assignment) -> Duration {
 }
 
 /// The files for grading: the checkout without mistakes, variants and the scripts that render
-/// goldens; and with it, fresh questions and what may be revealed.
+/// goldens, plus fresh questions and the setting of what may be revealed.
 pub fn course(
     assignment: &Assignment,
     checkout: &Checkout,
@@ -114,7 +113,7 @@ pub fn course(
     let word = word.map_or(String::new(), |word| word.get_name().to_owned());
     files.insert("reveal".into(), word.into_bytes());
     if let Some(folder) = fresh {
-        // Read the manifest first, to refuse here a folder that does not hold goldens.
+        // Read the manifest first, to refuse a folder that does not hold goldens.
         Manifest::read(folder)?;
         reserve(folder, Purpose::Feedback)?;
         add_folder_as(&mut files, folder, "fresh", &[])?;

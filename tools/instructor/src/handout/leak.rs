@@ -1,8 +1,7 @@
-//! Searches what is about to be handed out for what students must not get.
+//! Searches the files to be handed out for anything that students must not get.
 //!
-//! The files are chosen so that nothing secret is among them. This check is for the
-//! case that somebody quotes an answer in a comment, or names a withheld scene in a
-//! README.
+//! The files are chosen so that nothing secret is among them. This check helps if someone quotes
+//! an answer in a comment, or names a withheld scene in a README.
 
 mod search;
 
@@ -22,10 +21,10 @@ use pinhole_course::{manifest, stubs};
 /// Shorter lines of an answer, such as `return None;`, give nothing away.
 const LEAST_LINE: usize = 24;
 
-/// Refuses files that hold a line of an answer of ours, or anything of a withheld scene.
+/// Refuses files that hold a line of one of our answers, or anything of a withheld scene.
 pub fn refuse(files: &Files, assignment: &Assignment) -> Result<()> {
     let answers = Search::new(answer_lines(assignment)?);
-    let withheld = Withheld::of(assignment)?;
+    let withheld = WithheldScenes::of(assignment)?;
     for (path, bytes) in files {
         if let Some(line) = answers.first_in(bytes) {
             return Err(Error::input(
@@ -43,7 +42,7 @@ pub fn refuse(files: &Files, assignment: &Assignment) -> Result<()> {
     Ok(())
 }
 
-/// The lines of the reference's answers that its stubs do not have.
+/// The lines of the reference's answers that are not in its stubs.
 fn answer_lines(assignment: &Assignment) -> Result<BTreeSet<String>> {
     let public: String = stubs::generate(assignment)?.into_values().collect();
     let public: BTreeSet<&str> = public.lines().map(str::trim).collect();
@@ -62,16 +61,16 @@ fn answer_lines(assignment: &Assignment) -> Result<BTreeSet<String>> {
 }
 
 /// What would give withheld scenes away.
-struct Withheld {
+struct WithheldScenes {
     names: Vec<String>,
     /// The hashes of their files, in hexadecimal.
     hashes: BTreeSet<String>,
-    /// The hashes, to be searched for in other files.
+    /// The hashes again, to be searched for in other files.
     hash_search: Search,
 }
 
-impl Withheld {
-    fn of(assignment: &Assignment) -> Result<Withheld> {
+impl WithheldScenes {
+    fn of(assignment: &Assignment) -> Result<WithheldScenes> {
         let mut hashes = BTreeSet::new();
         let public = assignment.scenes.iter().filter(|scene| scene.public);
         let public_meshes: Vec<_> = public
@@ -100,7 +99,7 @@ impl Withheld {
         let names = assignment.withheld_scenes().map(|scene| scene.name.clone());
         let names = names.collect();
         let hash_search = Search::new(hashes.clone());
-        Ok(Withheld {
+        Ok(WithheldScenes {
             names,
             hashes,
             hash_search,
@@ -119,7 +118,7 @@ impl Withheld {
         if self.hash_search.first_in(bytes).is_some() {
             return Some("the hash of a withheld scene's file".into());
         }
-        // Sources may use a scene's name as any word; what is about scenes may not.
+        // Sources may use a scene's name as any word, but files about scenes may not.
         let is_source = path.starts_with("src/") || path.starts_with("tools/");
         let words = |name: &str| path.contains(name) || !is_source && holds_word(bytes, name);
         let name = self.names.iter().find(|name| words(name));

@@ -1,5 +1,4 @@
-//! Writes a student's repository: completely or not at all, and never over anybody's
-//! work.
+//! Writes a student's repository, completely or not at all, and never over existing work.
 
 use std::fs;
 use std::io;
@@ -12,21 +11,21 @@ use pinhole_course::manifest::{Hashes, hash, hash_of};
 use pinhole_course::rust_tool::rust_tool;
 
 /// The size of a repository.
-pub struct Written {
-    /// Files.
+pub struct HandoutSize {
+    /// How many files it has.
     pub files: usize,
-    /// Their bytes together.
+    /// Their size together, in bytes.
     pub bytes: u64,
 }
 
-/// The largest repository: students fetch it again and again.
+/// The largest repository that is allowed, because students fetch it again and again.
 const MOST_BYTES: u64 = 20_000_000;
 
-/// Files that are named in an error.
+/// How many files an error names.
 const MOST_NAMED: usize = 10;
 
 /// Writes the repository beside `out`, then moves it there.
-pub fn write(repository: Repository, out: &Path, force: bool) -> Result<Written> {
+pub fn write(repository: Repository, out: &Path, force: bool) -> Result<HandoutSize> {
     let name = out
         .file_name()
         .map(|name| name.to_string_lossy().into_owned());
@@ -35,7 +34,7 @@ pub fn write(repository: Repository, out: &Path, force: bool) -> Result<Written>
         Error::input(problem, "name a new folder with --out")
     })?;
     let old = before(out, &repository.assignment, force)?;
-    let fresh = Fresh(out.with_file_name(format!(".{name}.new{}", std::process::id())));
+    let fresh = TemporaryFolder(out.with_file_name(format!(".{name}.new{}", std::process::id())));
     let Repository {
         assignment,
         mut files,
@@ -56,7 +55,7 @@ pub fn write(repository: Repository, out: &Path, force: bool) -> Result<Written>
     let text = record.text()?;
     put(&fresh.0.join(handout_record::FILE), text.as_bytes())?;
     let bytes = files.values().map(Vec::len).sum::<usize>() + text.len();
-    let written = Written {
+    let written = HandoutSize {
         files: files.len() + 1,
         bytes: bytes as u64,
     };
@@ -68,7 +67,7 @@ pub fn write(repository: Repository, out: &Path, force: bool) -> Result<Written>
     }
     match old {
         None => {
-            // An empty folder; if it is there and not empty, `before` has refused.
+            // Removes an empty folder. If it is there and not empty, `before` has refused it.
             let _absent = fs::remove_dir(out);
             fs::rename(&fresh.0, out).or_fail(&cannot(out))?;
         }
@@ -77,7 +76,7 @@ pub fn write(repository: Repository, out: &Path, force: bool) -> Result<Written>
     Ok(written)
 }
 
-/// What there is at `out`: nothing, or an earlier handout that may be replaced.
+/// What is at `out`: nothing, or an earlier handout that may be replaced.
 fn before(out: &Path, assignment: &str, force: bool) -> Result<Option<HandoutRecord>> {
     let is_free = match fs::read_dir(out) {
         Ok(mut entries) => entries.next().is_none(),
@@ -104,12 +103,12 @@ fn before(out: &Path, assignment: &str, force: bool) -> Result<Option<HandoutRec
     }
 }
 
-/// Replaces the files of an earlier handout, if nobody has changed one since. Everything
-/// else in the folder stays.
+/// Replaces the files of an earlier handout if none has been changed since. Everything else in
+/// the folder stays.
 fn replace(fresh: &Path, out: &Path, old: &HandoutRecord, new: &HandoutRecord) -> Result<()> {
     let is_changed = |path: &&String| {
         let now = hash(&out.join(path)).ok();
-        // A run that was interrupted may have written some new files already.
+        // An interrupted run may have written some new files already.
         let expected = [old.files.get(*path), new.files.get(*path)];
         now.is_some_and(|now| !expected.contains(&Some(&now)))
     };
@@ -121,7 +120,7 @@ fn replace(fresh: &Path, out: &Path, old: &HandoutRecord, new: &HandoutRecord) -
         let named = changed.iter().take(MOST_NAMED).map(|path| path.as_str());
         return Err(Error::input(
             format!(
-                "{} files in {} are somebody's own work: {}",
+                "{} files in {} have been changed: {}",
                 changed.len(),
                 out.display(),
                 named.collect::<Vec<_>>().join(", ")
@@ -153,7 +152,7 @@ fn replace(fresh: &Path, out: &Path, old: &HandoutRecord, new: &HandoutRecord) -
             }
             _ => {}
         }
-        // Folders go as well, up to the first that holds something.
+        // Remove their folders too, up to the first that is not empty.
         let folders = stale
             .ancestors()
             .skip(1)
@@ -167,10 +166,10 @@ fn replace(fresh: &Path, out: &Path, old: &HandoutRecord, new: &HandoutRecord) -
     Ok(())
 }
 
-/// A temporary folder, deleted unless it was moved to its place.
-struct Fresh(PathBuf);
+/// A temporary folder, which is deleted unless it was moved to its place.
+struct TemporaryFolder(PathBuf);
 
-impl Drop for Fresh {
+impl Drop for TemporaryFolder {
     fn drop(&mut self) {
         let _moved = fs::remove_dir_all(&self.0);
     }

@@ -1,14 +1,14 @@
-//! A question for PrairieLearn: its folder, and what the image is built from that grades it.
+//! A question for PrairieLearn: its folder, and the files of the image that grades it.
 //!
-//! After https://prairielearn.readthedocs.io/en/latest/externalGrading/. The image holds every
-//! golden and our answers, so it is for instructors alone.
+//! Follows https://prairielearn.readthedocs.io/en/latest/externalGrading/. The image holds every
+//! golden and our answers, so it is for instructors only.
 
 use std::fs;
 use std::path::Path;
 
 use serde_json::json;
 
-use super::{Files, Written, gradescope};
+use super::{Files, HandoutSize, gradescope};
 use crate::grade::cache::pretty;
 use crate::grade::provenance::sha256;
 use crate::grade::redact::Reveal;
@@ -20,14 +20,14 @@ const DOCKERFILE: &str = include_str!("../../templates/handout/prairielearn/Dock
 const RUN: &str = include_str!("../../templates/handout/prairielearn/run.sh");
 const README: &str = include_str!("../../templates/handout/prairielearn/README.md");
 
-/// Writes it to a folder, which is new or empty.
+/// Writes it to a folder that is new or empty.
 pub fn write(
     assignment: &Assignment,
     checkout: &Checkout,
     fresh: Option<&Path>,
     reveal: Reveal,
     out: &Path,
-) -> Result<Written> {
+) -> Result<HandoutSize> {
     let is_empty = fs::read_dir(out).map_or(true, |mut entries| entries.next().is_none());
     if !is_empty {
         return Err(Error::input(
@@ -51,13 +51,13 @@ pub fn write(
         fs::write(&path, content).or_fail(&failed)?;
         bytes += content.len() as u64;
     }
-    Ok(Written {
+    Ok(HandoutSize {
         files: files.len(),
         bytes,
     })
 }
 
-/// All but the course that the image grades with.
+/// Everything except the course that the image grades with.
 fn question(assignment: &Assignment) -> Result<Files> {
     let names: Vec<String> = assignment.tasks.iter().map(|task| task.file()).collect();
     let names = names.join(",");
@@ -93,8 +93,8 @@ fn question(assignment: &Assignment) -> Result<Files> {
     Ok(files.into_iter().collect())
 }
 
-/// The question's UUID. PrairieLearn recognises questions by it, so it is the same whenever it
-/// is made. It is of version 8 of RFC 9562, which lets anybody choose the bits.
+/// The question's UUID. PrairieLearn recognises questions by it, so it must be the same every
+/// time. It has version 8 of RFC 9562, which leaves the bits to us.
 fn uuid(name: &str) -> String {
     let hash = sha256(format!("pinhole question {name}").as_bytes());
     let (a, b, c, d, e) = (

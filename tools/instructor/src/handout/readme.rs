@@ -1,5 +1,5 @@
-//! A student's README: a template, filled with the course's sections for students, the
-//! book's page about file formats, and a table of points.
+//! A student's README: a template, filled with the assignment's README, the book's page about
+//! file formats, and a table of points.
 
 use super::sources::read_text;
 use super::{Files, place_of};
@@ -12,20 +12,21 @@ const TEMPLATE: &str = include_str!("../../templates/handout/README.md");
 /// The page of the book that describes scene and film files.
 const FORMATS: &str = "book/src/appendix/scene_and_film_files.md";
 
-/// How a line of the template begins that is replaced by a section. The section's heading
-/// follows.
+/// The beginning of a template line that a section replaces. The section's heading follows.
 const QUOTED: &str = "<!-- quoted: ";
 
-/// In the template, a line that is only for those who get this file: the word before it.
+/// The first word of a template line that stays only if the handout has this file.
 const ONLY_WITH: [(&str, &str); 2] = [
     ("<!-- book -->", "book/index.html"),
     ("<!-- meshes -->", "<!-- folder -->/scenes/meshes/README.md"),
 ];
 
-/// Replaces the course's README by a student's. A section is quoted from the first of
-/// these that has it: the assignment's own README, the course's, the page about formats.
+/// Replaces the course's README by a student's. A section is quoted from the first of these that
+/// has it: the assignment's own README, the course's, the page about formats.
 pub fn adapt(files: &mut Files, assignment: &Assignment, checkout: &Checkout) -> Result<()> {
     let folder = place_of(assignment);
+    let scene = assignment.scenes.iter().find(|scene| scene.public);
+    let scene = scene.map_or("SCENE", |scene| &scene.name);
     let fill = |text: &str| {
         let tasks = assignment.tasks.iter();
         let answers: Vec<String> = tasks.map(|task| format!("`{}`", task.file())).collect();
@@ -34,6 +35,7 @@ pub fn adapt(files: &mut Files, assignment: &Assignment, checkout: &Checkout) ->
             .replace("<!-- folder -->", &folder)
             .replace("<!-- name -->", &assignment.name)
             .replace("<!-- start -->", &assignment.start)
+            .replace("<!-- scene -->", scene)
     };
     let own = assignment.folder.join("README.md");
     let own = match own.is_file() {
@@ -99,7 +101,7 @@ fn points(assignment: &Assignment) -> String {
     table
 }
 
-/// A section with its heading. The section `beginning` is all that precedes the first heading.
+/// A section with its heading. The section `beginning` is everything before the first heading.
 fn section<'a>(readme: &'a str, heading: &str) -> Option<&'a str> {
     let start = match heading {
         "beginning" if readme.is_empty() => return None,

@@ -1,8 +1,8 @@
 //! The files that are copied unchanged.
 //!
-//! We list them by folder and kind, and don't ask git for them, because a course may have come
-//! as an archive. Other files beside the sources, such as those that editors leave, must not
-//! be handed out.
+//! Files are listed by folder and kind. We don't ask git for them, because a course may have come
+//! as an archive. Other files beside the sources, such as those that editors leave, must not be
+//! handed out.
 
 use std::fs;
 use std::path::Path;
@@ -11,7 +11,7 @@ use super::Files;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
 
-/// At the top of the checkout, beside its manifest.
+/// The files at the top of the checkout, beside its manifest.
 const TOP: [&str; 7] = [
     ".cargo/config.toml",
     "Cargo.lock",
@@ -34,8 +34,8 @@ fn add(files: &mut Files, checkout: &Checkout, path: &str) -> Result<()> {
     Ok(())
 }
 
-/// Adds the files of these kinds in a folder and below; without kinds, all files. Links and
-/// hidden files are left out, because they may lead to what must not be handed out.
+/// Adds the files of these kinds in a folder and its subfolders; without kinds, all files. Leaves
+/// out links and hidden files, which may lead to files that must not be handed out.
 pub fn add_folder(
     files: &mut Files,
     checkout: &Checkout,

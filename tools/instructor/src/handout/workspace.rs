@@ -18,7 +18,7 @@ pub const CLI: &str = "tools/cli";
 /// The folder of the program that grades.
 pub const INSTRUCTOR: &str = "tools/instructor";
 
-/// Beside a manifest: cargo's settings for building that program, given with `--config`.
+/// A file beside a manifest: cargo's settings for building that program, passed with `--config`.
 const SETTINGS: &str = "release.toml";
 
 /// A workspace to hand out.
@@ -74,7 +74,7 @@ impl Workspace<'_> {
         Ok(())
     }
 
-    /// The packages and all in-house packages that they need, by folder.
+    /// The packages and all packages of ours that they need, by folder.
     fn members(&self, checkout: &Checkout, top: &DocumentMut) -> Result<Vec<String>> {
         let mut members = self.packages.to_vec();
         let mut next = 0;
@@ -112,7 +112,7 @@ impl Workspace<'_> {
     }
 }
 
-/// The folder of an in-house dependency.
+/// The folder of a dependency that is one of our packages.
 fn path_of(dependency: &Item) -> Option<&str> {
     dependency.get("path")?.as_str()
 }
@@ -143,7 +143,7 @@ fn leave_tests_at_home(manifest: &mut DocumentMut) {
     }
 }
 
-/// Cargo warns of profiles for packages that are not there.
+/// Removes profiles of missing packages, because cargo warns about them.
 fn keep_profiles(top: &mut DocumentMut, packages: &BTreeSet<String>) {
     let Some(profiles) = top.get_mut("profile").and_then(Item::as_table_mut) else {
         return;
@@ -172,7 +172,7 @@ fn reachable(checkout: &Checkout, names: Vec<String>) -> Result<BTreeSet<String>
                 .into_iter()
                 .flatten()
                 .filter_map(|name| name.as_str());
-            // A version follows the name where there are several.
+            // A version follows the name if there are several.
             open.extend(
                 needed
                     .filter_map(|name| name.split(' ').next())

@@ -22,15 +22,15 @@ pub struct Catches {
     pub scenes: Vec<Catch>,
 }
 
-/// What one group of questions or one scene catches. Only single mistakes are counted,
-/// because a compound fails wherever one of its beliefs does.
+/// What one group of questions or one scene catches. Only single mistakes are counted, because a
+/// combined mistake fails wherever one of its beliefs does.
 #[derive(Debug, Default, Serialize)]
 pub struct Catch {
     /// `task.group`, or the scene.
     pub name: String,
     /// How many mistakes fail here.
     pub mistakes: usize,
-    /// Mistakes that fail in no other group, or in no other scene.
+    /// Mistakes that fail in no other group, or, for a scene, in no other scene.
     pub only_of_its_kind: Vec<String>,
     /// Mistakes that fail nowhere else at all.
     pub only: Vec<String>,

@@ -1,5 +1,5 @@
-//! Searches for questions on which two programs give different answers, compared to the
-//! last bit: all questions of a task, and its [ties](super::ties).
+//! Searches for questions on which two programs give different answers, compared to the last bit.
+//! It asks all questions of a task and its [ties](super::ties).
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -25,8 +25,8 @@ use pinhole_report::terminal;
 /// How a mutant's answers differ from the reference's.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Difference {
-    /// Whether both are the same machine code, byte for byte. That is a proof; a search
-    /// is not.
+    /// Whether both are the same machine code, byte for byte. Only that is a proof; a search is
+    /// not.
     pub same_program: bool,
     /// How many questions are not ties.
     pub asked: usize,
@@ -34,7 +34,7 @@ pub struct Difference {
     pub ties: usize,
     /// How many of the questions that are not ties have another answer.
     pub elsewhere: usize,
-    /// The first of these questions in words.
+    /// The first of these questions, in words.
     pub example: Option<String>,
     /// How many of the ties have another answer.
     pub on_ties: usize,
@@ -61,11 +61,11 @@ impl fmt::Display for Difference {
 pub struct Oracle<'a> {
     validator: &'a Validator<'a>,
     program: Program,
-    tasks: Mutex<BTreeMap<String, Arc<OnceLock<Answered>>>>,
+    tasks: Mutex<BTreeMap<String, Arc<OnceLock<AnsweredQuestions>>>>,
 }
 
 /// Questions with the reference's answers.
-struct Answered {
+struct AnsweredQuestions {
     job: Job,
     /// Which of the questions are ties.
     is_tie: Vec<bool>,
@@ -76,7 +76,7 @@ struct Answered {
 const WALL: Duration = Duration::from_secs(60);
 
 impl<'a> Oracle<'a> {
-    /// Asks `program`, the reference, when something is to be compared with it.
+    /// Asks `program`, the reference, once something is to be compared with it.
     pub fn new(validator: &'a Validator<'a>, program: Program) -> Oracle<'a> {
         Oracle {
             validator,
@@ -85,11 +85,11 @@ impl<'a> Oracle<'a> {
         }
     }
 
-    /// Where another program's answers to a task differ.
+    /// How another program's answers to a task differ.
     pub fn compare(&self, task: &Task, other: &Program) -> Result<Difference> {
         let read = |program: &Program| fs::read(&program.executable).ok();
-        // Two sources that compile to the same code are the same program (Papadakis et
-        // al., "Trivial Compiler Equivalence", 2015).
+        // Two sources that compile to the same code are equivalent (Papadakis et al., "Trivial
+        // Compiler Equivalence", 2015).
         if read(other).is_some_and(|code| Some(code) == read(&self.program)) {
             return Ok(Difference {
                 same_program: true,
@@ -136,7 +136,7 @@ impl<'a> Oracle<'a> {
     }
 
     /// All questions of a task with the reference's answers.
-    fn answered(&self, task: &Task) -> Result<Answered> {
+    fn answered(&self, task: &Task) -> Result<AnsweredQuestions> {
         let goldens = self.validator.goldens;
         let kept = goldens.cached_questions(task)?;
         let asked = kept.together.as_ref().and_then(Job::questions);
@@ -148,7 +148,7 @@ impl<'a> Oracle<'a> {
         }
         let job = Job::Ask(questions);
         let answers = self.answers(&self.program, &job)?.0;
-        Ok(Answered {
+        Ok(AnsweredQuestions {
             job,
             is_tie,
             answers,
@@ -168,7 +168,7 @@ impl<'a> Oracle<'a> {
     }
 }
 
-/// Whether two answers agree to the last bit. Zero and negative zero count as the same.
+/// Whether two answers agree to the last bit. Zero and negative zero count as equal.
 fn is_same(a: &Option<Answer>, b: &Option<Answer>) -> bool {
     a == b
 }

@@ -1,8 +1,8 @@
-//! Whether a mark depends on the draw: fresh questions of many seeds, asked of everything that
-//! is known to be wrong.
+//! Tests whether a mark depends on the draw: asks every known wrong answer the fresh questions of
+//! many seeds.
 //!
-//! An answer that fails the public questions of a group earns nothing there, whatever was
-//! drawn. So only groups whose public questions pass are asked.
+//! An answer that fails the public questions of a group earns nothing there, whatever was drawn.
+//! So only groups whose public questions pass are asked.
 
 use std::path::{Path, PathBuf};
 use std::{fmt, fs};
@@ -74,7 +74,7 @@ impl fmt::Display for DrawnGroup {
 }
 
 impl Draws {
-    /// Marks that depend on the draw, although the mistake shows in everyday questions.
+    /// Marks that depend on the draw although the mistake shows in everyday questions.
     pub fn faults(&self) -> Vec<String> {
         let mut faults: Vec<String> = Vec::new();
         for group in &self.caught {
@@ -124,8 +124,8 @@ pub fn judge_all(validator: &Validator, folder: &Path, named: &str) -> Result<Dr
     Ok(all)
 }
 
-/// How many groups pass their public questions, how many films they were asked, and those
-/// that fail some of them.
+/// How many groups pass their public questions, how many films they were asked, and which groups
+/// fail some of those.
 fn judge_one(
     validator: &Validator,
     wrong: &WrongAnswer,
@@ -162,7 +162,7 @@ fn judge_one(
     Ok((groups, asked, caught))
 }
 
-/// How many questions of each film are answered wrongly; all of them, if an answer is missing.
+/// How many questions of each film are answered wrongly. If an answer is missing, all of them.
 fn wrong_questions(
     validator: &Validator,
     program: &Program,
@@ -228,7 +228,7 @@ fn folders(folder: &Path) -> Result<Vec<PathBuf>> {
     }
 }
 
-/// The films of a task's groups, as far as the folders have them.
+/// The films of a task's groups that the folders have.
 fn drawn(validator: &Validator, task: &Task, folders: &[PathBuf]) -> Result<Vec<DrawnFilms>> {
     let groups = task.points.iter().map(|points| &points.group);
     let of_group = |group: &String| {

@@ -1,7 +1,7 @@
-//! Mutants that are known not to be mistakes, each with what it differs in and why.
-//!
-//! The list proves nothing: every time the mutants are judged, we search for a difference
-//! that refutes an entry.
+//! Mutants that are known not to be mistakes. Each entry says where the mutant differs from the
+//! reference, and why it differs nowhere else.
+//! The list proves nothing. Whenever the mutants are judged, we search for a difference that
+//! refutes an entry.
 
 use std::fs;
 
@@ -45,7 +45,7 @@ pub enum Claim {
 }
 
 impl Claim {
-    /// Whether the search found what is claimed.
+    /// Whether the search found what the entry claims.
     pub fn agrees(self, found: &Difference) -> bool {
         match self {
             Claim::Nowhere => found.elsewhere == 0 && found.on_ties == 0,
@@ -84,7 +84,7 @@ pub fn read(assignment: &Assignment) -> Result<Vec<EquivalentMutant>> {
     Ok(file.mutant)
 }
 
-/// Entries for which no mutant is written any more.
+/// Entries about mutants that are not generated any more.
 pub fn without_mutant(listed: &[EquivalentMutant], mutants: &[Mutant]) -> Vec<String> {
     let gone = listed
         .iter()

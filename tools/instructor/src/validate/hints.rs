@@ -1,4 +1,4 @@
-//! Whether the hints of known mistakes are short and easy to read, and end with a case in
+//! Checks that the hints of known mistakes are short and easy to read, and have a case in
 //! numbers.
 
 use pinhole_course::mistake::{Hint, MistakeFolder};
@@ -13,7 +13,7 @@ const HIGHEST_GRADE: f64 = 9.0;
 pub fn faults(mistakes: &[MistakeFolder]) -> Vec<String> {
     let of_one = |found: &MistakeFolder| {
         let name = format!("mistakes/{}", found.slug);
-        // No diagnosis names a compound, so nobody reads its hint.
+        // No diagnosis names a combined mistake, so nobody reads its hint.
         let needs_example = found.mistake.is_single();
         let faults = faults_of(&found.mistake.hint, needs_example).into_iter();
         faults.map(move |fault| format!("{name}: {fault}"))

@@ -1,5 +1,5 @@
-//! Judges every mutant: it must be caught by its own task's probes or by a scene, or be
-//! listed as no mistake.
+//! Judges every mutant. Each must be caught by its own task's questions or by a scene, or be
+//! listed as equivalent.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -23,7 +23,7 @@ use pinhole_course::submission::Submission;
 pub struct Mutants {
     /// One for each, in the order of tasks and lines.
     pub judged: Vec<MutantVerdict>,
-    /// Entries of the list of equivalent mutants that are not true.
+    /// False entries in the list of equivalent mutants.
     pub faults: Vec<String>,
 }
 
@@ -57,7 +57,7 @@ pub enum Fate {
     },
 }
 
-/// A mutant that takes longer than this for a task or a scene is in an endless loop: the
+/// A mutant that takes longer than this for a task or a scene is in an endless loop. The
 /// reference takes less than a second.
 const WALL: Duration = Duration::from_secs(10);
 
@@ -145,7 +145,7 @@ fn fate_of_program(
 ) -> Result<Fate> {
     let ask =
         |selection: Selection| validator.examine_built(program, submission, &selection, WALL, None);
-    // A task is asked alone, so no other task's questions can show the mutant.
+    // Ask the task alone, because no other task's questions can show the mutant.
     let alone = ask(Selection {
         tasks: vec![mutant.task.clone()],
         scenes: Vec::new(),
@@ -197,7 +197,7 @@ impl MutantVerdict {
         matches!(self.fate, Fate::Escaped { why: Some(_), .. })
     }
 
-    /// Whether it is a mistake that nothing catches.
+    /// Whether it is a mistake that no question and no scene catches.
     pub fn is_missed(&self) -> bool {
         matches!(self.fate, Fate::Escaped { why: None, .. })
     }
@@ -259,7 +259,7 @@ impl Mutants {
     }
 }
 
-/// Removes a program from disk: hundreds of mutants are not worth keeping.
+/// Deletes a program, because hundreds of mutants are not worth keeping.
 fn discard(program: &Program) {
     if let Some(folder) = program.executable.parent() {
         let _another_run_may_have = fs::remove_dir_all(folder);

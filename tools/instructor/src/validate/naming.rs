@@ -1,4 +1,4 @@
-//! Tests whether diagnoses give the right name. It uses rewrites, not the answers whose
+//! Tests whether diagnoses give the right name. It diagnoses rewrites and not the answers whose
 //! films are stored, because matching a film with itself proves nothing.
 
 use serde::Serialize;
@@ -12,15 +12,15 @@ use pinhole_course::outcome::Examination;
 /// Diagnoses of wrong films, counted.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Names {
-    /// How many films were given the right belief alone, or, for a compound, only beliefs that
-    /// it has.
+    /// How many films were given the right belief alone or, for a combined mistake, only beliefs
+    /// that it has.
     pub right: usize,
     /// How many were given the right belief among two or three that the film cannot tell
     /// apart.
     pub among: usize,
     /// How many were given no name.
     pub none: usize,
-    /// Films that were given a wrong name, perhaps beside the right one, and the names.
+    /// Films that were given a wrong name, perhaps besides the right one, with the names.
     pub wrong: Vec<String>,
 }
 
@@ -33,7 +33,7 @@ pub struct Naming {
     pub scenes: Names,
     /// Diagnoses of single pictures, as `diff` makes them, with nothing else known.
     pub pictures: Names,
-    /// Films that no diagnosis can look at, because the code panicked.
+    /// Films that can't be diagnosed, because the code panicked.
     pub without_film: usize,
 }
 
@@ -48,7 +48,7 @@ impl Names {
         self.right as f64 / self.all().max(1) as f64
     }
 
-    /// Counts the diagnosis of a film of somebody who holds these beliefs.
+    /// Counts the diagnosis of a film by a program with these beliefs.
     pub fn count(&mut self, film: &str, diagnosis: &Diagnosis, beliefs: &[String]) {
         let names: Vec<&String> = diagnosis.beliefs.iter().map(|named| &named.slug).collect();
         let held = |name: &&String| beliefs.contains(name);
@@ -70,7 +70,7 @@ impl Names {
 }
 
 impl Naming {
-    /// The diagnoses of an examination of somebody who holds these beliefs.
+    /// The diagnoses of an examination of a program with these beliefs.
     pub fn of(
         validator: &Validator,
         name: &str,
@@ -122,7 +122,7 @@ pub struct Diagnoses {
     pub rewrites: Naming,
     /// Diagnoses of two beliefs at once: composed of rewrites, or written as one answer.
     pub compounds: Naming,
-    /// Diagnoses of single beliefs as if each were unknown, so that any name is false.
+    /// Diagnoses of single beliefs as if each were unknown. Any name is then false.
     pub unmet: Naming,
 }
 
@@ -135,8 +135,8 @@ impl Diagnoses {
             mistakes.judged.iter().partition(|judged| judged.single);
         let (rewrites, composed): (Vec<_>, Vec<_>) =
             rewrites.judged.iter().partition(|judged| judged.single);
-        // Compounds of the beliefs' own answers are left out, because the films of those
-        // answers are stored.
+        // Leave out combinations of the beliefs' own answers, because the films of those answers
+        // are stored.
         let written = compounds.into_iter().filter(|judged| !judged.composed);
         let compounds: Vec<&SubmissionVerdict> = written.chain(composed).collect();
         Diagnoses {
@@ -146,7 +146,7 @@ impl Diagnoses {
         }
     }
 
-    /// The targets that are missed.
+    /// The targets that were missed.
     pub fn faults(&self) -> Vec<String> {
         let Diagnoses {
             rewrites,
@@ -162,8 +162,8 @@ impl Diagnoses {
                 ));
             }
         }
-        // For a single belief, a false name already lowers its share above. A single picture
-        // of two beliefs may equal that of a third one, so it is not counted.
+        // For a single belief, a false name already lowers the share above. A single picture of
+        // two beliefs may equal that of a third, so it is not counted.
         for names in [&compounds.tasks, &compounds.scenes] {
             faults.extend(names.wrong.iter().map(|film| format!("false name: {film}")));
         }

@@ -1,7 +1,7 @@
 //! Two beliefs inside one answer: the reference with the edits of both.
 //!
-//! The edits are data of the assignment, so that pairs can be made of any two that change
-//! different places.
+//! The edits are data of the assignment. Any two beliefs whose edits change different places make
+//! a pair.
 
 use std::fs;
 use std::ops::Range;
@@ -22,8 +22,8 @@ const FILE: &str = "pairs.toml";
 /// How many pairs of each task are judged without `--pairs`.
 const SAMPLE: usize = 5;
 
-/// The share of pairs for which at least one belief must be named. It is what we have reached
-/// so far; the aim is four in five.
+/// The share of pairs for which at least one belief must be named. It is what we have reached so
+/// far. The aim is four in five.
 const ENOUGH: f64 = 0.65;
 
 /// A belief as edits of the reference.
@@ -52,9 +52,9 @@ pub struct Pairs {
     pub names: Names,
     /// How many had both beliefs named.
     pub both: usize,
-    /// Pairs that got no name, or a wrong one.
+    /// Pairs that got no name or a wrong one.
     pub unnamed: Vec<String>,
-    /// Pairs that pass everything: each belief hides the other.
+    /// Pairs that pass everything, because each belief hides the other.
     pub passing: Vec<String>,
     /// What was measured in their answers.
     pub sentences: Sentences,
@@ -113,7 +113,7 @@ pub fn judge(validator: &Validator, named: &str, all: bool) -> Result<Option<Pai
 }
 
 /// The result of one pair.
-struct Judged {
+struct PairResult {
     name: String,
     fails: bool,
     names: Names,
@@ -126,7 +126,7 @@ impl Pair {
         self.beliefs.join(" + ")
     }
 
-    fn judge(&self, validator: &Validator, base: &Base) -> Result<Judged> {
+    fn judge(&self, validator: &Validator, base: &Base) -> Result<PairResult> {
         let submission = base.submission.clone();
         let submission = submission.with_answer(&self.task, self.text.clone());
         let program = validator.compiler.compile(&submission)?;
@@ -158,7 +158,7 @@ impl Pair {
             let task = task.expect("the pair's answer is one of the reference's");
             sentences = Sentences::of(validator, &program, task, &self.name())?;
         }
-        Ok(Judged {
+        Ok(PairResult {
             name: self.name(),
             fails: failing.is_some(),
             names,
@@ -223,7 +223,7 @@ impl Belief {
 }
 
 impl Pairs {
-    /// The targets that are missed.
+    /// The targets that were missed.
     pub fn faults(&self) -> Vec<String> {
         let wrong = self.names.wrong.iter();
         let mut faults: Vec<String> = wrong.map(|film| format!("false name: {film}")).collect();

@@ -1,7 +1,7 @@
-//! The smallest error that each scene detects.
+//! Measures the smallest error that each scene detects.
 //!
-//! For camera errors the reference's own program casts with a disturbed camera; errors of
-//! t and of normals are put into the reference's film.
+//! For camera errors, the reference's program casts with a disturbed camera. Errors of t and of
+//! normals are added to the reference's film.
 
 use std::collections::BTreeMap;
 
@@ -24,8 +24,8 @@ use pinhole_course::sandbox::Limits;
 pub struct Sensitivity {
     /// The scene.
     pub scene: String,
-    /// The smallest error of each kind that this scene can have; `None` if not even the
-    /// largest that was tried is detected, [`Kind::most`].
+    /// The smallest detected error of each kind that this scene can have; `None` if not even
+    /// [`Kind::most`], the largest that was tried, is detected.
     pub least: BTreeMap<Kind, Option<f64>>,
 }
 
@@ -34,11 +34,11 @@ pub struct Sensitivity {
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
     /// Every ray misses its pixel's centre by this many pixels, along the rows or along the
-    /// columns, whichever is detected later.
+    /// columns. The direction that is detected later counts.
     CameraShift,
-    /// The image plane is this share of its distance too far away.
+    /// The image plane is too far away by this share of its distance.
     FocalLength,
-    /// Every t is this share of itself too large.
+    /// Every t is too large by this share of itself.
     T,
     /// Every normal is tilted by so many radians.
     NormalTilt,
@@ -68,7 +68,7 @@ impl Kind {
     }
 }
 
-/// Errors are tried in steps of a tenth of a decade.
+/// The size of an error. Errors grow in steps of a tenth of a decade.
 fn size(step: i32) -> f64 {
     10_f64.powf(f64::from(step) / 10.0)
 }
@@ -165,7 +165,7 @@ impl Subject {
             Kind::CameraShift => {
                 let across = search(&|pixels| with_camera(self.shifted(pixels, 0.0)))?;
                 let upward = search(&|pixels| with_camera(self.shifted(0.0, pixels)))?;
-                // A shift that only one direction detects does not count as detected.
+                // A shift counts as detected only if both directions are.
                 across
                     .zip(upward)
                     .map(|(across, upward)| across.max(upward))
@@ -176,7 +176,7 @@ impl Subject {
         })
     }
 
-    /// Searches by bisection. It assumes that an error is detected if a smaller one is.
+    /// Searches by bisection, assuming that an error is detected if a smaller one is.
     fn search(&self, kind: Kind, disturb: &Disturb) -> Result<Option<f64>> {
         let is_seen = |step: i32| -> Result<bool> {
             let film = disturb(size(step))?;
@@ -196,15 +196,15 @@ impl Subject {
         Ok(Some(size(seen)))
     }
 
-    /// Every ray misses its pixel's centre by these distances.
+    /// The camera, disturbed so that every ray misses its pixel's centre by these distances.
     fn shifted(&self, across: f64, upward: f64) -> Camera {
         let camera = self.scene.camera;
         let resolution = self.scene.resolution;
         let aside = across * camera.width / resolution.n_x as f64 * camera.u
             + upward * camera.height / resolution.n_y as f64 * camera.v;
         match camera.projection {
-            // No longer a frame of unit vectors, but d = … − focal_length w then leads
-            // to the shifted point of the image plane, eye and t staying as they are.
+            // This is not a frame of unit vectors any more. But d = … − focal_length w now leads
+            // to the shifted point of the image plane, while eye and t stay as they are.
             Projection::Perspective { focal_length } => Camera {
                 w: camera.w - aside / focal_length,
                 ..camera

@@ -8,7 +8,7 @@ use pinhole::ask::Reply;
 use pinhole::job::Job;
 use pinhole_course::assignment::Task;
 use pinhole_course::compile::Program;
-use pinhole_course::diagnosis::measure::{Asked, measure};
+use pinhole_course::diagnosis::measure::{AnsweredFilm, measure};
 use pinhole_course::error::Result;
 use pinhole_course::examine;
 use pinhole_course::goldens::Goldens;
@@ -18,13 +18,13 @@ use pinhole_course::sandbox::Limits;
 /// The sentences about one wrong task, or about many.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Sentences {
-    /// How many wrong tasks gave every answer.
+    /// How many wrong tasks answered every question.
     pub tasks: usize,
-    /// How many of these got a law, or a sentence about where they are wrong.
+    /// How many of these got a law or a sentence about where they are wrong.
     pub told: usize,
     /// All sentences.
     pub said: Vec<String>,
-    /// Tasks that got neither, with the sentences that they got.
+    /// Tasks that got neither, with the sentences that they did get.
     pub untold: Vec<String>,
     /// How many sentences were tested on fresh questions.
     pub tested: usize,
@@ -35,7 +35,7 @@ pub struct Sentences {
 /// The share of wrong tasks that must get a law.
 const ENOUGH: f64 = 0.8;
 
-/// For fewer wrong tasks than this, no share is required.
+/// With fewer wrong tasks than this, no share is required.
 pub const FEW: usize = 20;
 
 impl Sentences {
@@ -89,7 +89,7 @@ impl Sentences {
         sum
     }
 
-    /// The targets that are missed.
+    /// The targets that were missed.
     pub fn faults(&self, what: &str) -> Vec<String> {
         let false_ones = self.wrong.iter().map(|it| format!("false sentence: {it}"));
         let mut faults: Vec<String> = false_ones.collect();
@@ -107,10 +107,10 @@ fn films(goldens: &Goldens, task: &Task) -> Result<Vec<QuestionFilm>> {
     Ok(groups.into_iter().flat_map(|group| group.films).collect())
 }
 
-fn asked<'a>(films: &'a [QuestionFilm], replies: &'a [Reply]) -> Vec<Asked<'a>> {
+fn asked<'a>(films: &'a [QuestionFilm], replies: &'a [Reply]) -> Vec<AnsweredFilm<'a>> {
     let pairs = films.iter().zip(replies);
     let asked = pairs.filter_map(|(film, reply)| {
-        Some(Asked {
+        Some(AnsweredFilm {
             questions: film.job.questions()?,
             answers: &reply.answers,
             golden: &film.golden,
@@ -119,7 +119,7 @@ fn asked<'a>(films: &'a [QuestionFilm], replies: &'a [Reply]) -> Vec<Asked<'a>> 
     asked.collect()
 }
 
-/// Asks for all answers in one process; `None` if some are missing.
+/// Asks all questions in one process; `None` if some answers are missing.
 pub fn ask(
     validator: &Validator,
     program: &Program,

@@ -1,4 +1,4 @@
-//! Submissions that people wrote and whose verdict is known: the stub, the reference,
+//! Judges submissions that people wrote and whose verdict is known: the stub, the reference,
 //! mistakes, rewrites of them, and variants.
 
 mod bases;
@@ -10,7 +10,7 @@ use serde::Serialize;
 use super::naming::Naming;
 use super::validator::Validator;
 use crate::scene_cap::most_for_scenes;
-use bases::{Bases, Under};
+use bases::{Bases, OverlayBase};
 use pinhole_course::error::{Error, Result};
 use pinhole_course::examine::Selection;
 use pinhole_course::mistake;
@@ -21,12 +21,12 @@ use pinhole_course::submission::{Answer, Submission};
 
 /// The results of the stub and the reference.
 #[derive(Debug, Serialize)]
-pub struct Pristine {
+pub struct PristineVerdicts {
     /// The reference's points, and the points that are possible.
     pub reference: (u32, u32),
     /// The stub's points.
     pub stub: u32,
-    /// The verdicts that are not as they must be.
+    /// The verdicts that differ from the required ones.
     pub faults: Vec<String>,
 }
 
@@ -42,11 +42,11 @@ pub struct SubmissionVerdicts {
 pub struct SubmissionVerdict {
     /// Its folder inside the assignment.
     pub name: String,
-    /// Whether it holds one belief alone.
+    /// Whether it has a single belief.
     pub single: bool,
     /// Whether it is composed of the folders of several beliefs.
     pub composed: bool,
-    /// Tasks that must lose points, sorted; none if it must pass.
+    /// Tasks that must lose points, sorted. None if it must pass.
     pub declared: Vec<String>,
     /// Tasks that lose points, sorted.
     pub tasks: Vec<String>,
@@ -54,18 +54,18 @@ pub struct SubmissionVerdict {
     pub groups: Vec<String>,
     /// Scenes that fail.
     pub scenes: Vec<String>,
-    /// Points that its scenes earn by themselves.
+    /// Points that its scenes earn, before the limit.
     pub scene_points: u32,
     /// The most that the scenes may earn; see [`crate::scene_cap`].
     pub most_for_scenes: u32,
-    /// Answers that do not compile, so that their failing shows nothing.
+    /// Answers that do not compile, whose failure therefore shows nothing.
     pub not_compiled: Vec<String>,
     /// What its diagnoses name.
     pub naming: Naming,
 }
 
 /// Judges the stub and the reference by everything.
-pub fn pristine(validator: &Validator) -> Result<Pristine> {
+pub fn pristine(validator: &Validator) -> Result<PristineVerdicts> {
     let all = [stub(validator)?, overlay::reference(validator.assignment)?];
     let examined = validator.all("stub and reference", &all, |submission| {
         validator.examine(submission, &Selection::default())
@@ -81,14 +81,14 @@ pub fn pristine(validator: &Validator) -> Result<Pristine> {
     faults.extend(answered.map(|(name, _)| format!("the stub is not unanswered in {name}")));
     let wrong = films(reference).filter(|(_, film)| !film.passes());
     faults.extend(wrong.map(|(name, _)| format!("false fail: the reference fails {name}")));
-    Ok(Pristine {
+    Ok(PristineVerdicts {
         reference: (reference.points.unwrap_or_default(), reference.possible),
         stub: stub.points.unwrap_or_default(),
         faults,
     })
 }
 
-/// The generated handout, because somebody may have filled in the committed one.
+/// The generated handout, because the committed one may have been filled in.
 fn stub(validator: &Validator) -> Result<Submission> {
     let package = stubs::generate(validator.assignment)?;
     let text = |file: String| package.get(&PathBuf::from("src").join(file)).cloned();
@@ -111,14 +111,14 @@ fn films(outcome: &Outcome) -> impl Iterator<Item = (String, &FilmOutcome)> {
     })
 }
 
-/// Folders to lay over other answers one after the other, and the verdict that is expected.
+/// Folders to lay over other answers, one after the other, and the expected verdict.
 struct Overlay {
     name: String,
     folders: Vec<PathBuf>,
     single: bool,
     declared: Vec<String>,
     beliefs: Vec<String>,
-    under: Under,
+    under: OverlayBase,
 }
 
 /// Judges the mistakes and their rewrites whose names contain `named`.
@@ -146,7 +146,7 @@ pub fn mistakes(
                 single,
                 declared: declared.clone(),
                 beliefs: beliefs.clone(),
-                under: Under::Variants(rewrites.len()),
+                under: OverlayBase::Variants(rewrites.len()),
             });
         }
         mistakes.push(Overlay {
@@ -156,8 +156,8 @@ pub fn mistakes(
             declared,
             beliefs,
             under: match single {
-                true => Under::ReferenceUnaware,
-                false => Under::Reference,
+                true => OverlayBase::ReferenceUnaware,
+                false => OverlayBase::Reference,
             },
         });
     }
@@ -175,7 +175,7 @@ pub fn variants(validator: &Validator, named: &str) -> Result<SubmissionVerdicts
         single: false,
         declared: Vec::new(),
         beliefs: Vec::new(),
-        under: Under::Reference,
+        under: OverlayBase::Reference,
     };
     let overlays = found.into_iter().map(overlay).collect();
     judge_all(validator, "variants", overlays, named)
@@ -204,7 +204,7 @@ fn judge_all(
         }
         let base = bases.of(overlay.under);
         let goldens = match overlay.under {
-            Under::ReferenceUnaware => {
+            OverlayBase::ReferenceUnaware => {
                 let own = overlay.beliefs.first().map_or("", String::as_str);
                 Some(validator.goldens.unaware_of(own))
             }

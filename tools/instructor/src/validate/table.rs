@@ -1,4 +1,4 @@
-//! A validation as tables for people.
+//! Shows a validation as tables.
 
 mod catches;
 mod diagnoses;
@@ -57,7 +57,7 @@ pub fn validation(validation: &Validation) -> String {
     text + &format!("\n{verdict}  {QUIET}{seconds:.0} s{QUIET:#}\n")
 }
 
-/// The groups that pass the public questions and not all fresh ones, the rarest first.
+/// The groups that pass the public questions but not all fresh ones, the rarest first.
 fn drawn(draws: &Draws) -> String {
     let (answers, groups, asked) = (draws.answers, draws.groups, draws.asked);
     let mut text = format!(
@@ -108,7 +108,7 @@ fn failing(name: &str, known: &SubmissionVerdicts, more: &str) -> String {
     row(declared == all, name, said)
 }
 
-/// How many points scenes lose because of their tasks, if no fresh scene earns them.
+/// How many points scenes lose because of their tasks, if no fresh scene earns them back.
 fn capped(mistakes: &SubmissionVerdicts) -> String {
     let lost = |judged: &SubmissionVerdict| {
         let (earned, most) = (judged.scene_points, judged.most_for_scenes);

@@ -1,4 +1,4 @@
-//! Questions of which many are exact ties, as the assignment's Python draws them.
+//! Questions of which many are exact ties, drawn by the assignment's Python.
 //!
 //! A tie is a question whose answer depends on comparing two equal numbers: t exactly `min_t`,
 //! a ray exactly through an edge, two objects at the same t. Goldens in 32-bit floats cannot

@@ -1,4 +1,4 @@
-//! Compiles a submission, asks it, and judges its answers, in the same way as `check`.
+//! Compiles a submission, asks it, and judges its answers, as `check` does.
 
 mod base;
 
@@ -20,14 +20,14 @@ use pinhole_course::sandbox::Sandbox;
 use pinhole_course::second_judge::SecondJudge;
 use pinhole_course::submission::Submission;
 
-/// What every submission is judged with.
+/// Everything that submissions are judged with.
 #[derive(Clone, Copy)]
 pub struct Validator<'a> {
     /// The assignment whose tasks are asked.
     pub assignment: &'a Assignment,
     /// The goldens that judge the answers.
     pub goldens: &'a Goldens,
-    /// Questions from another seed, by which sentences are tested, if there are any.
+    /// Questions from another seed, on which sentences are tested, if there are any.
     pub fresh: Option<&'a Goldens>,
     /// The compiler for submissions.
     pub compiler: &'a Compiler,
@@ -45,8 +45,8 @@ pub struct Validator<'a> {
 pub const WALL: Duration = Duration::from_secs(30);
 
 impl Validator<'_> {
-    /// Does some work on each item, as many at a time as the pool has threads. Results are in
-    /// the items' order.
+    /// Does some work on each item, as many at a time as the pool has threads. Results are in the
+    /// items' order.
     pub fn all<T: Sync, R: Send>(
         &self,
         what: &str,
@@ -65,14 +65,14 @@ impl Validator<'_> {
             .install(|| items.par_iter().with_max_len(1).map(told).collect())
     }
 
-    /// Compiles a submission and asks it what is selected.
+    /// Compiles a submission and asks it the selected questions.
     pub fn examine(&self, submission: &Submission, selection: &Selection) -> Result<Examination> {
         let program = self.compiler.compile(submission)?;
         self.examine_built(&program, submission, selection, WALL, None)
     }
 
-    /// Asks a submission everything, but reuses replies that depend only on files of `base`:
-    /// these are asked of one submission only.
+    /// Asks a submission everything, but reuses replies that depend only on files of `base`.
+    /// These are asked of one submission only.
     pub fn examine_over(&self, submission: &Submission, base: &Base) -> Result<Examination> {
         let program = self.compiler.compile(submission)?;
         let known = base.replies_for(submission, self)?;
@@ -80,7 +80,7 @@ impl Validator<'_> {
         self.examine_built(&program, submission, &everything, WALL, Some(&known))
     }
 
-    /// Asks a built submission what is selected, for at most `wall` a task or scene.
+    /// Asks a built submission the selected questions, for at most `wall` for each task or scene.
     pub fn examine_built(
         &self,
         program: &Program,

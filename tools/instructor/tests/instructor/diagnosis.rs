@@ -1,4 +1,4 @@
-//! Diagnoses of wrong films: the belief that explains them, or nothing.
+//! Diagnoses of wrong films: the belief that explains them, or none.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,7 @@ fn plain(path: &Path) -> &str {
     path.to_str().expect("test folders have plain names")
 }
 
-/// A student who holds the belief of `slug`, and whose code is not the one whose films are
+/// A submission with the belief of `slug`, made from other code than the one whose films are
 /// stored.
 fn student(name: &str, slug: &str) -> PathBuf {
     let mistakes = root().join("assignments/ray_casting/mistakes");
@@ -49,7 +49,7 @@ fn failing<'a>(examination: &'a Value, kind: &str) -> Vec<&'a Value> {
 }
 
 #[test]
-fn a_belief_in_code_never_seen_is_named_in_its_task_and_in_every_scene_it_spoils() {
+fn a_belief_in_new_code_is_named_in_its_task_and_in_every_scene_it_spoils() {
     let folder = student("diagnosed", "sphere_near_root_only");
     let ran = pinhole(&["check", plain(&folder), "--json"]).expect_code(1);
     let examination = ran.json();

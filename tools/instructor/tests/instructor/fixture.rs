@@ -5,13 +5,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use pinhole_testing::{Ran, fresh, pinhole, program_of, root, trusted};
+use pinhole_testing::{RunResult, fresh, pinhole, program_of, root, trusted};
 use serde_json::{Value, json};
 
 const DISKS: &str = "tools/instructor/tests/fixture/assignments/disks";
 
 /// Runs a command on the small assignment.
-fn run(arguments: &[&str]) -> Ran {
+fn run(arguments: &[&str]) -> RunResult {
     pinhole(&[arguments, &["--assignment", DISKS]].concat())
 }
 

@@ -3,13 +3,15 @@
 use std::fs;
 use std::path::Path;
 
-use pinhole_testing::{Ran, TASKS, fresh, fresh_goldens, pinhole, pinhole_with, root, trusted};
+use pinhole_testing::{
+    RunResult, TASKS, fresh, fresh_goldens, pinhole, pinhole_with, root, trusted,
+};
 
 fn plain(path: &Path) -> &str {
     path.to_str().expect("test folders have plain names")
 }
 
-fn verify(folder: &Path) -> Ran {
+fn verify(folder: &Path) -> RunResult {
     pinhole(&["golden", "verify", plain(folder)])
 }
 
@@ -120,7 +122,7 @@ fn a_scene_renders_to_the_same_bytes_twice_and_passes_against_the_committed() {
             "{name} differs between two renders"
         );
     }
-    // On another machine the bytes may differ from the committed; the rule must hold.
+    // Another machine may make other bytes than the committed ones, but the rule must hold.
     for name in ["slide_example.exr", "slide_example.rays.exr"] {
         let committed = root().join("golden/ray_casting").join(name);
         let again = first.join(name);
@@ -152,7 +154,7 @@ obj = "edge.obj"
     fs::write(&scene, text).expect("it can be written");
     fs::write(folder.join("edge.obj"), mesh).expect("it can be written");
     let out = folder.join("out");
-    // A good scene beside it is rendered all the same, and its goldens are complete.
+    // A good scene in the same run is still rendered, and its goldens are complete.
     let good = root().join("assignments/ray_casting/scenes/slide_example.toml");
     let line = [
         "golden",

@@ -1,5 +1,4 @@
-//! A small class, graded by the real command, whose marks must not depend on how it is
-//! run.
+//! The real command grades a small class. Marks must not depend on how it is run.
 
 mod exports;
 mod fresh;
@@ -12,12 +11,12 @@ use std::sync::OnceLock;
 
 use serde_json::Value;
 
-use pinhole_testing::{Ran, fresh, pinhole, root, small_assignment, submission, trusted};
+use pinhole_testing::{RunResult, fresh, pinhole, root, small_assignment, submission, trusted};
 
 const BROKEN: &str = "fn oops( {";
 
 /// Runs a command on an assignment without large scenes, because no test here needs them.
-fn on_small_assignment(arguments: &[&str]) -> Ran {
+fn on_small_assignment(arguments: &[&str]) -> RunResult {
     pinhole(&[arguments, &["--assignment", assignment()]].concat())
 }
 
@@ -71,7 +70,7 @@ impl Class {
         self.folder.join(name).to_str().expect("plain").to_owned()
     }
 
-    fn grade(&self, out: &str, more: &[&str]) -> Ran {
+    fn grade(&self, out: &str, more: &[&str]) -> RunResult {
         let (class, out) = (self.path("class"), self.path(out));
         let fixed = ["grade", &class, "--out", &out, "--no-fresh"];
         on_small_assignment(&[&fixed[..], more].concat())
@@ -139,13 +138,14 @@ fn a_class_gets_the_same_grades_with_any_number_of_jobs_and_a_full_report() {
         &formats,
     ]
     .concat();
-    // One submission lacks a file, five are not on the roster, and one file belongs to nobody.
+    // One submission lacks a file, five are not on the roster, and one file belongs to no
+    // submission.
     let told = class.grade("one", &options).expect_code(1).json();
     class
         .grade("two", &["--roster", &roster, "--jobs", "2"])
         .expect_code(1)
         .expect_out("of 3 people on the roster, 2 are graded; 1 handed in nothing")
-        .expect_out("! 1 files that belong to nobody\n      notes.txt")
+        .expect_out("! 1 files that belong to no submission\n      notes.txt")
         .expect_out("gus: plane.rs is missing");
     let csv = class.read("one/grades.csv");
     assert_eq!(csv, class.read("two/grades.csv"));
@@ -215,7 +215,7 @@ pub fn faults(schema: &str, document: &Value) -> Vec<String> {
     errors.map(|error| error.to_string()).collect()
 }
 
-/// Checks each file against its schema, or reads it with somebody else's parser.
+/// Checks each file against its schema, or reads it with another project's parser.
 #[track_caller]
 fn every_format_is_valid(class: &Class, id: &str) {
     let documents = [
@@ -318,12 +318,12 @@ fn grading_without_a_sandbox_needs_an_option() {
         let text = class.read(&format!("out/{view}"));
         assert!(text.contains("without a sandbox"), "{view}:\n{text}");
     }
-    // That mark is not valid for a run with a sandbox.
+    // A mark given without a sandbox is not valid for a run with one.
     let again = pinhole(&[&fixed[..], &["--json"]].concat())
         .expect_code(0)
         .json();
     assert_eq!(again["graded_now"], 1);
-    // All other views of it are removed too.
+    // All other views of the old mark are removed too.
     for gone in ["gradescope.json", "prairielearn.json", "junit.xml"] {
         let path = class.folder.join("out/submissions/ada").join(gone);
         assert!(!path.exists(), "{gone}");

@@ -1,5 +1,5 @@
-//! The students' repository: it has all they need and nothing they must not have, and
-//! works on a machine with only Rust.
+//! The students' repository has everything they need and nothing they must not have, and works on
+//! a machine with only Rust.
 
 mod beside;
 mod book;
@@ -59,7 +59,7 @@ fn files_of_students_are_not_overwritten() {
         pinhole(&arguments)
     };
     again(&[]).expect_code(2).expect_err("not empty");
-    // Files that don't belong to the handout stay, and missing files of the handout come back.
+    // Files that don't belong to the handout stay, and missing files of the handout are restored.
     fs::write(out.join("notes.txt"), "mine").expect("it can be written");
     fs::remove_file(out.join("src/lib.rs")).expect("it was written");
     again(&["--force"]).expect_code(0);

@@ -51,12 +51,12 @@ fn every_task_and_scene_has_a_snapshot_test() {
     }
 }
 
-/// Runs a snapshot test of the stubs and of the reference in a copy of their folder. It
-/// passes for the reference, so the stubs alone decide.
+/// Runs a snapshot test of the stubs and of the reference in a copy of their folder. It passes
+/// for the reference, so the result depends on the stubs alone.
 fn handout_tests(settings: &[(&str, &str)], workspace: &Path) -> (bool, String) {
     let cargo = std::env::var("CARGO").unwrap_or("cargo".into());
     let mut command = Command::new(cargo);
-    // Test the whole workspace, because a single package would be built again with other
+    // Test the whole workspace, because cargo would build a single package again with other
     // features.
     command
         .current_dir(root())
@@ -78,7 +78,7 @@ fn no_setting_of_insta_turns_a_wrong_film_green_or_touches_a_golden() {
     let workspace = fresh(&trusted(), "insta");
     let snapshots = "assignments/ray_casting/tests/snapshots";
     let copy = workspace.join(snapshots);
-    // insta names the folder by way of the package, which must exist as well.
+    // insta finds the folder through the package, which must exist as well.
     for package in ["handout", "reference"] {
         let folder = workspace.join("assignments/ray_casting").join(package);
         fs::create_dir_all(folder).expect("it can be made");

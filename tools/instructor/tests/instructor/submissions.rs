@@ -28,7 +28,7 @@ fn answers(folder: &Path) -> Vec<PathBuf> {
         .collect()
 }
 
-/// Lays an overlay over the reference and has everything judged by both judges.
+/// Lays an overlay over the reference and lets both judges judge everything.
 fn check(overlay: &Path) -> Value {
     let slug = overlay
         .file_name()

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-use pinhole_testing::{Ran, fresh, pinhole, root, small_assignment, trusted};
+use pinhole_testing::{RunResult, fresh, pinhole, root, small_assignment, trusted};
 
 /// A small assignment that belongs to one test.
 fn assignment(name: &str) -> PathBuf {
@@ -21,12 +21,12 @@ fn read(file: &str) -> String {
     fs::read_to_string(root().join("assignments/ray_casting").join(file)).expect("it is there")
 }
 
-fn validate(assignment: &Path, arguments: &[&str]) -> Ran {
+fn validate(assignment: &Path, arguments: &[&str]) -> RunResult {
     let folder = assignment.to_str().expect("a plain name");
     pinhole(&[&["validate", folder], arguments].concat())
 }
 
-/// Writes a compound of these mistakes, which has no answer file of its own. Also writes the
+/// Writes a combined mistake of these, which has no answer file of its own. Also writes the
 /// mistakes; each uses its own files as its rewrite.
 fn write_compound(course: &Path, beliefs: &[&str]) {
     let mut tasks = Vec::new();
@@ -46,9 +46,9 @@ fn write_compound(course: &Path, beliefs: &[&str]) {
     write(course, "mistakes/compound/mistake.toml", &toml);
 }
 
-/// The output of `validate` for a course in which everything is wrong that can be wrong.
-fn wrong_verdicts() -> &'static Ran {
-    static RAN: OnceLock<Ran> = OnceLock::new();
+/// The output of `validate` for a course in which everything that can be wrong is wrong.
+fn wrong_verdicts() -> &'static RunResult {
+    static RAN: OnceLock<RunResult> = OnceLock::new();
     RAN.get_or_init(|| {
         let course = assignment("wrong-verdicts");
         let (right, wrong) = (
@@ -80,12 +80,12 @@ fn wrong_verdicts() -> &'static Ran {
 
 #[track_caller]
 fn is_named(fault: &str) {
-    let Ran { code, out, err } = wrong_verdicts();
+    let RunResult { code, out, err } = wrong_verdicts();
     assert_eq!(*code, 1, "{out}\n{err}");
     assert!(out.contains(fault), "no {fault:?} in:\n{out}\n{err}");
 }
 
-/// Held by tests that judge the same mutants: each removes their programs when it is done.
+/// Held by tests that judge the same mutants, because each removes their programs at the end.
 static MUTANTS: Mutex<()> = Mutex::new(());
 
 #[test]
@@ -143,7 +143,7 @@ fn right_verdict_is_not_a_fault() {
     assert!(!faults.contains("mistakes/plane_known "), "{faults}");
     assert!(!faults.contains("plane_known/rewrite"), "{faults}");
     assert!(!faults.contains("compound"), "{faults}");
-    // There are five wrong verdicts, and no belief is named, neither in tasks nor in scenes.
+    // There are five wrong verdicts, and no belief is named in tasks or in scenes.
     assert!(out.contains("7 targets are missed"), "{out}");
 }
 

@@ -1,4 +1,4 @@
-//! A diagnosis in the words a student reads, and where the book helps.
+//! A diagnosis in words for students, with a link to the book.
 
 use serde::Serialize;
 
@@ -9,7 +9,7 @@ use pinhole_course::diagnosis::{Diagnosis, Explanation, Reading};
 /// A belief that explains wrong answers, with hints.
 #[derive(Debug, PartialEq, Serialize)]
 pub struct Beliefs {
-    /// How several beliefs go together; none for a single one.
+    /// How several beliefs belong together; none for a single belief.
     pub reading: Option<String>,
     /// The beliefs, each with its hints.
     pub beliefs: Vec<Belief>,
@@ -18,12 +18,12 @@ pub struct Beliefs {
 /// One belief and its hints.
 #[derive(Debug, PartialEq, Serialize)]
 pub struct Belief {
-    /// The place where the page has explained it already.
-    pub told: Option<Told>,
+    /// The section that has already explained it.
+    pub told: Option<ExplainedBelief>,
     pub belief: String,
-    /// The share it explains; none where only one of several is held.
+    /// The share that it explains; none if the student holds only one of several.
     pub explains: Option<String>,
-    /// How many others held it; none if nobody else did.
+    /// How many others held it; none if there were no others.
     pub company: Option<u32>,
     pub look: String,
     pub think: String,
@@ -33,16 +33,16 @@ pub struct Belief {
 
 /// A belief that a task's section explains.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Told {
+pub struct ExplainedBelief {
     slug: String,
     task: String,
     id: String,
 }
 
 impl Beliefs {
-    /// `None` if no belief is named. A belief that `told` has already is only referred
-    /// to.
-    pub fn of(diagnosis: &Diagnosis, told: &[Told]) -> Option<Beliefs> {
+    /// `None` if no belief is named. A belief in `told` is only referred to, because an earlier
+    /// section explains it.
+    pub fn of(diagnosis: &Diagnosis, told: &[ExplainedBelief]) -> Option<Beliefs> {
         let one_of = diagnosis.reading == Reading::OneOf && diagnosis.beliefs.len() > 1;
         let most = diagnosis.beliefs.iter().map(|held| held.explained);
         let reading = one_of.then(|| {
@@ -69,14 +69,14 @@ impl Beliefs {
     }
 }
 
-impl Told {
+impl ExplainedBelief {
     /// The beliefs that the section of the `k`-th task explains.
     pub fn by_task<'a>(
         k: usize,
         name: &'a str,
         diagnosis: &'a Diagnosis,
-    ) -> impl Iterator<Item = Told> + 'a {
-        diagnosis.beliefs.iter().map(move |held| Told {
+    ) -> impl Iterator<Item = ExplainedBelief> + 'a {
+        diagnosis.beliefs.iter().map(move |held| ExplainedBelief {
             slug: held.slug.clone(),
             task: name.into(),
             id: format!("task-{k}"),
@@ -122,7 +122,7 @@ mod tests {
     #[test]
     fn belief_explained_in_a_task_is_not_repeated() {
         let single = diagnosis(vec![belief("A.", 1.0)], Reading::Together);
-        let told: Vec<Told> = Told::by_task(2, "sphere", &single).collect();
+        let told: Vec<ExplainedBelief> = ExplainedBelief::by_task(2, "sphere", &single).collect();
         let beliefs = Beliefs::of(&single, &told).expect("there is one");
         assert_eq!(
             beliefs.beliefs[0]

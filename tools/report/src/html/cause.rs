@@ -1,11 +1,11 @@
-//! Why a pixel is wrong, judged by film and golden alone.
+//! Why a pixel is wrong, as far as film and golden show it.
 
 use pinhole::Film;
 use pinhole::false_colour::Difference;
 use pinhole::film::HIT_CHANNELS;
 use pinhole::judge::Golden;
 
-/// What is wrong at a pixel; the first that applies.
+/// What is wrong at a pixel. If several causes apply, the first counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cause {
     NotFinite,
@@ -19,12 +19,12 @@ pub enum Cause {
     AnotherNormal,
 }
 
-/// A normal is not unit if its length differs from 1 by more than this. Rounding to 32-bit
-/// floats never does that much, and forgetting to normalise rarely does less.
+/// A normal is not unit if its length differs from 1 by more than this. Rounding to 32-bit floats
+/// never causes so large a difference, and a forgotten normalisation rarely causes a smaller one.
 const UNIT: f32 = 1e-4;
 
-/// A normal is called reversed if its opposite is this near to the golden's. This is wider
-/// than the tolerance, because the name earns no points.
+/// A normal is called reversed if its opposite is this near to the golden's. The limit may be
+/// wider than the tolerance, because no points depend on it.
 const REVERSED: f32 = 1e-3;
 
 impl Cause {
@@ -56,7 +56,7 @@ impl Cause {
         }
     }
 
-    /// The colour it has in a difference picture; none if that depends on the pixel.
+    /// The colour of this cause in a difference picture; none if the colour depends on the pixel.
     pub fn difference(self) -> Option<Difference> {
         match self {
             Cause::NotFinite => None,
@@ -70,16 +70,16 @@ impl Cause {
 }
 
 /// What is wrong with a film of hits, pixel by pixel in image order.
-pub struct Wrong {
-    /// Why; `None` where the film agrees.
+pub struct WrongPixels {
+    /// The cause; `None` where the film agrees.
     pub causes: Vec<Option<Cause>>,
     /// Which channels miss the golden: bit k for the k-th of [`HIT_CHANNELS`].
     pub missed: Vec<u8>,
 }
 
-impl Wrong {
-    /// Compares a film of hits with its golden, which has its size.
-    pub fn between(golden: &Golden, film: &Film) -> Wrong {
+impl WrongPixels {
+    /// Compares a film of hits with a golden of the same size.
+    pub fn between(golden: &Golden, film: &Film) -> WrongPixels {
         let mut missed = vec![0; golden.film().resolution().pixels()];
         for (bit, channel) in HIT_CHANNELS.iter().enumerate() {
             for (mask, missed) in missed.iter_mut().zip(golden.missed(film, channel)) {
@@ -94,7 +94,7 @@ impl Wrong {
             })
         };
         let causes = missed.iter().enumerate().map(cause).collect();
-        Wrong { causes, missed }
+        WrongPixels { causes, missed }
     }
 
     /// How many pixels have this cause.
@@ -145,7 +145,7 @@ mod tests {
     /// The cause at a pixel where object 1 is expected at t = 2 with this normal.
     fn cause_of(got: [f32; 5]) -> Option<Cause> {
         let expected = golden(&[[1.0, 2.0, 0.0, 0.6, 0.8]], 1e-3);
-        Wrong::between(&expected, &film(&[got])).causes[0]
+        WrongPixels::between(&expected, &film(&[got])).causes[0]
     }
 
     #[test]
@@ -164,7 +164,7 @@ mod tests {
         let nothing = golden(&[[-1.0, 0.0, 0.0, 0.0, 0.0]], 1e-3);
         let something = film(&[[0.0, 3.0, 1.0, 0.0, 0.0]]);
         assert_eq!(
-            Wrong::between(&nothing, &something).causes[0],
+            WrongPixels::between(&nothing, &something).causes[0],
             Some(Cause::HitsMiss)
         );
     }
@@ -201,11 +201,11 @@ mod tests {
             cause_of([2.0, 1.0, f32::INFINITY, 0.6, 0.8]),
             Some(Cause::NotFinite)
         );
-        // Where nothing is hit any t passes, but only if it is a number.
+        // Where nothing is hit, any t passes if it is a number.
         let nothing = golden(&[[-1.0, 0.0, 0.0, 0.0, 0.0]], pinhole::judge::EXEMPT);
         let nan = film(&[[-1.0, f32::NAN, 0.0, 0.0, 0.0]]);
         assert_eq!(
-            Wrong::between(&nothing, &nan).causes[0],
+            WrongPixels::between(&nothing, &nan).causes[0],
             Some(Cause::NotFinite)
         );
     }
@@ -213,7 +213,7 @@ mod tests {
     #[test]
     fn the_channels_that_miss_are_marked_bit_by_bit() {
         let expected = golden(&[[1.0, 2.0, 0.0, 0.0, 1.0]; 2], 1e-3);
-        let wrong = Wrong::between(
+        let wrong = WrongPixels::between(
             &expected,
             &film(&[[1.0, 2.0, 0.0, 0.0, 1.0], [1.0, 9.0, 0.0, 0.0, -1.0]]),
         );

@@ -5,7 +5,8 @@ use serde::Serialize;
 
 use super::environment;
 
-/// A mark goes between these two. Students' text can't contain them, because it is escaped.
+/// A mark goes between these two comments. Students' text can't contain them, because it is
+/// escaped.
 const OPEN: &str = "<!-- mark -->";
 const CLOSE: &str = "<!-- /mark -->";
 
@@ -14,7 +15,7 @@ const CLOSE: &str = "<!-- /mark -->";
 pub struct FinalMark {
     /// The mark that goes into the gradebook.
     pub points: String,
-    /// The points that are possible.
+    /// The possible points.
     pub possible: String,
     /// The points that the answers earned.
     pub judged: String,
@@ -22,7 +23,7 @@ pub struct FinalMark {
     pub why: Vec<String>,
 }
 
-/// The report with this mark, or with none; `None` if it has no room for one.
+/// The report with this mark, or without one. `None` if the page has no place for a mark.
 pub fn with_mark(page: &str, mark: Option<&FinalMark>) -> Option<String> {
     let (before, rest) = page.split_once(OPEN)?;
     let (_, after) = rest.split_once(CLOSE)?;

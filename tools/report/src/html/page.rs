@@ -21,7 +21,7 @@ const TEMPLATES: [(&str, &str); 5] = [
     ("beliefs.html", include_str!("../../templates/beliefs.html")),
 ];
 
-/// The style sheet of all our pages.
+/// The style sheet of all pages.
 pub const PAGE_CSS: &str = include_str!("../../templates/page.css");
 
 const STYLE: [&str; 2] = [PAGE_CSS, include_str!("../../templates/viewer.css")];
@@ -34,7 +34,7 @@ const SCRIPT: [&str; 5] = [
     include_str!("../../templates/viewer.js"),
 ];
 
-/// Our own templates, by name; one that asks for a value it was not given is an error.
+/// Our templates, by name. A template that uses a value it was not given is an error.
 ///
 /// # Panics
 /// If a template has a mistake in its syntax.
@@ -50,10 +50,10 @@ pub fn environment(templates: &[(&'static str, &'static str)]) -> Environment<'s
 }
 
 impl Report {
-    /// The page.
+    /// Renders the page.
     pub fn html(&self) -> String {
         let environment = environment(&TEMPLATES);
-        // A browser reads line ends as `\n` before it hashes.
+        // A browser reads line ends as `\n` before it computes the hash.
         let [style, script] =
             [STYLE.concat() + &swatches(), SCRIPT.concat()].map(|text| text.replace('\r', ""));
         let page = environment.get_template("report.html").and_then(|page| {
@@ -70,8 +70,8 @@ impl Report {
     }
 }
 
-/// Allows only our own style and script, by their hashes, so that nothing in a
-/// student's text can run or fetch anything.
+/// Allows only the page's own style and script, by their hashes, so that nothing in a student's
+/// text can run or load anything.
 pub fn policy(style: &str, script: &str) -> String {
     let hash = |text: &str| STANDARD.encode(Hash::hash(text.as_bytes()));
     format!(
@@ -87,7 +87,7 @@ pub fn for_script(value: &Value) -> String {
     value.to_string().replace('<', "\\u003c")
 }
 
-/// The colours of pictures, so that the script's are ours.
+/// The colours of pictures, so that the script uses the same.
 fn palette() -> Value {
     let far = (0..=255).map(|step| false_colour::far(f64::from(step) / 255.0).0);
     let objects = (0..false_colour::OBJECT_COLOURS).map(|id| false_colour::object(id).0);
@@ -102,7 +102,7 @@ fn palette() -> Value {
     })
 }
 
-/// The colours of difference pictures beside their words.
+/// The colours of difference pictures, for the legend.
 fn swatches() -> String {
     let swatch = |(kind, _): (Difference, &str)| {
         let [r, g, b] = kind.colour().0;
@@ -114,7 +114,7 @@ fn swatches() -> String {
     Difference::LEGEND.map(swatch).concat()
 }
 
-/// A kind of difference as a class of the style sheet's.
+/// The style sheet's class for a kind of difference.
 pub fn class(kind: Difference) -> &'static str {
     match kind {
         Difference::Object => "object",
@@ -129,13 +129,13 @@ fn legend() -> Vec<(&'static str, &'static str)> {
         .into()
 }
 
-/// Writes the page in one step, because a browser may reload it at any time and two checks
-/// may end together.
+/// Writes the page in one step, because a browser may reload it at any time and two checks may
+/// finish at once.
 pub fn write(path: &Path, page: &str) -> std::io::Result<()> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder)?;
     }
-    // A pipe or a device must not be replaced by a file.
+    // Never replace a pipe or a device by a file.
     if path.metadata().is_ok_and(|metadata| !metadata.is_file()) {
         return std::fs::write(path, page);
     }

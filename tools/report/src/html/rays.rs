@@ -12,7 +12,7 @@ use serde::Serialize;
 pub struct RayGrid {
     /// World space, scene units.
     pub origin: Steps,
-    /// World space, as long as it is.
+    /// World space, not normalised.
     pub direction: Steps,
 }
 
@@ -27,36 +27,36 @@ pub struct Steps {
     pub per_row: [f64; 3],
 }
 
-/// The rays of a submission, as the page tells of them.
+/// A submission's rays, as the page describes them.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum RaysOfYours {
+pub enum SubmissionRays {
     /// Nothing is known.
     Unknown,
     /// They are the expected rays.
     Right,
-    /// They don't change evenly from pixel to pixel, so they are too many for the page.
+    /// They don't change evenly from pixel to pixel, so they would make the page too large.
     Uneven,
     /// They change evenly, and this is their grid.
     #[serde(untagged)]
     Grid(RayGrid),
 }
 
-impl RaysOfYours {
-    /// What the page says about these rays.
-    pub fn of(rays: &OwnRays) -> RaysOfYours {
+impl SubmissionRays {
+    /// How the page describes these rays.
+    pub fn of(rays: &OwnRays) -> SubmissionRays {
         match rays {
-            OwnRays::Unknown => RaysOfYours::Unknown,
-            OwnRays::Right => RaysOfYours::Right,
+            OwnRays::Unknown => SubmissionRays::Unknown,
+            OwnRays::Right => SubmissionRays::Right,
             OwnRays::Asked(film) => {
-                RayGrid::of(film).map_or(RaysOfYours::Uneven, RaysOfYours::Grid)
+                RayGrid::of(film).map_or(SubmissionRays::Uneven, SubmissionRays::Grid)
             }
         }
     }
 }
 
-/// How far the grid may be from a ray film's sample, relative to the film's largest:
-/// a few roundings to 32 bits.
+/// How far the grid may be from a ray film's sample, relative to the film's largest sample: a few
+/// roundings to 32 bits.
 const ROUNDING: f64 = 1e-6;
 
 impl RayGrid {
@@ -138,7 +138,8 @@ mod tests {
         let row = Resolution { n_x: 3, n_y: 1 };
         let bent = Film::of_rays(row, &bent);
         assert_eq!(RayGrid::of(&bent), None);
-        let told = |rays| serde_json::to_value(RaysOfYours::of(&rays)).expect("it is plain data");
+        let told =
+            |rays| serde_json::to_value(SubmissionRays::of(&rays)).expect("it is plain data");
         assert_eq!(told(OwnRays::Asked(bent)), "uneven");
         let even = [1.0, 2.0].map(|x| Ray {
             origin: DVec3::ZERO,

@@ -9,11 +9,11 @@ use serde::Serialize;
 use serde_json::json;
 
 use super::belief::Beliefs;
-use super::cause::{Cause, Wrong};
+use super::cause::{Cause, WrongPixels};
 use super::page::{class, for_script};
 use super::picture;
 use super::pixels;
-use super::rays::{RayGrid, RaysOfYours};
+use super::rays::{RayGrid, SubmissionRays};
 use super::window::Window;
 use crate::terminal;
 
@@ -34,7 +34,7 @@ pub struct Evidence<'a> {
     /// The scene that the film shows, if it is known.
     pub scene: Option<&'a Scene>,
     pub rays: Option<RayGrid>,
-    pub own_rays: RaysOfYours,
+    pub own_rays: SubmissionRays,
     pub beliefs: Option<Beliefs>,
     /// The command that repeats this.
     pub command: String,
@@ -45,7 +45,7 @@ pub struct Evidence<'a> {
 /// A film on the page.
 #[derive(Debug, Serialize)]
 pub struct SceneSection {
-    /// The page's own name for it: a file's name could spoil a link.
+    /// The page's own id for it, because a file's name could break a link.
     pub id: String,
     pub name: String,
     pub passes: bool,
@@ -57,18 +57,17 @@ pub struct SceneSection {
     pub causes: Vec<CauseRow>,
     /// Which part of a large film is shown.
     pub cut: Option<String>,
-    /// What the still pictures show.
+    /// What the pictures show.
     pub view: View,
-    /// Addresses of still pictures.
+    /// Addresses of the pictures.
     pub expected: Option<String>,
     pub yours: Option<String>,
     pub difference: Option<String>,
-    /// What the script needs, safe inside a `script` element; none if there is nothing
-    /// to compare.
+    /// The script's data, safe inside a `script` element; none if there is nothing to compare.
     pub viewer: Option<String>,
     pub beliefs: Option<Beliefs>,
     pub command: String,
-    /// Explains the worst pixel.
+    /// The command that explains the worst pixel.
     pub explain: Option<String>,
 }
 
@@ -93,14 +92,14 @@ pub enum View {
 }
 
 impl SceneSection {
-    /// The `k`-th film, of which this share is embedded with all its numbers.
+    /// The `k`-th film, with all numbers of this share of its pixels.
     pub fn of(k: usize, evidence: Evidence, share: f64) -> SceneSection {
         let golden = evidence.golden.film();
         let film = evidence.film.filter(|film| shows_hits(film));
         let comparable = film.filter(|film| {
             shows_hits(golden) && film.resolution() == golden.resolution() && !evidence.passes
         });
-        let wrong = comparable.map(|film| Wrong::between(evidence.golden, film));
+        let wrong = comparable.map(|film| WrongPixels::between(evidence.golden, film));
         let start = start(&evidence, wrong.as_ref());
         let window = Window::around(start, golden.resolution(), share);
         let view = match evidence.verdict.and_then(worst_pixel) {
@@ -201,7 +200,7 @@ fn worst_pixel(verdict: &Verdict) -> Option<(&ChannelVerdict, Pixel)> {
 }
 
 /// The pixel to look at first.
-fn start(evidence: &Evidence, wrong: Option<&Wrong>) -> Pixel {
+fn start(evidence: &Evidence, wrong: Option<&WrongPixels>) -> Pixel {
     let worst = evidence
         .verdict
         .and_then(worst_pixel)
@@ -217,7 +216,7 @@ fn cut(whole: &RgbImage, window: Window, fits: bool) -> RgbImage {
     let [left, top, n_x, n_y] = [window.left, window.top, window.n_x, window.n_y].map(|n| n as u32);
     match fits {
         true => crop_imm(whole, left, top, n_x, n_y).to_image(),
-        // If the film's size differs from its golden's, start at its beginning.
+        // If the film's size differs from its golden's, show both from the same corner.
         false => crop_imm(
             whole,
             0,
@@ -237,7 +236,7 @@ fn failing_channels(verdict: &Verdict) -> Vec<String> {
     failing.map(|channel| channel.to_string()).collect()
 }
 
-fn cause_rows(wrong: &Wrong) -> Vec<CauseRow> {
+fn cause_rows(wrong: &WrongPixels) -> Vec<CauseRow> {
     let rows = Cause::ALL
         .into_iter()
         .enumerate()

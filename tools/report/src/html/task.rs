@@ -12,7 +12,7 @@ use pinhole_course::outcome::{AnswerFile, FilmOutcome, GroupOutcome, TaskOutcome
 /// One answer, judged alone.
 #[derive(Debug, Serialize)]
 pub struct TaskSection {
-    /// The page's own name for it, so that no name of a task can spoil a link.
+    /// The page's own id for it, because a task's name could break a link.
     pub id: String,
     pub name: String,
     pub passes: bool,
@@ -20,18 +20,18 @@ pub struct TaskSection {
     pub possible: u32,
     /// The verdict in a line.
     pub said: String,
-    /// Whether anything was answered; if not, there is no more to say.
+    /// Whether anything was answered. If not, there is no more to say.
     pub attempted: bool,
-    /// Whether its stub was judged in its place.
+    /// Whether its stub was judged instead.
     pub replaced: bool,
     pub groups: Vec<GroupRow>,
-    /// The compiler's words on its file: errors, or else warnings.
+    /// The compiler's messages about its file: errors, or else warnings.
     pub compiler: Option<String>,
     pub beliefs: Option<Beliefs>,
     /// What is measurably wrong, sentence by sentence.
     pub measured: Vec<String>,
     pub chapter: Passage,
-    /// The command that shows the same again; none if the public questions pass.
+    /// The command that shows this again; none if the public questions pass.
     pub command: Option<String>,
 }
 
@@ -75,13 +75,13 @@ impl TaskSection {
     }
 }
 
-/// Whether a student can see the failure: fresh questions are the grader's alone.
+/// Whether a student can see the failure. Only the grader has the fresh questions.
 fn shows_again(task: &TaskOutcome) -> bool {
     let mut failing = task.groups.iter().filter(|group| !group.outcome.passes());
     failing.any(|group| !group.fails_fresh)
 }
 
-/// The groups of a task; a panic in every group is one panic.
+/// The groups of a task. A panic in every group is reported once.
 fn rows(task: &TaskOutcome) -> Vec<GroupRow> {
     let mut told: Vec<String> = Vec::new();
     let row = |group: &GroupOutcome| {
@@ -110,7 +110,7 @@ fn printable_fact(fact: &Fact) -> Fact {
     Fact::new(&fact.label, lines.join("\n"))
 }
 
-/// The compiler's words without their colours.
+/// The compiler's messages without their colours.
 fn plain(text: &str) -> String {
     let text = anstream::adapter::strip_str(text.trim_end()).to_string();
     let lines: Vec<String> = text.lines().map(printable).collect();

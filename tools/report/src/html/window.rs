@@ -3,11 +3,11 @@
 use pinhole::{Pixel, Resolution};
 use serde::Serialize;
 
-/// Pixels of a whole report that are embedded with all their numbers: they fill less
-/// than 2 MB. The twelve scenes of the ray casting assignment have 133,000.
+/// How many pixels of a whole report are embedded with all their numbers. They take less than 2
+/// MB. The twelve scenes of the ray casting assignment have 133,000 pixels.
 const MOST_PIXELS: usize = 140_000;
 
-/// The share of each of these films that can be embedded.
+/// The share of each of these films that fits.
 pub fn share(pixels: impl IntoIterator<Item = usize>) -> f64 {
     let all: usize = pixels.into_iter().sum();
     (MOST_PIXELS as f64 / all as f64).min(1.0)
@@ -27,7 +27,8 @@ pub struct Window {
 }
 
 impl Window {
-    /// This share of a film's pixels around `centre`, in the film's proportions.
+    /// The window around `centre` that holds this share of a film's pixels, in the film's
+    /// proportions.
     pub fn around(centre: Pixel, film: Resolution, share: f64) -> Window {
         let part = |n: usize| ((n as f64 * share.sqrt()) as usize).max(1);
         let [n_x, n_y] = [part(film.n_x), part(film.n_y)];
@@ -41,7 +42,7 @@ impl Window {
         }
     }
 
-    /// Whether nothing is left out.
+    /// Whether the whole film is in it.
     pub fn is_whole(&self, film: Resolution) -> bool {
         (self.n_x, self.n_y) == (film.n_x, film.n_y)
     }

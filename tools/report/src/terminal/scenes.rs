@@ -1,4 +1,4 @@
-//! The rows of scenes: what is wrong with a film, and where to look.
+//! The rows of scenes: what is wrong with a film, and which pixel to look at.
 
 use std::collections::BTreeSet;
 
@@ -10,7 +10,7 @@ use crate::escape::printable_word;
 use pinhole_course::diagnosis::{Diagnosis, Explanation};
 use pinhole_course::outcome::{Examination, FilmOutcome, SceneFilm, SceneOutcome};
 
-/// All scenes, under their heading; `width` is that of the names' column.
+/// All scenes under their heading. `width` is that of the column of names.
 pub fn rows(text: &mut String, examination: &Examination, width: usize) {
     let Examination { outcome, films } = examination;
     if !outcome.scenes.is_empty() {
@@ -55,7 +55,7 @@ fn scene_rows(
     }
 }
 
-/// Beliefs that a row above spelled out already are only counted.
+/// If a row above has spelled a belief out, only its share is given here.
 fn scene_diagnosis(text: &mut String, of_scene: &Diagnosis, told: &mut BTreeSet<String>) {
     let beliefs = &of_scene.beliefs;
     if !beliefs.iter().all(|held| told.contains(&held.slug)) {

@@ -7,10 +7,11 @@ use crate::passage::Passage;
 use pinhole_course::diagnosis::Explanation;
 use pinhole_course::outcome::{AnswerFile, FilmOutcome, GroupOutcome, TaskOutcome};
 
-/// Lines of the compiler's warnings on an answer that fails; others may follow from them.
+/// How many lines of the compiler's warnings about a wrong answer are shown. Others may follow
+/// from them.
 const MOST_WARNING_LINES: usize = 24;
 
-/// How much is told of a task that fails.
+/// How much to say about a task that fails.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Extent {
     /// Every failing group, and where to look.
@@ -19,7 +20,7 @@ pub enum Extent {
     First,
 }
 
-/// A task, and why it fails; `width` is that of the names' column.
+/// A task, and why it fails. `width` is that of the column of names.
 pub fn rows(text: &mut String, task: &TaskOutcome, width: usize, extent: Extent) {
     let fails = |group: &&GroupOutcome| !group.outcome.passes();
     let failing: Vec<&GroupOutcome> = task.groups.iter().filter(fails).collect();
@@ -65,13 +66,13 @@ pub fn rows(text: &mut String, task: &TaskOutcome, width: usize, extent: Extent)
     }
 }
 
-/// Groups that fail, and of each a question that shows it; of the first alone, where the
-/// belief behind it is known.
+/// Failing groups, with a question that shows the failure. If a belief explains it, only the
+/// first group.
 fn group_rows(text: &mut String, failing: &[&GroupOutcome], is_explained: bool) {
     let mut told: Vec<String> = Vec::new();
     for group in failing {
         let said = group_in_words(group);
-        // A panic in every group is one panic.
+        // A panic in every group is reported once.
         let is_judged = matches!(group.outcome, FilmOutcome::Judged(_));
         let again = !is_judged && told.contains(&said);
         let said = if again { "the same".into() } else { said };

@@ -1,4 +1,4 @@
-//! Puts an outcome into a line or a few: that of a task, a scene, a film, a belief.
+//! Puts an outcome into one or a few lines: that of a task, a scene, a film, or a belief.
 
 use crate::escape::printable;
 use pinhole::Fact;
@@ -121,7 +121,7 @@ pub fn outcome_of(outcome: &FilmOutcome, what: &str) -> String {
 /// A question for the terminal, with its labels in a column of their own.
 pub fn facts(facts: &[Fact]) -> String {
     let rows = facts.iter().map(|fact| {
-        // What a student's code printed is among them.
+        // A fact may hold what a student's code printed.
         let lines: Vec<String> = fact.text.lines().map(printable).collect();
         let text = lines.join("\n          ");
         format!("{:<9} {text}", fact.label)
@@ -129,7 +129,7 @@ pub fn facts(facts: &[Fact]) -> String {
     rows.collect::<Vec<_>>().join("\n")
 }
 
-/// A verdict in one line, on a film of these.
+/// A verdict in one line. `what` names the film's pixels.
 fn verdict_in_words(comparison: &Comparison, what: &str) -> String {
     match comparison.failing {
         0 => "passes".into(),
@@ -159,9 +159,9 @@ pub fn diagnosis(diagnosis: &Diagnosis) -> String {
     lines.join("\n")
 }
 
-/// How much one belief of a diagnosis explains: “98 % of”, “part of”. Where several explain
-/// something together, their shares would look as if another were missing: what two of them
-/// spoil at once is in neither share.
+/// How much one belief of a diagnosis explains: “98 % of”, “part of”. If several beliefs explain
+/// something together, no shares are given: what two of them spoil together is in neither share,
+/// so it would look as if a third were missing.
 pub fn share(explained: f64, diagnosis: &Diagnosis) -> String {
     match (diagnosis.beliefs.len(), diagnosis.reading) {
         (2.., Reading::Together) => "part of".into(),

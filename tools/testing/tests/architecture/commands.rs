@@ -1,5 +1,5 @@
-//! Every command that the documentation prints is run by some test, or listed with the reason
-//! why it is not. Each program's own tests check that its parser understands them.
+//! Every command that the documentation prints is run by a test, or listed with the reason why it
+//! is not. Each program's own tests check that its parser accepts them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

@@ -1,8 +1,7 @@
 //! Every package that we depend on comes from crates.io and has a licence that `deny.toml`
 //! accepts.
 //!
-//! This is what `cargo deny check licenses sources` checks too, but cargo-deny takes minutes to
-//! install.
+//! `cargo deny check licenses sources` checks this too, but cargo-deny takes minutes to install.
 
 use std::fs;
 use std::process::Command;

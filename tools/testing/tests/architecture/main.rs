@@ -1,7 +1,7 @@
-//! Rules for the whole source: which package imports which ([`packages`]), which module
-//! imports which ([`modules`]), what we may depend on ([`dependencies`]), that the tools take
-//! assignments, tasks and shapes as data ([`names`]), and which of the documented commands
-//! are run ([`commands`]).
+//! Rules for the whole source: which package imports which ([`packages`]), which module imports
+//! which ([`modules`]), what we may depend on ([`dependencies`]), that the tools take
+//! assignments, tasks and shapes as data ([`names`]), and which of the documented commands are
+//! run ([`commands`]).
 
 mod commands;
 mod dependencies;
@@ -12,7 +12,7 @@ mod packages;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Whether a file is there for tests alone.
+/// Whether a file exists only for tests.
 pub fn is_test(inside: &Path) -> bool {
     let test = ["tests", "tests.rs", "testing", "testing.rs"];
     inside.iter().any(|part| test.iter().any(|it| part == *it))

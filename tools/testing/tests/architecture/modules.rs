@@ -1,8 +1,8 @@
 //! Imports between the modules of a package point one way, and so do those between the
 //! modules of a large folder.
 //!
-//! A module may import those before it in its folder's list. A new module goes into the
-//! list where its imports allow.
+//! A module may import those before it in its folder's list. Insert a new module where its
+//! imports allow.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -193,7 +193,7 @@ fn modules_import_only_those_below_them() {
                 continue;
             };
             for other in imported.iter().filter(|other| **other != module) {
-                // What is not a module is re-exported at the top.
+                // A name that is not a module is re-exported at the top.
                 if place(other).is_some_and(|other| other > own) {
                     wrong.push(format!(
                         "{folder}: {module} imports {other}, which is above it"
@@ -205,8 +205,8 @@ fn modules_import_only_those_below_them() {
     assert_eq!(wrong, Vec::<String>::new());
 }
 
-/// For each module of a folder, what its files name after the folder's own path, as in
-/// `crate::NAME`, or as `super::NAME`; tests are free.
+/// For each module of a folder, the names that follow the folder's own path in its files, as in
+/// `crate::NAME` or `super::NAME`. Tests may import anything.
 fn imports(folder: &str) -> BTreeMap<String, Vec<String>> {
     let (_, inner) = folder.split_once("src").expect("sources lie there");
     let absolute = format!("crate{}::", inner.replace('/', "::"));
@@ -224,7 +224,7 @@ fn imports(folder: &str) -> BTreeMap<String, Vec<String>> {
             continue;
         }
         let text = fs::read_to_string(&path).expect("sources are text");
-        // Unit tests stand at the end of a file.
+        // Unit tests are at the end of a file.
         let text = text.split("#[cfg(test)]").next().unwrap_or_default();
         let code = text
             .lines()
@@ -239,7 +239,7 @@ fn imports(folder: &str) -> BTreeMap<String, Vec<String>> {
     imports
 }
 
-/// The names that stand behind a path in a line: one, or several in braces.
+/// The names that follow a path in a line: one, or several in braces.
 fn names_after(path: &str, line: &str) -> Vec<String> {
     let is_letter = |c: char| c.is_alphanumeric() || c == '_';
     let names = line.split(path).skip(1).flat_map(|rest| {
@@ -257,7 +257,7 @@ fn names_after(path: &str, line: &str) -> Vec<String> {
 }
 
 #[test]
-fn an_import_is_found_however_it_is_written() {
+fn an_import_is_found_in_every_notation() {
     let found = |line| names_after("crate::grade::", line);
     assert_eq!(found("use crate::grade::views::csv;"), ["views"]);
     assert_eq!(

@@ -1,5 +1,5 @@
-//! The tools and the seam of the harness take assignments, tasks and shapes as data: no
-//! source of theirs names one.
+//! The tools, and the part of the harness between them and a submission, take assignments, tasks
+//! and shapes as data: none of their sources names one.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -9,8 +9,8 @@ use proc_macro2::{TokenStream, TokenTree};
 
 use crate::{is_test, sources};
 
-/// Sources that take assignments, tasks and shapes as data: folders, and the beginnings of
-/// files' names.
+/// Sources that take assignments, tasks and shapes as data: folders, and beginnings of file
+/// names.
 const NAMELESS: [&str; 8] = [
     "tools/course/src",
     "tools/report/src",
@@ -22,13 +22,13 @@ const NAMELESS: [&str; 8] = [
     "src/judge",
 ];
 
-/// Where assignments lie, the tests' own among them.
+/// The folders of assignments, including the tests' own.
 const ASSIGNMENTS: [&str; 2] = ["assignments", "tools/instructor/tests/fixture/assignments"];
 
-/// Fields of shapes, but for `point` and `normal`, which are words of any geometry.
+/// Fields of shapes, except `point` and `normal`, which any geometry has.
 const FIELDS: [&str; 5] = ["center", "radius", "corners", "obj", "triangles"];
 
-/// Where a name is part of a term that has nothing to do with the task.
+/// Terms in which a name has nothing to do with the task.
 const TERMS: [&str; 4] = ["image plane", "image_plane", "disk space", "on a disk"];
 
 #[test]
@@ -81,13 +81,12 @@ fn a_name_is_found_in_code_and_strings_but_not_in_comments_and_tests() {
 struct Names {
     /// In snake case.
     names: BTreeSet<String>,
-    /// Those that are the name of a kind of question too: the kind itself may be named, in
-    /// camel case.
+    /// Names that are also kinds of question. The kind itself may be named, in camel case.
     kinds: BTreeSet<String>,
 }
 
 impl Names {
-    /// Of all assignments there are.
+    /// The names of all assignments.
     fn read() -> Names {
         let mut names: BTreeSet<String> = FIELDS.iter().map(|it| it.to_string()).collect();
         let mut kinds = BTreeSet::new();
@@ -119,7 +118,7 @@ impl Names {
         words
     }
 
-    /// Whether a word holds a name as a whole part of it, as `sphere_of` holds `sphere`.
+    /// Whether a word has a name as a whole part, as `sphere_of` has `sphere`.
     fn are_in(&self, word: &str) -> bool {
         let is_camel = word.starts_with(char::is_uppercase);
         let mut snake = String::from("_");
@@ -136,14 +135,14 @@ impl Names {
     }
 }
 
-/// Identifiers, and words of literals, without comments, documentation and items that are
-/// there for tests alone.
+/// Identifiers, and words of literals, without comments, documentation and items that exist only
+/// for tests.
 fn collect_words(tokens: TokenStream, words: &mut Vec<String>) {
     let mut tokens = tokens.into_iter().peekable();
     while let Some(token) = tokens.next() {
         match token {
             TokenTree::Punct(punct) if punct.as_char() == '#' => {
-                // `#!` of a whole file.
+                // `#!`, an attribute of a whole file.
                 let is_bang = |token: &TokenTree| matches!(token, TokenTree::Punct(it) if it.as_char() == '!');
                 tokens.next_if(is_bang);
                 let attribute = match tokens.peek() {

@@ -3,7 +3,7 @@ use crate::watch::Event;
 use crate::watch::keys::Key;
 use crate::watch::state::tests::Watch;
 
-/// Letters only, as a person sees them.
+/// The letters alone, as a person sees them.
 fn text(frame: &Frame) -> String {
     let plain = anstream::adapter::strip_str(&frame.lines.join("\n")).to_string();
     plain.replace('\u{a0}', " ")
@@ -50,7 +50,7 @@ fn ordinary_screens_hold_the_verdict_the_progress_and_every_key() {
             assert!(text.contains(&format!("{key}:{name}")), "{key} in\n{text}");
         }
     }
-    // All keys in one line of an ordinary terminal.
+    // All keys fit into one line of an ordinary terminal.
     assert!(text(&frame(&watch.state, 80, 24)).ends_with("?:help"));
     let last = frame(&watch.state, 80, 24).lines.pop().unwrap_or_default();
     assert!(last.contains("hint"), "{last}");
@@ -73,7 +73,7 @@ fn a_long_verdict_is_scrolled_as_far_as_its_end() {
 }
 
 #[test]
-fn control_characters_in_a_verdict_are_shown_and_not_obeyed() {
+fn control_characters_in_a_verdict_are_escaped() {
     let mut watch = Watch::begin();
     let mut examination = watch.examination("plane", false);
     let rude = "\u{1b}]0;owned\u{7}\u{1b}[2J";
@@ -94,7 +94,7 @@ fn control_characters_in_a_verdict_are_shown_and_not_obeyed() {
 }
 
 #[test]
-fn a_verdict_says_when_it_came() {
+fn a_verdict_says_how_long_it_took() {
     let mut watch = Watch::with_wrong(&["sphere", "plane"]);
     watch.save(&["sphere"]);
     let judging = text(&frame(&watch.state, 80, 24));

@@ -5,7 +5,7 @@ use crate::watch::hints;
 use crate::watch::keys::Key;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
-use pinhole_course::compile::Replaced;
+use pinhole_course::compile::Replacement;
 use pinhole_course::goldens::Goldens;
 use pinhole_course::outcome::{
     AnswerFile, FilmOutcome, GroupOutcome, Outcome, SceneFilm, SceneOutcome,
@@ -35,7 +35,7 @@ pub(in crate::watch) fn course() -> Course {
     }
 }
 
-/// A state and the clock it is told.
+/// A state, and the clock that it is given.
 pub(in crate::watch) struct Watch {
     pub course: Course,
     pub state: State,
@@ -64,19 +64,19 @@ impl Watch {
         watch
     }
 
-    fn obey(&mut self, acts: Vec<Act>) -> bool {
+    fn obey(&mut self, acts: Vec<Action>) -> bool {
         let mut quits = false;
         for act in acts {
             match act {
-                Act::Ask(order) => self.ordered = Some(order),
-                Act::Report => {}
-                Act::Quit => quits = true,
+                Action::Ask(order) => self.ordered = Some(order),
+                Action::Report => {}
+                Action::Quit => quits = true,
             }
         }
         quits
     }
 
-    /// Whether the event ends the watch.
+    /// Handles an event. Returns whether it ends the watch.
     pub fn step(&mut self, event: Event) -> bool {
         let acts = self.state.step(event);
         self.obey(acts)
@@ -94,13 +94,13 @@ impl Watch {
         });
     }
 
-    /// What was ordered last.
+    /// The last order.
     fn ordered(&self) -> Vec<&str> {
         let order = self.ordered.as_ref().expect("something was ordered");
         order.items.iter().map(Item::name).collect()
     }
 
-    /// The judge returns one item of the last order, a second after the last event.
+    /// Returns the verdict on one item of the last order, a second after the last event.
     pub fn judge(&mut self, item: &str, passes: bool) {
         let number = self.ordered.as_ref().expect("it was ordered").number;
         self.judge_as(number, item, passes);
@@ -122,7 +122,7 @@ impl Watch {
         self.step(Event::Finished { order })
     }
 
-    /// The judge returns all items of the last order.
+    /// Returns the verdicts on all items of the last order.
     pub fn judge_all(&mut self, wrong: &[&str]) {
         let items: Vec<String> = self.ordered().into_iter().map(String::from).collect();
         for item in items {
@@ -144,7 +144,7 @@ impl Watch {
         let mut films = Vec::new();
         match self.course.assignment.task(item) {
             Some(task) => {
-                let why = Replaced::DoesNotCompile(String::new());
+                let why = Replacement::DoesNotCompile(String::new());
                 let mut task = TaskOutcome::replaced(task, &why);
                 task.file = AnswerFile::Compiled;
                 for group in &mut task.groups {
@@ -201,7 +201,7 @@ fn it_begins_at_the_first_task_with_missing_points_and_stays_there() {
 }
 
 #[test]
-fn a_save_of_another_file_is_followed_and_said() {
+fn a_save_of_another_file_moves_the_watch_there_and_says_so() {
     let mut watch = Watch::with_wrong(&["sphere"]);
     watch.save(&["triangle"]);
     watch.expect_shown("triangle");
@@ -254,7 +254,7 @@ fn the_time_from_save_to_verdict_spans_all_that_came_between() {
 }
 
 #[test]
-fn the_scenes_come_when_every_task_passes_and_older_verdicts_are_renewed_before() {
+fn scenes_come_once_every_task_passes_with_current_verdicts() {
     let mut watch = Watch::with_wrong(&["plane"]);
     watch.save(&["plane"]);
     watch.judge_all(&[]);
@@ -274,7 +274,7 @@ fn the_scenes_come_when_every_task_passes_and_older_verdicts_are_renewed_before(
 }
 
 #[test]
-fn next_goes_to_what_misses_points_or_else_on() {
+fn next_goes_to_the_first_task_that_lacks_points_or_else_to_the_next() {
     let mut watch = Watch::with_wrong(&["sphere", "triangle"]);
     watch.expect_shown("sphere");
     watch.press(Key::Next);
@@ -305,7 +305,7 @@ fn going_back_to_an_older_verdict_renews_it() {
 }
 
 #[test]
-fn each_press_for_a_hint_tells_more_and_a_save_takes_them_away() {
+fn each_press_shows_another_hint_and_a_save_hides_them() {
     let mut watch = Watch::with_wrong(&["sphere"]);
     let all = hints::of(&watch.state);
     assert!(all[0].contains("`outside` asks about rays"), "{all:?}");
@@ -329,9 +329,9 @@ fn the_report_waits_until_everything_is_judged() {
     watch.judge("scenes", false);
     let order = watch.ordered.as_ref().expect("it was ordered").number;
     let acts = watch.state.step(Event::Finished { order });
-    assert!(matches!(acts.as_slice(), [Act::Report]), "{acts:?}");
+    assert!(matches!(acts.as_slice(), [Action::Report]), "{acts:?}");
     let acts = watch.state.step(Event::Key(Key::Report));
-    assert!(matches!(acts.as_slice(), [Act::Report]), "{acts:?}");
+    assert!(matches!(acts.as_slice(), [Action::Report]), "{acts:?}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use super::{Act, Stamp, State};
+use super::{Action, Stamp, State};
 use crate::watch::order::Item;
 use pinhole_course::outcome::{Examination, Outcome};
 use pinhole_course::submission::Submission;
@@ -14,7 +14,7 @@ impl State {
         submission: Submission,
         tasks: &[String],
         at: Instant,
-    ) -> Vec<Act> {
+    ) -> Vec<Action> {
         self.problem = None;
         self.submission = Arc::new(submission);
         let is_saved = |item: &Item| matches!(item, Item::Task(name) if tasks.contains(name));
@@ -30,7 +30,7 @@ impl State {
             self.forget(item);
             self.saved.insert(item.clone(), at);
         }
-        // Follow the student to the file they are in.
+        // Follow the student to the file that they saved.
         if let Some(first) = saved.first()
             && !self.item().is_some_and(is_saved)
         {
@@ -85,17 +85,17 @@ impl State {
     }
 
     /// The judge has finished its order.
-    pub(super) fn finished(&mut self) -> Vec<Act> {
+    pub(super) fn finished(&mut self) -> Vec<Action> {
         self.rest();
         if self.report_wanted {
             self.report_wanted = false;
-            return vec![Act::Report];
+            return vec![Action::Report];
         }
         let is_task = |item: &&Item| **item != Item::Scenes;
         let tasks: Vec<&Item> = self.items.iter().filter(is_task).collect();
         if tasks.iter().all(|task| self.is_full(task)) && self.items.contains(&Item::Scenes) {
-            // The last stage. An answer may call another: what was judged beside
-            // older answers is judged again before.
+            // This is the last stage. An answer may call another, so verdicts beside older
+            // answers are renewed first.
             let stale = self.not_current();
             if !stale.is_empty() {
                 self.go_to(Item::Scenes);
@@ -112,9 +112,9 @@ impl State {
         self.asking = None;
     }
 
-    pub(super) fn quit_if_closing(&self) -> Vec<Act> {
+    pub(super) fn quit_if_closing(&self) -> Vec<Action> {
         match self.closing && self.order.is_none() {
-            true => vec![Act::Quit],
+            true => vec![Action::Quit],
             false => Vec::new(),
         }
     }

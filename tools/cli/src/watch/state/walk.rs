@@ -1,12 +1,12 @@
-//! Moving between items with keys.
+//! Moves between items with keys.
 
-use super::{Act, State};
+use super::{Action, State};
 use crate::watch::hints;
 use crate::watch::keys::Key;
 use crate::watch::order::{Item, Order};
 
 impl State {
-    pub(super) fn pressed(&mut self, key: Key) -> Vec<Act> {
+    pub(super) fn pressed(&mut self, key: Key) -> Vec<Action> {
         if !matches!(key, Key::Scroll(_)) {
             self.notice = None;
         }
@@ -15,20 +15,20 @@ impl State {
             Key::Help => self.help = !back_from_help,
             Key::Hint => {
                 self.hints = (self.hints + 1).min(hints::of(self).len());
-                // Hints come after the verdict; the screen stops at its end.
+                // Hints come after the verdict. The screen stops at the end of the text.
                 self.scroll = usize::MAX;
             }
             Key::Scroll(lines) => self.scroll = self.scroll.saturating_add_signed(lines),
             Key::Report => {
                 let missing = self.not_current();
                 if missing.is_empty() {
-                    return vec![Act::Report];
+                    return vec![Action::Report];
                 }
                 self.report_wanted = true;
                 self.say("the report follows when everything is judged".into());
                 return self.ask_again(missing);
             }
-            Key::Quit => return vec![Act::Quit],
+            Key::Quit => return vec![Action::Quit],
             Key::Next => return self.visit(self.next()),
             Key::Previous => {
                 let count = self.items.len();
@@ -57,7 +57,7 @@ impl State {
         Vec::new()
     }
 
-    /// After a task that passes the first with missing points, else the one after this.
+    /// After a task that passes, the first with missing points. Otherwise, the next one.
     fn next(&self) -> usize {
         let missing = self.items.iter().position(|item| !self.is_full(item));
         match self.shown {
@@ -68,7 +68,7 @@ impl State {
     }
 
     /// Shows an item, and judges it again if other answers have changed since.
-    fn visit(&mut self, at: usize) -> Vec<Act> {
+    fn visit(&mut self, at: usize) -> Vec<Action> {
         self.settled = true;
         self.shown = Some(at);
         self.top();

@@ -10,8 +10,8 @@ use super::{
 use crate::modes;
 use pinhole_testing::root;
 
-/// Everything an answer must not reach. `%NAME%` stands for a value that differs from
-/// run to run.
+/// Everything that an answer must not reach. `%NAME%` stands for a value that differs from run to
+/// run.
 const REACHES: [(&str, &str); 32] = [
     ("golden", "std::fs::metadata(\"%GOLDEN%\").is_ok()"),
     ("read-golden", "std::fs::read(\"%GOLDEN%\").is_ok()"),
@@ -151,13 +151,14 @@ fn reaches() -> (Vec<Attack>, TcpListener) {
     (attacks.into(), listener)
 }
 
-/// What a user of the container may do who owns nothing; looking whether a file exists, which
-/// Landlock lets everybody; and what root may under any number: the kernel does not count root's
-/// processes, and our ordinary user is root.
+/// The attacks that succeed without namespaces. A user who owns nothing may still do what the
+/// modes of the container's files allow. Landlock lets everyone see whether a file exists. Root
+/// under another number has no limit on processes, because the kernel does not count root's, and
+/// the ordinary user in these tests is root.
 fn succeeds(mode: &str, attack: &str) -> bool {
     match mode {
         modes::WITHOUT_LANDLOCK => [
-            // In a folder that everyone may read; `grade` refuses those.
+            // The file is in a folder that everyone may read. `grade` refuses such folders.
             "other-submission",
             "etc",
             "home",
@@ -187,7 +188,7 @@ fn same_code_reaches_everything_without_a_sandbox() {
     every_attack_has_its_expected_outcome(&attacks, "none");
 }
 
-/// The stream to the grader, which is standard input.
+/// The stream to the grader, which is the program's standard input.
 const STREAM: &str = "use std::{io::Write, os::fd::AsFd}; \
     let fd = std::io::stdin().as_fd().try_clone_to_owned().unwrap(); \
     let mut stream = std::os::unix::net::UnixStream::from(fd);";
@@ -305,7 +306,7 @@ fn attacks_at_run_time_cost_only_their_own_task() {
                 "stream.write_all(&[255, 10, 0, 0]).unwrap(); loop { let _ = stream.write_all(&[0]); std::thread::sleep(std::time::Duration::from_millis(50)); }",
             ),
         ),
-        // One miss for question 0, then the true answer to it.
+        // A miss for question 0, then the right answer to it.
         attack(
             "answers-twice",
             Outcome("garbled"),

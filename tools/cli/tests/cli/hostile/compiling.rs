@@ -110,7 +110,7 @@ fn the_compiler_reads_no_file_and_knows_no_environment() {
         ),
         file("harness-internals", Harmless, "use pinhole::job::Job as _;"),
     ];
-    // File modes alone let every user read who the others are.
+    // File modes alone let every user read the list of users.
     every_attack_fails_in_every_mode(&attacks, |mode, attack| {
         mode == modes::WITHOUT_LANDLOCK && ["tell-users", "users-as-module"].contains(&attack)
     });
@@ -159,7 +159,7 @@ fn a_compiler_that_would_never_end_is_killed() {
         ),
         file("deep-brackets", NO, &deep(50_000, "(", ")")),
         file("deep-signs", NO, &deep(120_000, "-", "")),
-        // On one line, which each error shows: 30 MB of messages.
+        // It is all on one line, which every error shows, so the messages take 30 MB.
         file("many-errors", NO, &"const N: A = b; ".repeat(400)),
         file(
             "one-long-error",
@@ -174,7 +174,7 @@ fn a_compiler_that_would_never_end_is_killed() {
 fn without_a_sandbox_the_compiler_sees_files_and_environment() {
     let golden = root().join("golden/ray_casting/manifest.toml");
     let golden = golden.to_str().expect("a plain name");
-    // A constant that is there only if the file or the variable is.
+    // A constant that exists only if the file or the variable does.
     let text = |condition: &str| {
         let statements = format!("if {condition} {{ return None; }}");
         super::attack("seen-by-the-compiler", Walled, &statements)

@@ -1,4 +1,4 @@
-//! Files that are not regular answer files, and files that should not count.
+//! Files that are not regular answer files, and files that must not count.
 
 use std::fs;
 use std::os::unix::fs::symlink;
@@ -149,7 +149,7 @@ fn only_the_answer_files_are_taken() {
 fn an_archive_counts_as_the_folder_it_holds() {
     let folder = submission(&std::env::temp_dir(), "hostile-zip", &[]);
     let archive = scratch("hostile-archive").join("answers =1+1;$(id).zip");
-    // Packed as course systems do it, with other files beside the answers.
+    // Packed as course systems pack it, with other files beside the answers.
     let zipped = Command::new("python3")
         .args(["-m", "zipfile", "-c"])
         .arg(&archive)

@@ -1,4 +1,4 @@
-//! An answer that has memorised the public goldens.
+//! An answer that knows the public goldens by heart.
 
 use std::collections::BTreeSet;
 
@@ -6,16 +6,15 @@ use super::{examine, walls};
 use crate::check::{lost, task, with_body};
 use pinhole_testing::{fresh_goldens, pinhole, submission};
 
-/// The key by which an answer recognises a question: one short number of its ray, so
-/// that all keys fit into the output that is kept.
+/// The key by which an answer recognises a question: one short number of its ray, so that all
+/// keys fit into the output that is kept.
 const NUMBER: &str = "pinhole_short(ray.origin + ray.direction * 1.7 + self.point * 0.3)";
 const SHORT: &str = "fn pinhole_short(at: glam::DVec3) -> u32 { \
      let bits = at.dot(glam::DVec3::new(0.31, 0.77, 1.13)).to_bits(); (bits ^ (bits >> 29)) as u32 }";
 
 #[test]
 fn memorised_answers_earn_nothing_on_fresh_questions() {
-    // The first submission prints the questions. A course that shows this output gives them
-    // away.
+    // The first submission prints the questions. A course that shows this output gives them away.
     let listens = with_body("plane", &format!("eprintln!(\"?{{:x}}\", {NUMBER});"));
     let folder = submission(
         &std::env::temp_dir(),
@@ -71,6 +70,6 @@ fn memorised_answers_earn_nothing_on_fresh_questions() {
     let plane = task(&judged, "plane");
     let earned = plane["points"].as_i64().expect("a number");
     let possible = plane["possible"].as_i64().expect("a number");
-    // A group whose right answers are all misses needs no memory.
+    // A group whose right answers are all misses can be answered without memory.
     assert!(earned * 4 <= possible, "{plane:#}");
 }

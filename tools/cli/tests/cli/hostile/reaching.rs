@@ -1,5 +1,4 @@
-//! What code must not reach in any sandbox, and programs that must not be started for
-//! it.
+//! Files that code must not reach in any sandbox, and programs that must not start because of it.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
@@ -11,7 +10,7 @@ use crate::check::{lost, with_body};
 use crate::modes;
 use pinhole_testing::{root, submission};
 
-/// The files under these names that the code says it can read.
+/// Prints which files with these names the code can read.
 const LOOK: &str = r#"
 fn look(path: &std::path::Path, depth: u32) -> bool {
     let inside = std::fs::read_dir(path).into_iter().flatten().flatten();
@@ -58,7 +57,7 @@ fn no_kind_of_sandbox_lets_code_read_goldens_answers_or_built_programs() {
     fs::remove_dir_all(folder).expect("it was made");
 }
 
-/// A program that leaves a trace and then runs another program.
+/// Writes a program that leaves a trace and then runs another program.
 fn marking_script(path: &Path, mark: &Path, program: &str) {
     let folder = path.parent().expect("it lies in a folder");
     fs::create_dir_all(folder).expect("a folder can be made");

@@ -8,7 +8,7 @@ use pinhole_testing::{pinhole, root, submission};
 
 const EVIL: &str = "<script>alert(1)</script><img src=x onerror=alert(2)>\u{1b}[2J\u{1b}]0;owned\u{7}\u{202e}\r\n=HYPERLINK(1)";
 
-/// Text that a terminal or a browser would obey.
+/// Checks that a text holds nothing that a terminal or a browser would obey.
 #[track_caller]
 fn is_tame(text: &str, what: &str) {
     for order in ["\u{1b}[2J", "\u{1b}]0;", "\u{7}", "\u{202e}"] {
@@ -100,7 +100,7 @@ fn folder_name_cannot_control_a_terminal_or_a_browser() {
 
 #[test]
 fn compiler_names_no_folder_of_the_graders_machine() {
-    // The notes of these errors point into glam and into the harness.
+    // The notes of these errors point into glam and the harness.
     let wrong = "fn f() { let _ = glam::DVec3::new(1, 2); \
                  let _ = pinhole::Sphere::nothing(); let _ = pinhole::ray::Ray::clone(7); }";
     let text = with_body("plane", "") + wrong;

@@ -1,11 +1,11 @@
-//! Reading the report with a mouse: the divider, pixels, causes, hints.
+//! Reading the report with a mouse: the divider, pixels, causes and hints.
 
 use super::{SCENE, assert_as_explained, half_a_pixel_off, mistaken, numbers, report};
 use crate::browser::{Browser, ENTER};
 use pinhole_testing::{fresh, pinhole, root, trusted};
 
-/// An expression for the samples of a canvas. They are read from a copy, because browsers
-/// complain about canvases that are read often.
+/// An expression for the samples of a canvas. It reads them from a copy, because browsers
+/// complain about a canvas that is read often.
 fn samples(canvas: &str) -> String {
     format!(
         "((c) => {{ const copy = new OffscreenCanvas(c.width, c.height).getContext('2d', {{ willReadFrequently: true }}); \
@@ -35,7 +35,7 @@ fn a_failing_pixel_is_read_by_mouse_and_says_what_explain_says() {
         "{command}"
     );
 
-    // The difference is a picture to click on as well.
+    // The difference picture can be clicked too.
     let [x, y, ..] = browser.rectangle(
         ".pane:not(.compare) .sheet",
         10.5 / 160.0,
@@ -91,7 +91,7 @@ fn failing_pixels_are_counted_by_cause_and_shown_by_cause() {
         "{counts:?} {said}"
     );
 
-    // A chosen cause leaves as many bright pixels as it has.
+    // If a cause is chosen, only its pixels stay bright.
     let bright = format!(
         "(() => {{ const data = {}; let count = 0; for (let k = 0; k < data.length; k += 4) \
          count += Math.max(data[k], data[k + 1], data[k + 2]) > 240; return count; }})()",

@@ -2,7 +2,7 @@
 
 use super::law::{self, PartLaw};
 use super::rule::Rule;
-use super::sample::{Asked, Sample, samples};
+use super::sample::{AnsweredFilm, Sample, samples};
 use super::single;
 
 /// What a sentence claims, in a form that can be tested on other questions.
@@ -14,7 +14,7 @@ pub enum Claim {
     Never { misses: bool },
     /// Hits are missed, or invented, where the rule says.
     Decision { misses: bool, rule: Rule },
-    /// What is wrong in a part follows a law: this share of it, and where the rule says.
+    /// The wrong values of a part follow a law: this share of them, and where the rule says.
     Part {
         part: usize,
         law: PartLaw,
@@ -23,7 +23,7 @@ pub enum Claim {
     },
     /// A part is wrong where the rule says.
     Where { part: usize, rule: Rule },
-    /// A part comes in single precision.
+    /// A part has single precision.
     Single { part: usize },
     /// Parts are right.
     Right { parts: Vec<usize> },
@@ -43,7 +43,7 @@ impl Claim {
     }
 }
 
-/// Which share of wrong samples follows a law; `None` if it can't be told.
+/// The share of wrong samples that follow a law; `None` if it can't be told.
 pub fn share_of<'a>(
     law: &PartLaw,
     part: usize,
@@ -54,8 +54,8 @@ pub fn share_of<'a>(
 }
 
 impl Claim {
-    /// Whether it is true of these questions too, apart from a few exceptions.
-    pub fn holds(&self, films: &[Asked<'_>]) -> bool {
+    /// Whether it is also true of these questions, apart from a few exceptions.
+    pub fn holds(&self, films: &[AnsweredFilm<'_>]) -> bool {
         let samples = samples(films);
         let both = || {
             samples

@@ -13,7 +13,7 @@ pub enum Law {
     Plus(f64),
     /// The right value plus a constant times a power of a quantity.
     PlusQuantity(f64, usize, i32),
-    /// A constant, whatever the right value.
+    /// A constant, independent of the right value.
     Always(f64),
     /// A constant times a quantity.
     Quantity(f64, usize),
@@ -41,7 +41,7 @@ pub enum PartLaw {
 
 /// How a sample compares with a law.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Stand {
+pub enum Fit {
     /// It has the law's value, which is wrong.
     Follows,
     /// It does not have the law's value.
@@ -78,7 +78,7 @@ impl Place {
 }
 
 impl Law {
-    /// Whether it makes sense for names, such as ids, and not only for measured values.
+    /// Whether it makes sense for ids, which are names, and not only for measured values.
     fn is_counting(self) -> bool {
         matches!(self, Law::Plus(_) | Law::Other(_) | Law::Always(_))
     }
@@ -166,27 +166,27 @@ impl Law {
     }
 
     /// How one value of a sample compares with it.
-    fn stand(self, sample: &Sample, part: usize, place: Place) -> Stand {
+    fn stand(self, sample: &Sample, part: usize, place: Place) -> Fit {
         let told = self.says(sample, part, place).zip(sample.both(part));
         let Some(((says, stretch), (right, given))) = told else {
-            return Stand::Breaks;
+            return Fit::Breaks;
         };
         let size = Place::Length.of(given);
         let size = if size.is_finite() { size } else { 0.0 };
         let allowed = sample.allowed(part, says.abs().max(size), stretch);
-        // Written so that NaN breaks it.
+        // Written this way so that NaN breaks the law.
         let is_said = (place.of(given) - says).abs() <= allowed;
         if !is_said {
-            return Stand::Breaks;
+            return Fit::Breaks;
         }
         match (says - place.of(right)).abs() > 2.0 * allowed {
-            true => Stand::Follows,
-            false => Stand::Mute,
+            true => Fit::Follows,
+            false => Fit::Mute,
         }
     }
 }
 
-/// The simple number next to this one, or the number itself; `None` if it is not
+/// The nearest simple number if there is one close by, or the number itself; `None` if it is not
 /// finite.
 fn simple(number: f64) -> Option<f64> {
     let near = |simple: &&f64| (number - **simple).abs() <= 2e-4 * simple.abs().max(0.05);
@@ -196,7 +196,7 @@ fn simple(number: f64) -> Option<f64> {
 
 impl PartLaw {
     /// How a sample compares with it.
-    pub fn stand(&self, sample: &Sample, part: usize) -> Stand {
+    pub fn stand(&self, sample: &Sample, part: usize) -> Fit {
         match self {
             PartLaw::Length(law) => law.stand(sample, part, Place::Length),
             PartLaw::Whole(law) => {
@@ -206,23 +206,23 @@ impl PartLaw {
             PartLaw::Axes(laws) => all(laws.iter().enumerate().map(|(axis, law)| match law {
                 Some(law) => law.stand(sample, part, Place::Axis(axis)),
                 None => match Law::Times(1.0).stand(sample, part, Place::Axis(axis)) {
-                    Stand::Breaks => Stand::Breaks,
-                    _ => Stand::Mute,
+                    Fit::Breaks => Fit::Breaks,
+                    _ => Fit::Mute,
                 },
             })),
         }
     }
 }
 
-fn all(stands: impl Iterator<Item = Stand>) -> Stand {
-    stands.fold(Stand::Mute, |sum, stand| match (sum, stand) {
-        (Stand::Breaks, _) | (_, Stand::Breaks) => Stand::Breaks,
-        (Stand::Follows, _) | (_, Stand::Follows) => Stand::Follows,
-        _ => Stand::Mute,
+fn all(stands: impl Iterator<Item = Fit>) -> Fit {
+    stands.fold(Fit::Mute, |sum, stand| match (sum, stand) {
+        (Fit::Breaks, _) | (_, Fit::Breaks) => Fit::Breaks,
+        (Fit::Follows, _) | (_, Fit::Follows) => Fit::Follows,
+        _ => Fit::Mute,
     })
 }
 
-/// How many of some samples follow a law, and how many break it.
+/// How many samples follow a law, and how many break it.
 pub fn tally<'a>(
     law: &PartLaw,
     part: usize,
@@ -230,15 +230,15 @@ pub fn tally<'a>(
 ) -> (usize, usize) {
     samples.fold((0, 0), |(follow, broken), sample| {
         match law.stand(sample, part) {
-            Stand::Follows => (follow + 1, broken),
-            Stand::Breaks => (follow, broken + 1),
-            Stand::Mute => (follow, broken),
+            Fit::Follows => (follow + 1, broken),
+            Fit::Breaks => (follow, broken + 1),
+            Fit::Mute => (follow, broken),
         }
     })
 }
 
-/// The law that most of these samples follow, all of which are wrong in this part. Simpler
-/// laws come first, and lose only to one that clearly more samples follow.
+/// The law that most of these samples follow, all of which are wrong in this part. Simple laws
+/// are tried first, and lose only to a law that clearly more samples follow.
 pub fn best(samples: &[&Sample], part: usize) -> Option<PartLaw> {
     let (right, _) = samples.first()?.both(part)?;
     let axes = right.len();
@@ -292,13 +292,13 @@ pub fn best(samples: &[&Sample], part: usize) -> Option<PartLaw> {
     best.map(|(_, law)| law)
 }
 
-/// A law for each axis that is wrong, if each has one.
+/// A law for each axis that is wrong, if each of them follows one.
 fn by_axes(samples: &[&Sample], part: usize, axes: usize, quantities: usize) -> Option<PartLaw> {
     let laws = (0..axes).map(|axis| {
         let place = Place::Axis(axis);
         let follow = |law: Law| {
             let stands = samples.iter().map(|sample| law.stand(sample, part, place));
-            stands.filter(|stand| *stand != Stand::Breaks).count()
+            stands.filter(|stand| *stand != Fit::Breaks).count()
         };
         let enough = samples.len() - samples.len() / 20;
         if follow(Law::Times(1.0)) >= enough {
@@ -336,7 +336,7 @@ fn with_two_constants(quantities: usize) -> Vec<Law> {
     laws
 }
 
-/// All laws but those of several axes, the simplest first, without their constants.
+/// All laws except those of several axes, the simplest first, without their constants.
 fn whole(quantities: usize, others: usize) -> Vec<Law> {
     let mut laws = vec![Law::Times(1.0), Law::Plus(0.0)];
     laws.extend((0..others).map(Law::Other));

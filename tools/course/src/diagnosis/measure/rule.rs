@@ -7,7 +7,7 @@ use super::sample::Sample;
 
 /// Which of a sample's conditions a rule is about.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Of {
+pub enum WhichAnswer {
     /// Those of the right answer.
     Right,
     /// Those of the answer that was given.
@@ -18,14 +18,14 @@ pub enum Of {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Literal {
     /// This condition holds, or not.
-    Holds(Of, usize, bool),
+    Holds(WhichAnswer, usize, bool),
     /// This quantity is below the bound.
     Below(usize, f64),
     /// This quantity is above the bound.
     Above(usize, f64),
 }
 
-/// Statements that separate, and how sharply.
+/// Statements that separate wrong samples from right ones, and how sharply.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rule {
     /// The statements, all of which must hold.
@@ -46,21 +46,21 @@ impl Literal {
 }
 
 /// The conditions of a sample and one of its answers.
-pub fn conditions(sample: &Sample, of: Of) -> &[Condition] {
+pub fn conditions(sample: &Sample, of: WhichAnswer) -> &[Condition] {
     match of {
-        Of::Right => &sample.conditions,
-        Of::Given => &sample.conditions_given,
+        WhichAnswer::Right => &sample.conditions,
+        WhichAnswer::Given => &sample.conditions_given,
     }
 }
 
 impl Rule {
-    /// Whether all of it holds.
+    /// Whether all its statements hold.
     pub fn holds(&self, sample: &Sample) -> bool {
         self.literals.iter().all(|literal| literal.holds(sample))
     }
 
-    /// Whether it separates the wrong samples from the right ones, with at most one exception
-    /// in a hundred.
+    /// Whether it separates the wrong samples from the right ones, with at most one exception in
+    /// a hundred.
     pub fn separates(&self, wrong: &[&Sample], right: &[&Sample]) -> bool {
         let met = |samples: &[&Sample]| samples.iter().filter(|it| self.holds(it)).count();
         let (missed, extra) = (wrong.len() - met(wrong), met(right));
@@ -70,7 +70,7 @@ impl Rule {
 }
 
 impl Rule {
-    /// "nearly " if there are exceptions, and otherwise nothing.
+    /// "nearly " if there are exceptions, otherwise empty.
     pub fn nearly(&self, wrong: &[&Sample], right: &[&Sample]) -> &'static str {
         let is_kept = wrong.iter().all(|it| self.holds(it))
             && !(self.exactly && right.iter().any(|it| self.holds(it)));
@@ -78,7 +78,7 @@ impl Rule {
     }
 }
 
-/// Fewer samples than this on either side allow no rule.
+/// With fewer samples than this on either side, don't look for a rule.
 const LEAST: usize = 8;
 
 /// A statement that holds for more than this share of the right samples is useless.
@@ -86,8 +86,8 @@ const TELLING: f64 = 0.34;
 
 /// The simplest rule that separates the wrong samples from the right ones. It is found on one
 /// half of the samples and must hold on the other.
-pub fn find(wrong: &[&Sample], right: &[&Sample], of: Of) -> Option<Rule> {
-    // A few exceptions are too little to say anything about.
+pub fn find(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Option<Rule> {
+    // A few exceptions are too few to find a rule for.
     if wrong.len() < LEAST || right.len() < LEAST.max(wrong.len() / 30) {
         return None;
     }
@@ -125,7 +125,8 @@ pub fn find(wrong: &[&Sample], right: &[&Sample], of: Of) -> Option<Rule> {
     };
     let telling = match best {
         Literal::Holds(..) => TELLING,
-        // The bound fits these samples; that of others may lie a little further out.
+        // The bound fits these samples. For all samples, the best bound may be a little further
+        // out.
         Literal::Below(..) | Literal::Above(..) => 0.5 * TELLING,
     };
     (share(best) <= telling && stands(&rule)).then_some(rule)
@@ -139,7 +140,7 @@ fn half<'a>(samples: &[&'a Sample], fits: bool) -> Vec<&'a Sample> {
 
 /// Every statement that may separate: conditions, and the bound of each quantity that
 /// separates best.
-fn literals(wrong: &[&Sample], right: &[&Sample], of: Of) -> Vec<Literal> {
+fn literals(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Vec<Literal> {
     let Some(first) = wrong.first() else {
         return Vec::new();
     };
@@ -173,7 +174,7 @@ fn literals(wrong: &[&Sample], right: &[&Sample], of: Of) -> Vec<Literal> {
     literals
 }
 
-/// The roundest number between two.
+/// The roundest number between these two.
 fn between(low: f64, high: f64) -> f64 {
     let middle = 0.5 * (low + high);
     let rounded = (0..9).map(|digits| {

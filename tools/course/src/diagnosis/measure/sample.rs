@@ -4,9 +4,9 @@ use pinhole::judge::Golden;
 use pinhole::kind::{Answer, Questions};
 use pinhole::part::{Condition, Part, Quantity};
 
-/// Questions, the answers that were given, and the film that holds the right ones.
+/// Questions, the answers that were given, and Mitsuba's.
 #[derive(Clone, Copy)]
-pub struct Asked<'a> {
+pub struct AnsweredFilm<'a> {
     /// What was asked.
     pub questions: &'a Questions,
     /// The answers, in the questions' order.
@@ -25,13 +25,13 @@ pub struct Sample {
     slack: Vec<f64>,
     /// Numbers that belong to the question.
     pub quantities: Vec<Quantity>,
-    /// Other answers than the right one, by name.
+    /// Plausible wrong answers, by name.
     pub others: Vec<(&'static str, Option<Vec<Part>>)>,
     /// The conditions on the question and the right answer.
     pub conditions: Vec<Condition>,
     /// The conditions on the question and the answer that was given.
     pub conditions_given: Vec<Condition>,
-    /// Whether laws are fitted to it. They are tested on the others.
+    /// Whether laws are fitted to this sample. They are tested on the others.
     pub fits: bool,
 }
 
@@ -39,9 +39,9 @@ pub struct Sample {
 /// another order, or rounded to 32 bits.
 const SAME: f64 = 2e-5;
 
-/// All questions of some films that were answered and are not exempt.
-pub fn samples(films: &[Asked<'_>]) -> Vec<Sample> {
-    let of_film = |film: &Asked<'_>| {
+/// All questions of these films that were answered and are not exempt.
+pub fn samples(films: &[AnsweredFilm<'_>]) -> Vec<Sample> {
+    let of_film = |film: &AnsweredFilm<'_>| {
         let answered = film.answers.iter().enumerate();
         let samples = answered.filter_map(|(index, given)| film.sample(index, given.as_ref()?));
         samples.collect::<Vec<_>>()
@@ -49,9 +49,9 @@ pub fn samples(films: &[Asked<'_>]) -> Vec<Sample> {
     films.iter().flat_map(of_film).collect()
 }
 
-impl Asked<'_> {
+impl AnsweredFilm<'_> {
     fn sample(&self, index: usize, given: &Answer) -> Option<Sample> {
-        let Asked {
+        let AnsweredFilm {
             questions, golden, ..
         } = self;
         if golden.is_exempt(index) {
@@ -66,7 +66,7 @@ impl Asked<'_> {
             let tolerances = samples.filter_map(|name| golden.tolerance().channel(name));
             let widest = tolerances.map(|all| f64::from(all[index]));
             match part.is_object() {
-                // An id is a name: another id is never nearly right.
+                // An id is a name, so another id is never nearly right.
                 true => 0.0,
                 false => 2.0 * widest.fold(0.0, f64::max) / part.scale,
             }
@@ -87,7 +87,7 @@ impl Asked<'_> {
 }
 
 impl Sample {
-    /// Both answers' values of a part, if both have it.
+    /// The values of a part in both answers, if both have it.
     pub fn both(&self, part: usize) -> Option<(&[f64], &[f64])> {
         let (right, given) = (self.right.as_ref()?, self.given.as_ref()?);
         Some((&right.get(part)?.values, &given.get(part)?.values))
@@ -114,8 +114,8 @@ impl Sample {
         })
     }
 
-    /// Whether both answers hit the same object. If they don't, comparing other parts would
-    /// tell nothing.
+    /// Whether both answers hit the same object. If they don't, comparing other parts says
+    /// nothing.
     pub fn is_same_object(&self) -> bool {
         let parts = self.right.iter().flatten().enumerate();
         let mut objects = parts.filter(|(_, part)| part.is_object());

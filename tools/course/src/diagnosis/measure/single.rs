@@ -4,16 +4,16 @@ use pinhole::part::Part;
 
 use super::claim::Claim;
 use super::sample::Sample;
-use super::{Finding, LEAST, Measured, capital};
+use super::{Finding, LEAST, Measurement, capital};
 
-/// The parts that come in single precision, in a sentence.
-pub fn found(both: &[&Sample]) -> Option<Measured> {
+/// The sentence about the parts that have single precision, if any do.
+pub fn found(both: &[&Sample]) -> Option<Measurement> {
     let described = both.first()?.right.as_ref()?;
     let parts: Vec<usize> = (0..described.len())
         .filter(|part| is_single(both, *part))
         .collect();
     let about = described[*parts.first()?].name;
-    Some(Measured {
+    Some(Measurement {
         finding: Finding {
             about: about.into(),
             says: format!(
@@ -27,8 +27,8 @@ pub fn found(both: &[&Sample]) -> Option<Measured> {
     })
 }
 
-/// Whether `f32` holds every value of a part that was given. Short numbers such as 0.5 prove
-/// nothing, so there must be enough others.
+/// Whether `f32` holds every given value of a part. Short numbers such as 0.5 prove nothing, so
+/// there must be enough others.
 pub fn is_single(both: &[&Sample], part: usize) -> bool {
     let is_told = |described: &Part| !described.is_object() && described.unit.is_empty();
     let given = both.iter().filter_map(|sample| sample.given.as_ref());

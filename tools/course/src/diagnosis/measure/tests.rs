@@ -45,7 +45,7 @@ fn hit(intersection: Intersection) -> Option<Hit> {
     })
 }
 
-/// What is said of answers, and whether it holds for other questions.
+/// The sentences about these answers, and whether they hold for other questions.
 fn said(answer: impl Fn(&ShapeQuestion, Intersection) -> Option<Intersection>) -> Vec<String> {
     let of = |from: usize| {
         let questions: Vec<ShapeQuestion> = (from..from + COUNT).map(question).collect();
@@ -67,7 +67,7 @@ fn said(answer: impl Fn(&ShapeQuestion, Intersection) -> Option<Intersection>) -
     };
     let (public, fresh) = (of(0), of(1000));
     let asked = |(questions, answers, golden): &'_ (Questions, Vec<Option<Answer>>, Golden)| {
-        measure(&[Asked {
+        measure(&[AnsweredFilm {
             questions,
             answers,
             golden,
@@ -78,7 +78,7 @@ fn said(answer: impl Fn(&ShapeQuestion, Intersection) -> Option<Intersection>) -
     for measured in &measured {
         let says = &measured.finding.says;
         assert!(
-            measured.holds(&[Asked {
+            measured.holds(&[AnsweredFilm {
                 questions,
                 answers,
                 golden
@@ -149,7 +149,7 @@ fn noise_gets_no_law() {
 }
 
 #[test]
-fn a_fixed_bound_is_told_with_its_number() {
+fn a_fixed_bound_is_reported_with_its_number() {
     let said = said(|question, right| {
         let Shape::Plane(plane) = &question.shape else {
             return None;

@@ -3,7 +3,7 @@
 use pinhole::words::number;
 
 use super::law::{Law, PartLaw};
-use super::rule::{Literal, Of, Rule, conditions};
+use super::rule::{Literal, Rule, WhichAnswer, conditions};
 use super::sample::Sample;
 
 /// Significant digits of a measured number.
@@ -133,7 +133,7 @@ pub fn rule(rule: &Rule, sample: &Sample) -> String {
                 false => condition.otherwise,
             };
             match (of, name.strip_prefix("t ")) {
-                (Of::Given, Some(rest)) => format!("your t {rest}"),
+                (WhichAnswer::Given, Some(rest)) => format!("your t {rest}"),
                 _ => name.to_owned(),
             }
         }

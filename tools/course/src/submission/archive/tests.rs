@@ -36,7 +36,7 @@ fn sphere(path: &Path) -> std::result::Result<String, Unusable> {
     archive.text(&format!("{}sphere.rs", place.unwrap_or_default()))
 }
 
-/// Overwrites every occurrence of some bytes: what an attacker writes by hand.
+/// Overwrites every occurrence of some bytes, as an attacker might.
 fn forge(path: &Path, from: &[u8], to: &[u8]) {
     assert_eq!(from.len(), to.len());
     let mut bytes = fs::read(path).expect("it is there");
@@ -69,7 +69,7 @@ fn answers_are_found_in_the_same_places_as_in_a_folder() {
     assert_eq!(
         sphere(&path),
         Err(Unusable::Missing),
-        "with two folders, nobody knows which is meant"
+        "with two folders, the right one is unknown"
     );
 }
 
@@ -83,7 +83,7 @@ fn paths_that_lead_elsewhere_refuse_the_whole_archive() {
         ("src/../../sphere.rs", "leads out"),
         ("src\\..\\..\\sphere.rs", "leads out"),
     ] {
-        // The library that writes archives refuses such names, so they are forged afterwards.
+        // The library that writes archives refuses such names, so we forge them afterwards.
         let plain: String = name.chars().map(|_| 'x').collect();
         let (_folder, path) = archive(&[(&plain, b"")]);
         forge(&path, plain.as_bytes(), name.as_bytes());
@@ -133,7 +133,7 @@ fn links_devices_and_passwords_are_refused() {
         zip.add_symlink("sphere.rs", "/etc/passwd", SimpleFileOptions::default())
             .expect("an entry");
         zip.finish().expect("it ends");
-        // The mode stands in the upper half of four bytes.
+        // The mode is in the upper half of four bytes.
         let mode = |mode: u32| (mode << 16).to_le_bytes();
         let packed = fs::read(&path).expect("it is there");
         let link = mode(0o120_777);
@@ -180,7 +180,8 @@ fn file_that_is_not_an_archive_is_refused_with_a_reason() {
     assert!(refusal.contains("more than 50000"), "{refusal}");
 }
 
-/// The list of contents alone: a local entry, and as many entries as are asked that all name it.
+/// A list of contents alone: one local entry, and as many entries as `names` that all point at
+/// it.
 fn listing(names: impl Iterator<Item = Vec<u8>>) -> Vec<u8> {
     let (mut bytes, mut list, mut count) = (Vec::new(), Vec::new(), 0_u16);
     for name in names {
@@ -209,7 +210,7 @@ fn listing(names: impl Iterator<Item = Vec<u8>>) -> Vec<u8> {
     bytes
 }
 
-/// The most memory this process ever had, in KiB.
+/// The most memory that this process has used so far, in KiB.
 #[cfg(target_os = "linux")]
 fn peak_memory() -> u64 {
     let status = fs::read_to_string("/proc/self/status").expect("Linux tells");
@@ -264,14 +265,14 @@ fn damaged_archives_do_not_harm_the_reader() {
             match dice.below(5) {
                 0 if at < bytes.len() => bytes[at] ^= 1 << dice.below(8),
                 1 if at < bytes.len() => bytes[at] = dice.below(256) as u8,
-                // Lengths, counts and offsets are of two and four bytes.
+                // Lengths, counts and offsets take two or four bytes.
                 2 => bytes[at..].iter_mut().take(4).for_each(|byte| *byte = 255),
                 3 => drop(bytes.drain(at..(at + dice.below(32)).min(bytes.len()))),
                 _ => bytes.truncate(at),
             }
         }
         fs::write(&path, &bytes).expect("it can be written");
-        // If an input does harm, it is still in this file afterwards.
+        // If an input does harm, this file still holds it afterwards.
         if let Ok(mut archive) = open(&path) {
             for place in archive.places() {
                 let text = archive.text(&format!("{place}plane.rs"));

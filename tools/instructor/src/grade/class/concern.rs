@@ -1,5 +1,5 @@
-//! What the instructor should look at before marks go out: missing people, files that were
-//! not taken, ambiguous names. It is the same in the terminal, on the page and in JSON.
+//! What the instructor should look at before marks go out: missing people, files that were not
+//! taken, ambiguous names. The terminal, the page and JSON all show the same.
 
 use serde::Serialize;
 
@@ -11,12 +11,12 @@ use crate::grade::intake::roster::Person;
 pub struct Concern {
     pub what: &'static str,
     pub which: Vec<String>,
-    /// Whether somebody may have lost points because of it. Then the exit code is 1.
+    /// Whether someone may have lost points because of it. Then the exit code is 1.
     pub is_grave: bool,
 }
 
 impl Roll {
-    /// All concerns of a class, the gravest first.
+    /// All concerns of a class, the most serious first.
     pub fn concerns(&self) -> Vec<Concern> {
         let placed = &self.placed;
         let entries = |of: &dyn Fn(&crate::grade::intake::Entry) -> &Vec<String>| {
@@ -29,7 +29,7 @@ impl Roll {
             let people: Vec<String> = people.iter().map(in_words).collect();
             format!("{}: perhaps {}", self.called(id), people.join(" or "))
         });
-        // If there is a policy, it says which submission counts.
+        // If there is a policy, it decides which submission counts.
         let several = placed.several.values().filter(|_| self.policy.is_none());
         let several = several.map(|ids| ids.join(" and "));
         let superseded = placed.superseded.iter();
@@ -48,7 +48,11 @@ impl Roll {
                 true,
                 several.collect(),
             ),
-            ("files that belong to nobody", true, self.ignored.clone()),
+            (
+                "files that belong to no submission",
+                true,
+                self.ignored.clone(),
+            ),
             ("nothing handed in", false, people(&placed.missing)),
             (
                 "read in spite of another name or encoding",
@@ -66,8 +70,8 @@ impl Roll {
         .collect()
     }
 
-    /// A sentence that says how many people on the roster are graded (or found, before
-    /// grading), and how many are affected by which problem.
+    /// A sentence that says how many people on the roster are graded (or, before grading, found),
+    /// and how many are affected by each problem.
     pub fn headline(&self, graded: &dyn Fn(&str) -> bool, word: &str) -> String {
         let placed = &self.placed;
         let count = |ids: &mut dyn Iterator<Item = &String>| ids.filter(|id| graded(id)).count();
@@ -95,7 +99,10 @@ impl Roll {
             .iter()
             .filter(|entry| !entry.unusable.is_empty());
         parts.push(format!("{} lack answer files", incomplete.count()));
-        parts.push(format!("{} files belong to nobody", self.ignored.len()));
+        parts.push(format!(
+            "{} files belong to no submission",
+            self.ignored.len()
+        ));
         parts.join("; ")
     }
 
@@ -108,7 +115,7 @@ impl Roll {
         people.len()
     }
 
-    /// The name of a submission, with the person's name if that says more.
+    /// The name of a submission, and the person's name if that adds something.
     fn called(&self, id: &str) -> String {
         match self.placed.of.get(id) {
             Some(person) if person.id != id => format!("{id} ({})", in_words(person)),
@@ -121,7 +128,7 @@ impl Roll {
     }
 }
 
-/// Sorts concerns, the gravest first.
+/// Sorts concerns, the most serious first.
 pub fn sorted(mut all: Vec<Concern>) -> Vec<Concern> {
     all.sort_by_key(|concern| !concern.is_grave);
     all

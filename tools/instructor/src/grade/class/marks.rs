@@ -1,15 +1,14 @@
-//! Finds each person's mark: the submission that counts, and what the policy makes of its
-//! points.
+//! Finds each person's mark: which submission counts, and what the policy makes of its points.
 
 use std::collections::BTreeMap;
 
 use super::concern::Concern;
 use super::{Roll, Row};
 use crate::grade::intake::Entry;
-use crate::grade::intake::names::HandedIn;
+use crate::grade::intake::names::HandInTime;
 use crate::grade::intake::roster::Person;
 use crate::grade::policy::Policy;
-use crate::grade::policy::mark::{Judged, Mark};
+use crate::grade::policy::mark::{JudgedPoints, Mark};
 use crate::grade::policy::rules::Attempts;
 use crate::grade::policy::times::Lateness;
 use crate::grade::record::Record;
@@ -42,7 +41,7 @@ pub fn rows<'a>(roll: &'a Roll, records: &'a BTreeMap<String, Record>) -> Rows<'
     match &roll.policy {
         None => {
             for row in &mut rows.own {
-                let judged = row.record.and_then(|record| Judged::of(record, &[]));
+                let judged = row.record.and_then(|record| JudgedPoints::of(record, &[]));
                 row.mark = judged.map(Mark::judged);
             }
         }
@@ -51,7 +50,7 @@ pub fn rows<'a>(roll: &'a Roll, records: &'a BTreeMap<String, Record>) -> Rows<'
     rows
 }
 
-/// What a policy leaves open, sorted by what the instructor can do about it.
+/// What a policy could not decide, sorted by what the instructor can do about it.
 #[derive(Default)]
 struct Open {
     late_sometime: Vec<String>,
@@ -61,7 +60,7 @@ struct Open {
 }
 
 fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
-    // Those who hand in together, and the places of what they handed in.
+    // People who hand in together, and the places of their submissions.
     let mut teams: BTreeMap<String, (Vec<&'a Person>, Vec<usize>)> = BTreeMap::new();
     for (at, row) in rows.own.iter().enumerate() {
         let (team, people) = match row.person {
@@ -133,8 +132,8 @@ struct Attempt {
     at: usize,
     id: String,
     lateness: Lateness,
-    time: Option<HandedIn<jiff::Timestamp>>,
-    judged: Option<Judged>,
+    time: Option<HandInTime<jiff::Timestamp>>,
+    judged: Option<JudgedPoints>,
 }
 
 impl Attempt {
@@ -146,7 +145,9 @@ impl Attempt {
             id: row.entry.id.clone(),
             lateness: policy.lateness(row.entry, people),
             time: policy.handed_in(row.entry, row.person),
-            judged: row.record.and_then(|record| Judged::of(record, extra)),
+            judged: row
+                .record
+                .and_then(|record| JudgedPoints::of(record, extra)),
         }
     }
 
@@ -156,7 +157,7 @@ impl Attempt {
     }
 }
 
-/// Which attempt counts for somebody; `None` if that can't be decided.
+/// Which attempt counts for a person; `None` if that can't be decided.
 fn counted<'a>(
     policy: &Policy,
     person: Option<&Person>,
@@ -172,7 +173,7 @@ fn counted<'a>(
         }),
         Attempts::Last => {
             let time = |it: &Attempt| match it.time {
-                Some(HandedIn::At(time)) => Some(time),
+                Some(HandInTime::At(time)) => Some(time),
                 _ => None,
             };
             let times: Option<Vec<_>> = attempts.iter().map(time).collect();

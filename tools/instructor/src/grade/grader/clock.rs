@@ -1,9 +1,10 @@
-//! How long an answer may take: seconds of the processor, never less than a hundred times
-//! what the reference took for the same questions in the same run.
+//! How long an answer may take: a limit in processor seconds, at least a hundred times what the
+//! reference took for the same questions in the same run.
 //!
-//! Jobs run side by side, and students must not pay for a loaded machine. So if an answer
-//! or the compiler is late while others are graded, its whole submission is put back, and graded again when
-//! all others are done and it has the machine to itself. What is late then is late.
+//! Jobs run at the same time, and a busy machine must not cost students points. So if an answer
+//! or the compiler is late while other submissions are graded, the whole submission is put back.
+//! When all others are done, it is graded again with nothing else running. If it is late then, it
+//! counts as late.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -24,8 +25,8 @@ use pinhole_course::sandbox::{Limits, Sandbox, time_of_children};
 /// An answer may take this many times the reference's own time.
 const TIMES: u32 = 100;
 
-/// How far measured times may be too short: the user's and the system's clock may each be a
-/// tick behind.
+/// How much too short a measured time may be: the user's and the system's clock may each lag by a
+/// tick.
 const TICKS: Duration = Duration::from_millis(20);
 
 /// The reference's own limit.
@@ -39,9 +40,9 @@ pub struct Pace {
 }
 
 impl Pace {
-    /// Asks the reference everything that submissions will be asked. It is our own code and
-    /// runs without a sandbox, so that the system can measure it. Nothing else may run
-    /// meanwhile.
+    /// Asks the reference everything that submissions will be asked. It is our own code and runs
+    /// without a sandbox, so that the system can measure it. Nothing else may run at the same
+    /// time.
     pub fn measure(
         assignment: &Assignment,
         goldens: &[&Goldens],
@@ -92,15 +93,15 @@ impl Pace {
         Ok(Pace { least, took })
     }
 
-    /// What a submission may take for a task or a scene.
+    /// The limits of a submission for a task or a scene.
     fn limits(&self, what: &str) -> Limits {
         let fair = self.took.get(what).copied().unwrap_or_default() * TIMES;
         Limits::of_processor(self.least.max(rounded(fair)), fair)
     }
 }
 
-/// The next power of two, in seconds. It is the same in most runs, even if measured times vary
-/// a little.
+/// The next power of two, in seconds. It is the same in most runs, even if measured times vary a
+/// little.
 fn rounded(time: Duration) -> Duration {
     let seconds = time.as_secs_f64().ceil() as u64;
     Duration::from_secs(seconds.next_power_of_two())
@@ -113,13 +114,13 @@ fn cores() -> u32 {
 /// The clock of one submission.
 pub struct SubmissionClock<'a> {
     pace: &'a Pace,
-    /// Whether nothing else is graded meanwhile.
+    /// Whether nothing else is graded at the same time.
     alone: bool,
     late: AtomicBool,
 }
 
 impl<'a> SubmissionClock<'a> {
-    /// A clock by which no answer has been late yet.
+    /// A clock that has seen no late answer yet.
     pub fn new(pace: &'a Pace, alone: bool) -> SubmissionClock<'a> {
         SubmissionClock {
             pace,
@@ -128,21 +129,22 @@ impl<'a> SubmissionClock<'a> {
         }
     }
 
-    /// Whether nothing else is graded meanwhile.
+    /// Whether nothing else is graded at the same time.
     pub fn is_alone(&self) -> bool {
         self.alone
     }
 
-    /// Ends the examination, because something was late while others were graded.
+    /// The error that ends the examination, because something was late while other submissions
+    /// were graded.
     pub fn late(&self) -> Error {
         self.late.store(true, Ordering::Relaxed);
         Error::environment(
-            "it came too late, beside others",
+            "it was late while other submissions were graded",
             "grade the submission again, alone",
         )
     }
 
-    /// Whether it is to be graded again, alone.
+    /// Whether something was late, so that the submission must be graded again, alone.
     pub fn was_late(&self) -> bool {
         self.late.load(Ordering::Relaxed)
     }
@@ -153,8 +155,8 @@ impl Clock for SubmissionClock<'_> {
         self.pace.limits(what)
     }
 
-    /// Ends the examination if an answer was late while others were graded;
-    /// [`was_late`](SubmissionClock::was_late) says so then.
+    /// Ends the examination if an answer was late while other submissions were graded.
+    /// [`was_late`](SubmissionClock::was_late) then returns true.
     fn check(&self, reply: &Reply) -> Result<()> {
         if self.alone || !matches!(reply.ending, Ending::TimedOut(_)) {
             return Ok(());

@@ -1,7 +1,7 @@
-//! Fresh questions, the same for the whole class, and the points that they cost.
+//! Fresh questions, the same for the whole class, and the points that they take away.
 //!
-//! Somebody who has the public goldens could write them into the answer files. Probes
-//! and scenes from a fresh seed cannot be known before they are made.
+//! A student who has the public goldens could write them into the answer files. Questions and
+//! scenes from a fresh seed cannot be known in advance.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -25,13 +25,13 @@ pub struct Questions {
     pub folder: PathBuf,
     /// The seed to draw them from, if the user chose one.
     pub seed: Option<Seed>,
-    /// Whether the questions in that folder were used before: students then know from
-    /// their results which of them they failed.
+    /// Whether the questions in that folder were used before, so that students know from their
+    /// results which of them they failed.
     pub anew: bool,
 }
 
 impl Questions {
-    /// Whether the questions that are there, drawn from the seed `kept`, can be asked.
+    /// Whether the existing questions, drawn from the seed `kept`, can be asked.
     fn serve(&self, kept: Option<Seed>) -> bool {
         match self.seed {
             Some(_) => kept == self.seed,
@@ -39,8 +39,8 @@ impl Questions {
         }
     }
 
-    /// Finds the goldens of the fresh questions, or makes them. Returns them with their seed,
-    /// or `None` if there is no Mitsuba to make them.
+    /// Finds the goldens of the fresh questions, or makes them. Returns them with their seed, or
+    /// `None` if Mitsuba is not there to make them.
     pub fn find_or_make(
         &self,
         assignment: &Assignment,
@@ -70,8 +70,8 @@ impl Questions {
             )?,
         };
         anstream::eprintln!("making fresh questions with Mitsuba …");
-        // Make them in another folder, so that this one is complete or missing if we are
-        // killed.
+        // Make them in another folder and rename it, so that the folder is complete or missing if
+        // we are killed.
         let beside = folder.with_extension("new");
         let _left_behind = fs::remove_dir_all(&beside);
         let request = GoldenRender {
@@ -83,7 +83,7 @@ impl Questions {
             no_mistakes: true,
         };
         golden::make(assignment, checkout, &request)?;
-        // Keep earlier questions, because marks from them may still be disputed.
+        // Keep earlier questions, because marks based on them may be disputed.
         let mut places = (1..).map(|number| folder.with_extension(format!("retired-{number}")));
         let retired = places.find(|place| !place.exists());
         let kept = match retired.filter(|_| folder.is_dir()) {
@@ -100,21 +100,21 @@ impl Questions {
     }
 }
 
-/// What the fresh questions in a folder are for. A student who may hand in often learns what
-/// the questions for feedback ask, so the mark needs others.
+/// What the fresh questions in a folder are for. A student who may hand in often learns the
+/// questions that feedback is based on, so the mark needs others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Purpose {
-    /// An autograder, which students ask again and again.
+    /// Feedback by an autograder, which students use again and again.
     Feedback,
     /// A mark.
     Grading,
 }
 
-/// The file that records a folder's purpose. Its name begins with a dot, so it isn't packed
+/// The file that records a folder's purpose. Its name begins with a dot, so that it isn't packed
 /// into archives.
 const PURPOSE: &str = ".purpose";
 
-/// Reserves a folder of fresh questions for one purpose, for good.
+/// Reserves a folder of fresh questions for one purpose, for ever.
 ///
 /// # Errors
 /// If the folder has been used for the other purpose.
@@ -141,7 +141,7 @@ pub fn reserve(folder: &Path, purpose: Purpose) -> Result<()> {
     }
 }
 
-/// The tasks and scenes that fresh questions could still cost something.
+/// The tasks and scenes that fresh questions could still take points from.
 pub fn worth_asking_fresh(outcome: &Outcome) -> Option<Selection> {
     let has_points = |task: &&TaskOutcome| task.points > 0;
     let tasks = outcome.tasks.iter().filter(has_points);
@@ -157,7 +157,7 @@ pub fn worth_asking_fresh(outcome: &Outcome) -> Option<Selection> {
     }
 }
 
-/// Takes away the points of groups that pass the known questions but fail fresh ones.
+/// Takes away the points of groups that pass the public questions but fail fresh ones.
 pub fn revoke_failing_fresh(outcome: &mut Outcome, fresh: &Outcome) {
     for task in &mut outcome.tasks {
         let Some(again) = fresh.tasks.iter().find(|again| again.name == task.name) else {
@@ -178,7 +178,7 @@ pub fn revoke_failing_fresh(outcome: &mut Outcome, fresh: &Outcome) {
     outcome.add_up();
 }
 
-/// Makes a folder private, so that nobody else on the machine can look into it.
+/// Makes a folder private, so that nobody else on the machine can look inside.
 fn own(folder: &Path) -> std::io::Result<()> {
     #[cfg(unix)]
     {
@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn questions_for_feedback_never_serve_a_mark_nor_the_other_way_round() {
+    fn questions_for_feedback_are_never_used_for_a_mark_nor_vice_versa() {
         for (first, second) in [
             (Purpose::Feedback, Purpose::Grading),
             (Purpose::Grading, Purpose::Feedback),

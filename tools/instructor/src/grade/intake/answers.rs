@@ -14,7 +14,7 @@ use pinhole_course::submission::{Answer, Submission, Unusable};
 #[derive(Clone, Debug)]
 pub struct Choice {
     pub submission: Submission,
-    /// What had to be done to read them. The answers are judged as they were meant.
+    /// What was done to read them. The answers are judged as they were meant.
     pub notes: Vec<String>,
     /// Why other answers may be meant. The instructor should look at these.
     pub doubts: Vec<String>,
@@ -39,15 +39,15 @@ impl Candidate<'_> {
         folders.len() - usize::from(folders.last().is_some_and(|last| last == "src"))
     }
 
-    /// Whether it lies where the course's repository keeps a student's answers.
+    /// Whether it is where the course's repository keeps a student's answers.
     fn is_in_handout(&self) -> bool {
         let folders = &self.upload.path[..self.upload.path.len() - 1];
         folders.ends_with(&["handout".into(), "src".into()])
     }
 }
 
-/// Finds the answers to all tasks. The newest upload counts; among its files, those at the top
-/// or in the `src` there. `Err` if the machine could not read a file that may be an answer.
+/// Finds the answers to all tasks. The newest upload counts, and in it, the files at the top or
+/// in `src`. `Err` if the machine could not read a file that may be an answer.
 pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result<Choice, String> {
     let mut refused = Vec::new();
     let mut others = Vec::new();
@@ -74,7 +74,7 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
             Content::Folder => {}
         }
     }
-    // A copy of the course's repository holds files of the same names elsewhere too.
+    // A copy of the course's repository has files with these names in other places too.
     if candidates.iter().any(|(_, one)| one.is_in_handout()) {
         candidates.retain(|(_, one)| one.is_in_handout());
     }

@@ -3,29 +3,29 @@
 use std::collections::BTreeMap;
 
 use super::names::{self, PlatformName, Sign};
-use super::reader::{self, Content, Found};
+use super::reader::{self, Content, FoundFile};
 use pinhole_course::assignment::Assignment;
 
 /// What one person handed in.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HandIn {
     pub name: String,
-    /// The names under which it lay where it was found, as the platform gave them.
+    /// The names of its files or folders, as the platform gave them.
     pub given: Vec<String>,
-    /// What the names say about the person. There are several if they may contradict each
-    /// other.
+    /// What the names say about the person. There are several signs if the names may contradict
+    /// each other.
     pub signs: Vec<Sign>,
     pub uploads: Vec<Upload>,
     /// Uploads that a later one replaces.
     pub superseded: Vec<String>,
 }
 
-/// One file that somebody handed in.
+/// One file that a person handed in.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Upload {
-    /// Its path inside what was uploaded; empty if it is what was uploaded.
+    /// Its path inside the upload; empty if it is the upload itself.
     pub path: Vec<String>,
-    /// Greater for later uploads, where the platform counts them.
+    /// Greater for later uploads, if the platform counts them.
     pub order: u64,
     pub content: Content,
 }
@@ -44,20 +44,20 @@ impl Upload {
 pub struct Source<'a> {
     pub name: String,
     pub is_archive: bool,
-    /// Whether no other path was named.
+    /// Whether it is the only path.
     pub is_only: bool,
-    pub found: Vec<Found>,
+    pub found: Vec<FoundFile>,
     pub assignment: &'a Assignment,
-    /// Whether somebody on the roster has this name or id.
+    /// Whether a person on the roster has this name or id.
     pub is_on_roster: &'a dyn Fn(&str) -> bool,
 }
 
 /// The names at the top of a source, and everything below each.
-type Tops = BTreeMap<String, Vec<Found>>;
+type Tops = BTreeMap<String, Vec<FoundFile>>;
 
 impl Source<'_> {
-    /// Divides the files among people. Also returns the names of files that belong to nobody,
-    /// and whether this is a class.
+    /// Divides the files among people. Also returns the names of files that belong to no one, and
+    /// whether this is a class.
     pub fn share_out(mut self) -> (Vec<HandIn>, Vec<String>, bool) {
         if self.is_archive {
             self.unwrap();
@@ -87,18 +87,18 @@ impl Source<'_> {
         !names::platforms(name).is_empty() || (self.is_on_roster)(stem)
     }
 
-    /// Whether everything at the top has a person's name.
-    fn names_people(&self, found: &[Found]) -> bool {
+    /// Whether everything at the top is named after a person.
+    fn names_people(&self, found: &[FoundFile]) -> bool {
         let mut tops = found.iter().filter_map(|found| found.path.first());
         tops.all(|top| self.is_person(top))
     }
 
-    /// Whether this is a folder of submissions, and not one.
+    /// Whether this is a folder of submissions rather than a single one.
     fn is_class(&self) -> bool {
         if self.found.iter().any(|found| found.path.is_empty()) {
             return false;
         }
-        // The author of a single submission could give its files the names of others.
+        // The author of a single submission could name its files after other people.
         if self.is_archive {
             return !self.found.is_empty()
                 && !self.is_person(&self.name)
@@ -109,7 +109,7 @@ impl Source<'_> {
             return true;
         }
         let answers = || {
-            let is_answer = |found: &&Found| matches!(found.content, Content::Answer { .. });
+            let is_answer = |found: &&FoundFile| matches!(found.content, Content::Answer { .. });
             self.found.iter().filter(is_answer).map(|it| &it.path[..])
         };
         let is_in_handout = |path: &[String]| match path {
@@ -129,7 +129,7 @@ impl Source<'_> {
         };
         let direct: Vec<String> = answers().filter_map(file).collect();
         let holding = tops.iter().filter(|(top, found)| {
-            let holds = |it: &Found| it.path.len() > 1 || is_closed(&it.content);
+            let holds = |it: &FoundFile| it.path.len() > 1 || is_closed(&it.content);
             *top != "src"
                 && found
                     .iter()
@@ -147,7 +147,7 @@ impl Source<'_> {
 
     /// Everything as one submission.
     fn whole(self) -> HandIn {
-        let upload = |found: Found| Upload {
+        let upload = |found: FoundFile| Upload {
             path: found.path,
             order: 0,
             content: found.content,
@@ -166,7 +166,7 @@ fn is_closed(content: &Content) -> bool {
     matches!(content, Content::Refused(_) | Content::Unreadable(_))
 }
 
-fn tops(found: Vec<Found>) -> Tops {
+fn tops(found: Vec<FoundFile>) -> Tops {
     let mut tops = Tops::new();
     for found in found {
         let top = found.path.first().cloned().unwrap_or_default();
@@ -175,18 +175,18 @@ fn tops(found: Vec<Found>) -> Tops {
     tops
 }
 
-/// The same files, with paths below the top folder.
-fn below(found: &[Found]) -> Vec<Found> {
+/// The same files, with paths relative to the top folder.
+fn below(found: &[FoundFile]) -> Vec<FoundFile> {
     let inside = found.iter().filter(|found| found.path.len() > 1);
-    let shorter = inside.map(|found| Found {
+    let shorter = inside.map(|found| FoundFile {
         path: found.path[1..].to_vec(),
         content: found.content.clone(),
     });
     shorter.collect()
 }
 
-/// The key under which uploads of the same person are collected. If the name is a platform's,
-/// it is the person's name and number there, which are the same for all uploads of an account.
+/// The key by which uploads of the same person are collected. If the name is a platform's, the
+/// key is the person's name and number there, which are the same for all uploads of an account.
 /// Otherwise, it is the whole name.
 fn account(name: &str) -> String {
     match &names::platforms(name)[..] {
@@ -195,7 +195,7 @@ fn account(name: &str) -> String {
     }
 }
 
-/// The possible meanings of a name: several if it fits several platforms.
+/// The possible meanings of a name. There are several if it fits several platforms.
 fn signs(name: &str) -> Vec<Sign> {
     let platforms = names::platforms(name);
     match platforms.is_empty() {
@@ -210,9 +210,9 @@ fn signs(name: &str) -> Vec<Sign> {
 /// Divides the files of a class among its people.
 fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
     let mut ignored = Vec::new();
-    let mut all: BTreeMap<String, Vec<(String, Vec<Found>)>> = BTreeMap::new();
+    let mut all: BTreeMap<String, Vec<(String, Vec<FoundFile>)>> = BTreeMap::new();
     for (top, found) in tops {
-        let holds = |it: &Found| {
+        let holds = |it: &FoundFile| {
             it.path.len() > 1 || !matches!(it.content, Content::Other | Content::Answer { .. })
         };
         let name = match &names::platforms(&top)[..] {
@@ -232,7 +232,7 @@ fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
 
 /// What one person handed in, in one or several uploads. Of several archives, only the newest
 /// counts.
-fn of_one(name: String, parts: Vec<(String, Vec<Found>)>) -> HandIn {
+fn of_one(name: String, parts: Vec<(String, Vec<FoundFile>)>) -> HandIn {
     let order = |top: &str| match &names::platforms(top)[..] {
         [one] => one.upload,
         _ => 0,

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use pinhole_course::assignment::{Assignment, Task};
 
-/// What the name of an upload tells about the person.
+/// What the name of an upload says about the person.
 #[derive(Clone, Debug, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize)]
 pub struct Sign {
     /// A person's name, or an id.
@@ -25,9 +25,9 @@ pub struct Sign {
 pub struct PlatformName<'a> {
     pub person: &'a str,
     pub number: &'a str,
-    /// Greater for later uploads, where the platform counts them.
+    /// Greater for later uploads, if the platform counts them.
     pub upload: u64,
-    /// What the uploader called it.
+    /// The name that the uploader chose.
     pub rest: &'a str,
 }
 
@@ -74,8 +74,8 @@ fn is_number(text: &str) -> bool {
     text.parse::<u64>().is_ok()
 }
 
-/// All ways to read a name as a platform's. An uploader can make it look like two platforms'
-/// names; then nobody knows which it is.
+/// All ways to read a name as a platform's. An uploader can make it look like the names of two
+/// platforms; then it is unknown which it is.
 pub fn platforms(name: &str) -> Vec<PlatformName<'_>> {
     [PlatformName::canvas(name), PlatformName::moodle(name)]
         .into_iter()
@@ -83,35 +83,35 @@ pub fn platforms(name: &str) -> Vec<PlatformName<'_>> {
         .collect()
 }
 
-/// When something was handed in, as names say it.
+/// When something was handed in, according to the names.
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
-pub enum HandedIn<Time> {
+pub enum HandInTime<Time> {
     At(Time),
     /// Some time after the platform's deadline.
     Late,
 }
 
-/// When these files were handed in, by their names. The last of them counts, and one that is
-/// late makes all late. Canvas marks what is `LATE`. Blackboard
-/// (`…_attempt_2026-11-20-23-59-01_…`) and Brightspace (`… - Nov 20, 2026 1159 PM - …`) write
-/// the time in front of the name that the uploader chose.
-pub fn handed_in(given: &[String]) -> Option<HandedIn<DateTime>> {
+/// When these files were handed in, according to their names. The last time counts, and one late
+/// file makes all late. Canvas marks late files with `LATE`. Blackboard
+/// (`…_attempt_2026-11-20-23-59-01_…`) and Brightspace (`… - Nov 20, 2026 1159 PM - …`) write the
+/// time before the name that the uploader chose.
+pub fn handed_in(given: &[String]) -> Option<HandInTime<DateTime>> {
     given.iter().filter_map(|name| time_in(name)).max()
 }
 
-fn time_in(name: &str) -> Option<HandedIn<DateTime>> {
+fn time_in(name: &str) -> Option<HandInTime<DateTime>> {
     let is_canvas = PlatformName::canvas(name).is_some();
     if is_canvas && name.split('_').nth(1)?.eq_ignore_ascii_case("late") {
-        return Some(HandedIn::Late);
+        return Some(HandInTime::Late);
     }
     if let Some((_, rest)) = name.split_once("_attempt_") {
         let time = rest.get(..19)?;
         let time = DateTime::strptime("%Y-%m-%d-%H-%M-%S", time).ok()?;
-        return Some(HandedIn::At(time));
+        return Some(HandInTime::At(time));
     }
     let parts = name.split(" - ");
     let mut times = parts.filter_map(|part| DateTime::strptime("%b %d, %Y %I%M %p", part).ok());
-    times.next().map(HandedIn::At)
+    times.next().map(HandInTime::At)
 }
 
 /// The task that a file of this name may answer, and whether the name is exactly the one that
@@ -128,8 +128,7 @@ pub fn task_of<'a>(name: &str, assignment: &'a Assignment) -> Option<(&'a Task, 
     Some((task, false))
 }
 
-/// A source file's name without its end, in small letters, without spaces and what marks a
-/// copy.
+/// A source file's name without its ending, in small letters, without spaces and marks of a copy.
 fn plain_stem(name: &str) -> Option<String> {
     let lower = name.trim().to_lowercase();
     let lower = lower.strip_suffix(".txt").unwrap_or(&lower);
@@ -195,8 +194,8 @@ mod tests {
         let of = |names: &[&str]| {
             let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
             match handed_in(&names) {
-                Some(HandedIn::At(time)) => time.to_string(),
-                Some(HandedIn::Late) => "late".into(),
+                Some(HandInTime::At(time)) => time.to_string(),
+                Some(HandInTime::Late) => "late".into(),
                 None => "unknown".into(),
             }
         };
@@ -225,7 +224,7 @@ mod tests {
     }
 
     #[test]
-    fn a_platforms_part_of_a_name_is_told_from_the_uploaders() {
+    fn a_platforms_part_of_a_name_is_separated_from_the_uploaders() {
         let canvas = |name| PlatformName::canvas(name).map(|it| (it.person, it.number, it.upload));
         let ada = Some(("lovelaceada", "12", 501));
         assert_eq!(canvas("lovelaceada_12_501_answers.zip"), ada);

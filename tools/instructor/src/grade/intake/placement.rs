@@ -1,6 +1,6 @@
-//! Finds each submission's person on the roster. It never guesses: a submission that could
-//! belong to several people, or contradicts itself, is listed, and belongs to nobody until the
-//! roster says so.
+//! Finds each submission's person on the roster. It never guesses. A submission that contradicts
+//! itself or could belong to several people is listed, and belongs to no one until the roster
+//! decides.
 
 use std::collections::BTreeMap;
 
@@ -12,29 +12,28 @@ use super::Entry;
 use super::names::Sign;
 use super::roster::Person;
 
-/// Which submission belongs to whom, and which could not be placed.
+/// Which submission belongs to which person, and which could not be placed.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Placement {
     /// How many people are on the roster, if there is one.
     pub people: Option<usize>,
     /// The person of each submission, by the submission's id.
     pub of: BTreeMap<String, Person>,
-    /// People without a submission, and without one that could be theirs.
+    /// People without a submission, not even one that might be theirs.
     pub missing: Vec<Person>,
     /// Submissions by people who are not on the roster. They are graded.
     pub unknown: Vec<String>,
-    /// Submissions that may belong to several people, or that contradict themselves, and these
-    /// people. They are graded.
+    /// Submissions that contradict themselves or may belong to several people, with these people.
+    /// They are graded.
     pub ambiguous: BTreeMap<String, Vec<Person>>,
-    /// Earlier uploads that are not graded, and the submission that is.
+    /// Earlier uploads, which are not graded, and the submission that is.
     pub superseded: BTreeMap<String, String>,
     /// People with several submissions whose names don't say which came last. All are graded.
     pub several: BTreeMap<String, Vec<String>>,
 }
 
 impl Placement {
-    /// People who may have handed in one of these submissions, but it is not certain
-    /// which.
+    /// People who may have handed in one of these submissions, though it is not certain which.
     pub fn in_doubt(&self) -> Vec<&Person> {
         let mut people: Vec<&Person> = Vec::new();
         let placed = |person: &Person| self.of.values().any(|other| other.id == person.id);
@@ -60,7 +59,7 @@ fn unaccented(text: &str) -> String {
     folded(&letters)
 }
 
-/// The ways to write a name in one word, with the last name first or last.
+/// The ways to write a name as one word, with the last name at either end.
 fn turned(name: &str, fold: &dyn Fn(&str) -> String) -> Vec<String> {
     let words: Vec<String> = name
         .split(|c: char| c.is_whitespace() || c == ',')
@@ -71,7 +70,7 @@ fn turned(name: &str, fold: &dyn Fn(&str) -> String) -> Vec<String> {
     (0..words.len()).map(turned).collect()
 }
 
-/// The people of this name. Platforms keep accents, drop them, or drop letters that have one.
+/// The people with this name. Platforms keep accents, drop them, or drop letters that have one.
 fn named<'a>(name: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let ascii = |text: &str| -> String { folded(text).chars().filter(char::is_ascii).collect() };
     let folds: [&dyn Fn(&str) -> String; 3] = [&folded, &unaccented, &ascii];
@@ -101,7 +100,7 @@ fn with_id<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
     people.iter().filter(is).collect()
 }
 
-/// Whether a name may be somebody's.
+/// Whether a name may be that of a person on the roster.
 pub fn is_somebody(name: &str, people: &[Person]) -> bool {
     let sign = Sign {
         person: name.into(),
@@ -134,7 +133,7 @@ fn among_words<'a>(name: &str, people: &'a [Person]) -> Vec<&'a Person> {
     people.iter().filter(is).collect()
 }
 
-/// The people that a name or number may mean: one, if it is certain.
+/// The people whom a name or number may mean. If there is one, it is certain.
 fn meant<'a>(sign: &Sign, people: &'a [Person]) -> Vec<&'a Person> {
     let Some(number) = &sign.number else {
         let found = [
@@ -147,8 +146,7 @@ fn meant<'a>(sign: &Sign, people: &'a [Person]) -> Vec<&'a Person> {
             .find(|found| !found.is_empty())
             .unwrap_or_default();
     };
-    // Trust the platform's number more than names, because people choose their names
-    // themselves.
+    // Trust the platform's number more than a name, because people choose their names.
     let own = |other: &&Person| other.number.as_ref() == Some(number);
     if let Some(person) = people.iter().find(own) {
         return vec![person];
@@ -173,13 +171,13 @@ fn is_certain(signs: &[Sign], people: &[Person], found: &[&Person]) -> bool {
         let is_named =
             !named(&sign.person, alone).is_empty() || !with_id(&sign.person, alone).is_empty();
         let is_account = sign.number.is_some() && sign.number == person.number;
-        // A number in a name may equal somebody else's id by chance.
+        // A number in a name may be another person's id by chance.
         let is_meant = meant(sign, people) == [*person];
         is_meant && (sign.number.is_none() || is_account || is_named)
     })
 }
 
-/// Finds the person of each submission; without a roster, none has one.
+/// Finds the person of each submission. Without a roster, there are none.
 pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
     let mut placed = Placement {
         people: people.map(<[Person]>::len),

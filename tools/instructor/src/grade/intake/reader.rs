@@ -1,8 +1,8 @@
-//! Reads a folder or an archive: the text of every file whose name may be an answer's, and the
-//! names of all other files. Archives inside count as folders.
+//! Reads a folder or an archive: the text of every file that may be an answer, judging by its
+//! name, and the names of all other files. Archives inside count as folders.
 //!
-//! Everything is read once, before anything is judged. So a submission can't change any more,
-//! and all files are known when they are matched with people.
+//! Everything is read once, before anything is judged. So a submission can't change during
+//! grading, and all files are known when they are matched with people.
 
 mod folder;
 mod tarball;
@@ -22,8 +22,8 @@ use pinhole_course::submission::text::{self, MOST_BYTES, Text};
 
 /// A file that was found, or a folder or an archive at the top.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Found {
-    /// Its path: folders and archives, and then its name.
+pub struct FoundFile {
+    /// Its path: folders and archives, then its name.
     pub path: Vec<String>,
     pub content: Content,
 }
@@ -32,10 +32,10 @@ pub struct Found {
 pub enum Content {
     /// A folder or an archive at the top, which may be empty.
     Folder,
-    /// A file whose name may be an answer's.
+    /// A file that may be an answer, judging by its name.
     Answer {
         text: Text,
-        /// What had to be done to read it.
+        /// What was done to read it.
         note: Option<&'static str>,
     },
     /// A folder or an archive that is not accepted, and why.
@@ -53,19 +53,19 @@ enum Trouble {
     Unreadable(String),
 }
 
-/// A file that is not read yet.
-enum Unread<'a> {
+/// A file that has not been read yet.
+enum UnreadFile<'a> {
     File(File),
-    /// A function that writes as many of its first bytes as the caller asks for.
+    /// A function that writes as many of the file's first bytes as the caller asks for.
     Packed(&'a mut dyn FnMut(u64, &mut dyn Write) -> std::result::Result<(), Trouble>),
 }
 
-/// The most bytes of answers that are read of one submission, and the most files that are
-/// looked at.
+/// The most bytes of answers that are read of one submission, and the most files that are looked
+/// at.
 const MOST_ANSWERS: u64 = 16 << 20;
 const MOST_FILES: usize = 100_000;
 
-/// How many other files are named.
+/// The most other files that are named.
 const MOST_OTHERS: usize = 20;
 
 /// How deep archives may be nested in archives, and folders in folders.
@@ -75,11 +75,12 @@ const MOST_FOLDERS: usize = 40;
 /// A longer archive inside another is not unpacked.
 const MOST_PACKED: u64 = 1 << 30;
 
-/// Reads everything in a folder or an archive. `is_answer` knows the names of answers' files.
+/// Reads everything in a folder or an archive. `is_answer` tells whether a file name may be an
+/// answer's.
 ///
 /// # Errors
 /// If there is nothing at that path.
-pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<Vec<Found>> {
+pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<Vec<FoundFile>> {
     let mut reader = Reader {
         is_answer,
         found: Vec::new(),
@@ -100,14 +101,14 @@ pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<Vec<Found>>
 
 struct Reader<'a> {
     is_answer: &'a dyn Fn(&str) -> bool,
-    found: Vec<Found>,
-    /// What was read, by the name at the top.
-    spent: BTreeMap<String, Spent>,
+    found: Vec<FoundFile>,
+    /// How much was read, by the name at the top.
+    spent: BTreeMap<String, ReadCount>,
 }
 
 /// How much was read of one submission.
 #[derive(Default)]
-struct Spent {
+struct ReadCount {
     answers: u64,
     files: usize,
     others: usize,
@@ -116,15 +117,15 @@ struct Spent {
 impl Reader<'_> {
     fn keep(&mut self, path: &[String], content: Content) {
         let path = path.to_vec();
-        self.found.push(Found { path, content });
+        self.found.push(FoundFile { path, content });
     }
 
-    fn spent(&mut self, path: &[String]) -> &mut Spent {
+    fn spent(&mut self, path: &[String]) -> &mut ReadCount {
         let top = path.first().cloned().unwrap_or_default();
         self.spent.entry(top).or_default()
     }
 
-    /// Whether another file may be looked at. If there are too many, that is reported once.
+    /// Whether another file may be looked at. If there are too many, reports that once.
     fn may_go_on(&mut self, path: &[String]) -> bool {
         let spent = self.spent(path);
         spent.files += 1;
@@ -144,7 +145,7 @@ impl Reader<'_> {
         path.last().is_some_and(|name| (self.is_answer)(name))
     }
 
-    /// Notes a file whose content doesn't matter, or that is not regular.
+    /// Records a file whose content doesn't matter, or that is not regular.
     fn pass(&mut self, path: &[String], is_regular: bool) {
         if !is_regular && self.names_answer(path) {
             let why = Unusable::Refused("it is not a regular file".into());
@@ -153,14 +154,14 @@ impl Reader<'_> {
         }
         let spent = self.spent(path);
         spent.others += 1;
-        // Files at the top may belong to nobody, and are then all listed.
+        // A file at the top may belong to no submission, so list all of those.
         if path.len() == 1 || spent.others <= MOST_OTHERS {
             self.keep(path, Content::Other);
         }
     }
 
     /// Reads a file whose content matters, `depth` archives deep.
-    fn file(&mut self, path: &[String], depth: usize, unread: Unread) {
+    fn file(&mut self, path: &[String], depth: usize, unread: UnreadFile) {
         let content = match self.names_answer(path) {
             true => self.answer(path, unread),
             false => match self.packed(path, depth, unread) {
@@ -171,7 +172,7 @@ impl Reader<'_> {
         self.keep(path, content);
     }
 
-    fn answer(&mut self, path: &[String], unread: Unread) -> Content {
+    fn answer(&mut self, path: &[String], unread: UnreadFile) -> Content {
         let mut bytes = Vec::new();
         let text = match unread.copy(MOST_BYTES + 1, &mut bytes) {
             Ok(()) => decoded(bytes),
@@ -191,7 +192,7 @@ impl Reader<'_> {
         &mut self,
         path: &[String],
         depth: usize,
-        unread: Unread,
+        unread: UnreadFile,
     ) -> std::result::Result<(), Trouble> {
         let name = path.last().map(String::as_str).unwrap_or_default();
         if !is_opened(name) {
@@ -203,7 +204,7 @@ impl Reader<'_> {
             return Err(Trouble::Refused("it is nested in too many archives".into()));
         }
         let file = match unread {
-            Unread::File(file) => file,
+            UnreadFile::File(file) => file,
             packed => {
                 let mut file = tempfile::tempfile().map_err(no_room)?;
                 packed.copy(MOST_PACKED + 1, &mut file)?;
@@ -220,8 +221,8 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Reads the files of an archive. Its format is recognised by its content and not by its
-    /// name. An archive that is made to harm its reader must not end the grading of a class.
+    /// Reads the files of an archive, whose format is recognised by its content and not by its
+    /// name. A malicious archive must not end the grading of a class.
     fn archive(&mut self, file: File, path: &[String], depth: usize) {
         let opened = catch_unwind(AssertUnwindSafe(|| self.open(file, path, depth)));
         let trouble = match opened {
@@ -272,17 +273,17 @@ impl Reader<'_> {
                     Unusable::Missing => Trouble::Refused("it is not there".into()),
                 })
             };
-            self.file(&inside, depth, Unread::Packed(&mut copy));
+            self.file(&inside, depth, UnreadFile::Packed(&mut copy));
         }
         Ok(())
     }
 }
 
-impl Unread<'_> {
+impl UnreadFile<'_> {
     fn copy(self, most: u64, to: &mut dyn Write) -> std::result::Result<(), Trouble> {
         match self {
-            Unread::Packed(copy) => copy(most, to),
-            Unread::File(file) => match io::copy(&mut file.take(most), to) {
+            UnreadFile::Packed(copy) => copy(most, to),
+            UnreadFile::File(file) => match io::copy(&mut file.take(most), to) {
                 Ok(_) => Ok(()),
                 Err(error) => Err(Trouble::Unreadable(format!("it cannot be read ({error})"))),
             },
@@ -308,7 +309,7 @@ fn joined(folder: &[String], path: &str) -> Vec<String> {
     folder.iter().cloned().chain(parts).collect()
 }
 
-/// The ends of archives' names; only those in the first list are opened.
+/// The endings of archives' names. Only those in the first list are opened.
 const OPENED: [&str; 4] = [".zip", ".tar", ".tgz", ".tar.gz"];
 const CLOSED: [&str; 7] = [".rar", ".7z", ".xz", ".txz", ".bz2", ".zst", ".gz"];
 
@@ -326,14 +327,14 @@ pub fn is_archive(name: &str) -> bool {
     is_opened(name) || ends(name, &CLOSED)
 }
 
-/// A name without an archive's end.
+/// A name without an archive's ending.
 pub fn stem(name: &str) -> &str {
     let mut found = OPENED.iter().filter(|end| ends(name, &[*end]));
     let end = found.next_back().map_or(0, |end| end.len());
     name.get(..name.len() - end).unwrap_or(name)
 }
 
-/// Whether a path, after its first `from` parts, goes through a folder made by a program: by
+/// Whether a path, after its first `from` parts, goes through a folder that a program made:
 /// version control, a build, or the operating system. Such a folder holds no answers.
 fn is_skipped(path: &[String], from: usize) -> bool {
     let is_inside = path.len() > 1;
@@ -342,7 +343,7 @@ fn is_skipped(path: &[String], from: usize) -> bool {
         .any(|name| is_litter(name) || is_inside && (name.starts_with('.') || name == "target"))
 }
 
-/// Whether this is a file that operating systems leave in every folder.
+/// Whether operating systems leave such a file in every folder.
 fn is_litter(name: &str) -> bool {
     let litter = ["__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini"];
     litter.contains(&name) || name.starts_with("._")

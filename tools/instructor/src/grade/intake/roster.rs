@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::table::Table;
 use pinhole_course::error::Result;
 
-/// Somebody on the roster.
+/// A person on the roster.
 #[derive(Clone, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
 pub struct Person {
     pub id: String,
@@ -23,8 +23,8 @@ pub struct Person {
     pub logins: Vec<String>,
 }
 
-/// Names of columns, in lower case and without spaces: ours, and those of Canvas's gradebook
-/// and Moodle's lists. If a table has several of them, the first in this order counts.
+/// Names of columns, in lower case and without spaces: ours, and those of Canvas's gradebook and
+/// Moodle's lists. If a table has several of them, the first in this list counts.
 const ID: [&str; 8] = [
     "sisuserid",
     "idnumber",
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn rosters_of_spreadsheets_are_read_whatever_stands_between_cells_and_bytes() {
+    fn rosters_are_read_with_any_separator_and_encoding() {
         let utf16 = |text: &str, begin: &[u8]| -> Vec<u8> {
             let units = text.encode_utf16().flat_map(u16::to_le_bytes);
             begin.iter().copied().chain(units).collect()

@@ -6,7 +6,7 @@ use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
 
 use pinhole_course::error::{Error, Result, ResultExt};
 
-/// A table, read whole.
+/// A table, read as a whole.
 pub struct Table {
     /// The first line, as it is in the file.
     pub first_line: String,
@@ -37,7 +37,7 @@ impl Table {
             return Err("it is a spreadsheet's own file; export it as CSV".into());
         }
         let text = decoded(bytes);
-        // Spreadsheets may name the separator of cells in an extra first line.
+        // A spreadsheet may name the separator in an extra first line.
         let body = match text.split_once('\n') {
             Some((first, rest)) if first.trim_start().starts_with("sep=") => rest,
             _ => &text,
@@ -87,13 +87,13 @@ impl Table {
     }
 }
 
-/// A column's name in the form in which names are compared.
+/// A column's name in the form used for comparing names.
 fn plain(name: &str) -> String {
     let letters = name.chars().filter(|c| c.is_alphanumeric());
     letters.flat_map(char::to_lowercase).collect()
 }
 
-/// The text of a file by a spreadsheet: UTF-8, UTF-16, or what Windows writes in the west.
+/// The text of a spreadsheet's file: UTF-8, UTF-16, or Windows' encoding for Western Europe.
 fn decoded(bytes: &[u8]) -> String {
     let zeros = |odd: usize| {
         let every_other = bytes.iter().skip(odd).step_by(2).take(64);

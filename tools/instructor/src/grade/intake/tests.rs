@@ -14,13 +14,13 @@ fn assignment() -> Assignment {
     Assignment::read(&checkout, "ray_casting").expect("it is committed")
 }
 
-/// A folder that somebody has downloaded.
+/// A folder as someone has downloaded it.
 struct Export(tempfile::TempDir);
 
 /// Files of an archive, by name.
 type Files = Vec<(String, Vec<u8>)>;
 
-/// All answers in a folder; each says whose it is.
+/// All answers in a folder. Each names its author.
 fn answers(folder: &str, whose: &str) -> Files {
     let file = |task: &&str| {
         let text = format!("// {task} by {whose}");
@@ -70,8 +70,7 @@ impl Export {
         find(&[self.path(name)], &assignment(), None).expect("it can be read")
     }
 
-    /// Checks whose submissions were found, and that each holds all answers and all are the
-    /// person's own.
+    /// Checks whose submissions were found, and that each holds all answers of that person alone.
     #[track_caller]
     fn is_of(&self, name: &str, who: &[&str]) -> Intake {
         let intake = self.find(name);
@@ -124,7 +123,7 @@ fn a_class_folder_with_a_single_students_folder_is_a_class_of_one() {
     let export = Export::new();
     export.put_all("class/ada", answers("src/", "ada"));
     export.is_of("class", &["ada"]);
-    // A submission that is named itself keeps its own name.
+    // A submission that is named on the command line keeps its own name.
     export.is_of("class/ada", &["ada"]);
 }
 
@@ -149,7 +148,7 @@ fn loose_files_of_canvas_are_put_together_for_each_account() {
     for (k, (name, bytes)) in answers("", "yangyu").into_iter().enumerate() {
         export.put(&format!("class/yangyu_1025_{}_{name}", 99_001 + k), &bytes);
     }
-    // Canvas marks what is late, and what was handed in again.
+    // Canvas marks late files, and files that were handed in again.
     for (k, (name, bytes)) in answers("", "ada").into_iter().enumerate() {
         let name = name.replace(".rs", "-1.rs");
         export.put(
@@ -187,7 +186,7 @@ fn a_clone_or_the_whole_handout_is_read_where_students_write() {
     let clone = |whole: &str| {
         let layout = format!("{whole}assignments/ray_casting/handout/src/");
         let mut files = answers(&layout, "ada");
-        // Files of the same names that are not the student's.
+        // Files with the same names that are not the student's.
         files.extend(answers(
             &format!("{whole}assignments/ray_casting/stubs/src/"),
             "us",
@@ -208,7 +207,7 @@ fn a_clone_or_the_whole_handout_is_read_where_students_write() {
     export.put("class/cleo.zip", &zip(&answers("handout/src/", "cleo")));
     export.is_of("class", &["bob.zip", "cleo.zip", "hw1-ada"]);
     export.is_of("class/hw1-ada", &["hw1-ada"]);
-    // If the student's own file is missing, no other file of that name is judged instead.
+    // If the student's own file is missing, no other file with that name is judged instead.
     fs::remove_file(export.path("class/hw1-ada/assignments/ray_casting/handout/src/sphere.rs"))
         .expect("it was there");
     let intake = export.find("class/hw1-ada");

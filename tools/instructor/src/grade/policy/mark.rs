@@ -1,20 +1,19 @@
-//! One mark: the points that were judged, those after the policy, and those that go into the
-//! gradebook.
+//! One mark: the judged points, the points after the policy, and the points for the gradebook.
 
 use serde::Serialize;
 
 use super::Policy;
-use super::rules::{Direction, Of, Per};
+use super::rules::{Direction, LatenessUnit, PercentageBase};
 use super::times::{Lateness, begun, later};
 use crate::grade::record::Record;
 
-/// A mark on its way into the gradebook. All numbers are points of the assignment, and none is
+/// A mark on its way to the gradebook. All numbers are points of the assignment, and none is
 /// below 0.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Mark {
-    /// As it was judged.
+    /// The judged points.
     pub raw: f64,
-    /// After the rules that hold for everybody.
+    /// After the rules for everyone.
     pub policy: f64,
     /// After changes by hand, rounded.
     #[serde(rename = "final")]
@@ -49,16 +48,16 @@ impl Change {
 
 /// The points of a record, as the rules need them.
 #[derive(Clone, Copy, Debug)]
-pub struct Judged {
+pub struct JudgedPoints {
     pub points: f64,
     pub possible: f64,
     /// The part of the possible points that is extra credit.
     pub extra: f64,
 }
 
-impl Judged {
+impl JudgedPoints {
     /// The points of a record; `None` if it has no mark.
-    pub fn of(record: &Record, extra: &[String]) -> Option<Judged> {
+    pub fn of(record: &Record, extra: &[String]) -> Option<JudgedPoints> {
         let tasks = record
             .got
             .tasks
@@ -69,7 +68,7 @@ impl Judged {
             true => record.scene_points().1,
             false => 0,
         };
-        Some(Judged {
+        Some(JudgedPoints {
             points: record.got.points?.into(),
             possible: record.got.possible.into(),
             extra: (tasks + scenes).into(),
@@ -79,7 +78,7 @@ impl Judged {
 
 impl Mark {
     /// The mark if there is no policy.
-    pub fn judged(judged: Judged) -> Mark {
+    pub fn judged(judged: JudgedPoints) -> Mark {
         Mark {
             raw: judged.points,
             policy: judged.points,
@@ -90,7 +89,7 @@ impl Mark {
         }
     }
 
-    /// Adds points, but the mark doesn't go below 0.
+    /// Adds points. The mark doesn't go below 0.
     fn add(&mut self, points: f64, why: String) {
         let after = (self.last + points).max(0.0);
         let points = exact(after - self.last);
@@ -100,8 +99,8 @@ impl Mark {
 }
 
 impl Policy {
-    /// The mark of a person, or of a submission that belongs to nobody.
-    pub fn mark(&self, judged: Judged, lateness: &Lateness, id: Option<&str>) -> Mark {
+    /// The mark of a person, or of a submission without a person.
+    pub fn mark(&self, judged: JudgedPoints, lateness: &Lateness, id: Option<&str>) -> Mark {
         let mut mark = Mark::judged(judged);
         self.take_off_lateness(&mut mark, lateness, id);
         if let Some(at_most) = self.rules.extra_credit.as_ref().and_then(|it| it.at_most) {
@@ -129,17 +128,17 @@ impl Policy {
         let Lateness::Late { due, at } = lateness else {
             return;
         };
-        let days = begun(due, at, Per::Day);
+        let days = begun(due, at, LatenessUnit::Day);
         let when = at.strftime("handed in %Y-%m-%d %H:%M");
         let Some(late) = &self.rules.late else {
             return;
         };
         mark.late_days = id.map_or(0, |id| self.late_days_left(id)).min(days);
-        let from = later(due, mark.late_days.into(), Per::Day);
+        let from = later(due, mark.late_days.into(), LatenessUnit::Day);
         let from = from.unwrap_or_else(|| due.clone());
         let (count, unit) = (begun(&from, at, late.per), late.per);
         if mark.late_days > 0 {
-            let spent = counted(mark.late_days, Per::Day);
+            let spent = counted(mark.late_days, LatenessUnit::Day);
             mark.add(0.0, format!("{when}: {spent} of the late days spent"));
         }
         if count == 0 {
@@ -147,8 +146,8 @@ impl Policy {
         }
         let percent = (late.percent * f64::from(count)).min(late.at_most);
         let (base, of) = match late.of {
-            Of::Possible => (mark.possible, "possible"),
-            Of::Earned => (mark.last, "earned"),
+            PercentageBase::Possible => (mark.possible, "possible"),
+            PercentageBase::Earned => (mark.last, "earned"),
         };
         let (late, percent_in_words) = (counted(count, unit), number(percent));
         let why = format!("{when}, {late} late: {percent_in_words} percent of the points {of}");
@@ -159,7 +158,7 @@ impl Policy {
         let Some(rounding) = &self.rules.rounding else {
             return points;
         };
-        // Binary fractions may be slightly above or below the decimal number that is meant.
+        // Binary fractions may be slightly above or below the intended decimal number.
         const HAIR: f64 = 1e-9;
         let steps = points / rounding.to;
         let steps = match rounding.direction {
@@ -171,7 +170,7 @@ impl Policy {
     }
 }
 
-/// Points rounded to a millionth: any smaller difference comes from binary fractions.
+/// Points rounded to a millionth, because smaller differences come from binary fractions.
 fn exact(points: f64) -> f64 {
     (points * 1e6).round() / 1e6
 }
@@ -182,10 +181,10 @@ pub fn number(points: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-fn counted(count: u32, unit: Per) -> String {
+fn counted(count: u32, unit: LatenessUnit) -> String {
     let unit = match unit {
-        Per::Hour => "hour",
-        Per::Day => "day",
+        LatenessUnit::Hour => "hour",
+        LatenessUnit::Day => "day",
     };
     let end = if count == 1 { "" } else { "s" };
     format!("{count} {unit}{end}")

@@ -13,9 +13,9 @@ pub struct Rules {
     pub time_zone: Option<String>,
     /// When it was due: `2026-11-20 23:59`.
     pub deadline: Option<String>,
-    /// How much later still counts as in time: `15 minutes`.
+    /// How much later still counts as on time: `15 minutes`.
     pub grace: Option<String>,
-    /// A CSV file of when people handed in: `id,time`, Moodle's grading worksheet, or
+    /// A CSV file that says when people handed in: `id,time`, Moodle's grading worksheet, or
     /// Gradescope's grades.
     pub times: Option<String>,
     /// A CSV file of people who hand in together: `id,group`.
@@ -46,7 +46,7 @@ pub enum Attempts {
     /// The one handed in last.
     #[default]
     Last,
-    /// The one with the best mark, lateness included.
+    /// The one with the best mark, after lateness.
     Best,
 }
 
@@ -58,11 +58,11 @@ pub struct Late {
     /// This many percent for every hour or day that has begun.
     pub percent: f64,
     /// An hour or a day.
-    pub per: Per,
+    pub per: LatenessUnit,
     /// What the percentage is taken of.
     #[serde(default)]
-    pub of: Of,
-    /// Never more than this many percent.
+    pub of: PercentageBase,
+    /// Never take off more than this many percent.
     #[serde(default = "everything")]
     pub at_most: f64,
 }
@@ -75,11 +75,10 @@ fn everything() -> f64 {
 #[derive(Clone, Copy, Debug, Deserialize, Eq, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
-pub enum Per {
+pub enum LatenessUnit {
     /// 60 minutes.
     Hour,
-    /// A day of the calendar: it ends at the same time tomorrow, even if clocks change in
-    /// between.
+    /// A calendar day. It ends at the same time tomorrow, even if clocks change in between.
     Day,
 }
 
@@ -87,7 +86,7 @@ pub enum Per {
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
-pub enum Of {
+pub enum PercentageBase {
     /// Of all possible points, as in Canvas.
     #[default]
     Possible,
@@ -102,7 +101,7 @@ pub enum Of {
 pub struct LateDays {
     /// How many each person has.
     pub budget: u32,
-    /// The `grades.csv` of earlier assignments, which say how many are spent.
+    /// The `grades.csv` files of earlier assignments, which say how many days are spent.
     #[serde(default)]
     pub spent: Vec<String>,
 }
@@ -114,7 +113,7 @@ pub struct LateDays {
 pub struct ExtraCredit {
     /// Names of tasks, or `scenes`.
     pub parts: Vec<String>,
-    /// A mark is never more than this many percent.
+    /// The mark never exceeds this many percent.
     #[serde(default)]
     pub at_most: Option<f64>,
 }

@@ -5,9 +5,9 @@ use jiff::tz::TimeZone;
 use jiff::{SignedDuration, Span, Timestamp, Unit, Zoned};
 
 use super::Policy;
-use super::rules::Per;
+use super::rules::LatenessUnit;
 use crate::grade::intake::Entry;
-use crate::grade::intake::names::{self, HandedIn};
+use crate::grade::intake::names::{self, HandInTime};
 use crate::grade::intake::roster::Person;
 
 /// Whether a submission is late, and how late.
@@ -22,7 +22,7 @@ pub enum Lateness {
     },
     /// The platform says that it is late, but not when it came.
     LateSometime,
-    /// Nothing says when it was handed in.
+    /// It is unknown when it was handed in.
     Unknown,
 }
 
@@ -74,9 +74,13 @@ pub fn timestamp(text: &str, zone: Option<&TimeZone>) -> Result<Timestamp, Strin
 }
 
 impl Policy {
-    /// When a submission was handed in: as the table of times says or, if it doesn't, as the
-    /// names of its files say.
-    pub fn handed_in(&self, entry: &Entry, person: Option<&Person>) -> Option<HandedIn<Timestamp>> {
+    /// When a submission was handed in, according to the table of times or, if it doesn't say,
+    /// the names of its files.
+    pub fn handed_in(
+        &self,
+        entry: &Entry,
+        person: Option<&Person>,
+    ) -> Option<HandInTime<Timestamp>> {
         let given = [&entry.id, &entry.name];
         let of_entry = given.into_iter().find_map(|name| self.times.get(name));
         let of_person = || {
@@ -86,28 +90,28 @@ impl Policy {
             let keys = keys.chain(&person.number).chain(&person.logins);
             keys.chain(signs).find_map(|key| self.times.get(key))
         };
-        // If one person has several times, nobody knows which belongs to this submission. The
-        // last one is certainly not too early.
+        // If one person has several times, we don't know which belongs to this submission. The
+        // last one is never too early.
         let listed = of_entry.or_else(of_person).and_then(|all| all.iter().max());
         if let Some(time) = listed {
-            return Some(HandedIn::At(*time));
+            return Some(HandInTime::At(*time));
         }
         let zone = self.zone();
         let named = names::handed_in(&entry.given)?;
         Some(match named {
-            HandedIn::Late => HandedIn::Late,
-            HandedIn::At(local) => HandedIn::At(local.to_zoned(zone).ok()?.timestamp()),
+            HandInTime::Late => HandInTime::Late,
+            HandInTime::At(local) => HandInTime::At(local.to_zoned(zone).ok()?.timestamp()),
         })
     }
 
-    /// The deadline of these people, which is the latest that one of them has.
+    /// The deadline of these people: the latest that any of them has.
     fn due(&self, people: &[&Person]) -> Option<Zoned> {
         let own = people.iter().filter_map(|it| self.extensions.get(&it.id));
         let due = own.copied().chain(self.deadline).max()?;
         Some(due.to_zoned(self.zone()))
     }
 
-    /// Whether a submission meets the deadline of those who handed it in.
+    /// Whether a submission meets the deadline of the people who handed it in.
     pub fn lateness(&self, entry: &Entry, people: &[&Person]) -> Lateness {
         let Some(due) = self.due(people) else {
             return Lateness::InTime;
@@ -115,9 +119,9 @@ impl Policy {
         let grace = self.rules.grace.as_deref().and_then(|it| grace(it).ok());
         match self.handed_in(entry, people.first().copied()) {
             None => Lateness::Unknown,
-            // Somebody with an extension may still have met their own deadline.
-            Some(HandedIn::Late) => Lateness::LateSometime,
-            Some(HandedIn::At(at)) => {
+            // A person with an extension may still have met their own deadline.
+            Some(HandInTime::Late) => Lateness::LateSometime,
+            Some(HandInTime::At(at)) => {
                 let at = at.to_zoned(self.zone());
                 match at.timestamp().duration_since(due.timestamp()) <= grace.unwrap_or_default() {
                     true => Lateness::InTime,
@@ -127,7 +131,7 @@ impl Policy {
         }
     }
 
-    /// How many late days somebody has left.
+    /// How many late days a person has left.
     pub fn late_days_left(&self, id: &str) -> u32 {
         let budget = self.rules.late_days.as_ref().map_or(0, |it| it.budget);
         budget.saturating_sub(self.spent.get(id).copied().unwrap_or(0))
@@ -135,30 +139,30 @@ impl Policy {
 }
 
 /// How many hours or days have begun since a deadline; 0 if it is met.
-pub fn begun(due: &Zoned, at: &Zoned, per: Per) -> u32 {
+pub fn begun(due: &Zoned, at: &Zoned, per: LatenessUnit) -> u32 {
     if at <= due {
         return 0;
     }
     let unit = match per {
-        Per::Hour => Unit::Hour,
-        Per::Day => Unit::Day,
+        LatenessUnit::Hour => Unit::Hour,
+        LatenessUnit::Day => Unit::Day,
     };
     let Ok(span) = due.until((unit, at)) else {
         return u32::MAX;
     };
     let whole = match per {
-        Per::Hour => i64::from(span.get_hours()),
-        Per::Day => i64::from(span.get_days()),
+        LatenessUnit::Hour => i64::from(span.get_hours()),
+        LatenessUnit::Day => i64::from(span.get_days()),
     };
     let is_more = later(due, whole, per).is_some_and(|end| end < *at);
     u32::try_from(whole + i64::from(is_more)).unwrap_or(u32::MAX)
 }
 
 /// A number of hours or days after a deadline.
-pub fn later(due: &Zoned, count: i64, per: Per) -> Option<Zoned> {
+pub fn later(due: &Zoned, count: i64, per: LatenessUnit) -> Option<Zoned> {
     let span = match per {
-        Per::Hour => Span::new().try_hours(count),
-        Per::Day => Span::new().try_days(count),
+        LatenessUnit::Hour => Span::new().try_hours(count),
+        LatenessUnit::Day => Span::new().try_days(count),
     };
     due.checked_add(span.ok()?).ok()
 }

@@ -6,7 +6,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde_json::json;
 
 use super::*;
-use crate::grade::provenance::{MadeWith, Tool};
+use crate::grade::provenance::{GradingInputs, Tool};
 
 /// Declares a type whose schema is in `outcome.schema.json`.
 macro_rules! reference {
@@ -48,7 +48,7 @@ pub fn graded(id: &str, points: u32, possible: u32) -> Record {
         tokens: BTreeMap::new(),
         provenance: Provenance {
             answers: Vec::new(),
-            made_with: MadeWith {
+            made_with: GradingInputs {
                 judged_on: "public goldens only".into(),
                 seed: None,
                 goldens: String::new(),

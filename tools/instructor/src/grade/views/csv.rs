@@ -164,7 +164,7 @@ pub fn changes(changes: &[Change]) -> String {
     table.text()
 }
 
-/// A CSV file that is being written.
+/// A CSV file under construction.
 pub struct Table(csv::Writer<Vec<u8>>);
 
 impl Table {
@@ -194,7 +194,7 @@ impl Table {
         format!("\u{feff}{}", self.for_machines())
     }
 
-    /// The whole file without a byte order mark, for programs that compare the first column's
+    /// The whole file without a byte order mark, for programs that look for the first column's
     /// name.
     pub fn for_machines(self) -> String {
         let bytes = self.0.into_inner().expect("memory can be written");
@@ -203,7 +203,7 @@ impl Table {
 }
 
 /// Keeps spreadsheets from reading a name as a formula. A program that separates cells by
-/// semicolons may also read a formula after a semicolon.
+/// semicolons may also find a formula after a semicolon.
 fn harmless(cell: &str) -> String {
     let cell = printable(cell);
     let part = |part: &str| match part.trim_start().starts_with(is_formulas) {
@@ -213,7 +213,7 @@ fn harmless(cell: &str) -> String {
     cell.split(';').map(part).collect::<Vec<_>>().join(";")
 }
 
-/// Whether a formula may begin with a character, including full-width ones.
+/// Whether a formula may begin with this character. Full-width characters count too.
 fn is_formulas(c: char) -> bool {
     "=+-@|＝＋－＠｜".contains(c)
 }
@@ -251,7 +251,7 @@ mod tests {
     }
 
     #[test]
-    fn a_spreadsheet_is_told_how_accents_are_written() {
+    fn csv_files_begin_with_a_byte_order_mark() {
         let mut table = Table::new(&["name"]);
         table.line(&["Zoë".into()]);
         assert_eq!(table.text(), "\u{feff}name\nZoë\n");

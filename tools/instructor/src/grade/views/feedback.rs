@@ -1,4 +1,4 @@
-//! Everybody's report, in archives that course systems distribute to the students.
+//! Everyone's report, in archives that course systems distribute to students.
 
 use std::io::{Cursor, Write};
 
@@ -11,10 +11,10 @@ use crate::grade::class::{Class, Row};
 use crate::grade::intake::names::PlatformName;
 use pinhole_course::error::{Error, Result, ResultExt};
 
-/// The archives: for Canvas, for Moodle, and for sending by other ways.
+/// The archives for Canvas, for Moodle, and for other ways of sending.
 pub const NAMES: [&str; 3] = ["feedback-canvas.zip", "feedback-moodle.zip", "feedback.zip"];
 
-/// An archive, if anybody's report goes into it.
+/// An archive, if any report goes into it.
 pub type Archive = (&'static str, Option<Vec<u8>>);
 
 /// The archives by name.
@@ -27,8 +27,8 @@ pub fn archives(class: &Class, cache: &ResultCache) -> Result<[Archive; 3]> {
     ])
 }
 
-/// Canvas's “Upload submissions”: a file is matched by the numbers of the user and of a file
-/// that the user uploaded, as they stand in the names that Canvas gave.
+/// Canvas's “Upload submissions” matches a file by the numbers of the user and of a file that the
+/// user uploaded, as the names from Canvas give them.
 fn for_canvas(row: &Row) -> Option<String> {
     let name = row.entry.given.last()?;
     let platform = PlatformName::canvas(name).filter(|_| !row.is_shared)?;
@@ -46,7 +46,7 @@ fn for_moodle(row: &Row) -> Option<String> {
     ))
 }
 
-/// For sending in other ways: the report is named by the person's id.
+/// For other ways of sending. Each report is named after the person's id.
 fn for_anybody(row: &Row) -> Option<String> {
     let name = row.person.map_or(&row.entry.id, |person| &person.id);
     let is_plain = |c: char| c.is_alphanumeric() || "._-@".contains(c);

@@ -77,7 +77,7 @@ impl Format {
 
 fn parts(record: &Record) -> Vec<Part> {
     let groups = record.got.tasks.iter().flat_map(|task| {
-        // Help that concerns the whole task is given once, at the first group that fails.
+        // Give help about the whole task once, at the first group that fails.
         let mut help = Some(help(task));
         task.groups.iter().map(move |group| Part {
             suite: task.name.clone(),
@@ -103,8 +103,8 @@ fn parts(record: &Record) -> Vec<Part> {
             },
         })
     });
-    // Points that the fresh questions cost are taken from the scenes one by one, the
-    // last first, so that the parts add up to the mark.
+    // Points that the fresh questions cost are taken from the scenes one by one, from the last
+    // on, so that the parts add up to the mark.
     let mut left = record.scene_points().0;
     let scenes = record.got.scenes.iter().map(|scene| {
         let points = scene.points.min(left);
@@ -127,7 +127,7 @@ fn parts(record: &Record) -> Vec<Part> {
 }
 
 /// What the student may believe, and where to look. An outcome has no such help where it would
-/// tell something about withheld questions.
+/// give something away about withheld questions.
 fn help(task: &TaskOutcome) -> Vec<String> {
     let said = terminal::diagnosis(&task.diagnosis);
     let said = said.lines().map(str::to_owned);
@@ -136,8 +136,8 @@ fn help(task: &TaskOutcome) -> Vec<String> {
     said.chain(hints).collect()
 }
 
-/// A question that shows what is wrong. The number of wrong questions is given only if there
-/// is no question to show.
+/// A question that shows what is wrong. The number of wrong questions is given only if there is
+/// no question to show.
 fn shown(group: &GroupOutcome) -> Vec<String> {
     let said = terminal::group_in_words(group);
     let facts = terminal::facts(&group.worst);
@@ -147,7 +147,7 @@ fn shown(group: &GroupOutcome) -> Vec<String> {
     }
 }
 
-/// Gradescope's results; `None` without a mark: Gradescope then says that grading failed, and
+/// Gradescope's results; `None` without a mark. Gradescope then says that grading failed, and
 /// records no score.
 fn gradescope(record: &Record) -> Option<Value> {
     let points = record.got.points?;
@@ -162,7 +162,8 @@ fn gradescope(record: &Record) -> Option<Value> {
             "visibility": "visible",
         })
     });
-    // No execution time, because it would tell something about withheld questions.
+    // Leave out the execution time, because it would give something away about withheld
+    // questions.
     Some(json!({
         "score": points,
         "output": format!("{} Judged on {}.", record.explanation, record.provenance.made_with.judged_on),
@@ -194,9 +195,9 @@ fn prairielearn(record: &Record) -> Value {
     })
 }
 
-/// After https://github.com/foundation50/classroom50/wiki/Advanced-Autograding, “The
-/// `result.json` contract”. The runner's environment names the classroom, the assignment and
-/// the submission. `None` without a mark, so that the runner reports an error of its own.
+/// Follows https://github.com/foundation50/classroom50/wiki/Advanced-Autograding, “The
+/// `result.json` contract”. The runner's environment names the classroom, the assignment and the
+/// submission. `None` without a mark, so that the runner reports an error of its own.
 fn classroom50(record: &Record, runner: &dyn Fn(&str) -> Option<String>) -> Option<Value> {
     let points = record.got.points?;
     let tests = parts(record).into_iter().map(|part| {
@@ -289,8 +290,8 @@ fn junit(record: &Record) -> String {
     page.unwrap_or_else(|error| panic!("junit.xml's template: {error:#}"))
 }
 
-/// The text about a part. We don't know how other graders show it, so it holds nothing that
-/// a terminal takes for a command.
+/// The text about a part. We don't know how other graders show it, so it holds no control
+/// characters for terminals.
 fn text(part: &Part) -> String {
     let mut lines = vec![part.said.as_str()];
     if part.points < part.possible && !part.about.is_empty() {
@@ -303,7 +304,7 @@ fn printable_lines(text: &str) -> String {
     text.lines().map(printable).collect::<Vec<_>>().join("\n")
 }
 
-/// Text without the characters that XML cannot hold; the template escapes the rest.
+/// Text without the characters that XML cannot hold. The template escapes the rest.
 fn xml_text(text: &str) -> String {
     let cannot = |c: char| c != '\n' && (c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'));
     text.replace(cannot, "\u{fffd}")
@@ -315,7 +316,7 @@ mod tests {
     use crate::grade::record::tests::graded;
     use pinhole_course::outcome::{FilmOutcome, Outcome, SceneOutcome};
 
-    /// A terminal's command, a character that reorders others, markup, and a second line.
+    /// A control sequence, a character that reorders others, markup, and a second line.
     const HOSTILE: &str = "\u{1b}]0;x\u{7}\u{202e}<script>\u{9b}2J\nnext";
 
     fn record() -> Record {

@@ -1,5 +1,5 @@
-//! Files that gradebooks import, with everybody's final mark once. People without a mark get
-//! an empty cell, which doesn't mean zero.
+//! Files that gradebooks import, with everyone's final mark once. People without a mark get an
+//! empty cell, which doesn't mean zero.
 
 use super::csv::Table;
 use crate::grade::class::{Class, Row};
@@ -7,8 +7,8 @@ use crate::grade::intake::names::{PlatformName, platforms};
 use crate::grade::intake::roster::Person;
 use crate::grade::policy::mark::{Mark, number};
 
-/// For Canvas: Grades, Import. The columns and the line of possible points are those that
-/// Canvas documents and exports. `Name (number)` names the assignment that is there already.
+/// For Canvas: Grades, Import. The columns and the line of possible points are as Canvas
+/// documents and exports them. `Name (number)` refers to an existing assignment.
 pub fn canvas(class: &Class) -> String {
     let policy = class.roll.policy.as_ref();
     let column = policy.and_then(|policy| policy.rules.gradebook_column.clone());
@@ -83,8 +83,8 @@ fn account(
         .iter()
         .any(|name| !platforms(name).is_empty());
     let named = row.entry.given.iter().find_map(|name| of_platform(name));
-    // The number in what was handed in is that of the person who uploaded it, not of the
-    // others in the group.
+    // The number in an upload is that of the person who uploaded it, not of the others in the
+    // group.
     let is_shared = row.is_shared;
     let named = named
         .filter(|_| is_own && !is_shared)

@@ -47,11 +47,11 @@ struct Page<'a> {
     sections: Vec<SectionRow>,
     /// Whether there is a policy, which may change marks.
     has_policy: bool,
-    /// Whether it is to be shown to the class, without names and without rows for single
+    /// Whether the page is for showing to the class, without names and without rows for single
     /// people.
     is_anonymous: bool,
     slowest: Vec<(String, String)>,
-    /// Who is graded, in a sentence.
+    /// How many people are graded, in a sentence.
     headline: String,
     concerns: Vec<Concern>,
     is_grave: bool,
@@ -115,7 +115,7 @@ struct Line {
     report: Option<String>,
 }
 
-/// Whether a page says who everybody is.
+/// Whether a page shows names.
 #[derive(Clone, Copy, Eq, PartialEq)]
 pub enum Names {
     Shown,
@@ -153,7 +153,7 @@ fn of<'a>(class: &'a Class<'a>, assignment: &Assignment, names: Names) -> Page<'
         .max()
         .unwrap_or(0);
     let bins = bins(&points, possible);
-    // Only the number of people is shown.
+    // Show only the number of people.
     let name = |id: &str| match is_anonymous {
         true => String::new(),
         false => printable(id),
@@ -304,7 +304,7 @@ fn mean(points: impl Iterator<Item = u32>) -> Option<String> {
     (count > 0).then(|| format!("{:.1}", f64::from(sum) / f64::from(count)))
 }
 
-/// The histogram of points: ten bars, and one of its own for full marks.
+/// The histogram of points: ten bars, and a separate one for full marks.
 fn bins(points: &[u32], possible: u32) -> Vec<Bin> {
     let width = possible.div_ceil(10).max(1);
     let starts = (0..possible).step_by(width as usize);

@@ -1,5 +1,4 @@
-//! Prints what `grade --dry-run` shows: whom each submission belongs to, and what was found in
-//! it.
+//! Prints what `grade --dry-run` shows: who handed in each submission, and what was found in it.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +12,7 @@ use pinhole_course::error::Result;
 use pinhole_report::escape::printable;
 use pinhole_report::program::Status;
 
-/// Prints all that is known before anything is judged.
+/// Prints everything that is known before anything is judged.
 pub fn print(roll: &Roll, assignment: &Assignment, as_json: bool) -> Result<Status> {
     let can_be_graded = |id: &str| {
         let mut entries = roll.entries.iter();

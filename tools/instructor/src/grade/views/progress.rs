@@ -7,7 +7,7 @@ use crate::grade::record::Record;
 use pinhole_course::progress::Progress;
 use pinhole_report::escape::printable;
 
-/// Progress through a class; the threads that grade share it.
+/// Progress through a class, shared by the threads that grade.
 pub struct GradingProgress<'a> {
     line: &'a Progress,
     /// How many submissions there are in all.
@@ -30,7 +30,8 @@ impl GradingProgress<'_> {
         self.line.say(&again_line(id));
     }
 
-    /// Reports that a submission is done: graded in this run, or its result is still valid.
+    /// Reports that a submission is done: it was graded in this run, or its result is still
+    /// valid.
     pub fn graded(&self, record: &Record, is_new: bool) {
         let count = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         let share = count as f64 / self.of.max(1) as f64;
@@ -47,7 +48,7 @@ impl GradingProgress<'_> {
 
 fn again_line(id: &str) -> String {
     format!(
-        "{} is graded again, alone: an answer came too late",
+        "{} is graded again, alone: an answer was late",
         printable(id)
     )
 }

@@ -1,5 +1,5 @@
-//! Writes the marks into students' reports. A policy may change after grading, so reports are
-//! first written without a mark, and get it whenever the class's files are written.
+//! Writes the marks into students' reports. A policy may change after grading, so a report is
+//! first written without a mark. The mark is inserted whenever the class's files are written.
 
 use std::fs;
 
@@ -9,7 +9,7 @@ use crate::grade::policy::mark::number;
 use pinhole_course::error::Result;
 use pinhole_report::html::mark::{FinalMark, with_mark};
 
-/// Writes everybody's mark into the report; without a policy, none.
+/// Writes everyone's mark into the report; without a policy, none.
 pub fn write_marks(class: &Class, cache: &ResultCache) -> Result<()> {
     for row in &class.rows {
         let name = format!("submissions/{}/report.html", row.entry.id);

@@ -21,27 +21,26 @@ use pinhole_course::error::Result;
 use pinhole_report::escape::printable;
 use pinhole_report::program::Status;
 
-/// What has been done in this run.
+/// What this run has done.
 #[derive(Default)]
 pub struct RunSummary {
-    /// How many submissions were graded and not only found valid.
+    /// How many submissions were graded, without those whose result was still valid.
     pub graded: usize,
     pub seconds: f64,
     pub changes: Vec<Change>,
-    /// Whether everything was graded again, to see what changes.
+    /// Whether everything was graded again to see what changes.
     pub is_regrade: bool,
-    /// The submissions whose grading failed, and why; an earlier grade may still be
-    /// valid.
+    /// The submissions whose grading failed, and why. An earlier grade may still be valid.
     pub faults: Vec<(String, String)>,
 }
 
-/// Where the results of a class go, and how.
+/// Where and how the results of a class are written.
 pub struct ClassOutput<'a> {
     pub cache: &'a ResultCache,
     pub assignment: &'a Assignment,
     /// Formats to write in addition to the files that are always written.
     pub formats: &'a [Format],
-    /// Print a JSON document.
+    /// Whether to print a JSON document.
     pub as_json: bool,
 }
 
@@ -63,8 +62,8 @@ impl ClassOutput<'_> {
             &KnownAnswers::read(assignment)?,
         );
         report::write_marks(&class, cache)?;
-        // Remove files of an earlier run that this run does not write: they would be
-        // out of date.
+        // Remove files of an earlier run that this run does not write, because they are out of
+        // date.
         for format in Format::value_variants() {
             let is_asked = self.formats.contains(format);
             for id in roll.entries.iter().map(|entry| &entry.id) {
@@ -158,7 +157,7 @@ fn document(class: &Class, run: &RunSummary) -> serde_json::Value {
     })
 }
 
-/// Whether anybody may have lost points by how files were handed in.
+/// Whether anyone may have lost points by how files were handed in.
 pub fn status(concerns: &[Concern]) -> Status {
     match concerns.iter().any(|concern| concern.is_grave) {
         true => Status::JudgedWrong,
@@ -166,7 +165,7 @@ pub fn status(concerns: &[Concern]) -> Status {
     }
 }
 
-/// Who is graded, and what the instructor should look at before marks go out.
+/// How many people are graded, and what the instructor should look at before marks go out.
 pub fn attention(concerns: &[Concern], headline: String) -> String {
     let mut text = format!("{headline}\n");
     for Concern {
@@ -196,7 +195,7 @@ fn words(class: &Class, run: &RunSummary, cache: &ResultCache) -> String {
     let stands = |id: &String| !class.not_graded().iter().any(|(other, _)| other == id);
     for (id, why) in run.faults.iter().filter(|(id, _)| stands(id)) {
         line(format!(
-            "not graded again, the old mark stands: {}: {}",
+            "not graded again, the old mark remains: {}: {}",
             printable(id),
             printable(why)
         ));

@@ -1,4 +1,4 @@
-//! Searches any file for many texts at once, even pictures, because they may hold
+//! Searches any file for many texts at once. Even pictures are searched, because they may hold
 //! source text too.
 
 use std::collections::HashMap;
@@ -8,7 +8,7 @@ pub struct Search {
     by_beginning: HashMap<[u8; BEGINNING], Vec<String>>,
 }
 
-/// Only where this many bytes agree is the rest compared.
+/// The rest of a text is compared only where this many bytes agree.
 const BEGINNING: usize = 8;
 
 impl Search {
@@ -41,7 +41,7 @@ mod tests {
     use super::Search;
 
     #[test]
-    fn a_text_is_found_wherever_it_stands_in_any_bytes() {
+    fn a_text_is_found_anywhere_in_any_bytes() {
         let search = Search::new(["let root = d".to_owned(), "let root = e".to_owned()]);
         assert_eq!(
             search.first_in(b"\xff\x00let root = e"),

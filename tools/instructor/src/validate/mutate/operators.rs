@@ -21,7 +21,7 @@ pub fn others(operator: &BinOp) -> &'static [&'static str] {
     }
 }
 
-/// Whether it makes a number or a vector of two.
+/// Whether it combines two numbers or vectors into one.
 pub fn is_arithmetic(operator: &BinOp) -> bool {
     use BinOp::{Add, Div, Mul, Sub};
     matches!(operator, Add(_) | Sub(_) | Mul(_) | Div(_))
@@ -55,7 +55,7 @@ pub fn other_methods(method: &str) -> &'static [&'static str] {
     }
 }
 
-/// Methods without arguments that may be forgotten.
+/// Methods without arguments that a student may forget.
 pub fn may_be_forgotten(method: &str) -> bool {
     matches!(
         method,
@@ -63,7 +63,7 @@ pub fn may_be_forgotten(method: &str) -> bool {
     )
 }
 
-/// What may follow a method that begins to walk through a list.
+/// What may follow a method that begins to iterate over a list.
 pub fn detours(method: &str) -> &'static [&'static str] {
     match method {
         "iter" | "into_iter" => &[".rev()", ".skip(1)", ".take(1)"],
@@ -77,7 +77,7 @@ pub fn is_one_sided(method: &str) -> bool {
     matches!(method, "cross" | "total_cmp")
 }
 
-/// Fields that are easily taken for each other.
+/// Fields that are easily confused.
 pub fn neighbours(field: &str) -> Vec<&'static str> {
     const FAMILIES: [&[&str]; 7] = [
         &["u", "v", "w"],

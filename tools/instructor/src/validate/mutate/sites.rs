@@ -1,4 +1,4 @@
-//! Walks through an answer and writes down every change at every place.
+//! Walks through an answer and collects every change at every place.
 //!
 //! The walk is here; [`names`] knows the answer's variables, [`changes`] the replacements for
 //! each piece of syntax, and [`source`] writes them.
@@ -36,7 +36,7 @@ struct Sites<'a> {
     text: &'a str,
     names: Names,
     edits: Vec<Edit>,
-    /// Where an expression is part of a closer-binding one and so needs parentheses.
+    /// Places where an expression is part of a tighter-binding one, and so needs parentheses.
     inside: BTreeSet<(usize, usize)>,
 }
 

@@ -61,7 +61,7 @@ fn another_operator_changes_only_itself_and_not_what_binds_first() {
 }
 
 #[test]
-fn the_words_of_the_subject_are_taken_for_each_other() {
+fn neighbouring_fields_are_swapped() {
     holds(
         "Some(camera.width * camera.u)",
         &[

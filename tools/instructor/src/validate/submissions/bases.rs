@@ -11,19 +11,18 @@ use pinhole_course::submission::Submission;
 
 /// The answers that an overlay is laid over.
 #[derive(Clone, Copy)]
-pub enum Under {
+pub enum OverlayBase {
     /// The reference's.
     Reference,
-    /// The reference's. The overlay's belief is diagnosed as if it were unknown, because the
-    /// stored films are its own.
+    /// The reference's. The overlay's belief is treated as unknown, because the stored films are
+    /// its own.
     ReferenceUnaware,
-    /// A mixture of variants, in which each task is answered in another way; the number
-    /// selects the mixture. Then the program has nothing but the belief in common with the
-    /// program whose films are stored.
+    /// A mixture of variants, with a different one for each task; the number selects the mixture.
+    /// The program then shares nothing but the belief with the program whose films are stored.
     Variants(usize),
 }
 
-/// The number of mixtures of variants. More would only repeat the same questions.
+/// How many mixtures of variants there are. More would only repeat the same questions.
 const MIXTURES: usize = 8;
 
 /// The answers under overlays, with the replies that submissions share.
@@ -44,15 +43,15 @@ impl Bases {
     }
 
     /// The answers under an overlay.
-    pub fn of(&self, under: Under) -> &Base {
+    pub fn of(&self, under: OverlayBase) -> &Base {
         match under {
-            Under::Reference | Under::ReferenceUnaware => &self.reference,
-            Under::Variants(turn) => &self.mixtures[turn % MIXTURES],
+            OverlayBase::Reference | OverlayBase::ReferenceUnaware => &self.reference,
+            OverlayBase::Variants(turn) => &self.mixtures[turn % MIXTURES],
         }
     }
 }
 
-/// For each task, the answer of some variant, if there is one.
+/// For each task, the answer of a variant, if there is one.
 fn variants_mixed(validator: &Validator, base: Submission, turn: usize) -> Result<Submission> {
     let variants = mistake::folders(&validator.assignment.folder.join("variants"));
     let mut mixed = base;

@@ -3,7 +3,7 @@
 use super::QUIET;
 use crate::validate::catches::{Catch, Catches};
 
-/// Slugs that are named in a row.
+/// How many mistakes a row names.
 const MOST_NAMED: usize = 3;
 
 /// A row for each group and each scene.
@@ -25,7 +25,7 @@ pub fn table(catches: &Catches) -> String {
     let mutants = |columns: String| catches.mutants.map(|_| columns).unwrap_or_default();
     for (kind, rows) in [("probes", &catches.probes), ("scenes", &catches.scenes)] {
         let is_probe = kind == "probes";
-        // Mutants are judged by their tasks' questions alone.
+        // Mutants are judged only by their own task's questions.
         if !is_probe && catches.mistakes == 0 {
             continue;
         }

@@ -4,7 +4,7 @@ use super::{QUIET, row};
 use crate::validate::pairs::Pairs;
 use crate::validate::sentences::Sentences;
 
-/// Names and sentences, then the pairs that got none.
+/// Names and sentences, then the pairs without any.
 pub fn table(pairs: &Pairs) -> String {
     let names = &pairs.names;
     let said = format!(

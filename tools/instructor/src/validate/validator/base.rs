@@ -1,8 +1,8 @@
-//! Answers that many submissions have in common, and what they answer.
+//! Answers that many submissions share, and their replies.
 //!
-//! A known mistake changes one answer file of the reference. A task is answered by its own
-//! file, and a scene by the files of the tasks it needs. So everything that doesn't depend on
-//! the changed file is asked once, and not again for each mistake.
+//! A known mistake changes one answer file of the reference. A task is answered by its own file,
+//! and a scene by the files of the tasks it needs. So everything that doesn't depend on the
+//! changed file is asked once, and not again for each mistake.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Mutex, PoisonError};
@@ -15,14 +15,14 @@ use pinhole_course::error::Result;
 use pinhole_course::examine::KnownReplies;
 use pinhole_course::submission::Submission;
 
-/// Answers, and their replies so far by task or scene.
+/// Answers, and their replies so far, by task or scene.
 pub struct Base {
     /// The answers.
     pub submission: Submission,
     replies: Mutex<BTreeMap<String, Reply>>,
 }
 
-/// The replies of a base that are also those of a submission over it.
+/// The replies of a base that also hold for a submission over it.
 pub struct RepliesInCommon<'a> {
     base: &'a Base,
     /// The tasks and scenes that are answered by files of the base alone.
@@ -30,7 +30,7 @@ pub struct RepliesInCommon<'a> {
 }
 
 impl Base {
-    /// A base of which nothing has been asked yet.
+    /// A base that has not been asked anything yet.
     pub fn new(submission: Submission) -> Base {
         Base {
             submission,
@@ -71,8 +71,8 @@ impl Base {
     }
 }
 
-/// Whether no answer calls another directly or remembers anything. Otherwise one file could
-/// affect the tasks of others.
+/// Whether no answer calls another directly or keeps state. Otherwise, one file could affect the
+/// tasks of others.
 fn is_apart(submission: &Submission, assignment: &Assignment) -> bool {
     let fixed = assignment.fixed_files();
     let mut answers = submission.answers.iter();
@@ -82,7 +82,7 @@ fn is_apart(submission: &Submission, assignment: &Assignment) -> bool {
     })
 }
 
-/// Whether an answer names no module of its crate but the fixed files, and no `static`.
+/// Whether an answer names no module of its crate except the fixed files, and no `static`.
 fn stands_alone(text: &str, fixed: &[String]) -> bool {
     let is_fixed = |path: &str| {
         let mut modules = fixed.iter().filter_map(|file| file.strip_suffix(".rs"));

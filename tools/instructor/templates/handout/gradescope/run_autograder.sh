@@ -6,12 +6,12 @@ export RUSTUP_HOME=/opt/rust/rustup CARGO_HOME=/opt/rust/cargo CARGO_NET_OFFLINE
 export PATH="/opt/rust/cargo/bin:$PATH"
 cd /autograder/source/pinhole || exit
 
-# Another user's code runs in this container: what is graded is root's alone.
+# Another user's code runs in this container, so only root may read the submission.
 graded=/autograder/graded
 rm -rf "$graded"
 mkdir -m 700 "$graded"
 
-# A folder of one submission: whatever is missing in it is the student's to know.
+# A folder with one submission. If files are missing, the student should see that.
 class=/autograder/class
 rm -rf "$class"
 mkdir -m 700 "$class"
@@ -24,6 +24,6 @@ target/release/pinhole-instructor grade "$class" --out "$graded" \
 
 results=/autograder/results/results.json
 if ! cp "$graded"/submissions/*/gradescope.json "$results"; then
-    # Without a score: a fault of the grader is no student's zero.
+    # Give no score, because a fault of the grader must not become a student's zero.
     echo '{"output": "The grader failed, not your answers. Your instructor can run it again.", "stdout_visibility": "hidden"}' >"$results"
 fi

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Gradescope runs this once, as root and with a network, when it builds the container's
-# image: so the whole class is graded by one compiler and one build.
+# image. The whole class is then graded by one compiler and one build.
 set -euo pipefail
 
 apt-get update
 apt-get install -y --no-install-recommends ca-certificates curl gcc libc6-dev
 
-# Not in root's home, which students' code, run as another user, could not reach.
+# Don't use root's home, because students' code runs as another user and could not reach it.
 export RUSTUP_HOME=/opt/rust/rustup CARGO_HOME=/opt/rust/cargo
 mkdir -p /opt/rust
 curl --proto '=https' --tlsv1.2 -sSf https://sh.rustup.rs |
@@ -17,5 +17,5 @@ cd /autograder/source/pinhole
 /opt/rust/cargo/bin/cargo build --release -p pinhole -p pinhole-cli
 /opt/rust/cargo/bin/cargo build --release --config tools/instructor/release.toml -p pinhole-instructor
 
-# All of it is the grader's alone: what submissions are linked against is copied elsewhere.
+# Only the grader may read this. The libraries for submissions are copied to another folder.
 chmod 700 .

@@ -6,7 +6,7 @@ mkdir -p /grade/results
 cd /opt/pinhole || exit
 graded=/opt/graded class=/opt/class
 mkdir -m 700 "$graded" "$class"
-# A folder of one submission: whatever is missing in it is the student's to know.
+# A folder with one submission. If files are missing, the student should see that.
 cp -a /grade/student "$class/submission"
 
 fresh=(--no-fresh)
@@ -15,6 +15,6 @@ target/release/pinhole-instructor grade "$class" --out "$graded" \
     --sandbox container --format prairielearn --reveal "$(cat reveal)" "${fresh[@]}"
 
 if ! cp "$graded"/submissions/*/prairielearn.json /grade/results/results.json; then
-    # Not gradable: a fault of the grader costs no attempt and is no student's zero.
+    # Call it not gradable, so that a fault of the grader costs no attempt and is no zero.
     echo '{"gradable": false, "format_errors": "The grader failed, not your answers. Your instructor can run it again."}' >/grade/results/results.json
 fi

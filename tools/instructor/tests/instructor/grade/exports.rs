@@ -6,7 +6,7 @@ use std::path::Path;
 use super::{Class, mistake, on_small_assignment};
 use pinhole_testing::{TASKS, fresh, root, zip};
 
-/// Right answers by name, with `sphere` replaced if it is given.
+/// Right answers by file name. If `sphere` is given, it replaces that answer.
 fn answers(folder: &str, sphere: Option<&str>) -> Vec<(String, Vec<u8>)> {
     let reference = root().join("assignments/ray_casting/reference/src");
     let file = |task: &&str| {
@@ -29,7 +29,7 @@ fn put(folder: &Path, files: &[(String, Vec<u8>)]) {
     }
 }
 
-/// A roster with semicolons and one byte per letter, as a spreadsheet in Germany writes it.
+/// A roster as a German spreadsheet writes it: with semicolons, and one byte per letter.
 const ROSTER: &str = "id;name;section\r\n1;Ada Lovelace;A\r\n2;Yu Yang;A\r\n3;Grace Hopper;A\r\n\
     4;Zoë Müller;B\r\n5;Alan Turing;B\r\n6;Emmy Noether;B\r\n7;Gus Ghost;B\r\n";
 
@@ -162,8 +162,8 @@ const POLICY: &str = "time_zone = 'Europe/Berlin'\ndeadline = '2026-11-20 23:59'
 const TIMES: &str = "id,time\n1,2026-11-20 12:00\n2,2026-11-21 12:00\n3,2026-11-20 12:00\n\
     4,2026-11-20 12:00\n5,2026-11-20 12:00\n6,2026-11-20 12:00\n";
 
-/// Checks the raw, policy and final marks in the list, on the page, in reports and in files
-/// for platforms.
+/// Checks the raw, policy and final marks in the list, on the page, in reports and in files for
+/// platforms.
 fn policy_reaches_every_way_out(class: &Class) {
     let csv = class.read("out/grades.csv");
     for (id, marks) in [

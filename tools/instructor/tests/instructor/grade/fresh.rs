@@ -9,7 +9,7 @@ use super::{Class, answers};
 use pinhole_course::manifest::Manifest;
 use pinhole_testing::{fresh_goldens, pinhole, root};
 
-/// A `sphere.rs` that is right about every public question and misses in all others.
+/// A `sphere.rs` that answers every public question rightly and misses in all others.
 fn memoriser() -> String {
     let probes = root().join("golden/ray_casting/probes");
     let mut seen = Vec::new();
@@ -65,8 +65,8 @@ fn memorised_films_earn_nothing() {
         .find(|group| group["name"] == "outside")
         .expect("a group");
     assert_eq!(outside["fails_fresh"], true);
-    // Counts are not shown, because an answer could choose how many questions it gets wrong,
-    // and so leak what it was asked.
+    // Counts are not shown. An answer could choose how many questions it gets wrong, and so leak
+    // what it was asked.
     assert_eq!(outside["outcome"]["kind"], "withheld");
     let report = class.read("fresh/submissions/memoriser/report.html");
     assert!(!report.contains("questions are wrong"), "counts are shown");
@@ -75,7 +75,7 @@ fn memorised_films_earn_nothing() {
             .as_u64()
             .is_some_and(|most| most < 20)
     );
-    // The lecturer sees the question that the student may not.
+    // The lecturer sees the question that the student may not see.
     let dispute = ["dispute", "memoriser", "--out", &fresh];
     let told = pinhole(&dispute).expect_code(0).out;
     for words in [
@@ -100,7 +100,7 @@ fn memorised_films_earn_nothing() {
         let file = fs::metadata(class.path("fresh/evidence/memoriser.json")).expect("it is there");
         assert_eq!(file.permissions().mode() & 0o777, 0o600);
     }
-    // The questions are there now: nothing is made or graded again.
+    // The questions exist now, so nothing is made or graded again.
     let line = [
         "grade", &entry, "--out", &fresh, "--fresh", questions, "--json",
     ];
@@ -119,7 +119,7 @@ fn key(triangle: &Triangle) -> u64 {
 const KEY: &str = "self.corners.iter().flat_map(|corner| corner.to_array()).fold(0u64, |key, x| { \
      let key = (key ^ x.to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15); key ^ key >> 29 })";
 
-/// A `triangle.rs` that is right about every triangle of the public scenes and about no other.
+/// A `triangle.rs` that is right about every triangle of the public scenes and no other.
 fn memoriser_of_scenes() -> String {
     let scenes = fs::read_dir(root().join("assignments/ray_casting/scenes"));
     let paths = scenes

@@ -12,8 +12,8 @@ use super::{BROKEN, Class, answers, assignment, on_small_assignment, wrong_plane
 use pinhole_testing::{program_of, root};
 
 impl Class {
-    /// Starts a grader that grades one submission at a time, and kills it when it `has_come`
-    /// so far.
+    /// Starts a grader that grades one submission at a time, and kills it as soon as `has_come`
+    /// returns true.
     fn kill_grader(&self, out: &str, has_come: impl Fn() -> bool) {
         let (class, out) = (self.path("class"), self.path(out));
         let mut grader = Command::new(program_of("grade"))
@@ -110,7 +110,7 @@ fn shards_merge_to_the_grades_of_one_run() {
     for shard in ["1/2", "2/2"] {
         class
             .grade(&shard.replace('/', "-"), &["--shard", shard])
-            // In the second part, nobody lacks a file.
+            // In the second part, no submission lacks a file.
             .expect_code(i32::from(shard == "1/2"));
     }
     let (one, two, merged) = (class.path("1-2"), class.path("2-2"), class.path("merged"));
@@ -167,11 +167,11 @@ fn two_graders_do_not_write_into_one_folder() {
     let class = Class::new("locked");
     fs::create_dir_all(class.folder.join("out")).expect("a folder can be made");
     let lock = fs::File::create(class.folder.join("out/.lock")).expect("writable");
-    lock.lock().expect("nobody else has it");
+    lock.lock().expect("the lock is free");
     class
         .grade("out", &[])
         .expect_code(2)
-        .expect_err("somebody else is grading");
+        .expect_err("another grader is writing to");
     drop(lock);
     class.grade("out", &[]).expect_code(1);
 }
@@ -179,14 +179,14 @@ fn two_graders_do_not_write_into_one_folder() {
 #[test]
 fn grader_fault_is_not_a_zero_and_keeps_the_finished_grade() {
     let class = Class::new("fault");
-    // The first run may rebuild this program. Then the second run grades everything again,
-    // because the program is another.
+    // The first run may rebuild this program. Then the program differs, and the second run grades
+    // everything again.
     for _ in 0..2 {
         class.grade("out", &[]).expect_code(1);
     }
     let before = class.read("out/submissions/ada/result.json");
     let marks = class.read("out/grades.csv");
-    // The report can't be written, because there is a folder of that name.
+    // The report can't be written, because a folder has its name.
     let report = class.folder.join("out/submissions/ada/report.html");
     fs::remove_file(&report).expect("it was there");
     fs::create_dir(&report).expect("a folder can be made");
@@ -195,7 +195,7 @@ fn grader_fault_is_not_a_zero_and_keeps_the_finished_grade() {
         .expect_code(3)
         .json();
     assert_eq!(told["faults"][0][0], "ada");
-    assert_eq!(told["points"]["ada"], 100, "the old mark stands");
+    assert_eq!(told["points"]["ada"], 100, "the old mark remains");
     assert_eq!(class.read("out/submissions/ada/result.json"), before);
     assert_eq!(class.read("out/grades.csv"), marks);
 

@@ -8,8 +8,8 @@ use serde_json::Value;
 use super::{Class, answers, on_small_assignment};
 use pinhole_testing::root;
 
-/// A folder of goldens as `golden render SCENE --out` makes it: films and a manifest, and
-/// no probes.
+/// A folder of goldens as `golden render SCENE --out` makes it, with films and a manifest but no
+/// questions.
 fn goldens_of_one_scene(class: &Class, scene: &str) -> String {
     let folder = class.folder.join("mine");
     fs::create_dir_all(&folder).expect("a folder can be made");

@@ -1,4 +1,4 @@
-//! The book beside the assignment, so that a student needs nothing else to read.
+//! The book in a student's repository, so that students need nothing else to read.
 
 use std::fs;
 

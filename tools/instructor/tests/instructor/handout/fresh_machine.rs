@@ -1,15 +1,15 @@
-//! A student's repository on a machine that has Rust alone.
+//! A student's repository on a machine with only Rust.
 
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
 use super::{handed_out, plain};
-use pinhole_testing::{Ran, TASKS, root};
+use pinhole_testing::{RunResult, TASKS, root};
 
-/// Runs a command line in a student's repository, on a machine that has Rust, a linker and
-/// cargo's cache of the registry, and neither a network nor this checkout.
-fn on_a_fresh_machine(repository: &Path, command_line: &str) -> Ran {
+/// Runs a command line in a student's repository, on a machine with Rust, a linker and cargo's
+/// cache of the registry, but without a network or this checkout.
+fn on_a_fresh_machine(repository: &Path, command_line: &str) -> RunResult {
     let home = std::env::var("HOME").expect("there is a home");
     let folder = |variable: &str, default: &str| {
         let default = format!("{home}/{default}");
@@ -76,7 +76,7 @@ fn with_rust_alone_every_command_works_and_tests_pass_once_the_stubs_are_filled(
     let red = run("cargo test --locked").expect_code(101);
     red.expect_out("unanswered").expect_out("0 passed");
 
-    // Commands that students don't have explain themselves.
+    // Commands that students don't have explain that.
     for command in [
         "golden render bunny",
         "golden mistakes",
@@ -93,7 +93,7 @@ fn with_rust_alone_every_command_works_and_tests_pass_once_the_stubs_are_filled(
     fs::write(&stub, text.replace("todo!", "panic!")).expect("it can be written");
     run("cargo pinhole check --task sphere")
         .expect_code(2)
-        .expect_err("stubs/src/sphere.rs is not as it was handed out");
+        .expect_err("stubs/src/sphere.rs has changed since it was handed out");
     fs::write(&stub, text).expect("it can be written");
 
     // An answer that does not compile stops neither the command nor the other answers.

@@ -1,12 +1,11 @@
-//! The handout has none of the files that students must not get, and the search for
-//! these works.
+//! The handout has none of the files that students must not get, and the search for them works.
 
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
 use super::{files, handed_out, plain, sha256};
-use pinhole_testing::{Ran, fresh, pinhole, root, trusted};
+use pinhole_testing::{RunResult, fresh, pinhole, root, trusted};
 
 /// The lines of the `.rs` files in a folder and below, file by file, without blank ones.
 fn sources(folder: &Path) -> Vec<Vec<String>> {
@@ -66,9 +65,9 @@ fn a_students_repository_holds_no_answer_no_mistake_no_variant_and_at_most_20_me
 
 /// Texts that no file for students may contain.
 struct Secrets {
-    /// Any one of them is a part of an answer.
+    /// Lines that are part of an answer.
     lines: Vec<String>,
-    /// Two lines of a wrong or another right answer, one after the other; sorted.
+    /// Two consecutive lines of a wrong answer or another right one; sorted.
     pairs: Vec<(String, String)>,
 }
 
@@ -80,8 +79,8 @@ impl Secrets {
         let stubs: Vec<String> =
             sources(&students.join("assignments/ray_casting/handout")).concat();
         let is_secret = |line: &str| !stubs.iter().any(|stub| stub == line);
-        // Single lines: `match camera.projection {` gives nothing away, but `let h = …` is
-        // part of an answer.
+        // Single lines of the reference: `match camera.projection {` gives nothing away, but `let
+        // h = …` is part of an answer.
         let answers: Vec<String> = sources(&course.join("reference")).concat();
         let telling = |line: &&String| {
             line.len() >= 24 && !line.ends_with('{') && !line.contains("ANCHOR") && is_secret(line)
@@ -95,7 +94,7 @@ impl Secrets {
                 let two = source
                     .windows(2)
                     .filter(|two| two.iter().all(|line| is_secret(line)))
-                    // The stubs, too, tell that there are two projections.
+                    // The stubs also say that there are two projections.
                     .filter(|two| !two.iter().all(|line| line.starts_with("Projection::")));
                 let long = two.filter(|two| two.concat().len() >= 48);
                 pairs.extend(long.map(|two| (two[0].clone(), two[1].clone())));
@@ -121,7 +120,7 @@ impl Secrets {
     }
 }
 
-/// A file with something that students must not get, and the reason for its refusal.
+/// A file that holds something students must not get, and the reason for its refusal.
 #[test]
 #[cfg(target_os = "linux")]
 fn every_file_that_would_give_something_away_is_refused() {
@@ -141,9 +140,7 @@ fn every_file_that_would_give_something_away_is_refused() {
         bytes.extend_from_slice(more.as_bytes());
         bytes
     };
-    let readme = fs::read_to_string(root().join("README.md")).expect("it is there");
-    let heading = "## For students\n";
-    let named = readme.replace(heading, &format!("{heading}\nSee `sphere_packing`.\n"));
+    let readme = "assignments/ray_casting/README.md";
     let line = "would give away a line of the reference";
     let cases: [(&str, Vec<u8>, &str); 5] = [
         (
@@ -156,7 +153,11 @@ fn every_file_that_would_give_something_away_is_refused() {
             with("book/figures/id.png", answer),
             line,
         ),
-        ("README.md", named.into(), "the name of the withheld scene"),
+        (
+            readme,
+            with(readme, "\nSee `sphere_packing`.\n"),
+            "the name of the withheld scene",
+        ),
         (
             "book/figures/id.png",
             with("book/figures/id.png", &hash),
@@ -177,7 +178,7 @@ fn every_file_that_would_give_something_away_is_refused() {
         let out = folder.join("students");
         pinhole_where(&files, &["handout", "--out", plain(&out)])
             .expect_code(2)
-            .expect_err(path)
+            .expect_err(path.rsplit('/').next().unwrap_or(path))
             .expect_err(why);
         assert!(!out.exists(), "{path}");
     }
@@ -186,7 +187,7 @@ fn every_file_that_would_give_something_away_is_refused() {
 /// Runs `pinhole` where some files of the checkout are replaced, without touching the
 /// checkout.
 #[cfg(target_os = "linux")]
-fn pinhole_where(files: &[(&str, &Path)], arguments: &[&str]) -> Ran {
+fn pinhole_where(files: &[(&str, &Path)], arguments: &[&str]) -> RunResult {
     let mut walled = Command::new("bwrap");
     walled.args(["--dev-bind", "/", "/"]);
     for (path, instead) in files {
@@ -241,7 +242,7 @@ fn a_handout_holds_nothing_of_a_withheld_scene_but_its_points() {
             "{path} holds its hash"
         );
     }
-    // What is public is all there, and in step.
+    // Everything public is there, and up to date.
     let given = out.join(path);
     pinhole_where(
         &[(path, &given)],

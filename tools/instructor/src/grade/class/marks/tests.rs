@@ -84,7 +84,7 @@ fn the_last_attempt_counts_or_the_best_and_each_person_has_one_mark() {
         finals(&rows(&best, &records)),
         [("ada".into(), "one".into(), 60.0)]
     );
-    // Nothing says which of these is the last.
+    // Neither of these says which is the last.
     let entries = vec![entry("one", "ada", EARLY), entry("two", "ada", "ada")];
     let untold = roll(entries, RULES, &[]);
     let rows = rows(&untold, &records);

@@ -78,7 +78,7 @@ fn accents_find_their_people_however_they_are_written() {
     is("mu\u{308}llerzoe\u{308}_1_2_a.zip", "s3");
     is("Zoe\u{308} Mu\u{308}ller", "s3");
     is("mullerzoe_1_2_a.zip", "s3");
-    // Two people whom accents alone tell apart stay apart.
+    // Two people whose names differ only in accents stay two.
     let people = [person("1", "Zoë Müller"), person("2", "Zoe Muller")];
     for (name, id) in [("Zoe Muller", "2"), ("Zoe\u{308} Mu\u{308}ller", "1")] {
         assert_eq!(place(&entries(&[name]), Some(&people)).of[name].id, id);

@@ -1,13 +1,13 @@
-//! Reads a folder's files. A student may replace a folder by a link while we read it. So each
-//! folder is opened from its parent, which is held open, and no link is ever followed.
+//! Reads a folder's files. A student may replace a folder by a link while we read it. So we open
+//! each folder from its parent, which we hold open, and never follow a link.
 
 use std::fs::File;
 use std::io;
 use std::path::Path;
 
-use super::{Content, MOST_FOLDERS, Reader, Unread, is_skipped};
+use super::{Content, MOST_FOLDERS, Reader, UnreadFile, is_skipped};
 
-/// Reads the folder at a path, which may itself be a link: it is the lecturer's.
+/// Reads the folder at a path. The path itself may be a link, because the lecturer chose it.
 pub fn read(reader: &mut Reader, path: &Path) -> io::Result<()> {
     let folder = held::Folder::open(path)?;
     walk(reader, &folder, &mut Vec::new())
@@ -58,7 +58,7 @@ fn visit(
             }
         }
         held::Kind::File if reader.wants(path) => match folder.file(name)? {
-            Some(file) => reader.file(path, 0, Unread::File(file)),
+            Some(file) => reader.file(path, 0, UnreadFile::File(file)),
             None => reader.pass(path, false),
         },
         held::Kind::File => reader.pass(path, true),
@@ -87,7 +87,7 @@ mod held {
     use rustix::fs::{AtFlags, CWD, Dir, FileType, Mode, OFlags, openat, statat};
     use rustix::io::Errno;
 
-    /// What there is under a name.
+    /// What a name stands for.
     pub enum Kind {
         Folder,
         File,
@@ -99,7 +99,7 @@ mod held {
     const FOLDER: OFlags = OFlags::RDONLY
         .union(OFlags::DIRECTORY)
         .union(OFlags::CLOEXEC);
-    /// How a file is opened: no link is followed, and we don't wait for a writer.
+    /// How files are opened: without following links, and without waiting for a writer.
     const FILE: OFlags = OFlags::RDONLY
         .union(OFlags::NOFOLLOW)
         .union(OFlags::NONBLOCK)
@@ -110,7 +110,7 @@ mod held {
             Ok(Folder(openat(CWD, path, FOLDER, Mode::empty())?))
         }
 
-        /// The names in it, sorted, and what there is under each.
+        /// The names in it, sorted, with what each stands for.
         pub fn entries(&self) -> io::Result<Vec<(OsString, Kind)>> {
             let mut entries = Vec::new();
             for entry in Dir::read_from(&self.0)? {
@@ -135,13 +135,13 @@ mod held {
             Ok(entries)
         }
 
-        /// A folder in it; `None` if it has become something else.
+        /// A folder in it; `None` if it has been replaced.
         pub fn folder(&self, name: &OsStr) -> io::Result<Option<Folder>> {
             let opened = openat(&self.0, name, FOLDER | OFlags::NOFOLLOW, Mode::empty());
             Ok(still(opened)?.map(Folder))
         }
 
-        /// A file in it; `None` if it has become something else.
+        /// A file in it; `None` if it has been replaced.
         pub fn file(&self, name: &OsStr) -> io::Result<Option<File>> {
             match still(openat(&self.0, name, FILE, Mode::empty()))? {
                 Some(file) => super::regular(file.into()),
@@ -161,7 +161,7 @@ mod held {
 
 #[cfg(not(unix))]
 mod held {
-    //! Folders by their paths, on systems without a sandbox, where all code and folders are the
+    //! Folders by their paths, for systems without a sandbox. All code and folders there are the
     //! user's own.
 
     use std::ffi::{OsStr, OsString};
@@ -169,7 +169,7 @@ mod held {
     use std::io;
     use std::path::{Path, PathBuf};
 
-    /// What there is under a name.
+    /// What a name stands for.
     pub enum Kind {
         Folder,
         File,
@@ -183,7 +183,7 @@ mod held {
             Ok(Folder(path.into()))
         }
 
-        /// The names in it, sorted, and what there is under each.
+        /// The names in it, sorted, with what each stands for.
         pub fn entries(&self) -> io::Result<Vec<(OsString, Kind)>> {
             let mut entries = Vec::new();
             for entry in fs::read_dir(&self.0)? {

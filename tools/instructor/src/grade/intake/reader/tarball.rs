@@ -8,12 +8,12 @@ use pinhole_course::submission::archive::plain_path;
 use pinhole_course::submission::text;
 use tar::{Archive, EntryType, PaxExtensions};
 
-use super::{Reader, Trouble, Unread, is_skipped, joined};
+use super::{Reader, Trouble, UnreadFile, is_skipped, joined};
 
-/// The most bytes that are unpacked, because a few bytes of `gzip` can hold very many.
+/// The most bytes that are unpacked, because a few bytes of `gzip` can expand to very many.
 const MOST_UNPACKED: u64 = 4 << 30;
 
-/// The longest name.
+/// The longest name that is accepted.
 const MOST_NAME: u64 = 64 << 10;
 
 /// Whether a file begins as `tar` archives do.
@@ -21,7 +21,7 @@ pub fn begins(start: &[u8]) -> bool {
     start.get(257..262) == Some(b"ustar")
 }
 
-/// Reads the files that matter; says why, if the archive is refused.
+/// Reads the files that matter. If the archive is refused, the error says why.
 pub fn read(reader: &mut Reader, file: File, path: &[String], depth: usize) -> Result<(), String> {
     let mut file = BufReader::new(file);
     let start = io::BufRead::fill_buf(&mut file).map_err(|error| error.to_string())?;
@@ -33,7 +33,7 @@ pub fn read(reader: &mut Reader, file: File, path: &[String], depth: usize) -> R
     let mut archive = Archive::new(unpacked.take(MOST_UNPACKED));
     let entries = archive.entries().map_err(spoilt)?;
     let mut long_name: Option<Vec<u8>> = None;
-    // Read raw entries; otherwise a name of any length would be read into memory.
+    // Read raw entries, because otherwise a name of any length would be read into memory.
     for entry in entries.raw(true) {
         let mut entry = entry.map_err(spoilt)?;
         let kind = entry.header().entry_type();
@@ -71,7 +71,7 @@ pub fn read(reader: &mut Reader, file: File, path: &[String], depth: usize) -> R
                 .map(drop)
                 .map_err(|error| Trouble::Refused(spoilt(error)))
         };
-        reader.file(&inside, depth, Unread::Packed(&mut copy));
+        reader.file(&inside, depth, UnreadFile::Packed(&mut copy));
     }
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! Attacks by uploaders: names, links and archives that aim at other people's marks.
+//! Attacks by uploaders: names, links and archives that target other people's marks.
 
 use super::*;
 
@@ -21,7 +21,7 @@ fn an_archive_with_other_peoples_names_is_one_submission() {
 
 #[test]
 #[cfg(unix)]
-fn two_names_that_are_not_text_look_different() {
+fn two_names_that_are_not_utf_8_look_different() {
     use std::os::unix::ffi::OsStrExt;
     let export = Export::new();
     for byte in [0xe9, 0xe8] {
@@ -105,7 +105,7 @@ fn a_hostile_name_becomes_a_plain_folder_of_its_own() {
 }
 
 #[test]
-fn everybody_is_in_exactly_one_shard() {
+fn every_submission_is_in_exactly_one_shard() {
     let all: Vec<u32> = (0..10).collect();
     let mut shared: Vec<u32> = (1..=3)
         .flat_map(|k| shard(all.clone(), Some((k, 3))))

@@ -25,8 +25,8 @@ fn late(minutes: i64) -> Lateness {
     }
 }
 
-fn judged(points: f64) -> Judged {
-    Judged {
+fn judged(points: f64) -> JudgedPoints {
+    JudgedPoints {
         points,
         possible: 100.0,
         extra: 0.0,
@@ -122,16 +122,16 @@ fn a_day_late_is_the_same_time_tomorrow_even_when_clocks_change() {
     // On 25 October 2026 the day in Berlin has 25 hours.
     let due: Zoned = "2026-10-24 23:59[Europe/Berlin]".parse().expect("a time");
     let next: Zoned = "2026-10-25 23:59[Europe/Berlin]".parse().expect("a time");
-    assert_eq!(begun(&due, &next, Per::Hour), 25);
-    assert_eq!(begun(&due, &next, Per::Day), 1);
+    assert_eq!(begun(&due, &next, LatenessUnit::Hour), 25);
+    assert_eq!(begun(&due, &next, LatenessUnit::Day), 1);
     let after = &next + SignedDuration::from_mins(1);
-    assert_eq!(begun(&due, &after, Per::Day), 2);
-    assert_eq!(begun(&due, &due, Per::Day), 0);
+    assert_eq!(begun(&due, &after, LatenessUnit::Day), 2);
+    assert_eq!(begun(&due, &due, LatenessUnit::Day), 0);
 }
 
 #[test]
 fn extra_credit_does_not_count_as_possible_points() {
-    let judged = Judged {
+    let judged = JudgedPoints {
         points: 90.0,
         possible: 100.0,
         extra: 20.0,

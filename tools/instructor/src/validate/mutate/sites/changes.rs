@@ -1,4 +1,4 @@
-//! The changes of one place: what may replace the syntax there.
+//! The changes at one place: what may replace the syntax there.
 
 use syn::spanned::Spanned;
 use syn::{Expr, ExprBinary, ExprMethodCall};
@@ -10,7 +10,7 @@ use crate::validate::mutate::operators::{
 };
 
 impl Sites<'_> {
-    /// −x for x; |x| and −|x| too where `absolute` says so.
+    /// −x for x; also |x| and −|x| if `absolute` is set.
     pub fn sign(&mut self, expression: &Expr, absolute: bool) {
         let operand = self.operand(expression);
         let negative = self.closed(expression, format!("-{operand}"));
@@ -34,7 +34,7 @@ impl Sites<'_> {
         }
     }
 
-    /// Each pair of neighbours for each other.
+    /// Swaps each pair of neighbours.
     pub fn swap_pairs<'e>(&mut self, elements: impl Iterator<Item = &'e Expr>) {
         let elements: Vec<&Expr> = elements.collect();
         for pair in elements.windows(2) {
@@ -49,13 +49,13 @@ impl Sites<'_> {
         self.replace(a.start..b.end, text, Operator::Swap);
     }
 
-    /// Another operator. For a logical one also each side alone; for a comparison also always
+    /// Another operator. For a logical one, also each side alone; for a comparison, also always
     /// and never.
     pub fn binary(&mut self, expression: &ExprBinary) {
         let ExprBinary {
             left, op, right, ..
         } = expression;
-        // Comparisons and logic bind less than any operand here.
+        // Comparisons and logical operators bind less tightly than any operand here.
         let (a, b) = match is_arithmetic(op) {
             true => (self.operand(left), self.operand(right)),
             false => (self.source(left).into(), self.source(right).into()),
@@ -82,7 +82,7 @@ impl Sites<'_> {
         }
     }
 
-    /// Another method or none, a detour, or the call with argument and receiver exchanged.
+    /// Another method or none, a detour, or the call with argument and receiver swapped.
     pub fn method(&mut self, expression: &ExprMethodCall) {
         let method = expression.method.to_string();
         for other in other_methods(&method) {

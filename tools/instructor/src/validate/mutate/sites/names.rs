@@ -26,13 +26,13 @@ impl<'ast> Visit<'ast> for Names {
 }
 
 impl Names {
-    /// Whether this names one of them.
+    /// Whether this path names one of them.
     pub fn holds(&self, path: &syn::ExprPath) -> bool {
         let name = path.path.get_ident();
         name.is_some_and(|name| self.bound.iter().any(|bound| name == bound))
     }
 
-    /// What is bound just before and just after `name`.
+    /// The variables bound just before and just after `name`.
     pub fn around(&self, name: &str) -> Vec<&String> {
         let Some(at) = self.bound.iter().position(|bound| bound == name) else {
             return Vec::new();

@@ -28,13 +28,13 @@ impl Sites<'_> {
         });
     }
 
-    /// It is part of a closer-binding expression.
+    /// Records that a piece of syntax is part of a tighter-binding expression.
     pub fn hold(&mut self, node: &impl Spanned) {
         let Range { start, end } = range(node);
         self.inside.insert((start, end));
     }
 
-    /// A text as it is, or in parentheses if it is part of a closer-binding expression.
+    /// A text, in parentheses if it is part of a tighter-binding expression.
     pub fn closed(&self, node: &impl Spanned, text: String) -> String {
         let Range { start, end } = range(node);
         match self.inside.contains(&(start, end)) {
@@ -43,7 +43,7 @@ impl Sites<'_> {
         }
     }
 
-    /// The source of an expression that becomes part of a closer-binding one.
+    /// The source of an expression that becomes part of a tighter-binding one.
     pub fn operand(&self, expression: &Expr) -> String {
         match expression {
             Expr::Binary(_) | Expr::Range(_) | Expr::Cast(_) => {

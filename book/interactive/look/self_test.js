@@ -1,4 +1,4 @@
-// What looks at the pages is shown to see: a page on which all of it is wrong.
+// Tests that the checks of look.js can fail, with a page on which everything is wrong.
 
 import { spawnSync } from "node:child_process";
 

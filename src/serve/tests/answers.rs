@@ -1,4 +1,4 @@
-//! What that process answers.
+//! What a submission's process answers.
 
 use std::time::Duration;
 
@@ -263,7 +263,7 @@ fn endless_answer_ends_when_the_asker_is_gone() {
     while child.try_wait().unwrap().is_none() {
         if start.elapsed() > LONG_ENOUGH {
             child.kill().unwrap();
-            panic!("it goes on for nobody");
+            panic!("it runs on without an asker");
         }
         std::thread::sleep(Duration::from_millis(10));
     }

@@ -1,4 +1,4 @@
-//! Questions are asked as they were written.
+//! Questions are read as they were written.
 
 use super::*;
 
