@@ -105,8 +105,7 @@ impl Reply {
         }
     }
 
-    /// What `pick` returns for every answer; `None` if an answer is missing or `pick` returns
-    /// `None`.
+    /// What `pick` picks of every answer, if all are there and have it.
     fn all<T>(&self, pick: impl Fn(&Answer) -> Option<T>) -> Option<Vec<T>> {
         let answers = self.answers.iter();
         answers.map(|answer| pick(answer.as_ref()?)).collect()

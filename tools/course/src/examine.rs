@@ -229,7 +229,7 @@ impl Examiner<'_> {
                     film: judged.film,
                     end: outcome.clone(),
                 });
-                // Report the first film of the group that fails.
+                // The first film that fails is reported for its group.
                 if result
                     .as_ref()
                     .is_none_or(|(earlier, _): &(FilmOutcome, _)| earlier.passes())

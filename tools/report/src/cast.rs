@@ -20,7 +20,7 @@ pub struct Cast {
     pub scene: String,
     /// What was cast.
     pub film: Film,
-    /// What cast it: a submission's folder, or one of the study's ways to cast.
+    /// Who cast it: a submission's folder, or a way of the study's.
     pub by: String,
     /// How long the cast took.
     pub seconds: f64,

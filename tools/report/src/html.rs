@@ -30,12 +30,12 @@ use crate::finish::Finish;
 use crate::passage::Passage;
 use crate::terminal;
 pub use belief::Beliefs;
-use belief::ExplainedBelief;
+use belief::Told;
 pub use page::{PAGE_CSS, environment, policy};
 use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::outcome::{Examination, FilmOutcome, Outcome, SceneFilm, SceneOutcome};
 use pinhole_course::shell::PINHOLE;
-pub use rays::{RayGrid, SubmissionRays};
+pub use rays::{RayGrid, RaysOfYours};
 pub use scene::{Evidence, SceneSection};
 use task::TaskSection;
 
@@ -112,9 +112,9 @@ impl Report {
     ) -> Result<Report> {
         let Examination { outcome, films } = examination;
         let tasks = outcome.tasks.iter().enumerate();
-        let told: Vec<ExplainedBelief> = tasks
+        let told: Vec<Told> = tasks
             .clone()
-            .flat_map(|(k, task)| ExplainedBelief::by_task(k, &task.name, &task.diagnosis))
+            .flat_map(|(k, task)| Told::by_task(k, &task.name, &task.diagnosis))
             .collect();
         let scenes = outcome.scenes.iter().zip(films);
         let failing = scenes.filter(|(scene, _)| !scene.outcome.passes());
@@ -207,7 +207,7 @@ struct JudgedScene<'a> {
     submission: &'a str,
     goldens: &'a Path,
     again: &'a Again,
-    told: &'a [ExplainedBelief],
+    told: &'a [Told],
 }
 
 impl JudgedScene<'_> {
@@ -236,7 +236,7 @@ impl JudgedScene<'_> {
             film: cast.film.as_ref(),
             scene: scene.as_ref(),
             rays,
-            own_rays: SubmissionRays::of(&cast.rays),
+            own_rays: RaysOfYours::of(&cast.rays),
             beliefs: Beliefs::of(&result.diagnosis, self.told),
             command: format!(
                 "{} --scene {}",

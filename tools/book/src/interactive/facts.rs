@@ -149,7 +149,7 @@ fn breaking_distance() -> Value {
     json!({ "side": SIDE, "ways": WAYS.map(way) })
 }
 
-/// Rounds to as many digits as the page shows.
+/// As many digits as the page shows.
 fn rounded(value: f64) -> f64 {
     shown(value).replace('−', "-").parse().unwrap_or(f64::NAN)
 }

@@ -19,7 +19,7 @@ use pinhole_course::mitsuba;
 use pinhole_course::outcome::FilmOutcome;
 use pinhole_course::shell::PINHOLE;
 use pinhole_report::escape::{printable, printable_word};
-use pinhole_report::html::{self, Beliefs, Evidence, Report, SubmissionRays};
+use pinhole_report::html::{self, Beliefs, Evidence, RaysOfYours, Report};
 use pinhole_report::program::Status;
 use pinhole_report::{json, pictures, terminal};
 
@@ -177,7 +177,7 @@ fn film_report(
             film: film.as_ref().ok(),
             scene: scene.as_ref(),
             rays: html::rays_beside(&arguments.golden),
-            own_rays: SubmissionRays::Unknown,
+            own_rays: RaysOfYours::Unknown,
             beliefs: Beliefs::of(diagnosis, &[]),
             command,
             explain: None,

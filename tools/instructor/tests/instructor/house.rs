@@ -51,8 +51,8 @@ fn every_task_and_scene_has_a_snapshot_test() {
     }
 }
 
-/// Runs a snapshot test of the stubs and of the reference in a copy of their folder. It passes
-/// for the reference, so the result depends on the stubs alone.
+/// Runs a snapshot test of the stubs and of the reference in a copy of their folder. It
+/// passes for the reference, so the stubs alone decide.
 fn handout_tests(settings: &[(&str, &str)], workspace: &Path) -> (bool, String) {
     let cargo = std::env::var("CARGO").unwrap_or("cargo".into());
     let mut command = Command::new(cargo);

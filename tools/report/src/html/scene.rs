@@ -9,11 +9,11 @@ use serde::Serialize;
 use serde_json::json;
 
 use super::belief::Beliefs;
-use super::cause::{Cause, WrongPixels};
+use super::cause::{Cause, Wrong};
 use super::page::{class, for_script};
 use super::picture;
 use super::pixels;
-use super::rays::{RayGrid, SubmissionRays};
+use super::rays::{RayGrid, RaysOfYours};
 use super::window::Window;
 use crate::terminal;
 
@@ -34,7 +34,7 @@ pub struct Evidence<'a> {
     /// The scene that the film shows, if it is known.
     pub scene: Option<&'a Scene>,
     pub rays: Option<RayGrid>,
-    pub own_rays: SubmissionRays,
+    pub own_rays: RaysOfYours,
     pub beliefs: Option<Beliefs>,
     /// The command that repeats this.
     pub command: String,
@@ -63,7 +63,8 @@ pub struct SceneSection {
     pub expected: Option<String>,
     pub yours: Option<String>,
     pub difference: Option<String>,
-    /// The script's data, safe inside a `script` element; none if there is nothing to compare.
+    /// What the script needs, safe inside a `script` element; none if there is nothing
+    /// to compare.
     pub viewer: Option<String>,
     pub beliefs: Option<Beliefs>,
     pub command: String,
@@ -99,7 +100,7 @@ impl SceneSection {
         let comparable = film.filter(|film| {
             shows_hits(golden) && film.resolution() == golden.resolution() && !evidence.passes
         });
-        let wrong = comparable.map(|film| WrongPixels::between(evidence.golden, film));
+        let wrong = comparable.map(|film| Wrong::between(evidence.golden, film));
         let start = start(&evidence, wrong.as_ref());
         let window = Window::around(start, golden.resolution(), share);
         let view = match evidence.verdict.and_then(worst_pixel) {
@@ -200,7 +201,7 @@ fn worst_pixel(verdict: &Verdict) -> Option<(&ChannelVerdict, Pixel)> {
 }
 
 /// The pixel to look at first.
-fn start(evidence: &Evidence, wrong: Option<&WrongPixels>) -> Pixel {
+fn start(evidence: &Evidence, wrong: Option<&Wrong>) -> Pixel {
     let worst = evidence
         .verdict
         .and_then(worst_pixel)
@@ -236,7 +237,7 @@ fn failing_channels(verdict: &Verdict) -> Vec<String> {
     failing.map(|channel| channel.to_string()).collect()
 }
 
-fn cause_rows(wrong: &WrongPixels) -> Vec<CauseRow> {
+fn cause_rows(wrong: &Wrong) -> Vec<CauseRow> {
     let rows = Cause::ALL
         .into_iter()
         .enumerate()

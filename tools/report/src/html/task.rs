@@ -81,7 +81,7 @@ fn shows_again(task: &TaskOutcome) -> bool {
     failing.any(|group| !group.fails_fresh)
 }
 
-/// The groups of a task. A panic in every group is reported once.
+/// The groups of a task; a panic in every group is one panic.
 fn rows(task: &TaskOutcome) -> Vec<GroupRow> {
     let mut told: Vec<String> = Vec::new();
     let row = |group: &GroupOutcome| {

@@ -114,8 +114,8 @@ impl Sample {
         })
     }
 
-    /// Whether both answers hit the same object. If they don't, comparing other parts says
-    /// nothing.
+    /// Whether both answers hit the same object. If they don't, comparing other parts would
+    /// tell nothing.
     pub fn is_same_object(&self) -> bool {
         let parts = self.right.iter().flatten().enumerate();
         let mut objects = parts.filter(|(_, part)| part.is_object());
