@@ -10,7 +10,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::kind::{
-    self, Answer, AnswerFn, CameraQuestion, Kind, Questions, RawAnswer, Test, Unregistered,
+    self, Answer, AnswerFn, CameraQuestion, Kind, Questions, Sent, Test, Unregistered,
 };
 use crate::ray::Ray;
 use crate::scene::Scene;
@@ -74,7 +74,7 @@ impl Job {
         &self,
         index: usize,
         functions: &[AnswerFn],
-    ) -> Result<RawAnswer, Unregistered> {
+    ) -> Result<Sent, Unregistered> {
         let hit = match self {
             Job::Film(scene) => {
                 let ray = CameraQuestion::of_scene(scene, index).ray(functions)?;
@@ -87,12 +87,12 @@ impl Job {
                 kind::meet(&ray, scene.min_t, &scene.objects[object], functions)
             }
         };
-        hit.map(RawAnswer::Answer)
+        hit.map(Sent::Answer)
     }
 
     /// Turns what was sent for one of its questions into an answer; `None` if it answers another
     /// kind of question.
-    pub(crate) fn receive(&self, index: usize, sent: RawAnswer) -> Option<Answer> {
+    pub(crate) fn receive(&self, index: usize, sent: Sent) -> Option<Answer> {
         match self {
             Job::Ask(questions) => questions.receive(index, sent),
             Job::Film(_) | Job::Cast(..) | Job::Meet(..) => sent.hit(),
@@ -133,7 +133,7 @@ pub enum Message {
         /// The place of the first of them in the job.
         first: usize,
         /// The answers, in the job's order.
-        answers: Vec<RawAnswer>,
+        answers: Vec<Sent>,
     },
     /// A search asks for a test. The number is the place of its question in the job.
     Test(usize, Test),

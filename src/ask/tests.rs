@@ -5,9 +5,7 @@ use super::*;
 use crate::bounds::BoundingBox;
 use crate::camera::{Camera, Pixel, Projection, Resolution};
 use crate::job::{Message, Panic};
-use crate::kind::{
-    Answer, CameraQuestion, ObjectsQuestion, Questions, RawAnswer, Test, TreeQuestion,
-};
+use crate::kind::{Answer, CameraQuestion, ObjectsQuestion, Questions, Sent, Test, TreeQuestion};
 use crate::ray::{Hit, Intersection, Ray};
 use crate::testing::Random;
 use crate::tree::{FlatNode, FlatTree, TreeMeasures};
@@ -56,7 +54,7 @@ fn hit(object: usize) -> Answer {
 }
 
 fn answers(first: usize, answers: &[Answer]) -> Message {
-    let answers = answers.iter().copied().map(RawAnswer::Answer).collect();
+    let answers = answers.iter().copied().map(Sent::Answer).collect();
     Message::Answers { first, answers }
 }
 
@@ -141,7 +139,7 @@ mod message {
         let job = Job::Ask(Questions::Tree(vec![TreeQuestion { boxes }]));
         let tree = |nodes| Message::Answers {
             first: 0,
-            answers: vec![RawAnswer::Tree(FlatTree(nodes))],
+            answers: vec![Sent::Tree(FlatTree(nodes))],
         };
         let circle = vec![FlatNode::Branch([0, 0])];
         refused(&job, &[tree(circle)], "another kind");

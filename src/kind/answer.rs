@@ -75,24 +75,24 @@ pub enum Answer {
 
 /// What a submission sends for one question.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum RawAnswer {
+pub enum Sent {
     /// The answer.
     Answer(Answer),
     /// A tree, which the asker measures.
     Tree(FlatTree),
 }
 
-impl From<Answer> for RawAnswer {
-    fn from(answer: Answer) -> RawAnswer {
-        RawAnswer::Answer(answer)
+impl From<Answer> for Sent {
+    fn from(answer: Answer) -> Sent {
+        Sent::Answer(answer)
     }
 }
 
-impl RawAnswer {
+impl Sent {
     /// What was sent, as the answer to a question about hits.
     pub(crate) fn hit(self) -> Option<Answer> {
         match self {
-            RawAnswer::Answer(answer @ Answer::Hit(_)) => Some(answer),
+            Sent::Answer(answer @ Answer::Hit(_)) => Some(answer),
             _ => None,
         }
     }

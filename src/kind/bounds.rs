@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-use super::{Answer, AnswerFn, Kind, Question, RawAnswer, Unregistered};
+use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
 use crate::bounds::BoundingBox;
 use crate::fact::Fact;
 use crate::film::Samples;
@@ -35,7 +35,7 @@ impl BoundsQuestion {
 }
 
 impl Question for BoundsQuestion {
-    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<RawAnswer, Unregistered> {
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
         let (of_triangle, join) =
             AnswerFn::find(functions, Kind::Bounds, |function| match function {
                 AnswerFn::Bounds { of_triangle, join } => Some((*of_triangle, *join)),
@@ -48,9 +48,9 @@ impl Question for BoundsQuestion {
         .into())
     }
 
-    fn receive(&self, sent: RawAnswer) -> Option<Answer> {
+    fn receive(&self, sent: Sent) -> Option<Answer> {
         match sent {
-            RawAnswer::Answer(answer @ Answer::Box(_)) => Some(answer),
+            Sent::Answer(answer @ Answer::Box(_)) => Some(answer),
             _ => None,
         }
     }

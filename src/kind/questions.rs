@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Answer, AnswerFn, BoundsQuestion, BoxQuestion, CameraQuestion, Kind, ObjectsQuestion, Question,
-    RawAnswer, SearchQuestion, ShapeQuestion, SoupQuestion, Test, TestResult, TreeQuestion,
+    SearchQuestion, Sent, ShapeQuestion, SoupQuestion, Test, TestResult, TreeQuestion,
     Unregistered, cameras,
 };
 use crate::camera::Resolution;
@@ -172,13 +172,13 @@ impl Questions {
         &self,
         index: usize,
         functions: &[AnswerFn],
-    ) -> Result<RawAnswer, Unregistered> {
+    ) -> Result<Sent, Unregistered> {
         self.question(index).answer(index, functions)
     }
 
     /// Turns what was sent for one of them into an answer; `None` if it answers another kind of
     /// question.
-    pub(crate) fn receive(&self, index: usize, sent: RawAnswer) -> Option<Answer> {
+    pub(crate) fn receive(&self, index: usize, sent: Sent) -> Option<Answer> {
         self.question(index).receive(sent)
     }
 

@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-use super::{Answer, AnswerFn, Kind, Question, RawAnswer, Unregistered};
+use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
 use crate::bounds::BoundingBox;
 use crate::fact::Fact;
 use crate::film::Samples;
@@ -37,7 +37,7 @@ impl TreeQuestion {
 }
 
 impl Question for TreeQuestion {
-    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<RawAnswer, Unregistered> {
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
         let build = AnswerFn::find(functions, Kind::Tree, |function| match function {
             AnswerFn::Tree(build) => Some(*build),
             _ => None,
@@ -49,14 +49,12 @@ impl Question for TreeQuestion {
             self.boxes.len(),
             tree.size()
         );
-        Ok(RawAnswer::Tree(tree))
+        Ok(Sent::Tree(tree))
     }
 
-    fn receive(&self, sent: RawAnswer) -> Option<Answer> {
+    fn receive(&self, sent: Sent) -> Option<Answer> {
         match sent {
-            RawAnswer::Tree(tree) if tree.is_tree() => {
-                Some(Answer::Tree(tree.measure(&self.boxes)))
-            }
+            Sent::Tree(tree) if tree.is_tree() => Some(Answer::Tree(tree.measure(&self.boxes))),
             _ => None,
         }
     }

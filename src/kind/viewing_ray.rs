@@ -1,7 +1,7 @@
 use glam::{DMat3, DVec3};
 use serde::Serialize;
 
-use super::{Answer, AnswerFn, Kind, Question, RawAnswer, Unregistered};
+use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
 use crate::camera::{Camera, Pixel, Projection, Resolution};
 use crate::fact::Fact;
 use crate::film::{RAY_CHANNELS, Samples};
@@ -74,13 +74,13 @@ impl CameraQuestion {
 }
 
 impl Question for CameraQuestion {
-    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<RawAnswer, Unregistered> {
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
         Ok(Answer::Ray(self.ray(functions)?).into())
     }
 
-    fn receive(&self, sent: RawAnswer) -> Option<Answer> {
+    fn receive(&self, sent: Sent) -> Option<Answer> {
         match sent {
-            RawAnswer::Answer(answer @ Answer::Ray(_)) => Some(answer),
+            Sent::Answer(answer @ Answer::Ray(_)) => Some(answer),
             _ => None,
         }
     }

@@ -67,7 +67,7 @@ fn said(answer: impl Fn(&ShapeQuestion, Intersection) -> Option<Intersection>) -
     };
     let (public, fresh) = (of(0), of(1000));
     let asked = |(questions, answers, golden): &'_ (Questions, Vec<Option<Answer>>, Golden)| {
-        measure(&[AnsweredFilm {
+        measure(&[Asked {
             questions,
             answers,
             golden,
@@ -78,7 +78,7 @@ fn said(answer: impl Fn(&ShapeQuestion, Intersection) -> Option<Intersection>) -
     for measured in &measured {
         let says = &measured.finding.says;
         assert!(
-            measured.holds(&[AnsweredFilm {
+            measured.holds(&[Asked {
                 questions,
                 answers,
                 golden

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::names::{self, PlatformName, Sign};
-use super::reader::{self, Content, FoundFile};
+use super::reader::{self, Content, Found};
 use pinhole_course::assignment::Assignment;
 
 /// What one person handed in.
@@ -46,14 +46,14 @@ pub struct Source<'a> {
     pub is_archive: bool,
     /// Whether it is the only path.
     pub is_only: bool,
-    pub found: Vec<FoundFile>,
+    pub found: Vec<Found>,
     pub assignment: &'a Assignment,
     /// Whether a person on the roster has this name or id.
     pub is_on_roster: &'a dyn Fn(&str) -> bool,
 }
 
 /// The names at the top of a source, and everything below each.
-type Tops = BTreeMap<String, Vec<FoundFile>>;
+type Tops = BTreeMap<String, Vec<Found>>;
 
 impl Source<'_> {
     /// Divides the files among people. Also returns the names of files that belong to no one, and
@@ -88,7 +88,7 @@ impl Source<'_> {
     }
 
     /// Whether everything at the top is named after a person.
-    fn names_people(&self, found: &[FoundFile]) -> bool {
+    fn names_people(&self, found: &[Found]) -> bool {
         let mut tops = found.iter().filter_map(|found| found.path.first());
         tops.all(|top| self.is_person(top))
     }
@@ -109,7 +109,7 @@ impl Source<'_> {
             return true;
         }
         let answers = || {
-            let is_answer = |found: &&FoundFile| matches!(found.content, Content::Answer { .. });
+            let is_answer = |found: &&Found| matches!(found.content, Content::Answer { .. });
             self.found.iter().filter(is_answer).map(|it| &it.path[..])
         };
         let is_in_handout = |path: &[String]| match path {
@@ -129,7 +129,7 @@ impl Source<'_> {
         };
         let direct: Vec<String> = answers().filter_map(file).collect();
         let holding = tops.iter().filter(|(top, found)| {
-            let holds = |it: &FoundFile| it.path.len() > 1 || is_closed(&it.content);
+            let holds = |it: &Found| it.path.len() > 1 || is_closed(&it.content);
             *top != "src"
                 && found
                     .iter()
@@ -147,7 +147,7 @@ impl Source<'_> {
 
     /// Everything as one submission.
     fn whole(self) -> HandIn {
-        let upload = |found: FoundFile| Upload {
+        let upload = |found: Found| Upload {
             path: found.path,
             order: 0,
             content: found.content,
@@ -166,7 +166,7 @@ fn is_closed(content: &Content) -> bool {
     matches!(content, Content::Refused(_) | Content::Unreadable(_))
 }
 
-fn tops(found: Vec<FoundFile>) -> Tops {
+fn tops(found: Vec<Found>) -> Tops {
     let mut tops = Tops::new();
     for found in found {
         let top = found.path.first().cloned().unwrap_or_default();
@@ -176,9 +176,9 @@ fn tops(found: Vec<FoundFile>) -> Tops {
 }
 
 /// The same files, with paths relative to the top folder.
-fn below(found: &[FoundFile]) -> Vec<FoundFile> {
+fn below(found: &[Found]) -> Vec<Found> {
     let inside = found.iter().filter(|found| found.path.len() > 1);
-    let shorter = inside.map(|found| FoundFile {
+    let shorter = inside.map(|found| Found {
         path: found.path[1..].to_vec(),
         content: found.content.clone(),
     });
@@ -210,9 +210,9 @@ fn signs(name: &str) -> Vec<Sign> {
 /// Divides the files of a class among its people.
 fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
     let mut ignored = Vec::new();
-    let mut all: BTreeMap<String, Vec<(String, Vec<FoundFile>)>> = BTreeMap::new();
+    let mut all: BTreeMap<String, Vec<(String, Vec<Found>)>> = BTreeMap::new();
     for (top, found) in tops {
-        let holds = |it: &FoundFile| {
+        let holds = |it: &Found| {
             it.path.len() > 1 || !matches!(it.content, Content::Other | Content::Answer { .. })
         };
         let name = match &names::platforms(&top)[..] {
@@ -232,7 +232,7 @@ fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
 
 /// What one person handed in, in one or several uploads. Of several archives, only the newest
 /// counts.
-fn of_one(name: String, parts: Vec<(String, Vec<FoundFile>)>) -> HandIn {
+fn of_one(name: String, parts: Vec<(String, Vec<Found>)>) -> HandIn {
     let order = |top: &str| match &names::platforms(top)[..] {
         [one] => one.upload,
         _ => 0,

@@ -22,7 +22,7 @@ use pinhole_course::submission::text::{self, MOST_BYTES, Text};
 
 /// A file that was found, or a folder or an archive at the top.
 #[derive(Clone, Debug, PartialEq)]
-pub struct FoundFile {
+pub struct Found {
     /// Its path: folders and archives, then its name.
     pub path: Vec<String>,
     pub content: Content,
@@ -80,7 +80,7 @@ const MOST_PACKED: u64 = 1 << 30;
 ///
 /// # Errors
 /// If there is nothing at that path.
-pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<Vec<FoundFile>> {
+pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<Vec<Found>> {
     let mut reader = Reader {
         is_answer,
         found: Vec::new(),
@@ -101,7 +101,7 @@ pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<Vec<FoundFi
 
 struct Reader<'a> {
     is_answer: &'a dyn Fn(&str) -> bool,
-    found: Vec<FoundFile>,
+    found: Vec<Found>,
     /// How much was read, by the name at the top.
     spent: BTreeMap<String, ReadCount>,
 }
@@ -117,7 +117,7 @@ struct ReadCount {
 impl Reader<'_> {
     fn keep(&mut self, path: &[String], content: Content) {
         let path = path.to_vec();
-        self.found.push(FoundFile { path, content });
+        self.found.push(Found { path, content });
     }
 
     fn spent(&mut self, path: &[String]) -> &mut ReadCount {
