@@ -44,6 +44,17 @@ impl Camera {
     /// Neither vector needs unit length, and `up` need not be perpendicular to `view`: w =
     /// −normalize(view), u = normalize(view × up), v = w × u. `None` if they are parallel or one
     /// of them is zero, because they define no frame then.
+    ///
+    /// ```
+    /// use glam::DVec3;
+    /// use pinhole::{Camera, Projection};
+    ///
+    /// let projection = Projection::Perspective { focal_length: 1.0 };
+    /// let leaning = DVec3::new(0.0, 1.0, 0.3);
+    /// let camera = Camera::new(DVec3::ZERO, -5.0 * DVec3::Z, leaning, (2.0, 1.0), projection);
+    /// let camera = camera.expect("up is not parallel to view");
+    /// assert_eq!((camera.u, camera.v, camera.w), (DVec3::X, DVec3::Y, DVec3::Z));
+    /// ```
     pub fn new(
         eye: DVec3,
         view: DVec3,
@@ -110,6 +121,14 @@ impl Resolution {
 
     /// The pixel at `index` in a film's order: rows from the **top** of the
     /// picture, as image files have them.
+    ///
+    /// ```
+    /// use pinhole::{Pixel, Resolution};
+    ///
+    /// let resolution = Resolution { n_x: 4, n_y: 3 };
+    /// assert_eq!(resolution.pixel(0), Pixel { i: 0, j: 2 });
+    /// assert_eq!(resolution.index(Pixel { i: 0, j: 0 }), 8);
+    /// ```
     pub fn pixel(&self, index: usize) -> Pixel {
         Pixel {
             i: index % self.n_x,

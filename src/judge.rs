@@ -52,6 +52,13 @@ impl Golden {
     }
 
     /// How many of this many pixels may be exempt: one or 0.05 %, whichever is more.
+    ///
+    /// ```
+    /// use pinhole::judge::Golden;
+    ///
+    /// assert_eq!(Golden::most_exempt(160 * 90), 7);
+    /// assert_eq!(Golden::most_exempt(9), 1);
+    /// ```
     pub fn most_exempt(pixels: usize) -> usize {
         (pixels / 2000).max(1)
     }

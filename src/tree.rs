@@ -45,6 +45,15 @@ pub enum Node<'a> {
 
 /// A tree in a list. Each branch precedes its children, and its first child comes directly after
 /// it. The root is node 0.
+///
+/// ```
+/// use pinhole::tree::{FlatNode, FlatTree, Tree};
+///
+/// let leaves = [Tree::Leaf(vec![0, 2]), Tree::Leaf(vec![1])];
+/// let flat = FlatTree::from(Tree::Branch(Box::new(leaves)));
+/// assert_eq!(flat.0[0], FlatNode::Branch([1, 2]));
+/// assert_eq!(flat.0[2], FlatNode::Leaf(vec![1]));
+/// ```
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FlatTree(pub Vec<FlatNode>);
 

@@ -6,6 +6,13 @@ use crate::ray::{Hit, Ray};
 
 /// A number with at most this many significant digits, no trailing zeros, and a real
 /// minus sign.
+///
+/// ```
+/// use pinhole::words::number;
+///
+/// assert_eq!(number(-0.25, 6), "−0.25");
+/// assert_eq!(number(1.0 / 3.0, 3), "0.333");
+/// ```
 pub fn number(value: f64, digits: usize) -> String {
     let text = match value.abs() {
         0.0 => "0".into(),
