@@ -1,4 +1,4 @@
-//! What is given: viewing rays, one triangle, and meshes that are searched by your tree.
+//! Given code: viewing rays, one triangle, and meshes, which are searched with your tree.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -74,7 +74,7 @@ pub fn first_hit(ray: &Ray, min_t: f64, objects: &[Shape]) -> Option<Hit> {
     nearest(objects.iter().map(|shape| intersect(shape, ray, min_t)))
 }
 
-/// The nearest intersection with objects that know theirs.
+/// The nearest intersection with canned objects, which know their intersections.
 pub fn first_canned_hit(_: &Ray, min_t: f64, objects: &[Canned]) -> Option<Hit> {
     nearest(objects.iter().map(|canned| canned.intersect(min_t)))
 }
@@ -111,7 +111,7 @@ impl Mesh {
 
 thread_local! {
     /// The meshes of this thread's scene, each with the address of its first triangle. A
-    /// program casts one scene, so no other mesh comes to lie there.
+    /// program casts only one scene, so no other mesh is ever at that address.
     static MESHES: RefCell<Vec<(*const Triangle, Rc<Mesh>)>> = const { RefCell::new(Vec::new()) };
 }
 

@@ -5,9 +5,9 @@ use pinhole::{Hit, RayTree};
 /// number, as a leaf names it. `None` if the ray meets no triangle.
 ///
 /// Node 0 is the root. Every call of `tree.enter_box` and `tree.intersect_triangle` is a
-/// test, and the tests are counted. So look into the box first that the ray enters first,
-/// and don't look into a box that the ray misses, or that it enters behind a triangle that
-/// you have found already.
+/// test, and the tests are counted. So of two boxes, look first into the one that the ray
+/// enters first. Don't look into a box that the ray misses, or that it enters behind a
+/// triangle that you have already found.
 ///
 /// Book: Walking the tree.
 pub fn nearest_hit(tree: &dyn RayTree, min_t: f64) -> Option<Hit> {

@@ -1,4 +1,4 @@
-//! The question every shape answers. You need not change this file; you answer it
+//! The question that every shape answers. You need not change this file: answer it
 //! in `sphere.rs`, `plane.rs`, `triangle.rs` and `triangle_soup.rs`.
 
 use pinhole::{Canned, Intersection, Ray, Shape};
@@ -9,8 +9,8 @@ pub trait IntersectRay {
     ///
     /// `min_t` and the answer's `t` are the ray's parameter: multiples of
     /// `ray.direction`, whatever its length. `min_t` is never negative. The answer's
-    /// normal is unit and points outward, never flipped towards the ray. `None` if
-    /// there is no such point.
+    /// normal has unit length and points outward; it is never flipped towards the
+    /// ray. `None` if there is no such point.
     fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection>;
 }
 
@@ -26,7 +26,7 @@ impl IntersectRay for Shape {
     }
 }
 
-/// Stands in for real objects when `first_hit` and the soup are tested alone.
+/// Replaces real objects when `first_hit` and the soup are tested alone.
 impl IntersectRay for Canned {
     fn intersect_ray(&self, _: &Ray, min_t: f64) -> Option<Intersection> {
         self.intersect(min_t)
