@@ -17,7 +17,7 @@ pub enum Ending {
     Unregistered(Unregistered),
     /// Time was up before every question was answered.
     TimedOut(Duration),
-    /// The process exceeded this memory limit, in bytes.
+    /// The process took more memory than it may: how many bytes it may.
     OutOfMemory(u64),
     /// The process ended early.
     Died(Death),
@@ -43,15 +43,15 @@ pub enum Death {
     Signal(i32),
     /// It exited with this code.
     Exit(i32),
-    /// It was killed; the text is all that the system says about it.
+    /// It was killed; this is all that the system tells.
     Killed(String),
     /// The cause is unknown.
     Lost,
 }
 
 impl Death {
-    /// Rust prints a message when the stack overflows. The signal alone (SIGABRT) doesn't tell it
-    /// from any other abort.
+    /// A stack overflow is known by what Rust itself prints: the signal is that of any
+    /// process that aborts.
     fn of(status: Option<ExitStatus>, printed: &str) -> Death {
         if printed.contains("has overflowed its stack") {
             return Death::StackOverflow;
@@ -60,7 +60,7 @@ impl Death {
             return Death::Lost;
         };
         match status.code() {
-            // Shells and bubblewrap report signal N as exit code 128 + N; 24 is SIGXCPU.
+            // As a shell, and bubblewrap, report a signal; 24 is SIGXCPU.
             Some(152) => Death::OutOfProcessorTime,
             Some(code @ 129..=159) => Death::Signal(code - 128),
             Some(code) => Death::Exit(code),

@@ -198,8 +198,8 @@ fn receive_all<R: io::Read>(
     Ok(())
 }
 
-/// A socket whose reads and writes all end at one deadline, so that sending bytes slowly gains no
-/// time. They also end when the answer is no longer wanted.
+/// A socket whose every read and write ends at the same deadline, so that a slow
+/// drip of bytes gains no time, or when nobody wants the answer any more.
 #[cfg(unix)]
 struct Timed<'a> {
     link: &'a Link,

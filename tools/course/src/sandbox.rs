@@ -60,7 +60,8 @@ pub fn become_confined() -> Option<std::process::ExitCode> {
     None
 }
 
-/// Processor time of all child processes that have ended, if the system reports it.
+/// Processor time of all processes that this one has started and seen end, where the
+/// system tells.
 pub fn time_of_children() -> Option<std::time::Duration> {
     #[cfg(target_os = "linux")]
     return tree::time_of_children();
@@ -134,8 +135,8 @@ impl Sandbox {
         }
     }
 
-    /// A new sandbox of the same kind for another submission. It has its own user id, so that
-    /// neither can signal or starve the other, and its own time budget.
+    /// A new sandbox of the same kind for another submission. It has another user id, so that
+    /// neither can signal or starve the other, and a time budget of its own.
     ///
     /// # Errors
     /// If no user id is left.
@@ -316,11 +317,11 @@ impl Sandbox {
                     reply.ending = Ending::TimedOut(most)
                 }
                 Some(Exceeded::Memory(most)) => reply.ending = Ending::OutOfMemory(most),
-                // The kernel's own limit is a fallback for a busy machine that polls too seldom.
+                // The kernel's own limit, in case a busy machine polls too seldom.
                 None if *death == Death::OutOfProcessorTime => {
                     reply.ending = Ending::TimedOut(limits.cpu);
                 }
-                // Rust prints this text. Otherwise, the process ends like any other that aborts.
+                // Rust itself prints this; otherwise the process ends like any other that aborts.
                 None if reply.printed.contains("memory allocation of ") => {
                     reply.ending = Ending::OutOfMemory(limits.memory);
                 }

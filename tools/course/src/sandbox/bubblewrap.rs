@@ -28,7 +28,7 @@ pub struct Bubblewrap {
     uid: Option<UserId>,
     /// Paths that the code's author must not see.
     pub host_paths: HostPaths,
-    /// How many limits the submission has exceeded so far.
+    /// The limits run into so far.
     pub budget: Budget,
 }
 

@@ -1,4 +1,4 @@
-//! A budget for the limits that one submission may exceed.
+//! The limits that one submission may run into.
 //!
 //! Code that runs into its limit in every group and every scene would take a hundred times that
 //! limit. Answers that arrive cost nothing here, so a slow but right submission loses nothing.
@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use super::Limits;
 
-/// How many limits one submission has exceeded so far. Clones share the count.
+/// How many limits one submission has run into so far; clones count together.
 #[derive(Clone, Debug, Default)]
 pub struct Budget {
     lost: Arc<AtomicU32>,
@@ -18,7 +18,7 @@ pub struct Budget {
 const MOST_LOST: u32 = 2;
 
 impl Budget {
-    /// Returns shorter limits if too many have been exceeded.
+    /// Shorter limits, if too many have been lost already.
     pub fn bound(&self, limits: Limits) -> Limits {
         match self.lost.load(Ordering::Relaxed) >= MOST_LOST {
             true => limits.shortened(),

@@ -37,7 +37,7 @@ pub struct Container {
     scratch: Arc<Scratch>,
     /// Paths that the code's author must not see.
     pub host_paths: HostPaths,
-    /// How many limits the submission has exceeded so far.
+    /// The limits run into so far.
     pub budget: Budget,
 }
 
@@ -167,7 +167,7 @@ impl Container {
         if self.landlocked {
             command.arg("--landlocked");
         }
-        // Leave out /proc, which shows every process of the container.
+        // Not /proc: it shows every process of the container.
         for read in SYSTEM {
             command.args(["--read", read]);
         }
@@ -225,7 +225,7 @@ impl Container {
     }
 }
 
-/// The parts of the system that the code may read.
+/// What the code may read of the system.
 const SYSTEM: [&str; 6] = [
     "/usr",
     "/lib",

@@ -133,7 +133,7 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
             ]
             .map(|call| (call, Vec::new())),
         );
-        // The process is set to end with the grader, and must not be able to change that.
+        // The process was told to end with the grader, and must not be able to change that.
         let outlives = SeccompCondition::new(0, Dword, Eq, libc::PR_SET_PDEATHSIG as u64)?;
         rules.insert(libc::SYS_prctl, vec![SeccompRule::new(vec![outlives])?]);
     }
@@ -149,7 +149,7 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
     SeccompFilter::new(rules, SeccompAction::Allow, unheard_of, arch)?.try_into()
 }
 
-/// A `clone` with this flag set, or without it.
+/// A `clone` in whose flags this one is set, or is not.
 fn clone_with(flag: libc::c_int, set: bool) -> Result<SeccompRule, seccompiler::BackendError> {
     let flag = u64::from(flag as u32);
     let expected = if set { flag } else { 0 };

@@ -195,13 +195,13 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     class::sort_changes(&mut changes);
     for entry in &roll.entries {
         if arguments.shard.is_none() && !records.contains_key(&entry.id) {
-            // Add submissions that an earlier run graded into the same folder.
+            // Submissions of an earlier run into the same folder.
             records.extend(standing(&cache.of(&entry.id)).map(|record| (entry.id.clone(), record)));
         }
     }
     let roll = match arguments.shard {
         None => roll,
-        // A shard reports only its own submissions. The merge reports missing ones.
+        // A shard reports only its own submissions; the merge says what was not handed in.
         Some(_) => Roll {
             entries: mine,
             ..Roll::default()

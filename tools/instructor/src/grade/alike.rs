@@ -150,8 +150,8 @@ fn is_doc(stream: &TokenStream) -> bool {
     matches!(first, Some(TokenTree::Ident(name)) if name == "doc")
 }
 
-/// Answers that are not students' own work, by task and hash: the stubs, the reference's and the
-/// variants'.
+/// Answers that are not the students' own work: the stubs, the reference's and the variants',
+/// by task and hash.
 pub struct KnownAnswers {
     named: BTreeMap<(String, String), String>,
     stubs: Vec<String>,

@@ -56,7 +56,7 @@ impl Roll {
     }
 
     /// Adds single submissions to the class that was graded into the same folder before. They
-    /// replace earlier submissions of the same id; all others stay.
+    /// replace earlier ones of the same id, and all others stay.
     pub fn into_class(self, class: Option<Roll>) -> Roll {
         let Some(mut class) = class else { return self };
         let is_new = |entry: &Entry| self.entries.iter().any(|new| new.id == entry.id);

@@ -39,7 +39,7 @@ pub struct Entry {
     pub given: Vec<String>,
     /// What these names say about the person who handed it in.
     pub signs: Vec<Sign>,
-    /// What was done to read it.
+    /// What had to be done to read it.
     pub notes: Vec<String>,
     /// Why the instructor should check how it was read.
     pub doubts: Vec<String>,

@@ -10,8 +10,8 @@ use super::{
 use crate::modes;
 use pinhole_testing::root;
 
-/// Everything that an answer must not reach. `%NAME%` stands for a value that differs from run to
-/// run.
+/// Everything an answer must not reach. `%NAME%` stands for a value that differs from
+/// run to run.
 const REACHES: [(&str, &str); 32] = [
     ("golden", "std::fs::metadata(\"%GOLDEN%\").is_ok()"),
     ("read-golden", "std::fs::read(\"%GOLDEN%\").is_ok()"),

@@ -29,7 +29,7 @@ impl Roll {
             let people: Vec<String> = people.iter().map(in_words).collect();
             format!("{}: perhaps {}", self.called(id), people.join(" or "))
         });
-        // If there is a policy, it decides which submission counts.
+        // If there is a policy, it says which submission counts.
         let several = placed.several.values().filter(|_| self.policy.is_none());
         let several = several.map(|ids| ids.join(" and "));
         let superseded = placed.superseded.iter();

@@ -39,7 +39,7 @@ impl Candidate<'_> {
         folders.len() - usize::from(folders.last().is_some_and(|last| last == "src"))
     }
 
-    /// Whether it is where the course's repository keeps a student's answers.
+    /// Whether it lies where the course's repository keeps a student's answers.
     fn is_in_handout(&self) -> bool {
         let folders = &self.upload.path[..self.upload.path.len() - 1];
         folders.ends_with(&["handout".into(), "src".into()])
@@ -74,7 +74,7 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
             Content::Folder => {}
         }
     }
-    // A copy of the course's repository has files with these names in other places too.
+    // A copy of the course's repository holds files of the same names elsewhere too.
     if candidates.iter().any(|(_, one)| one.is_in_handout()) {
         candidates.retain(|(_, one)| one.is_in_handout());
     }

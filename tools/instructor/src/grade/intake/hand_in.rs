@@ -44,11 +44,11 @@ impl Upload {
 pub struct Source<'a> {
     pub name: String,
     pub is_archive: bool,
-    /// Whether it is the only path.
+    /// Whether no other path was named.
     pub is_only: bool,
     pub found: Vec<Found>,
     pub assignment: &'a Assignment,
-    /// Whether a person on the roster has this name or id.
+    /// Whether somebody on the roster has this name or id.
     pub is_on_roster: &'a dyn Fn(&str) -> bool,
 }
 
@@ -56,8 +56,8 @@ pub struct Source<'a> {
 type Tops = BTreeMap<String, Vec<Found>>;
 
 impl Source<'_> {
-    /// Divides the files among people. Also returns the names of files that belong to no one, and
-    /// whether this is a class.
+    /// Divides the files among people. Also returns the names of files that belong to nobody,
+    /// and whether this is a class.
     pub fn share_out(mut self) -> (Vec<HandIn>, Vec<String>, bool) {
         if self.is_archive {
             self.unwrap();
@@ -87,18 +87,18 @@ impl Source<'_> {
         !names::platforms(name).is_empty() || (self.is_on_roster)(stem)
     }
 
-    /// Whether everything at the top is named after a person.
+    /// Whether everything at the top has a person's name.
     fn names_people(&self, found: &[Found]) -> bool {
         let mut tops = found.iter().filter_map(|found| found.path.first());
         tops.all(|top| self.is_person(top))
     }
 
-    /// Whether this is a folder of submissions rather than a single one.
+    /// Whether this is a folder of submissions, and not one.
     fn is_class(&self) -> bool {
         if self.found.iter().any(|found| found.path.is_empty()) {
             return false;
         }
-        // The author of a single submission could name its files after other people.
+        // The author of a single submission could give its files the names of others.
         if self.is_archive {
             return !self.found.is_empty()
                 && !self.is_person(&self.name)
@@ -175,7 +175,7 @@ fn tops(found: Vec<Found>) -> Tops {
     tops
 }
 
-/// The same files, with paths relative to the top folder.
+/// The same files, with paths below the top folder.
 fn below(found: &[Found]) -> Vec<Found> {
     let inside = found.iter().filter(|found| found.path.len() > 1);
     let shorter = inside.map(|found| Found {
@@ -185,8 +185,8 @@ fn below(found: &[Found]) -> Vec<Found> {
     shorter.collect()
 }
 
-/// The key by which uploads of the same person are collected. If the name is a platform's, the
-/// key is the person's name and number there, which are the same for all uploads of an account.
+/// The key under which uploads of the same person are collected. If the name is a platform's,
+/// it is the person's name and number there, which are the same for all uploads of an account.
 /// Otherwise, it is the whole name.
 fn account(name: &str) -> String {
     match &names::platforms(name)[..] {
@@ -195,7 +195,7 @@ fn account(name: &str) -> String {
     }
 }
 
-/// The possible meanings of a name. There are several if it fits several platforms.
+/// The possible meanings of a name: several if it fits several platforms.
 fn signs(name: &str) -> Vec<Sign> {
     let platforms = names::platforms(name);
     match platforms.is_empty() {

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use pinhole_course::assignment::{Assignment, Task};
 
-/// What the name of an upload says about the person.
+/// What the name of an upload tells about the person.
 #[derive(Clone, Debug, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize)]
 pub struct Sign {
     /// A person's name, or an id.
@@ -25,9 +25,9 @@ pub struct Sign {
 pub struct PlatformName<'a> {
     pub person: &'a str,
     pub number: &'a str,
-    /// Greater for later uploads, if the platform counts them.
+    /// Greater for later uploads, where the platform counts them.
     pub upload: u64,
-    /// The name that the uploader chose.
+    /// What the uploader called it.
     pub rest: &'a str,
 }
 
@@ -128,7 +128,8 @@ pub fn task_of<'a>(name: &str, assignment: &'a Assignment) -> Option<(&'a Task, 
     Some((task, false))
 }
 
-/// A source file's name without its ending, in small letters, without spaces and marks of a copy.
+/// A source file's name without its end, in small letters, without spaces and what marks a
+/// copy.
 fn plain_stem(name: &str) -> Option<String> {
     let lower = name.trim().to_lowercase();
     let lower = lower.strip_suffix(".txt").unwrap_or(&lower);

@@ -1,6 +1,6 @@
-//! Finds each submission's person on the roster. It never guesses. A submission that contradicts
-//! itself or could belong to several people is listed, and belongs to no one until the roster
-//! decides.
+//! Finds each submission's person on the roster. It never guesses: a submission that could
+//! belong to several people, or contradicts itself, is listed, and belongs to nobody until the
+//! roster says so.
 
 use std::collections::BTreeMap;
 
@@ -23,8 +23,8 @@ pub struct Placement {
     pub missing: Vec<Person>,
     /// Submissions by people who are not on the roster. They are graded.
     pub unknown: Vec<String>,
-    /// Submissions that contradict themselves or may belong to several people, with these people.
-    /// They are graded.
+    /// Submissions that may belong to several people, or that contradict themselves, and these
+    /// people. They are graded.
     pub ambiguous: BTreeMap<String, Vec<Person>>,
     /// Earlier uploads, which are not graded, and the submission that is.
     pub superseded: BTreeMap<String, String>,
@@ -59,7 +59,7 @@ fn unaccented(text: &str) -> String {
     folded(&letters)
 }
 
-/// The ways to write a name as one word, with the last name at either end.
+/// The ways to write a name in one word, with the last name first or last.
 fn turned(name: &str, fold: &dyn Fn(&str) -> String) -> Vec<String> {
     let words: Vec<String> = name
         .split(|c: char| c.is_whitespace() || c == ',')
@@ -70,7 +70,7 @@ fn turned(name: &str, fold: &dyn Fn(&str) -> String) -> Vec<String> {
     (0..words.len()).map(turned).collect()
 }
 
-/// The people with this name. Platforms keep accents, drop them, or drop letters that have one.
+/// The people of this name. Platforms keep accents, drop them, or drop letters that have one.
 fn named<'a>(name: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let ascii = |text: &str| -> String { folded(text).chars().filter(char::is_ascii).collect() };
     let folds: [&dyn Fn(&str) -> String; 3] = [&folded, &unaccented, &ascii];
@@ -100,7 +100,7 @@ fn with_id<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
     people.iter().filter(is).collect()
 }
 
-/// Whether a name may be that of a person on the roster.
+/// Whether a name may be somebody's.
 pub fn is_somebody(name: &str, people: &[Person]) -> bool {
     let sign = Sign {
         person: name.into(),
@@ -133,7 +133,7 @@ fn among_words<'a>(name: &str, people: &'a [Person]) -> Vec<&'a Person> {
     people.iter().filter(is).collect()
 }
 
-/// The people whom a name or number may mean. If there is one, it is certain.
+/// The people that a name or number may mean: one, if it is certain.
 fn meant<'a>(sign: &Sign, people: &'a [Person]) -> Vec<&'a Person> {
     let Some(number) = &sign.number else {
         let found = [
@@ -146,7 +146,8 @@ fn meant<'a>(sign: &Sign, people: &'a [Person]) -> Vec<&'a Person> {
             .find(|found| !found.is_empty())
             .unwrap_or_default();
     };
-    // Trust the platform's number more than a name, because people choose their names.
+    // Trust the platform's number more than names, because people choose their names
+    // themselves.
     let own = |other: &&Person| other.number.as_ref() == Some(number);
     if let Some(person) = people.iter().find(own) {
         return vec![person];
@@ -171,7 +172,7 @@ fn is_certain(signs: &[Sign], people: &[Person], found: &[&Person]) -> bool {
         let is_named =
             !named(&sign.person, alone).is_empty() || !with_id(&sign.person, alone).is_empty();
         let is_account = sign.number.is_some() && sign.number == person.number;
-        // A number in a name may be another person's id by chance.
+        // A number in a name may equal somebody else's id by chance.
         let is_meant = meant(sign, people) == [*person];
         is_meant && (sign.number.is_none() || is_account || is_named)
     })

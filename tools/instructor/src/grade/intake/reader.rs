@@ -56,16 +56,16 @@ enum Trouble {
 /// A file that has not been read yet.
 enum UnreadFile<'a> {
     File(File),
-    /// A function that writes as many of the file's first bytes as the caller asks for.
+    /// A function that writes as many of its first bytes as the caller asks for.
     Packed(&'a mut dyn FnMut(u64, &mut dyn Write) -> std::result::Result<(), Trouble>),
 }
 
-/// The most bytes of answers that are read of one submission, and the most files that are looked
-/// at.
+/// The most bytes of answers that are read of one submission, and the most files that are
+/// looked at.
 const MOST_ANSWERS: u64 = 16 << 20;
 const MOST_FILES: usize = 100_000;
 
-/// The most other files that are named.
+/// How many other files are named.
 const MOST_OTHERS: usize = 20;
 
 /// How deep archives may be nested in archives, and folders in folders.
@@ -125,7 +125,7 @@ impl Reader<'_> {
         self.spent.entry(top).or_default()
     }
 
-    /// Whether another file may be looked at. If there are too many, reports that once.
+    /// Whether another file may be looked at. If there are too many, that is reported once.
     fn may_go_on(&mut self, path: &[String]) -> bool {
         let spent = self.spent(path);
         spent.files += 1;
@@ -154,7 +154,7 @@ impl Reader<'_> {
         }
         let spent = self.spent(path);
         spent.others += 1;
-        // A file at the top may belong to no submission, so list all of those.
+        // Files at the top may belong to nobody, and are then all listed.
         if path.len() == 1 || spent.others <= MOST_OTHERS {
             self.keep(path, Content::Other);
         }
@@ -221,8 +221,8 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Reads the files of an archive, whose format is recognised by its content and not by its
-    /// name. A malicious archive must not end the grading of a class.
+    /// Reads the files of an archive. Its format is recognised by its content and not by its
+    /// name. An archive that is made to harm its reader must not end the grading of a class.
     fn archive(&mut self, file: File, path: &[String], depth: usize) {
         let opened = catch_unwind(AssertUnwindSafe(|| self.open(file, path, depth)));
         let trouble = match opened {
@@ -309,7 +309,7 @@ fn joined(folder: &[String], path: &str) -> Vec<String> {
     folder.iter().cloned().chain(parts).collect()
 }
 
-/// The endings of archives' names. Only those in the first list are opened.
+/// The ends of archives' names; only those in the first list are opened.
 const OPENED: [&str; 4] = [".zip", ".tar", ".tgz", ".tar.gz"];
 const CLOSED: [&str; 7] = [".rar", ".7z", ".xz", ".txz", ".bz2", ".zst", ".gz"];
 
@@ -327,14 +327,14 @@ pub fn is_archive(name: &str) -> bool {
     is_opened(name) || ends(name, &CLOSED)
 }
 
-/// A name without an archive's ending.
+/// A name without an archive's end.
 pub fn stem(name: &str) -> &str {
     let mut found = OPENED.iter().filter(|end| ends(name, &[*end]));
     let end = found.next_back().map_or(0, |end| end.len());
     name.get(..name.len() - end).unwrap_or(name)
 }
 
-/// Whether a path, after its first `from` parts, goes through a folder that a program made:
+/// Whether a path, after its first `from` parts, goes through a folder made by a program: by
 /// version control, a build, or the operating system. Such a folder holds no answers.
 fn is_skipped(path: &[String], from: usize) -> bool {
     let is_inside = path.len() > 1;
@@ -343,7 +343,7 @@ fn is_skipped(path: &[String], from: usize) -> bool {
         .any(|name| is_litter(name) || is_inside && (name.starts_with('.') || name == "target"))
 }
 
-/// Whether operating systems leave such a file in every folder.
+/// Whether this is a file that operating systems leave in every folder.
 fn is_litter(name: &str) -> bool {
     let litter = ["__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini"];
     litter.contains(&name) || name.starts_with("._")

@@ -83,8 +83,8 @@ fn account(
         .iter()
         .any(|name| !platforms(name).is_empty());
     let named = row.entry.given.iter().find_map(|name| of_platform(name));
-    // The number in an upload is that of the person who uploaded it, not of the others in the
-    // group.
+    // The number in what was handed in is that of the person who uploaded it, not of the
+    // others in the group.
     let is_shared = row.is_shared;
     let named = named
         .filter(|_| is_own && !is_shared)

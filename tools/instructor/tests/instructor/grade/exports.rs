@@ -29,7 +29,7 @@ fn put(folder: &Path, files: &[(String, Vec<u8>)]) {
     }
 }
 
-/// A roster as a German spreadsheet writes it: with semicolons, and one byte per letter.
+/// A roster with semicolons and one byte per letter, as a spreadsheet in Germany writes it.
 const ROSTER: &str = "id;name;section\r\n1;Ada Lovelace;A\r\n2;Yu Yang;A\r\n3;Grace Hopper;A\r\n\
     4;Zoë Müller;B\r\n5;Alan Turing;B\r\n6;Emmy Noether;B\r\n7;Gus Ghost;B\r\n";
 

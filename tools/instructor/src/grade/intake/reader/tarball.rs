@@ -10,10 +10,10 @@ use tar::{Archive, EntryType, PaxExtensions};
 
 use super::{Reader, Trouble, UnreadFile, is_skipped, joined};
 
-/// The most bytes that are unpacked, because a few bytes of `gzip` can expand to very many.
+/// The most bytes that are unpacked, because a few bytes of `gzip` can hold very many.
 const MOST_UNPACKED: u64 = 4 << 30;
 
-/// The longest name that is accepted.
+/// The longest name.
 const MOST_NAME: u64 = 64 << 10;
 
 /// Whether a file begins as `tar` archives do.
@@ -21,7 +21,7 @@ pub fn begins(start: &[u8]) -> bool {
     start.get(257..262) == Some(b"ustar")
 }
 
-/// Reads the files that matter. If the archive is refused, the error says why.
+/// Reads the files that matter; says why, if the archive is refused.
 pub fn read(reader: &mut Reader, file: File, path: &[String], depth: usize) -> Result<(), String> {
     let mut file = BufReader::new(file);
     let start = io::BufRead::fill_buf(&mut file).map_err(|error| error.to_string())?;
