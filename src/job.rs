@@ -9,6 +9,7 @@ use std::io::{self, Read, Write};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
+use crate::counter::counted;
 use crate::kind::{
     self, Answer, AnswerFn, CameraQuestion, Kind, Questions, Sent, Test, Unregistered,
 };
@@ -78,7 +79,12 @@ impl Job {
         let hit = match self {
             Job::Film(scene) => {
                 let ray = CameraQuestion::of_scene(scene, index).ray(functions)?;
-                kind::cast(&ray, scene.min_t, &scene.objects, functions)
+                let (hit, tests) =
+                    counted(|| kind::cast(&ray, scene.min_t, &scene.objects, functions));
+                return Ok(match tests {
+                    0 => Sent::Answer(hit?),
+                    _ => Sent::Counted(hit?, tests),
+                });
             }
             Job::Ask(questions) => return questions.answer(index, functions),
             Job::Cast(ray, min_t, objects) => kind::cast(ray, *min_t, objects, functions),
@@ -95,7 +101,11 @@ impl Job {
     pub(crate) fn receive(&self, index: usize, sent: Sent) -> Option<Answer> {
         match self {
             Job::Ask(questions) => questions.receive(index, sent),
-            Job::Film(_) | Job::Cast(..) | Job::Meet(..) => sent.hit(),
+            Job::Film(_) => match sent {
+                Sent::Counted(answer, _) => Sent::Answer(answer).hit(),
+                sent => sent.hit(),
+            },
+            Job::Cast(..) | Job::Meet(..) => sent.hit(),
         }
     }
 }

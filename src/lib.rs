@@ -54,10 +54,12 @@
 pub mod ask;
 pub mod bounds;
 pub mod camera;
+mod counter;
 pub mod error;
 pub mod fact;
 pub mod false_colour;
 pub mod film;
+pub mod heat_map;
 pub mod job;
 pub mod judge;
 pub mod kind;
@@ -78,6 +80,7 @@ pub mod words;
 
 pub use bounds::BoundingBox;
 pub use camera::{Camera, Pixel, Projection, Resolution};
+pub use counter::count_test;
 pub use error::Error;
 pub use fact::Fact;
 pub use film::Film;

@@ -7,7 +7,7 @@ use super::transport::Next;
 use crate::camera::Resolution;
 use crate::film::{Film, TESTS};
 use crate::job::{Job, MOST_PANIC_TEXT, Message};
-use crate::kind::Answer;
+use crate::kind::{Answer, Sent};
 use crate::ray::{Hit, Ray};
 
 /// The reply to one job.
@@ -18,6 +18,9 @@ pub struct Reply {
     pub(super) missing: usize,
     /// How many tests each answer took, if they are counted; otherwise empty.
     pub tests: Vec<u32>,
+    /// How many tests the submission says that each pixel of a scene took, if it counts them;
+    /// otherwise empty. For pictures only.
+    pub own_tests: Vec<u32>,
     /// How it ended.
     pub ending: Ending,
     /// How long it took to start: until the first answers came.
@@ -34,6 +37,7 @@ impl Reply {
             answers: vec![None; job.len()],
             missing: job.len(),
             tests: vec![0; if job.is_counted() { job.len() } else { 0 }],
+            own_tests: Vec::new(),
             ending: Ending::Complete,
             start: Duration::ZERO,
             printed: String::new(),
@@ -98,11 +102,16 @@ impl Reply {
         });
         match self.tests.is_empty() {
             true => film,
-            false => film.with(
-                TESTS,
-                self.tests.iter().map(|&count| count as f32).collect(),
-            ),
+            false => film.with(TESTS, as_samples(&self.tests)),
         }
+    }
+
+    /// The tests that the submission says it took for each pixel of a scene, as a film of
+    /// their own, because nothing is judged by them.
+    pub fn own_tests(&self, resolution: Resolution) -> Option<Film> {
+        let film = Film::new(resolution, Vec::new());
+        let counts = (!self.own_tests.is_empty()).then_some(&self.own_tests);
+        counts.map(|counts| film.with(TESTS, as_samples(counts)))
     }
 
     /// What `pick` picks of every answer, if all are there and have it.
@@ -128,6 +137,7 @@ impl Reply {
                 answers,
                 missing,
                 tests,
+                own_tests: Vec::new(),
                 ending: self.ending.clone(),
                 start: self.start,
                 printed: String::new(),
@@ -180,6 +190,12 @@ impl Reply {
                 if places.iter().any(Option::is_some) {
                     return Err("it answered a question twice".into());
                 }
+                for (index, sent) in (first..end).zip(&answers) {
+                    if let Sent::Counted(_, tests) = sent {
+                        self.own_tests.resize(job.len(), 0);
+                        self.own_tests[index] = *tests;
+                    }
+                }
                 let sent = (first..end).zip(answers);
                 let answers: Option<Vec<Answer>> =
                     sent.map(|(index, sent)| job.receive(index, sent)).collect();
@@ -195,4 +211,8 @@ impl Reply {
             }
         }
     }
+}
+
+fn as_samples(counts: &[u32]) -> Vec<f32> {
+    counts.iter().map(|&count| count as f32).collect()
 }

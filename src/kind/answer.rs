@@ -80,6 +80,8 @@ pub enum Sent {
     Answer(Answer),
     /// A tree, which the asker measures.
     Tree(FlatTree),
+    /// The answer at a pixel of a scene, and how many tests the submission counted.
+    Counted(Answer, u32),
 }
 
 impl From<Answer> for Sent {

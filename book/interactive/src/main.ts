@@ -5,6 +5,7 @@ import { pixelToRay } from "./pixel_to_ray";
 import { projections } from "./projections";
 import { sphereRoots } from "./sphere_roots";
 import { triangleWeights } from "./triangle_weights";
+import { walkSteps } from "./walk_steps";
 
 const figures: Readonly<Record<string, (stage: HTMLElement) => void>> = {
     pixel_to_ray: pixelToRay,
@@ -12,6 +13,7 @@ const figures: Readonly<Record<string, (stage: HTMLElement) => void>> = {
     projections,
     triangle_weights: triangleWeights,
     breaking_distance: breakingDistance,
+    walk_steps: walkSteps,
 };
 
 for (const figure of document.querySelectorAll<HTMLElement>("figure[data-figure]")) {

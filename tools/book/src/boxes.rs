@@ -53,6 +53,17 @@ impl Tests {
     }
 }
 
+/// What a search does next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Step {
+    /// It tests a node's box; where the ray enters it, if it does.
+    Box(usize, Option<f64>),
+    /// It tests a triangle; where the ray meets it, if it does.
+    Triangle(usize, Option<f64>),
+    /// It leaves out a node whose box the ray enters only behind the nearest triangle so far.
+    Skip(usize, f64),
+}
+
 /// The smallest box around these points.
 ///
 /// # Panics
@@ -125,26 +136,43 @@ impl Boxed {
     /// Which triangle a ray meets first, from `min_t` on, at which t, and the tests it took.
     pub fn search(&self, ray: &Ray, min_t: f64, how: Search) -> (Option<(usize, f64)>, Tests) {
         let mut tests = Tests::default();
+        let nearest = self.walk(ray, min_t, how, |step| match step {
+            Step::Box(..) => tests.boxes += 1,
+            Step::Triangle(..) => tests.triangles += 1,
+            Step::Skip(..) => {}
+        });
+        (nearest, tests)
+    }
+
+    /// The same, step by step.
+    pub fn walk(
+        &self,
+        ray: &Ray,
+        min_t: f64,
+        how: Search,
+        mut see: impl FnMut(Step),
+    ) -> Option<(usize, f64)> {
         let mut nearest: Option<(usize, f64)> = None;
-        let mut enter = |node: usize, nearest: Option<(usize, f64)>| {
-            tests.boxes += 1;
+        let enter = |node: usize, nearest: Option<(usize, f64)>, see: &mut dyn FnMut(Step)| {
             let max_t = match nearest {
                 Some((_, t)) if how.stops => t,
                 _ => f64::INFINITY,
             };
-            let [t, _] = inside(&self.boxes[node], ray, min_t, max_t)?;
-            Some((node, t))
+            let entered = inside(&self.boxes[node], ray, min_t, max_t).map(|[t, _]| t);
+            see(Step::Box(node, entered));
+            Some((node, entered?))
         };
-        let mut waiting: Vec<(usize, f64)> = enter(0, None).into_iter().collect();
+        let mut waiting: Vec<(usize, f64)> = enter(0, None, &mut see).into_iter().collect();
         while let Some((node, t)) = waiting.pop() {
             if how.stops && nearest.is_some_and(|(_, best)| t > best) {
+                see(Step::Skip(node, t));
                 continue;
             }
             match self.tree.node(node) {
                 Node::Branch([a, b]) => {
                     let mut entered: Vec<(usize, f64)> = [b, a]
                         .into_iter()
-                        .filter_map(|child| enter(child, nearest))
+                        .filter_map(|child| enter(child, nearest, &mut see))
                         .collect();
                     if how.nearer_first {
                         entered.sort_by(|(_, one), (_, other)| other.total_cmp(one));
@@ -154,17 +182,17 @@ impl Boxed {
                 Node::Leaf(places) => {
                     for &place in places {
                         let t = meet(&self.triangles[place], ray, min_t);
+                        see(Step::Triangle(place, t));
                         if let Some(t) = t
                             && nearest.is_none_or(|(_, best)| t < best)
                         {
                             nearest = Some((place, t));
                         }
                     }
-                    tests.triangles += places.len();
                 }
             }
         }
-        (nearest, tests)
+        nearest
     }
 
     /// The tests that all these rays take.

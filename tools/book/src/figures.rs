@@ -57,6 +57,7 @@ pub fn makers() -> BTreeMap<&'static str, Maker> {
         ("slabs", boxes::slabs),
         ("boxes_by_depth", boxes::boxes_by_depth),
         ("tree_walk", boxes::tree_walk),
+        ("walk_steps", boxes::walk_steps),
         ("three_outputs_bunny", pictures::three_outputs_bunny),
         ("three_outputs_boxes", pictures::three_outputs_boxes),
         ("image_function", pictures::image_function),

@@ -1,11 +1,12 @@
 //! Describes the worst question of a film in words.
 
+use pinhole::Fact;
 use pinhole::ask::{Ending, Reply};
 use pinhole::film::TESTS;
+use pinhole::heat_map::sum;
 use pinhole::judge::{ChannelVerdict, Mismatch, Verdict};
 use pinhole::report::digits_to_tell;
 use pinhole::words::number;
-use pinhole::{Fact, Film};
 
 use crate::goldens::questions::QuestionFilm;
 
@@ -47,10 +48,6 @@ pub fn worst(verdict: &Verdict, asked: &QuestionFilm, reply: &Reply) -> Vec<Fact
 
 /// How many tests were counted, for one question and for all together.
 fn work(mismatch: Mismatch, asked: &QuestionFilm, reply: &Reply) -> String {
-    let sum = |film: &Film| -> f64 {
-        let samples = film.channel(TESTS).unwrap_or_default().iter();
-        samples.map(|&sample| f64::from(sample)).sum()
-    };
     let golden = &asked.golden;
     let most = sum(golden.film()) + sum(golden.tolerance());
     let all: u64 = reply.tests.iter().map(|&count| u64::from(count)).sum();

@@ -22,8 +22,8 @@ use crate::error::{Error, Result};
 use crate::goldens::questions::{Group, QuestionFilm};
 use crate::goldens::{GoldenScene, Goldens};
 use crate::outcome::{
-    Examination, FilmOutcome, GroupOutcome, Outcome, OwnRays, SceneFilm, SceneOutcome, Status,
-    TaskOutcome,
+    CountedFilm, Examination, FilmOutcome, GroupOutcome, Outcome, OwnRays, SceneFilm, SceneOutcome,
+    Status, TaskOutcome,
 };
 use crate::sandbox::Sandbox;
 use crate::second_judge::SecondJudge;
@@ -106,10 +106,14 @@ impl Examiner<'_> {
         let tasks: Vec<&Task> = tasks
             .filter(|task| selection.has_task(&task.name))
             .collect();
-        let (tasks, mut printed): (Vec<TaskOutcome>, Vec<String>) = self
-            .each(&tasks, |task| self.task(task))?
-            .into_iter()
-            .unzip();
+        let (mut counted, mut printed) = (Vec::new(), Vec::new());
+        let mut answered = Vec::new();
+        for (outcome, films, text) in self.each(&tasks, |task| self.task(task))? {
+            answered.push(outcome);
+            counted.extend(films);
+            printed.push(text);
+        }
+        let tasks = answered;
         let scenes = self.goldens.scenes.iter();
         let scenes: Vec<&GoldenScene> = scenes
             .filter(|scene| selection.has_scene(&scene.name))
@@ -141,7 +145,11 @@ impl Examiner<'_> {
             ..Outcome::new(&self.assignment.title, folder, self.sandbox.name())
         };
         outcome.add_up();
-        let mut examination = Examination { outcome, films };
+        let mut examination = Examination {
+            outcome,
+            films,
+            counted,
+        };
         timed("diagnose scenes", || {
             self.goldens.diagnose_scenes(&mut examination)
         })?;
@@ -195,13 +203,14 @@ impl Examiner<'_> {
         late.filter_map(|outcome| self.assignment.task(&outcome.name))
     }
 
-    fn task(&self, task: &Task) -> Result<(TaskOutcome, String)> {
+    fn task(&self, task: &Task) -> Result<(TaskOutcome, Vec<CountedFilm>, String)> {
         let questions = self.goldens.cached_questions(task)?;
         let all = self.ask_task(task, &questions)?;
         let printed: String = all.iter().map(|reply| reply.printed.as_str()).collect();
         let mut replies = all.iter();
         let mut results = Vec::new();
         let mut casts = Vec::new();
+        let mut counted: Vec<CountedFilm> = Vec::new();
         for Group {
             name,
             worth,
@@ -224,16 +233,27 @@ impl Examiner<'_> {
                     None => Vec::new(),
                 };
                 let outcome = judged.outcome;
+                // The first film that fails is reported for its group.
+                let is_reported = result
+                    .as_ref()
+                    .is_none_or(|(earlier, _): &(FilmOutcome, _)| earlier.passes());
+                if let Some(cast) = judged.film.as_ref().filter(|_| film.job.is_counted())
+                    && is_reported
+                {
+                    counted.retain(|other| other.group != *name);
+                    counted.push(CountedFilm {
+                        task: task.name.clone(),
+                        group: name.clone(),
+                        golden: film.golden.film().clone(),
+                        film: cast.clone(),
+                    });
+                }
                 casts.push(Cast {
                     asked: film,
                     film: judged.film,
                     end: outcome.clone(),
                 });
-                // The first film that fails is reported for its group.
-                if result
-                    .as_ref()
-                    .is_none_or(|(earlier, _): &(FilmOutcome, _)| earlier.passes())
-                {
+                if is_reported {
                     result = Some((outcome, worst));
                 }
             }
@@ -269,7 +289,7 @@ impl Examiner<'_> {
             let warnings = self.program.warnings.get(&task.name);
             outcome.warnings = warnings.cloned().unwrap_or_default();
         }
-        Ok((outcome, printed))
+        Ok((outcome, counted, printed))
     }
 
     /// Whether the answer that gives rays was judged, and passes.
@@ -326,15 +346,16 @@ impl Examiner<'_> {
             .iter()
             .filter(|task| film.job.needs(task.kind, task.shape));
         let start = Instant::now();
-        let (outcome, printed, judged) = match late.next() {
+        let (outcome, printed, judged, tests) = match late.next() {
             Some(task) => {
                 let by = task.name.clone();
-                (FilmOutcome::Blocked { by }, String::new(), None)
+                (FilmOutcome::Blocked { by }, String::new(), None, None)
             }
             None => {
                 let reply = self.ask_whole(&scene.name, &film.job)?;
                 let judged = self.judge(&reply, &film, None)?;
-                (judged.outcome.clone(), reply.printed, Some(judged))
+                let tests = reply.own_tests(film.resolution);
+                (judged.outcome.clone(), reply.printed, Some(judged), tests)
             }
         };
         let seconds = start.elapsed().as_secs_f64();
@@ -353,6 +374,7 @@ impl Examiner<'_> {
             film: cast,
             verdict,
             rays,
+            tests,
         };
         Ok((outcome, film, printed))
     }

@@ -32,6 +32,21 @@ pub struct Examination {
     pub outcome: Outcome,
     /// What was cast, in the order of the outcome's scenes.
     pub films: Vec<SceneFilm>,
+    /// Films of questions whose tests are counted, one for each group.
+    pub counted: Vec<CountedFilm>,
+}
+
+/// A group's film whose tests are counted, for pictures.
+#[derive(Debug)]
+pub struct CountedFilm {
+    /// The task.
+    pub task: String,
+    /// The group of questions.
+    pub group: String,
+    /// How many tests are enough, as Mitsuba's film says.
+    pub golden: Film,
+    /// What the submission answered, and with how many tests.
+    pub film: Film,
 }
 
 /// A scene's film and what it was compared with, for pictures.
@@ -49,6 +64,8 @@ pub struct SceneFilm {
     pub verdict: Option<Verdict>,
     /// The submission's rays through its pixels.
     pub rays: OwnRays,
+    /// How many tests each pixel took, as the submission counts them, if it does.
+    pub tests: Option<Film>,
 }
 
 /// What is known of the rays that a submission sends through the pixels of a scene.

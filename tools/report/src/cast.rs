@@ -6,6 +6,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use crate::escape::printable;
+use pinhole::heat_map::{self, HeatScale};
 use pinhole::words::number;
 use pinhole::{Film, false_colour};
 use pinhole_course::error::{Result, ResultExt};
@@ -20,6 +21,8 @@ pub struct Cast {
     pub scene: String,
     /// What was cast.
     pub film: Film,
+    /// How many tests each pixel took, if that is counted.
+    pub tests: Option<Film>,
     /// Who cast it: a submission's folder, or a way of the study's.
     pub by: String,
     /// How long the cast took.
@@ -76,14 +79,21 @@ impl Cast {
         let mut written = vec![path.display().to_string()];
         let pictures = pictures::write(out, "", &self.film, depth_per_t, range.clone(), copied)?;
         written.extend(pictures);
-        self.show(&range, &written, json);
+        let mut scale = None;
+        if let Some(tests) = &self.tests
+            && let Some(of_tests) = HeatScale::of(&[tests])
+        {
+            written.push(pictures::write_tests(out, "", tests, &of_tests)?);
+            scale = Some(of_tests);
+        }
+        self.show(&range, scale.as_ref(), &written, json);
         Ok(match self.problem {
             None => Status::Well,
             Some(_) => Status::JudgedWrong,
         })
     }
 
-    fn show(&self, range: &Range<f64>, written: &[String], json: bool) {
+    fn show(&self, range: &Range<f64>, scale: Option<&HeatScale>, written: &[String], json: bool) {
         let resolution = self.film.resolution();
         let hits = self
             .film
@@ -103,6 +113,7 @@ impl Cast {
                     "resolution": [resolution.n_x, resolution.n_y],
                     "hits": hits,
                     "depth_range": [range.start, range.end],
+                    "tests": self.tests.as_ref().map(heat_map::sum),
                     "seconds": self.seconds,
                     "files": written,
                     "problem": self.problem,
@@ -126,6 +137,12 @@ impl Cast {
             }
             let (near, far) = (number(range.start, 4), number(range.end, 4));
             anstream::println!("depth.png spans {near} (bright) to {far} (dark) scene units");
+            if let (Some(film), Some(scale)) = (&self.tests, scale) {
+                anstream::println!(
+                    "tests.png: {scale} for a pixel, {} in all",
+                    number(heat_map::sum(film), 9)
+                );
+            }
             for file in written {
                 anstream::println!("wrote {file}");
             }

@@ -31,7 +31,7 @@ pub struct Finish {
 impl Finish {
     /// `None` unless everything was asked and passes.
     pub fn of(examination: &Examination, assignment: &Assignment) -> Option<Finish> {
-        let Examination { outcome, films } = examination;
+        let Examination { outcome, films, .. } = examination;
         let finish = assignment.finish.as_ref()?;
         let is_all = outcome.tasks.len() == assignment.tasks.len()
             && outcome.scenes.len() == assignment.scenes.len();

@@ -1,11 +1,12 @@
 //! The report: one HTML file that opens from disk and loads nothing else.
 //!
 //! Reading order: [`task`] and [`scene`] hold what the page shows; [`cause`] says why a pixel
-//! is wrong; [`belief`] holds diagnoses; [`pixels`], [`window`] and [`rays`] hold the data of
+//! is wrong; [`heat`] shows tests; [`belief`] holds diagnoses; [`pixels`], [`window`] and [`rays`] hold the data of
 //! films; [`page`] turns it all into HTML. Then read `templates`, and `viewer.js` there.
 
 mod belief;
 mod cause;
+mod heat;
 pub mod mark;
 mod page;
 mod picture;
@@ -31,6 +32,7 @@ use crate::passage::Passage;
 use crate::terminal;
 pub use belief::Beliefs;
 use belief::Told;
+pub use heat::HeatMaps;
 pub use page::{PAGE_CSS, environment, policy};
 use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::outcome::{Examination, FilmOutcome, Outcome, SceneFilm, SceneOutcome};
@@ -110,7 +112,11 @@ impl Report {
         goldens: &Path,
         again: &Again,
     ) -> Result<Report> {
-        let Examination { outcome, films } = examination;
+        let Examination {
+            outcome,
+            films,
+            counted,
+        } = examination;
         let tasks = outcome.tasks.iter().enumerate();
         let told: Vec<Told> = tasks
             .clone()
@@ -141,7 +147,7 @@ impl Report {
             said: said.into_iter().flatten().collect::<Vec<_>>().join(" "),
             points: outcome.points.map(|points| (points, outcome.possible)),
             tasks: tasks
-                .map(|(k, task)| TaskSection::of(k, task, &again.part))
+                .map(|(k, task)| TaskSection::of(k, task, counted, &again.part))
                 .collect(),
             scenes: scenes.collect::<Result<_>>()?,
             more_printed: lines.len().saturating_sub(MOST_PRINTED_LINES),
@@ -234,6 +240,7 @@ impl JudgedScene<'_> {
             verdict: cast.verdict.as_ref(),
             golden: &cast.golden,
             film: cast.film.as_ref(),
+            heat: cast.tests.as_ref().and_then(HeatMaps::alone),
             scene: scene.as_ref(),
             rays,
             own_rays: RaysOfYours::of(&cast.rays),

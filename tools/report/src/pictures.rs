@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use image::RgbImage;
+use pinhole::heat_map::HeatScale;
 use pinhole::{Film, false_colour};
 
 use pinhole_course::error::{Result, ResultExt};
@@ -31,6 +32,13 @@ pub fn write(
         written.push(path.display().to_string());
     }
     Ok(written)
+}
+
+/// Writes the picture of a film's tests, its name behind `prefix`; gives its path.
+pub fn write_tests(folder: &Path, prefix: &str, film: &Film, scale: &HeatScale) -> Result<String> {
+    let path = folder.join(format!("{prefix}tests.png"));
+    save(&scale.picture(film), &path)?;
+    Ok(path.display().to_string())
 }
 
 /// Writes one picture.

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use pinhole::{
     BoundingBox, Camera, Canned, FlatTree, Hit, Intersection, Node, Pixel, Projection, Ray,
-    RayTree, Resolution, Shape, Triangle,
+    RayTree, Resolution, Shape, Triangle, count_test,
 };
 
 use crate::build_tree::build_tree;
@@ -129,7 +129,7 @@ fn mesh_of(triangles: &[Triangle]) -> Rc<Mesh> {
     })
 }
 
-/// A mesh's tree as one ray sees it.
+/// A mesh's tree as one ray sees it. Its tests are counted for the heat map.
 struct MeshTree<'a> {
     mesh: &'a Mesh,
     triangles: &'a [Triangle],
@@ -142,10 +142,12 @@ impl RayTree for MeshTree<'_> {
     }
 
     fn enter_box(&self, node: usize, min_t: f64, max_t: f64) -> Option<f64> {
+        count_test();
         ray_box(&self.mesh.boxes[node], self.ray, min_t, max_t)
     }
 
     fn intersect_triangle(&self, triangle: usize, min_t: f64) -> Option<Intersection> {
+        count_test();
         intersect_triangle(&self.triangles[triangle], self.ray, min_t)
     }
 }

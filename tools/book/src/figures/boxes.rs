@@ -6,7 +6,7 @@ use pinhole_course::checkout::Checkout;
 
 use super::Made;
 use super::drawing::{Drawing, INK, Side, colour, ink, stroke};
-use crate::boxes::{Boxed, Search, box_of, inside, meet, slab};
+use crate::boxes::{Boxed, Search, Step, box_of, inside, meet, slab};
 use crate::error::Result;
 use crate::worked::boxes::{PLAN_RAY, plan, walls};
 use crate::worked::{RAY, TRIANGLE};
@@ -169,5 +169,33 @@ pub fn tree_walk(_: &Checkout) -> Result<Made> {
             None => {}
         }
     }
+    Ok(drawing.made())
+}
+
+/// The same walk in the middle: the first hit is found, and the rest of the ray no longer counts.
+pub fn walk_steps(_: &Checkout) -> Result<Made> {
+    let boxed = plan();
+    let mut drawing = Drawing::new(dvec2(-1.2, -0.2), dvec2(17.2, 8.0));
+    let at = |t: f64| {
+        let p = PLAN_RAY.at(t);
+        dvec2(p.x, p.y)
+    };
+    let mut nearest = f64::INFINITY;
+    boxed.walk(&PLAN_RAY, 0.0, Search::FULL, |step| match step {
+        Step::Box(node, Some(_)) => {
+            let corners = outline(&boxed.boxes()[node]);
+            drawing.area(&corners, &colour(0), 0.2);
+            drawing.path(&corners, true, "none", &stroke(colour(5)));
+        }
+        Step::Triangle(_, Some(t)) => nearest = nearest.min(t),
+        _ => {}
+    });
+    draw_walls(&mut drawing, DVec2::ZERO, true);
+    drawing.line(at(0.0), at(nearest), &stroke(colour(5)).thick());
+    drawing.line(at(nearest), at(8.0), &ink().dashed());
+    drawing.dot(at(0.0), INK);
+    drawing.text(at(0.0), Side::Above, "*e*");
+    drawing.dot(at(nearest), &colour(5));
+    drawing.small(at(nearest), Side::Above, "max_t");
     Ok(drawing.made())
 }

@@ -4,15 +4,17 @@
 //! reference, or the book's own programs, found for every position of a slider.
 
 use glam::{DVec2, DVec3, dvec2};
-use pinhole::{Hit, Projection, Resolution};
+use pinhole::{BoundingBox, Hit, Projection, Resolution};
 use pinhole_course::checkout::Checkout;
 use serde_json::{Value, json};
 
 use super::slice::slice;
+use crate::boxes::{Search, Step};
 use crate::error::Result;
 use crate::figures::colour;
 use crate::reference::Reference;
 use crate::silhouette::{SIDE, WAYS, on, wrong};
+use crate::worked::boxes::{PLAN_RAY, plan, walls};
 use crate::worked::{
     PIXEL, Quadratic, RAY, SPHERE, TRIANGLE, on_plane, shown, slide, vector, weights,
 };
@@ -31,6 +33,7 @@ pub fn text(checkout: &Checkout) -> Result<String> {
         ("sphere_roots", sphere_roots()),
         ("triangle_weights", triangle_weights()),
         ("breaking_distance", breaking_distance()),
+        ("walk_steps", walk_steps()),
     ];
     let lines = facts.map(|(name, fact)| format!("  {}: {fact}", json!(name)));
     Ok(format!("{{\n{}\n}}\n", lines.join(",\n")))
@@ -148,6 +151,48 @@ fn breaking_distance() -> Value {
     };
     json!({ "side": SIDE, "ways": WAYS.map(way) })
 }
+
+/// The floor plan, and a search along each of some rays: the worked one, and others from the
+/// same place that lean more or less.
+fn walk_steps() -> Value {
+    let plan = plan();
+    let flat = |bounds: &BoundingBox| [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y];
+    let lines = walls().into_iter().map(|wall| {
+        let [from, to, _] = wall.corners;
+        [from.x, from.y, to.x, to.y]
+    });
+    let (start, most) = LEANS;
+    let search = |lean: i32| {
+        let mut ray = PLAN_RAY;
+        ray.direction.y *= f64::from(lean) / f64::from(start);
+        let mut steps = Vec::new();
+        plan.walk(&ray, 0.0, Search::FULL, |step| {
+            let (what, place, t) = match step {
+                Step::Box(node, t) => ("box", node, t),
+                Step::Triangle(wall, t) => ("wall", wall, t),
+                Step::Skip(node, t) => ("skip", node, Some(t)),
+            };
+            steps.push(json!([what, place, t.map(rounded)]));
+        });
+        json!({
+            "d": vector(ray.direction),
+            "lean": ray.direction.y / ray.direction.x,
+            "steps": steps,
+        })
+    };
+    json!({
+        "e": [PLAN_RAY.origin.x, PLAN_RAY.origin.y],
+        "stride": PLAN_RAY.direction.x,
+        "start": start,
+        "least": -most,
+        "walls": lines.collect::<Vec<[f64; 4]>>(),
+        "boxes": plan.boxes().iter().map(flat).collect::<Vec<[f64; 4]>>(),
+        "rays": (-most..=most).map(search).collect::<Vec<Value>>(),
+    })
+}
+
+/// How many steps the worked ray leans, and how many the rays lean at most.
+const LEANS: (i32, i32) = (5, 8);
 
 /// As many digits as the page shows.
 fn rounded(value: f64) -> f64 {

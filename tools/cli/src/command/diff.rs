@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use pinhole::film::HIT_CHANNELS;
+use pinhole::heat_map::HeatScale;
 use pinhole::judge::{Golden, Refusal, Verdict, judge};
 use pinhole::oiiotool::{Oiiotool, SecondVerdict};
 use pinhole::{Film, Scene, false_colour};
@@ -19,7 +20,7 @@ use pinhole_course::mitsuba;
 use pinhole_course::outcome::FilmOutcome;
 use pinhole_course::shell::PINHOLE;
 use pinhole_report::escape::{printable, printable_word};
-use pinhole_report::html::{self, Beliefs, Evidence, RaysOfYours, Report};
+use pinhole_report::html::{self, Beliefs, Evidence, HeatMaps, RaysOfYours, Report};
 use pinhole_report::program::Status;
 use pinhole_report::{json, pictures, terminal};
 
@@ -175,6 +176,10 @@ fn film_report(
             verdict,
             golden,
             film: film.as_ref().ok(),
+            heat: film
+                .as_ref()
+                .ok()
+                .and_then(|film| HeatMaps::beside(golden.film(), film)),
             scene: scene.as_ref(),
             rays: html::rays_beside(&arguments.golden),
             own_rays: RaysOfYours::Unknown,
@@ -230,6 +235,11 @@ fn draw(folder: &Path, golden: &Golden, film: &Film) -> Result<Vec<String>> {
             range.clone(),
             &[],
         )?);
+    }
+    if let Some(scale) = HeatScale::of(&[golden.film(), film]) {
+        for (prefix, film) in [("expected-", golden.film()), ("got-", film)] {
+            written.push(pictures::write_tests(folder, prefix, film, &scale)?);
+        }
     }
     if film.resolution() == golden.film().resolution() {
         let path = folder.join("difference.png");

@@ -52,7 +52,9 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
         Some(preview) => (preview.film.clone(), Some(shares(preview, &assignment))),
         None => (reply.film(resolution), None),
     };
+    let tests = reply.own_tests(resolution);
     let cast = Cast {
+        tests,
         scene: arguments.scene.clone(),
         film,
         by: whole.submission.folder.display().to_string(),

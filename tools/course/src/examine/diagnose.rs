@@ -98,7 +98,7 @@ impl Goldens {
     /// if every task is right are pictures diagnosed by themselves, first all together, because
     /// beliefs that look alike in one picture may differ in another.
     pub fn diagnose_scenes(&self, examination: &mut Examination) -> Result<()> {
-        let Examination { outcome, films } = examination;
+        let Examination { outcome, films, .. } = examination;
         let (tasks, scenes) = (&outcome.tasks, &mut outcome.scenes);
         if scenes.iter().all(|scene| scene.outcome.passes()) {
             return Ok(());

@@ -78,7 +78,7 @@ impl Naming {
         beliefs: &[String],
     ) -> Result<Naming> {
         let mut naming = Naming::default();
-        let Examination { outcome, films } = examination;
+        let Examination { outcome, films, .. } = examination;
         for task in outcome.tasks.iter().filter(|task| !task.passes()) {
             let film = format!("{name}: {}", task.name);
             naming.tasks.count(&film, &task.diagnosis, beliefs);

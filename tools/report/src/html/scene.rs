@@ -10,6 +10,7 @@ use serde_json::json;
 
 use super::belief::Beliefs;
 use super::cause::{Cause, Wrong};
+use super::heat::HeatMaps;
 use super::page::{class, for_script};
 use super::picture;
 use super::pixels;
@@ -31,6 +32,8 @@ pub struct Evidence<'a> {
     pub verdict: Option<&'a Verdict>,
     pub golden: &'a Golden,
     pub film: Option<&'a Film>,
+    /// How many tests its pixels took, if that is known.
+    pub heat: Option<HeatMaps>,
     /// The scene that the film shows, if it is known.
     pub scene: Option<&'a Scene>,
     pub rays: Option<RayGrid>,
@@ -63,6 +66,7 @@ pub struct SceneSection {
     pub expected: Option<String>,
     pub yours: Option<String>,
     pub difference: Option<String>,
+    pub heat: Option<HeatMaps>,
     /// What the script needs, safe inside a `script` element; none if there is nothing
     /// to compare.
     pub viewer: Option<String>,
@@ -169,6 +173,7 @@ impl SceneSection {
                 let whole = false_colour::difference(evidence.golden, film);
                 picture::address(&cut(&whole, window, true))
             }),
+            heat: evidence.heat,
             viewer,
             beliefs: evidence.beliefs,
             command: evidence.command,

@@ -3,11 +3,12 @@
 use serde::Serialize;
 
 use super::belief::Beliefs;
+use super::heat::HeatMaps;
 use crate::escape::printable;
 use crate::passage::Passage;
 use crate::terminal;
 use pinhole::Fact;
-use pinhole_course::outcome::{AnswerFile, FilmOutcome, GroupOutcome, TaskOutcome};
+use pinhole_course::outcome::{AnswerFile, CountedFilm, FilmOutcome, GroupOutcome, TaskOutcome};
 
 /// One answer, judged alone.
 #[derive(Debug, Serialize)]
@@ -46,11 +47,14 @@ pub struct GroupRow {
     pub judged: bool,
     /// The worst question, or the one at which the code panicked, fact by fact.
     pub worst: Vec<Fact>,
+    /// The tests of its questions, if they are counted.
+    pub heat: Option<HeatMaps>,
 }
 
 impl TaskSection {
-    /// The `k`-th task; `again` is the command that examined it.
-    pub fn of(k: usize, task: &TaskOutcome, again: &str) -> TaskSection {
+    /// The `k`-th task; `counted` are films whose tests are counted, and `again` is the
+    /// command that examined it.
+    pub fn of(k: usize, task: &TaskOutcome, counted: &[CountedFilm], again: &str) -> TaskSection {
         let compiler = match &task.file {
             AnswerFile::DoesNotCompile { compiler } => Some(plain(compiler)),
             _ => (!task.warnings.is_empty()).then(|| plain(&task.warnings)),
@@ -65,7 +69,7 @@ impl TaskSection {
             said: terminal::task_in_words(task),
             attempted: replaced || !task.is_unanswered(),
             replaced,
-            groups: rows(task),
+            groups: rows(task, counted),
             compiler,
             beliefs: Beliefs::of(&task.diagnosis, &[]),
             measured: task.measured.iter().map(|it| it.says.clone()).collect(),
@@ -82,13 +86,15 @@ fn shows_again(task: &TaskOutcome) -> bool {
 }
 
 /// The groups of a task; a panic in every group is one panic.
-fn rows(task: &TaskOutcome) -> Vec<GroupRow> {
+fn rows(task: &TaskOutcome, counted: &[CountedFilm]) -> Vec<GroupRow> {
     let mut told: Vec<String> = Vec::new();
     let row = |group: &GroupOutcome| {
         let said = terminal::group_in_words(group);
         let is_judged = matches!(group.outcome, FilmOutcome::Judged(_));
         let again = !is_judged && told.contains(&said);
         told.push(said.clone());
+        let is_its = |film: &&CountedFilm| film.task == task.name && film.group == group.name;
+        let film = counted.iter().find(is_its);
         GroupRow {
             name: group.name.clone(),
             passes: group.outcome.passes(),
@@ -99,6 +105,7 @@ fn rows(task: &TaskOutcome) -> Vec<GroupRow> {
                 true => Vec::new(),
                 false => group.worst.iter().map(printable_fact).collect(),
             },
+            heat: film.and_then(|it| HeatMaps::beside(&it.golden, &it.film)),
         }
     };
     task.groups.iter().map(row).collect()
@@ -144,7 +151,7 @@ mod tests {
             measured: Vec::new(),
             warnings: Default::default(),
         };
-        let command = |groups| TaskSection::of(0, &task(groups), "pinhole check").command;
+        let command = |groups| TaskSection::of(0, &task(groups), &[], "pinhole check").command;
         let fresh = || group(FilmOutcome::Unanswered, true);
         let public = || group(FilmOutcome::Unanswered, false);
         assert_eq!(command(vec![fresh()]), None);

@@ -37,6 +37,7 @@ fn report_examination(diagnosis: Diagnosis) -> Examination {
     Examination {
         outcome,
         films: Vec::new(),
+        counted: Vec::new(),
     }
 }
 
@@ -149,6 +150,7 @@ fn scenes(of_task: &[Explanation], of_scenes: &[Explanation]) -> String {
             film: Some(cast.clone()),
             verdict: None,
             rays: Default::default(),
+            tests: None,
         });
     }
     terminal::scenes(&examination)

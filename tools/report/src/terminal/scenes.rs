@@ -12,7 +12,7 @@ use pinhole_course::outcome::{Examination, FilmOutcome, SceneFilm, SceneOutcome}
 
 /// All scenes under their heading. `width` is that of the column of names.
 pub fn rows(text: &mut String, examination: &Examination, width: usize) {
-    let Examination { outcome, films } = examination;
+    let Examination { outcome, films, .. } = examination;
     if !outcome.scenes.is_empty() {
         line(text, heading("scene", width));
     }

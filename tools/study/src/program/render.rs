@@ -45,6 +45,7 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
         }
     };
     let cast = Cast {
+        tests: None,
         scene: arguments.scene.clone(),
         film,
         by,

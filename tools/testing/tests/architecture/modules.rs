@@ -17,6 +17,7 @@ const FOLDERS: [(&str, &[&str]); 8] = [
         "src",
         &[
             "error",
+            "counter",
             "fact",
             "ray",
             "part",
@@ -38,6 +39,7 @@ const FOLDERS: [(&str, &[&str]); 8] = [
             "report",
             "oiiotool",
             "false_colour",
+            "heat_map",
         ],
     ),
     (

@@ -170,6 +170,7 @@ impl Watch {
                         film: None,
                         verdict: None,
                         rays: Default::default(),
+                        tests: None,
                     });
                 }
             }
@@ -178,6 +179,7 @@ impl Watch {
         Examination {
             outcome: made,
             films,
+            counted: Vec::new(),
         }
     }
 

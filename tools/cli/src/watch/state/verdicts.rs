@@ -46,7 +46,11 @@ impl State {
     }
 
     pub(super) fn judged(&mut self, examination: Examination, at: Instant) {
-        let Examination { outcome, films } = examination;
+        let Examination {
+            outcome,
+            films,
+            counted,
+        } = examination;
         let Outcome {
             tasks,
             scenes,
@@ -55,8 +59,10 @@ impl State {
         } = outcome;
         for task in tasks {
             self.stamp(Item::Task(task.name.clone()), at, printed.clone());
+            self.known.counted.retain(|film| film.task != task.name);
             self.known.outcome.tasks.push(task);
         }
+        self.known.counted.extend(counted);
         let place = |name: &str| self.items.iter().position(|item| item.name() == name);
         let known = &mut self.known.outcome.tasks;
         known.sort_by_key(|task| place(&task.name));

@@ -1,0 +1,21 @@
+//! Tests that a submission counts itself while it casts a scene.
+//!
+//! They are for pictures: whoever counts their own work can count what they like. The work
+//! that is judged is counted by the asker (see [`SearchQuestion`](crate::kind::SearchQuestion)).
+
+use std::cell::Cell;
+
+thread_local! {
+    static TESTS: Cell<u32> = const { Cell::new(0) };
+}
+
+/// Counts a test of the pixel that this thread is casting, for its heat map.
+pub fn count_test() {
+    TESTS.set(TESTS.get().saturating_add(1));
+}
+
+/// What some work gives, and how many tests this thread counted meanwhile.
+pub(crate) fn counted<T>(work: impl FnOnce() -> T) -> (T, u32) {
+    TESTS.set(0);
+    (work(), TESTS.take())
+}
