@@ -19,3 +19,16 @@ pub(crate) fn counted<T>(work: impl FnOnce() -> T) -> (T, u32) {
     TESTS.set(0);
     (work(), TESTS.take())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_piece_of_work_has_its_own_count() {
+        count_test();
+        let three = || (0..3).for_each(|_| count_test());
+        assert_eq!(counted(three), ((), 3));
+        assert_eq!(counted(|| 'x'), ('x', 0));
+    }
+}

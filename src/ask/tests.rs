@@ -4,9 +4,11 @@ use std::time::Instant;
 use super::*;
 use crate::bounds::BoundingBox;
 use crate::camera::{Camera, Pixel, Projection, Resolution};
+use crate::film::TESTS;
 use crate::job::{Message, Panic};
 use crate::kind::{Answer, CameraQuestion, ObjectsQuestion, Questions, Sent, Test, TreeQuestion};
 use crate::ray::{Hit, Intersection, Ray};
+use crate::scene::Scene;
 use crate::testing::Random;
 use crate::tree::{FlatNode, FlatTree, TreeMeasures};
 use glam::DVec3;
@@ -130,6 +132,28 @@ mod message {
             &[answers(0, &[hit(0), Answer::Ray(RAY)])],
             "another kind",
         );
+    }
+
+    #[test]
+    fn tests_that_a_submission_counts_itself_stay_out_of_the_film_that_is_judged() {
+        let projection = Projection::Orthographic;
+        let camera = Camera::new(DVec3::ZERO, DVec3::X, DVec3::Y, (1.0, 1.0), projection);
+        let resolution = Resolution { n_x: 2, n_y: 1 };
+        let job = Job::Film(Scene {
+            camera: camera.unwrap(),
+            resolution,
+            min_t: 0.0,
+            objects: Vec::new(),
+        });
+        let mut reply = Reply::before(&job);
+        assert_eq!(reply.own_tests(resolution), None);
+        let counted = vec![Sent::Answer(hit(0)), Sent::Counted(hit(1), 7)];
+        let message = |answers| Message::Answers { first: 0, answers };
+        assert_eq!(reply.take(&job, message(counted.clone())), Ok(Next::End));
+        let tests = reply.own_tests(resolution).expect("they are counted");
+        assert_eq!(tests.channel(TESTS), Some(&[0.0, 7.0][..]));
+        assert_eq!(reply.film(resolution).channel(TESTS), None);
+        refused(&hits(2), &[message(counted)], "another kind");
     }
 
     #[test]

@@ -36,7 +36,7 @@ pub type Maker = fn(&Checkout) -> Result<Made>;
 
 /// All makers by the figure's name.
 pub fn makers() -> BTreeMap<&'static str, Maker> {
-    let makers: [(&'static str, Maker); 46] = [
+    let makers: [(&'static str, Maker); 47] = [
         ("camera_obscura", camera::camera_obscura),
         ("ray_parameter", camera::ray_parameter),
         ("pinhole_and_image_plane", camera::pinhole_and_image_plane),

@@ -30,7 +30,7 @@ const MIDDLES: [[f64; 2]; 10] = [
 ];
 
 /// How many walls a leaf has at most.
-pub(super) const LARGEST_LEAF: usize = 4;
+pub const LARGEST_LEAF: usize = 4;
 
 /// The ray across the floor plan, in the plane z = 0.
 pub const PLAN_RAY: Ray = Ray {

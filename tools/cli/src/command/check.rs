@@ -205,6 +205,10 @@ fn again(arguments: &Check) -> Again {
     if let Some(dir) = &arguments.dir {
         add(&mut part, &dir.display().to_string());
     }
+    if let Some(assignment) = &arguments.assignment.name {
+        add(&mut part, "--assignment");
+        add(&mut part, assignment);
+    }
     if let Some(golden) = &arguments.golden {
         add(&mut part, "--golden");
         add(&mut part, &golden.display().to_string());

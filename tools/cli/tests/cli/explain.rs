@@ -116,6 +116,39 @@ fn render_writes_a_film_and_three_pictures() {
 }
 
 #[test]
+fn render_draws_the_tests_of_each_pixel_where_they_are_counted() {
+    let out = fresh(&trusted(), "render-tests");
+    let out_name = out.to_str().expect("a plain name");
+    let render = |assignment: &str| {
+        let reference = format!("assignments/{assignment}/reference");
+        let ran = pinhole(&[
+            "render",
+            "bunny",
+            "--submission",
+            &reference,
+            "--out",
+            out_name,
+        ]);
+        ran.expect_code(0)
+    };
+    render("ray_casting");
+    assert!(!out.join("tests.png").exists(), "nothing is counted");
+    render("bounding_volumes")
+        .expect_out("tests.png: black 0, ")
+        .expect_out("tests.png\n");
+    let picture = image::open(out.join("tests.png"))
+        .expect("a picture")
+        .to_rgb8();
+    let brightness = |x, y| picture.get_pixel(x, y).0.map(u32::from).iter().sum::<u32>();
+    let (middle, corner) = (brightness(80, 45), brightness(0, 0));
+    assert!(middle > corner + 100, "{middle} and {corner}");
+    // Counts of a submission's own are not in the film, which is judged.
+    let film = out.join("film.exr");
+    let golden = "golden/bounding_volumes/bunny.exr";
+    pinhole(&["diff", golden, film.to_str().expect("plain")]).expect_code(0);
+}
+
+#[test]
 fn render_fills_in_missing_answers_from_the_golden_film() {
     let stubs = root().join("assignments/ray_casting/handout/src");
     let stub = |file| fs::read_to_string(stubs.join(file)).expect("a stub");

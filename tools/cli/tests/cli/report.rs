@@ -180,6 +180,54 @@ fn diff_writes_a_report_beside_its_pictures() {
 }
 
 #[test]
+fn tests_that_are_counted_have_heat_maps_on_one_scale() {
+    let assignment = root().join("assignments/bounding_volumes");
+    let folder = fresh(&trusted(), "report-heat");
+    for file in ["triangle_box.rs", "ray_box.rs", "build_tree.rs"] {
+        std::fs::copy(
+            assignment.join("reference/src").join(file),
+            folder.join(file),
+        )
+        .expect("it can be copied");
+    }
+    let slow = assignment.join("mistakes/nearest_hit_max_t_never_shrinks/nearest_hit.rs");
+    std::fs::copy(slow, folder.join("nearest_hit.rs")).expect("it can be copied");
+    let picked = ["--task", "nearest_hit", "--scene", "teapot"];
+    let page = report(
+        &folder,
+        &[&["--assignment", "bounding_volumes"][..], &picked].concat(),
+    );
+    let browser = Browser::open(&page);
+    // Two groups have too many tests: for each, what is enough and what was taken.
+    let shown = |what: &str| browser.value(&format!("document.querySelectorAll('{what}').length"));
+    assert_eq!(shown("#task-0 .heat"), 2);
+    assert_eq!(shown("#task-0 .heat .stills img"), 4);
+    assert_eq!(
+        shown(".costs .heat .stills img"),
+        1,
+        "the scene has no golden of tests"
+    );
+    assert_eq!(
+        browser.value(
+            "[...document.querySelectorAll('.heat img')].every((it) => it.naturalWidth > 0)"
+        ),
+        true
+    );
+    let sums = browser.text("document.querySelector('#task-0 .heat .stills').innerText");
+    let [expected, yours] = numbers(&sums)[..] else {
+        panic!("two sums: {sums}");
+    };
+    assert!(yours > 2.0 * expected, "{sums}");
+    let steps = browser.text("document.querySelector('#task-0 .scale p').innerText");
+    let steps = numbers(&steps);
+    assert_eq!(steps[0], 0.0);
+    assert!(steps[4] >= 113.0 && steps[2] * 2.0 == steps[4], "{steps:?}");
+    let again = browser.text("document.querySelector('.again code').innerText");
+    assert!(again.contains("--assignment bounding_volumes"), "{again}");
+    browser.expect_quiet();
+}
+
+#[test]
 fn a_report_on_scenes_that_fail_everywhere_has_less_than_two_megabytes() {
     let folder = mistaken(
         "report-size",

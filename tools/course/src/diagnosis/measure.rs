@@ -84,13 +84,14 @@ pub fn measure(films: &[Asked<'_>]) -> Vec<Measurement> {
     for part in 0..parts {
         let name = |sample: &Sample| sample.right.as_ref().map_or("", |parts| parts[part].name);
         let about = name(both[0]);
-        // The object is compared everywhere, everything else where the object is right.
-        let comparable = |sample: &&&Sample| part == 0 || sample.is_same_object();
+        let comparable = |sample: &&&Sample| sample.is_comparable(part);
         let comparable: Vec<&Sample> = both.iter().filter(comparable).copied().collect();
         let (good, wrong): (Vec<&Sample>, Vec<&Sample>) =
             comparable.iter().partition(|sample| sample.is_right(part));
         if wrong.is_empty() {
-            let is_seen = good.len() >= LEAST && !both[0].is_object(part);
+            // Where a task has no hits, no place is named, so it must be right everywhere.
+            let is_everywhere = noun == HITS || good.len() == both.len();
+            let is_seen = good.len() >= LEAST && is_everywhere && !both[0].is_object(part);
             right.extend(is_seen.then_some((about, part)));
             continue;
         }

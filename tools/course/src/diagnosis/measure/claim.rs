@@ -63,7 +63,7 @@ impl Claim {
                 .filter(|it| it.right.is_some() && it.given.is_some())
         };
         let split = |part: usize| -> (Vec<&Sample>, Vec<&Sample>) {
-            let comparable = both().filter(|it| part == 0 || it.is_same_object());
+            let comparable = both().filter(|it| it.is_comparable(part));
             comparable.partition(|it| !it.is_right(part))
         };
         let meets = |rule: &Rule, wrong: &[&Sample], good: &[&Sample]| {

@@ -114,6 +114,12 @@ impl Sample {
         })
     }
 
+    /// Whether a part can be compared: both answers have it. All but the object is compared
+    /// only where the object is right.
+    pub fn is_comparable(&self, part: usize) -> bool {
+        self.both(part).is_some() && (part == 0 || self.is_same_object())
+    }
+
     /// Whether both answers hit the same object. If they don't, comparing other parts would
     /// tell nothing.
     pub fn is_same_object(&self) -> bool {

@@ -1,8 +1,9 @@
 use glam::DVec3;
-use pinhole::film::{Channel, HIT_CHANNELS};
+use pinhole::film::{Channel, HIT_CHANNELS, TREE_CHANNELS};
 use pinhole::judge::Golden;
-use pinhole::kind::{Answer, Questions, ShapeQuestion};
-use pinhole::{Film, Hit, Intersection, Plane, Ray, Resolution, Shape};
+use pinhole::kind::{Answer, Questions, ShapeQuestion, TreeQuestion};
+use pinhole::tree::TreeMeasures;
+use pinhole::{BoundingBox, Film, Hit, Intersection, Plane, Ray, Resolution, Shape};
 
 use super::*;
 
@@ -173,4 +174,58 @@ fn single_precision_is_recognised_by_the_numbers_themselves() {
         Some(Intersection { t, ..right })
     });
     assert!(!other[0].contains("f32"), "{other:?}");
+}
+
+/// What is said of trees with so many misplaced triangles.
+fn said_of_trees(misplaced: impl Fn(usize) -> usize) -> Vec<String> {
+    let question = || TreeQuestion {
+        boxes: vec![
+            BoundingBox {
+                min: DVec3::ZERO,
+                max: DVec3::ONE,
+            };
+            2
+        ],
+    };
+    let given = |index: usize| {
+        let misplaced = misplaced(index);
+        let measures = TreeMeasures {
+            misplaced,
+            depth: 1,
+            largest_leaf: 1,
+            cost: if misplaced == 0 { 4.0 } else { 0.0 },
+        };
+        Some(Answer::Tree(measures))
+    };
+    let resolution = Resolution { n_x: COUNT, n_y: 1 };
+    let all = |sample: f32| {
+        let channel = |name: &str| Channel {
+            name: name.into(),
+            samples: vec![if name == "misplaced" { 0.0 } else { sample }; COUNT],
+        };
+        Film::new(resolution, TREE_CHANNELS.map(channel).into())
+    };
+    let golden = Golden::new(all(0.0), all(8.0)).expect("the two belong together");
+    let questions = Questions::Tree((0..COUNT).map(|_| question()).collect());
+    let answers: Vec<Option<Answer>> = (0..COUNT).map(given).collect();
+    let asked = Asked {
+        questions: &questions,
+        answers: &answers,
+        golden: &golden,
+    };
+    let measured = measure(&[asked]);
+    measured.into_iter().map(|it| it.finding.says).collect()
+}
+
+#[test]
+fn a_tree_without_all_triangles_has_no_right_number_of_tests() {
+    let right = |said: &[String]| said.last().expect("something is said").clone();
+    for misplaced in [|_| 1, |index| usize::from(index % 3 == 0)] as [fn(usize) -> usize; 2] {
+        let said = said_of_trees(misplaced);
+        assert_eq!(
+            right(&said),
+            "The depth and the largest leaf are right everywhere."
+        );
+        assert!(!said.concat().contains("tests"), "{said:?}");
+    }
 }
