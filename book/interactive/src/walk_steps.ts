@@ -88,7 +88,10 @@ export function walkSteps(stage: HTMLElement): void {
         });
         for (const [number, [x0 = 0, y0 = 0, x1 = 0, y1 = 0]] of walls.entries()) {
             const tested = met.has(number);
-            parts.push(line(place(x0, y0), place(x1, y1), tested ? "#d55e00" : "currentColor", tested ? 5 : 3));
+            parts.push(
+                line(place(x0, y0), place(x1, y1), tested ? "#d55e00" : "currentColor", tested ? 5 : 3),
+                word(place((x0 + x1) / 2 + 0.55, (y0 + y1) / 2 - 0.5), String(number)),
+            );
         }
         parts.push(
             line(at(hit), at(far), "currentColor", 1, "5 4"),
@@ -98,7 +101,8 @@ export function walkSteps(stage: HTMLElement): void {
         );
         if (nearest !== null) {
             const [x, y] = at(hit);
-            parts.push(line([x, y - 12], [x, y + 12], "#0072b2", 4), word([x, y - 18], "max_t"));
+            parts.push(line([x, 20], [x, y - 12], "#0072b2", 1, "2 3"), line([x, y - 12], [x, y + 12], "#0072b2", 4));
+            parts.push(word([clamped(x, 26, WIDTH - 26), 15], "max_t"));
         }
         svg.replaceChildren(...parts);
         numbers.show([
