@@ -65,7 +65,9 @@ pub fn normal(film: &Film) -> RgbImage {
 }
 
 /// The depths a picture of this film should span, in scene units: from the nearest
-/// hit to the 95th percentile, since a plane's horizon has no end.
+/// hit to the 95th percentile, since a plane's horizon has no end. They are at least a
+/// thousandth of the nearest apart: of a wall that faces the camera, the picture would show
+/// the rounding.
 ///
 /// Take it from the golden where there is one, for film and golden alike: with a
 /// range of its own, a film whose depths are all twice too large would look right.
@@ -82,7 +84,10 @@ pub fn depth_range(film: &Film, depth_per_t: f64) -> Range<f64> {
     depths.sort_by(f64::total_cmp);
     match depths.as_slice() {
         [] => 0.0..1.0,
-        all => all[0]..all[(all.len() - 1) * 95 / 100],
+        all => {
+            let (near, far) = (all[0], all[(all.len() - 1) * 95 / 100]);
+            near..far.max(1.001 * near)
+        }
     }
 }
 

@@ -88,6 +88,13 @@ fn a_horizon_does_not_stretch_the_range() {
 }
 
 #[test]
+fn rounding_of_a_wall_that_faces_the_camera_is_not_seen() {
+    let film = at(&[2.0, 2.000_000_2, 2.000_000_1]);
+    let picture = depth(&film, 1.0, depth_range(&film, 1.0));
+    assert_eq!(picture.get_pixel(0, 0), picture.get_pixel(1, 0));
+}
+
+#[test]
 fn misses_have_no_depth() {
     let film = hits(&[-1.0, 0.0, 0.0, -1.0], &[0.0, 2.0, 3.0, 0.0]);
     assert_eq!(depth_range(&film, 1.0).start, 2.0);

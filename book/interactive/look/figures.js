@@ -39,7 +39,17 @@ export function drawingsWrong({ smallest }) {
             }
         }
     };
-    const named = (figure) => figure.dataset.figure ?? figure.querySelector("svg").getAttribute("aria-label")?.slice(0, 40);
+    const named = (figure) => {
+        const drawn = figure.querySelector("svg, img");
+        return figure.dataset.figure ?? (drawn?.getAttribute("aria-label") ?? drawn?.getAttribute("alt"))?.slice(0, 40);
+    };
+    for (const picture of document.querySelectorAll("main figure img, main figure canvas")) {
+        const figure = picture.closest("figure").getBoundingClientRect();
+        const { left, right } = picture.getBoundingClientRect();
+        if (left < figure.left - 2 || right > figure.right + 2) {
+            wrong.add(`${named(picture.closest("figure"))}: a picture is beyond the figure`);
+        }
+    }
     for (const figure of document.querySelectorAll("main figure")) {
         const drawing = () => figure.querySelector("svg");
         if (drawing() === null) {

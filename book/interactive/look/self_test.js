@@ -12,6 +12,7 @@ const expected = [
     "“tiny” is 8.0 pixels high",
     "“one” and “two” are on each other",
     "figure moved 9: <circle > is beyond the border",
+    "wide: a picture is beyond the figure",
     "printing leaves 1 parts folded",
 ];
 const unseen = expected.filter((what) => !stdout.includes(what));

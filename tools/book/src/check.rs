@@ -85,6 +85,7 @@ fn built(built: &BuiltEdition, checkout: &Checkout) -> Result<Vec<Problem>> {
     let pages = pages::read(&built.folder)?;
     let mut problems = built.problems.clone();
     problems.extend(links::dead(&pages, &built.folder, built.edition));
+    problems.extend(links::vague(&pages, built.edition));
     problems.extend(images::silent(&pages));
     problems.extend(left_over::left_over(&pages));
     if built.edition == Edition::Student {

@@ -36,7 +36,7 @@ pub type Maker = fn(&Checkout) -> Result<Made>;
 
 /// All makers by the figure's name.
 pub fn makers() -> BTreeMap<&'static str, Maker> {
-    let makers: [(&'static str, Maker); 47] = [
+    let makers: [(&'static str, Maker); 49] = [
         ("camera_obscura", camera::camera_obscura),
         ("ray_parameter", camera::ray_parameter),
         ("pinhole_and_image_plane", camera::pinhole_and_image_plane),
@@ -57,7 +57,8 @@ pub fn makers() -> BTreeMap<&'static str, Maker> {
         ("slabs", boxes::slabs),
         ("boxes_by_depth", boxes::boxes_by_depth),
         ("tree_walk", boxes::tree_walk),
-        ("walk_steps", boxes::walk_steps),
+        ("tests_per_pixel", boxes::tests_per_pixel),
+        ("tests_by_triangles", boxes::tests_by_triangles),
         ("three_outputs_bunny", pictures::three_outputs_bunny),
         ("three_outputs_boxes", pictures::three_outputs_boxes),
         ("image_function", pictures::image_function),
@@ -81,6 +82,7 @@ pub fn makers() -> BTreeMap<&'static str, Maker> {
         ("triangle_weights", shapes::triangle_alpha_beta),
         ("breaking_distance", stills::breaking_distance),
         ("sphere_from_afar", stills::sphere_from_afar),
+        ("sphere_in_f32", stills::sphere_in_f32),
         ("study_sphere", |it| plot("trade-sphere", it)),
         ("study_plane", |it| plot("trade-plane", it)),
         ("study_triangle", |it| plot("trade-triangle", it)),
@@ -111,7 +113,8 @@ fn heads_of(name: &str) -> &'static [&'static str] {
         name if name.starts_with("so_far") => &["id", "normal"],
         "image_function" => &["16 × 9", "160 × 90"],
         "projections_side_by_side" => &["perspective", "orthographic"],
-        "sphere_from_afar" => &["10", "10³", "10⁵", "10⁷", "10⁸", "10⁹"],
+        "tests_per_pixel" => &["normal", "one box", "a tree of boxes"],
+        "sphere_from_afar" | "sphere_in_f32" => &["10", "10³", "10⁵", "10⁷", "10⁸", "10⁹"],
         "breaking_distance" => &["textbook, f32", "textbook, f64", "stable, f64"],
         _ => &[],
     }

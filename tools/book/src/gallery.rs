@@ -23,7 +23,7 @@ use serde::{Deserialize, Serialize};
 use crate::course;
 use crate::error::{Problem, Result};
 use cast::Caster;
-use choice::{Candidate, Shot, choose, difference};
+use choice::{Candidate, Shot, choose, difference, is_seen};
 pub use page::shown;
 use strip::{SceneGolden, Strip};
 
@@ -103,12 +103,11 @@ impl<'a> Studio<'a> {
             for view in View::ALL {
                 let picture = scene.picture(film, view);
                 let expected = scene.picture(scene.golden.film(), view);
-                let visible = difference(&expected, &picture);
-                if visible > 0.0 {
+                if is_seen(&expected, &picture) {
                     shots.push(Shot {
                         scene: scene.name.clone(),
                         view,
-                        visible,
+                        visible: difference(&expected, &picture),
                         picture,
                     });
                 }

@@ -8,6 +8,19 @@ pub fn escaped(text: &str) -> String {
         .replace('"', "&quot;")
 }
 
+/// Text in which what is between backticks is code.
+pub fn with_code(text: &str) -> String {
+    let mut shown = String::new();
+    for (place, part) in text.split('`').enumerate() {
+        let part = escaped(part);
+        match place % 2 {
+            0 => shown.push_str(&part),
+            _ => shown.push_str(&format!("<code>{part}</code>")),
+        }
+    }
+    shown
+}
+
 /// A figure with a caption; `caption` is Markdown.
 pub fn figure(class: &str, content: &str, caption: &str) -> String {
     format!(
@@ -26,4 +39,15 @@ pub fn heads(words: &[&str]) -> String {
     format!(
         "<div class=\"heads\" style=\"--columns: {columns}\" aria-hidden=\"true\">{spans}</div>"
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn code_is_what_is_between_backticks() {
+        assert_eq!(with_code("a & `b?` c"), "a &amp; <code>b?</code> c");
+        assert_eq!(with_code("none"), "none");
+    }
 }

@@ -275,20 +275,39 @@ fn word(name: &str) -> String {
 fn share(part: u64, all: u64) -> String {
     match part {
         // Two digits of a percentage would be zeros.
-        part if part == 0 || part * 10_000 < all => format!("{part} of {all}"),
+        part if part == 0 || part * 10_000 < all => {
+            format!("{} of {}", grouped(part), grouped(all))
+        }
         _ => format!("{:.2} %", 100.0 * part as f64 / all as f64),
     }
 }
 
 /// A cost, or that it was not counted.
 fn count(number: Option<f64>) -> String {
-    number.map_or("–".into(), |number| format!("{number:.0}"))
+    number.map_or("–".into(), |number| grouped(number.round() as u64))
+}
+
+/// A whole number with its thousands set apart.
+pub fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
 }
 
 /// An error: all digits that tell something.
 fn ulps(error: f64) -> String {
     match error {
-        1e4.. => decade(error.log10().round() as i32),
+        1e8.. => decade(error.log10().round() as i32),
+        1e4.. => {
+            let unit = 10_f64.powf(error.log10().floor() - 1.0);
+            grouped(((error / unit).round() * unit) as u64)
+        }
         10.0.. => format!("{error:.0}"),
         _ => format!("{error:.1}"),
     }
@@ -313,9 +332,10 @@ mod tests {
         assert_eq!(word("Möller–Trumbore"), "moeller_trumbore");
         assert_eq!(word("M–T with epsilon"), "m_t_with_epsilon");
         assert_eq!(decade(-17), "10⁻¹⁷");
+        assert_eq!([0.62, 44.4, 369_506.0, 4e9].map(ulps), ["0.6", "44", "370,000", "10¹⁰"]);
         assert_eq!(
             [share(0, 30), share(1, 8), share(1, 10_001)],
-            ["0 of 30", "12.50 %", "1 of 10001"]
+            ["0 of 30", "12.50 %", "1 of 10,001"]
         );
     }
 

@@ -6,7 +6,7 @@
 pub mod boxes;
 mod camera;
 pub mod nine_pixels;
-mod savings;
+pub mod savings;
 mod shapes;
 
 use glam::DVec3;

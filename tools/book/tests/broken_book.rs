@@ -124,6 +124,7 @@ fn no_directive_is_left_as_it_was_written() {
 fn links_and_anchors_must_lead_somewhere() {
     assert_told("[gone](gone.md)", "there is no such page or file");
     assert_told("[gone](#gone)", "the page has no anchor `gone`");
+    assert_told("[Dot](dot.md) shows it.", "the link names no section");
 }
 
 #[test]

@@ -25,6 +25,27 @@ pub fn dead(pages: &Pages, folder: &Path, edition: Edition) -> Vec<Problem> {
     problems
 }
 
+/// What the page at the end of a link does, if the text promises something of it.
+const PROMISES: [&str; 6] = ["says", "shows", "measures", "counts", "explains", "warns"];
+
+/// Promises that readers would have to look for: links to a whole page, of which the text says
+/// that it shows something.
+pub fn vague(pages: &Pages, edition: Edition) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    for (path, page) in pages {
+        let promises = page.followed.iter().filter(|(link, word)| {
+            is_inside(link) && !link.contains('#') && PROMISES.contains(&word.as_str())
+        });
+        for (link, word) in promises {
+            let file = PathBuf::from(edition.name()).join(path);
+            let problem = format!("`{link}` {word} something, but the link names no section");
+            let remedy = "add the section to the link";
+            problems.push(Problem::of(file, problem, remedy));
+        }
+    }
+    problems
+}
+
 fn is_inside(link: &str) -> bool {
     let outside = ["http://", "https://", "mailto:", "data:", "javascript:"];
     !outside.iter().any(|start| link.starts_with(start))

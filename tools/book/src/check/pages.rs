@@ -19,6 +19,8 @@ pub struct Page {
     pub ids: Vec<String>,
     /// Every `href` and `src`.
     pub links: Vec<String>,
+    /// The links of its text, and the word after each.
+    pub followed: Vec<(String, String)>,
     /// The texts of its headings, the title first.
     pub headings: Vec<String>,
     /// For each image, drawing and canvas: its name, and its alternative text.
@@ -72,6 +74,14 @@ impl Page {
         for element in html.select(&select("[href], [src]")) {
             let link = element.attr("href").or(element.attr("src"));
             page.links.extend(link.map(str::to_owned));
+        }
+        for element in html.select(&select("main a[href]")) {
+            let after = element.next_sibling();
+            let after = after.and_then(|node| node.value().as_text());
+            let word = after.and_then(|text| text.split_whitespace().next());
+            if let (Some(link), Some(word)) = (element.attr("href"), word) {
+                page.followed.push((link.into(), word.into()));
+            }
         }
         for element in html.select(&select("main h1, main h2, main h3, main h4")) {
             page.headings

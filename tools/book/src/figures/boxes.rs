@@ -1,14 +1,22 @@
 //! Drawings of boxes, and of a walk through their tree.
 
 use glam::{DVec2, DVec3, dvec2};
-use pinhole::{BoundingBox, Node};
+use image::RgbImage;
+use pinhole::{BoundingBox, Film, Kind, Node, Scene, Shape, false_colour};
 use pinhole_course::checkout::Checkout;
 
 use super::Made;
 use super::drawing::{Drawing, INK, Side, colour, ink, stroke};
-use crate::boxes::{Boxed, Search, Step, box_of, inside, meet, slab};
-use crate::error::Result;
-use crate::worked::boxes::{PLAN_RAY, plan, walls};
+use super::loops::{Lines, plot};
+use super::pictures::{GAP, made};
+use crate::boxes::{Boxed, Search, box_of, inside, meet, slab};
+use crate::course::assignment_with;
+use crate::error::{Error, Result};
+use crate::png::{beside, enlarged};
+use crate::rasterizer::camera;
+use crate::reference::Reference;
+use crate::worked::boxes::{LARGEST_LEAF, PLAN_RAY, plan, walls};
+use crate::worked::savings::{SCATTERED_RESOLUTION, scattered};
 use crate::worked::{RAY, TRIANGLE};
 
 /// The corners of a box, seen along z.
@@ -100,26 +108,21 @@ fn by_depth(boxed: &Boxed) -> Vec<(BoundingBox, usize, bool)> {
     all
 }
 
-fn draw_walls(drawing: &mut Drawing, by: DVec2, names: bool) {
+fn draw_walls(drawing: &mut Drawing, by: DVec2) {
     for (number, wall) in walls().iter().enumerate() {
         let [from, to, _] = wall.corners.map(|corner| dvec2(corner.x, corner.y) + by);
         drawing.line(from, to, &ink().thick());
-        if names {
-            drawing.on_lines(
-                0.5 * (from + to) + dvec2(0.4, -0.1),
-                Side::Below,
-                &number.to_string(),
-            );
-        }
+        let beside = 0.5 * (from + to) + dvec2(0.4, -0.1);
+        drawing.on_lines(beside, Side::Below, &number.to_string());
     }
 }
 
 /// Ten walls in one box, in two, in three.
 pub fn boxes_by_depth(_: &Checkout) -> Result<Made> {
     let boxed = plan();
-    let mut drawing = Drawing::new(dvec2(-0.6, -2.4), dvec2(46.6, 7.2));
-    for panel in 0..=2 {
-        let by = dvec2(16.0 * panel as f64, 0.0);
+    let mut drawing = Drawing::new(dvec2(-0.6, -2.0), dvec2(30.6, 15.6));
+    let places = [dvec2(8.0, 9.0), dvec2(0.0, 0.0), dvec2(16.0, 0.0)];
+    for (panel, by) in places.into_iter().enumerate() {
         for (bounds, depth, is_leaf) in by_depth(&boxed) {
             if depth == panel || (depth < panel && is_leaf) {
                 let corners = outline(&bounds).map(|corner| corner + by);
@@ -127,7 +130,7 @@ pub fn boxes_by_depth(_: &Checkout) -> Result<Made> {
                 drawing.path(&corners, true, "none", &stroke(colour(depth + 1)));
             }
         }
-        draw_walls(&mut drawing, by, false);
+        draw_walls(&mut drawing, by);
         let words = format!("depth {panel}");
         drawing.small(by + dvec2(7.0, -0.9), Side::On, &words);
     }
@@ -158,7 +161,7 @@ pub fn tree_walk(_: &Checkout) -> Result<Made> {
         };
         drawing.path(&corners, true, "none", &look);
     }
-    draw_walls(&mut drawing, DVec2::ZERO, true);
+    draw_walls(&mut drawing, DVec2::ZERO);
     drawing.arrow(at(0.0), at(8.0), &stroke(colour(5)));
     drawing.dot(at(0.0), INK);
     drawing.text(at(0.0), Side::Above, "*e*");
@@ -172,38 +175,51 @@ pub fn tree_walk(_: &Checkout) -> Result<Made> {
     Ok(drawing.made())
 }
 
-/// The end of the same walk: what it left out, and how much of the ray counted last.
-pub fn walk_steps(_: &Checkout) -> Result<Made> {
-    let boxed = plan();
-    let mut drawing = Drawing::new(dvec2(-1.2, -0.2), dvec2(17.2, 8.0));
-    let at = |t: f64| {
-        let p = PLAN_RAY.at(t);
-        dvec2(p.x, p.y)
+/// The bunny, and how many tests each of its pixels takes: with one box around it, and with a
+/// tree of boxes. Bright is many; the brightest is every triangle and the box.
+pub fn tests_per_pixel(checkout: &Checkout) -> Result<Made> {
+    let assignment = assignment_with(Kind::TreeSearch, checkout)?;
+    let film = Film::read(&assignment.golden().join("bunny.exr"))?;
+    let scene = Scene::read(&assignment.scene("bunny"))?;
+    let Some(Shape::Soup(soup)) = scene.objects.first() else {
+        return Err(Error::environment(
+            "the bunny's scene has no bunny",
+            "report this",
+        ));
     };
-    let mut nearest = f64::INFINITY;
-    let mut is_lit = vec![false; boxed.nodes()];
-    boxed.walk(&PLAN_RAY, 0.0, Search::FULL, |step| match step {
-        Step::Box(node, entered) => is_lit[node] = entered.is_some(),
-        Step::Skip(node, _) => is_lit[node] = false,
-        Step::Triangle(_, Some(t)) => nearest = nearest.min(t),
-        Step::Triangle(_, None) => {}
+    let reference = Reference::of(&assignment, checkout)?;
+    let rays = reference.viewing_rays(scene.camera, scene.resolution)?;
+    let most = (soup.triangles.len() as f64 + 1.0).ln();
+    let heat = |largest_leaf: usize| {
+        let boxed = Boxed::new(soup.triangles.clone(), largest_leaf);
+        let resolution = scene.resolution;
+        RgbImage::from_fn(resolution.n_x as u32, resolution.n_y as u32, |x, y| {
+            let ray = &rays[y as usize * resolution.n_x + x as usize];
+            let (_, tests) = boxed.search(ray, scene.min_t, Search::FULL);
+            false_colour::far(1.0 - (tests.sum() as f64).ln() / most)
+        })
+    };
+    let pictures = [
+        false_colour::normal(&film),
+        heat(soup.triangles.len()),
+        heat(LARGEST_LEAF),
+    ];
+    made(&beside(&pictures.map(|picture| enlarged(&picture, 2)), GAP))
+}
+
+/// Tests for each ray, as triangles are added, with boxes and without.
+pub fn tests_by_triangles(checkout: &Checkout) -> Result<Made> {
+    let reference = Reference::of(&assignment_with(Kind::TreeSearch, checkout)?, checkout)?;
+    let rays = reference.viewing_rays(camera(), SCATTERED_RESOLUTION)?;
+    let points = (1..=5).map(|exponent| {
+        let count = 10_usize.pow(exponent);
+        let (_, tests) = scattered(count, &rays);
+        (count as f64, [tests, count as f64])
     });
-    for (bounds, is_lit) in boxed.boxes().iter().zip(is_lit) {
-        let corners = outline(bounds);
-        let look = if is_lit {
-            drawing.area(&corners, &colour(0), 0.2);
-            stroke(colour(5))
-        } else {
-            stroke(colour(4)).dashed()
-        };
-        drawing.path(&corners, true, "none", &look);
-    }
-    draw_walls(&mut drawing, DVec2::ZERO, true);
-    drawing.line(at(0.0), at(nearest), &stroke(colour(5)).thick());
-    drawing.line(at(nearest), at(8.0), &ink().dashed());
-    drawing.dot(at(0.0), INK);
-    drawing.text(at(0.0), Side::Above, "*e*");
-    drawing.dot(at(nearest), &colour(5));
-    drawing.on_lines(at(nearest) + dvec2(0.0, 0.2), Side::Above, "max_t");
-    Ok(drawing.made())
+    let lines = Lines {
+        names: ["a tree of boxes", "no boxes"],
+        side: Side::Above,
+        counted: "tests",
+    };
+    Ok(plot("triangles", lines, points.collect()))
 }

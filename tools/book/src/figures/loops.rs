@@ -21,7 +21,7 @@ pub fn loops_by_objects(_: &Checkout) -> Result<Made> {
     let resolution = Resolution { n_x: 160, n_y: 90 };
     let counts = (0..=10).map(|half| 10f64.powf(f64::from(half) / 2.0).round());
     let points = counts.map(|count| (count, steps(count as usize, resolution)));
-    Ok(plot("triangles", points.collect()))
+    Ok(plot("triangles", LOOPS, points.collect()))
 }
 
 /// As pixels are added.
@@ -31,11 +31,27 @@ pub fn loops_by_pixels(_: &Checkout) -> Result<Made> {
         n_y: 9 * n,
     });
     let points = sides.map(|side| (side.pixels() as f64, steps(1000, side)));
-    Ok(plot("pixels", points.into()))
+    Ok(plot("pixels", LOOPS, points.into()))
 }
 
+/// What the two lines of a plot are, and what is counted.
+pub struct Lines {
+    /// The lower line, then the upper one.
+    pub names: [&'static str; 2],
+    /// Where the lower one's name is.
+    pub side: Side,
+    /// The title of the axis.
+    pub counted: &'static str,
+}
+
+const LOOPS: Lines = Lines {
+    names: ["rasterizer", "ray caster"],
+    side: Side::Below,
+    counted: "steps",
+};
+
 /// Both axes logarithmic, a grid line for each decade.
-fn plot(across: &str, points: Vec<(f64, [f64; 2])>) -> Made {
+pub fn plot(across: &str, lines: Lines, points: Vec<(f64, [f64; 2])>) -> Made {
     let decade = |value: f64| value.log10();
     let all = points.iter().flat_map(|(_, both)| both.iter().copied());
     let (least, most) = all.fold((f64::MAX, 0.0_f64), |(least, most), value| {
@@ -63,10 +79,11 @@ fn plot(across: &str, points: Vec<(f64, [f64; 2])>) -> Made {
     }
     let middle = dvec2(0.5 * (low.x + high.x), low.y - 0.55);
     drawing.text(middle, Side::On, across);
-    drawing.text(dvec2(low.x, high.y + 0.25), Side::On, "steps");
+    drawing.text(dvec2(low.x, high.y + 0.25), Side::On, lines.counted);
+    let [below, above] = lines.names;
     let looks: [(&str, Side, Stroke); 2] = [
-        ("rasterizer", Side::Below, stroke(colour(4)).thick()),
-        ("ray caster", Side::Above, stroke(colour(5)).thick()),
+        (below, lines.side, stroke(colour(4)).thick()),
+        (above, Side::Above, stroke(colour(5)).thick()),
     ];
     for (which, (name, side, look)) in looks.iter().enumerate() {
         let line: Vec<DVec2> = points

@@ -114,9 +114,18 @@ pub fn breaking_distance(_: &Checkout) -> Result<Made> {
 /// the foot of the perpendicular below.
 pub fn sphere_from_afar(_: &Checkout) -> Result<Made> {
     let [_, (_, textbook), (_, foot)] = WAYS;
-    let above = row(&DISTANCES.map(|far| (textbook, far)), 3);
-    let below = row(&DISTANCES.map(|far| (foot, far)), 3);
-    made(&stacked(&[above, below], GAP))
+    from_afar([textbook, foot])
+}
+
+/// The same by the textbook's discriminant alone: in `f32` above, in `f64` below.
+pub fn sphere_in_f32(_: &Checkout) -> Result<Made> {
+    let [(_, single), (_, double), _] = WAYS;
+    from_afar([single, double])
+}
+
+fn from_afar(ways: [Meets; 2]) -> Result<Made> {
+    let rows = ways.map(|meets| row(&DISTANCES.map(|far| (meets, far)), 3));
+    made(&stacked(&rows, GAP))
 }
 
 /// Silhouettes beside each other.

@@ -19,6 +19,13 @@ pub struct Shot {
     pub picture: RgbImage,
 }
 
+/// Whether readers see that two pictures are not the same: a pixel in five hundred differs.
+pub fn is_seen(one: &RgbImage, other: &RgbImage) -> bool {
+    let pixels = one.pixels().zip(other.pixels());
+    let different = pixels.filter(|(one, other)| one != other).count();
+    different * 500 >= one.pixels().len()
+}
+
 /// A mistake, and every picture that could show it.
 pub struct Candidate {
     /// The mistake's name.
@@ -128,6 +135,18 @@ mod tests {
         chosen
             .map(|(slug, shot)| (slug, shot.scene.as_str()))
             .collect()
+    }
+
+    #[test]
+    fn a_single_pixel_of_many_is_not_seen() {
+        let picture = |red: u32| {
+            RgbImage::from_fn(40, 40, |i, j| match i + 40 * j < red {
+                true => image::Rgb([255, 0, 0]),
+                false => image::Rgb([0; 3]),
+            })
+        };
+        let seen = [0, 1, 3, 4, 1600].map(|red| is_seen(&picture(0), &picture(red)));
+        assert_eq!(seen, [false, false, false, true, true]);
     }
 
     #[test]

@@ -8,9 +8,9 @@ use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::mistake::{self, Mistake, MistakeFolder};
 
-use super::{StripSubject, list};
-use crate::error::ProblemAndRemedy;
-use crate::html::{escaped, heads};
+use super::{Shown, list};
+use crate::error::Wrong;
+use crate::html::{escaped, heads, with_code};
 
 /// How many mistakes are shown. The others are folded.
 const OPEN: usize = 4;
@@ -76,7 +76,7 @@ fn figure(
     solutions_read: Option<u32>,
     to_root: &str,
 ) -> String {
-    let belief = escaped(&mistake.belief);
+    let belief = with_code(&mistake.belief);
     let often = match (mistake.submissions, solutions_read) {
         (Some(count), Some(all)) => format!(" Seen in {count} of {all} solutions."),
         _ => String::new(),
@@ -92,7 +92,7 @@ fn figure(
     else {
         return format!(
             "<figure class=\"mistake\" id=\"{slug}\"><figcaption>You may believe: “{belief}” <span \
-             class=\"where\">No scene shows it, but questions do. {reading}</span></figcaption></figure>\n"
+             class=\"where\">No scene shows it clearly, but questions do. {reading}</span></figcaption></figure>\n"
         );
     };
     let alternative = format!(

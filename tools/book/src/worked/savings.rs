@@ -14,6 +14,9 @@ use crate::error::{Error, Result};
 use crate::rasterizer::{camera, strewn};
 use crate::reference::Reference;
 
+/// The picture of scattered triangles.
+pub const SCATTERED_RESOLUTION: Resolution = Resolution { n_x: 160, n_y: 90 };
+
 /// Adds the counts.
 pub fn add(values: &mut Values, reference: &Reference, assignment: &Assignment) -> Result<()> {
     let scene = Scene::read(&assignment.scene("bunny"))?;
@@ -118,15 +121,21 @@ fn bunny(values: &mut Values, scene: &Scene, rays: &[Ray]) -> Result<()> {
     Ok(())
 }
 
-/// Meshes of ever more triangles, each covering the same part of the picture.
+/// A tree over so many scattered triangles, which always cover as much of the picture, and how
+/// many tests each of these rays takes on average.
+pub fn scattered(count: usize, rays: &[Ray]) -> (Boxed, f64) {
+    let triangles = strewn(count, 10.0 / (count as f64).sqrt());
+    let boxed = Boxed::new(triangles, LARGEST_LEAF);
+    let tests = boxed.tests(rays, 1.0, Search::FULL).sum() as f64 / rays.len() as f64;
+    (boxed, tests)
+}
+
+/// Meshes of ever more triangles.
 fn sizes(values: &mut Values, reference: &Reference) -> Result<()> {
-    let resolution = Resolution { n_x: 160, n_y: 90 };
-    let rays = reference.viewing_rays(camera(), resolution)?;
+    let rays = reference.viewing_rays(camera(), SCATTERED_RESOLUTION)?;
     for exponent in 1..=5 {
         let count = 10_usize.pow(exponent);
-        let triangles = strewn(count, 10.0 / (count as f64).sqrt());
-        let boxed = Boxed::new(triangles, LARGEST_LEAF);
-        let tests = boxed.tests(&rays, 1.0, Search::FULL).sum() as f64 / rays.len() as f64;
+        let (boxed, tests) = scattered(count, &rays);
         let bytes = boxed.nodes() * (size_of::<FlatNode>() + size_of::<BoundingBox>())
             + count * size_of::<usize>();
         let mut add = |name: &str, text| values.insert(format!("size_1e{exponent}_{name}"), text);
@@ -139,15 +148,6 @@ fn sizes(values: &mut Values, reference: &Reference) -> Result<()> {
     Ok(())
 }
 
-/// A whole number with its thousands set apart.
 fn grouped(number: usize) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
+    crate::record::grouped(number as u64)
 }
