@@ -36,7 +36,7 @@ pub type Maker = fn(&Checkout) -> Result<Made>;
 
 /// All makers by the figure's name.
 pub fn makers() -> BTreeMap<&'static str, Maker> {
-    let makers: [(&'static str, Maker); 49] = [
+    let makers: [(&'static str, Maker); 50] = [
         ("camera_obscura", camera::camera_obscura),
         ("ray_parameter", camera::ray_parameter),
         ("pinhole_and_image_plane", camera::pinhole_and_image_plane),
@@ -51,6 +51,7 @@ pub fn makers() -> BTreeMap<&'static str, Maker> {
         ("implicit_and_parametric", shapes::implicit_and_parametric),
         ("plane_and_ray", shapes::plane_and_ray),
         ("sphere_and_line", shapes::sphere_and_line),
+        ("sphere_by_pythagoras", shapes::sphere_by_pythagoras),
         ("triangle_alpha_beta", shapes::triangle_alpha_beta),
         ("soup_of_triangles", shapes::soup_of_triangles),
         ("first_hit_along_ray", shapes::first_hit_along_ray),

@@ -219,6 +219,7 @@ pub fn tests_by_triangles(checkout: &Checkout) -> Result<Made> {
     let lines = Lines {
         names: ["a tree of boxes", "no boxes"],
         side: Side::Above,
+        at: 3,
         counted: "tests",
     };
     Ok(plot("triangles", lines, points.collect()))

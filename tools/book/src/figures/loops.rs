@@ -21,7 +21,7 @@ pub fn loops_by_objects(_: &Checkout) -> Result<Made> {
     let resolution = Resolution { n_x: 160, n_y: 90 };
     let counts = (0..=10).map(|half| 10f64.powf(f64::from(half) / 2.0).round());
     let points = counts.map(|count| (count, steps(count as usize, resolution)));
-    Ok(plot("triangles", LOOPS, points.collect()))
+    Ok(plot("triangles", Lines { at: 5, ..LOOPS }, points.collect()))
 }
 
 /// As pixels are added.
@@ -38,8 +38,10 @@ pub fn loops_by_pixels(_: &Checkout) -> Result<Made> {
 pub struct Lines {
     /// The lower line, then the upper one.
     pub names: [&'static str; 2],
-    /// Where the lower one's name is.
+    /// On which side of its line the lower one's name is.
     pub side: Side,
+    /// At which point of both lines the names are.
+    pub at: usize,
     /// The title of the axis.
     pub counted: &'static str,
 }
@@ -47,6 +49,7 @@ pub struct Lines {
 const LOOPS: Lines = Lines {
     names: ["rasterizer", "ray caster"],
     side: Side::Below,
+    at: 3,
     counted: "steps",
 };
 
@@ -94,12 +97,12 @@ pub fn plot(across: &str, lines: Lines, points: Vec<(f64, [f64; 2])>) -> Made {
         for at in &line {
             drawing.dot(*at, &look.colour);
         }
-        // Beside the middle of the line, clear of its slope.
+        // Clear of the line's slope.
         let aside = match side {
             Side::Above => dvec2(-0.1, 0.12) * (high.x - low.x) / 2.0,
             _ => dvec2(0.1, -0.12) * (high.x - low.x) / 2.0,
         };
-        drawing.on_lines(line[line.len() / 2] + aside, *side, name);
+        drawing.on_lines(line[lines.at] + aside, *side, name);
     }
     drawing.made()
 }

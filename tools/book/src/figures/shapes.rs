@@ -187,7 +187,7 @@ pub fn sphere_and_line(_: &Checkout) -> Result<Made> {
     drawing.dot(at(t0), &colour(5));
     drawing.dot(at(t1), &colour(5));
     drawing.small(at(t0), Side::Below, "t₀");
-    drawing.small(at(t1), Side::Below, "t₁");
+    drawing.small(at(t1) + dvec2(0.06, -0.15), Side::Right, "t₁");
     let middle = at(-quadratic.h / quadratic.a);
     drawing.ring(middle);
     drawing.line(center, middle, &ink().dashed());
@@ -202,6 +202,33 @@ pub fn sphere_and_line(_: &Checkout) -> Result<Made> {
         drawing.small(dvec2(2.8, y), Side::Right, label);
     }
     drawing.dot(dvec2(0.0, 1.0), &colour(5));
+    Ok(drawing.made())
+}
+
+/// The worked ray and its sphere in the plane of both, with the right triangle whose sides are
+/// the radius, the distance of the centre from the ray, and half of the chord.
+pub fn sphere_by_pythagoras(_: &Checkout) -> Result<Made> {
+    let stride = RAY.direction.length();
+    let quadratic = Quadratic::new(&RAY, &SPHERE);
+    let [t0, t1] = quadratic.roots();
+    let at = |t: f64| dvec2(t * stride, 0.0);
+    let middle = at(-quadratic.h / quadratic.a);
+    let aside = (SPHERE.center - RAY.at(-quadratic.h / quadratic.a)).length();
+    let center = middle + dvec2(0.0, aside);
+    let mut drawing = Drawing::new(dvec2(2.0, -0.6), dvec2(8.0, 3.1));
+    drawing.circle(center, SPHERE.radius, &colour(1), 0.3, &ink());
+    drawing.line(at(0.75), at(2.6), &stroke(colour(5)));
+    drawing.area(&[middle, at(t1), center], &colour(4), 0.5);
+    drawing.path(&[middle, at(t1), center], true, "none", &ink());
+    drawing.dot(at(t0), &colour(5));
+    drawing.dot(at(t1), &colour(5));
+    drawing.dot(center, INK);
+    drawing.small(center, Side::Above, "*c*");
+    drawing.small(0.5 * (center + middle), Side::Left, "‖*l*‖");
+    drawing.small(0.5 * (center + at(t1)) + dvec2(0.05, 0.0), Side::Right, "r");
+    drawing.small(at(t0), Side::Below, "t₀");
+    drawing.small(at(t1), Side::Below, "t₁");
+    drawing.small(0.5 * (middle + at(t1)), Side::Below, "√(Δ/a)");
     Ok(drawing.made())
 }
 
