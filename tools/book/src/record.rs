@@ -332,7 +332,10 @@ mod tests {
         assert_eq!(word("Möller–Trumbore"), "moeller_trumbore");
         assert_eq!(word("M–T with epsilon"), "m_t_with_epsilon");
         assert_eq!(decade(-17), "10⁻¹⁷");
-        assert_eq!([0.62, 44.4, 369_506.0, 4e9].map(ulps), ["0.6", "44", "370,000", "10¹⁰"]);
+        assert_eq!(
+            [0.62, 44.4, 369_506.0, 4e9].map(ulps),
+            ["0.6", "44", "370,000", "10¹⁰"]
+        );
         assert_eq!(
             [share(0, 30), share(1, 8), share(1, 10_001)],
             ["0 of 30", "12.50 %", "1 of 10,001"]

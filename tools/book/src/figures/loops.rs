@@ -21,7 +21,11 @@ pub fn loops_by_objects(_: &Checkout) -> Result<Made> {
     let resolution = Resolution { n_x: 160, n_y: 90 };
     let counts = (0..=10).map(|half| 10f64.powf(f64::from(half) / 2.0).round());
     let points = counts.map(|count| (count, steps(count as usize, resolution)));
-    Ok(plot("triangles", Lines { at: 5, ..LOOPS }, points.collect()))
+    Ok(plot(
+        "triangles",
+        Lines { at: 5, ..LOOPS },
+        points.collect(),
+    ))
 }
 
 /// As pixels are added.

@@ -227,7 +227,7 @@ pub fn sphere_by_pythagoras(_: &Checkout) -> Result<Made> {
     drawing.small(0.5 * (center + middle), Side::Left, "‖*l*‖");
     drawing.small(0.5 * (center + at(t1)) + dvec2(0.05, 0.0), Side::Right, "r");
     drawing.small(at(t0), Side::Below, "t₀");
-    drawing.small(at(t1), Side::Below, "t₁");
+    drawing.small(at(t1) + dvec2(0.05, -0.2), Side::Right, "t₁");
     drawing.small(0.5 * (middle + at(t1)), Side::Below, "√(Δ/a)");
     Ok(drawing.made())
 }
