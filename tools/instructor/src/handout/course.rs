@@ -99,28 +99,16 @@ fn add_scenes(files: &mut Files, assignment: &Assignment, folder: &str) -> Resul
     }
 }
 
-/// The snapshot tests, if there are any, without those of withheld scenes.
+/// The snapshot tests, if there are any, and the snapshots of what is public.
 fn add_tests(files: &mut Files, assignment: &Assignment, folder: &str) -> Result<()> {
-    let tests = assignment.folder.join("tests");
-    if !tests.is_dir() {
+    let snapshots = assignment.folder.join("tests/snapshots");
+    if !snapshots.is_dir() {
         return Ok(());
     }
-    let text = read_text(&tests.join("golden_films.rs"))?;
-    let asserts = |part: &str, scene: &str| part.contains(&format!("assert_scene(\"{scene}\")"));
-    let is_public = |part: &&str| {
-        !assignment
-            .withheld_scenes()
-            .any(|scene| asserts(part, &scene.name))
-    };
-    let kept: Vec<&str> = text.split("\n\n").filter(is_public).collect();
-    files.insert(
-        format!("{folder}/tests/golden_films.rs"),
-        kept.join("\n\n").into(),
-    );
-    let snapshots = tests.join("snapshots");
-    let of_tasks = assignment.tasks.iter().map(|task| task.name.clone());
-    let of_scenes = public(assignment).map(str::to_owned);
-    for name in of_tasks.chain(of_scenes) {
+    let tests = read(&assignment.folder.join("../golden_films.rs"))?;
+    files.insert("assignments/golden_films.rs".into(), tests);
+    let of_tasks = assignment.tasks.iter().map(|task| task.name.as_str());
+    for name in of_tasks.chain(public(assignment)) {
         let file = format!("{name}.snap");
         let text = read(&snapshots.join(&file))?;
         files.insert(format!("{folder}/tests/snapshots/{file}"), text);

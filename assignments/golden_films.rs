@@ -1,0 +1,128 @@
+//! Your answers against Mitsuba's: one test for each task alone, one for each scene, as
+//! `assignment.toml` lists them. They judge as `cargo pinhole check` does, by the same code.
+//!
+//! The golden films decide first, whatever insta is told: accepting a snapshot or setting
+//! `INSTA_UPDATE` or `INSTA_FORCE_PASS` never turns a wrong film green, and nothing here
+//! writes to `golden/`. The committed snapshots list the verdicts of a right answer.
+
+use std::env;
+use std::path::Path;
+use std::process::ExitCode;
+use std::time::Duration;
+
+use insta::{Settings, assert_snapshot};
+use libtest_mimic::{Arguments, Failed, Trial};
+use pinhole_course::assignment::Assignment;
+use pinhole_course::checkout::Checkout;
+use pinhole_course::compile::Program;
+use pinhole_course::error::Result;
+use pinhole_course::examine::{Examiner, Selection};
+use pinhole_course::goldens::Goldens;
+use pinhole_course::outcome::Examination;
+use pinhole_course::sandbox::Sandbox;
+use pinhole_course::second_judge::SecondJudge;
+use pinhole_course::submission::Submission;
+use pinhole_report::terminal;
+
+/// Longer than any answer should take, even in a build without optimisation.
+const WALL: Duration = Duration::from_secs(120);
+
+fn main() -> ExitCode {
+    let (_, assignment) = find().unwrap_or_else(|error| panic!("{error}"));
+    let test = |kind: &'static str, name: &str| {
+        let selected = vec![name.to_owned()];
+        let (tasks, scenes) = match kind {
+            "task" => (selected, Vec::new()),
+            _ => (Vec::new(), selected),
+        };
+        let name = name.to_owned();
+        let selection = Selection { tasks, scenes };
+        Trial::test(name.clone(), move || passes(kind, &name, &selection)).with_kind(kind)
+    };
+    let tasks = assignment.tasks.iter().map(|task| test("task", &task.name));
+    let scenes = assignment
+        .scenes
+        .iter()
+        .map(|scene| test("scene", &scene.name));
+    libtest_mimic::run(&Arguments::from_args(), tasks.chain(scenes).collect()).exit_code()
+}
+
+/// The assignment around the package of the answers.
+fn find() -> Result<(Checkout, Assignment)> {
+    let checkout = Checkout::find()?;
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let assignment = Assignment::find(&checkout, None, package)?;
+    Ok((checkout, assignment))
+}
+
+/// Asks one answer every question of its task, or casts a scene. Fails in the words of
+/// `cargo pinhole check`, before insta could advise to accept what is wrong.
+fn passes(kind: &str, name: &str, selection: &Selection) -> std::result::Result<(), Failed> {
+    let (checkout, assignment) = find()?;
+    let examination = examine(&checkout, &assignment, selection)?;
+    let outcome = &examination.outcome;
+    if !outcome.passes {
+        let told = match outcome.tasks.first() {
+            Some(task) if task.is_unanswered() => "unanswered\n".into(),
+            Some(task) => terminal::task(task, name.len() + 2),
+            None => terminal::scenes(&examination),
+        };
+        let told = terminal::plain(&told);
+        let more = format!("to see more: cargo pinhole check --{kind} {name}");
+        return Err(format!("{name} is not right yet\n{told}{more}\n").into());
+    }
+    let groups = outcome.tasks.iter().flat_map(|task| &task.groups);
+    let groups = groups.map(|group| (group.name.as_str(), &group.outcome));
+    let scenes = outcome.scenes.iter().map(|scene| ("", &scene.outcome));
+    let films = groups.chain(scenes);
+    let words = films.map(|(name, film)| format!("{name} {}", terminal::outcome_of(film, "")));
+    let words: Vec<String> = words.map(|line| line.trim_start().to_owned()).collect();
+    let mut settings = Settings::clone_current();
+    settings.set_snapshot_path(Path::new(&assignment.name).join("tests/snapshots"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| assert_snapshot!(name, words.join("\n")));
+    Ok(())
+}
+
+/// Judges the program that cargo built from the answers beside this test's manifest.
+fn examine(
+    checkout: &Checkout,
+    assignment: &Assignment,
+    selection: &Selection,
+) -> Result<Examination> {
+    // What people believe who answer so is for `check` to say.
+    let goldens = Goldens::read(&assignment.golden(), assignment)?.without_known();
+    // Cargo builds the answers before their tests.
+    let executable = env!(concat!("CARGO_BIN_EXE_", env!("CARGO_PKG_NAME")));
+    let program = Program {
+        executable: executable.into(),
+        replaced: Default::default(),
+        warnings: Default::default(),
+        stop: Default::default(),
+    };
+    let second_judge = second_judge(checkout);
+    let examiner = Examiner {
+        assignment,
+        goldens: &goldens,
+        program: &program,
+        sandbox: &Sandbox::Trusted,
+        wall: WALL,
+        interactive: true,
+        second_judge: second_judge.as_ref(),
+        clock: None,
+        known: None,
+        progress: &|_, _| {},
+    };
+    let submission = Submission::find(Path::new(env!("CARGO_MANIFEST_DIR")), assignment)?;
+    examiner.examine(&submission, selection)
+}
+
+/// Oiiotool, if it is installed. Students need not have it; the course's own CI must.
+fn second_judge(checkout: &Checkout) -> Option<SecondJudge> {
+    let found = SecondJudge::find(checkout).ok();
+    let is_students = !checkout.root().join("tools/mitsuba").is_dir();
+    let may_be_absent = is_students || env::var_os("CI").is_none();
+    assert!(found.is_some() || may_be_absent, "CI has no oiiotool");
+    found
+}
