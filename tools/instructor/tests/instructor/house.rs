@@ -62,8 +62,8 @@ fn no_setting_of_insta_turns_a_wrong_film_green_or_touches_a_golden() {
     let snapshots = "assignments/ray_casting/tests/snapshots";
     let copy = workspace.join(snapshots);
     // insta names the folder by way of the package, which must exist as well.
-    for package in ["ray_casting/handout", "ray_casting/reference"] {
-        let folder = workspace.join("assignments").join(package);
+    for package in ["handout", "reference"] {
+        let folder = workspace.join("assignments/ray_casting").join(package);
         fs::create_dir_all(folder).expect("it can be made");
     }
     fs::create_dir_all(&copy).expect("it can be made");
