@@ -13,9 +13,12 @@ use crate::goldens::Goldens;
 use crate::goldens::questions::{QuestionFilm, Questions};
 use crate::outcome::{Examination, FilmOutcome, TaskOutcome};
 
-/// A belief is mentioned at a scene only if it explains at least this share of its
-/// errors.
+/// One of several beliefs is mentioned at a scene only if it explains at least this share of
+/// its errors.
 const LEAST_SHARE: f64 = 0.02;
+
+/// A belief that explains this share of what is wrong in a task leaves nothing to explain.
+const ALL: f64 = 0.9;
 
 /// One film that was asked for, and its outcome.
 pub struct Cast<'a> {
@@ -110,6 +113,9 @@ impl Goldens {
                 None => None,
             });
         }
+        // Which pixels a belief spoils may depend on the student's other answers, such as a
+        // tree. If nothing else is wrong, it need not explain a scene pixel by pixel.
+        let only = only_belief(tasks).map(str::to_owned);
         let together = match tasks.iter().all(TaskOutcome::passes) {
             true => {
                 let all: Vec<Evidence> = evidence.iter().flatten().cloned().collect();
@@ -124,7 +130,8 @@ impl Goldens {
             let evidence = std::slice::from_ref(evidence);
             let shown = together.beliefs.iter().filter_map(|belief| {
                 let explanation = self.known.explanation_of(&belief.slug, evidence)?;
-                (explanation.explained >= LEAST_SHARE).then_some(explanation)
+                let shows = explanation.explained >= LEAST_SHARE;
+                (shows || only.as_deref() == Some(&belief.slug)).then_some(explanation)
             });
             scene.diagnosis = match together.is_empty() && tasks.iter().all(TaskOutcome::passes) {
                 true => self.known.explain(evidence, &|_| true),
@@ -140,6 +147,21 @@ impl Goldens {
     fn evidence(&self, name: &str, golden: &Golden, film: &Film) -> Result<Option<Evidence>> {
         Evidence::of(name, golden, film, &self.known, &self.folder)
     }
+}
+
+/// The belief that alone explains every wrong task, if there is one.
+fn only_belief(tasks: &[TaskOutcome]) -> Option<&str> {
+    let mut wrong = tasks.iter().filter(|task| !task.passes());
+    fn alone(task: &TaskOutcome) -> Option<&str> {
+        match task.diagnosis.beliefs.as_slice() {
+            [belief] if belief.explained >= ALL => Some(belief.slug.as_str()),
+            _ => None,
+        }
+    }
+    let first = alone(wrong.next()?)?;
+    wrong
+        .all(|task| alone(task) == Some(first))
+        .then_some(first)
 }
 
 /// The beliefs that were found in the tasks, each listed once.
