@@ -6,7 +6,10 @@ use crate::bounds::BoundingBox;
 use crate::camera::{Camera, Pixel, Projection, Resolution};
 use crate::film::TESTS;
 use crate::job::{Message, Panic};
-use crate::kind::{Answer, CameraQuestion, ObjectsQuestion, Questions, Sent, Test, TreeQuestion};
+use crate::kind::{
+    Answer, CameraQuestion, ObjectsQuestion, Questions, SearchQuestion, Sent, Test, TestResult,
+    TestResults, TreeQuestion,
+};
 use crate::ray::{Hit, Intersection, Ray};
 use crate::scene::Scene;
 use crate::testing::Random;
@@ -195,6 +198,43 @@ mod message {
             },
         );
         refused(&hits(1), &[test], "no question");
+    }
+
+    /// A search knows a question only by tests of it, and each of these is counted, whatever a
+    /// submission sends before, meanwhile or afterwards.
+    #[test]
+    fn no_message_lowers_the_count_of_tests() {
+        let leaf = |triangle| FlatNode::Leaf(vec![triangle]);
+        let question = SearchQuestion {
+            tree: FlatTree(vec![FlatNode::Branch([1, 2]), leaf(0), leaf(1)]),
+            min_t: 0.0,
+            results: TestResults {
+                boxes: vec![Some(1.0..=2.0); 3],
+                triangles: Vec::new(),
+            },
+        };
+        let job = Job::Ask(Questions::TreeSearch(vec![question; 3]));
+        let test = |index, node| {
+            let (min_t, max_t) = (0.0, 9.0);
+            Message::Test(index, Test::Box { node, min_t, max_t })
+        };
+        let mut reply = Reply::before(&job);
+        let entered = || Ok(Next::Send(TestResult::Box(Some(1.0))));
+        for (index, node) in [(0, 0), (0, 0), (1, 2), (0, 1)] {
+            assert_eq!(reply.take(&job, test(index, node)), entered());
+        }
+        reply.take(&job, answers(0, &[hit(0)])).unwrap();
+        assert_eq!(reply.take(&job, test(0, 2)), entered());
+        reply.take(&job, answers(1, &[hit(0)])).unwrap();
+        assert!(reply.take(&job, answers(0, &[hit(0)])).is_err());
+        for (index, node) in [(2, 3), (2, usize::MAX), (3, 0), (usize::MAX, 0)] {
+            assert!(
+                reply.take(&job, test(index, node)).is_err(),
+                "{index} {node}"
+            );
+        }
+        assert_eq!(reply.tests[..2], [4, 1]);
+        assert!(reply.missing > 0, "a refused message completed the reply");
     }
 
     #[test]

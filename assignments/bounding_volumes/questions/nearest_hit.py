@@ -40,8 +40,12 @@ def one_leaf(rng):
 
 
 def few(rng):
-    """Trees of a few leaves."""
-    return through(rng, triangles(rng, rng.integers(5, 13), 4, 0.8))
+    """Trees of a few leaves; in one of four, all triangles lie in a plane parallel to two
+    axes, so that every box is flat."""
+    corners = triangles(rng, rng.integers(5, 13), 4, 0.8)
+    if rng.uniform() < 0.25:
+        corners[..., rng.integers(3)] = rng.uniform(-1, 1)
+    return through(rng, corners)
 
 
 def many(rng):
@@ -55,7 +59,10 @@ def overlapping(rng):
 
 
 def min_t(rng):
-    """Triangles before min_t and after it."""
+    """Triangles before min_t and after it: many layers, in half of the questions, of which
+    some or all lie before min_t."""
+    if rng.uniform() < 0.5:
+        return layers(rng, min_t=rng.choice([rng.uniform(0.8, 1.3), 2]))
     corners = triangles(rng, rng.integers(12, 33), 2, 0.8)
     return through(rng, corners, min_t=lambda rng: rng.uniform(0.7, 1.2))
 
@@ -71,12 +78,17 @@ def mesh(name):
     return read_obj(MESHES / f"{name}.obj")
 
 
-def behind_each_other(rng):
-    """Many layers behind each other: once the first is hit, the rest need no test."""
+def layers(rng, min_t=0.0):
+    """A ray through 60 layers, of which the middle is at t = 1."""
     corners = triangles(rng, 60, 1, 0.9) * [1, 1, 0.05] + np.arange(60)[:, None, None] * [0, 0, 0.2]
     origin = np.array([*rng.uniform(-0.3, 0.3, 2), rng.choice([-3, 15])])
     target = np.array([*rng.uniform(-0.3, 0.3, 2), 6])
-    return ask(rng, rng.permutation(corners), origin, target - origin, 0.0, 2)
+    return ask(rng, rng.permutation(corners), origin, target - origin, min_t, 2)
+
+
+def behind_each_other(rng):
+    """Many layers behind each other: once the first is hit, the rest need no test."""
+    return layers(rng)
 
 
 def teapot(rng):
