@@ -8,8 +8,8 @@ use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::mistake::{self, Mistake, MistakeFolder};
 
-use super::{Shown, list};
-use crate::error::Wrong;
+use super::{StripSubject, list};
+use crate::error::ProblemAndRemedy;
 use crate::html::{escaped, heads, with_code};
 
 /// How many mistakes are shown. The others are folded.
