@@ -64,10 +64,13 @@ class Question:
         ]
         deepest = max(depth(tree) for tree in trees)
         costliest = max(cost(tree, self.boxes) for tree in trees)
-        # Boxes with one centre can be divided in any way, so their order says nothing.
-        alike = np.ptp(self.boxes.mean(axis=1), axis=0).max() == 0
-        most = ANY_COST if alike else COST * costliest
-        return np.zeros(4), np.array([0, 2 * deepest + 2, LARGEST_LEAF, most])
+        most_deep, most = 2 * deepest + 2, COST * costliest
+        # Boxes with one centre can be divided in any way, so their order says nothing. If they
+        # are nested, the surface area heuristic takes them off one by one.
+        if np.ptp(self.boxes.mean(axis=1), axis=0).max() == 0:
+            most_deep = max(most_deep, 2 + depth(split_by_area(self.boxes)))
+            most = ANY_COST
+        return np.zeros(4), np.array([0, most_deep, LARGEST_LEAF, most])
 
 
 def ask(boxes):
@@ -90,6 +93,24 @@ def split(boxes, largest, is_first, members=None):
     if first.all() or not first.any():
         first = np.arange(len(members)) < len(members) // 2
     return tuple(split(boxes, largest, is_first, members[side]) for side in (first, ~first))
+
+
+def split_by_area(boxes):
+    """A tree over boxes with one centre, each in a leaf of its own: split where the surface
+    area heuristic expects the fewest tests."""
+    if len(boxes) == 1:
+        return np.arange(1)
+    first, rest = areas_of_first(boxes), areas_of_first(boxes[::-1])[::-1]
+    count = np.arange(1, len(boxes))
+    here = count[np.argmin(first[:-1] * count + rest[1:] * (len(boxes) - count))]
+    return split_by_area(boxes[:here]), split_by_area(boxes[here:])
+
+
+def areas_of_first(boxes):
+    """Half of the surface of the box around the first, the first two, and so on."""
+    low = np.minimum.accumulate(boxes[:, 0])
+    high = np.maximum.accumulate(boxes[:, 1])
+    return half_area(np.stack([low, high], axis=1).swapaxes(0, 1))
 
 
 def below_middle(places):
@@ -120,7 +141,7 @@ def box_of(tree, boxes):
 
 def half_area(box):
     """Half of the surface of a box."""
-    x, y, z = box[1] - box[0]
+    x, y, z = np.moveaxis(box[1] - box[0], -1, 0)
     return x * y + y * z + z * x
 
 
