@@ -23,7 +23,6 @@ pub fn breaking(sweep: &Sweep, data: Data) -> Vec<Breaking> {
 }
 
 fn of_kernel(sweep: &Sweep, data: Data, at: usize) -> Breaking {
-    let tallies = || sweep.points.iter().map(|point| &point.kernels[at].tally);
     let broken = |point: &&Point| is_broken(&point.kernels[at].tally, data);
     // The exponent nearest to 0 is easy.
     let exponents = || sweep.points.iter().map(|point| point.exponent);
@@ -38,11 +37,5 @@ fn of_kernel(sweep: &Sweep, data: Data, at: usize) -> Breaking {
         numbers: named.numbers.clone(),
         above: { above }.find(broken).map(|point| point.exponent),
         below: below.rev().find(broken).map(|point| point.exponent),
-        wrong: tallies().map(Tally::wrong).sum(),
-        asked: tallies().map(|tally| tally.asked).sum(),
-        silent: tallies().map(|tally| tally.silent).sum(),
-        worst_median_ulp: tallies()
-            .filter_map(|tally| tally.median_ulp)
-            .reduce(f64::max),
     }
 }

@@ -140,7 +140,7 @@ impl<'a, 'r, M: Model> Nearest<'a, 'r, M> {
         Nearest {
             ray,
             scaled,
-            prepared: M::prepare_scaled(ray, &scaled, min_t, world),
+            prepared: M::prepare(ray, &scaled, min_t, world),
             min_t,
             tally,
             found: None,
@@ -152,7 +152,7 @@ impl<'a, 'r, M: Model> Nearest<'a, 'r, M> {
     fn consider(&mut self, parts: &'a [Part]) {
         self.tally.tests += parts.len() as u64;
         for part in parts {
-            if let Some(t) = M::meet_part(part, &self.prepared, self.min_t, self.tally) {
+            if let Some(t) = M::meet(part, &self.prepared, self.min_t, self.tally) {
                 self.keep(Found { part, t });
             }
         }
@@ -160,7 +160,7 @@ impl<'a, 'r, M: Model> Nearest<'a, 'r, M> {
 
     /// The same of four triangles, which are the parts from `first` on.
     #[inline(always)]
-    fn consider_four(&mut self, four: &Four, limits: &Limits<f64>, parts: &'a [Part], first: u32) {
+    fn consider_four(&mut self, four: &Four, limits: &Limits, parts: &'a [Part], first: u32) {
         self.tally.tests += u64::from(four.count());
         let met = M::meet_four(four, limits, &self.prepared, self.min_t);
         let (mut hits, mut open) = (met.hits, met.open);
@@ -184,7 +184,7 @@ impl<'a, 'r, M: Model> Nearest<'a, 'r, M> {
             if open >> lane & 1 == 0 {
                 continue;
             }
-            if let Some(t) = M::meet_part(part, &self.prepared, self.min_t, self.tally) {
+            if let Some(t) = M::meet(part, &self.prepared, self.min_t, self.tally) {
                 self.keep(Found { part, t });
             }
         }

@@ -8,7 +8,7 @@ use crate::question::{Data, Question};
 use crate::shape::{Ray, Shape};
 
 /// Casts prepared rays at their shapes, all of them at each call.
-pub type Workload = Box<dyn FnMut()>;
+pub type Workload<'a> = Box<dyn FnMut() + 'a>;
 
 /// A kernel, the numbers it computes with, and the type its data are stored in.
 #[derive(Clone, Copy)]
@@ -23,7 +23,7 @@ pub struct Contestant<S: 'static> {
     pub answer: fn(&Question<S>) -> Option<f64>,
     /// A workload: each call casts the ray of every question at its shape. Rays are
     /// prepared beforehand, as they are when they come to the leaf of a tree.
-    pub workload: fn(&[Question<S>]) -> Workload,
+    pub workload: fn(&[Question<S>]) -> Workload<'static>,
 }
 
 impl<S: Shape<With<f64> = S>> Contestant<S> {
@@ -56,7 +56,7 @@ fn answer<K: Kernel<S::With<F>, F>, S: Shape, F: Real>(question: &Question<S>) -
     K::intersect(&shape, &K::prepare(&ray), min_t).map(F::wide)
 }
 
-fn workload<K, S, F>(questions: &[Question<S>]) -> Workload
+fn workload<K, S, F>(questions: &[Question<S>]) -> Workload<'static>
 where
     K: Kernel<S::With<F>, F>,
     S: Shape,

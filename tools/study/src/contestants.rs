@@ -1,8 +1,7 @@
 //! Who takes part.
 
 use crate::contestant::Contestant;
-use crate::kernel::sphere::Scaled;
-use crate::kernel::{Kernel, Tier, Widened, plane, sphere, triangle};
+use crate::kernel::{Kernel, Prepared, Tier, Widened, plane, sphere, triangle};
 use crate::oracle::Known;
 use crate::question::{Data, Question};
 use crate::shape::{Plane, Sphere, Triangle};
@@ -20,26 +19,29 @@ pub trait Contested: Known {
 /// The name of every shape's exact kernel.
 pub const EXACT: &str = "adaptive exact";
 
-fn semi_static_or(is_filtered: bool, next: impl Fn() -> Tier) -> Tier {
-    if is_filtered {
-        Tier::SemiStatic
-    } else {
-        next()
-    }
+/// A kernel in `f64`, on data of either type.
+fn in_f64<S, K>() -> Vec<Contestant<S>>
+where
+    S: Known,
+    K: Kernel<S, f64>,
+    Widened<K>: Kernel<S::With<f32>, f32>,
+{
+    vec![
+        Contestant::new::<K, f64>(Data::F64, "f64"),
+        Contestant::new::<Widened<K>, f32>(Data::F32, "f64 on f32"),
+    ]
 }
 
-/// A kernel in `f64`, in `f32`, and in `f64` on `f32` data.
-fn in_all_numbers<S, K>() -> [Contestant<S>; 3]
+/// And in `f32`.
+fn in_all_numbers<S, K>() -> Vec<Contestant<S>>
 where
     S: Known,
     K: Kernel<S, f64> + Kernel<S::With<f32>, f32>,
     Widened<K>: Kernel<S::With<f32>, f32>,
 {
-    [
-        Contestant::new::<K, f64>(Data::F64, "f64"),
-        Contestant::new::<K, f32>(Data::F32, "f32"),
-        Contestant::new::<Widened<K>, f32>(Data::F32, "f64 on f32"),
-    ]
+    let mut all = in_f64::<S, K>();
+    all.push(Contestant::new::<K, f32>(Data::F32, "f32"));
+    all
 }
 
 impl Contested for Sphere<f64> {
@@ -49,15 +51,13 @@ impl Contested for Sphere<f64> {
         [
             in_all_numbers::<Self, sphere::Textbook>(),
             in_all_numbers::<Self, sphere::Haines>(),
-            in_all_numbers::<Self, sphere::Adaptive>(),
+            in_f64::<Self, sphere::Adaptive>(),
         ]
         .concat()
     }
 
-    fn tier(question: &Question<Self>) -> Tier {
-        let Question { shape, ray, min_t } = question;
-        let filtered = sphere::filtered(shape, &Scaled::new(ray), *min_t);
-        semi_static_or(filtered.is_some(), || Tier::Exact)
+    fn tier(Question { shape, ray, min_t }: &Question<Self>) -> Tier {
+        sphere::decided(shape, &Prepared::new(ray), *min_t).1
     }
 }
 
@@ -67,15 +67,13 @@ impl Contested for Plane<f64> {
     fn contestants() -> Vec<Contestant<Self>> {
         [
             in_all_numbers::<Self, plane::Shifted>(),
-            in_all_numbers::<Self, plane::Adaptive>(),
+            in_f64::<Self, plane::Adaptive>(),
         ]
         .concat()
     }
 
-    fn tier(question: &Question<Self>) -> Tier {
-        let Question { shape, ray, min_t } = question;
-        let filtered = plane::filtered(shape, ray, *min_t);
-        semi_static_or(filtered.is_some(), || Tier::Exact)
+    fn tier(Question { shape, ray, min_t }: &Question<Self>) -> Tier {
+        plane::decided(shape, &Prepared::new(ray), *min_t).1
     }
 }
 
@@ -87,20 +85,12 @@ impl Contested for Triangle<f64> {
             in_all_numbers::<Self, triangle::MollerTrumbore>(),
             in_all_numbers::<Self, triangle::MollerTrumboreEpsilon>(),
             in_all_numbers::<Self, triangle::Woop>(),
-            in_all_numbers::<Self, triangle::Adaptive>(),
+            in_f64::<Self, triangle::Adaptive>(),
         ]
         .concat()
     }
 
-    fn tier(question: &Question<Self>) -> Tier {
-        let Question { shape, ray, min_t } = question;
-        let scaled = Scaled::new(ray);
-        let filtered = triangle::filtered(shape, &scaled, *min_t);
-        semi_static_or(filtered.is_some(), || {
-            match triangle::twice(shape, &scaled, *min_t) {
-                Some(_) => Tier::DoubleDouble,
-                None => Tier::Exact,
-            }
-        })
+    fn tier(Question { shape, ray, min_t }: &Question<Self>) -> Tier {
+        triangle::decided(shape, &Prepared::new(ray), *min_t).1
     }
 }

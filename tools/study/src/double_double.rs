@@ -3,22 +3,21 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::number::Real;
 use crate::vector::Vector;
 
 /// `high` + `low`, with |`low`| at most half an ulp of `high`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DoubleDouble<F> {
+pub struct DoubleDouble {
     /// The sum, rounded.
-    pub high: F,
+    pub high: f64,
     /// What the rounding lost.
-    pub low: F,
+    pub low: f64,
 }
 
-impl<F: Real> DoubleDouble<F> {
+impl DoubleDouble {
     /// The sum of two numbers without loss (Knuth's TwoSum, *TAOCP* vol. 2, §4.2.2).
     #[inline(always)]
-    pub fn sum(a: F, b: F) -> DoubleDouble<F> {
+    pub fn sum(a: f64, b: f64) -> DoubleDouble {
         let high = a + b;
         let of_b = high - a;
         let low = (a - (high - of_b)) + (b - of_b);
@@ -28,7 +27,7 @@ impl<F: Real> DoubleDouble<F> {
     /// The product of two numbers without loss, unless it underflows (Ogita, Rump &
     /// Oishi, *SIAM J. Sci. Comput.* 26, 2005, algorithm 3.5: TwoProductFMA).
     #[inline(always)]
-    pub fn product(a: F, b: F) -> DoubleDouble<F> {
+    pub fn product(a: f64, b: f64) -> DoubleDouble {
         let high = a * b;
         let low = a.mul_add(b, -high);
         DoubleDouble { high, low }
@@ -36,7 +35,7 @@ impl<F: Real> DoubleDouble<F> {
 
     /// `high` + `low` anew, where |`high`| ≥ |`low`| (Dekker's FastTwoSum).
     #[inline(always)]
-    fn renewed(high: F, low: F) -> DoubleDouble<F> {
+    fn renewed(high: f64, low: f64) -> DoubleDouble {
         let sum = high + low;
         DoubleDouble {
             high: sum,
@@ -47,11 +46,11 @@ impl<F: Real> DoubleDouble<F> {
     /// The square root: one step of Newton's from the rounded one (Karp & Markstein,
     /// *ACM TOMS* 23, 1997).
     #[inline(always)]
-    pub fn sqrt(self) -> DoubleDouble<F> {
-        if self.high <= F::ZERO {
+    pub fn sqrt(self) -> DoubleDouble {
+        if self.high <= 0.0 {
             return DoubleDouble {
                 high: self.high.sqrt(),
-                low: F::ZERO,
+                low: 0.0,
             };
         }
         let root = self.high.sqrt();
@@ -60,14 +59,14 @@ impl<F: Real> DoubleDouble<F> {
     }
 }
 
-impl<F: Real> From<F> for DoubleDouble<F> {
+impl From<f64> for DoubleDouble {
     #[inline(always)]
-    fn from(high: F) -> Self {
-        DoubleDouble { high, low: F::ZERO }
+    fn from(high: f64) -> Self {
+        DoubleDouble { high, low: 0.0 }
     }
 }
 
-impl<F: Real> Add for DoubleDouble<F> {
+impl Add for DoubleDouble {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
@@ -78,7 +77,7 @@ impl<F: Real> Add for DoubleDouble<F> {
     }
 }
 
-impl<F: Real> Neg for DoubleDouble<F> {
+impl Neg for DoubleDouble {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -89,7 +88,7 @@ impl<F: Real> Neg for DoubleDouble<F> {
     }
 }
 
-impl<F: Real> Sub for DoubleDouble<F> {
+impl Sub for DoubleDouble {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
@@ -97,7 +96,7 @@ impl<F: Real> Sub for DoubleDouble<F> {
     }
 }
 
-impl<F: Real> Mul for DoubleDouble<F> {
+impl Mul for DoubleDouble {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
@@ -107,7 +106,7 @@ impl<F: Real> Mul for DoubleDouble<F> {
     }
 }
 
-impl<F: Real> Div for DoubleDouble<F> {
+impl Div for DoubleDouble {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
@@ -119,39 +118,39 @@ impl<F: Real> Div for DoubleDouble<F> {
 
 /// A vector of such numbers: the difference of two points without loss, and products.
 #[derive(Clone, Copy, Debug)]
-pub struct DoubleVector<F>([DoubleDouble<F>; 3]);
+pub struct DoubleVector([DoubleDouble; 3]);
 
-impl<F: Real> DoubleVector<F> {
+impl DoubleVector {
     /// `a` − `b`, without loss.
     #[inline(always)]
-    pub fn between(a: Vector<F>, b: Vector<F>) -> DoubleVector<F> {
-        let less = |a: F, b: F| DoubleDouble::sum(a, -b);
+    pub fn between(a: Vector<f64>, b: Vector<f64>) -> DoubleVector {
+        let less = |a: f64, b: f64| DoubleDouble::sum(a, -b);
         DoubleVector([less(a.x, b.x), less(a.y, b.y), less(a.z, b.z)])
     }
 
     /// The same vector.
     #[inline(always)]
-    pub fn of(vector: Vector<F>) -> DoubleVector<F> {
+    pub fn of(vector: Vector<f64>) -> DoubleVector {
         DoubleVector(vector.array().map(DoubleDouble::from))
     }
 
     /// The largest component's magnitude, rounded.
     #[inline(always)]
-    pub fn largest(self) -> F {
+    pub fn largest(self) -> f64 {
         let [x, y, z] = self.0.map(|component| component.high.abs());
         x.max(y).max(z)
     }
 
     /// The dot product.
     #[inline(always)]
-    pub fn dot(self, other: DoubleVector<F>) -> DoubleDouble<F> {
+    pub fn dot(self, other: DoubleVector) -> DoubleDouble {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         a * x + b * y + c * z
     }
 
     /// The cross product.
     #[inline(always)]
-    pub fn cross(self, other: DoubleVector<F>) -> DoubleVector<F> {
+    pub fn cross(self, other: DoubleVector) -> DoubleVector {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         DoubleVector([b * z - c * y, c * x - a * z, a * y - b * x])
     }

@@ -6,17 +6,13 @@
 //! they are exact only while no partial product underflows, and the extremes are what
 //! this package is about. The oracle uses another's rationals: the two share no code.
 
-mod vector;
-
-pub use vector::DyadicVector;
-
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use smallvec::SmallVec;
 
 use crate::double_double::DoubleDouble;
-use crate::number::Real;
+use crate::vector::Vector;
 
 /// As many limbs as everyday numbers need are kept in place; more go to the heap.
 const IN_PLACE: usize = 8;
@@ -33,8 +29,8 @@ pub struct Dyadic {
 
 impl Dyadic {
     /// A finite number, exactly.
-    pub fn of(value: impl Real) -> Dyadic {
-        let bits = value.wide().to_bits();
+    pub fn of(value: f64) -> Dyadic {
+        let bits = value.to_bits();
         let (field, fraction) = ((bits >> 52) & 0x7ff, bits & ((1 << 52) - 1));
         debug_assert!(field < 0x7ff, "only finite numbers are dyadic");
         let (mantissa, exponent) = match field {
@@ -106,7 +102,7 @@ impl Dyadic {
 
     /// The first 106 bits and where they stand: `value` × 2^`exponent`, `value.high` in
     /// [1, 2).
-    pub fn leading(&self) -> (DoubleDouble<f64>, i64) {
+    pub fn leading(&self) -> (DoubleDouble, i64) {
         let Some(top) = self.limbs.last() else {
             return (0.0.into(), 0);
         };
@@ -225,5 +221,37 @@ impl Mul for &Dyadic {
             limbs,
             exponent: self.exponent + other.exponent,
         }
+    }
+}
+
+/// A vector of such numbers.
+#[derive(Clone, Debug)]
+pub struct DyadicVector(pub [Dyadic; 3]);
+
+impl DyadicVector {
+    /// A vector of finite numbers, exactly.
+    pub fn of(vector: Vector<f64>) -> DyadicVector {
+        DyadicVector(vector.array().map(Dyadic::of))
+    }
+
+    /// The dot product.
+    pub fn dot(&self, other: &DyadicVector) -> Dyadic {
+        let ([a, b, c], [x, y, z]) = (&self.0, &other.0);
+        &(&(a * x) + &(b * y)) + &(c * z)
+    }
+
+    /// The cross product.
+    pub fn cross(&self, other: &DyadicVector) -> DyadicVector {
+        let ([a, b, c], [x, y, z]) = (&self.0, &other.0);
+        let minor = |p: &Dyadic, q: &Dyadic, r: &Dyadic, s: &Dyadic| &(p * q) - &(r * s);
+        DyadicVector([minor(b, z, c, y), minor(c, x, a, z), minor(a, y, b, x)])
+    }
+}
+
+impl Sub for &DyadicVector {
+    type Output = DyadicVector;
+    fn sub(self, other: &DyadicVector) -> DyadicVector {
+        let ([a, b, c], [x, y, z]) = (&self.0, &other.0);
+        DyadicVector([a - x, b - y, c - z])
     }
 }

@@ -1,38 +1,15 @@
 //! One kernel's answers to one set of questions, against the truth.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::contestant::Contestant;
 use crate::oracle::{Known, Truth};
 use crate::question::{Data, Question};
 
-/// Whoever answers questions.
-pub trait Answers<S> {
-    /// The type of numbers that questions are rounded to.
-    fn data(&self) -> Data;
-    /// Where the ray of the question at a place of its list meets the shape.
-    fn answer(&self, at: usize, question: &Question<S>) -> Option<f64>;
-    /// The same of that question scaled to have its numbers near 1.
-    fn answer_near_one(&self, at: usize, question: &Question<S>) -> Option<f64>;
-}
-
-impl<S> Answers<S> for Contestant<S> {
-    fn data(&self) -> Data {
-        self.data
-    }
-
-    fn answer(&self, _: usize, question: &Question<S>) -> Option<f64> {
-        (self.answer)(question)
-    }
-
-    fn answer_near_one(&self, _: usize, question: &Question<S>) -> Option<f64> {
-        (self.answer)(question)
-    }
-}
-
 /// What came of it. Ties are counted, and otherwise left out; so are questions whose t
 /// is larger than the type's largest number.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Tally {
     /// Questions that count.
     pub asked: u64,
@@ -48,11 +25,6 @@ pub struct Tally {
     pub wrong_roots: u64,
     /// Hits whose t is infinite or NaN.
     pub not_finite: u64,
-    /// Of the wrong and the not finite: right when all numbers are scaled by powers of
-    /// two to be near 1. Nothing but overflow or underflow explains that.
-    pub out_of_range: u64,
-    /// Of these, wrong without a sign of it: a miss, or a number.
-    pub silent: u64,
     /// The median error of t over true hits that were answered with a finite t, in ulp.
     pub median_ulp: Option<f64>,
     /// The largest.
@@ -72,8 +44,8 @@ impl Tally {
 }
 
 /// Of errors, if there are any.
-pub fn median_and_worst(errors: impl Iterator<Item = f64>) -> [Option<f64>; 2] {
-    let mut errors: Vec<f64> = errors.collect();
+pub fn median_and_worst(errors: impl IntoIterator<Item = f64>) -> [Option<f64>; 2] {
+    let mut errors: Vec<f64> = errors.into_iter().collect();
     errors.sort_by(f64::total_cmp);
     [errors.get(errors.len() / 2), errors.last()].map(Option::<&f64>::copied)
 }
@@ -133,23 +105,23 @@ fn is_of_other_side<S: Known>(question: &Question<S>, root: f64, other: f64, t: 
     (other - root).abs() > radius / length && (t - other).abs() < (t - root).abs()
 }
 
-/// Somebody's answers to questions whose truths are known.
+/// A kernel's answers to questions whose truths are known.
 pub fn judge<S: Known>(
-    somebody: &impl Answers<S>,
+    kernel: &Contestant<S>,
     questions: &[Question<S>],
     truths: &[Truth],
 ) -> Tally {
-    judge_each(somebody, questions, truths).0
+    judge_each(kernel, questions, truths).0
 }
 
 /// The same, with the error in ulp of each t that is finite and no wrong decision, by the
 /// place of its question.
 pub fn judge_each<S: Known>(
-    somebody: &impl Answers<S>,
+    kernel: &Contestant<S>,
     questions: &[Question<S>],
     truths: &[Truth],
 ) -> (Tally, Vec<(usize, f64)>) {
-    let data = somebody.data();
+    let data = kernel.data;
     let mut tally = Tally::default();
     let mut errors = Vec::new();
     for (at, (question, truth)) in questions.iter().zip(truths).enumerate() {
@@ -162,24 +134,12 @@ pub fn judge_each<S: Known>(
         }
         tally.asked += 1;
         tally.hits += u64::from(truth.t.is_some());
-        let answer = somebody.answer(at, question);
-        let fault = match verdict(data, question, truth, answer) {
-            Verdict::Right(error) => {
-                errors.extend(error.map(|error| (at, error)));
-                continue;
-            }
-            Verdict::FalseHit => &mut tally.false_hits,
-            Verdict::FalseMiss => &mut tally.false_misses,
-            Verdict::WrongRoot => &mut tally.wrong_roots,
-            Verdict::NotFinite => &mut tally.not_finite,
-        };
-        *fault += 1;
-        let near_one = question.normalized().rounded(data);
-        let again = somebody.answer_near_one(at, &near_one);
-        let truth = S::truth(&near_one);
-        if matches!(verdict(data, &near_one, &truth, again), Verdict::Right(_)) {
-            tally.out_of_range += 1;
-            tally.silent += u64::from(answer.is_none_or(f64::is_finite));
+        match verdict(data, question, truth, (kernel.answer)(question)) {
+            Verdict::Right(error) => errors.extend(error.map(|error| (at, error))),
+            Verdict::FalseHit => tally.false_hits += 1,
+            Verdict::FalseMiss => tally.false_misses += 1,
+            Verdict::WrongRoot => tally.wrong_roots += 1,
+            Verdict::NotFinite => tally.not_finite += 1,
         }
     }
     [tally.median_ulp, tally.worst_ulp] = median_and_worst(errors.iter().map(|error| error.1));

@@ -8,19 +8,14 @@
 //! costs what its formula costs. What depends on the ray alone is worked out once for a
 //! ray, by [`Kernel::prepare`], and not again at every shape.
 
-mod adaptive;
-mod limits;
+mod filter;
 pub mod plane;
 pub mod sphere;
-mod tier;
 pub mod triangle;
 mod widened;
-mod window;
 
-pub use limits::Limits;
-pub use tier::Tier;
+pub use filter::{Limits, Prepared, Tier, Window};
 pub use widened::Widened;
-pub use window::Window;
 
 use crate::number::Real;
 use crate::shape::Ray;

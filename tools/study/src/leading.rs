@@ -10,7 +10,7 @@ use crate::number::{Real, exponent};
 /// `value` × 2^`exponent`, good to about 2⁻¹⁰⁴ of itself.
 #[derive(Clone, Copy, Debug)]
 pub struct Leading {
-    value: DoubleDouble<f64>,
+    value: DoubleDouble,
     exponent: i64,
 }
 
@@ -36,13 +36,13 @@ impl Leading {
     }
 
     /// Rounded to a float; infinite if that is too small for it.
-    pub fn rounded<F: Real>(self) -> F {
+    pub fn rounded(self) -> f64 {
         let power = self.exponent.clamp(-3000, 3000) as i32;
-        F::of(self.value.high.times_power_of_two(power))
+        self.value.high.times_power_of_two(power)
     }
 }
 
-fn scaled(value: DoubleDouble<f64>, power: i64) -> DoubleDouble<f64> {
+fn scaled(value: DoubleDouble, power: i64) -> DoubleDouble {
     let power = power.clamp(-3000, 3000) as i32;
     DoubleDouble {
         high: value.high.times_power_of_two(power),

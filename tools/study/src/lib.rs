@@ -15,11 +15,10 @@
 //! 6. [`leaks`]: closed meshes; [`secondary`]: rays that begin on a surface; [`cast`], [`film`], [`scenes`]: whole scenes; [`record`]:
 //!    the long runs;
 //! 7. [`plan`]: the cheapest way to cast a scene that is accurate enough, and [`plans`],
-//!    whether it is; [`theirs`], [`asked`]: a student's answers among the kernels;
+//!    whether it is;
 //! 8. [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the whole,
 //!    and how it is told.
 
-pub mod asked;
 pub mod breaking;
 pub mod cast;
 pub mod classes;
@@ -53,5 +52,4 @@ pub mod shape;
 pub mod speed;
 pub mod summary;
 pub mod targets;
-pub mod theirs;
 pub mod vector;

@@ -25,12 +25,6 @@ pub trait Real:
     const ONE: Self;
     /// The largest relative error of one rounding: 2⁻²⁴ or 2⁻⁵³.
     const UNIT_ROUNDOFF: Self;
-    /// The square root of [`Real::UNIT_ROUNDOFF`], rounded up.
-    const ROOT_OF_UNIT: Self;
-    /// The smallest number with all its digits; below it, products lose some.
-    const TINY: Self;
-    /// The largest finite number.
-    const LARGEST: Self;
     /// The nearest number of this type.
     fn of(value: f64) -> Self;
     /// The same number as an `f64`.
@@ -43,13 +37,18 @@ pub trait Real:
     fn abs(self) -> Self;
     /// The larger of two numbers.
     fn max(self, other: Self) -> Self;
-    /// The magnitude of one number with the sign of another.
-    fn copysign(self, sign: Self) -> Self;
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool;
     /// self × 2^`power`, exact unless the result leaves the type's range.
     fn times_power_of_two(self, power: i32) -> Self;
 }
+
+/// The largest relative error of one rounding in `f64`.
+pub const U: f64 = 1.110_223_024_625_156_5e-16;
+/// The square root of [`U`], rounded up.
+pub const ROOT_OF_UNIT: f64 = 1.053_671_212_772_351e-8;
+/// The smallest `f64` with all its digits; below it, products lose some.
+pub const TINY: f64 = f64::MIN_POSITIVE;
 
 /// The e of 2^e ≤ |value| < 2^(e + 1); that of 1 for what has none.
 #[inline]
@@ -64,15 +63,12 @@ pub fn exponent(value: f64) -> i32 {
 }
 
 macro_rules! real {
-    ($type:ident, $bits:ident, $mantissa:expr, $unit:expr, $root:expr) => {
+    ($type:ident, $bits:ident, $mantissa:expr, $unit:expr) => {
         impl Real for $type {
             const NAME: &'static str = stringify!($type);
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const UNIT_ROUNDOFF: Self = $unit;
-            const ROOT_OF_UNIT: Self = $root;
-            const TINY: Self = $type::MIN_POSITIVE;
-            const LARGEST: Self = $type::MAX;
             #[inline(always)]
             fn of(value: f64) -> Self {
                 value as $type
@@ -96,10 +92,6 @@ macro_rules! real {
             #[inline(always)]
             fn max(self, other: Self) -> Self {
                 if self > other { self } else { other }
-            }
-            #[inline(always)]
-            fn copysign(self, sign: Self) -> Self {
-                self.copysign(sign)
             }
             #[inline(always)]
             fn is_finite(self) -> bool {
@@ -128,11 +120,5 @@ macro_rules! real {
     };
 }
 
-real!(f32, u32, 23, 5.960_464_5e-8, 2.441_406_3e-4);
-real!(
-    f64,
-    u64,
-    52,
-    1.110_223_024_625_156_5e-16,
-    1.053_671_212_772_351e-8
-);
+real!(f32, u32, 23, 5.960_464_5e-8);
+real!(f64, u64, 52, U);

@@ -4,7 +4,6 @@
 //! arithmetic is dashu's; nothing here is shared with the kernels, and the tests hold
 //! it against Python's fractions.
 
-pub mod camera;
 mod plane;
 pub mod scene;
 mod sphere;

@@ -21,7 +21,7 @@ use serde::Serialize;
 use crate::cast::rays::rays;
 use crate::cast::search::{PRICES, Prices, Search, price_of_all};
 use crate::cast::world::{Primitive, World};
-use crate::number::Real;
+use crate::number::U;
 use crate::shape::Ray;
 use crate::vector::Vector;
 use bounds::{PROVEN_T, normal_of, of_normal};
@@ -109,7 +109,7 @@ pub struct Plan {
 /// Plans; or says why nothing meets the wish.
 pub fn plan(scene: &Scene, wish: Wish) -> Result<(Plan, Casting), String> {
     // An exact t is rounded once, and a normal when it is made unit length.
-    if !(wish.accuracy >= 16.0 * f64::UNIT_ROUNDOFF) {
+    if !(wish.accuracy >= 16.0 * U) {
         return Err(format!(
             "an f64 holds 16 digits: no answer is known to {:e}\n  remedy: ask for 2e-15 or more",
             wish.accuracy

@@ -16,7 +16,7 @@ use crate::plan::{Wish, plan};
 use crate::result::{Kept, PlanTally};
 use crate::scenes::{self, Share};
 use crate::shape::Ray;
-use crate::speed::now;
+use crate::speed::{Workload, race};
 
 /// What is wished, one after another.
 pub const ACCURACIES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
@@ -35,34 +35,28 @@ pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<Plan
     };
     let mut castings = Vec::new();
     for accuracy in accuracies {
-        castings.push((
-            everything(*accuracy),
-            plan(&scene, everything(*accuracy))?.1,
-        ));
+        let wish = everything(*accuracy);
+        castings.push((wish, plan(&scene, wish)?.1));
     }
     let unwatched = Casting::new(world.clone(), scene.min_t, everything(f64::INFINITY));
     let plain = Caster::new(world.clone());
     let search = Search::cheaper(&world.parts);
 
-    let mut times = vec![Vec::new(); castings.len() + 2];
-    for _ in 0..share.rounds {
-        let see = |casting: &Casting| timed(&rays, |ray| casting.see(ray, &mut Tally::default()));
-        for ((_, casting), times) in castings.iter().zip(&mut times) {
-            times.push(see(casting));
-        }
-        times[castings.len()].push(see(&unwatched));
-        times[castings.len() + 1].push(timed(&rays, |ray| {
-            let found = plain.first::<Plain>(search, ray, scene.min_t, &mut Tally::default())?;
-            Some((found.t, found.part.shape.normal(ray, found.t)))
-        }));
-    }
-    let medians: Vec<f64> = times
-        .into_iter()
-        .map(|mut times| {
-            times.sort_by(f64::total_cmp);
-            times[times.len() / 2]
-        })
-        .collect();
+    let all = castings
+        .iter()
+        .map(|(_, casting)| casting)
+        .chain([&unwatched]);
+    let planned =
+        all.map(|casting| film(&rays, move |ray| casting.see(ray, &mut Tally::default())));
+    let mut films: Vec<_> = planned.collect();
+    films.push(film(&rays, |ray| {
+        let found = plain.first::<Plain>(search, ray, scene.min_t, &mut Tally::default())?;
+        Some((found.t, found.part.shape.normal(ray, found.t)))
+    }));
+    let times = race(films, rays.len(), share.seconds);
+    let [.., exact_ids, plain] = times.as_slice() else {
+        unreachable!("the last two are always there");
+    };
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
     let tally = |(at, (wish, casting)): (usize, &(Wish, Casting))| {
         let (kept, tally) = kept(&rays, &truths, casting, wish);
@@ -71,9 +65,9 @@ pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<Plan
             accuracy: wish.accuracy,
             kept,
             exact_hits: tally.exact_hits,
-            nanoseconds: medians[at],
-            exact_ids: medians[castings.len()],
-            plain: medians[castings.len() + 1],
+            nanoseconds: times[at].nanoseconds,
+            exact_ids: exact_ids.nanoseconds,
+            plain: plain.nanoseconds,
         }
     };
     Ok(castings.iter().enumerate().map(tally).collect())
@@ -103,11 +97,11 @@ pub fn kept(rays: &[Ray<f64>], truths: &[Sight], casting: &Casting, wish: &Wish)
     (kept, tally)
 }
 
-#[inline(never)]
-fn timed<T>(rays: &[Ray<f64>], mut see: impl FnMut(&Ray<f64>) -> T) -> f64 {
-    let start = now();
-    for ray in black_box(rays) {
-        black_box(see(ray));
-    }
-    (now() - start).as_secs_f64() * 1e9 / rays.len() as f64
+/// Casts all rays at each call.
+fn film<'a, T>(rays: &'a [Ray<f64>], see: impl Fn(&Ray<f64>) -> T + 'a) -> Workload<'a> {
+    Box::new(move || {
+        for ray in black_box(rays) {
+            black_box(see(ray));
+        }
+    })
 }

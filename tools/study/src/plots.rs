@@ -10,7 +10,7 @@ mod trade;
 use std::fs;
 use std::path::Path;
 
-use crate::result::Study;
+use crate::result::{Study, Sweep};
 
 /// The families that are plotted, by shape: far away, in other units, and from the side.
 const FAMILIES: [(&str, &str); 3] = [
@@ -21,35 +21,31 @@ const FAMILIES: [(&str, &str); 3] = [
 
 /// Draws every plot that the study has data for, and says what files were written. A study of
 /// one family shows that family, for every shape that has it.
-pub fn draw(study: &Study, folder: &Path) -> Result<Vec<String>, String> {
+pub fn draw(study: &Study, folder: &Path) -> std::io::Result<Vec<String>> {
+    let findings = &study.findings;
     let mut plots = Vec::new();
-    for sweep in study.families.iter().filter(|sweep| sweep.data == "f64") {
-        let name = (sweep.shape.as_str(), sweep.family.as_str());
-        let is_shown = study.trades.is_empty() || FAMILIES.contains(&name);
-        if is_shown && sweep.points.len() > 1 {
-            let is_it = |it: &&crate::result::Sweep| {
-                (it.shape.as_str(), it.family.as_str()) == name && it.data == "f32"
-            };
-            let narrow = study.families.iter().find(is_it);
-            plots.push((
-                format!("{}-{}.svg", name.0, name.1),
-                sweep::svg(sweep, narrow),
-            ));
+    for wide in findings.families.iter().filter(|it| it.data == "f64") {
+        let name = (wide.shape.as_str(), wide.family.as_str());
+        let is_shown = findings.trades.is_empty() || FAMILIES.contains(&name);
+        if is_shown && wide.points.len() > 1 {
+            let is_same = |it: &&Sweep| (it.shape.as_str(), it.family.as_str()) == name;
+            let both: Vec<_> = findings.families.iter().filter(is_same).collect();
+            plots.push((format!("{}-{}.svg", name.0, name.1), sweep::svg(&both)));
         }
     }
-    if !study.trades.is_empty() {
+    if !findings.trades.is_empty() {
         for shape in ["sphere", "plane", "triangle"] {
-            plots.push((format!("trade-{shape}.svg"), trade::svg(study, shape)));
+            plots.push((format!("trade-{shape}.svg"), trade::svg(findings, shape)));
         }
     }
-    if !study.conditioning.is_empty() {
-        plots.push(("conditioning.svg".into(), conditioning::svg(study)));
+    if !findings.conditioning.is_empty() {
+        plots.push(("conditioning.svg".into(), conditioning::svg(findings)));
     }
-    if !study.meshes.is_empty() {
-        plots.push(("mesh.svg".into(), leaks::svg(&study.meshes)));
+    if !findings.meshes.is_empty() {
+        plots.push(("mesh.svg".into(), leaks::svg(&findings.meshes)));
     }
     for (name, svg) in &plots {
-        fs::write(folder.join(name), svg).map_err(|error| error.to_string())?;
+        fs::write(folder.join(name), svg)?;
     }
     Ok(plots.into_iter().map(|(name, _)| name).collect())
 }

@@ -1,9 +1,10 @@
 //! What kernels and oracle are asked, and the two kinds of numbers it is asked in.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
-use crate::number::{Real, exponent};
+use crate::number::Real;
 use crate::shape::{Ray, Shape};
+use crate::vector::Vector;
 
 /// Where does this ray first meet this shape, from `min_t` on? The numbers are `f64`,
 /// but each is one that the tested type has: the oracle judges the kernel, not the
@@ -20,7 +21,8 @@ pub struct Question<S> {
 
 /// How far from the ordinary a question is. Classes are never added up: nobody's scene is a
 /// mixture of a teapot and a galaxy.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Class {
     /// Within about a thousand sizes of everything: what most scenes ask.
@@ -96,6 +98,17 @@ impl Data {
     }
 }
 
+impl<S> Question<S> {
+    /// From the ray's origin on.
+    pub fn new(shape: S, origin: Vector<f64>, direction: Vector<f64>) -> Question<S> {
+        Question {
+            shape,
+            ray: Ray { origin, direction },
+            min_t: 0.0,
+        }
+    }
+}
+
 impl<S: Shape<With<f64> = S>> Question<S> {
     /// Each number replaced by functions of it: of lengths, of what a plane's normal
     /// holds, of directions, of t.
@@ -135,23 +148,6 @@ impl<S: Shape<With<f64> = S>> Question<S> {
             },
         );
         [lengths, free, self.ray.direction.array().to_vec()]
-    }
-
-    /// The same question with all its numbers near 1, by powers of two. It has the same
-    /// answer, digit for digit, times a power of two: a kernel that gives another has
-    /// overflowed or underflowed on one of the two.
-    pub fn normalized(&self) -> Question<S> {
-        let [length, free, direction] = self.numbers().map(|numbers| {
-            let largest = numbers.into_iter().map(f64::abs).fold(0.0, f64::max);
-            exponent(largest)
-        });
-        let by = |power: i32| move |value: f64| value.times_power_of_two(power);
-        self.map(
-            by(-length),
-            by(-free),
-            by(-direction),
-            by(direction - length),
-        )
     }
 
     /// Whether every number is finite and directions and normals are not 0.

@@ -1,22 +1,34 @@
-//! What a study found, as it is written to `study.json`: `schema/study-2.json` says what
-//! each field means to other programs.
+//! What a study found, as it is written to `study.json`: `tools/schema/study.schema.json`
+//! says the same to other programs.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::judge::Tally;
 use crate::kernel::Tier;
 use crate::question::Class;
 
 /// The version of the document; it changes when a field changes its meaning.
-pub const SCHEMA: &str = "pinhole-study/2";
+pub const SCHEMA: &str = "pinhole-study/3";
 
 /// One run of the instrument.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Study {
     /// [`SCHEMA`].
     pub schema: String,
     /// Where, when and how.
     pub provenance: Provenance,
+    /// What was found.
+    #[serde(flatten)]
+    pub findings: Findings,
+    /// What was promised or measured before, beside what came.
+    pub targets: Vec<Target>,
+}
+
+/// What a run finds, before it is judged itself.
+#[derive(Clone, Debug, Default, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct Findings {
     /// The sweeps.
     pub families: Vec<Sweep>,
     /// Closed meshes.
@@ -33,17 +45,13 @@ pub struct Study {
     pub breaking: Vec<Breaking>,
     /// Whole scenes.
     pub scenes: Vec<SceneTally>,
-    /// Where a student's code, if it takes part, left questions without an answer, and why.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub problems: Vec<String>,
     /// What plans come to.
     pub plans: Vec<PlanTally>,
-    /// What was promised or measured before, beside what came.
-    pub targets: Vec<Target>,
 }
 
 /// Where, when and how a study was made.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Provenance {
     /// The processor.
     pub machine: String,
@@ -62,7 +70,8 @@ pub struct Provenance {
 }
 
 /// One family of questions about one shape, in one type of data.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Sweep {
     /// sphere, plane or triangle.
     pub shape: String,
@@ -79,7 +88,8 @@ pub struct Sweep {
 }
 
 /// One exponent of a sweep.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Point {
     /// x.
     pub exponent: i32,
@@ -90,7 +100,8 @@ pub struct Point {
 }
 
 /// One kernel's tally.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Judged {
     /// Its name.
     pub kernel: String,
@@ -102,7 +113,8 @@ pub struct Judged {
 }
 
 /// One kernel on closed meshes.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct MeshTally {
     /// Its name.
     pub kernel: String,
@@ -120,7 +132,8 @@ pub struct MeshTally {
 
 /// One kernel on one class of questions about one shape: what it costs, and what it gets
 /// wrong. Costs are those of an even sample of the questions that are judged.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Trade {
     /// sphere, plane or triangle.
     pub shape: String,
@@ -140,7 +153,7 @@ pub struct Trade {
     pub median_ulp: Option<f64>,
     /// The largest.
     pub worst_ulp: Option<f64>,
-    /// CPU time for one ray and one shape: the median round. A student's code has none.
+    /// CPU time for one ray and one shape: the median round.
     pub nanoseconds: Option<f64>,
     /// Half the width of the median's 95 % confidence interval, over the median.
     pub spread: Option<f64>,
@@ -150,7 +163,8 @@ pub struct Trade {
 
 /// One tier of an exact kernel in `f64`: how often it has the last word, and what a question
 /// costs then, the tiers before it included.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct TierTally {
     /// sphere, plane or triangle.
     pub shape: String,
@@ -170,7 +184,8 @@ pub struct TierTally {
 
 /// One kernel's errors of t where questions are about as sensitive to their own numbers:
 /// everyday and hard ones.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Conditioned {
     /// sphere, plane or triangle.
     pub shape: String,
@@ -189,7 +204,8 @@ pub struct Conditioned {
 }
 
 /// Where one kernel breaks in one family.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Breaking {
     /// sphere, plane or triangle.
     pub shape: String,
@@ -203,18 +219,11 @@ pub struct Breaking {
     pub above: Option<i32>,
     /// The first below.
     pub below: Option<i32>,
-    /// Wrong decisions in the whole sweep.
-    pub wrong: u64,
-    /// Questions in the whole sweep.
-    pub asked: u64,
-    /// Of the faults, those that only overflow or underflow explains, and nothing shows.
-    pub silent: u64,
-    /// The largest median error of its points, in ulp.
-    pub worst_median_ulp: Option<f64>,
 }
 
 /// One way to cast one whole scene.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SceneTally {
     /// Its name.
     pub scene: String,
@@ -251,7 +260,8 @@ pub struct SceneTally {
 }
 
 /// Rays that begin where another met a surface, moved off it by one method, all in `f32`.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Secondary {
     /// sphere or triangle.
     pub shape: String,
@@ -270,7 +280,8 @@ pub struct Secondary {
 }
 
 /// What the oracle says of a planned film.
-#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Kept {
     /// Rays that were judged.
     pub rays: u64,
@@ -285,7 +296,8 @@ pub struct Kept {
 }
 
 /// One plan, and what came of it at the pixels of its scene.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct PlanTally {
     /// The scene's name.
     pub scene: String,
@@ -305,7 +317,8 @@ pub struct PlanTally {
 }
 
 /// A figure that was promised or measured before, and the one measured now.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Target {
     /// What it is about.
     pub about: String,
@@ -318,4 +331,20 @@ pub struct Target {
     /// Whether it is a time, which another machine or a busy one changes: to fall short in
     /// it is told, and is no fault of the run.
     pub is_time: bool,
+}
+
+#[cfg(test)]
+#[test]
+fn the_committed_schema_is_that_of_the_type() {
+    use schemars::generate::SchemaSettings;
+    let generator = SchemaSettings::draft2020_12().into_generator();
+    let schema = generator.into_root_schema_for::<Study>();
+    let text = serde_json::to_string_pretty(&schema).expect("it can be written") + "\n";
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../schema/study.schema.json");
+    if std::env::var_os("UPDATE_SCHEMAS").is_some() {
+        std::fs::write(path, &text).expect("it can be written");
+    }
+    let committed = std::fs::read_to_string(path).unwrap_or_default();
+    let again = "UPDATE_SCHEMAS=1 cargo test -p pinhole-study schema";
+    assert_eq!(committed, text, "if this is meant, run: {again}");
 }

@@ -5,7 +5,6 @@ use std::cmp::Ordering;
 
 use crate::dyadic::{Dyadic, DyadicVector};
 use crate::leading::Leading;
-use crate::number::Real;
 
 /// (`rational` ± √`radicand`) / `divisor`: a root of a linear or a quadratic equation.
 #[derive(Clone, Debug)]
@@ -46,7 +45,7 @@ impl Root {
 
     /// The nearest number of a type, from more than a hundred bits: where the two terms
     /// would cancel, p + s = (p² − s²) / (p − s).
-    pub fn rounded<F: Real>(&self) -> F {
+    pub fn rounded(&self) -> f64 {
         let root = Leading::from(&self.radicand).sqrt();
         let root = if self.sign < 0 { -root } else { root };
         let (rational, divisor) = (Leading::from(&self.rational), Leading::from(&self.divisor));
@@ -101,13 +100,8 @@ impl Root {
 
 /// An exact answer as a kernel gives it: the nearest finite number. What is met further away
 /// than numbers reach is met.
-pub fn rounded<F: Real>(root: Option<Root>) -> Option<F> {
-    let t: F = root?.rounded();
-    Some(if t.is_finite() {
-        t
-    } else {
-        F::LARGEST.copysign(t)
-    })
+pub fn rounded(root: Option<Root>) -> Option<f64> {
+    Some(root?.rounded().clamp(f64::MIN, f64::MAX))
 }
 
 /// The sign of a + b √`radicand`: where the terms have opposite signs, the larger square

@@ -12,14 +12,10 @@ use crate::judge::judge_each;
 use crate::leaks;
 use crate::plans;
 use crate::question::Data;
-use crate::result::{
-    Breaking, Conditioned, Judged, MeshTally, PlanTally, Point, SceneTally, Secondary, Sweep,
-    TierTally, Trade,
-};
+use crate::result::{Findings, Judged, Point, Sweep};
 use crate::scenes::{self, Share};
 use crate::secondary;
 use crate::shape::{Plane, Sphere, Triangle};
-use crate::theirs::{self, Theirs};
 
 /// How much of everything.
 #[derive(Clone, Debug)]
@@ -53,7 +49,7 @@ impl Extent {
         instructions: false,
         scenes: Share {
             step: 7,
-            rounds: 3,
+            seconds: 0.01,
             instructions: false,
         },
         accuracies: &[1e-2, 1e-6, 1e-12],
@@ -68,50 +64,21 @@ impl Extent {
         instructions: true,
         scenes: Share {
             step: 1,
-            rounds: 15,
+            seconds: 0.15,
             instructions: true,
         },
         accuracies: &plans::ACCURACIES,
     };
 }
 
-/// What a run finds, before it is judged itself.
-#[derive(Default)]
-pub struct Findings {
-    /// The sweeps.
-    pub families: Vec<Sweep>,
-    /// Closed meshes.
-    pub meshes: Vec<MeshTally>,
-    /// Costs and wrong decisions, by class.
-    pub trades: Vec<Trade>,
-    /// The tiers of exact kernels.
-    pub tiers: Vec<TierTally>,
-    /// Errors of t against conditioning.
-    pub conditioning: Vec<Conditioned>,
-    /// Rays that begin on a surface.
-    pub secondary: Vec<Secondary>,
-    /// Breaking points.
-    pub breaking: Vec<Breaking>,
-    /// Whole scenes.
-    pub scenes: Vec<SceneTally>,
-    /// Plans.
-    pub plans: Vec<PlanTally>,
-}
-
 /// Does it all, or only the family, `classes` (all families and what each kernel costs),
 /// `mesh`, `plans`, `scenes` or `secondary` that is named; `say` is told what is being done.
-pub fn run(
-    extent: &Extent,
-    seed: u64,
-    only: Option<&str>,
-    theirs: &Theirs,
-    say: &dyn Fn(&str),
-) -> Findings {
+pub fn run(extent: &Extent, seed: u64, only: Option<&str>, say: &dyn Fn(&str)) -> Findings {
     let mut findings = Findings::default();
     let is_wanted = |part: &str| only.is_none_or(|only| only == part);
-    of_shape::<Sphere<f64>>(extent, seed, &is_wanted, say, theirs, &mut findings);
-    of_shape::<Plane<f64>>(extent, seed, &is_wanted, say, theirs, &mut findings);
-    of_shape::<Triangle<f64>>(extent, seed, &is_wanted, say, theirs, &mut findings);
+    of_shape::<Sphere<f64>>(extent, seed, &is_wanted, say, &mut findings);
+    of_shape::<Plane<f64>>(extent, seed, &is_wanted, say, &mut findings);
+    of_shape::<Triangle<f64>>(extent, seed, &is_wanted, say, &mut findings);
     if is_wanted("mesh") {
         say("closed meshes");
         let kernels = Triangle::contestants();
@@ -119,10 +86,6 @@ pub fn run(
             Aim::BOTH.map(|aim| leaks::of_kernel(kernel, aim, extent.mesh_rays, seed))
         });
         findings.meshes = tallies.collect();
-        let told = Aim::BOTH
-            .into_iter()
-            .filter_map(|aim| leaks::of(theirs, aim, seed));
-        findings.meshes.extend(told);
     }
     if is_wanted("secondary") {
         say("rays that begin on a surface");
@@ -138,12 +101,22 @@ pub fn run(
         }
         if is_wanted("scenes") {
             say(&format!("scene {name}"));
-            let tallies =
-                scenes::studied(&file, extent.scenes, theirs).expect("the scene is committed");
+            let tallies = scenes::studied(&file, extent.scenes).expect("the scene is committed");
             findings.scenes.extend(tallies);
         }
     }
     findings
+}
+
+/// What can be named to [`run`].
+pub fn parts() -> Vec<&'static str> {
+    let mut names = vec!["classes", "mesh", "plans", "scenes", "secondary"];
+    names.extend(Sphere::families().iter().map(|family| family.name));
+    names.extend(Plane::families().iter().map(|family| family.name));
+    names.extend(Triangle::families().iter().map(|family| family.name));
+    names.sort_unstable();
+    names.dedup();
+    names
 }
 
 fn of_shape<S: Studied + Conditioning>(
@@ -151,7 +124,6 @@ fn of_shape<S: Studied + Conditioning>(
     seed: u64,
     is_wanted: &dyn Fn(&str) -> bool,
     say: &dyn Fn(&str),
-    theirs: &Theirs,
     findings: &mut Findings,
 ) {
     let (mut sweeps, mut errors) = (Vec::new(), Errors::new());
@@ -160,7 +132,7 @@ fn of_shape<S: Studied + Conditioning>(
     for family in families.iter().filter(|it| is_whole || is_wanted(it.name)) {
         for data in [Data::F64, Data::F32] {
             say(&format!("{}: {} in {}", S::NAME, family.name, data.name()));
-            let sweep = swept(family, data, extent.questions, seed, theirs, &mut errors);
+            let sweep = swept(family, data, extent.questions, seed, &mut errors);
             findings.breaking.extend(breaking(&sweep, data));
             sweeps.push(sweep);
         }
@@ -184,13 +156,8 @@ pub fn swept<S: Studied + Conditioning>(
     data: Data,
     count: usize,
     seed: u64,
-    theirs: &Theirs,
     errors: &mut Errors,
 ) -> Sweep {
-    let mut told = match data {
-        theirs::DATA => theirs.family(S::NAME, family.name),
-        _ => None,
-    };
     let kernels: Vec<_> = S::contestants()
         .into_iter()
         .filter(|k| k.data == data)
@@ -206,11 +173,7 @@ pub fn swept<S: Studied + Conditioning>(
             let judged = judge_each(kernel, &asked, &truths);
             (kernel.name, kernel.numbers, judged)
         });
-        let mut judged: Vec<_> = judged.collect();
-        judged.extend(told.as_mut().map(|told| {
-            let judged = told.judged(&asked, &truths);
-            (theirs::NAME, theirs::DATA.name(), judged)
-        }));
+        let judged: Vec<_> = judged.collect();
         let class = family.class(exponent);
         let mut kernels = Vec::new();
         for (kernel, numbers, (tally, of_it)) in judged {

@@ -1,34 +1,98 @@
 //! Whole scenes: plainly in `f64` and exactly, by both searches, on every scene's own rays,
 //! judged pixel by pixel, and timed in turns.
 
-mod ways;
-
+use std::hint::black_box;
 use std::path::{Path, PathBuf};
 
-use pinhole::kind::Answer;
-use pinhole::{Film, Intersection, Scene, ShapeKind};
+use pinhole::{Film, Scene, ShapeKind};
 use rayon::prelude::*;
 
+use crate::cast::model::{Exact, Model, Plain};
 use crate::cast::rays::rays;
-use crate::cast::world::{World, vector};
-use crate::cast::{Search, Tally};
+use crate::cast::world::World;
+use crate::cast::{Caster, Search, Tally};
 use crate::instructions;
+use crate::judge::median_and_worst;
 use crate::oracle::scene::{Compared, Sight, sight};
+use crate::plan::casting::Seen;
 use crate::result::SceneTally;
 use crate::shape::Ray;
-use crate::theirs::{self, Theirs};
+use crate::speed::{Workload, race};
 use crate::vector::Vector;
-use ways::{Seen, Stage, race, ways};
 
 /// How much of every scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Share {
     /// Every so many rays are cast; 1 for all.
     pub step: usize,
-    /// Films by each model and search.
-    pub rounds: usize,
+    /// For which each way to cast it is timed.
+    pub seconds: f64,
     /// Whether instructions are counted, of whole films.
     pub instructions: bool,
+}
+
+/// A scene ready to be cast, and its rays.
+struct Stage {
+    caster: Caster,
+    rays: Vec<Ray<f64>>,
+    min_t: f64,
+}
+
+/// One way to cast a scene.
+struct Way {
+    /// What it computes with.
+    numbers: &'static str,
+    search: Search,
+    /// What is seen along every ray.
+    see: fn(&Stage, Search, &mut Tally) -> Vec<Seen>,
+    /// Casts all rays. It asks no clock: rustix's cannot be asked under valgrind.
+    film: fn(&Stage, Search),
+}
+
+fn ways() -> [Way; 4] {
+    fn way<M: Model>(search: Search) -> Way {
+        Way {
+            numbers: M::NAME,
+            search,
+            see: Stage::see::<M>,
+            film: Stage::film::<M>,
+        }
+    }
+    let (all, boxes) = (Search::BruteForce, Search::Boxes);
+    [
+        way::<Plain>(all),
+        way::<Exact>(all),
+        way::<Plain>(boxes),
+        way::<Exact>(boxes),
+    ]
+}
+
+impl Stage {
+    fn new(scene: &Scene, step: usize) -> Stage {
+        Stage {
+            caster: Caster::new(World::of(&scene.objects)),
+            rays: rays(scene).into_iter().step_by(step).collect(),
+            min_t: scene.min_t,
+        }
+    }
+
+    fn see<M: Model>(&self, search: Search, tally: &mut Tally) -> Vec<Seen> {
+        let see = |ray| {
+            let found = self.caster.first::<M>(search, ray, self.min_t, tally)?;
+            let normal = found.part.shape.normal(ray, found.t);
+            Some((found.part.object, found.t, normal))
+        };
+        self.rays.iter().map(see).collect()
+    }
+
+    #[inline(never)]
+    fn film<M: Model>(&self, search: Search) {
+        for ray in black_box(&self.rays) {
+            let mut tally = Tally::default();
+            let found = self.caster.first::<M>(search, ray, self.min_t, &mut tally);
+            black_box(found.map(|found| found.t));
+        }
+    }
 }
 
 /// What runs under valgrind is named so, with a scene's name behind it.
@@ -39,12 +103,9 @@ pub fn cast(named: &str, way: usize, films: u32) -> bool {
     let name = named.strip_prefix(SCENE).map(|name| format!("{name}.toml"));
     let file = name.and_then(|name| files().into_iter().find(|file| file.ends_with(&name)));
     let Some(file) = file else { return false };
-    let scene = read(&file).expect("the scene is committed");
-    let stage = Stage::new(World::of(&scene.objects), rays(&scene), scene.min_t);
+    let stage = Stage::new(&read(&file).expect("the scene is committed"), 1);
     if let Some(way) = ways().get(way) {
-        for _ in 0..films {
-            (way.film)(&stage, way.search);
-        }
+        (0..films).for_each(|_| (way.film)(&stage, way.search));
     }
     true
 }
@@ -90,65 +151,47 @@ fn golden(name: &str) -> Option<Film> {
     Film::read(&folder.join(format!("{name}.exr"))).ok()
 }
 
-/// Every way on one scene, Mitsuba's film of it if there is one, and a student's.
-pub fn studied(
-    file: &Path,
-    share: Share,
-    theirs: &Theirs,
-) -> Result<Vec<SceneTally>, pinhole::Error> {
+/// Every way on one scene, and Mitsuba's film of it if there is one.
+pub fn studied(file: &Path, share: Share) -> Result<Vec<SceneTally>, pinhole::Error> {
     let scene = read(file)?;
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
-    let rays: Vec<_> = rays(&scene).into_iter().step_by(share.step).collect();
-    let stage = Stage::new(World::of(&scene.objects), rays, scene.min_t);
+    let stage = Stage::new(&scene, share.step);
     let (parts, rays) = (&stage.caster.world.parts, &stage.rays);
-    let truths: Vec<_> = rays
-        .par_iter()
-        .map(|ray| sight(parts, ray, scene.min_t))
-        .collect();
-    let mut tallies = Vec::new();
+    let truth = |ray| sight(parts, ray, scene.min_t);
+    let truths: Vec<_> = rays.par_iter().map(truth).collect();
     let ways = ways();
-    for (at, (way, nanoseconds)) in ways
+    let films = ways
         .iter()
-        .zip(race(&stage, &ways, share.rounds))
-        .enumerate()
-    {
-        let is_counted_exactly = share.instructions && way.search == Search::Boxes;
+        .map(|way| Box::new(|| (way.film)(&stage, way.search)) as Workload);
+    let times = race(films.collect(), rays.len(), share.seconds);
+    let mut tallies = Vec::new();
+    for (at, (way, time)) in ways.iter().zip(times).enumerate() {
+        let is_counted = share.instructions && way.search == Search::Boxes;
         let count = || instructions::of_cast(&format!("{SCENE}{name}"), at, rays.len());
         let mut tally = Tally::default();
         let seen = (way.see)(&stage, way.search, &mut tally);
-        let is_counted = tally.tests > 0;
         tallies.push(SceneTally {
             scene: name.clone().into(),
             model: way.numbers.into(),
             search: Some(way.search.name().into()),
             parts: parts.len() as u64,
-            nanoseconds: Some(nanoseconds),
-            instructions: is_counted_exactly.then(count).flatten(),
-            tests: is_counted.then(|| tally.tests as f64 / rays.len() as f64),
+            nanoseconds: Some(time.nanoseconds),
+            instructions: is_counted.then(count).flatten(),
+            tests: Some(tally.tests as f64 / rays.len() as f64),
             semi_static: tally.semi_static,
             double_double: tally.double_double,
             exact: tally.exact,
             close_calls: tally.close_calls,
-            ..judged(rays, &truths, seen.into_iter())
+            ..judged(rays, &truths, seen)
         });
     }
     if let Some(film) = golden(&name) {
-        let seen = seen_in(&film).into_iter().step_by(share.step);
+        let seen = seen_in(&film).into_iter().step_by(share.step).collect();
         tallies.push(SceneTally {
             scene: name.clone().into(),
             model: "Mitsuba".into(),
             parts: parts.len() as u64,
             ..judged(rays, &truths, seen)
-        });
-    }
-    if let Some(answers) = theirs.scene(&name) {
-        let answers = answers.iter().step_by(share.step);
-        tallies.push(SceneTally {
-            scene: name.into(),
-            model: theirs::NAME.into(),
-            search: Some(Search::BruteForce.name().into()),
-            parts: parts.len() as u64,
-            ..judged_of_answers(rays, &truths, answers)
         });
     }
     Ok(tallies)
@@ -164,28 +207,7 @@ fn seen_in(film: &Film) -> Vec<Seen> {
     (0..film.resolution().pixels()).map(pixel).collect()
 }
 
-/// What was answered; the rest does not count.
-fn judged_of_answers<'a>(
-    rays: &[Ray<f64>],
-    truths: &[Sight],
-    answers: impl Iterator<Item = &'a Option<Answer>>,
-) -> SceneTally {
-    let (mut asked, mut true_of, mut seen) = (Vec::new(), Vec::new(), Vec::new());
-    for ((ray, truth), answer) in rays.iter().zip(truths).zip(answers) {
-        let Some(Answer::Hit(hit)) = answer else {
-            continue;
-        };
-        asked.push(*ray);
-        true_of.push(truth.clone());
-        seen.push(hit.map(|hit| {
-            let Intersection { t, normal } = hit.intersection;
-            (hit.object as u32, t, vector(normal))
-        }));
-    }
-    judged(&asked, &true_of, seen.into_iter())
-}
-
-fn judged(rays: &[Ray<f64>], truths: &[Sight], seen: impl Iterator<Item = Seen>) -> SceneTally {
+fn judged(rays: &[Ray<f64>], truths: &[Sight], seen: Vec<Seen>) -> SceneTally {
     let mut tally = SceneTally {
         rays: rays.len() as u64,
         ..SceneTally::default()
@@ -201,9 +223,7 @@ fn judged(rays: &[Ray<f64>], truths: &[Sight], seen: impl Iterator<Item = Seen>)
             }
         }
     }
-    errors.sort_by(f64::total_cmp);
-    tally.median_t = errors.get(errors.len() / 2).copied();
-    tally.worst_t = errors.last().copied();
+    [tally.median_t, tally.worst_t] = median_and_worst(errors);
     tally
 }
 

@@ -6,7 +6,7 @@
 
 use std::time::Duration;
 
-use crate::contestant::Workload;
+pub use crate::contestant::Workload;
 use crate::family::{Studied, questions};
 use crate::question::{Class, Data, Question};
 

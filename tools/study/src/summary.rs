@@ -1,13 +1,12 @@
 //! The study in words: one page, and lines for a terminal.
 
-pub mod theirs;
-
 use std::fmt::Write;
 
+use crate::cast::Search;
 use crate::contestants::EXACT;
-use crate::judge::rule_of_three;
+use crate::judge::{median_and_worst, rule_of_three};
 use crate::question::Class;
-use crate::result::{Breaking, Study, Trade};
+use crate::result::{Findings, PlanTally, Study, Trade};
 
 /// What was promised beside what came, for a terminal.
 pub fn terminal(study: &Study) -> String {
@@ -19,11 +18,10 @@ pub fn terminal(study: &Study) -> String {
             true => ("✓", "pass"),
             false => ("✗", "fall short"),
         };
-        let padding = " ".repeat(width - target.about.chars().count());
         let (about, expected, measured) = (&target.about, &target.expected, &target.measured);
         let _ = writeln!(
             text,
-            "{mark} {about}{padding}  {expected:>24}  {measured}  {verdict}"
+            "{mark} {about:width$}  {expected:>24}  {measured}  {verdict}"
         );
     }
     let met = study.targets.iter().filter(|target| target.met).count();
@@ -33,8 +31,8 @@ pub fn terminal(study: &Study) -> String {
 
 /// The page, with the plots that were drawn.
 pub fn summary(study: &Study, plots: &[String]) -> String {
-    let p = &study.provenance;
-    let mut text = format!(
+    let (p, findings) = (&study.provenance, &study.findings);
+    let head = format!(
         "# Speed and accuracy, measured\n\n\
          A *kernel* is one way to compute where a ray meets a shape. All kernels are right on \
          paper, but a computer rounds. A **wrong decision** calls a hit a miss or a miss a hit. \
@@ -48,38 +46,53 @@ pub fn summary(study: &Study, plots: &[String]) -> String {
          nanoseconds belong to that machine and to what else it did.\n\n",
         p.command, p.machine, p.date, p.features, p.commit, p.seed, p.mode
     );
-    if theirs::is_there(study) {
-        theirs::section(&mut text, study);
-    }
-    for shape in ["sphere", "plane", "triangle"] {
-        trades(&mut text, study, shape);
-    }
-    tiers(&mut text, study);
-    let caption = |name| match name {
+    let trades = ["sphere", "plane", "triangle"].map(|shape| trades(findings, shape));
+    let caption = |name: &str| match name {
         "conditioning.svg" => "Errors of t against how sensitive the question is",
         "mesh.svg" => "Rays from inside closed meshes, aimed at edges and corners",
         _ => "Wrong decisions, and the error of t",
     };
-    for name in plots.iter().filter(|name| !name.starts_with("trade-")) {
-        let _ = writeln!(text, "![{}]({name})\n", caption(name.as_str()));
-    }
-    secondary(&mut text, study);
-    scenes(&mut text, study);
-    plans(&mut text, study);
-    choice(&mut text, study);
-    table(&mut text, "Promises", "what | promised | measured | ");
-    for target in &study.targets {
+    let images = plots.iter().filter(|name| !name.starts_with("trade-"));
+    let promises = study.targets.iter().map(|target| {
         let verdict = if target.met { "pass" } else { "**fall short**" };
         let (about, expected, measured) = (&target.about, &target.expected, &target.measured);
-        let _ = writeln!(text, "| {about} | {expected} | {measured} | {verdict} |");
-    }
-    text
+        [about, expected, measured, verdict].map(|cell| cell.to_string())
+    });
+    [
+        head,
+        trades.concat(),
+        tiers(findings),
+        images
+            .map(|name| format!("![{}]({name})\n\n", caption(name)))
+            .collect(),
+        secondary(findings),
+        scenes(findings),
+        plans(findings),
+        choice(findings),
+        table("Promises", "what | promised | measured | ", promises),
+    ]
+    .concat()
+    .trim_end()
+    .to_owned()
+        + "\n"
 }
 
-/// A heading, and the head of a table.
-fn table(text: &mut String, title: &str, columns: &str) {
-    let rule = "| --- ".repeat(columns.split('|').count());
-    let _ = write!(text, "## {title}\n\n| {columns} |\n{rule}|\n");
+/// A section with a table; nothing if there are no rows.
+fn table<const N: usize>(
+    title: &str,
+    columns: &str,
+    rows: impl IntoIterator<Item = [String; N]>,
+) -> String {
+    let rows: Vec<_> = rows.into_iter().collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    let rule = "| --- ".repeat(N);
+    let mut text = format!("## {title}\n\n| {columns} |\n{rule}|\n");
+    for row in rows {
+        let _ = writeln!(text, "| {} |", row.join(" | "));
+    }
+    text + "\n"
 }
 
 /// A share of wrong answers; of none, what that shows.
@@ -92,202 +105,163 @@ fn share(wrong: u64, asked: u64) -> String {
     }
 }
 
-fn trades(text: &mut String, study: &Study, shape: &str) {
-    let all = || study.trades.iter().filter(|trade| trade.shape == shape);
-    if all().next().is_none() {
-        return;
-    }
-    let columns = "kernel | numbers | class | instructions | ns | wrong | median error of t";
-    table(text, &format!("The trade: {shape}"), columns);
-    for trade in all().filter(|trade| trade.asked > 0) {
-        let Trade {
-            kernel, numbers, ..
-        } = trade;
-        let cost = |cost: Option<f64>| cost.map_or("–".into(), |cost| format!("{cost:.0}"));
-        let spread = trade.spread.map_or(0.0, |spread| 100.0 * spread);
-        let _ = writeln!(
-            text,
-            "| {kernel} | {numbers} | {} | {} | {} ± {spread:.0} % | {} | {} |",
-            trade.class.name(),
-            cost(trade.instructions),
-            cost(trade.nanoseconds),
-            share(trade.wrong, trade.asked),
-            trade
-                .median_ulp
-                .map_or("–".into(), |ulp| format!("{} ulp", short(ulp))),
-        );
-    }
-    let _ = writeln!(
-        text,
-        "\n![Cost against wrong decisions: {shape}](trade-{shape}.svg)\n"
-    );
+/// A number that may not have been measured.
+fn or_dash(number: Option<f64>, text: fn(f64) -> String) -> String {
+    number.map_or("–".into(), text)
+}
+
+fn whole(number: f64) -> String {
+    format!("{number:.0}")
 }
 
 /// Two digits or so.
-pub fn short(number: f64) -> String {
+fn short(number: f64) -> String {
     match number {
         1000.0.. => format!("{number:.0e}"),
-        10.0.. => format!("{number:.0}"),
+        10.0.. => whole(number),
         _ => format!("{number:.2}"),
     }
 }
 
-fn tiers(text: &mut String, study: &Study) {
-    if study.tiers.is_empty() {
-        return;
+fn trades(findings: &Findings, shape: &str) -> String {
+    let trades = findings.trades.iter();
+    let rows = trades.filter(|trade| trade.shape == shape && trade.asked > 0);
+    let columns = "kernel | numbers | class | instructions | ns | wrong | median error of t";
+    let rows = rows.map(|trade| {
+        let time = or_dash(trade.nanoseconds, whole);
+        let spread = trade.spread.map_or(0.0, |spread| 100.0 * spread);
+        [
+            trade.kernel.clone(),
+            trade.numbers.clone(),
+            trade.class.name().into(),
+            or_dash(trade.instructions, whole),
+            format!("{time} ± {spread:.0} %"),
+            share(trade.wrong, trade.asked),
+            or_dash(trade.median_ulp, |ulp| format!("{} ulp", short(ulp))),
+        ]
+    });
+    match table(&format!("The trade: {shape}"), columns, rows) {
+        empty if empty.is_empty() => empty,
+        text => text + &format!("![Cost against wrong decisions: {shape}](trade-{shape}.svg)\n\n"),
     }
+}
+
+fn tiers(findings: &Findings) -> String {
     let columns = "shape | class | tier | questions it decides | instructions | ns";
-    table(text, "What an exact decision takes", columns);
-    for tier in &study.tiers {
-        let instructions = tier.instructions.map_or("–".into(), short);
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} | {:.2} % | {instructions} | {:.0} |",
-            tier.shape,
-            tier.class.name(),
-            tier.tier.name(),
-            100.0 * tier.decided as f64 / tier.asked as f64,
-            tier.nanoseconds
-        );
-    }
-    text.push('\n');
+    let rows = findings.tiers.iter().map(|it| {
+        [
+            it.shape.clone(),
+            it.class.name().into(),
+            it.tier.name().into(),
+            format!("{:.2} %", 100.0 * it.decided as f64 / it.asked as f64),
+            or_dash(it.instructions, short),
+            whole(it.nanoseconds),
+        ]
+    });
+    table("What an exact decision takes", columns, rows)
 }
 
-fn secondary(text: &mut String, study: &Study) {
-    if study.secondary.is_empty() {
-        return;
-    }
+fn secondary(findings: &Findings) -> String {
     let columns = "shape | method | from the origin of the world | self-hits | lost hits";
-    table(text, "Rays that begin on a surface, in f32", columns);
-    for it in &study.secondary {
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} | {} | {} |",
-            it.shape,
-            it.method,
-            it.offset,
+    let rows = findings.secondary.iter().map(|it| {
+        [
+            it.shape.clone(),
+            it.method.clone(),
+            it.offset.to_string(),
             share(it.self_hits, it.leaving),
-            share(it.lost, it.near)
-        );
-    }
-    text.push('\n');
+            share(it.lost, it.near),
+        ]
+    });
+    table("Rays that begin on a surface, in f32", columns, rows)
 }
 
-fn scenes(text: &mut String, study: &Study) {
-    if study.scenes.is_empty() {
-        return;
-    }
-    let columns = "scene | numbers | search | wrong pixels | worst t | instructions | ns | tests \
-                   | past the static filter | past the semi-static one | exact";
-    table(text, "Whole scenes", columns);
-    for it in study
-        .scenes
-        .iter()
-        .filter(|it| it.search.as_deref() != Some("brute force"))
-    {
-        let cost = |cost: Option<f64>| cost.map_or("–".into(), |cost| format!("{cost:.0}"));
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} | {} of {} | {} | {} | {} | {} | {} | {} | {} |",
-            it.scene,
-            it.model,
-            it.search.as_deref().unwrap_or("–"),
-            it.wrong_ids,
-            it.rays,
-            it.worst_t.map_or("–".into(), |t| format!("{t:.0e}")),
-            cost(it.instructions),
-            cost(it.nanoseconds),
-            cost(it.tests.map(|tests| tests * it.rays as f64)),
-            it.semi_static,
-            it.double_double,
-            it.exact + it.close_calls
-        );
-    }
-    text.push('\n');
+fn scenes(findings: &Findings) -> String {
+    let scenes = findings.scenes.iter();
+    let shown = scenes.filter(|it| it.search.as_deref() != Some(Search::BruteForce.name()));
+    let columns = "scene | numbers | search | wrong pixels | worst t | instructions | ns | tests | past the static filter | past the semi-static one | exact";
+    let rows = shown.map(|it| {
+        [
+            it.scene.clone(),
+            it.model.clone(),
+            it.search.clone().unwrap_or("–".into()),
+            format!("{} of {}", it.wrong_ids, it.rays),
+            or_dash(it.worst_t, |t| format!("{t:.0e}")),
+            or_dash(it.instructions, whole),
+            or_dash(it.nanoseconds, whole),
+            or_dash(it.tests.map(|tests| tests * it.rays as f64), whole),
+            it.semi_static.to_string(),
+            it.double_double.to_string(),
+            (it.exact + it.close_calls).to_string(),
+        ]
+    });
+    table("Whole scenes", columns, rows)
 }
 
-fn plans(text: &mut String, study: &Study) {
-    let wishes: Vec<f64> = study.plans.iter().map(|plan| plan.accuracy).collect();
-    if wishes.is_empty() {
-        return;
-    }
-    let columns = "accuracy | worst t | worst normal | computed exactly | × exact objects | \
-                   × plain f64";
-    table(text, "Plans, over all scenes", columns);
-    let mut seen = Vec::new();
-    for wish in wishes {
-        if seen.contains(&wish) {
-            continue;
-        }
-        seen.push(wish);
-        let all = || study.plans.iter().filter(|plan| plan.accuracy == wish);
-        let median = |mut ratios: Vec<f64>| {
-            ratios.sort_by(f64::total_cmp);
-            ratios[ratios.len() / 2]
+fn plans(findings: &Findings) -> String {
+    let mut wishes: Vec<f64> = findings.plans.iter().map(|plan| plan.accuracy).collect();
+    wishes.sort_by(|p, q| q.total_cmp(p));
+    wishes.dedup();
+    let rows = wishes.into_iter().map(|wish| {
+        let plans = findings.plans.iter();
+        let all: Vec<&PlanTally> = plans.filter(|plan| plan.accuracy == wish).collect();
+        let median = |ratio: fn(&PlanTally) -> f64| {
+            let [median, _] = median_and_worst(all.iter().map(|plan| ratio(plan)));
+            or_dash(median, |ratio| format!("{ratio:.2}"))
         };
-        let worst_t = all().map(|plan| plan.kept.worst_t).fold(0.0, f64::max);
-        let normals = all().map(|plan| plan.kept.worst_normal);
-        let _ = writeln!(
-            text,
-            "| {wish:.0e} | {worst_t:.0e} | {:.0e} rad | {} of {} | {:.2} | {:.2} |",
-            normals.fold(0.0, f64::max),
-            all().map(|plan| plan.exact_hits).sum::<u64>(),
-            all().map(|plan| plan.kept.rays).sum::<u64>(),
-            median(
-                all()
-                    .map(|plan| plan.nanoseconds / plan.exact_ids)
-                    .collect()
-            ),
-            median(all().map(|plan| plan.nanoseconds / plan.plain).collect())
-        );
-    }
-    text.push('\n');
+        let worst = |of: fn(&PlanTally) -> f64| all.iter().map(|plan| of(plan)).fold(0.0, f64::max);
+        let sum = |of: fn(&PlanTally) -> u64| all.iter().map(|plan| of(plan)).sum::<u64>();
+        let rays = sum(|plan| plan.kept.rays);
+        [
+            format!("{wish:.0e}"),
+            format!("{:.0e}", worst(|plan| plan.kept.worst_t)),
+            format!("{:.0e} rad", worst(|plan| plan.kept.worst_normal)),
+            format!("{} of {rays}", sum(|plan| plan.exact_hits)),
+            median(|plan| plan.nanoseconds / plan.exact_ids),
+            median(|plan| plan.nanoseconds / plan.plain),
+        ]
+    });
+    let columns =
+        "accuracy | worst t | worst normal | computed exactly | × exact objects | × plain f64";
+    table("Plans, over all scenes", columns, rows)
 }
 
 /// What to use, by what the study found.
-fn choice(text: &mut String, study: &Study) {
-    let cost = |shape: &str, class, kernel: &str, numbers: &str| {
-        let mut trades = study.trades.iter();
-        let trade = trades.find(|it| {
-            (
-                it.shape.as_str(),
-                it.class,
-                it.kernel.as_str(),
-                it.numbers.as_str(),
-            ) == (shape, class, kernel, numbers)
-        });
-        let cost = trade.and_then(|it| it.instructions.or(it.nanoseconds));
-        cost.map_or("–".into(), |cost| format!("{cost:.0}"))
-    };
-    if study.trades.is_empty() {
-        return;
+fn choice(findings: &Findings) -> String {
+    if findings.trades.is_empty() {
+        return String::new();
     }
-    table(
-        text,
-        "Which to use",
-        "your scene is … | use … | costs, for a ray and a sphere …",
-    );
+    let cost = |class, kernel: &str, numbers: &str| {
+        let is_it = |it: &&Trade| {
+            (it.shape.as_str(), it.class) == ("sphere", class)
+                && (it.kernel.as_str(), it.numbers.as_str()) == (kernel, numbers)
+        };
+        let trade = findings.trades.iter().find(is_it);
+        or_dash(
+            trade.and_then(|it| it.instructions.or(it.nanoseconds)),
+            whole,
+        )
+    };
     let (everyday, hard) = (Class::Everyday, Class::Hard);
     let rows = [
         (
             "everyday",
             "the textbook in f64",
-            cost("sphere", everyday, "textbook", "f64"),
+            cost(everyday, "textbook", "f64"),
         ),
         (
             "hard, and a rare speck does no harm",
             "Haines et al., scaled",
-            cost("sphere", hard, "Haines scaled", "f64"),
+            cost(hard, "Haines scaled", "f64"),
         ),
         (
             "too large for memory",
             "f32 data, f64 arithmetic",
-            cost("sphere", everyday, "Haines scaled", "f64 on f32"),
+            cost(everyday, "Haines scaled", "f64 on f32"),
         ),
         (
             "judged by its ids",
             "`pinhole render --exact`",
-            cost("sphere", everyday, EXACT, "f64"),
+            cost(everyday, EXACT, "f64"),
         ),
         (
             "to have t and normals of a known accuracy",
@@ -295,20 +269,7 @@ fn choice(text: &mut String, study: &Study) {
             "as above, and more for X below 6e-8".into(),
         ),
     ];
-    for (scene, kernel, cost) in rows {
-        let _ = writeln!(text, "| {scene} | {kernel} | {cost} |");
-    }
-    text.push('\n');
-}
-
-/// Where a kernel breaks, in words.
-fn ends(breaking: &Breaking) -> String {
-    let ends = [breaking.below, breaking.above].into_iter().flatten();
-    let mut ends: Vec<String> = ends.map(|x| x.to_string()).collect();
-    // The easy exponent is on both sides.
-    ends.dedup();
-    match ends.is_empty() {
-        true => "never".into(),
-        false => ends.join(" and "),
-    }
+    let columns = "your scene is … | use … | costs, for a ray and a sphere …";
+    let rows = rows.map(|(scene, kernel, cost)| [scene.into(), kernel.into(), cost]);
+    table("Which to use", columns, rows)
 }

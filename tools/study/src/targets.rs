@@ -2,10 +2,9 @@
 //! `terminal` and `summary` show them; here they are data.
 
 use crate::contestants::EXACT;
-use crate::judge::rule_of_three;
+use crate::judge::{median_and_worst, rule_of_three};
 use crate::question::Class;
-use crate::result::{Conditioned, MeshTally, PlanTally, SceneTally, Target, Trade};
-use crate::run::Findings;
+use crate::result::{Conditioned, Findings, MeshTally, PlanTally, SceneTally, Target, Trade};
 
 /// What came: in words, and whether that is as good as promised.
 type Measured = Option<(String, bool)>;
@@ -72,11 +71,11 @@ const PROMISES: [Promise; 13] = [
         about: "plans: time over exact objects alone",
         expected: "worst ≤ 1.00",
         measured: |it| {
-            let [median, worst] = ratios(&it.plans, |plan| plan.nanoseconds / plan.exact_ids)?;
-            Some((
-                format!("median {median:.2}, worst {worst:.2}"),
-                worst <= 1.0,
-            ))
+            ratios(
+                it,
+                |it| it.nanoseconds / it.exact_ids,
+                |_, worst| worst <= 1.0,
+            )
         },
         is_time: true,
     },
@@ -84,11 +83,11 @@ const PROMISES: [Promise; 13] = [
         about: "plans: time over plain f64",
         expected: "median ≤ 1.00",
         measured: |it| {
-            let [median, worst] = ratios(&it.plans, |plan| plan.nanoseconds / plan.plain)?;
-            Some((
-                format!("median {median:.2}, worst {worst:.2}"),
-                median <= 1.0,
-            ))
+            ratios(
+                it,
+                |it| it.nanoseconds / it.plain,
+                |median, _| median <= 1.0,
+            )
         },
         is_time: true,
     },
@@ -157,15 +156,18 @@ fn added(scenes: &[SceneTally]) -> Measured {
         let of_model = scenes.iter().filter(move |tally| tally.model == model);
         of_model.filter_map(|tally| tally.instructions)
     };
-    let mut added: Vec<f64> = of("exact").zip(of("f64")).map(|(p, q)| p - q).collect();
-    added.sort_by(f64::total_cmp);
-    let (median, worst) = (*added.get(added.len() / 2)?, *added.last()?);
+    let added = of("exact").zip(of("f64")).map(|(p, q)| p - q);
+    let [Some(median), Some(worst)] = median_and_worst(added) else {
+        return None;
+    };
     let is_kept = median <= 25.0 && worst <= 50.0;
     Some((format!("median {median:.0}, worst {worst:.0}"), is_kept))
 }
 
-fn ratios(plans: &[PlanTally], of: fn(&PlanTally) -> f64) -> Option<[f64; 2]> {
-    let mut ratios: Vec<f64> = plans.iter().map(of).collect();
-    ratios.sort_by(f64::total_cmp);
-    Some([*ratios.get(ratios.len() / 2)?, *ratios.last()?])
+fn ratios(it: &Findings, of: fn(&PlanTally) -> f64, is_met: fn(f64, f64) -> bool) -> Measured {
+    let [Some(median), Some(worst)] = median_and_worst(it.plans.iter().map(of)) else {
+        return None;
+    };
+    let measured = format!("median {median:.2}, worst {worst:.2}");
+    Some((measured, is_met(median, worst)))
 }

@@ -50,7 +50,7 @@ fn a_float_comes_back_from_its_leading_bits() {
         .map(|_| any(&mut random))
         .chain([0.0, 5e-324, f64::MAX])
     {
-        assert_eq!(Leading::from(&Dyadic::of(value)).rounded::<f64>(), value);
+        assert_eq!(Leading::from(&Dyadic::of(value)).rounded(), value);
     }
 }
 
@@ -60,14 +60,10 @@ fn a_root_and_a_quotient_of_leading_bits_are_rounded_right() {
     for _ in 0..20_000 {
         let (a, b) = (any(&mut random).abs(), random.within(1.0, 2.0));
         let number = |value: f64| Leading::from(&Dyadic::of(value));
-        assert_eq!(number(a).sqrt().rounded::<f64>(), a.sqrt(), "√{a:e}");
+        assert_eq!(number(a).sqrt().rounded(), a.sqrt(), "√{a:e}");
         // A subnormal quotient is rounded twice.
         if (a / b).is_normal() {
-            assert_eq!(
-                (number(a) / number(b)).rounded::<f64>(),
-                a / b,
-                "{a:e} / {b:e}"
-            );
+            assert_eq!((number(a) / number(b)).rounded(), a / b, "{a:e} / {b:e}");
         }
     }
 }
@@ -139,7 +135,7 @@ fn a_comparison_of_roots_is_that_of_their_values_and_turns_around() {
             let [r, d, q] = [rational, radicand, divisor].map(Dyadic::of);
             (Root::quadratic(r, sign, d, q), value)
         });
-        assert!((p.0.rounded::<f64>() - p.1).abs() <= 1e-14 * (1.0 + p.1.abs()));
+        assert!((p.0.rounded() - p.1).abs() <= 1e-14 * (1.0 + p.1.abs()));
         let order = p.0.compare(&q.0);
         assert_eq!(order, q.0.compare(&p.0).reverse());
         if (p.1 - q.1).abs() > 1e-9 {

@@ -13,12 +13,11 @@ use pinhole_study::kernel::{Kernel, sphere, triangle};
 use pinhole_study::leaks;
 use pinhole_study::oracle::Known;
 use pinhole_study::question::{Class, Data, Question};
-use pinhole_study::result::Trade;
-use pinhole_study::run::{Extent, Findings, run};
+use pinhole_study::result::{Findings, Trade};
+use pinhole_study::run::{Extent, run};
 use pinhole_study::secondary;
 use pinhole_study::shape::{Plane, Ray, Sphere, Triangle};
 use pinhole_study::targets::targets;
-use pinhole_study::theirs::Theirs;
 use pinhole_study::vector::Vector;
 
 const SEED: u64 = 7;
@@ -118,20 +117,9 @@ fn a_kernel_that_leaves_out_edges_leaks() {
 #[test]
 fn an_eye_at_the_centre_sees_the_sphere_at_its_radius() {
     let zero = Vector::new(0.0, 0.0, 0.0);
+    let (center, radius) = (zero, 1.0);
     let direction = Vector::new(0.0, -0.5, 0.0);
-    let ray = Ray {
-        origin: zero,
-        direction,
-    };
-    let shape = Sphere {
-        center: zero,
-        radius: 1.0,
-    };
-    let question = Question {
-        shape,
-        ray,
-        min_t: 0.0,
-    };
+    let question = Question::new(Sphere { center, radius }, zero, direction);
     for kernel in Sphere::contestants() {
         assert_eq!(
             (kernel.answer)(&question),
@@ -238,7 +226,7 @@ fn traded(shape: &str, class: Class, kernel: &str, numbers: &str) -> (u64, u64) 
             seconds: 0.0,
             ..Extent::QUICK
         };
-        run(&extent, SEED, Some("classes"), &Theirs::default(), &|_| ())
+        run(&extent, SEED, Some("classes"), &|_| ())
     });
     let is_it = |it: &&Trade| {
         (it.shape.as_str(), it.class) == (shape, class)
@@ -271,19 +259,9 @@ fn a_question_is_as_sensitive_as_its_conditioning_says() {
     // Where n · d is 1e-6 of its products, t follows the numbers a million times as strongly.
     for (across, decade) in [(1.0, 0), (1e-6, 6)] {
         let at = |x, y, z| Vector::new(x, y, z);
-        let shape = Plane {
-            point: at(0.0, 0.0, 0.0),
-            normal: at(1.0, 0.0, 1.0),
-        };
-        let ray = Ray {
-            origin: at(0.0, 0.0, 1.0),
-            direction: at(1.0, 0.0, -1.0 - across),
-        };
-        let question = Question {
-            shape,
-            ray,
-            min_t: 0.0,
-        };
+        let (point, normal) = (at(0.0, 0.0, 0.0), at(1.0, 0.0, 1.0));
+        let (origin, direction) = (at(0.0, 0.0, 1.0), at(1.0, 0.0, -1.0 - across));
+        let question = Question::new(Plane { point, normal }, origin, direction);
         let condition = Plane::condition(&question, &Plane::truth(&question)).expect("it is met");
         assert_eq!(conditioning::decade(condition / 1.5), decade, "{condition}");
     }
@@ -307,7 +285,7 @@ fn a_study_is_the_same_again() {
         questions: 20,
         ..Extent::QUICK
     };
-    let sweeps = || run(&extent, SEED, Some("sliver"), &Theirs::default(), &|_| ()).families;
+    let sweeps = || run(&extent, SEED, Some("sliver"), &|_| ()).families;
     let [first, second] = [sweeps(), sweeps()].map(|s| serde_json::to_string(&s).expect("JSON"));
     assert!(first.len() > 1000 && first == second);
 }

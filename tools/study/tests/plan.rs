@@ -39,7 +39,7 @@ fn keeps_its_promise(scene: &Scene, accuracies: &[f64]) {
 fn every_plan_keeps_to_what_was_wished_at_every_pixel_asked() {
     let share = Share {
         step: 13,
-        rounds: 1,
+        seconds: 0.0,
         instructions: false,
     };
     for file in files() {

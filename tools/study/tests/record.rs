@@ -1,26 +1,25 @@
-//! The long runs, short: what `study record` would say in a few seconds.
+//! The long runs, short: what `pinhole-study record` would say in a few seconds.
 
-use pinhole_study::record::{Hardness, decisions, leaks, plans};
+use pinhole_study::record::{Kind, record};
 
 #[test]
 fn no_decision_is_wrong_in_everyday_questions_or_at_the_extremes() {
-    for hardness in [Hardness::Random, Hardness::Adversarial] {
-        let count = decisions(hardness, 20_000, 7, &|_| ());
-        assert!(count.asked > 10_000, "{hardness:?}: {count:?}");
-        assert_eq!(count.wrong, 0, "{hardness:?}");
+    for kind in [Kind::Random, Kind::Adversarial] {
+        let count = record(kind, 0..1, 7);
+        assert!(count.asked > 10_000, "{kind:?}: {count:?}");
+        assert_eq!(count.wrong, 0, "{kind:?}");
     }
 }
 
 #[test]
 fn no_ray_leaks_out_of_a_closed_mesh() {
-    let leaks = leaks(2_000, 7, &|_| ());
-    assert!(leaks.rays >= 4_000, "{leaks:?}");
-    assert_eq!(leaks.leaks, 0);
+    let count = record(Kind::Edges, 0..4, 7);
+    assert!(count.asked == 4_000 && count.wrong == 0, "{count:?}");
 }
 
 #[test]
 fn plans_of_random_scenes_keep_their_promise() {
-    let plans = plans(500, 7, &|_| ());
-    assert!(plans.hits > 10_000 && plans.exact_hits > 500, "{plans:?}");
-    assert!(plans.broken.is_empty(), "{plans:?}");
+    let count = record(Kind::Plans, 0..500, 7);
+    assert!(count.hits > 10_000 && count.exact > 500, "{count:?}");
+    assert_eq!(count.broken, [0; 0]);
 }

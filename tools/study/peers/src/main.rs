@@ -6,42 +6,35 @@
 //! times are of this build: `RUSTFLAGS="-C target-cpu=native"` makes ours, and all that is
 //! written in Rust, faster, while Embree looks for itself what the processor can do.
 
+#[cfg(embree)]
+mod embree;
 mod mesh;
 mod peer;
-mod race;
 mod rays;
 
+use std::hint::black_box;
+
 use mesh::{Mesh, ball, of_assignment};
-use race::{Result, race};
+use pinhole_study::speed::{Workload, race};
+use rays::Ray;
 
 /// Ours, over Embree's: for primary and for incoherent rays.
 const OVER_EMBREE: [f64; 2] = [1.5, 2.5];
 /// Parry's in `f64`, over ours.
 const OVER_PARRY: f64 = 2.0;
 
+/// A hundred last digits of an `f32`: t is off by a few of those of origin and corners.
+const FAR: f64 = 6e-6;
+
 fn main() {
-    let rounds = std::env::args().nth(1);
-    let rounds = rounds.map_or(9, |rounds| {
-        rounds.parse().expect("the argument is how many rounds")
+    let seconds = std::env::args().nth(1).map_or(1.0, |seconds| {
+        seconds.parse().expect("the argument is a time in seconds")
     });
-    let features = ["sse2", "avx2", "fma"];
-    let has = [
-        cfg!(target_feature = "sse2"),
-        cfg!(target_feature = "avx2"),
-        cfg!(target_feature = "fma"),
-    ];
-    let has: Vec<_> = features
-        .into_iter()
-        .zip(has)
-        .filter(|(_, has)| *has)
-        .collect();
-    println!(
-        "built for: {}",
-        has.iter()
-            .map(|(name, _)| *name)
-            .collect::<Vec<_>>()
-            .join(", ")
-    );
+    let level = match (cfg!(target_feature = "avx2"), cfg!(target_feature = "fma")) {
+        (true, true) => "AVX2 and FMA",
+        _ => "the baseline",
+    };
+    println!("built for {level}");
     if cfg!(not(embree)) {
         println!("skipped: Embree, whose headers are not there (Debian: libembree-dev)");
     }
@@ -51,59 +44,64 @@ fn main() {
         ball(94),
         ball(354),
     ] {
-        compare(&mesh, rounds);
+        let primary = rays::primary();
+        let incoherent = rays::incoherent(&mesh, &primary);
+        compare(&mesh, "primary", &primary, OVER_EMBREE[0], seconds);
+        compare(&mesh, "incoherent", &incoherent, OVER_EMBREE[1], seconds);
     }
 }
 
 /// `over` is relative to Embree robust, or to ours where that is missing.
-fn compare(mesh: &Mesh, rounds: usize) {
-    let primary = rays::primary();
-    let incoherent = rays::incoherent(mesh, &primary);
-    for (kind, rays, over_embree) in [
-        ("primary", &primary, OVER_EMBREE[0]),
-        ("incoherent", &incoherent, OVER_EMBREE[1]),
-    ] {
-        let results = race(mesh, rays, rounds);
-        println!("\n{}, {} {kind} rays", mesh.name, rays.len());
+fn compare(mesh: &Mesh, kind: &str, rays: &[Ray], over_embree: f64, seconds: f64) {
+    let peers = peer::all(mesh, rays);
+    let answers: Vec<Vec<f64>> = peers.iter().map(|peer| (peer.cast)()).collect();
+    let workload = |peer| {
+        let peer::Peer { cast, .. } = peer;
+        Box::new(move || {
+            black_box(cast());
+        }) as Workload
+    };
+    let times = race(peers.iter().map(workload).collect(), rays.len(), seconds);
+    let time = |name: &str| {
+        let at = peers.iter().position(|peer| peer.name == name)?;
+        Some(times[at].nanoseconds)
+    };
+    let (exact, robust) = (times[0].nanoseconds, time(peer::ROBUST));
+    println!("\n{}, {} {kind} rays", mesh.name, rays.len());
+    println!(
+        "{:<22}{:>16}{:>8}{:>11}{:>13}",
+        "", "ns/ray", "over", "otherwise", "building/ms"
+    );
+    for ((peer, time), its) in peers.iter().zip(&times).zip(&answers) {
+        let both = answers[0].iter().zip(its);
+        let otherwise = both.filter(|(one, other)| !agree(**one, **other)).count();
         println!(
-            "{:<22}{:>9}{:>8}{:>11}{:>13}",
-            "", "ns/ray", "over", "otherwise", "building/ms"
+            "{:<22}{:>9.1} ± {:>2.0} %{:>8.2}{otherwise:>11}{:>13.1}",
+            peer.name,
+            time.nanoseconds,
+            100.0 * time.spread,
+            time.nanoseconds / robust.unwrap_or(exact),
+            peer.building
         );
-        let time = |name: &str| {
-            let result = results.iter().find(|result| result.name == name);
-            result.map(|result| result.nanoseconds)
-        };
-        let unit = time(peer::ROBUST).unwrap_or(results[0].nanoseconds);
-        for result in &results {
-            let Result {
-                name,
-                building,
-                nanoseconds,
-                otherwise,
-            } = result;
-            let over = nanoseconds / unit;
-            println!("{name:<22}{nanoseconds:>9.1}{over:>8.2}{otherwise:>11}{building:>13.1}");
-        }
-        let exact = results[0].nanoseconds;
-        if time(peer::ROBUST).is_some() {
-            tell(
-                "ours, exact, over Embree robust, at most",
-                over_embree,
-                exact / unit,
-                exact <= over_embree * unit,
-            );
-        }
-        let parry = time(peer::PARRY).expect("it is linked") / exact;
-        tell(
-            "parry3d-f64 over ours, exact, at least",
-            OVER_PARRY,
-            parry,
-            parry >= OVER_PARRY,
-        );
+    }
+    let tell = |what: &str, target: f64, measured: f64, is_met: bool| {
+        let verdict = if is_met { "pass" } else { "falls short" };
+        println!("{what} {target:.1}: {measured:.2}, {verdict}");
+    };
+    if let Some(over) = robust.map(|robust| exact / robust) {
+        let what = "ours, exact, over Embree robust, at most";
+        tell(what, over_embree, over, over <= over_embree);
+    }
+    if let Some(over) = time(peer::PARRY).map(|parry| parry / exact) {
+        let what = "parry3d-f64 over ours, exact, at least";
+        tell(what, OVER_PARRY, over, over >= OVER_PARRY);
     }
 }
 
-fn tell(what: &str, target: f64, measured: f64, is_met: bool) {
-    let verdict = if is_met { "pass" } else { "falls short" };
-    println!("{what} {target:.1}: {measured:.2}, {verdict}");
+/// Both miss, or both hit and t differs by no more than `f32` explains.
+fn agree(one: f64, other: f64) -> bool {
+    match one.is_finite() && other.is_finite() {
+        true => (one - other).abs() <= FAR * (1.0 + one.abs()),
+        false => one == other,
+    }
 }

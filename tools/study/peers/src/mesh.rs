@@ -12,6 +12,14 @@ pub struct Mesh {
     pub triangles: Vec<[u32; 3]>,
 }
 
+impl Mesh {
+    /// The corners of each triangle.
+    pub fn each(&self) -> impl Iterator<Item = [[f32; 3]; 3]> {
+        let corner = |at: u32| self.corners[at as usize];
+        self.triangles.iter().map(move |corners| corners.map(corner))
+    }
+}
+
 /// One of the assignment's, moved and scaled to fit a ball of radius 1.
 pub fn of_assignment(name: &str) -> Mesh {
     let folder = "../../../assignments/ray_casting/scenes/meshes";

@@ -1,14 +1,17 @@
 //! Who is compared: each casts the same rays at the same mesh and says where.
 
-mod bvh;
-#[cfg(embree)]
-mod embree;
-mod obvhs;
-mod ours;
-mod parry;
+use std::time::Duration;
 
-use pinhole_study::cast::model::{Exact, Plain};
+use glam::Vec3A;
+use obvhs::BvhBuildParams;
+use obvhs::cwbvh::builder::build_cwbvh_from_tris;
+use obvhs::ray::RayHit;
+use pinhole_study::cast::model::{Exact, Model, Plain};
+use pinhole_study::cast::world::{Primitive, World};
+use pinhole_study::cast::{Caster, Search, Tally};
+use pinhole_study::shape::{self, Triangle};
 use pinhole_study::speed::now;
+use pinhole_study::vector::Vector;
 
 use crate::mesh::Mesh;
 use crate::rays::Ray;
@@ -17,21 +20,14 @@ use crate::rays::Ray;
 pub struct Peer {
     /// How the table calls it.
     pub name: &'static str,
-    /// CPU time of building what is searched, in seconds.
+    /// CPU time of building what is searched, in milliseconds.
     pub building: f64,
     /// Where each ray meets the mesh first, infinite for a miss.
-    pub cast: Box<dyn FnMut() -> Vec<f64>>,
+    pub cast: Cast,
 }
 
-impl Peer {
-    fn new(name: &'static str, cast: impl FnMut() -> Vec<f64> + 'static) -> Peer {
-        Peer {
-            name,
-            building: 0.0,
-            cast: Box::new(cast),
-        }
-    }
-}
+/// Casts all rays.
+pub type Cast = Box<dyn Fn() -> Vec<f64>>;
 
 /// The exact caster, against which all are checked; it is the first.
 pub const EXACT: &str = "ours, exact";
@@ -40,31 +36,105 @@ pub const ROBUST: &str = "Embree robust, f32";
 /// Parry in our type of numbers.
 pub const PARRY: &str = "parry3d-f64";
 
-/// The exact caster alone.
-pub fn exact(mesh: &Mesh, rays: &[Ray]) -> Peer {
-    ours::peer::<Exact>(EXACT, mesh, rays)
-}
+type Maker = fn(&Mesh, &[Ray]) -> Cast;
+
+const ALL: &[(&str, Maker)] = &[
+    (EXACT, ours::<Exact>),
+    ("ours, plain f64", ours::<Plain>),
+    #[cfg(embree)]
+    (ROBUST, crate::embree::robust),
+    #[cfg(embree)]
+    ("Embree fast, f32", crate::embree::fast),
+    ("parry3d, f32", parry_f32),
+    (PARRY, parry_f64),
+    ("obvhs, 8 wide, f32", eight_wide),
+];
 
 /// All who are there.
 pub fn all(mesh: &Mesh, rays: &[Ray]) -> Vec<Peer> {
-    let makers: &[fn(&Mesh, &[Ray]) -> Peer] = &[
-        exact,
-        |mesh, rays| ours::peer::<Plain>("ours, plain f64", mesh, rays),
-        #[cfg(embree)]
-        |mesh, rays| embree::peer(ROBUST, true, mesh, rays),
-        #[cfg(embree)]
-        |mesh, rays| embree::peer("Embree fast, f32", false, mesh, rays),
-        parry::single,
-        |mesh, rays| parry::double(PARRY, mesh, rays),
-        obvhs::two_wide,
-        obvhs::eight_wide,
-        bvh::peer,
-    ];
-    let timed = |make: &fn(&Mesh, &[Ray]) -> Peer| {
-        let start = now();
-        let peer = make(mesh, rays);
-        let building = (now() - start).as_secs_f64();
-        Peer { building, ..peer }
+    let timed = |(name, make): &(&'static str, Maker)| {
+        let (start, cast) = (now(), make(mesh, rays));
+        let building = (now() - start).as_secs_f64() * 1e3;
+        Peer {
+            name,
+            building,
+            cast,
+        }
     };
-    makers.iter().map(timed).collect()
+    ALL.iter().map(timed).collect()
 }
+
+/// The study's caster, in boxes.
+pub fn ours<M: Model>(mesh: &Mesh, rays: &[Ray]) -> Cast {
+    let wide = |[x, y, z]: [f32; 3]| Vector::new(x, y, z).map(f64::from);
+    let mut world = World::default();
+    for corners in mesh.each() {
+        let corners = corners.map(wide);
+        world.add(0, Primitive::Triangle(Triangle { corners }));
+    }
+    let caster = Caster::new(world);
+    let ray = |ray: &Ray| shape::Ray {
+        origin: wide(ray.origin),
+        direction: wide(ray.direction),
+    };
+    let rays: Vec<_> = rays.iter().map(ray).collect();
+    Box::new(move || {
+        let mut tally = Tally::default();
+        let mut first = |ray| caster.first::<M>(Search::Boxes, ray, 0.0, &mut tally);
+        let t = |ray| first(ray).map_or(f64::INFINITY, |found| found.t);
+        rays.iter().map(t).collect()
+    })
+}
+
+/// obvhs's own search and its own test of a triangle, in `f32`.
+fn eight_wide(mesh: &Mesh, rays: &[Ray]) -> Cast {
+    let triangle = |corners: [[f32; 3]; 3]| {
+        let [v0, v1, v2] = corners.map(Vec3A::from);
+        obvhs::triangle::Triangle { v0, v1, v2 }
+    };
+    let triangles: Vec<_> = mesh.each().map(triangle).collect();
+    let effort = BvhBuildParams::medium_build();
+    let tree = build_cwbvh_from_tris(&triangles, effort, &mut Duration::default());
+    let at = tree.primitive_indices.iter().map(|at| *at as usize);
+    let ordered: Vec<_> = at.map(|at| triangles[at]).collect();
+    let rays = rays.to_vec();
+    Box::new(move || {
+        let cast = |ray: &Ray| {
+            let asked = obvhs::ray::Ray::new_inf(ray.origin.into(), ray.direction.into());
+            let mut hit = RayHit::none();
+            tree.ray_traverse(asked, &mut hit, |ray, at| ordered[at].intersect(ray));
+            match hit.t < f32::MAX {
+                true => f64::from(hit.t),
+                false => f64::INFINITY,
+            }
+        };
+        rays.iter().map(cast).collect()
+    })
+}
+
+/// parry3d, in one of its two types of numbers.
+macro_rules! parry {
+    ($name:ident, $parry:ident, $number:ty) => {
+        fn $name(mesh: &Mesh, rays: &[Ray]) -> Cast {
+            use $parry::math::Vector;
+            use $parry::query::{Ray as Asked, RayCast};
+            let vector = |point: [f32; 3]| {
+                let [x, y, z] = point.map(<$number>::from);
+                Vector::new(x, y, z)
+            };
+            let corners = mesh.corners.iter().copied().map(vector).collect();
+            let shape = $parry::shape::TriMesh::new(corners, mesh.triangles.clone());
+            let shape = shape.expect("a mesh has triangles");
+            let ray = |ray: &Ray| Asked::new(vector(ray.origin), vector(ray.direction));
+            let rays: Vec<_> = rays.iter().map(ray).collect();
+            Box::new(move || {
+                let t = |ray: &Asked| shape.cast_local_ray(ray, <$number>::MAX, false);
+                let all = rays.iter().map(t);
+                all.map(|t| t.map_or(f64::INFINITY, f64::from)).collect()
+            })
+        }
+    };
+}
+
+parry!(parry_f32, parry3d, f32);
+parry!(parry_f64, parry3d_f64, f64);

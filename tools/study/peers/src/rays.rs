@@ -1,9 +1,10 @@
 //! Primary rays, and incoherent ones: from where those hit, anywhere.
 
+use pinhole_study::cast::model::Exact;
 use pinhole_study::random::Random;
 
 use crate::mesh::Mesh;
-use crate::peer;
+use crate::peer::ours;
 
 /// With numbers that are `f32`; the direction is not unit length.
 #[derive(Clone, Copy, Debug)]
@@ -41,8 +42,7 @@ pub fn primary() -> Vec<Ray> {
 
 /// As many, from points a little before what primary rays hit, in all directions.
 pub fn incoherent(mesh: &Mesh, primary: &[Ray]) -> Vec<Ray> {
-    let mut exact = peer::exact(mesh, primary);
-    let met: Vec<_> = (exact.cast)().into_iter().zip(primary).collect();
+    let met: Vec<_> = ours::<Exact>(mesh, primary)().into_iter().zip(primary).collect();
     let mut random = Random::new(1, "incoherent");
     let hits = met.iter().filter(|(t, _)| t.is_finite()).cycle();
     let bounce = |(t, ray): &(f64, &Ray)| Ray {

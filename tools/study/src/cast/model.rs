@@ -4,8 +4,8 @@ use super::world::{Part, Primitive, World};
 use super::{Found, Tally};
 use crate::kernel::sphere::Scaled;
 use crate::kernel::triangle::{Four, Met};
-use crate::kernel::{Kernel, Limits, Window, plane, sphere, triangle};
-use crate::root::{Root, rounded};
+use crate::kernel::{self, Kernel, Limits, Tier, Window, plane, sphere, triangle};
+use crate::root::Root;
 use crate::shape::Ray;
 use crate::vector::Vector;
 
@@ -18,36 +18,14 @@ pub trait Model: Sync + 'static {
     /// A ray with what all its kernels need.
     type Ray;
 
-    /// Once for a ray.
-    fn prepare(ray: &Ray<f64>, world: &World) -> Self::Ray;
-    /// The same, by a model that uses the scaled ray, which boxes need as well, and `min_t`.
-    #[inline(always)]
-    fn prepare_scaled(
-        ray: &Ray<f64>,
-        _scaled: &Scaled<f64>,
-        _min_t: f64,
-        world: &World,
-    ) -> Self::Ray {
-        Self::prepare(ray, world)
-    }
+    /// Once for a ray; boxes need it scaled as well.
+    fn prepare(ray: &Ray<f64>, scaled: &Scaled<f64>, min_t: f64, world: &World) -> Self::Ray;
     /// The smallest t ≥ `min_t` at which a ray meets a part.
-    fn meet(shape: &Primitive, ray: &Self::Ray, min_t: f64, tally: &mut Tally) -> Option<f64>;
-    /// The same of a part, by a model that uses what is known of it.
-    #[inline(always)]
-    fn meet_part(part: &Part, ray: &Self::Ray, min_t: f64, tally: &mut Tally) -> Option<f64> {
-        Self::meet(&part.shape, ray, min_t, tally)
-    }
-    /// Which of four triangles it meets, by a model that can tell of four at a time. What is
-    /// left open is asked again, part by part.
-    #[inline(always)]
-    fn meet_four(four: &Four, _limits: &Limits<f64>, _ray: &Self::Ray, _min_t: f64) -> Met {
-        four.left_open()
-    }
+    fn meet(part: &Part, ray: &Self::Ray, min_t: f64, tally: &mut Tally) -> Option<f64>;
+    /// Which of four triangles it meets. What is left open is asked again, part by part.
+    fn meet_four(four: &Four, limits: &Limits, ray: &Self::Ray, min_t: f64) -> Met;
     /// A t of that, in multiples of the ray's direction.
-    #[inline(always)]
-    fn given(t: f64, _ray: &Self::Ray) -> f64 {
-        t
-    }
+    fn given(t: f64, ray: &Self::Ray) -> f64;
     /// Whether a ray meets `one` before `other`, both from `min_t` on.
     fn comes_first(
         one: &Found,
@@ -67,13 +45,13 @@ impl Model for Plain {
     type Ray = Ray<f64>;
 
     #[inline(always)]
-    fn prepare(ray: &Ray<f64>, _: &World) -> Ray<f64> {
+    fn prepare(ray: &Ray<f64>, _: &Scaled<f64>, _: f64, _: &World) -> Ray<f64> {
         *ray
     }
 
     #[inline(always)]
-    fn meet(shape: &Primitive, ray: &Ray<f64>, min_t: f64, _: &mut Tally) -> Option<f64> {
-        match shape {
+    fn meet(part: &Part, ray: &Ray<f64>, min_t: f64, _: &mut Tally) -> Option<f64> {
+        match &part.shape {
             Primitive::Sphere(sphere) => sphere::plainly(sphere, ray, min_t),
             Primitive::Plane(plane) => plane::Shifted::intersect(plane, ray, min_t),
             Primitive::Triangle(triangle) => {
@@ -83,8 +61,13 @@ impl Model for Plain {
     }
 
     #[inline(always)]
-    fn meet_four(four: &Four, _: &Limits<f64>, ray: &Ray<f64>, min_t: f64) -> Met {
+    fn meet_four(four: &Four, _: &Limits, ray: &Ray<f64>, min_t: f64) -> Met {
         four.plainly(ray, min_t)
+    }
+
+    #[inline(always)]
+    fn given(t: f64, _: &Ray<f64>) -> f64 {
+        t
     }
 
     #[inline(always)]
@@ -104,7 +87,7 @@ pub struct Prepared {
     /// From where the parts' limits hold.
     is_near: bool,
     /// Around `min_t`, as the scaled ray counts.
-    window: Window<f64>,
+    window: Window,
 }
 
 /// The kernels' t are good to √u = 2⁻²⁶·⁵ of themselves; t as different as this are in
@@ -117,13 +100,7 @@ impl Model for Exact {
     type Ray = Prepared;
 
     #[inline(always)]
-    fn prepare(ray: &Ray<f64>, world: &World) -> Prepared {
-        // Without min_t, nothing is sure of t: all hits are left open.
-        Exact::prepare_scaled(ray, &Scaled::new(ray), f64::NAN, world)
-    }
-
-    #[inline(always)]
-    fn prepare_scaled(ray: &Ray<f64>, scaled: &Scaled<f64>, min_t: f64, world: &World) -> Prepared {
+    fn prepare(ray: &Ray<f64>, scaled: &Scaled<f64>, min_t: f64, world: &World) -> Prepared {
         Prepared {
             scaled: *scaled,
             direction: ray.direction,
@@ -133,31 +110,21 @@ impl Model for Exact {
     }
 
     #[inline(always)]
-    fn meet(shape: &Primitive, ray: &Prepared, min_t: f64, tally: &mut Tally) -> Option<f64> {
-        left_open(shape, ray, min_t, tally)
-    }
-
-    #[inline(always)]
-    fn meet_part(part: &Part, ray: &Prepared, min_t: f64, tally: &mut Tally) -> Option<f64> {
-        if !ray.is_near {
-            return left_open(&part.shape, ray, min_t, tally);
-        }
+    fn meet(part: &Part, ray: &Prepared, min_t: f64, tally: &mut Tally) -> Option<f64> {
         let (scaled, window, limits) = (&ray.scaled, &ray.window, &part.limits);
         let filtered = match &part.shape {
-            Primitive::Sphere(shape) => sphere::bounded(shape, scaled, window, limits),
-            Primitive::Plane(shape) => plane::bounded(shape, scaled, window, limits),
-            Primitive::Triangle(shape) => triangle::bounded(shape, scaled, window, limits),
+            _ if !ray.is_near => None,
+            Primitive::Sphere(shape) => sphere::filtered(shape, scaled, window, limits),
+            Primitive::Plane(shape) => plane::filtered(shape, scaled, window, limits),
+            Primitive::Triangle(shape) => triangle::filtered(shape, scaled, window, limits),
         };
-        match filtered {
-            Some(answer) => answer,
-            None => left_open(&part.shape, ray, min_t, tally),
-        }
+        filtered.unwrap_or_else(|| left_open(&part.shape, ray, min_t, tally))
     }
 
     #[inline(always)]
-    fn meet_four(four: &Four, limits: &Limits<f64>, ray: &Prepared, _: f64) -> Met {
+    fn meet_four(four: &Four, limits: &Limits, ray: &Prepared, _: f64) -> Met {
         match ray.is_near {
-            true => four.bounded(&ray.scaled, &ray.window, limits),
+            true => four.filtered(&ray.scaled, &ray.window, limits),
             false => four.left_open(),
         }
     }
@@ -186,30 +153,26 @@ impl Model for Exact {
     }
 }
 
-/// What the first filter leaves open is filtered again, with bounds of this ray and this
+/// What the static filter leaves open is filtered again, with limits of this ray and this
 /// shape, and then decided exactly. Out of the way of what it does not leave open.
 #[cold]
 #[inline(never)]
 fn left_open(shape: &Primitive, ray: &Prepared, min_t: f64, tally: &mut Tally) -> Option<f64> {
-    tally.semi_static += 1;
-    let (origin, direction) = (ray.scaled.ray.origin, ray.direction);
-    let given = Ray { origin, direction };
-    let filtered = match shape {
-        Primitive::Sphere(shape) => sphere::filtered(shape, &ray.scaled, min_t),
-        Primitive::Plane(shape) => plane::filtered(shape, &given, min_t),
-        Primitive::Triangle(shape) => triangle::filtered(shape, &ray.scaled, min_t),
+    let (scaled, direction) = (ray.scaled, ray.direction);
+    let given = Ray {
+        direction,
+        ..scaled.ray
     };
-    if let Some(answer) = filtered {
-        return answer;
-    }
-    tally.double_double += 1;
-    if let Primitive::Triangle(shape) = shape
-        && let Some(answer) = triangle::twice(shape, &ray.scaled, min_t)
-    {
-        return answer;
-    }
-    tally.exact += 1;
-    rounded(exact(shape, &given, min_t))
+    let ray = kernel::Prepared { scaled, given };
+    let (answer, tier) = match shape {
+        Primitive::Sphere(shape) => sphere::decided(shape, &ray, min_t),
+        Primitive::Plane(shape) => plane::decided(shape, &ray, min_t),
+        Primitive::Triangle(shape) => triangle::decided(shape, &ray, min_t),
+    };
+    tally.semi_static += 1;
+    tally.double_double += u64::from(tier > Tier::SemiStatic);
+    tally.exact += u64::from(tier == Tier::Exact);
+    answer
 }
 
 /// Where a ray truly meets a part.

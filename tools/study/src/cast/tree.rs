@@ -45,7 +45,7 @@ const LONE: u32 = 1 << 30;
 #[derive(Clone, Copy, Debug)]
 struct Leaf {
     four: Four,
-    limits: Limits<f64>,
+    limits: Limits,
     /// The first of the parts that they are.
     first: u32,
 }

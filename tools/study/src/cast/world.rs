@@ -45,7 +45,7 @@ pub struct Part {
     /// What is met.
     pub shape: Primitive,
     /// For rays from within [`World::reach`].
-    pub limits: Limits<f64>,
+    pub limits: Limits,
 }
 
 /// All parts of a scene.
@@ -117,7 +117,7 @@ impl World {
             object: object as u32,
             place: self.parts.len() as u32,
             shape,
-            limits: Limits::none(),
+            limits: Limits::default(),
         });
     }
 }

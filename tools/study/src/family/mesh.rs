@@ -1,6 +1,6 @@
 //! Closed meshes: a ray from inside meets the surface exactly once, wherever it goes.
 
-use crate::question::{Data, Question};
+use crate::question::Data;
 use crate::random::Random;
 use crate::shape::{Ray, Triangle};
 use crate::vector::Vector;
@@ -17,25 +17,6 @@ pub enum Aim {
 impl Aim {
     /// All aims.
     pub const BOTH: [Aim; 2] = [Aim::Edge, Aim::Vertex];
-}
-
-/// A ray and all triangles around it, numbers rounded to a type.
-pub struct Inside {
-    /// A closed, convex mesh.
-    pub triangles: Vec<Triangle<f64>>,
-    /// From inside.
-    pub ray: Ray<f64>,
-}
-
-impl Inside {
-    /// The question to one of the triangles.
-    pub fn question(&self, shape: Triangle<f64>) -> Question<Triangle<f64>> {
-        Question {
-            shape,
-            ray: self.ray,
-            min_t: 0.0,
-        }
-    }
 }
 
 /// The faces of an octahedron over its corners ±x, ±y, ±z.
@@ -122,14 +103,4 @@ impl Ball {
 
 fn rounded(vector: Vector<f64>, data: Data) -> Vector<f64> {
     vector.map(|x| data.round(x))
-}
-
-/// A ray inside a ball of its own.
-pub fn inside(random: &mut Random, aim: Aim, data: Data) -> Inside {
-    let ball = Ball::new(random, data);
-    let ray = ball.ray(random, aim);
-    Inside {
-        triangles: ball.triangles,
-        ray,
-    }
 }

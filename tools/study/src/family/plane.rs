@@ -3,7 +3,7 @@
 use super::{Family, Studied, decades, scales, varied};
 use crate::question::{Question, ten_to};
 use crate::random::Random;
-use crate::shape::{Plane, Ray};
+use crate::shape::Plane;
 use crate::vector::Vector;
 
 impl Studied for Plane<f64> {
@@ -41,7 +41,7 @@ impl Studied for Plane<f64> {
         let normal = random.unit() * random.within(0.5, 2.0);
         let origin = random.unit() * random.within(1.0, 5.0);
         let direction = random.unit() * random.within(0.5, 2.0);
-        asked(point, normal, origin, direction)
+        Question::new(Plane { point, normal }, origin, direction)
     }
 
     fn moved(self, by: Vector<f64>) -> Plane<f64> {
@@ -64,20 +64,5 @@ fn parallel(random: &mut Random, exponent: i32) -> Question<Plane<f64>> {
         let lift = random.sign() * ten_to(-exponent);
         ray.direction = random.unit_across(unit) + unit * lift;
     }
-    asked(shape.point, shape.normal, ray.origin, ray.direction)
-}
-
-fn asked(
-    point: Vector<f64>,
-    normal: Vector<f64>,
-    origin: Vector<f64>,
-    direction: Vector<f64>,
-) -> Question<Plane<f64>> {
-    let ray = Ray { origin, direction };
-    let shape = Plane { point, normal };
-    Question {
-        shape,
-        ray,
-        min_t: 0.0,
-    }
+    Question::new(shape, ray.origin, ray.direction)
 }

@@ -3,7 +3,7 @@
 use super::{Family, Studied, decades, varied};
 use crate::question::{Question, ten_to};
 use crate::random::Random;
-use crate::shape::{Ray, Sphere};
+use crate::shape::Sphere;
 use crate::vector::Vector;
 
 impl Studied for Sphere<f64> {
@@ -52,7 +52,7 @@ impl Studied for Sphere<f64> {
                     let (center, out) = (random.unit(), random.unit());
                     let origin = center + out * (radius * (1.0 + random.sign() * ten_to(-x)));
                     let direction = random.unit() * random.within(0.5, 2.0);
-                    asked(center, radius, origin, direction)
+                    Question::new(Sphere { center, radius }, origin, direction)
                 },
             },
             varied::direction(),
@@ -87,12 +87,8 @@ fn aimed(random: &mut Random, radius: f64, away: f64, impact: f64) -> Question<S
     let sine = impact * radius / distance;
     let across = random.unit_across(towards) * sine;
     let along = towards * (1.0 - sine * sine).max(0.0).sqrt();
-    asked(
-        center,
-        radius,
-        origin,
-        (along + across) * random.within(0.5, 2.0),
-    )
+    let direction = (along + across) * random.within(0.5, 2.0);
+    Question::new(Sphere { center, radius }, origin, direction)
 }
 
 /// From a unit's height above a large ball, to a line half or one and a half times as far
@@ -105,20 +101,6 @@ fn ground(random: &mut Random, radius: f64) -> Question<Sphere<f64>> {
     let horizon = (2.0 * height / radius).sqrt().min(1.0);
     let below = horizon * random.within(0.5, 1.5);
     let direction = random.unit_across(up) + up * -below;
-    asked(center, radius, origin, direction * random.within(0.5, 2.0))
-}
-
-fn asked(
-    center: Vector<f64>,
-    radius: f64,
-    origin: Vector<f64>,
-    direction: Vector<f64>,
-) -> Question<Sphere<f64>> {
-    let ray = Ray { origin, direction };
-    let shape = Sphere { center, radius };
-    Question {
-        shape,
-        ray,
-        min_t: 0.0,
-    }
+    let direction = direction * random.within(0.5, 2.0);
+    Question::new(Sphere { center, radius }, origin, direction)
 }

@@ -3,7 +3,7 @@
 use super::{Family, Studied, decades, scales, varied};
 use crate::question::{Question, ten_to};
 use crate::random::Random;
-use crate::shape::{Ray, Triangle};
+use crate::shape::Triangle;
 use crate::vector::Vector;
 
 impl Studied for Triangle<f64> {
@@ -122,15 +122,7 @@ fn aimed(
     let (alpha, beta) = (random.within(-0.3, 1.0), random.within(-0.3, 1.0));
     let target = a + (b - a) * alpha + (c - a) * beta;
     let direction = from * -random.within(0.5, 2.0);
-    let ray = Ray {
-        origin: target + from * away,
-        direction,
-    };
-    Question {
-        shape: Triangle { corners },
-        ray,
-        min_t: 0.0,
-    }
+    Question::new(Triangle { corners }, target + from * away, direction)
 }
 
 /// Corners that coincide, or lie in a line: exactly, for they are multiples of 1/1024.
@@ -146,13 +138,6 @@ fn flat(random: &mut Random, kind: i32) -> Question<Triangle<f64>> {
     };
     let from = random.unit();
     let target = a + along * at;
-    let ray = Ray {
-        origin: target + from * 3.0,
-        direction: target - (target + from * 3.0),
-    };
-    Question {
-        shape: Triangle { corners },
-        ray,
-        min_t: 0.0,
-    }
+    let origin = target + from * 3.0;
+    Question::new(Triangle { corners }, origin, target - origin)
 }

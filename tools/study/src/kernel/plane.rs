@@ -1,9 +1,7 @@
 //! Planes: (e + t d − p) · n = 0.
 
 mod adaptive;
-mod bounded;
 mod shifted;
 
-pub use adaptive::{Adaptive, exact, filtered};
-pub use bounded::{bounded, limits};
+pub use adaptive::{Adaptive, decided, exact, filtered, limits};
 pub use shifted::Shifted;

@@ -1,12 +1,10 @@
 //! Spheres: |e + t d − c|² = r².
 
 mod adaptive;
-mod bounded;
 mod haines;
 mod textbook;
 
-pub use adaptive::{Adaptive, exact, filtered};
-pub use bounded::{bounded, limits};
+pub use adaptive::{Adaptive, decided, exact, filtered, limits};
 pub use haines::{Haines, Scaled, plainly};
 pub use textbook::Textbook;
 

@@ -13,20 +13,18 @@
 
 use crate::cast::world::Primitive;
 use crate::kernel::sphere::Scaled;
-use crate::number::Real;
+use crate::number::{ROOT_OF_UNIT, U};
 use crate::shape::{Plane, Sphere, Triangle};
 use crate::vector::Vector;
 
 /// The exact caster's t is off by no more than this part of itself: twice the √u that
 /// [`crate::kernel::sphere::Adaptive`] and the others prove, which leaves room for what
 /// divides and scales it last.
-pub const PROVEN_T: f64 = 2.0 * f64::ROOT_OF_UNIT;
+pub const PROVEN_T: f64 = 2.0 * ROOT_OF_UNIT;
 
 /// Sizes between 2^−150 and 2^150. No product of this file has more than five factors, so
 /// that what underflows, 2^−1074 each, is far below the roundings of what does not.
 const IN_RANGE: std::ops::RangeInclusive<f64> = 7.1e-46..=1.4e45;
-
-const U: f64 = f64::UNIT_ROUNDOFF;
 
 /// How far rounding turns a vector that is made unit length.
 pub const OF_UNIT: f64 = 8.0 * U;

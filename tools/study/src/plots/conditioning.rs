@@ -1,10 +1,10 @@
 //! Errors of t against the question's conditioning.
 
 use super::paper::{Anchor, FAINT, Panel, Paper, Pen, colour, legend, names, ulps};
-use crate::result::Study;
+use crate::result::{Conditioned, Findings};
 
 /// A panel for each shape.
-pub fn svg(study: &Study) -> String {
+pub fn svg(findings: &Findings) -> String {
     let mut paper = Paper::default();
     let note = "whole lines: f64; dashes: f32; thin: what half an ulp";
     paper.word((14.0, 14.0), Anchor::Start, note);
@@ -12,7 +12,7 @@ pub fn svg(study: &Study) -> String {
     paper.word((14.0, 34.0), Anchor::Start, note);
     let mut top = 60.0;
     for shape in ["sphere", "plane", "triangle"] {
-        let all = || study.conditioning.iter().filter(|it| it.shape == shape);
+        let all = || findings.conditioning.iter().filter(|it| it.shape == shape);
         let names = names(all().map(|it| it.kernel.as_str()));
         top = legend(&mut paper, top, &names) + 26.0;
         let highest = all().map(|it| it.median_ulp).fold(10.0, f64::max);
@@ -38,7 +38,7 @@ pub fn svg(study: &Study) -> String {
                 let of_it = all().filter(|it| it.kernel == *name && it.numbers == numbers);
                 // A handful of hits has no median.
                 let of_it = of_it.filter(|it| it.hits >= 20 && it.decade < 17);
-                let place = |it: &crate::result::Conditioned| {
+                let place = |it: &Conditioned| {
                     panel.at(f64::from(it.decade) + 0.5, it.median_ulp.max(0.1).log10())
                 };
                 let points: Vec<_> = of_it.map(place).collect();

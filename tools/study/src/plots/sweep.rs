@@ -1,36 +1,24 @@
 //! A sweep: wrong decisions above, errors of t below; `f64` in whole lines, `f32` in dashes.
 
-use super::paper::{Anchor, INK, Panel, Paper, Pen, Shares, colour, legend, names, ulps};
+use super::paper::{Anchor, Panel, Paper, Pen, Shares, colour, legend, names, ulps};
 use crate::judge::Tally;
 use crate::result::{Point, Sweep};
-use crate::theirs;
 
-/// The plot of one family.
-pub fn svg(wide: &Sweep, narrow: Option<&Sweep>) -> String {
-    let sweeps: Vec<&Sweep> = [wide].into_iter().chain(narrow).collect();
-    let judged = || {
-        sweeps
-            .iter()
-            .flat_map(|sweep| &sweep.points)
-            .flat_map(|point| &point.kernels)
-    };
+/// The plot of one family, in both types of data.
+pub fn svg(sweeps: &[&Sweep]) -> String {
+    let points = || sweeps.iter().flat_map(|sweep| &sweep.points);
+    let judged = || points().flat_map(|point| &point.kernels);
     let names = names(judged().map(|judged| judged.kernel.as_str()));
     let mut paper = Paper::default();
     let next = legend(&mut paper, 14.0, &names);
     let note = "whole lines: f64; dashes: f32";
     paper.word((20.0, next), Anchor::Start, note);
 
-    let exponents = || {
-        sweeps
-            .iter()
-            .flat_map(|sweep| &sweep.points)
-            .map(|point| point.exponent)
-    };
-    let (first, last) = (
-        exponents().min().unwrap_or(0),
-        exponents().max().unwrap_or(1),
+    let exponents = || points().map(|point| f64::from(point.exponent));
+    let x = (
+        exponents().fold(f64::MAX, f64::min),
+        exponents().fold(f64::MIN, f64::max),
     );
-    let x = (f64::from(first), f64::from(last));
     let shares = Shares::of(judged().map(|judged| judged.tally.asked).max().unwrap_or(1));
     let highest = judged()
         .filter_map(|judged| judged.tally.median_ulp)
@@ -43,13 +31,13 @@ pub fn svg(wide: &Sweep, narrow: Option<&Sweep>) -> String {
     };
     paper.word((14.0, above.top - 18.0), Anchor::Start, "wrong decisions");
     above.rows(&mut paper, &shares.ticks());
-    let (meaning, of_a_tenth) = match wide.axis.split_once(" = 10^−x") {
+    let (meaning, of_a_tenth) = match sweeps[0].axis.split_once(" = 10^−x") {
         Some((name, unit)) => (format!("{name}{}", unit_of(unit)), true),
-        None => (wide.axis.replace(" = 10^x", ""), false),
+        None => (sweeps[0].axis.replace(" = 10^x", ""), false),
     };
     above.columns(&mut paper, "", of_a_tenth);
     let share = |tally: &Tally| Some(shares.at(tally.wrong(), tally.asked));
-    lines(&mut paper, &above, &sweeps, &names, &share);
+    lines(&mut paper, &above, sweeps, &names, &share);
 
     let below = Panel {
         top: above.bottom + 62.0,
@@ -62,7 +50,7 @@ pub fn svg(wide: &Sweep, narrow: Option<&Sweep>) -> String {
     below.rows(&mut paper, &ulps(below.y.1));
     below.columns(&mut paper, &meaning, of_a_tenth);
     let error = |tally: &Tally| tally.median_ulp.map(|ulp| ulp.max(0.1).log10());
-    lines(&mut paper, &below, &sweeps, &names, &error);
+    lines(&mut paper, &below, sweeps, &names, &error);
     paper.svg(below.bottom + 48.0)
 }
 
@@ -92,12 +80,11 @@ fn lines(
             Some(panel.at(f64::from(point.exponent), value(&judged.tally)?))
         };
         let points: Vec<_> = sweep.points.iter().filter_map(of_kernel).collect();
-        let (is_theirs, dashed) = (*name == theirs::NAME, sweep.data == "f32");
         let pen = Pen {
-            colour: if is_theirs { INK } else { colour(at) },
-            width: if is_theirs { 5.0 } else { 2.5 },
-            dashed,
-            opacity: if is_theirs { 0.5 } else { 1.0 },
+            colour: colour(at),
+            width: 2.5,
+            dashed: sweep.data == "f32",
+            opacity: 1.0,
         };
         paper.line(&points, pen);
     }

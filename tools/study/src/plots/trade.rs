@@ -2,11 +2,11 @@
 
 use super::paper::{Anchor, Panel, Paper, Shares, colour, legend, names};
 use crate::question::Class;
-use crate::result::{Study, Trade};
+use crate::result::{Findings, Trade};
 
 /// Three panels for one shape.
-pub fn svg(study: &Study, shape: &str) -> String {
-    let trades = || study.trades.iter().filter(|trade| trade.shape == shape);
+pub fn svg(findings: &Findings, shape: &str) -> String {
+    let trades = || findings.trades.iter().filter(|trade| trade.shape == shape);
     let names = names(trades().map(|trade| trade.kernel.as_str()));
     let mut paper = Paper::default();
     let next = legend(&mut paper, 14.0, &names);

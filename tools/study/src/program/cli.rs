@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
 use pinhole::Resolution;
-use pinhole_course::run_options::{AssignmentOption, RunOptions, resolution};
+use pinhole_course::run_options::{AssignmentOption, resolution};
 use pinhole_study::plan::Wish;
 
 /// The trade between speed and accuracy in ray casting.
@@ -58,13 +58,6 @@ pub struct Study {
     /// Ask fewer questions, which takes less than a minute
     #[arg(long)]
     pub quick: bool,
-    /// Measure these answers beside the study's own, with the questions of --quick: their
-    /// sphere, plane and triangle at the extremes, and all six in the scenes. This gives no
-    /// marks
-    #[arg(long, value_name = "DIR")]
-    pub submission: Option<PathBuf>,
-    #[command(flatten)]
-    pub assignment: AssignmentOption,
     /// Write the files to this folder
     #[arg(long, value_name = "DIR", default_value = "study")]
     pub out: PathBuf,
@@ -75,8 +68,6 @@ pub struct Study {
     /// The seed of random questions
     #[arg(long, value_name = "N", default_value_t = 20_261_121)]
     pub seed: u64,
-    #[command(flatten)]
-    pub run: RunOptions,
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,
@@ -145,26 +136,36 @@ pub struct Render {
 
 /// Ask the exact caster as many questions as you have time for
 ///
-/// The default is a million of each, and a thousand plans. What was promised is 100 million
-/// random questions, 10 million adversarial ones, 500 million rays each at edges and at
-/// vertices, and 10,000 plans, which takes one core about two hours.
+/// Every line says what came of some rounds. A round depends on its number and the seed alone:
+/// a run that was stopped goes on with --from, at the round after the last line.
 #[derive(Args)]
 pub struct Record {
-    /// How many everyday questions
-    #[arg(long, value_name = "N", default_value_t = 1_000_000)]
-    pub random: u64,
-    /// How many questions at the extremes
-    #[arg(long, value_name = "N", default_value_t = 1_000_000)]
-    pub adversarial: u64,
-    /// How many rays at edges of closed meshes, and as many at their vertices
-    #[arg(long, value_name = "N", default_value_t = 1_000_000)]
-    pub edges: u64,
-    /// How many plans of random scenes, each judged at 64 pixels
+    /// What a round asks: 500 questions at each step of the everyday families, or of all others;
+    /// 1,000 rays at edges and vertices of a closed mesh; or the 64 pixels of a planned scene
+    #[arg(value_enum)]
+    pub kind: Kind,
+    /// The first round
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub from: u64,
+    /// How many rounds
     #[arg(long, value_name = "N", default_value_t = 1_000)]
-    pub plans: u64,
+    pub rounds: u64,
     /// The seed of random questions
     #[arg(long, value_name = "N", default_value_t = 20_261_121)]
     pub seed: u64,
+}
+
+/// What is recorded.
+#[derive(Clone, Copy, ValueEnum)]
+pub enum Kind {
+    /// Everyday questions
+    Random,
+    /// Questions at the extremes
+    Adversarial,
+    /// Rays at edges and vertices of closed meshes
+    Edges,
+    /// Plans of random scenes
+    Plans,
 }
 
 /// What a planned film should hold.

@@ -1,74 +1,87 @@
 use crate::dyadic::{Dyadic, DyadicVector};
-use crate::kernel::Kernel;
-use crate::number::Real;
+use crate::kernel::sphere::Scaled;
+use crate::kernel::{Kernel, Limits, Prepared, Tier, Window};
+use crate::number::{ROOT_OF_UNIT, TINY, U};
 use crate::root::{Root, rounded};
 use crate::shape::{Plane, Ray};
 use crate::vector::Vector;
 
-/// Shifted, with error bounds, and exact where they leave a decision open. Hit or miss
-/// is never wrong, and t is good to √u of itself at least.
+/// Shifted, with limits that say what rounding may have changed; that is decided exactly. Hit
+/// or miss is never wrong, and t is good to √u of itself at least.
 ///
 /// # Why the filter is right
 ///
 /// A dot product of three terms is off by γ₃ ≤ 4u times the sum P of the terms'
 /// magnitudes (Higham, *Accuracy and Stability*, 2nd ed., §3.1), with p − e rounded
-/// before by 5u P. P is computed with the same relative error, which 8u covers. What
-/// underflows adds less than 64 times [`Real::TINY`]; m times the error of n·d is taken
-/// with m. What overflows makes a bound infinite or NaN, and that decides nothing.
+/// before by 5u P: 8u P covers both. P is at most three times the product of the largest
+/// components, and that of the scaled direction is below 2. What underflows adds less than 64
+/// times [`TINY`]. What overflows makes a limit infinite or a number NaN, and that decides
+/// nothing.
 pub struct Adaptive;
 
-impl<F: Real> Kernel<Plane<F>, F> for Adaptive {
+impl Kernel<Plane<f64>, f64> for Adaptive {
     const NAME: &'static str = "adaptive exact";
-    type Prepared = Ray<F>;
+    type Prepared = Prepared;
 
     #[inline(always)]
-    fn prepare(ray: &Ray<F>) -> Ray<F> {
-        *ray
+    fn prepare(ray: &Ray<f64>) -> Prepared {
+        Prepared::new(ray)
     }
 
     #[inline(always)]
-    fn intersect(plane: &Plane<F>, ray: &Ray<F>, min_t: F) -> Option<F> {
-        match filtered(plane, ray, min_t) {
-            Some(answer) => answer,
-            None => rounded(exact(plane, ray, min_t)),
-        }
+    fn intersect(plane: &Plane<f64>, ray: &Prepared, min_t: f64) -> Option<f64> {
+        decided(plane, ray, min_t).0
+    }
+}
+
+/// The answer, and what had the last word: the filter with limits of this ray, or what it
+/// leaves open to.
+#[inline(always)]
+pub fn decided(plane: &Plane<f64>, ray: &Prepared, min_t: f64) -> (Option<f64>, Tier) {
+    let scaled = &ray.scaled;
+    let window = Window::new(scaled.scale(min_t));
+    let limits = limits(plane, (plane.point - scaled.ray.origin).largest());
+    if let Some(answer) = filtered(plane, scaled, &window, &limits) {
+        return (answer, Tier::SemiStatic);
+    }
+    (rounded(exact(plane, &ray.given, min_t)), Tier::Exact)
+}
+
+/// For rays whose origin is up to `away` from the plane's point, in each component.
+#[inline(always)]
+pub fn limits(plane: &Plane<f64>, away: f64) -> Limits {
+    let size = 3.0 * plane.normal.largest();
+    let good = |largest: f64| 2.0 / ROOT_OF_UNIT * (8.0 * U * (size * largest) + 64.0 * TINY);
+    Limits {
+        sign: 0.0,
+        divisor: good(2.0),
+        dividend: good(away),
     }
 }
 
 /// The answer, or `None` if rounding might have changed it.
 #[inline(always)]
-pub fn filtered<F: Real>(plane: &Plane<F>, ray: &Ray<F>, m: F) -> Option<Option<F>> {
-    let (n, d, w) = (plane.normal, ray.direction, plane.point - ray.origin);
-    let error = |v: Vector<F>| {
-        F::of(8.0) * F::UNIT_ROUNDOFF * n.map(F::abs).dot(v.map(F::abs)) + F::of(64.0) * F::TINY
-    };
-    let (down, height) = (n.dot(d), n.dot(w));
-    let (down_error, height_error) = (error(d), error(w));
-    // t − m = (height − m down) / down.
-    let beyond = height - m * down;
-    let beyond_error = height_error
-        + F::of(2.0) * m.abs() * down_error
-        + F::of(2.0) * F::UNIT_ROUNDOFF * beyond.abs();
-    if !(down.abs() > down_error && beyond.abs() > beyond_error) {
-        return None;
+pub fn filtered(
+    plane: &Plane<f64>,
+    scaled: &Scaled<f64>,
+    window: &Window,
+    limits: &Limits,
+) -> Option<Option<f64>> {
+    let ray = &scaled.ray;
+    let along = plane.normal.dot(ray.direction);
+    let height = plane.normal.dot(plane.point - ray.origin);
+    match along.abs() > limits.divisor && height.abs() > limits.dividend {
+        true => window.answer(height / along, scaled),
+        false => None,
     }
-    if (beyond > F::ZERO) != (down > F::ZERO) {
-        return Some(None);
-    }
-    let half = F::of(0.5) * F::ROOT_OF_UNIT;
-    if !(half * down.abs() > down_error && half * height.abs() > height_error) {
-        return None;
-    }
-    let t = (height / down).max(m);
-    t.is_finite().then_some(Some(t))
 }
 
 /// The answer by exact signs.
 #[cold]
 #[inline(never)]
-pub fn exact<F: Real>(plane: &Plane<F>, ray: &Ray<F>, min_t: F) -> Option<Root> {
+pub fn exact(plane: &Plane<f64>, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
     let vectors = [plane.normal, plane.point, ray.origin, ray.direction];
-    let finite = |vector: Vector<F>| vector.array().into_iter().all(F::is_finite);
+    let finite = |vector: Vector<f64>| vector.array().into_iter().all(f64::is_finite);
     if !(vectors.into_iter().all(finite) && min_t.is_finite()) {
         return None;
     }

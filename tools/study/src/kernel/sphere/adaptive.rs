@@ -1,15 +1,14 @@
 use super::haines::Scaled;
 use crate::dyadic::{Dyadic, DyadicVector};
-use crate::kernel::Kernel;
-use crate::kernel::adaptive::Prepared;
-use crate::number::Real;
+use crate::kernel::{Kernel, Limits, Prepared, Tier, Window};
+use crate::number::{ROOT_OF_UNIT, TINY, U};
 use crate::root::{Root, rounded};
 use crate::shape::{Ray, Sphere};
 use crate::vector::Vector;
 
-/// Haines et al., scaled, with an error bound beside each number that decides something;
-/// what a bound leaves open is decided exactly. Hit or miss is never wrong, and t is
-/// good to √u of itself at least, mostly to an ulp.
+/// Haines et al., scaled, with limits that say what rounding may have changed; that is decided
+/// exactly. Hit or miss is never wrong, and t is good to √u of itself at least, mostly to an
+/// ulp.
 ///
 /// # Why the filter is right
 ///
@@ -20,95 +19,115 @@ use crate::vector::Vector;
 ///    l = f − (h/a) d by 12u|f| =: ε at most, every rounding counted.
 /// 2. r² − |l|² is off by 2|l|ε + ε² + 3u|l|² + 2u(r² + |l|²) at most. Of that, 24u|l||f|
 ///    ≤ 12 (√u |l|² + u√u |f|²), since 2xy ≤ x² + y²; the rest is less than
-///    4 (√u (|l|² + r²) + u√u |f|²) for both types. Hence E = 16 (√u (|l|² + r²) +
-///    u√u |f|²): no root is needed to bound the error of a root's argument.
+///    4 (√u (|l|² + r²) + u√u |f|²). Hence E = 16 (√u (|l|² + r²) + u√u |f|²): no root is
+///    needed to bound the error of a root's argument. If |l|² ≤ 2r², E ≤ 48√u r² +
+///    16u√u |f|², and [`Limits::sign`] is more. If |l|² > 2r², then r² − |l|² < −|l|²/2, and
+///    E ≤ 24√u |l|² + `sign`/2, of which the first is below a half of |l|²/2. So what is below
+///    −`sign` is below −E: a miss.
 /// 3. q = |h| + √(a (r² − |l|²)) is off by a (12u r|f| + 72u²|f|²) / root and 4u|d||f| at
 ///    most, root being that of q, |l| ≤ r, |d| < 3.5; c = |f|² − r² by 8u (|f|² + r²).
 ///    Where twice the first is below √u q, and the last below ½√u c, both roots c/q and
-///    q/a are good to √u: what is further than 4√u from `min_t` is on its side of it.
-/// 4. What underflows adds less than [`Real::TINY`] times 64 to each, and that is in the
-///    bounds. What overflows makes a bound infinite or a number NaN, and either is left
-///    open.
+///    q/a are good to √u. The first holds if 24u a |f| (r + 6u|f|) + 28u |f| root <
+///    √u q root. As q ≥ root, 48√u |f| (r + 6u|f|) and 3136u |f|² below root²/a = r² − |l|²
+///    suffice (a ≥ 1): [`Limits::divisor`]. c is the dividend.
+/// 4. What underflows adds less than [`TINY`] times 64 to each, and that is in the limits.
+///    What overflows makes a limit infinite or a number NaN, and either is left open.
 pub struct Adaptive;
 
-impl<F: Real> Kernel<Sphere<F>, F> for Adaptive {
+impl Kernel<Sphere<f64>, f64> for Adaptive {
     const NAME: &'static str = "adaptive exact";
-    type Prepared = Prepared<F>;
+    type Prepared = Prepared;
 
     #[inline(always)]
-    fn prepare(ray: &Ray<F>) -> Prepared<F> {
+    fn prepare(ray: &Ray<f64>) -> Prepared {
         Prepared::new(ray)
     }
 
     #[inline(always)]
-    fn intersect(sphere: &Sphere<F>, ray: &Prepared<F>, min_t: F) -> Option<F> {
-        match filtered(sphere, &ray.scaled, min_t) {
-            Some(answer) => answer,
-            None => rounded(exact(sphere, &ray.given, min_t)),
-        }
+    fn intersect(sphere: &Sphere<f64>, ray: &Prepared, min_t: f64) -> Option<f64> {
+        decided(sphere, ray, min_t).0
+    }
+}
+
+/// The answer, and what had the last word: the filter with limits of this ray, or what it
+/// leaves open to.
+#[inline(always)]
+pub fn decided(sphere: &Sphere<f64>, ray: &Prepared, min_t: f64) -> (Option<f64>, Tier) {
+    let scaled = &ray.scaled;
+    let window = Window::new(scaled.scale(min_t));
+    let limits = limits(sphere, (scaled.ray.origin - sphere.center).largest());
+    if let Some(answer) = filtered(sphere, scaled, &window, &limits) {
+        return (answer, Tier::SemiStatic);
+    }
+    (rounded(exact(sphere, &ray.given, min_t)), Tier::Exact)
+}
+
+/// For rays whose origin is up to `away` from the centre, in each component: |f| is at most
+/// 1.74 of that.
+#[inline(always)]
+pub fn limits(sphere: &Sphere<f64>, away: f64) -> Limits {
+    let (size, r) = (1.74 * away, sphere.radius.abs());
+    let (size_square, r_square) = (size * size, r * r);
+    let underflow = 128.0 * TINY;
+    let sign = 64.0 * ROOT_OF_UNIT * r_square + 32.0 * ROOT_OF_UNIT * (U * size_square) + underflow;
+    Limits {
+        sign,
+        divisor: 64.0 * ROOT_OF_UNIT * size * (r + 6.0 * U * size)
+            + 4096.0 * U * size_square
+            + sign,
+        dividend: 16.0 * ROOT_OF_UNIT * (size_square + r_square) + underflow,
     }
 }
 
 /// The answer, or `None` if rounding might have changed it.
 #[inline(always)]
-pub fn filtered<F: Real>(sphere: &Sphere<F>, scaled: &Scaled<F>, min_t: F) -> Option<Option<F>> {
-    let (u, root_u) = (F::UNIT_ROUNDOFF, F::ROOT_OF_UNIT);
-    let underflow = F::of(64.0) * F::TINY;
+pub fn filtered(
+    sphere: &Sphere<f64>,
+    scaled: &Scaled<f64>,
+    window: &Window,
+    limits: &Limits,
+) -> Option<Option<f64>> {
     let d = scaled.ray.direction;
     let f = scaled.ray.origin - sphere.center;
-    let (a, h, f_square) = (d.dot(d), d.dot(f), f.dot(f));
+    let (a, h) = (d.dot(d), d.dot(f));
     let l = f - d * (h / a);
-    let (l_square, r_square) = (l.dot(l), sphere.radius * sphere.radius);
-    let within = r_square - l_square;
-    let bound = F::of(16.0) * root_u * (l_square + r_square + u * f_square) + underflow;
-    if within < -bound {
+    let r_square = sphere.radius * sphere.radius;
+    let within = r_square - l.dot(l);
+    if within < -(limits.sign) {
         return Some(None);
     }
-    if !(within > bound) {
+    if !(within > limits.divisor) {
         return None;
     }
-    let root = (a * within).sqrt();
-    let q = h.abs() + root;
-    let size = F::of(1.74) * f.largest();
-    let q_error = F::of(24.0) * u * a * size * (sphere.radius + F::of(6.0) * u * size)
-        + F::of(28.0) * u * size * root;
-    if !(q_error < root_u * q * root) {
+    let c = f.dot(f) - r_square;
+    if !(c.abs() > limits.dividend) {
         return None;
     }
-    let c = f_square - r_square;
-    let by_c = || {
-        let is_good = c.abs() > F::of(16.0) * root_u * (f_square + r_square);
-        is_good.then(|| c / q)
+    // The signs of c and h are sure: with c > 0, a root needs h² > a c.
+    let (is_ahead, is_inside) = (h < 0.0, c < 0.0);
+    if !is_ahead && !is_inside {
+        // Both roots are negative, and so before any `min_t` that a window knows.
+        return window.after.is_finite().then_some(None);
+    }
+    let q = h.abs() + (a * within).sqrt();
+    let t = match (is_ahead, is_inside) {
+        (true, false) => c / q,
+        // From inside, the near root is negative.
+        (true, true) => q / a,
+        _ => -(c / q),
     };
-    let m = scaled.scale(min_t);
-    let is_ahead = h < F::ZERO;
-    let near = if is_ahead { by_c()? } else { -(q / a) };
-    let t = match is_beyond(near, m)? {
-        true => near,
-        false => {
-            let far = if is_ahead { q / a } else { -by_c()? };
-            if !is_beyond(far, m)? {
-                return Some(None);
-            }
-            far
-        }
-    };
-    let t = scaled.unscale(t);
-    t.is_finite().then_some(Some(t))
-}
-
-/// Whether the true root is not before m, if a t that is good to √u tells.
-#[inline(always)]
-fn is_beyond<F: Real>(t: F, m: F) -> Option<bool> {
-    let margin = F::of(4.0) * F::ROOT_OF_UNIT * t.abs().max(m.abs()) + F::TINY;
-    ((t - m).abs() > margin).then_some(t > m)
+    // If the near root is before `min_t`, the far one may not be.
+    match !is_inside && t < window.before {
+        true => None,
+        false => window.answer(t, scaled),
+    }
 }
 
 /// The answer by exact signs.
 #[cold]
 #[inline(never)]
-pub fn exact<F: Real>(sphere: &Sphere<F>, ray: &Ray<F>, min_t: F) -> Option<Root> {
-    let finite = |vector: Vector<F>| vector.array().into_iter().all(F::is_finite);
+pub fn exact(sphere: &Sphere<f64>, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
+    let finite = |vector: Vector<f64>| vector.array().into_iter().all(f64::is_finite);
     let points = finite(ray.origin) && finite(ray.direction) && finite(sphere.center);
     if !(points && sphere.radius.is_finite() && min_t.is_finite()) {
         return None;

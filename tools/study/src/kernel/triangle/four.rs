@@ -8,7 +8,7 @@ use crate::vector::Vector;
 /// Up to four triangles side by side: a first corner and the two edges that leave it,
 /// rounded once instead of at every test.
 ///
-/// What is computed is what [`super::MollerTrumbore`] and [`super::bounded`] compute of
+/// What is computed is what [`super::MollerTrumbore`] and [`super::filtered`] compute of
 /// one triangle, operation by operation, and so are the bits.
 #[derive(Clone, Copy, Debug)]
 pub struct Four {
@@ -104,9 +104,9 @@ impl Four {
         }
     }
 
-    /// As [`super::bounded`].
+    /// As [`super::filtered`].
     #[inline(always)]
-    pub fn bounded(&self, scaled: &Scaled<f64>, window: &Window<f64>, limits: &Limits<f64>) -> Met {
+    pub fn filtered(&self, scaled: &Scaled<f64>, window: &Window, limits: &Limits) -> Met {
         let ray = &scaled.ray;
         let (origin, d) = (
             ray.origin.map(f64x4::splat),

@@ -1,6 +1,7 @@
 use crate::double_double::DoubleVector;
+use crate::kernel::Window;
 use crate::kernel::sphere::Scaled;
-use crate::number::Real;
+use crate::number::{ROOT_OF_UNIT, TINY, U};
 use crate::shape::Triangle;
 
 /// The answer by signs of volumes in twice the digits, or `None` if rounding might have
@@ -24,26 +25,29 @@ use crate::shape::Triangle;
 ///    36B², and a·(b × c) by half of 480u² B² times B. So E = 4096u² B² bounds each volume
 ///    and their sum with the roundings of E itself, and E B that of t times the determinant.
 /// 3. What underflows, in a product or in what a product's rounding loses, is less than
-///    [`Real::TINY`] each of some sixty times, and is multiplied by 4 + B at most: 1024
-///    [`Real::TINY`] (1 + B)² and (1 + B)³ are added. What overflows makes B, a bound or
+///    [`TINY`] each of some sixty times, and is multiplied by 4 + B at most: 1024
+///    [`TINY`] (1 + B)² and (1 + B)³ are added. What overflows makes B, a bound or
 ///    a volume infinite or NaN, and all comparisons are written so that both are open.
 #[cold]
 #[inline(never)]
-pub fn twice<F: Real>(triangle: &Triangle<F>, scaled: &Scaled<F>, min_t: F) -> Option<Option<F>> {
+pub fn twice(
+    triangle: &Triangle<f64>,
+    scaled: &Scaled<f64>,
+    window: &Window,
+) -> Option<Option<f64>> {
     let d = DoubleVector::of(scaled.ray.direction);
     let from_origin = |corner| DoubleVector::between(corner, scaled.ray.origin);
     let corners = triangle.corners.map(from_origin);
     let largest = corners.map(DoubleVector::largest);
     let size = largest[0].max(largest[1]).max(largest[2]);
-    let underflow = F::of(1024.0) * F::TINY * (F::ONE + size) * (F::ONE + size);
-    let u = F::UNIT_ROUNDOFF;
-    let bound = F::of(4096.0) * u * u * size * size + underflow;
+    let underflow = 1024.0 * TINY * (1.0 + size) * (1.0 + size);
+    let bound = 4096.0 * U * U * size * size + underflow;
 
     let [a, b, c] = corners;
     let b_cross_c = b.cross(c);
     let volumes = [d.dot(b_cross_c), d.dot(c.cross(a)), d.dot(a.cross(b))];
     let is_sure = volumes.map(|volume| volume.high.abs() > bound);
-    let is_negative = volumes.map(|volume| volume.high < F::ZERO);
+    let is_negative = volumes.map(|volume| volume.high < 0.0);
     let surely = |side: bool| (0..3).any(|at| is_sure[at] && is_negative[at] == side);
     if surely(true) && surely(false) {
         return Some(None);
@@ -53,24 +57,14 @@ pub fn twice<F: Real>(triangle: &Triangle<F>, scaled: &Scaled<F>, min_t: F) -> O
     }
 
     // As in exact numbers: a·(b × c) = t (u + v + w).
-    let [u_volume, v_volume, w_volume] = volumes;
-    let upright = |number: F| if is_negative[0] { -number } else { number };
-    let determinant = upright((u_volume + v_volume + w_volume).high);
-    let (volume, m) = (upright(a.dot(b_cross_c).high), scaled.scale(min_t));
-    let of_t = bound * (F::ONE + size);
-    let half = F::of(0.5) * F::ROOT_OF_UNIT;
-    if !(half * determinant > bound && half * volume.abs() > of_t) {
-        return None;
-    }
+    let [u, v, w] = volumes;
+    let upright = |number: f64| if is_negative[0] { -number } else { number };
+    let determinant = upright((u + v + w).high);
+    let volume = upright(a.dot(b_cross_c).high);
+    let half = 0.5 * ROOT_OF_UNIT;
     // Both are good to ½√u, and so t is to √u.
-    let t = volume / determinant;
-    let margin = F::of(4.0) * F::ROOT_OF_UNIT * t.abs().max(m.abs()) + F::TINY;
-    if !((t - m).abs() > margin) {
-        return None;
+    match half * determinant > bound && half * volume.abs() > bound * (1.0 + size) {
+        true => window.answer(volume / determinant, scaled),
+        false => None,
     }
-    if t < m {
-        return Some(None);
-    }
-    let t = scaled.unscale(t);
-    t.is_finite().then_some(Some(t))
 }

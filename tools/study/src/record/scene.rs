@@ -1,86 +1,18 @@
-//! Plans of scenes that nobody drew: does each keep its promise at every pixel?
+//! Scenes that nobody drew, for plans to be tried on.
 //!
-//! Scenes are of any size from 1e-30 to 1e30, and made to be hard: shapes of very different
+//! They are of any size from 1e-30 to 1e30, and made to be hard: shapes of very different
 //! sizes, far from the origin, nearly or exactly on each other, slivers, closed crates, grids of
-//! small whole numbers whose edges and tangents the rays meet exactly. The judge computes in
-//! fractions and shares no code with what casts; only the scene's numbers and the camera's
-//! rays, as rounded to `f64`, are given to both.
+//! small whole numbers whose edges and tangents the rays meet exactly.
 
 use pinhole::{Camera, Projection, Resolution, Scene, Shape, Triangle, TriangleSoup};
-use rayon::prelude::*;
 
-use super::Progress;
-use crate::cast::rays::rays;
-use crate::cast::world::World;
-use crate::oracle::scene::sight;
-use crate::plan::{Wish, plan};
-use crate::plans::kept;
+use crate::plan::Wish;
 use crate::random::Random;
 use crate::vector::Vector;
 
-/// What became of fuzzed plans.
-#[derive(Clone, Debug, Default)]
-pub struct Plans {
-    /// Plans.
-    pub plans: u64,
-    /// Pixels that were judged.
-    pub pixels: u64,
-    /// Of them, those that show anything.
-    pub hits: u64,
-    /// Pixels whose t and normal were computed exactly.
-    pub exact_hits: u64,
-    /// The numbers of plans that were broken at some pixel; a number and a seed make a scene.
-    pub broken: Vec<u64>,
-}
-
-impl Plans {
-    fn plus(mut self, other: Plans) -> Plans {
-        self.broken.extend(other.broken);
-        Plans {
-            plans: self.plans + other.plans,
-            pixels: self.pixels + other.pixels,
-            hits: self.hits + other.hits,
-            exact_hits: self.exact_hits + other.exact_hits,
-            broken: self.broken,
-        }
-    }
-}
-
-/// So many plans.
-pub fn plans(count: u64, seed: u64, done: &impl Progress) -> Plans {
-    let of_number = |number: u64| {
-        let judged = judged(number, seed);
-        done(1);
-        judged
-    };
-    (0..count)
-        .into_par_iter()
-        .map(of_number)
-        .reduce(Plans::default, Plans::plus)
-}
-
-fn judged(number: u64, seed: u64) -> Plans {
-    let (scene, wish) = drawn(number, seed);
-    let (world, rays) = (World::of(&scene.objects), rays(&scene));
-    let truths: Vec<_> = rays
-        .iter()
-        .map(|ray| sight(&world.parts, ray, scene.min_t))
-        .collect();
-    let (_, casting) = plan(&scene, wish).expect("no wish is as small as an ulp");
-    let (kept, tally) = kept(&rays, &truths, &casting, &wish);
-    let is_broken = kept.wrong_ids + kept.violations > 0;
-    Plans {
-        plans: 1,
-        pixels: kept.rays,
-        hits: truths.iter().filter(|truth| truth.first.is_some()).count() as u64,
-        exact_hits: tally.exact_hits,
-        broken: is_broken.then_some(number).into_iter().collect(),
-    }
-}
-
-/// The scene of a number, and what is wished of it.
-pub fn drawn(number: u64, seed: u64) -> (Scene, Wish) {
-    let mut random = Random::new(seed ^ number.wrapping_mul(0x9e37_79b9_7f4a_7c15), "plans");
+/// The scene of a seed, and what is wished of it.
+pub fn drawn(seed: u64) -> (Scene, Wish) {
+    let mut random = Random::new(seed, "plans");
     let scene = match random.below(3) {
         0 => on_a_grid(&mut random),
         _ => anywhere(&mut random),

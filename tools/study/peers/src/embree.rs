@@ -7,8 +7,8 @@
 
 use std::ffi::{c_float, c_int, c_uint, c_void};
 
-use super::Peer;
 use crate::mesh::Mesh;
+use crate::peer::Cast;
 use crate::rays::Ray;
 
 /// As in `embree.c`, which alone looks inside.
@@ -36,26 +36,29 @@ unsafe extern "C" {
     fn pinhole_embree_release(mesh: *mut Handles);
 }
 
-struct Scene {
-    handles: Handles,
-    t: Vec<f32>,
+struct Scene(Handles);
+
+/// With RTC_SCENE_FLAG_ROBUST.
+pub fn robust(mesh: &Mesh, rays: &[Ray]) -> Cast {
+    cast(true, mesh, rays)
 }
 
-/// With or without RTC_SCENE_FLAG_ROBUST.
-pub fn peer(name: &'static str, is_robust: bool, mesh: &Mesh, rays: &[Ray]) -> Peer {
-    let mut scene = Scene {
-        handles: Handles {
-            device: std::ptr::null_mut(),
-            scene: std::ptr::null_mut(),
-        },
-        t: vec![0.0; rays.len()],
-    };
+/// Without it.
+pub fn fast(mesh: &Mesh, rays: &[Ray]) -> Cast {
+    cast(false, mesh, rays)
+}
+
+fn cast(is_robust: bool, mesh: &Mesh, rays: &[Ray]) -> Cast {
+    let mut scene = Scene(Handles {
+        device: std::ptr::null_mut(),
+        scene: std::ptr::null_mut(),
+    });
     let lengths = [mesh.corners.len(), mesh.triangles.len()];
     let [corners, triangles] = lengths.map(|length| c_uint::try_from(length).expect("it is small"));
     // SAFETY: both buffers are as long as is said, and are copied before the call returns.
     unsafe {
         pinhole_embree_build(
-            &mut scene.handles,
+            &mut scene.0,
             mesh.corners.as_ptr(),
             corners,
             mesh.triangles.as_ptr(),
@@ -64,19 +67,20 @@ pub fn peer(name: &'static str, is_robust: bool, mesh: &Mesh, rays: &[Ray]) -> P
         );
     }
     let rays: Vec<[f32; 6]> = rays.iter().map(Ray::numbers).collect();
-    Peer::new(name, move || {
+    Box::new(move || {
+        let mut t = vec![0.0; rays.len()];
         let count = c_uint::try_from(rays.len()).expect("they are few");
         // SAFETY: the scene is built, and as many t are written as there are rays.
         unsafe {
-            pinhole_embree_cast(&scene.handles, rays.as_ptr(), count, scene.t.as_mut_ptr());
+            pinhole_embree_cast(&scene.0, rays.as_ptr(), count, t.as_mut_ptr());
         }
-        scene.t.iter().map(|t| f64::from(*t)).collect()
+        t.into_iter().map(f64::from).collect()
     })
 }
 
 impl Drop for Scene {
     fn drop(&mut self) {
         // SAFETY: it was built, and is released once.
-        unsafe { pinhole_embree_release(&mut self.handles) }
+        unsafe { pinhole_embree_release(&mut self.0) }
     }
 }

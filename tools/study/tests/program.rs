@@ -1,0 +1,60 @@
+//! The real program, on one small part.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use serde_json::Value;
+
+fn studied(part: &str) -> (Option<i32>, String, PathBuf) {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(part);
+    let output = Command::new(env!("CARGO_BIN_EXE_pinhole-study"))
+        .args(["study", "--quick", "--json", "--only", part, "--out"])
+        .arg(&folder)
+        .output()
+        .expect("it runs");
+    let said = String::from_utf8(output.stdout).expect("text");
+    (output.status.code(), said, folder)
+}
+
+#[test]
+fn each_part_is_measured_and_written() {
+    for (part, list) in [
+        ("flat", "families"),
+        ("mesh", "meshes"),
+        ("scenes", "scenes"),
+        ("plans", "plans"),
+        ("secondary", "secondary"),
+    ] {
+        let (code, said, folder) = studied(part);
+        let document: Value = serde_json::from_str(&said).expect("one JSON document");
+        let rows = document[list].as_array().map_or(0, Vec::len);
+        assert!(code == Some(0) && rows > 0, "{part}: {code:?}, {rows} rows");
+        let written = fs::read_to_string(folder.join("study.json")).expect("it was written");
+        assert_eq!(written, said);
+    }
+}
+
+#[test]
+fn an_unknown_family_is_refused_by_name() {
+    let (code, said, _) = studied("nonsense");
+    let error: Value = serde_json::from_str(&said).expect("an error is a document too");
+    let problem = error["error"].as_str().expect("it has words");
+    assert!(
+        code == Some(2) && problem.contains("nonsense"),
+        "{code:?} {said}"
+    );
+}
+
+#[test]
+fn plots_and_the_page_are_written_and_name_each_other() {
+    let (_, _, folder) = studied("edge-on");
+    let page = fs::read_to_string(folder.join("summary.md")).expect("it was written");
+    let name = "triangle-edge-on.svg";
+    assert!(page.contains(name), "{name} is not shown");
+    let plot = fs::read_to_string(folder.join(name)).expect("it was written");
+    assert!(
+        plot.contains("<svg") && plot.contains("adaptive exact"),
+        "{name} has no labels"
+    );
+}
