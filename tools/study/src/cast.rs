@@ -13,13 +13,12 @@ pub mod slabs;
 pub mod tree;
 pub mod world;
 
-use rayon::prelude::*;
+use std::marker::PhantomData;
 
 use crate::kernel::Limits;
-use crate::kernel::sphere::Scaled;
 use crate::kernel::triangle::Four;
 use crate::shape::Ray;
-use model::Model;
+use model::{Model, Query};
 pub use search::Search;
 use tree::Tree;
 use world::{Part, World};
@@ -88,71 +87,35 @@ impl Caster {
         min_t: f64,
         tally: &mut Tally,
     ) -> Option<Found<'_>> {
-        let mut nearest = Nearest::<M>::new(&self.world, ray, min_t, tally);
+        let mut nearest = Nearest {
+            query: Query::new(ray, min_t, &self.world),
+            tally,
+            found: None,
+            model: PhantomData::<M>,
+        };
         match search {
             Search::BruteForce => nearest.consider(&self.world.parts),
             Search::Boxes => self.tree.search(&self.world, &mut nearest),
         }
         nearest.found
     }
-
-    /// What many rays meet first, by all of the machine's cores.
-    pub fn film<M: Model>(
-        &self,
-        search: Search,
-        rays: &[Ray<f64>],
-        min_t: f64,
-    ) -> (Vec<Option<Found<'_>>>, Tally) {
-        let cast = |rays: &[Ray<f64>]| {
-            let mut tally = Tally::default();
-            let first = |ray| self.first::<M>(search, ray, min_t, &mut tally);
-            (rays.iter().map(first).collect::<Vec<_>>(), tally)
-        };
-        let pieces: Vec<_> = rays.par_chunks(512).map(cast).collect();
-        let tally = pieces
-            .iter()
-            .fold(Tally::default(), |sum, (_, tally)| sum.plus(*tally));
-        (
-            pieces.into_iter().flat_map(|(found, _)| found).collect(),
-            tally,
-        )
-    }
 }
 
 /// The search for what one ray meets first.
-pub struct Nearest<'a, 'r, M: Model> {
-    ray: &'r Ray<f64>,
-    scaled: Scaled<f64>,
-    prepared: M::Ray,
-    min_t: f64,
+pub struct Nearest<'a, 'r, M> {
+    query: Query<'r>,
     tally: &'r mut Tally,
     found: Option<Found<'a>>,
+    model: PhantomData<M>,
 }
 
-impl<'a, 'r, M: Model> Nearest<'a, 'r, M> {
-    fn new(
-        world: &World,
-        ray: &'r Ray<f64>,
-        min_t: f64,
-        tally: &'r mut Tally,
-    ) -> Nearest<'a, 'r, M> {
-        let scaled = Scaled::new(ray);
-        Nearest {
-            ray,
-            scaled,
-            prepared: M::prepare(ray, &scaled, min_t, world),
-            min_t,
-            tally,
-            found: None,
-        }
-    }
-
+impl<'a, M: Model> Nearest<'a, '_, M> {
     /// Tests these parts too.
     #[inline(always)]
     fn consider(&mut self, parts: &'a [Part]) {
         self.tally.tests += parts.len() as u64;
         for part in parts {
-            if let Some(t) = M::meet(part, &self.prepared, self.min_t, self.tally) {
+            if let Some(t) = M::meet(part, &self.query, self.tally) {
                 self.keep(Found { part, t });
             }
         }
@@ -162,13 +125,13 @@ impl<'a, 'r, M: Model> Nearest<'a, 'r, M> {
     #[inline(always)]
     fn consider_four(&mut self, four: &Four, limits: &Limits, parts: &'a [Part], first: u32) {
         self.tally.tests += u64::from(four.count());
-        let met = M::meet_four(four, limits, &self.prepared, self.min_t);
+        let met = M::meet_four(four, limits, &self.query);
         let (mut hits, mut open) = (met.hits, met.open);
         while hits != 0 {
             let lane = hits.trailing_zeros();
             hits &= hits - 1;
             let part = &parts[(first + lane) as usize];
-            match M::given(met.t[lane as usize & 3], &self.prepared) {
+            match M::given(met.t[lane as usize & 3], &self.query) {
                 t if t.is_finite() => self.keep(Found { part, t }),
                 _ => open |= 1 << lane,
             }
@@ -184,7 +147,7 @@ impl<'a, 'r, M: Model> Nearest<'a, 'r, M> {
             if open >> lane & 1 == 0 {
                 continue;
             }
-            if let Some(t) = M::meet(part, &self.prepared, self.min_t, self.tally) {
+            if let Some(t) = M::meet(part, &self.query, self.tally) {
                 self.keep(Found { part, t });
             }
         }
@@ -194,7 +157,7 @@ impl<'a, 'r, M: Model> Nearest<'a, 'r, M> {
     fn keep(&mut self, found: Found<'a>) {
         let is_first = self
             .found
-            .is_none_or(|best| M::comes_first(&found, &best, self.ray, self.min_t, self.tally));
+            .is_none_or(|best| M::comes_first(&found, &best, &self.query, self.tally));
         if is_first {
             self.found = Some(found);
         }

@@ -1,7 +1,7 @@
 //! Numbers of twice the digits: an unevaluated sum of two of the machine's own (Dekker,
 //! *Numer. Math.* 18, 1971). About 106 bits in `f64`, with `f64`'s range.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::vector::Vector;
 
@@ -41,21 +41,6 @@ impl DoubleDouble {
             high: sum,
             low: low - (sum - high),
         }
-    }
-
-    /// The square root: one step of Newton's from the rounded one (Karp & Markstein,
-    /// *ACM TOMS* 23, 1997).
-    #[inline(always)]
-    pub fn sqrt(self) -> DoubleDouble {
-        if self.high <= 0.0 {
-            return DoubleDouble {
-                high: self.high.sqrt(),
-                low: 0.0,
-            };
-        }
-        let root = self.high.sqrt();
-        let rest = self - DoubleDouble::product(root, root);
-        DoubleDouble::renewed(root, rest.high / (root + root))
     }
 }
 
@@ -103,16 +88,6 @@ impl Mul for DoubleDouble {
         let product = DoubleDouble::product(self.high, other.high);
         let cross = self.high * other.low + self.low * other.high;
         DoubleDouble::renewed(product.high, product.low + cross)
-    }
-}
-
-impl Div for DoubleDouble {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        let first = self.high / other.high;
-        let rest = self - other * first.into();
-        DoubleDouble::renewed(first, rest.high / other.high)
     }
 }
 

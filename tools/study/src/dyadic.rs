@@ -2,223 +2,136 @@
 //! product of floats, without rounding, overflow or underflow. The adaptive kernels
 //! decide with these what their filters leave open.
 //!
-//! Why not expansions (Shewchuk, *Discrete Comput. Geom.* 18, 1997), which are faster:
-//! they are exact only while no partial product underflows, and the extremes are what
-//! this package is about. The oracle uses another's rationals: the two share no code.
+//! The integers are num-bigint's: MIT or Apache-2.0, and kept up. The oracle uses dashu's
+//! rationals: the two share no code. Why not expansions (Shewchuk, *Discrete Comput. Geom.* 18,
+//! 1997), which are faster: they are exact only while no partial product underflows, and the
+//! extremes are what this package is about.
 
-use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use smallvec::SmallVec;
+use num_bigint::{BigInt, Sign};
 
-use crate::double_double::DoubleDouble;
+use crate::number::Real;
 use crate::vector::Vector;
 
-/// As many limbs as everyday numbers need are kept in place; more go to the heap.
-const IN_PLACE: usize = 8;
-type Limbs = SmallVec<[u64; IN_PLACE]>;
-
-/// ±`limbs` × 2^`exponent`.
+/// `integer` × 2^`exponent`.
 #[derive(Clone, Debug)]
 pub struct Dyadic {
-    negative: bool,
-    /// Lowest first; the highest is not 0. None at all for zero.
-    limbs: Limbs,
+    integer: BigInt,
     exponent: i64,
 }
+
+/// The bits of quotients and roots, at least.
+const BITS: i64 = 128;
 
 impl Dyadic {
     /// A finite number, exactly.
     pub fn of(value: f64) -> Dyadic {
         let bits = value.to_bits();
-        let (field, fraction) = ((bits >> 52) & 0x7ff, bits & ((1 << 52) - 1));
+        let (field, fraction) = ((bits >> 52) & 0x7ff, (bits & ((1 << 52) - 1)) as i64);
         debug_assert!(field < 0x7ff, "only finite numbers are dyadic");
         let (mantissa, exponent) = match field {
             0 => (fraction, -1074),
             _ => (fraction | (1 << 52), field as i64 - 1075),
         };
-        let limbs = trimmed(Limbs::from_slice(&[mantissa]));
-        Dyadic {
-            negative: bits >> 63 == 1,
-            limbs,
-            exponent,
-        }
+        let integer = BigInt::from(if bits >> 63 == 1 { -mantissa } else { mantissa });
+        Dyadic { integer, exponent }
     }
 
     /// −1, 0 or 1.
     pub fn sign(&self) -> i32 {
-        match (self.limbs.is_empty(), self.negative) {
-            (true, _) => 0,
-            (false, true) => -1,
-            (false, false) => 1,
+        match self.integer.sign() {
+            Sign::Minus => -1,
+            Sign::NoSign => 0,
+            Sign::Plus => 1,
         }
     }
 
-    /// The limbs, as they are with an exponent that is smaller or the same.
-    #[inline]
-    fn limbs_at(&self, exponent: i64) -> Limbs {
-        let shift = (self.exponent - exponent) as usize;
-        let (whole, part) = (shift / 64, shift % 64);
-        limbs(whole + self.limbs.len() + 1, |to| {
-            let mut carry = 0;
-            for (limb, place) in self.limbs.iter().zip(&mut to[whole..]) {
-                *place = limb << part | carry;
-                carry = (limb >> 1) >> (63 - part);
-            }
-            to[whole + self.limbs.len()] = carry;
-        })
+    /// The e of 2^e ≤ |self| < 2^(e + 1); none of 0.
+    pub fn magnitude(&self) -> Option<i64> {
+        let bits = self.integer.bits() as i64;
+        (bits > 0).then_some(self.exponent + bits - 1)
     }
 
-    /// `self` + `other`, or − `other`.
-    #[inline]
-    fn plus(&self, other: &Dyadic, is_less: bool) -> Dyadic {
-        let other_negative = other.negative != is_less;
-        match (self.sign(), other.sign()) {
-            (_, 0) => return self.clone(),
-            (0, _) if is_less => return -other.clone(),
-            (0, _) => return other.clone(),
-            _ => (),
-        }
-        let exponent = self.exponent.min(other.exponent);
-        let (a, b) = (self, other);
-        let (negative, limbs) = match self.negative == other_negative {
-            // Of the two, one is as it is.
-            true if a.exponent == exponent => (a.negative, sum(&b.limbs_at(exponent), &a.limbs)),
-            true => (a.negative, sum(&a.limbs_at(exponent), &b.limbs)),
-            false => {
-                let (a, b) = (a.limbs_at(exponent), b.limbs_at(exponent));
-                match compared(&a, &b) {
-                    Ordering::Less => (other_negative, difference(b, &a)),
-                    _ => (self.negative, difference(a, &b)),
-                }
-            }
-        };
+    /// self × 2^`power`.
+    pub fn times_power_of_two(mut self, power: i64) -> Dyadic {
+        self.exponent += power;
+        self
+    }
+
+    /// The square root of what is not negative, rounded down to 2⁻¹²⁸ of itself.
+    pub fn sqrt(&self) -> Dyadic {
+        let bits = self.integer.bits() as i64;
+        let up = (2 * BITS - bits).max(0);
+        // What is left of the exponent is even.
+        let up = up + (self.exponent - up).rem_euclid(2);
         Dyadic {
-            negative,
-            limbs,
-            exponent,
+            integer: (&self.integer << up).sqrt(),
+            exponent: (self.exponent - up) / 2,
         }
     }
 
-    /// The first 106 bits and where they stand: `value` × 2^`exponent`, `value.high` in
-    /// [1, 2).
-    pub fn leading(&self) -> (DoubleDouble, i64) {
-        let Some(top) = self.limbs.last() else {
-            return (0.0.into(), 0);
-        };
-        let count = self.limbs.len() as i64 * 64 - i64::from(top.leading_zeros());
-        let bits = |from_top: i64| {
-            // 53 bits, of which the highest is so far below the top.
-            let low = count - from_top - 53;
-            let bit = |at: i64| match at {
-                0.. => self.limbs[at as usize / 64] >> (at % 64) & 1,
-                _ => 0,
-            };
-            (0..53).fold(0, |sum, at| sum | bit(low + at) << at) as f64
-        };
-        let sign = f64::from(self.sign());
-        let (high, low) = (bits(0) * 2f64.powi(-52), bits(53) * 2f64.powi(-105));
-        let value = DoubleDouble::sum(sign * high, sign * low);
-        (value, self.exponent + count - 1)
+    /// self / `divisor`, which is not 0, rounded towards 0 by 2⁻¹²⁸ of itself.
+    pub fn over(&self, divisor: &Dyadic) -> Dyadic {
+        let bits = |number: &Dyadic| number.integer.bits() as i64;
+        let up = (BITS + 1 + bits(divisor) - bits(self)).max(0);
+        Dyadic {
+            integer: (&self.integer << up) / &divisor.integer,
+            exponent: self.exponent - up - divisor.exponent,
+        }
     }
-}
 
-/// So many limbs, which are 0 before they are filled in.
-#[inline(always)]
-fn limbs(count: usize, fill: impl FnOnce(&mut [u64])) -> Limbs {
-    let mut in_place = [0; IN_PLACE];
-    let limbs = match in_place.get_mut(..count) {
-        Some(few) => {
-            fill(few);
-            Limbs::from_buf_and_len(in_place, count)
-        }
-        None => {
-            let mut many = vec![0; count];
-            fill(&mut many);
-            Limbs::from_vec(many)
-        }
-    };
-    trimmed(limbs)
-}
-
-#[inline(always)]
-fn trimmed(mut limbs: Limbs) -> Limbs {
-    let zeros = limbs.iter().rev().take_while(|limb| **limb == 0).count();
-    limbs.truncate(limbs.len() - zeros);
-    limbs
-}
-
-fn compared(a: &[u64], b: &[u64]) -> Ordering {
-    let longer = a.len().cmp(&b.len());
-    longer.then_with(|| a.iter().rev().cmp(b.iter().rev()))
-}
-
-#[inline]
-fn sum(a: &[u64], b: &[u64]) -> Limbs {
-    let (longer, shorter) = if a.len() < b.len() { (b, a) } else { (a, b) };
-    limbs(longer.len() + 1, |to| {
-        let mut carry = 0;
-        for (at, limb) in longer.iter().enumerate() {
-            let total =
-                u128::from(*limb) + u128::from(shorter.get(at).copied().unwrap_or(0)) + carry;
-            (to[at], carry) = (total as u64, total >> 64);
-        }
-        to[longer.len()] = carry as u64;
-    })
-}
-
-/// `a` − `b`, where a ≥ b.
-#[inline]
-fn difference(mut a: Limbs, b: &[u64]) -> Limbs {
-    let mut borrow = false;
-    for (at, limb) in a.iter_mut().enumerate() {
-        let (less, first) = limb.overflowing_sub(b.get(at).copied().unwrap_or(0));
-        let (less, second) = less.overflowing_sub(borrow.into());
-        (*limb, borrow) = (less, first || second);
+    /// The nearest float, infinite if there is none; a subnormal one may be the second nearest.
+    pub fn rounded(&self) -> f64 {
+        let bits = self.integer.bits() as i64;
+        // 64 bits, of which the last says whether there are more: it decides a tie.
+        let down = (bits - 63).max(0);
+        let top = &self.integer >> down;
+        let zeros = self.integer.trailing_zeros().unwrap_or(0) as i64;
+        let top = i64::try_from(&top).expect("it has 63 bits") | i64::from(zeros < down);
+        let power = (self.exponent + down).clamp(-3000, 3000) as i32;
+        (top as f64).times_power_of_two(power)
     }
-    trimmed(a)
+
+    /// The integers of two numbers at the smaller exponent of both.
+    fn aligned(&self, other: &Dyadic) -> (BigInt, BigInt, i64) {
+        let exponent = self.exponent.min(other.exponent);
+        let at = |number: &Dyadic| &number.integer << (number.exponent - exponent);
+        (at(self), at(other), exponent)
+    }
 }
 
 impl Add for &Dyadic {
     type Output = Dyadic;
     fn add(self, other: &Dyadic) -> Dyadic {
-        self.plus(other, false)
-    }
-}
-
-impl Neg for Dyadic {
-    type Output = Dyadic;
-    fn neg(self) -> Dyadic {
-        Dyadic {
-            negative: !self.negative,
-            ..self
-        }
+        let (a, b, exponent) = self.aligned(other);
+        let integer = a + b;
+        Dyadic { integer, exponent }
     }
 }
 
 impl Sub for &Dyadic {
     type Output = Dyadic;
     fn sub(self, other: &Dyadic) -> Dyadic {
-        self.plus(other, true)
+        let (a, b, exponent) = self.aligned(other);
+        let integer = a - b;
+        Dyadic { integer, exponent }
+    }
+}
+
+impl Neg for Dyadic {
+    type Output = Dyadic;
+    fn neg(self) -> Dyadic {
+        let (integer, exponent) = (-self.integer, self.exponent);
+        Dyadic { integer, exponent }
     }
 }
 
 impl Mul for &Dyadic {
     type Output = Dyadic;
     fn mul(self, other: &Dyadic) -> Dyadic {
-        let limbs = limbs(self.limbs.len() + other.limbs.len(), |to| {
-            for (at, a) in self.limbs.iter().enumerate() {
-                let mut carry = 0;
-                for (b, place) in other.limbs.iter().zip(&mut to[at..]) {
-                    let total = u128::from(*a) * u128::from(*b) + u128::from(*place) + carry;
-                    (*place, carry) = (total as u64, total >> 64);
-                }
-                to[at + other.limbs.len()] = carry as u64;
-            }
-        });
         Dyadic {
-            negative: self.negative != other.negative,
-            limbs,
+            integer: &self.integer * &other.integer,
             exponent: self.exponent + other.exponent,
         }
     }
@@ -245,6 +158,15 @@ impl DyadicVector {
         let ([a, b, c], [x, y, z]) = (&self.0, &other.0);
         let minor = |p: &Dyadic, q: &Dyadic, r: &Dyadic, s: &Dyadic| &(p * q) - &(r * s);
         DyadicVector([minor(b, z, c, y), minor(c, x, a, z), minor(a, y, b, x)])
+    }
+
+    /// Rounded to unit length. Brought near 1 together, so that none overflows; what vanishes
+    /// beside the largest is 0.
+    pub fn unit(self) -> Vector<f64> {
+        let largest = self.0.iter().filter_map(Dyadic::magnitude).max();
+        let down = -largest.unwrap_or(0);
+        let [x, y, z] = self.0.map(|it| it.times_power_of_two(down).rounded());
+        Vector::new(x, y, z).unit()
     }
 }
 

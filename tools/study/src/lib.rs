@@ -5,8 +5,7 @@
 //! 1. [`number`], [`vector`], [`shape`]: the lecture's words, generic over the type of
 //!    numbers;
 //! 2. [`kernel`]: ways to intersect a ray with a shape, one file for each, and what some
-//!    of them compute with: [`double_double`], [`dyadic`], [`leading`],
-//!    [`root`];
+//!    of them compute with: [`double_double`], [`dyadic`], [`root`];
 //! 3. [`question`], [`family`], [`random`]: what they are asked;
 //! 4. [`oracle`], [`judge`], [`breaking`], [`conditioning`]: what is true, what is wrong, what is
 //!    broken, what is sensitive;
@@ -32,7 +31,6 @@ pub mod film;
 pub mod instructions;
 pub mod judge;
 pub mod kernel;
-pub mod leading;
 pub mod leaks;
 pub mod number;
 pub mod oracle;

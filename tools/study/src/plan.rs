@@ -22,8 +22,7 @@ use crate::cast::rays::rays;
 use crate::cast::search::{PRICES, Prices, Search, price_of_all};
 use crate::cast::world::{Primitive, World};
 use crate::number::U;
-use crate::shape::Ray;
-use crate::vector::Vector;
+use crate::vector::{Vector, around};
 use bounds::{PROVEN_T, normal_of, of_normal};
 use casting::Casting;
 
@@ -116,7 +115,7 @@ pub fn plan(scene: &Scene, wish: Wish) -> Result<(Plan, Casting), String> {
         ));
     }
     let (world, rays) = (World::of(&scene.objects), rays(scene));
-    let origins = origins(&rays);
+    let origins = around(rays.iter().map(|ray| [ray.origin; 2])).unwrap_or_default();
     let kind = |kind: Kind| {
         let parts: Vec<&Primitive> = world
             .parts
@@ -156,14 +155,4 @@ fn worst_normal(shape: &Primitive, [low, high]: [Vector<f64>; 2]) -> f64 {
             of_normal(sphere, away(low).max(away(high)), PROVEN_T)
         }
     }
-}
-
-/// The corners of a box around where rays come from.
-fn origins(rays: &[Ray<f64>]) -> [Vector<f64>; 2] {
-    let by = |pick: fn(f64, f64) -> f64, p: Vector<f64>, q: Vector<f64>| {
-        Vector::new(pick(p.x, q.x), pick(p.y, q.y), pick(p.z, q.z))
-    };
-    let boxes = rays.iter().map(|ray| [ray.origin; 2]);
-    let wider = |[low, high]: [_; 2], [l, h]: [_; 2]| [by(f64::min, low, l), by(f64::max, high, h)];
-    boxes.reduce(wider).unwrap_or_default()
 }

@@ -30,7 +30,7 @@ use crate::shape::{Plane, Sphere, Triangle};
 
 /// What is asked. A round of each depends on its number and the seed alone, so that a run can
 /// go on where another ended.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, clap::ValueEnum)]
 pub enum Kind {
     /// Everyday questions of all shapes and families, to the exact kernels and the caster.
     Random,

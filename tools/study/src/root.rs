@@ -4,7 +4,6 @@
 use std::cmp::Ordering;
 
 use crate::dyadic::{Dyadic, DyadicVector};
-use crate::leading::Leading;
 
 /// (`rational` ± √`radicand`) / `divisor`: a root of a linear or a quadratic equation.
 #[derive(Clone, Debug)]
@@ -43,34 +42,33 @@ impl Root {
         }
     }
 
-    /// The nearest number of a type, from more than a hundred bits: where the two terms
-    /// would cancel, p + s = (p² − s²) / (p − s).
+    /// The nearest float, from more than a hundred bits: where the two terms would cancel,
+    /// p + s = (p² − s²) / (p − s).
     pub fn rounded(&self) -> f64 {
-        let root = Leading::from(&self.radicand).sqrt();
-        let root = if self.sign < 0 { -root } else { root };
-        let (rational, divisor) = (Leading::from(&self.rational), Leading::from(&self.divisor));
-        let cancels = self.rational.sign() * self.sign < 0 && self.radicand.sign() > 0;
+        let root = self.root();
+        let cancels = self.rational.sign() * root.sign() < 0;
         let numerator = match cancels {
-            false => rational + root,
+            false => &self.rational + &root,
             true => {
                 let squares = &(&self.rational * &self.rational) - &self.radicand;
-                Leading::from(&squares) / (rational + -root)
+                squares.over(&(&self.rational - &root))
             }
         };
-        (numerator / divisor).rounded()
+        numerator.over(&self.divisor).rounded()
+    }
+
+    /// ±√`radicand`, to 2⁻¹²⁸ of itself.
+    fn root(&self) -> Dyadic {
+        let root = self.radicand.sqrt();
+        if self.sign < 0 { -root } else { root }
     }
 
     /// Along e + t d, if this is t: times the divisor, and good to a hundred bits of its length,
     /// as long as the two terms of t leave it no longer than either. On a sphere they do, for
     /// from the centre e less its part along d and the rest are at right angles.
-    pub fn point(&self, e: &DyadicVector, d: &DyadicVector) -> [Leading; 3] {
-        let root = Leading::from(&self.radicand).sqrt();
-        let root = if self.sign < 0 { -root } else { root };
-        [0, 1, 2].map(|axis| {
-            let (e, d) = (&e.0[axis], &d.0[axis]);
-            let rational = &(&self.divisor * e) + &(&self.rational * d);
-            Leading::from(&rational) + root * Leading::from(d)
-        })
+    pub fn point(&self, e: &DyadicVector, d: &DyadicVector) -> DyadicVector {
+        let t = &self.rational + &self.root();
+        DyadicVector([0, 1, 2].map(|axis| &(&self.divisor * &e.0[axis]) + &(&t * &d.0[axis])))
     }
 
     /// Which is smaller, whatever their digits.

@@ -101,3 +101,12 @@ impl<F: Ring> Mul<F> for Vector<F> {
         Vector::new(self.x * factor, self.y * factor, self.z * factor)
     }
 }
+
+/// The box around boxes, by two corners of each; none around nothing.
+pub fn around(boxes: impl IntoIterator<Item = [Vector<f64>; 2]>) -> Option<[Vector<f64>; 2]> {
+    let by = |pick: fn(f64, f64) -> f64, p: Vector<f64>, q: Vector<f64>| {
+        Vector::new(pick(p.x, q.x), pick(p.y, q.y), pick(p.z, q.z))
+    };
+    let wider = |[low, high]: [_; 2], [l, h]: [_; 2]| [by(f64::min, low, l), by(f64::max, high, h)];
+    boxes.into_iter().reduce(wider)
+}

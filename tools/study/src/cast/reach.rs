@@ -1,7 +1,7 @@
 //! From where rays come, so that what bounds rounding need not be worked out for each.
 
 use super::world::{Part, Primitive};
-use crate::vector::Vector;
+use crate::vector::{Vector, around};
 
 /// A cube around a scene, a few times as large.
 #[derive(Clone, Copy, Debug, Default)]
@@ -21,13 +21,7 @@ impl Reach {
             let anchor = part.shape.anchor();
             part.shape.bounds().unwrap_or([anchor, anchor])
         };
-        let wider = |[low, high]: [Vector<f64>; 2], [l, h]: [Vector<f64>; 2]| {
-            let by = |pick: fn(f64, f64) -> f64, p: Vector<f64>, q: Vector<f64>| {
-                Vector::new(pick(p.x, q.x), pick(p.y, q.y), pick(p.z, q.z))
-            };
-            [by(f64::min, low, l), by(f64::max, high, h)]
-        };
-        let Some([low, high]) = parts.iter().map(ends).reduce(wider) else {
+        let Some([low, high]) = around(parts.iter().map(ends)) else {
             return Reach::default();
         };
         let center = low * 0.5 + high * 0.5;

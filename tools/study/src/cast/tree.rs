@@ -27,7 +27,7 @@ use super::world::{Part, Primitive, World};
 use crate::kernel::Limits;
 use crate::kernel::triangle::{self, Four};
 use crate::shape::Triangle;
-use crate::vector::Vector;
+use crate::vector::{Vector, around};
 
 /// Four boxes, and what is in them.
 #[derive(Clone, Copy, Debug)]
@@ -54,7 +54,8 @@ struct Leaf {
 #[derive(Clone, Debug, Default)]
 pub struct Tree {
     frame: Frame,
-    /// The root first; none if no part has a finite box.
+    /// A node, or the only leaf; none if no part has a finite box.
+    root: Option<u32>,
     nodes: Vec<Node>,
     leaves: Vec<Leaf>,
     /// Parts from here on are in no box.
@@ -78,14 +79,8 @@ impl Tree {
         let parts = std::mem::take(&mut world.parts);
         let (inside, outside): (Vec<_>, Vec<_>) = parts.into_iter().partition(boxed);
         let boxes: Vec<_> = inside.iter().filter_map(bounds).collect();
-        let wider = |[low, high]: [Vector<f64>; 2], [l, h]: [Vector<f64>; 2]| {
-            let by = |pick: fn(f64, f64) -> f64, p: Vector<f64>, q: Vector<f64>| {
-                Vector::new(pick(p.x, q.x), pick(p.y, q.y), pick(p.z, q.z))
-            };
-            [by(f64::min, low, l), by(f64::max, high, h)]
-        };
         let mut tree = Tree::default();
-        if let Some(all) = boxes.iter().copied().reduce(wider) {
+        if let Some(all) = around(boxes.iter().copied()) {
             tree.frame = Frame::around(all);
             let boxes = boxes.into_iter().map(|bounds| {
                 let [low, high] = tree.frame.boxed(bounds);
@@ -105,26 +100,41 @@ impl Tree {
                 tree: &mut tree,
                 reach: world.reach,
             };
-            fours.root();
+            tree.root = Some(fours.root());
         }
         tree.boundless = world.parts.len();
         world.parts.extend(outside);
         tree
     }
 
+    /// Considers the parts of a leaf.
+    #[inline(always)]
+    fn meet<'a, M: Model>(&self, leaf: u32, world: &'a World, nearest: &mut Nearest<'a, '_, M>) {
+        match leaf & LONE {
+            0 => {
+                let leaf = &self.leaves[(leaf & !LEAF) as usize];
+                nearest.consider_four(&leaf.four, &leaf.limits, &world.parts, leaf.first);
+            }
+            _ => {
+                let part = (leaf & !(LEAF | LONE)) as usize;
+                nearest.consider(&world.parts[part..=part]);
+            }
+        }
+    }
+
     /// Considers all parts that a ray may meet first.
     #[inline(always)]
     pub(super) fn search<'a, M: Model>(&self, world: &'a World, nearest: &mut Nearest<'a, '_, M>) {
         nearest.consider(&world.parts[self.boundless..]);
-        if self.nodes.is_empty() {
-            return;
+        let Some(mut at) = self.root else { return };
+        if at & LEAF != 0 {
+            return self.meet(at, world, nearest);
         }
-        let Some(slabs) = Slabs::of(&self.frame, &nearest.scaled, nearest.min_t) else {
+        let Some(slabs) = Slabs::of(&self.frame, &nearest.query.scaled, nearest.query.min_t) else {
             return nearest.consider(&world.parts[..self.boundless]);
         };
         let mut horizon = slabs.horizon(nearest.horizon());
         let mut waiting = Waiting::default();
-        let mut at = 0;
         loop {
             if at & LEAF == 0 {
                 let node = &self.nodes[at as usize];
@@ -147,16 +157,7 @@ impl Tree {
                     continue;
                 }
             } else {
-                match at & LONE {
-                    0 => {
-                        let leaf = &self.leaves[(at & !LEAF) as usize];
-                        nearest.consider_four(&leaf.four, &leaf.limits, &world.parts, leaf.first);
-                    }
-                    _ => {
-                        let part = (at & !(LEAF | LONE)) as usize;
-                        nearest.consider(&world.parts[part..=part]);
-                    }
-                }
+                self.meet(at, world, nearest);
                 horizon = slabs.horizon(nearest.horizon());
             }
             match waiting.next(horizon) {
@@ -259,7 +260,10 @@ fn sizes(twos: &Bvh2, parts: &[Part]) -> Vec<(u32, bool)> {
 }
 
 impl Fours<'_> {
-    fn root(&mut self) {
+    fn root(&mut self) -> u32 {
+        if self.is_leaf(0) {
+            return self.leaf(0);
+        }
         let nowhere = [[f32x4::splat(f32::MAX); 3], [f32x4::splat(f32::MIN); 3]];
         let empty = Node {
             boxes: nowhere,
@@ -289,6 +293,7 @@ impl Fours<'_> {
                 node.inside[lane] = inside;
             }
         }
+        0
     }
 
     fn is_leaf(&self, two: usize) -> bool {
@@ -296,7 +301,7 @@ impl Fours<'_> {
         count == 1 || are_triangles && count <= 4
     }
 
-    /// Two to four nodes of two, the largest opened first; or the root, if that is a leaf.
+    /// Two to four nodes of two, the largest opened first.
     fn children(&self, two: usize) -> Vec<usize> {
         let mut children = vec![two];
         while children.len() < 4 {

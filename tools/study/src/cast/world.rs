@@ -3,7 +3,7 @@
 use super::reach::Reach;
 use crate::kernel::{Limits, plane, sphere, triangle};
 use crate::shape::{Plane, Ray, Sphere, Triangle};
-use crate::vector::Vector;
+use crate::vector::{Vector, around};
 
 /// What a ray can meet.
 #[derive(Clone, Copy, Debug)]
@@ -142,13 +142,7 @@ impl Primitive {
                 // What was rounded away from, added again.
                 Some([low.map(f64::next_down), high.map(f64::next_up)])
             }
-            Primitive::Triangle(Triangle { corners: [a, b, c] }) => {
-                let of = |pick: fn(f64, f64) -> f64| {
-                    let of = |x, y, z| pick(pick(x, y), z);
-                    Vector::new(of(a.x, b.x, c.x), of(a.y, b.y, c.y), of(a.z, b.z, c.z))
-                };
-                Some([of(f64::min), of(f64::max)])
-            }
+            Primitive::Triangle(triangle) => around(triangle.corners.map(|corner| [corner; 2])),
         }
     }
 

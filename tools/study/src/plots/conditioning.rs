@@ -1,6 +1,6 @@
 //! Errors of t against the question's conditioning.
 
-use super::paper::{Anchor, FAINT, Panel, Paper, Pen, colour, legend, names, ulps};
+use super::paper::{Anchor, GRID, Panel, Paper, colour, curve, legend, names, ulps};
 use crate::result::{Conditioned, Findings};
 
 /// A panel for each shape.
@@ -28,11 +28,9 @@ pub fn svg(findings: &Findings) -> String {
         panel.columns(&mut paper, "condition number of the question", false);
         // κ/2 ulp reaches the panel's top before its right end.
         let end = (panel.y.1 + 0.3).min(17.0);
-        let deserved = Pen {
-            opacity: 0.6,
-            ..FAINT
-        };
-        paper.line(&[panel.at(0.0, -0.3), panel.at(end, end - 0.3)], deserved);
+        let deserved = GRID.replace("0.15", "0.6");
+        let ends = [panel.at(0.0, -0.3), panel.at(end, end - 0.3)];
+        paper.line(&ends, &deserved);
         for numbers in ["f64", "f32"] {
             for (at, name) in names.iter().enumerate() {
                 let of_it = all().filter(|it| it.kernel == *name && it.numbers == numbers);
@@ -42,13 +40,7 @@ pub fn svg(findings: &Findings) -> String {
                     panel.at(f64::from(it.decade) + 0.5, it.median_ulp.max(0.1).log10())
                 };
                 let points: Vec<_> = of_it.map(place).collect();
-                let pen = Pen {
-                    colour: colour(at),
-                    width: 2.5,
-                    dashed: numbers == "f32",
-                    opacity: 1.0,
-                };
-                paper.line(&points, pen);
+                paper.line(&points, &curve(colour(at), numbers));
             }
         }
         top = panel.bottom + 66.0;

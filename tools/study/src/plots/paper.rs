@@ -31,26 +31,17 @@ pub enum Anchor {
     End,
 }
 
-/// How a line looks.
-#[derive(Clone, Copy)]
-pub struct Pen {
-    /// An SVG colour.
-    pub colour: &'static str,
-    /// In the plot's units.
-    pub width: f64,
-    /// Whether it is interrupted, as lines of `f32` are.
-    pub dashed: bool,
-    /// From 0, not to be seen, to 1.
-    pub opacity: f64,
-}
+/// How the lines of a grid look.
+pub const GRID: &str = "stroke=\"currentColor\" stroke-width=\"1\" stroke-opacity=\"0.15\"";
 
-/// A line of a grid.
-pub const FAINT: Pen = Pen {
-    colour: INK,
-    width: 1.0,
-    dashed: false,
-    opacity: 0.15,
-};
+/// How the line of a kernel looks; those of `f32` are dashed.
+pub fn curve(colour: &str, numbers: &str) -> String {
+    let dashes = match numbers {
+        "f32" => " stroke-dasharray=\"5 4\"",
+        _ => "",
+    };
+    format!("stroke=\"{colour}\" stroke-width=\"2.5\"{dashes}")
+}
 
 /// A plot, y downward.
 #[derive(Default)]
@@ -72,25 +63,14 @@ impl Paper {
         );
     }
 
-    /// Straight from point to point.
-    pub fn line(&mut self, points: &[(f64, f64)], pen: Pen) {
-        let mut places = String::new();
-        for (x, y) in points {
-            let _ = write!(places, "{x:.1},{y:.1} ");
-        }
-        let dashes = if pen.dashed {
-            " stroke-dasharray=\"5 4\""
-        } else {
-            ""
-        };
+    /// Straight from point to point, with attributes that say how it looks.
+    pub fn line(&mut self, points: &[(f64, f64)], look: &str) {
+        let place = |(x, y): &(f64, f64)| format!("{x:.1},{y:.1}");
+        let places: Vec<String> = points.iter().map(place).collect();
+        let places = places.join(" ");
         let _ = writeln!(
             self.0,
-            "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" \
-             stroke-opacity=\"{}\"{dashes}/>",
-            places.trim_end(),
-            pen.colour,
-            pen.width,
-            pen.opacity
+            "<polyline points=\"{places}\" fill=\"none\" {look}/>"
         );
     }
 
@@ -105,18 +85,10 @@ impl Paper {
     }
 
     /// Two strokes that cross.
-    pub fn cross(&mut self, (x, y): (f64, f64), size: f64, colour: &'static str) {
-        let pen = Pen {
-            colour,
-            width: 2.0,
-            ..FAINT
-        };
+    pub fn cross(&mut self, (x, y): (f64, f64), size: f64, colour: &str) {
+        let look = format!("stroke=\"{colour}\" stroke-width=\"2\"");
         for rise in [-size, size] {
-            let pen = Pen {
-                opacity: 1.0,
-                ..pen
-            };
-            self.line(&[(x - size, y - rise), (x + size, y + rise)], pen);
+            self.line(&[(x - size, y - rise), (x + size, y + rise)], &look);
         }
     }
 
@@ -170,7 +142,7 @@ impl Panel {
     pub fn rows(&self, paper: &mut Paper, ticks: &[(f64, String)]) {
         for (y, words) in ticks {
             let y = self.at(0.0, *y).1;
-            paper.line(&[(LEFT, y), (RIGHT, y)], FAINT);
+            paper.line(&[(LEFT, y), (RIGHT, y)], GRID);
             paper.word((LEFT - 8.0, y), Anchor::End, words);
         }
     }
@@ -186,7 +158,7 @@ impl Panel {
         for tick in first..=last {
             let power = f64::from(tick) * step;
             let x = self.at(power, 0.0).0;
-            paper.line(&[(x, self.top), (x, self.bottom)], FAINT);
+            paper.line(&[(x, self.top), (x, self.bottom)], GRID);
             let words = number(if of_a_tenth { -power } else { power });
             paper.word((x, self.bottom + 14.0), Anchor::Middle, &words);
         }

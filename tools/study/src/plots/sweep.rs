@@ -1,6 +1,6 @@
 //! A sweep: wrong decisions above, errors of t below; `f64` in whole lines, `f32` in dashes.
 
-use super::paper::{Anchor, Panel, Paper, Pen, Shares, colour, legend, names, ulps};
+use super::paper::{Anchor, Panel, Paper, Shares, colour, curve, legend, names, ulps};
 use crate::judge::Tally;
 use crate::result::{Point, Sweep};
 
@@ -80,12 +80,6 @@ fn lines(
             Some(panel.at(f64::from(point.exponent), value(&judged.tally)?))
         };
         let points: Vec<_> = sweep.points.iter().filter_map(of_kernel).collect();
-        let pen = Pen {
-            colour: colour(at),
-            width: 2.5,
-            dashed: sweep.data == "f32",
-            opacity: 1.0,
-        };
-        paper.line(&points, pen);
+        paper.line(&points, &curve(colour(at), &sweep.data));
     }
 }

@@ -6,6 +6,7 @@ use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
 use pinhole::Resolution;
 use pinhole_course::run_options::{AssignmentOption, resolution};
 use pinhole_study::plan::Wish;
+use pinhole_study::record::Kind;
 
 /// The trade between speed and accuracy in ray casting.
 ///
@@ -153,19 +154,6 @@ pub struct Record {
     /// The seed of random questions
     #[arg(long, value_name = "N", default_value_t = 20_261_121)]
     pub seed: u64,
-}
-
-/// What is recorded.
-#[derive(Clone, Copy, ValueEnum)]
-pub enum Kind {
-    /// Everyday questions
-    Random,
-    /// Questions at the extremes
-    Adversarial,
-    /// Rays at edges and vertices of closed meshes
-    Edges,
-    /// Plans of random scenes
-    Plans,
 }
 
 /// What a planned film should hold.

@@ -2,20 +2,20 @@
 
 use pinhole_report::program::Status;
 use pinhole_study::judge::rule_of_three;
-use pinhole_study::record::{self, Count, record};
+use pinhole_study::record::{Count, record};
 
-use crate::cli::{Kind, Record};
+use crate::cli::Record;
 
 /// Whether nothing was wrong.
 pub fn run(arguments: &Record) -> Status {
-    let kind = match arguments.kind {
-        Kind::Random => record::Kind::Random,
-        Kind::Adversarial => record::Kind::Adversarial,
-        Kind::Edges => record::Kind::Edges,
-        Kind::Plans => record::Kind::Plans,
-    };
-    let end = arguments.from + arguments.rounds;
-    let (mut from, mut is_well) = (arguments.from, true);
+    let Record {
+        kind,
+        from,
+        rounds,
+        seed,
+    } = *arguments;
+    let end = from + rounds;
+    let (mut from, mut is_well) = (from, true);
     while from < end {
         // As many as a crash may cost.
         let to = end.min(from + 1_000);
@@ -25,7 +25,7 @@ pub fn run(arguments: &Record) -> Status {
             exact,
             wrong,
             broken,
-        } = record(kind, from..to, arguments.seed);
+        } = record(kind, from..to, seed);
         let bound = match wrong {
             0 => format!("below {:.1e} with 95 % confidence", rule_of_three(asked)),
             _ => format!("in rounds {broken:?}"),

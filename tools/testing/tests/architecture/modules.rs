@@ -121,7 +121,6 @@ const FOLDERS: [(&str, &[&str]); 8] = [
             "vector",
             "double_double",
             "dyadic",
-            "leading",
             "root",
             "shape",
             "kernel",

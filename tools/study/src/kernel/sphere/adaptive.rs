@@ -110,17 +110,13 @@ pub fn filtered(
         return window.after.is_finite().then_some(None);
     }
     let q = h.abs() + (a * within).sqrt();
-    let t = match (is_ahead, is_inside) {
-        (true, false) => c / q,
-        // From inside, the near root is negative.
-        (true, true) => q / a,
-        _ => -(c / q),
+    // From inside, the near root is negative; from outside, it may be before `min_t`.
+    let t = match is_ahead {
+        true if !is_inside && c / q >= window.before => c / q,
+        true => q / a,
+        false => -(c / q),
     };
-    // If the near root is before `min_t`, the far one may not be.
-    match !is_inside && t < window.before {
-        true => None,
-        false => window.answer(t, scaled),
-    }
+    window.answer(t, scaled)
 }
 
 /// The answer by exact signs.
