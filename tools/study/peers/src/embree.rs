@@ -66,7 +66,11 @@ fn cast(is_robust: bool, mesh: &Mesh, rays: &[Ray]) -> Cast {
             c_int::from(is_robust),
         );
     }
-    let rays: Vec<[f32; 6]> = rays.iter().map(Ray::numbers).collect();
+    let numbers = |ray: &Ray| {
+        let ([a, b, c], [x, y, z]) = (ray.origin, ray.direction);
+        [a, b, c, x, y, z]
+    };
+    let rays: Vec<[f32; 6]> = rays.iter().map(numbers).collect();
     Box::new(move || {
         let mut t = vec![0.0; rays.len()];
         let count = c_uint::try_from(rays.len()).expect("they are few");

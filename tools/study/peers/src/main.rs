@@ -55,13 +55,13 @@ fn main() {
 fn compare(mesh: &Mesh, kind: &str, rays: &[Ray], over_embree: f64, seconds: f64) {
     let peers = peer::all(mesh, rays);
     let answers: Vec<Vec<f64>> = peers.iter().map(|peer| (peer.cast)()).collect();
-    let workload = |peer| {
-        let peer::Peer { cast, .. } = peer;
-        Box::new(move || {
-            black_box(cast());
-        }) as Workload
-    };
-    let times = race(peers.iter().map(workload).collect(), rays.len(), seconds);
+    let mut films: Vec<Workload> = Vec::new();
+    for peer in &peers {
+        films.push(Box::new(|| {
+            black_box((peer.cast)());
+        }));
+    }
+    let times = race(films, rays.len(), seconds);
     let time = |name: &str| {
         let at = peers.iter().position(|peer| peer.name == name)?;
         Some(times[at].nanoseconds)

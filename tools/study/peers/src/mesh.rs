@@ -16,7 +16,9 @@ impl Mesh {
     /// The corners of each triangle.
     pub fn each(&self) -> impl Iterator<Item = [[f32; 3]; 3]> {
         let corner = |at: u32| self.corners[at as usize];
-        self.triangles.iter().map(move |corners| corners.map(corner))
+        self.triangles
+            .iter()
+            .map(move |corners| corners.map(corner))
     }
 }
 

@@ -15,14 +15,6 @@ pub struct Ray {
     pub direction: [f32; 3],
 }
 
-impl Ray {
-    /// Origin, then direction.
-    pub fn numbers(&self) -> [f32; 6] {
-        let ([a, b, c], [x, y, z]) = (self.origin, self.direction);
-        [a, b, c, x, y, z]
-    }
-}
-
 /// Pixels in a row and in a column.
 const SIDE: u32 = 256;
 
@@ -42,7 +34,10 @@ pub fn primary() -> Vec<Ray> {
 
 /// As many, from points a little before what primary rays hit, in all directions.
 pub fn incoherent(mesh: &Mesh, primary: &[Ray]) -> Vec<Ray> {
-    let met: Vec<_> = ours::<Exact>(mesh, primary)().into_iter().zip(primary).collect();
+    let met: Vec<_> = ours::<Exact>(mesh, primary)()
+        .into_iter()
+        .zip(primary)
+        .collect();
     let mut random = Random::new(1, "incoherent");
     let hits = met.iter().filter(|(t, _)| t.is_finite()).cycle();
     let bounce = |(t, ray): &(f64, &Ray)| Ray {
