@@ -88,7 +88,7 @@ impl Caster {
         tally: &mut Tally,
     ) -> Option<Found<'_>> {
         let mut nearest = Nearest {
-            query: Query::new(ray, min_t, &self.world),
+            query: Query::new::<M>(ray, min_t, &self.world),
             tally,
             found: None,
             model: PhantomData::<M>,

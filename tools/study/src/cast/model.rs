@@ -23,16 +23,17 @@ pub struct Query<'r> {
 }
 
 impl<'r> Query<'r> {
-    /// Once for a ray.
+    /// Once for a ray; what only filters need, for a model that has some.
     #[inline(always)]
-    pub fn new(ray: &'r Ray<f64>, min_t: f64, world: &World) -> Query<'r> {
+    pub fn new<M: Model>(ray: &'r Ray<f64>, min_t: f64, world: &World) -> Query<'r> {
         let scaled = Scaled::new(ray);
+        let from = if M::FILTERS { scaled.scale(min_t) } else { 0.0 };
         Query {
             ray,
             scaled,
             min_t,
-            window: Window::new(scaled.scale(min_t)),
-            is_near: world.reach.holds(ray.origin),
+            window: Window::new(from),
+            is_near: M::FILTERS && world.reach.holds(ray.origin),
         }
     }
 }
@@ -43,6 +44,8 @@ pub trait Model: Sync + 'static {
     const NAME: &'static str;
     /// How much further than the t it found the first hit may truly be, relative to it.
     const SLACK: f64;
+    /// Whether its kernels filter.
+    const FILTERS: bool;
 
     /// The smallest t ≥ `min_t` at which a ray meets a part.
     fn meet(part: &Part, query: &Query, tally: &mut Tally) -> Option<f64>;
@@ -60,6 +63,7 @@ pub struct Plain;
 impl Model for Plain {
     const NAME: &'static str = "f64";
     const SLACK: f64 = 0.0;
+    const FILTERS: bool = false;
 
     #[inline(always)]
     fn meet(part: &Part, &Query { ray, min_t, .. }: &Query, _: &mut Tally) -> Option<f64> {
@@ -98,6 +102,7 @@ const APART: f64 = 4.0 * 1.1e-8;
 impl Model for Exact {
     const NAME: &'static str = "exact";
     const SLACK: f64 = APART;
+    const FILTERS: bool = true;
 
     #[inline(always)]
     fn meet(part: &Part, query: &Query, tally: &mut Tally) -> Option<f64> {
