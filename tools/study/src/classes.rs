@@ -159,7 +159,7 @@ pub fn conditioning(shape: &str, errors: &Errors) -> Vec<Conditioned> {
         }
         for (decade, errors) in decades {
             let hits = errors.len() as u64;
-            let [median, worst] = median_and_worst(errors.into_iter());
+            let [median, worst] = median_and_worst(errors);
             all.push(Conditioned {
                 shape: shape.into(),
                 kernel: kernel.clone(),
