@@ -27,11 +27,21 @@ use transport::Next;
 pub struct Limit {
     /// The limit for all answers together.
     pub wall: Duration,
-    /// The limit for the time since the submission last sent anything. It ends an endless loop
-    /// long before `wall` is over.
+    /// The limit for the time since the submission last sent anything, by a [`Clock`] of its
+    /// own. It ends an endless loop long before `wall` is over.
     pub silence: Duration,
     /// Raised when the answer is no longer wanted.
     pub stop: Stop,
+}
+
+/// How much time a process had so far. The clock may stand still while the machine is busy with
+/// other work: a process that got no processor is not silent.
+pub type Clock = Box<dyn FnMut() -> Duration>;
+
+/// A clock that never stands still.
+pub fn wall_clock() -> Clock {
+    let start = Instant::now();
+    Box::new(move || start.elapsed())
 }
 
 /// A flag that ends an exchange from another thread. Its clones are the same flag.
@@ -83,11 +93,11 @@ pub fn ask(
     limit: impl Into<Limit>,
     progress: &mut dyn FnMut(usize),
 ) -> io::Result<Reply> {
-    ask_watched(command, job, limit.into(), progress, &mut |_| {})
+    ask_watched(command, job, limit.into(), progress, &mut |_| wall_clock())
 }
 
 /// Like [`ask`], but first passes the process id to `started`, so that the caller can
-/// watch the process and kill it.
+/// watch the process and kill it. It returns the clock that measures silence.
 ///
 /// # Errors
 /// As [`ask`].
@@ -96,18 +106,18 @@ pub fn ask_watched(
     job: &Job,
     limit: Limit,
     progress: &mut dyn FnMut(usize),
-    started: &mut dyn FnMut(u32),
+    started: &mut dyn FnMut(u32) -> Clock,
 ) -> io::Result<Reply> {
     command.stdout(Stdio::piped()).stderr(Stdio::piped());
     let spawned = Instant::now();
     let patience = limit.wall.min(limit.silence);
     let mut exchange = Exchange::start(command, limit.clone())?;
-    started(exchange.child.id());
+    let clock = started(exchange.child.id());
     let out = drain(exchange.child.stdout.take(), exchange.tell(ENOUGH_OUTPUT));
     let err = drain(exchange.child.stderr.take(), exchange.tell(ENOUGH_ERRORS));
 
     let mut reply = Reply::before(job);
-    let ended = exchange.converse(job, MOST_MESSAGE, &mut |message| {
+    let ended = exchange.converse(job, clock, MOST_MESSAGE, &mut |message| {
         if reply.start.is_zero() {
             reply.start = spawned.elapsed();
         }

@@ -68,7 +68,6 @@ impl fmt::Display for Death {
             Death::StackOverflow => {
                 "its stack overflowed: does a function call itself without end?".into()
             }
-            Death::OutOfProcessorTime => killed("it used up its processor time"),
             Death::Signal(4) => killed("an illegal instruction"),
             Death::Signal(6) => killed("it aborted"),
             Death::Signal(7 | 11) => killed("it touched memory that is not its own"),
@@ -79,7 +78,6 @@ impl fmt::Display for Death {
                 format!("it was killed (signal {other}) before it had answered")
             }
             Death::Exit(code) => format!("it exited with code {code} before it had answered"),
-            Death::Killed(how) => killed(how),
             Death::Lost => "it ended for an unknown reason".into(),
         };
         f.write_str(&words)

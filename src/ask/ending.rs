@@ -17,6 +17,8 @@ pub enum Ending {
     Unregistered(Unregistered),
     /// Time was up before every question was answered.
     TimedOut(Duration),
+    /// The whole submission had taken so long that this was not asked, or not to its end.
+    OutOfTime(Duration),
     /// The process took more memory than it may: how many bytes it may.
     OutOfMemory(u64),
     /// The process ended early.
@@ -32,39 +34,44 @@ impl Ending {
     }
 }
 
+/// The signal by which a process aborts, SIGABRT, and the exit code for it.
+const ABORT: i32 = 6;
+const ABORTED: i32 = 128 + ABORT;
+
 /// How a process ended before it had answered.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Death {
     /// Its stack overflowed.
     StackOverflow,
-    /// The kernel ended it for the processor time it took.
-    OutOfProcessorTime,
     /// This signal killed it.
     Signal(i32),
     /// It exited with this code.
     Exit(i32),
-    /// It was killed; this is all that the system tells.
-    Killed(String),
     /// The cause is unknown.
     Lost,
 }
 
 impl Death {
-    /// A stack overflow is known by what Rust itself prints: the signal is that of any
-    /// process that aborts.
+    /// A stack overflow is known by what Rust itself prints before it aborts.
     fn of(status: Option<ExitStatus>, printed: &str) -> Death {
-        if printed.contains("has overflowed its stack") {
-            return Death::StackOverflow;
-        }
         let Some(status) = status else {
             return Death::Lost;
         };
-        match status.code() {
-            // As a shell, and bubblewrap, report a signal; 24 is SIGXCPU.
-            Some(152) => Death::OutOfProcessorTime,
-            Some(code @ 129..=159) => Death::Signal(code - 128),
-            Some(code) => Death::Exit(code),
-            None => Death::Killed(status.to_string()),
+        #[cfg(unix)]
+        let signal = std::os::unix::process::ExitStatusExt::signal(&status);
+        #[cfg(not(unix))]
+        let signal = None;
+        match (signal, status.code()) {
+            (Some(ABORT), _) | (_, Some(ABORTED))
+                if printed.contains("has overflowed its stack") =>
+            {
+                Death::StackOverflow
+            }
+            (Some(signal), _) => Death::Signal(signal),
+            // As a shell, and bubblewrap, report a signal.
+            (None, Some(code @ 129..=159)) => Death::Signal(code - 128),
+            (None, Some(code)) => Death::Exit(code),
+            (None, None) => Death::Lost,
         }
     }
 }

@@ -8,7 +8,7 @@ use std::io;
 use std::process::{Child, Command};
 use std::time::{Duration, Instant};
 
-use super::{Limit, PULSE, Stop};
+use super::{Clock, Limit, PULSE, Stop};
 use crate::job::{self, Job, Message};
 use crate::kind::TestResult;
 use crate::serve::ANSWER;
@@ -90,6 +90,7 @@ impl Exchange {
     pub(super) fn converse(
         &mut self,
         job: &Job,
+        clock: Clock,
         most: usize,
         on_message: OnMessage<'_>,
     ) -> io::Result<()> {
@@ -97,6 +98,7 @@ impl Exchange {
             link: &self.link,
             deadline: self.deadline,
             silence: self.silence,
+            clock,
             stop: &self.stop,
         };
         job::send(job, &mut io::BufWriter::new(&mut timed))?;
@@ -141,6 +143,7 @@ impl Exchange {
     pub(super) fn converse(
         &mut self,
         job: &Job,
+        _: Clock,
         most: usize,
         on_message: OnMessage<'_>,
     ) -> io::Result<()> {
@@ -199,12 +202,14 @@ fn receive_all<R: io::Read>(
 }
 
 /// A socket whose every read and write ends at the same deadline, so that a slow
-/// drip of bytes gains no time, or when nobody wants the answer any more.
+/// drip of bytes gains no time, after too long a silence, or when nobody wants the answer any
+/// more.
 #[cfg(unix)]
 struct Timed<'a> {
     link: &'a Link,
     deadline: Instant,
     silence: Duration,
+    clock: Clock,
     stop: &'a Stop,
 }
 
@@ -212,21 +217,26 @@ struct Timed<'a> {
 impl Timed<'_> {
     /// Reads or writes, a pulse at a time.
     fn in_time(
-        &self,
+        &mut self,
         arm: impl Fn(&Link, Duration) -> io::Result<()>,
         mut work: impl FnMut() -> io::Result<usize>,
     ) -> io::Result<usize> {
-        let deadline = self.deadline.min(Instant::now() + self.silence);
+        // Most messages come before the first look at the clock, which takes a while.
+        let mut since = None;
+        let mut silent = Duration::ZERO;
         loop {
-            let left = deadline.saturating_duration_since(Instant::now());
-            if left.is_zero() || self.stop.is_raised() {
+            let left = self.deadline.saturating_duration_since(Instant::now());
+            if left.is_zero() || silent >= self.silence || self.stop.is_raised() {
                 return Err(io::ErrorKind::TimedOut.into());
             }
-            armed(arm(self.link, left.min(PULSE)))?;
+            let pulse = left.min(PULSE).min(self.silence);
+            armed(arm(self.link, pulse))?;
             match work() {
                 Err(error) if super::is_timeout(&error) => {}
                 done => return done,
             }
+            let now = (self.clock)();
+            silent = pulse + now.saturating_sub(*since.get_or_insert(now));
         }
     }
 }

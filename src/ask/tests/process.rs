@@ -43,13 +43,16 @@ fn submission_that_exits_at_once_is_reported() {
 
 #[test]
 fn killed_submission_is_reported_with_its_signal() {
-    let Ending::Died(how) = asked("kill -9 $$", &hits(1), SOON).ending else {
-        panic!("it ended otherwise");
-    };
-    assert!(
-        how.to_string().contains("it was killed (signal: 9"),
-        "{how}"
-    );
+    ends("kill -9 $$", Ending::Died(Death::Signal(9)));
+    ends("exit 139", Ending::Died(Death::Signal(11)));
+}
+
+#[test]
+fn printed_words_alone_are_no_stack_overflow() {
+    let says = "echo main has overflowed its stack;";
+    ends(&format!("{says} exit 1"), Ending::Died(Death::Exit(1)));
+    let aborts = format!("{says} kill -ABRT $$");
+    ends(&aborts, Ending::Died(Death::StackOverflow));
 }
 
 #[test]
@@ -180,4 +183,22 @@ fn cancelled_submission_is_ended_long_before_its_time_limit() {
     let error = reply.expect_err("there is no answer");
     assert!(error.to_string().contains("no longer wanted"), "{error}");
     assert!(start.elapsed() < SOON, "it took {:?}", start.elapsed());
+}
+
+#[test]
+fn only_time_that_a_submission_had_counts_as_silence() {
+    let answers = |clock: fn() -> Clock| {
+        // As above, after a second.
+        let miss = "sleep 1; printf '\\006\\000\\000\\000\\000\\000\\001\\000\\000\\000' >&0";
+        let limit = Limit {
+            silence: SECOND / 5,
+            ..SOON.into()
+        };
+        let command = shell(&after_the_job(miss));
+        let reply = ask_watched(command, &hits(1), limit, &mut |_| {}, &mut |_| clock());
+        reply.unwrap().ending
+    };
+    assert_eq!(answers(wall_clock), Ending::TimedOut(SECOND / 5));
+    let of_another_job = || -> Clock { Box::new(|| Duration::ZERO) };
+    assert_eq!(answers(of_another_job), Ending::Complete);
 }

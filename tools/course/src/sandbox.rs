@@ -34,9 +34,10 @@ mod watch;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::Duration;
 
 use clap::ValueEnum;
-use pinhole::ask::{Death, Ending, Limit, Reply, Stop, ask_watched};
+use pinhole::ask::{Clock, Death, Ending, Limit, Reply, Stop, ask_watched};
 use pinhole::job::Job;
 
 use crate::checkout::Checkout;
@@ -46,6 +47,7 @@ use crate::error::Result;
 #[cfg(target_os = "linux")]
 use crate::error::ResultExt;
 use crate::rust_tool::rust_tool;
+use budget::Budget;
 pub use finish::{Finished, finish};
 pub use limits::Limits;
 use watch::{Exceeded, Watch};
@@ -60,9 +62,21 @@ pub fn become_confined() -> Option<std::process::ExitCode> {
     None
 }
 
+/// A clock that stands still while a process and its descendants are ready to run but don't,
+/// where the system tells.
+fn own_clock(pid: u32) -> Clock {
+    #[cfg(target_os = "linux")]
+    return tree::own_clock(pid);
+    #[cfg(not(target_os = "linux"))]
+    {
+        let _nobody_tells = pid;
+        pinhole::ask::wall_clock()
+    }
+}
+
 /// Processor time of all processes that this one has started and seen end, where the
 /// system tells.
-pub fn time_of_children() -> Option<std::time::Duration> {
+pub fn time_of_children() -> Option<Duration> {
     #[cfg(target_os = "linux")]
     return tree::time_of_children();
     #[cfg(not(target_os = "linux"))]
@@ -136,17 +150,18 @@ impl Sandbox {
     }
 
     /// A new sandbox of the same kind for another submission. It has another user id, so that
-    /// neither can signal or starve the other, and a time budget of its own.
+    /// neither can signal or starve the other, and may take `whole` on the clock from now on.
     ///
     /// # Errors
     /// If no user id is left.
-    pub fn new_instance(&self) -> Result<Sandbox> {
+    #[cfg_attr(not(target_os = "linux"), expect(unused_variables))]
+    pub fn new_instance(&self, whole: Duration) -> Result<Sandbox> {
         Ok(match self {
             Sandbox::Trusted => Sandbox::Trusted,
             #[cfg(target_os = "linux")]
-            Sandbox::Bubblewrap(walls) => Sandbox::Bubblewrap(walls.new_instance()?),
+            Sandbox::Bubblewrap(walls) => Sandbox::Bubblewrap(walls.new_instance(whole)?),
             #[cfg(target_os = "linux")]
-            Sandbox::Container(walls) => Sandbox::Container(walls.new_instance()?),
+            Sandbox::Container(walls) => Sandbox::Container(walls.new_instance(whole)?),
         })
     }
 
@@ -287,7 +302,11 @@ impl Sandbox {
         stop: Stop,
         progress: &mut dyn FnMut(usize),
     ) -> io::Result<Reply> {
-        let limits = self.within_budget(limits);
+        let mut limits = self.within_budget(limits);
+        match self.time_left() {
+            Ok(left) => limits.wall = limits.wall.min(left),
+            Err(whole) => return Ok(Reply::unasked(job, Ending::OutOfTime(whole))),
+        }
         let command = match self {
             Sandbox::Trusted => Command::new(executable),
             #[cfg(target_os = "linux")]
@@ -303,6 +322,7 @@ impl Sandbox {
         };
         let asked = ask_watched(command, job, limit, progress, &mut |pid| {
             watch = Some(self.watch(pid, &limits));
+            own_clock(pid)
         });
         let exceeded = watch.and_then(Watch::stop);
         self.sweep();
@@ -311,18 +331,16 @@ impl Sandbox {
         if let Some(paths) = self.host_paths() {
             paths.hide_in(&mut reply);
         }
-        if let Ending::Died(death) = &reply.ending {
+        if let Ending::Died(death) = reply.ending.clone() {
             match exceeded {
                 Some(Exceeded::Cpu(most) | Exceeded::Idle(most)) => {
                     reply.ending = Ending::TimedOut(most)
                 }
                 Some(Exceeded::Memory(most)) => reply.ending = Ending::OutOfMemory(most),
-                // The kernel's own limit, in case a busy machine polls too seldom.
-                None if *death == Death::OutOfProcessorTime => {
-                    reply.ending = Ending::TimedOut(limits.cpu);
-                }
-                // Rust itself prints this; otherwise the process ends like any other that aborts.
-                None if reply.printed.contains("memory allocation of ") => {
+                // Rust itself prints this before it aborts.
+                None if death == Death::Signal(6)
+                    && reply.printed.contains("memory allocation of ") =>
+                {
                     reply.ending = Ending::OutOfMemory(limits.memory);
                 }
                 // Perhaps the program was never started because the sandbox doesn't work.
@@ -331,6 +349,9 @@ impl Sandbox {
         }
         if let Ending::TimedOut(_) = reply.ending {
             self.charge();
+            if let Err(whole) = self.time_left() {
+                reply.ending = Ending::OutOfTime(whole);
+            }
         }
         Ok(reply)
     }
@@ -375,22 +396,30 @@ impl Sandbox {
 
     /// The limits that remain for a submission that has exceeded some before.
     pub fn within_budget(&self, limits: &Limits) -> Limits {
-        match self {
-            Sandbox::Trusted => *limits,
-            #[cfg(target_os = "linux")]
-            Sandbox::Bubblewrap(walls) => walls.budget.bound(*limits),
-            #[cfg(target_os = "linux")]
-            Sandbox::Container(walls) => walls.budget.bound(*limits),
+        match self.budget() {
+            Some(budget) => budget.bound(*limits),
+            None => *limits,
         }
     }
 
     fn charge(&self) {
+        if let Some(budget) = self.budget() {
+            budget.charge();
+        }
+    }
+
+    /// See [`Budget::left`].
+    fn time_left(&self) -> std::result::Result<Duration, Duration> {
+        self.budget().map_or(Ok(Duration::MAX), Budget::left)
+    }
+
+    fn budget(&self) -> Option<&Budget> {
         match self {
-            Sandbox::Trusted => {}
+            Sandbox::Trusted => None,
             #[cfg(target_os = "linux")]
-            Sandbox::Bubblewrap(walls) => walls.budget.charge(),
+            Sandbox::Bubblewrap(walls) => Some(&walls.budget),
             #[cfg(target_os = "linux")]
-            Sandbox::Container(walls) => walls.budget.charge(),
+            Sandbox::Container(walls) => Some(&walls.budget),
         }
     }
 }

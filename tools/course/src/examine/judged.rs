@@ -75,6 +75,11 @@ pub fn failure(
         },
         Ending::TimedOut(limit) => FilmOutcome::TimedOut {
             seconds: limit.as_secs_f64(),
+            whole: false,
+        },
+        Ending::OutOfTime(whole) => FilmOutcome::TimedOut {
+            seconds: whole.as_secs_f64(),
+            whole: true,
         },
         Ending::OutOfMemory(most) => FilmOutcome::OutOfMemory { most: *most },
         Ending::Died(death) => FilmOutcome::Died {

@@ -39,6 +39,9 @@ pub enum FilmOutcome {
     TimedOut {
         /// The limit, in seconds.
         seconds: f64,
+        /// Whether that is the limit of the whole submission.
+        #[serde(default)]
+        whole: bool,
     },
     /// It took more memory than it may.
     #[serde(rename = "out of memory")]

@@ -114,7 +114,10 @@ fn every_film_outcome() -> Vec<FilmOutcome> {
             file: "plane.rs".into(),
             line: 7,
         },
-        FilmOutcome::TimedOut { seconds: 30.0 },
+        FilmOutcome::TimedOut {
+            seconds: 30.0,
+            whole: false,
+        },
         FilmOutcome::OutOfMemory { most: 1 << 30 },
         FilmOutcome::Died { how: "how".into() },
         FilmOutcome::Garbled { why: "why".into() },

@@ -5,6 +5,7 @@ use std::io;
 use std::os::unix::fs::chown;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::Duration;
 
 use super::Limits;
 use super::budget::Budget;
@@ -28,7 +29,7 @@ pub struct Bubblewrap {
     uid: Option<UserId>,
     /// Paths that the code's author must not see.
     pub host_paths: HostPaths,
-    /// The limits run into so far.
+    /// What the submission may still take.
     pub budget: Budget,
 }
 
@@ -64,10 +65,10 @@ impl Bubblewrap {
     }
 
     /// See [`Sandbox::new_instance`](super::Sandbox::new_instance).
-    pub fn new_instance(&self) -> Result<Bubblewrap> {
+    pub fn new_instance(&self, whole: Duration) -> Result<Bubblewrap> {
         Ok(Bubblewrap {
             uid: self.uid.as_ref().map(|_| UserId::reserve()).transpose()?,
-            budget: Budget::default(),
+            budget: Budget::of(whole),
             ..self.clone()
         })
     }

@@ -1,23 +1,46 @@
-//! The limits that one submission may run into.
+//! The time that one submission may take, and the limits that it may run into.
 //!
 //! Code that runs into its limit in every group and every scene would take a hundred times that
 //! limit. Answers that arrive cost nothing here, so a slow but right submission loses nothing.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
+use std::time::{Duration, Instant};
 
 use super::Limits;
 
-/// How many limits one submission has run into so far; clones count together.
+/// What one submission may still take; clones count together.
 #[derive(Clone, Debug, Default)]
 pub struct Budget {
+    /// How many limits it has run into so far.
     lost: Arc<AtomicU32>,
+    /// When it began, and how long it may take in all on the clock; `None` if no class waits.
+    whole: Option<(Instant, Duration)>,
 }
 
 /// After this many, everything else gets only its shortest time.
 const MOST_LOST: u32 = 2;
 
 impl Budget {
+    /// For a submission that begins now and may take so long in all.
+    pub fn of(whole: Duration) -> Budget {
+        Budget {
+            whole: Some((Instant::now(), whole)),
+            ..Budget::default()
+        }
+    }
+
+    /// The time that is left on the clock; if there is none, how much there was in all.
+    pub fn left(&self) -> Result<Duration, Duration> {
+        let Some((begun, whole)) = self.whole else {
+            return Ok(Duration::MAX);
+        };
+        match whole.saturating_sub(begun.elapsed()) {
+            Duration::ZERO => Err(whole),
+            left => Ok(left),
+        }
+    }
+
     /// Shorter limits, if too many have been lost already.
     pub fn bound(&self, limits: Limits) -> Limits {
         match self.lost.load(Ordering::Relaxed) >= MOST_LOST {
@@ -34,9 +57,18 @@ impl Budget {
 
 #[cfg(test)]
 mod tests {
-    use std::time::Duration;
-
     use super::*;
+
+    #[test]
+    fn a_submission_that_stays_below_every_limit_runs_out_of_time() {
+        let moment = Duration::from_millis(20);
+        let budget = Budget::of(moment);
+        std::thread::sleep(moment);
+        assert_eq!(budget.clone().left(), Err(moment));
+        let hour = Duration::from_secs(3600);
+        assert!(Budget::of(hour).left().is_ok_and(|left| left <= hour));
+        assert_eq!(Budget::default().left(), Ok(Duration::MAX));
+    }
 
     #[test]
     fn limits_become_short_after_two_but_never_shorter_than_is_fair() {

@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
+use std::time::Duration;
 
 use super::Limits;
 use super::budget::Budget;
@@ -37,7 +38,7 @@ pub struct Container {
     scratch: Arc<Scratch>,
     /// Paths that the code's author must not see.
     pub host_paths: HostPaths,
-    /// The limits run into so far.
+    /// What the submission may still take.
     pub budget: Budget,
 }
 
@@ -91,10 +92,10 @@ impl Container {
     }
 
     /// See [`Sandbox::new_instance`](super::Sandbox::new_instance).
-    pub fn new_instance(&self) -> Result<Container> {
+    pub fn new_instance(&self, whole: Duration) -> Result<Container> {
         Ok(Container {
             uid: UserId::reserve()?,
-            budget: Budget::default(),
+            budget: Budget::of(whole),
             ..self.clone()
         })
     }
@@ -120,7 +121,8 @@ impl Container {
     /// Checks that a program can run inside.
     pub fn self_test(&self) -> io::Result<()> {
         let mut command = self.confined(&Limits::of_compiler(), Purpose::Answer);
-        let output = command.args(["--", "/usr/bin/true"]).output();
+        let program = "/usr/bin/true";
+        let output = command.args(["--read", program, "--", program]).output();
         let output = output?;
         match output.status.success() {
             true => Ok(()),
@@ -168,9 +170,16 @@ impl Container {
             command.arg("--landlocked");
         }
         // Not /proc: it shows every process of the container.
-        for read in SYSTEM {
-            command.args(["--read", read]);
-        }
+        match purpose {
+            Purpose::Compile => command.args(SYSTEM.iter().flat_map(|read| ["--read", *read])),
+            Purpose::Answer => {
+                let read = libraries();
+                command.args(
+                    read.iter()
+                        .flat_map(|read| [Path::new("--read"), read.as_path()]),
+                )
+            }
+        };
         command.args(["--write", "/dev/null"]);
         command
     }
@@ -181,7 +190,10 @@ impl Container {
         how.iter().any(|how| {
             let mut command = self.confined(&Limits::of_compiler(), Purpose::Answer);
             command.arg("--read").arg(path);
-            command.args(["--", "/usr/bin/test", how]).arg(path);
+            let program = "/usr/bin/test";
+            command
+                .args(["--read", program, "--", program, how])
+                .arg(path);
             command.status().is_ok_and(|status| status.success())
         })
     }
@@ -225,7 +237,22 @@ impl Container {
     }
 }
 
-/// What the code may read of the system.
+/// What a program needs to start: the libraries of this one, which is also written in Rust. To
+/// open any other file of the system would leave a trace for another submission, the time of the
+/// last access.
+fn libraries() -> Vec<PathBuf> {
+    let maps = fs::read_to_string("/proc/self/maps").unwrap_or_default();
+    let mapped = maps.lines().filter_map(|line| line.split_once(" /"));
+    let mapped = mapped.map(|(_, path)| PathBuf::from(format!("/{path}")));
+    let is_library = |path: &PathBuf| path.to_string_lossy().contains(".so");
+    let mut files: Vec<PathBuf> = mapped.filter(is_library).collect();
+    files.push("/etc/ld.so.cache".into());
+    files.push("/dev/null".into());
+    files.dedup();
+    files
+}
+
+/// What the compiler may read of the system.
 const SYSTEM: [&str; 6] = [
     "/usr",
     "/lib",

@@ -3,8 +3,9 @@
 use std::fs;
 use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
+use pinhole::ask::Clock;
 use rustix::process::{Pid, Signal, kill_process};
 
 /// The time and memory that a tree of processes uses.
@@ -31,6 +32,23 @@ pub fn used_by(pid: u32) -> Used {
     }
     used.cpu = duration(ticks);
     used
+}
+
+/// A clock for `pid` and its descendants. It counts the time in which they sleep, and of the rest
+/// the processor time that they get, but runs no faster than the clock on the wall.
+pub fn own_clock(pid: u32) -> Clock {
+    let mut had = Duration::ZERO;
+    let mut last = (Instant::now(), Duration::ZERO);
+    Box::new(move || {
+        let (now, used) = (Instant::now(), used_by(pid));
+        let passed = now - last.0;
+        had += match used.is_busy {
+            true => passed.min(used.cpu.saturating_sub(last.1)),
+            false => passed,
+        };
+        last = (now, used.cpu);
+        had
+    })
 }
 
 /// Processor time of our own children that have ended, and of their children (fields 16 and

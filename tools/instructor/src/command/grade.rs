@@ -13,7 +13,7 @@ use crate::grade::grader::{Grader, fresh};
 use crate::grade::intake::{self, Entry, placement, roster};
 use crate::grade::policy::Policy;
 use crate::grade::provenance::{self, GradingInputs, Tool};
-use crate::grade::queue::{GradeQueue, valid};
+use crate::grade::queue::{GradeQueue, QueueResult, valid};
 use crate::grade::redact::Withheld;
 use crate::grade::views::preview;
 use crate::grade::views::progress::GradingProgress;
@@ -145,6 +145,28 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
             None => to_grade.push(entry.clone()),
         }
     }
+    let mut records = BTreeMap::new();
+    let is_mine = |id: &str| mine.iter().any(|entry| entry.id == id);
+    for entry in roll.entries.iter().filter(|entry| !is_mine(&entry.id)) {
+        if arguments.shard.is_none() {
+            // Submissions of an earlier run into the same folder.
+            records.extend(standing(&cache.of(&entry.id)).map(|record| (entry.id.clone(), record)));
+        }
+    }
+    let roll = match arguments.shard {
+        None => roll,
+        // A shard reports only its own submissions; the merge says what was not handed in.
+        Some(_) => Roll {
+            entries: mine,
+            ..Roll::default()
+        },
+    };
+    let output = ClassOutput {
+        cache: &cache,
+        assignment: &assignment,
+        formats: &arguments.format,
+        as_json: arguments.json,
+    };
     Backlog::begin(&to_grade, &cache, &made_with)?;
     if !to_grade.is_empty() {
         progress.say("building");
@@ -168,12 +190,21 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
             programs: &programs,
             made_with: &made_with,
         };
+        let so_far = |done: &[QueueResult]| {
+            let done = worked.iter().chain(done).map(|it| &it.record);
+            let mut records = records.clone();
+            records.extend(done.map(|record| (record.id.clone(), record.clone())));
+            // If it can't be written, the run's end says so.
+            let _ = output.write_so_far(&roll, &records);
+        };
         let queue = GradeQueue {
             grader: &grader,
             cache: &cache,
             progress: GradingProgress::new(&progress, to_grade.len()),
+            so_far: &so_far,
         };
-        worked.extend(queue.work(&to_grade, jobs(arguments)));
+        let done = queue.work(&to_grade, jobs(arguments));
+        worked.extend(done);
         let _left_for_the_next_run = fs::remove_dir_all(&programs);
     }
     Backlog::end(&cache);
@@ -182,7 +213,6 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         anstream::eprint!("{}", Timings::so_far());
     }
 
-    let mut records = BTreeMap::new();
     let mut changes = Vec::new();
     let mut faults = Vec::new();
     let mut graded = 0;
@@ -193,32 +223,12 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         records.insert(done.record.id.clone(), done.record);
     }
     class::sort_changes(&mut changes);
-    for entry in &roll.entries {
-        if arguments.shard.is_none() && !records.contains_key(&entry.id) {
-            // Submissions of an earlier run into the same folder.
-            records.extend(standing(&cache.of(&entry.id)).map(|record| (entry.id.clone(), record)));
-        }
-    }
-    let roll = match arguments.shard {
-        None => roll,
-        // A shard reports only its own submissions; the merge says what was not handed in.
-        Some(_) => Roll {
-            entries: mine,
-            ..Roll::default()
-        },
-    };
     let run = RunSummary {
         graded,
         seconds: start.elapsed().as_secs_f64(),
         changes,
         is_regrade: arguments.regrade,
         faults,
-    };
-    let output = ClassOutput {
-        cache: &cache,
-        assignment: &assignment,
-        formats: &arguments.format,
-        as_json: arguments.json,
     };
     output.write(&roll, &records, &run)
 }

@@ -152,6 +152,7 @@ fn is_doc(stream: &TokenStream) -> bool {
 
 /// Answers that are not the students' own work: the stubs, the reference's and the variants',
 /// by task and hash.
+#[derive(Default)]
 pub struct KnownAnswers {
     named: BTreeMap<(String, String), String>,
     stubs: Vec<String>,

@@ -140,7 +140,7 @@ impl Grader<'_> {
     ) -> Result<Grade> {
         let start = Instant::now();
         let folder = ProgramFolder::new(self.programs);
-        let sandbox = self.sandbox.new_instance()?;
+        let sandbox = self.sandbox.new_instance(self.pace.whole())?;
         let compiler = self.compiler.apart(&sandbox, folder.folder.clone());
         let compiler = compiler.stopping_when_late(!clock.is_alone());
         let program = match compiler.compile_until(submission, &mut |_| false)? {

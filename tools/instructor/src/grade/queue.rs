@@ -3,6 +3,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
 
 use super::cache::ResultCache;
 use super::class::Change;
@@ -21,7 +22,12 @@ pub struct GradeQueue<'a> {
     pub grader: &'a Grader<'a>,
     pub cache: &'a ResultCache,
     pub progress: GradingProgress<'a>,
+    /// Called with what is graded so far, now and then and before the late ones are graded again.
+    pub so_far: &'a (dyn Fn(&[QueueResult]) + Sync),
 }
+
+/// How often results so far are written.
+const PAUSE: Duration = Duration::from_secs(10);
 
 /// The result of one submission.
 pub struct QueueResult {
@@ -73,23 +79,31 @@ impl GradeQueue<'_> {
     /// graded again at the end, alone.
     pub fn work(&self, entries: &[Entry], jobs: usize) -> Vec<QueueResult> {
         let next = AtomicUsize::new(0);
-        let all = Mutex::new(Vec::new());
+        let all = Mutex::new((Vec::new(), Instant::now()));
         let late = Mutex::new(Vec::new());
         std::thread::scope(|scope| {
             for _ in 0..jobs.clamp(1, entries.len().max(1)) {
                 scope.spawn(|| {
                     while let Some(entry) = entries.get(next.fetch_add(1, Ordering::Relaxed)) {
                         match self.one(entry, false) {
-                            Some(done) => locked(&all).push(done),
+                            Some(done) => {
+                                let (all, told) = &mut *locked(&all);
+                                all.push(done);
+                                if told.elapsed() > PAUSE {
+                                    (self.so_far)(all);
+                                    *told = Instant::now();
+                                }
+                            }
                             None => locked(&late).push(entry),
                         }
                     }
                 });
             }
         });
-        let mut all = all.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let (mut all, _) = all.into_inner().unwrap_or_else(PoisonError::into_inner);
         let late = late.into_inner().unwrap_or_else(PoisonError::into_inner);
         for entry in &late {
+            (self.so_far)(&all);
             self.progress.again_alone(&entry.id);
             all.extend(self.one(entry, true));
         }

@@ -178,7 +178,10 @@ mod tests {
             FilmOutcome::Died { how: words.into() },
             FilmOutcome::Garbled { why: words.into() },
             FilmOutcome::Refused { why: words.into() },
-            FilmOutcome::TimedOut { seconds: 7.0 },
+            FilmOutcome::TimedOut {
+                seconds: 7.0,
+                whole: false,
+            },
             FilmOutcome::OutOfMemory { most: 7 << 20 },
         ];
         for outcome in spoken {
@@ -205,7 +208,10 @@ mod tests {
                 "does not pass; what was asked is withheld",
             ),
             (
-                FilmOutcome::TimedOut { seconds: 1.0 },
+                FilmOutcome::TimedOut {
+                    seconds: 1.0,
+                    whole: true,
+                },
                 "does not pass; what was asked is withheld",
             ),
         ] {

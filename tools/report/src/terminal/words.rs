@@ -93,7 +93,13 @@ pub fn outcome_of(outcome: &FilmOutcome, what: &str) -> String {
             let (file, message) = (printable(file), printable(message));
             format!("your code panicked at {file}:{line}: {message}")
         }
-        FilmOutcome::TimedOut { seconds } => format!("gave no answer within {seconds:.0} s"),
+        FilmOutcome::TimedOut {
+            seconds,
+            whole: false,
+        } => format!("gave no answer within {seconds:.0} s"),
+        FilmOutcome::TimedOut { seconds, .. } => {
+            format!("not answered in the {seconds:.0} s that the whole submission may take")
+        }
         FilmOutcome::OutOfMemory { most } => {
             format!("your program took more than {} MiB of memory", most >> 20)
         }

@@ -1,7 +1,7 @@
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use super::used_by;
+use super::{own_clock, used_by};
 use crate::sandbox::watch::{Exceeded, Watch};
 use crate::sandbox::{Limits, finish};
 
@@ -95,6 +95,31 @@ fn a_tree_that_sleeps_is_ended_and_one_that_works_is_not() {
         exceeded("ulimit -t 9; nice -n 19 sh -c 'while :; do :; done'"),
         None
     );
+}
+
+#[test]
+fn the_own_clock_of_a_tree_that_gets_no_processor_stands_still() {
+    // Any other process on the same core comes first.
+    let starved = "ulimit -t 9; exec nice -n 19 taskset -c 0 sh -c 'while :; do :; done'";
+    let busy = "ulimit -t 9; exec taskset -c 0 sh -c 'while :; do :; done'";
+    let start = |line| shell(line).spawn().expect("there is a shell");
+    let mut all = vec![start(starved), start("exec sleep 9")];
+    all.extend([busy; 4].map(start));
+    let mut clocks = [&all[0], &all[1]].map(|child| own_clock(child.id()));
+    let begin = Instant::now();
+    while begin.elapsed() < Duration::from_secs(2) {
+        std::thread::sleep(Duration::from_millis(50));
+        for clock in &mut clocks {
+            clock();
+        }
+    }
+    let [starved, asleep] = clocks.map(|mut clock| clock());
+    for mut child in all {
+        child.kill().expect("it can be ended");
+        child.wait().expect("it can be waited for");
+    }
+    assert!(starved < Duration::from_millis(500), "{starved:?}");
+    assert!(asleep > Duration::from_millis(1500), "{asleep:?}");
 }
 
 #[test]

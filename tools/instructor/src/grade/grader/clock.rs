@@ -37,7 +37,13 @@ pub struct Pace {
     /// The shortest limit.
     least: Duration,
     took: BTreeMap<String, Duration>,
+    /// How long it takes for everything.
+    all: Duration,
 }
+
+/// So many times the shortest limit is the shortest for everything: an endless loop in one
+/// answer must not cost the others their time.
+const WHOLE: u32 = 12;
 
 impl Pace {
     /// Asks the reference everything that submissions will be asked. It is our own code and runs
@@ -57,6 +63,7 @@ impl Pace {
             &sandbox,
         )?;
         let mut took: BTreeMap<String, Duration> = BTreeMap::new();
+        let mut sum = Duration::ZERO;
         let mut measure = |what: &str, job: &Job| {
             let (start, before) = (Instant::now(), time_of_children());
             let reply = examine::run(
@@ -78,6 +85,7 @@ impl Pace {
             let most = counted.map_or(all, |counted| counted.min(all));
             let kept = took.entry(what.into()).or_default();
             *kept = most.max(*kept);
+            sum += most;
             Ok(())
         };
         for goldens in goldens {
@@ -90,7 +98,17 @@ impl Pace {
                 measure(&scene.name, &goldens.cached_scene(scene)?.job)?;
             }
         }
-        Ok(Pace { least, took })
+        Ok(Pace {
+            least,
+            took,
+            all: sum,
+        })
+    }
+
+    /// What a submission may take in all, on the clock: a hundred times what the reference takes,
+    /// too. It ends code that stays just below every other limit.
+    pub fn whole(&self) -> Duration {
+        (self.least * WHOLE).max(rounded(self.all * TIMES))
     }
 
     /// The limits of a submission for a task or a scene.
@@ -158,10 +176,10 @@ impl Clock for SubmissionClock<'_> {
     /// Ends the examination if an answer was late while other submissions were graded.
     /// [`was_late`](SubmissionClock::was_late) then returns true.
     fn check(&self, reply: &Reply) -> Result<()> {
-        if self.alone || !matches!(reply.ending, Ending::TimedOut(_)) {
-            return Ok(());
+        match reply.ending {
+            Ending::TimedOut(_) | Ending::OutOfTime(_) if !self.alone => Err(self.late()),
+            _ => Ok(()),
         }
-        Err(self.late())
     }
 }
 
@@ -176,7 +194,9 @@ mod tests {
         let pace = Pace {
             least: Duration::from_secs(5),
             took: took.into(),
+            all: Duration::from_millis(572),
         };
+        assert_eq!(pace.whole(), Duration::from_secs(64));
         assert_eq!(pace.limits("quick").cpu, Duration::from_secs(5));
         assert_eq!(pace.limits("bunny").cpu, Duration::from_secs(64));
         for (what, took) in &pace.took {

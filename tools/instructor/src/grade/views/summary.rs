@@ -45,6 +45,14 @@ pub struct ClassOutput<'a> {
 }
 
 impl ClassOutput<'_> {
+    /// Writes the table of marks while others are still graded.
+    pub fn write_so_far(&self, roll: &Roll, records: &BTreeMap<String, Record>) -> Result<()> {
+        let known = KnownAnswers::default();
+        let class = Class::new(&self.assignment.title, roll, records, &known);
+        let table = csv::grades(&class, self.assignment);
+        self.cache.write("grades.csv", table)
+    }
+
     /// Writes the class's files and prints its summary.
     pub fn write(
         &self,
