@@ -78,15 +78,46 @@ const NEVER: [libc::c_long; 43] = [
 /// `open_tree_attr`, which Linux has had since 6.15.
 const OPEN_TREE_ATTR: libc::c_long = 467;
 
-/// Calls that only the compiler may make.
-const NEVER_WHILE_ANSWERING: [libc::c_long; 6] = [
+/// Calls that only the compiler may make. Without namespaces and Landlock, the names of files in
+/// a folder like `/tmp` would carry one submission's answers to another, even if no file may be
+/// written.
+const NEVER_WHILE_ANSWERING: [libc::c_long; 14] = [
     libc::SYS_socket,
     libc::SYS_socketpair,
     libc::SYS_pipe2,
     libc::SYS_inotify_init1,
     libc::SYS_setsid,
     libc::SYS_setpgid,
+    libc::SYS_mkdirat,
+    libc::SYS_mknodat,
+    libc::SYS_linkat,
+    libc::SYS_symlinkat,
+    libc::SYS_renameat,
+    libc::SYS_renameat2,
+    libc::SYS_unlinkat,
+    // Its flags lie in memory. The C library uses `openat`.
+    libc::SYS_openat2,
 ];
+
+/// The same calls under the names that only x86-64 still has.
+#[cfg(target_arch = "x86_64")]
+const OLD_NAMES: [libc::c_long; 12] = [
+    libc::SYS_fork,
+    libc::SYS_vfork,
+    libc::SYS_pipe,
+    libc::SYS_inotify_init,
+    libc::SYS_creat,
+    libc::SYS_mkdir,
+    libc::SYS_mknod,
+    libc::SYS_link,
+    libc::SYS_symlink,
+    libc::SYS_rename,
+    libc::SYS_rmdir,
+    libc::SYS_unlink,
+];
+
+/// What makes `open` make a file: with a name, and without one.
+const MAKES_FILE: [libc::c_int; 2] = [libc::O_CREAT, libc::O_TMPFILE & !libc::O_DIRECTORY];
 
 /// The calls of Landlock itself.
 const LANDLOCK: [libc::c_long; 3] = [
@@ -118,21 +149,21 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
         CLONE_NEWUSER,
         CLONE_NEWUTS,
     ] {
-        clones.push(clone_with(namespace, true)?);
+        clones.push(with_flag(0, namespace, true)?);
     }
     if purpose == Purpose::Answer {
         rules.extend(NEVER_WHILE_ANSWERING.map(|call| (call, Vec::new())));
-        clones.push(clone_with(CLONE_THREAD, false)?);
+        clones.push(with_flag(0, CLONE_THREAD, false)?);
+        let making = |argument| -> Result<Vec<SeccompRule>, _> {
+            let rules = MAKES_FILE.into_iter();
+            rules.map(|flag| with_flag(argument, flag, true)).collect()
+        };
+        rules.insert(libc::SYS_openat, making(2)?);
         #[cfg(target_arch = "x86_64")]
-        rules.extend(
-            [
-                libc::SYS_fork,
-                libc::SYS_vfork,
-                libc::SYS_pipe,
-                libc::SYS_inotify_init,
-            ]
-            .map(|call| (call, Vec::new())),
-        );
+        {
+            rules.extend(OLD_NAMES.map(|call| (call, Vec::new())));
+            rules.insert(libc::SYS_open, making(1)?);
+        }
         // The process was told to end with the grader, and must not be able to change that.
         let outlives = SeccompCondition::new(0, Dword, Eq, libc::PR_SET_PDEATHSIG as u64)?;
         rules.insert(libc::SYS_prctl, vec![SeccompRule::new(vec![outlives])?]);
@@ -149,12 +180,16 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
     SeccompFilter::new(rules, SeccompAction::Allow, unheard_of, arch)?.try_into()
 }
 
-/// A `clone` in whose flags this one is set, or is not.
-fn clone_with(flag: libc::c_int, set: bool) -> Result<SeccompRule, seccompiler::BackendError> {
+/// A call in an argument of which this flag is set, or is not.
+fn with_flag(
+    argument: u8,
+    flag: libc::c_int,
+    set: bool,
+) -> Result<SeccompRule, seccompiler::BackendError> {
     let flag = u64::from(flag as u32);
     let expected = if set { flag } else { 0 };
     SeccompRule::new(vec![SeccompCondition::new(
-        0,
+        argument,
         Dword,
         MaskedEq(flag),
         expected,
