@@ -98,6 +98,10 @@ pub fn verdict(task: &str, text: &str) -> Verdict {
     if bare.starts_with("#!") && !bare.starts_with("#![") {
         return refused("a first line that begins with `#!`", 1, "remove this line");
     }
+    // Frontmatter: a newer compiler may skip it, and then we would not see the same tokens.
+    if bare.trim_start().starts_with("---") {
+        return refused("a first line that begins with `---`", 1, "remove this line");
+    }
     let Ok(tokens) = tokens(text) else {
         return Verdict::NotTokens;
     };
