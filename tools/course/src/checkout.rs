@@ -20,23 +20,31 @@ impl Checkout {
     }
 
     /// The checkout this program was built from or, if that is gone, the one around the
-    /// current folder. The order matters, because a student's checkout must not bring its own
-    /// goldens.
+    /// program's own file. Not the one around the current folder: that may be a student's, with
+    /// goldens and settings of its own.
     pub fn find() -> Result<Checkout> {
-        let here = env::current_dir().unwrap_or_default();
+        let program = env::current_exe().unwrap_or_default();
         let built_from = Path::new(env!("CARGO_MANIFEST_DIR"));
+        Checkout::of(
+            built_from.ancestors().nth(2).unwrap_or(built_from),
+            &program,
+        )
+        .ok_or_else(|| {
+            Error::environment(
+                "this is not a checkout of Pinhole, and the one the command was built from is gone",
+                "run the command inside the checkout: cargo pinhole …",
+            )
+        })
+    }
+
+    /// The checkout in the folder `built_from`, or around the file `program`.
+    fn of(built_from: &Path, program: &Path) -> Option<Checkout> {
         let is_root = |folder: &&Path| {
             folder.join("assignments").is_dir() && folder.join("Cargo.lock").is_file()
         };
-        let own = built_from.ancestors().nth(2).filter(is_root);
-        own.or_else(|| here.ancestors().find(is_root))
+        let own = Some(built_from).filter(is_root);
+        own.or_else(|| program.ancestors().find(is_root))
             .map(Checkout::at)
-            .ok_or_else(|| {
-                Error::environment(
-                    "this is not a checkout of Pinhole, and the one the command was built from is gone",
-                    "run the command inside the checkout: cargo pinhole …",
-                )
-            })
     }
 
     /// Its top folder.
@@ -106,5 +114,23 @@ impl Checkout {
             (Ok(folder), Ok(root)) => folder.starts_with(root),
             _ => false,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_moved_program_finds_its_own_checkout_and_no_other() {
+        let folder = tempfile::tempdir().unwrap();
+        let own = folder.path().join("moved");
+        fs::create_dir_all(own.join("assignments")).unwrap();
+        fs::write(own.join("Cargo.lock"), "").unwrap();
+        let gone = folder.path().join("gone");
+        let found = Checkout::of(&gone, &own.join("target/release/pinhole")).unwrap();
+        assert_eq!(found.root(), own);
+        // Tests run in a checkout, as a student's folder may be one.
+        assert!(Checkout::of(&gone, &folder.path().join("pinhole")).is_none());
     }
 }
