@@ -199,10 +199,9 @@ fn plain(name: &str) -> String {
         .map(|c| if is_plain(c) { c } else { '_' })
         .take(MOST_CHARACTERS)
         .collect();
-    let safe = safe.trim_start_matches('-');
-    let safe = safe.trim_matches(|c| c == '.' || c == ' ').to_owned();
+    let safe = safe.trim_start_matches(['-', '.']).trim_end_matches('.');
     match safe == stem && !safe.is_empty() {
-        true => safe,
+        true => safe.into(),
         false => {
             let hash = &sha256(name.as_bytes())[..8];
             format!("{safe}-{hash}").trim_start_matches('-').into()

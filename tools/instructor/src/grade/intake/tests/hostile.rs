@@ -113,3 +113,61 @@ fn every_submission_is_in_exactly_one_shard() {
     shared.sort();
     assert_eq!(shared, all);
 }
+
+#[test]
+fn no_name_harms_its_readers() {
+    let words = [
+        "_",
+        "-",
+        ".",
+        " ",
+        "/",
+        "(1)",
+        "12",
+        "99999999999999999999",
+        "LATE",
+        "assignsubmission",
+        "file",
+        "attempt",
+        "2026-11-20-23-59-01",
+        "plane",
+        "Copy of ",
+        "copy",
+        ".rs",
+        ".txt",
+        ".zip",
+        ".tar.gz",
+        "é",
+        "e\u{301}",
+        "İ",
+        "\u{212a}",
+        "ß",
+        "\u{202e}",
+        "\0",
+        "\u{feff}",
+    ];
+    let assignment = assignment();
+    let mut state = 4711_u64;
+    let mut below = |end: usize| {
+        // Knuth, The Art of Computer Programming, 3.3.4: the constants of MMIX.
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 33) as usize % end
+    };
+    for _ in 0..20_000 {
+        let count = below(9);
+        let name: String = (0..count).map(|_| words[below(words.len())]).collect();
+        for meant in names::platforms(&name) {
+            assert!(name.contains(meant.rest), "{name:?}");
+        }
+        names::task_of(&name, &assignment);
+        assert!(name.starts_with(reader::stem(&name)), "{name:?}");
+        let id = plain(&name);
+        let is_plain = |c: char| c.is_ascii_alphanumeric() || "._-".contains(c);
+        assert!(
+            id.chars().all(is_plain) && !id.starts_with(['.', '-']),
+            "{name:?}: {id}"
+        );
+    }
+}
