@@ -290,3 +290,36 @@ fn a_golden_that_exempts_more_than_one_pixel_of_a_few_is_refused() {
         }
     );
 }
+
+#[test]
+fn one_pixel_in_two_thousand_may_be_exempt_but_always_one() {
+    let most = [1, 1999, 2000, 4000, 57_600].map(Golden::most_exempt);
+    assert_eq!(most, [1, 1, 1, 2, 28]);
+}
+
+#[test]
+fn pictures_show_where_a_film_misses_even_one_that_is_refused() {
+    let golden = golden(&[0.0; 5], &[1.0; 5], 0.5);
+    let film = hits(&[0.0; 5], &[1.5, 1.6, f32::NAN, f32::INFINITY, 0.5]);
+    assert_eq!(golden.missed(&film, "t"), [false, true, true, true, false]);
+    let lenient = one_channel(&[1.0; 2], &[EXEMPT, 0.0]);
+    let film = row(&[("t", &[f32::INFINITY, 1.0])]);
+    assert_eq!(lenient.missed(&film, "t"), [true, false]);
+    assert_eq!(lenient.missed(&film, "id"), [true; 2]);
+}
+
+#[test]
+fn only_a_failing_pixel_of_the_right_object_is_a_channels_own_except_for_ids() {
+    let golden = golden(&[0.0; 3], &[1.0; 3], 0.5);
+    let verdict = judge(&golden, &hits(&[0.0, 1.0, 0.0], &[3.0, 3.0, 1.0])).unwrap();
+    let counts = |name| (channel(&verdict, name).failing, channel(&verdict, name).own);
+    assert_eq!((counts("id"), counts("t")), ((1, 1), (2, 1)));
+}
+
+#[test]
+fn of_equally_bad_pixels_the_first_is_shown() {
+    let golden = one_channel(&[0.0; 3], &[1.0; 3]);
+    let verdict = judge(&golden, &row(&[("t", &[0.0, 3.0, 3.0])])).unwrap();
+    let worst = channel(&verdict, "t").worst.as_ref().unwrap();
+    assert_eq!(worst.pixel.i, 1);
+}
