@@ -188,6 +188,16 @@ impl Compiler {
             if enough(&replaced) {
                 return Ok(Attempt::Enough);
             }
+            // Each round may take nearly as long as one run of the compiler may.
+            if self.sandbox.is_done_compiling() {
+                if self.stops_when_late {
+                    return Ok(Attempt::Late);
+                }
+                for Answer { task, .. } in &submission.answers {
+                    let why = || Replacement::DoesNotCompile(TOO_LONG.into());
+                    replaced.entry(task.clone()).or_insert_with(why);
+                }
+            }
             let compile = |replaced: &Replacements| {
                 let sources = sources(submission, &self.pristine, replaced);
                 let Compiler {
@@ -235,6 +245,10 @@ impl Compiler {
         ))
     }
 }
+
+/// Said of answers that were not compiled any more.
+const TOO_LONG: &str = "error: these answers together take the compiler too long\n  = help: look for \
+                        constants that take long to compute\n";
 
 /// Refuses an answer that the compiler can split into tokens, but we can't.
 fn unclear_tokens(task: &str) -> Replacement {

@@ -402,6 +402,11 @@ impl Sandbox {
         }
     }
 
+    /// Whether compiling has taken its share of the submission's time.
+    pub fn is_done_compiling(&self) -> bool {
+        self.budget().is_some_and(Budget::is_done_compiling)
+    }
+
     fn charge(&self) {
         if let Some(budget) = self.budget() {
             budget.charge();

@@ -21,6 +21,9 @@ pub struct Budget {
 /// After this many, everything else gets only its shortest time.
 const MOST_LOST: u32 = 2;
 
+/// Compiling may take one part in so many of the whole time. Right answers take a hundredth.
+const COMPILING: u32 = 4;
+
 impl Budget {
     /// For a submission that begins now and may take so long in all.
     pub fn of(whole: Duration) -> Budget {
@@ -39,6 +42,12 @@ impl Budget {
             Duration::ZERO => Err(whole),
             left => Ok(left),
         }
+    }
+
+    /// Whether compiling has taken its share of the time.
+    pub fn is_done_compiling(&self) -> bool {
+        let spent = |(begun, whole): (Instant, Duration)| begun.elapsed() >= whole / COMPILING;
+        self.whole.is_some_and(spent)
     }
 
     /// Shorter limits, if too many have been lost already.
@@ -65,8 +74,10 @@ mod tests {
         let budget = Budget::of(moment);
         std::thread::sleep(moment);
         assert_eq!(budget.clone().left(), Err(moment));
+        assert!(budget.is_done_compiling() && !Budget::default().is_done_compiling());
         let hour = Duration::from_secs(3600);
         assert!(Budget::of(hour).left().is_ok_and(|left| left <= hour));
+        assert!(!Budget::of(hour).is_done_compiling());
         assert_eq!(Budget::default().left(), Ok(Duration::MAX));
     }
 
