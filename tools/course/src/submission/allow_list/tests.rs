@@ -63,7 +63,10 @@ fn names_that_could_hold_machine_code_or_read_a_file_are_refused() {
         ),
         ("#!/* \n#[unsafe(naked)] fn f() {} // */", "a first line"),
         ("\u{feff}#! /*", "a first line"),
-        ("\n--- x\n/*\n---\n// */ include_str!(\"a\")", "a first line"),
+        (
+            "\n--- x\n/*\n---\n// */ include_str!(\"a\")",
+            "a first line",
+        ),
         ("a! { # a }", "`a!`"),
         ("vec! { # # [inline] }", "`#`"),
     ] {
