@@ -8,11 +8,11 @@
 //! Reading order:
 //!
 //! 1. [`error`], [`course`], [`edition`]: what can be wrong, what is explained, and for which
-//! readers;
+//!    readers;
 //! 2. [`scan`], [`directive`]: what a writer's page consists of;
 //! 3. [`reference`](mod@reference), [`record`]: the programs and records that the book quotes;
 //! 4. [`png`](mod@png), [`rasterizer`], [`silhouette`] and [`boxes`]: what the book computes
-//! itself, for comparison;
+//!    itself, for comparison;
 //! 5. [`listing`], [`formula`], [`run`], [`worked`], [`figures`], [`gallery`],
 //!    [`interactive`]: one file for each thing a page can quote;
 //! 6. [`expand`], [`build`]: a page with everything inserted, and the book of all pages;
