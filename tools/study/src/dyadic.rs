@@ -61,12 +61,15 @@ impl Dyadic {
 
     /// The square root of what is not negative, rounded down to 2⁻¹²⁸ of itself.
     pub fn sqrt(&self) -> Dyadic {
-        let bits = self.integer.bits() as i64;
-        let up = (2 * BITS - bits).max(0);
+        let up = 2 * BITS - self.integer.bits() as i64;
         // What is left of the exponent is even.
         let up = up + (self.exponent - up).rem_euclid(2);
+        let scaled = match up < 0 {
+            true => &self.integer >> -up,
+            false => &self.integer << up,
+        };
         Dyadic {
-            integer: (&self.integer << up).sqrt(),
+            integer: scaled.sqrt(),
             exponent: (self.exponent - up) / 2,
         }
     }
