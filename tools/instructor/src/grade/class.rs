@@ -57,8 +57,7 @@ impl Roll {
 
     /// Adds single submissions to the class that was graded into the same folder before. They
     /// replace earlier ones of the same id, and all others stay.
-    pub fn into_class(self, class: Option<Roll>) -> Roll {
-        let Some(mut class) = class else { return self };
+    pub fn into_class(self, mut class: Roll) -> Roll {
         let is_new = |entry: &Entry| self.entries.iter().any(|new| new.id == entry.id);
         class.entries.retain(|entry| !is_new(entry));
         class.entries.extend(self.entries);

@@ -1,17 +1,21 @@
 //! The submissions, and the people who handed them in.
 //!
-//! Reading order: [`reader`] reads folders and archives; [`hand_in`] divides their files among
-//! people, by the [`names`] that platforms give; [`answers`] finds each person's answers;
-//! [`roster`] reads the list of a course's people, which is a [`table`]; and [`placement`]
-//! finds each submission's person on the roster.
+//! Reading order: [`reader`] reads folders and archives; [`source`] decides which of them hold
+//! a class; [`hand_in`] collects each person's files, by the [`names`] that platforms give;
+//! [`answers`] finds each person's answers, by [`task_names`]; [`roster`] reads the list of a
+//! course's people, which is a [`table`]; [`matching`] compares names with people; and
+//! [`placement`] finds each submission's person on the roster.
 
 pub mod answers;
 pub mod hand_in;
+pub mod matching;
 pub mod names;
 pub mod placement;
 pub mod reader;
 pub mod roster;
+pub mod source;
 pub mod table;
+pub mod task_names;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -19,9 +23,12 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use self::hand_in::{HandIn, Source};
+use self::hand_in::HandIn;
+use self::matching::Proof;
 use self::names::Sign;
+use self::reader::file_names;
 use self::roster::Person;
+use self::source::Source;
 use super::provenance::sha256;
 use pinhole_course::assignment::{Assignment, Task};
 use pinhole_course::error::{Error, Result};
@@ -39,6 +46,9 @@ pub struct Entry {
     pub given: Vec<String>,
     /// What these names say about the person who handed it in.
     pub signs: Vec<Sign>,
+    /// How much these may prove at most.
+    #[serde(default)]
+    pub at_most: Proof,
     /// What had to be done to read it.
     pub notes: Vec<String>,
     /// Why the instructor should check how it was read.
@@ -89,25 +99,34 @@ pub fn find(
     assignment: &Assignment,
     people: Option<&[Person]>,
 ) -> Result<Intake> {
-    let is_on_roster = |name: &str| people.is_some_and(|it| placement::is_somebody(name, it));
-    let is_task = |name: &str| names::task_of(name, assignment).is_some();
+    let is_on_roster = |name: &str| people.is_some_and(|it| matching::is_somebody(name, it));
+    let is_task = |name: &str| task_names::task_of(name, assignment).is_some();
     let is_answer =
         |name: &str| is_task(name) || names::platforms(name).iter().any(|it| is_task(it.rest));
-    let mut intake = Intake::default();
-    let mut handed_in = Vec::new();
+    let mut sources = Vec::new();
     for path in paths {
-        let source = Source {
+        let mut source = Source {
             name: name(path),
             is_archive: path.is_file(),
             is_only: paths.len() == 1,
             found: reader::read(path, &is_answer)?,
-            assignment,
             is_on_roster: &is_on_roster,
         };
-        let (found, ignored, is_class) = source.share_out();
-        intake.is_class |= is_class;
-        handed_in.extend(found);
-        intake.ignored.extend(ignored);
+        source.unwrap();
+        sources.push(source);
+    }
+    let are_classes = sources.iter().all(Source::is_class);
+    let mut intake = Intake::default();
+    let mut handed_in = Vec::new();
+    for source in sources {
+        if source.is_class() {
+            let (found, ignored) = source.of_class(are_classes);
+            handed_in.extend(found);
+            intake.ignored.extend(ignored);
+            intake.is_class = true;
+        } else {
+            handed_in.push(source.whole());
+        }
     }
     if handed_in.is_empty() {
         return Err(Error::input(
@@ -152,8 +171,9 @@ fn entry(
         name: one.name,
         given: one.given,
         signs: one.signs,
+        at_most: one.at_most,
         notes: Vec::new(),
-        doubts: Vec::new(),
+        doubts: one.doubts,
         unusable: Vec::new(),
         submission: not_read(),
     };
@@ -161,7 +181,7 @@ fn entry(
         Ok(choice) => {
             entry.unusable = unusable(&choice.submission, assignment);
             entry.notes = choice.notes;
-            entry.doubts = choice.doubts;
+            entry.doubts.extend(choice.doubts);
             entry.submission = Ok(choice.submission);
         }
         Err(why) => entry.submission = Err(why),
@@ -192,7 +212,7 @@ const MOST_CHARACTERS: usize = 80;
 /// A name that is safe for a folder on every system, and can't be mistaken for a command's
 /// option. If it must change, it gets a hash, so that it stays unique.
 fn plain(name: &str) -> String {
-    let stem = reader::stem(name);
+    let stem = file_names::stem(name);
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "._-".contains(c);
     let safe: String = stem
         .chars()

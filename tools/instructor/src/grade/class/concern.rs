@@ -29,9 +29,6 @@ impl Roll {
             let people: Vec<String> = people.iter().map(in_words).collect();
             format!("{}: perhaps {}", self.called(id), people.join(" or "))
         });
-        // If there is a policy, it says which submission counts.
-        let several = placed.several.values().filter(|_| self.policy.is_none());
-        let several = several.map(|ids| ids.join(" and "));
         let superseded = placed.superseded.iter();
         let superseded = superseded.map(|(upload, id)| format!("{upload} (graded: {id})"));
         let all: [(&str, bool, Vec<String>); 9] = [
@@ -44,9 +41,10 @@ impl Roll {
             ("not certain whose it is", true, ambiguous.collect()),
             ("not on the roster", true, self.names(&placed.unknown)),
             (
-                "several submissions by one person, all graded",
+                "known by a name or login alone that people may choose: add the platform's \
+                 numbers (column number) or GitHub's logins (github) to the roster",
                 true,
-                several.collect(),
+                self.names(&placed.by_name),
             ),
             (
                 "files that belong to no submission",

@@ -38,15 +38,9 @@ pub fn rows<'a>(roll: &'a Roll, records: &'a BTreeMap<String, Record>) -> Rows<'
         own: roll.entries.iter().map(row).collect(),
         ..Rows::default()
     };
-    match &roll.policy {
-        None => {
-            for row in &mut rows.own {
-                let judged = row.record.and_then(|record| JudgedPoints::of(record, &[]));
-                row.mark = judged.map(Mark::judged);
-            }
-        }
-        Some(policy) => apply(policy, roll, &mut rows),
-    }
+    // Without a policy, nothing is taken off, but still one submission counts for a person.
+    let nothing = Policy::default();
+    apply(roll.policy.as_ref().unwrap_or(&nothing), roll, &mut rows);
     rows
 }
 

@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 use super::hand_in::Upload;
-use super::names::task_of;
+
 use super::reader::Content;
+use super::task_names::task_of;
 use pinhole_course::assignment::{Assignment, Task};
 use pinhole_course::submission::text::Text;
 use pinhole_course::submission::{Answer, Submission, Unusable};
@@ -19,6 +20,9 @@ pub struct Choice {
     /// Why other answers may be meant. The instructor should look at these.
     pub doubts: Vec<String>,
 }
+
+/// How many refused files are named.
+const MOST_REFUSED: usize = 5;
 
 /// A file that may answer a task.
 struct Candidate<'a> {
@@ -39,10 +43,18 @@ impl Candidate<'_> {
         folders.len() - usize::from(folders.last().is_some_and(|last| last == "src"))
     }
 
-    /// Whether it lies where the course's repository keeps a student's answers.
-    fn is_in_handout(&self) -> bool {
-        let folders = &self.upload.path[..self.upload.path.len() - 1];
-        folders.ends_with(&["handout".into(), "src".into()])
+    /// The folder that holds the course's repository, if the file lies where the repository
+    /// keeps a student's answers.
+    fn repository(&self) -> Option<&[String]> {
+        match &self.upload.path[..] {
+            [root @ .., assignments, _, handout, src, _]
+                if assignments == "assignments" && handout == "handout" && src == "src" =>
+            {
+                Some(root)
+            }
+            [root @ .., handout, src, _] if handout == "handout" && src == "src" => Some(root),
+            _ => None,
+        }
     }
 }
 
@@ -74,9 +86,20 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
             Content::Folder => {}
         }
     }
+    let more = refused.len().saturating_sub(MOST_REFUSED);
+    if more > 0 {
+        refused.truncate(MOST_REFUSED);
+        refused.push(format!("{more} more like these"));
+    }
     // A copy of the course's repository holds files of the same names elsewhere too.
-    if candidates.iter().any(|(_, one)| one.is_in_handout()) {
-        candidates.retain(|(_, one)| one.is_in_handout());
+    let roots = candidates.iter().filter_map(|(_, one)| one.repository());
+    let roots: BTreeSet<Vec<String>> = roots.map(<[String]>::to_vec).collect();
+    let mut outside = Vec::new();
+    if !roots.is_empty() {
+        let is_inside = |one: &Candidate| roots.iter().any(|it| one.upload.path.starts_with(it));
+        let all = candidates.iter().map(|(_, one)| one);
+        outside.extend(all.filter(|one| !is_inside(one)).map(Candidate::path));
+        candidates.retain(|(_, one)| one.repository().is_some());
     }
     let mut choice = Choice {
         submission: Submission {
@@ -101,6 +124,14 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
             task: task.name.clone(),
             text,
         });
+    }
+    if !outside.is_empty() {
+        let outside = outside.iter().take(5).cloned().collect::<Vec<_>>();
+        let doubt = format!(
+            "what lies in `handout/src` was taken, and not {}",
+            outside.join(", ")
+        );
+        choice.doubts.push(doubt);
     }
     if candidates.is_empty() && refused.is_empty() && !others.is_empty() {
         let found = others.iter().take(5).cloned().collect::<Vec<_>>();

@@ -1,89 +1,176 @@
-//! Parses the names that learning platforms give to submissions, and the names of answer
-//! files.
+//! Parses the names that learning platforms give to submissions.
 //!
-//! Canvas: `lastfirst_USER_FILE_name.zip` or `lastfirst_LATE_USER_FILE_name.zip`; a later
-//! upload has a greater FILE. Moodle: `First Last_NUMBER_assignsubmission_file`, a folder with
-//! what was handed in or the beginning of a file's name. The uploader chooses what follows.
+//! - Canvas: `lastfirst_USER_FILE_name.zip` or `lastfirst_LATE_USER_FILE_name.zip`; a later
+//!   upload has a greater FILE.
+//! - Moodle: `First Last_NUMBER_assignsubmission_file`, a folder with what was handed in or the
+//!   beginning of a file's name.
+//! - Blackboard: `TITLE_LOGIN_attempt_2026-11-20-23-59-01_name.zip`.
+//! - Brightspace: `NUMBER-NUMBER - First Last - Nov 20, 2026 1159 PM - name.zip`.
+//!
+//! The uploader chooses what follows, so it says nothing about the person or the time.
 
 use jiff::civil::DateTime;
 use serde::{Deserialize, Serialize};
 
-use pinhole_course::assignment::{Assignment, Task};
-
 /// What the name of an upload tells about the person.
 #[derive(Clone, Debug, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize)]
-pub struct Sign {
-    /// A person's name, or an id.
-    pub person: String,
-    /// The platform's number for the person.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub number: Option<String>,
+#[serde(rename_all = "snake_case")]
+pub enum Sign {
+    /// An account on a platform: its number, and its name, which people may be able to change.
+    Account { number: String, name: String },
+    /// The assignment's title, `_`, and a login that the platform gave.
+    Login(String),
+    /// What somebody called a folder or an archive.
+    Plain(String),
+}
+
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Platform {
+    Canvas,
+    Moodle,
+    Blackboard,
+    Brightspace,
 }
 
 /// A name given by a platform.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlatformName<'a> {
+    pub platform: Platform,
+    /// What names the person. On Blackboard, it begins with the assignment's title.
     pub person: &'a str,
+    /// The platform's number for the person; empty on Blackboard.
     pub number: &'a str,
+    /// What all files of one submission have in common.
+    pub submission: String,
     /// Greater for later uploads, where the platform counts them.
     pub upload: u64,
+    pub handed_in: Option<HandInTime<DateTime>>,
     /// What the uploader called it.
     pub rest: &'a str,
 }
 
 impl PlatformName<'_> {
     pub fn sign(&self) -> Sign {
-        Sign {
-            person: self.person.into(),
-            number: Some(self.number.into()),
+        match self.platform {
+            Platform::Blackboard => Sign::Login(self.person.into()),
+            _ => Sign::Account {
+                number: self.number.into(),
+                name: self.person.into(),
+            },
         }
     }
 
     /// Reads a name as Canvas writes it, if it may be one.
-    pub fn canvas(name: &str) -> Option<PlatformName<'_>> {
+    fn canvas(name: &str) -> Option<PlatformName<'_>> {
         let (person, rest) = name.split_once('_')?;
         let (mut number, mut rest) = rest.split_once('_')?;
-        if number.eq_ignore_ascii_case("late") {
+        let is_late = number.eq_ignore_ascii_case("late");
+        if is_late {
             (number, rest) = rest.split_once('_')?;
         }
         let (file, rest) = rest.split_once('_')?;
         let is_name = !person.is_empty() && is_number(number) && !rest.is_empty();
         is_name.then_some(PlatformName {
+            platform: Platform::Canvas,
             person,
             number,
+            submission: format!("{person}_{number}"),
             upload: file.parse().ok()?,
+            handed_in: is_late.then_some(HandInTime::Late),
             rest,
         })
     }
 
     /// Reads a name as Moodle writes it, if it may be one.
-    pub fn moodle(name: &str) -> Option<PlatformName<'_>> {
+    fn moodle(name: &str) -> Option<PlatformName<'_>> {
         let (before, rest) = name.split_once("_assignsubmission_")?;
         let (person, number) = before.rsplit_once('_')?;
         let (_, rest) = rest.split_once('_').unwrap_or((rest, ""));
         is_number(number).then_some(PlatformName {
+            platform: Platform::Moodle,
             person,
             number,
+            submission: format!("{person}_{number}"),
             upload: 0,
+            handed_in: None,
             rest,
         })
+    }
+
+    /// Reads a name as Blackboard writes it, if it may be one.
+    fn blackboard(name: &str) -> Option<PlatformName<'_>> {
+        const MARK: &str = "_attempt_";
+        let read = |(at, _): (usize, &str)| {
+            let end = at + MARK.len() + "2026-11-20-23-59-01".len();
+            let time = name.get(at + MARK.len()..end)?;
+            let time = DateTime::strptime("%Y-%m-%d-%H-%M-%S", time).ok()?;
+            let rest = &name[end..];
+            let is_name = at > 0 && (rest.is_empty() || rest.starts_with(['_', '.']));
+            is_name.then_some(PlatformName {
+                platform: Platform::Blackboard,
+                person: &name[..at],
+                number: "",
+                submission: name[..end].into(),
+                upload: 0,
+                handed_in: Some(HandInTime::At(time)),
+                rest: rest.strip_prefix('_').unwrap_or(rest),
+            })
+        };
+        name.match_indices(MARK).find_map(read)
+    }
+
+    /// Reads a name as Brightspace writes it, if it may be one.
+    fn brightspace(name: &str) -> Option<PlatformName<'_>> {
+        const BETWEEN: &str = " - ";
+        let (number, _) = name.split_once(BETWEEN)?;
+        let (user, folder) = number.split_once('-')?;
+        if !is_number(user) || !is_number(folder) {
+            return None;
+        }
+        let begin = number.len() + BETWEEN.len();
+        let read = |(at, _): (usize, &str)| {
+            let after = &name[at + BETWEEN.len()..];
+            let (time, rest) = after.split_once(BETWEEN).unwrap_or((after, ""));
+            let at_time = DateTime::strptime("%b %d, %Y %I%M %p", time).ok()?;
+            Some(PlatformName {
+                platform: Platform::Brightspace,
+                person: name.get(begin..at)?,
+                number,
+                submission: name[..at + BETWEEN.len() + time.len()].into(),
+                upload: 0,
+                handed_in: Some(HandInTime::At(at_time)),
+                rest,
+            })
+        };
+        name.match_indices(BETWEEN).find_map(read)
     }
 }
 
 fn is_number(text: &str) -> bool {
-    text.parse::<u64>().is_ok()
+    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-/// All ways to read a name as a platform's. An uploader can make it look like the names of two
-/// platforms; then it is unknown which it is.
+/// All ways to read a name as a platform's. An uploader can make it look like two platforms'
+/// names; then nobody knows which it is.
 pub fn platforms(name: &str) -> Vec<PlatformName<'_>> {
-    [PlatformName::canvas(name), PlatformName::moodle(name)]
-        .into_iter()
-        .flatten()
-        .collect()
+    [
+        PlatformName::canvas(name),
+        PlatformName::moodle(name),
+        PlatformName::blackboard(name),
+        PlatformName::brightspace(name),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
-/// When something was handed in, according to the names.
+/// The only way to read a name as a platform's.
+pub fn platform(name: &str) -> Option<PlatformName<'_>> {
+    let mut all = platforms(name);
+    all.pop().filter(|_| all.is_empty())
+}
+
+/// When something was handed in, as names say it.
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
 pub enum HandInTime<Time> {
     At(Time),
@@ -91,104 +178,22 @@ pub enum HandInTime<Time> {
     Late,
 }
 
-/// When these files were handed in, according to their names. The last time counts, and one late
-/// file makes all late. Canvas marks late files with `LATE`. Blackboard
-/// (`…_attempt_2026-11-20-23-59-01_…`) and Brightspace (`… - Nov 20, 2026 1159 PM - …`) write the
-/// time before the name that the uploader chose.
+/// When these files were handed in, by their names. The last of them counts, and one that is
+/// late makes all late. A name that two platforms may have given says no time.
 pub fn handed_in(given: &[String]) -> Option<HandInTime<DateTime>> {
-    given.iter().filter_map(|name| time_in(name)).max()
-}
-
-fn time_in(name: &str) -> Option<HandInTime<DateTime>> {
-    let is_canvas = PlatformName::canvas(name).is_some();
-    if is_canvas && name.split('_').nth(1)?.eq_ignore_ascii_case("late") {
-        return Some(HandInTime::Late);
-    }
-    if let Some((_, rest)) = name.split_once("_attempt_") {
-        let time = rest.get(..19)?;
-        let time = DateTime::strptime("%Y-%m-%d-%H-%M-%S", time).ok()?;
-        return Some(HandInTime::At(time));
-    }
-    let parts = name.split(" - ");
-    let mut times = parts.filter_map(|part| DateTime::strptime("%b %d, %Y %I%M %p", part).ok());
-    times.next().map(HandInTime::At)
-}
-
-/// The task that a file of this name may answer, and whether the name is exactly the one that
-/// was handed out. Recognises names that people or programs have changed: `Sphere.rs`, `sphere
-/// (1).rs`, `sphere-2.rs`, `sphere.rs.txt`.
-pub fn task_of<'a>(name: &str, assignment: &'a Assignment) -> Option<(&'a Task, bool)> {
-    let exact = assignment.tasks.iter().find(|task| task.file() == name);
-    if let Some(task) = exact {
-        return Some((task, true));
-    }
-    let plain = plain_stem(name)?;
-    let mut tasks = assignment.tasks.iter();
-    let task = tasks.find(|task| task.name.replace('_', "").to_lowercase() == plain)?;
-    Some((task, false))
-}
-
-/// A source file's name without its end, in small letters, without spaces and what marks a
-/// copy.
-fn plain_stem(name: &str) -> Option<String> {
-    let lower = name.trim().to_lowercase();
-    let lower = lower.strip_suffix(".txt").unwrap_or(&lower);
-    let mut stem = lower.strip_suffix(".rs")?.trim();
-    stem = stem.strip_prefix("copy of ").unwrap_or(stem);
-    loop {
-        let shorter = without_count(stem);
-        let shorter = shorter.strip_suffix("copy").unwrap_or(shorter);
-        let shorter = shorter.trim_end_matches([' ', '-', '_']);
-        if shorter == stem {
-            break;
+    let time_in = |name: &String| match platform(name) {
+        Some(name) => name.handed_in,
+        None => {
+            let times = platforms(name).into_iter().map(|name| name.handed_in);
+            times.flatten().find(|time| *time == HandInTime::Late)
         }
-        stem = shorter;
-    }
-    Some(stem.replace([' ', '-', '_'], ""))
-}
-
-/// A name without `(2)` or `-2` at its end.
-fn without_count(stem: &str) -> &str {
-    let is_count = |text: &str| !text.is_empty() && text.chars().all(|c| c.is_ascii_digit());
-    let in_brackets = stem
-        .strip_suffix(')')
-        .and_then(|stem| stem.rsplit_once('('));
-    match in_brackets.or(stem.rsplit_once('-')) {
-        Some((shorter, count)) if is_count(count) => shorter,
-        _ => stem,
-    }
+    };
+    given.iter().filter_map(time_in).max()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn names_that_programs_and_people_change_still_name_their_task() {
-        for name in [
-            "Triangle_Soup.rs",
-            "triangle_soup.RS",
-            "triangle_soup (1).rs",
-            "triangle_soup(12).rs",
-            "triangle_soup-1.rs",
-            "triangle_soup - Copy.rs",
-            "triangle_soup - Copy (2).rs",
-            "Copy of triangle_soup.rs",
-            "triangle soup copy.rs",
-            "TriangleSoup.rs",
-            "triangle_soup.rs.txt",
-        ] {
-            assert_eq!(plain_stem(name).as_deref(), Some("trianglesoup"), "{name}");
-        }
-        for name in [
-            "triangle_soup.rs~",
-            "triangle_soup2.rs",
-            "soup.rs",
-            "triangle_soup.c",
-        ] {
-            assert_ne!(plain_stem(name).as_deref(), Some("trianglesoup"), "{name}");
-        }
-    }
 
     #[test]
     fn names_say_when_something_was_handed_in() {
@@ -219,13 +224,22 @@ mod tests {
             ),
             (&["lovelaceada_11_501_hw1_LATE.zip"], "unknown"),
             (&["ada"], "unknown"),
+            // The uploader's part of a name says no time, and doesn't hide that it is late.
+            (
+                &["malletmallory_13_503_x_attempt_2020-01-01-00-00-00_hw.zip"],
+                "unknown",
+            ),
+            (
+                &["malletmallory_LATE_13_503_x_attempt_2020-01-01-00-00-00_hw.zip"],
+                "late",
+            ),
         ] {
             assert_eq!(of(names), said, "{names:?}");
         }
     }
 
     #[test]
-    fn a_platforms_part_of_a_name_is_separated_from_the_uploaders() {
+    fn a_platforms_part_of_a_name_is_told_from_the_uploaders() {
         let canvas = |name| PlatformName::canvas(name).map(|it| (it.person, it.number, it.upload));
         let ada = Some(("lovelaceada", "12", 501));
         assert_eq!(canvas("lovelaceada_12_501_answers.zip"), ada);
@@ -238,6 +252,17 @@ mod tests {
         );
         let flat = PlatformName::moodle("Ada Lovelace_2001_assignsubmission_file_hw1.zip");
         assert_eq!(flat.map(|it| it.rest), Some("hw1.zip"));
+        let bright = "11-22 - Ada Lovelace - Nov 21, 2026 1207 AM - Bob - Nov 1, 2026 1207 AM - x";
+        let bright = PlatformName::brightspace(bright);
+        assert_eq!(
+            bright.map(|it| (it.person, it.rest)),
+            Some(("Ada Lovelace", "Bob - Nov 1, 2026 1207 AM - x"))
+        );
+        let black = PlatformName::blackboard("HW_1_al1_attempt_2026-11-20-23-59-01.txt");
+        assert_eq!(
+            black.map(|it| (it.person, it.rest)),
+            Some(("HW_1_al1", ".txt"))
+        );
         let both = platforms("malletmallory_13_503_x_20231234_assignsubmission_file.zip");
         assert_eq!(both.len(), 2);
     }

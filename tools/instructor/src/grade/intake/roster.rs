@@ -18,9 +18,12 @@ pub struct Person {
     /// The learning platform's number for the person, if the roster has it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub number: Option<String>,
-    /// Logins and e-mail addresses.
+    /// Logins and e-mail addresses that the university gave.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub logins: Vec<String>,
+    /// The login on GitHub, which people choose themselves.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub github: Option<String>,
 }
 
 /// Names of columns, in lower case and without spaces: ours, and those of Canvas's gradebook and
@@ -40,15 +43,15 @@ const FIRST: [&str; 3] = ["firstname", "givenname", "forename"];
 const LAST: [&str; 4] = ["lastname", "surname", "familyname", "lastnames"];
 const SECTION: [&str; 3] = ["section", "group", "groups"];
 const NUMBER: [&str; 4] = ["number", "canvasid", "moodleid", "identifier"];
-const LOGIN: [&str; 7] = [
+const LOGIN: [&str; 6] = [
     "sisloginid",
     "loginid",
     "login",
     "username",
     "email",
     "emailaddress",
-    "github",
 ];
+const GITHUB: [&str; 3] = ["github", "githubusername", "githublogin"];
 
 /// The people of a course, in the file's order.
 pub fn read(path: &Path) -> Result<Vec<Person>> {
@@ -69,6 +72,7 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
     let [section, number] = [of(&SECTION), of(&NUMBER)];
     // In Canvas's gradebook `ID` is Canvas's own number, beside the student's.
     let number = number.or(of(&["id"]).filter(|own| *own != id && table.name(id) == "sisuserid"));
+    let github = of(&GITHUB);
     let logins: Vec<usize> = LOGIN.iter().filter_map(|name| of(&[name])).collect();
 
     let mut people: Vec<Person> = Vec::new();
@@ -95,6 +99,7 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
             name,
             section: cell(section).into(),
             number: Some(number).filter(|it| !it.is_empty()).map(str::to_owned),
+            github: Some(cell(github).to_owned()).filter(|it| !it.is_empty()),
             logins: logins
                 .iter()
                 .map(|at| cell(Some(*at)).to_owned())

@@ -7,7 +7,7 @@ use jiff::{SignedDuration, Span, Timestamp, Unit, Zoned};
 use super::Policy;
 use super::rules::LatenessUnit;
 use crate::grade::intake::Entry;
-use crate::grade::intake::names::{self, HandInTime};
+use crate::grade::intake::names::{self, HandInTime, Sign};
 use crate::grade::intake::roster::Person;
 
 /// Whether a submission is late, and how late.
@@ -85,7 +85,10 @@ impl Policy {
         let of_entry = given.into_iter().find_map(|name| self.times.get(name));
         let of_person = || {
             let person = person?;
-            let signs = entry.signs.iter().filter_map(|sign| sign.number.as_ref());
+            let signs = entry.signs.iter().filter_map(|sign| match sign {
+                Sign::Account { number, .. } => Some(number),
+                Sign::Login(_) | Sign::Plain(_) => None,
+            });
             let keys = std::iter::once(&person.id);
             let keys = keys.chain(&person.number).chain(&person.logins);
             keys.chain(signs).find_map(|key| self.times.get(key))

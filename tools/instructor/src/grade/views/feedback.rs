@@ -8,7 +8,7 @@ use zip::write::SimpleFileOptions;
 use super::report;
 use crate::grade::cache::ResultCache;
 use crate::grade::class::{Class, Row};
-use crate::grade::intake::names::PlatformName;
+use crate::grade::intake::names::{Platform, platform};
 use pinhole_course::error::{Error, Result, ResultExt};
 
 /// The archives for Canvas, for Moodle, and for other ways of sending.
@@ -20,10 +20,14 @@ pub type Archive = (&'static str, Option<Vec<u8>>);
 /// The archives by name.
 pub fn archives(class: &Class, cache: &ResultCache) -> Result<[Archive; 3]> {
     let [canvas, moodle, others] = NAMES;
+    let has_roster = class.roll.people.is_some();
     Ok([
-        (canvas, archive(class, cache, for_canvas)?),
-        (moodle, archive(class, cache, for_moodle)?),
-        (others, archive(class, cache, for_anybody)?),
+        (canvas, archive(class, cache, &for_canvas)?),
+        (moodle, archive(class, cache, &for_moodle)?),
+        (
+            others,
+            archive(class, cache, &|row| for_others(row, has_roster))?,
+        ),
     ])
 }
 
@@ -31,24 +35,28 @@ pub fn archives(class: &Class, cache: &ResultCache) -> Result<[Archive; 3]> {
 /// user uploaded, as the names from Canvas give them.
 fn for_canvas(row: &Row) -> Option<String> {
     let name = row.entry.given.last()?;
-    let platform = PlatformName::canvas(name).filter(|_| !row.is_shared)?;
-    let own = name.strip_suffix(platform.rest)?;
+    let given = platform(name).filter(|it| it.platform == Platform::Canvas && !row.is_shared)?;
+    let own = name.strip_suffix(given.rest)?;
     Some(format!("{own}report.html"))
 }
 
 /// Moodle's “Upload multiple feedback files in a zip”: folders as in its export.
 fn for_moodle(row: &Row) -> Option<String> {
     let names = row.entry.given.iter();
-    let mut names = names.filter_map(|name| PlatformName::moodle(name));
-    let PlatformName { person, number, .. } = names.next().filter(|_| !row.is_shared)?;
-    Some(format!(
-        "{person}_{number}_assignsubmission_file/report.html"
-    ))
+    let mut names = names.filter_map(|name| platform(name));
+    let name = names.find(|it| it.platform == Platform::Moodle && !row.is_shared)?;
+    let folder = name.submission;
+    Some(format!("{folder}_assignsubmission_file/report.html"))
 }
 
-/// For other ways of sending. Each report is named after the person's id.
-fn for_anybody(row: &Row) -> Option<String> {
-    let name = row.person.map_or(&row.entry.id, |person| &person.id);
+/// For sending in other ways: the report is named by the person's id. With a roster, what
+/// belongs to nobody is left out, because it may be called by somebody's id.
+fn for_others(row: &Row, has_roster: bool) -> Option<String> {
+    let name = match row.person {
+        Some(person) => &person.id,
+        None if has_roster => return None,
+        None => &row.entry.id,
+    };
     let is_plain = |c: char| c.is_alphanumeric() || "._-@".contains(c);
     let name = name.replace(|c| !is_plain(c), "_");
     Some(format!("{name}/report.html"))
@@ -57,7 +65,7 @@ fn for_anybody(row: &Row) -> Option<String> {
 fn archive(
     class: &Class,
     cache: &ResultCache,
-    name: fn(&Row) -> Option<String>,
+    name: &dyn Fn(&Row) -> Option<String>,
 ) -> Result<Option<Vec<u8>>> {
     let failed = Error::environment("cannot pack the reports", "free some memory");
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
@@ -79,4 +87,43 @@ fn archive(
     }
     let bytes = zip.finish().or_fail(&failed)?.into_inner();
     Ok((!is_empty).then_some(bytes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grade::intake::Entry;
+    use crate::grade::intake::matching::Proof;
+    use crate::grade::intake::roster::Person;
+
+    #[test]
+    fn an_upload_called_by_somebodys_id_does_not_get_their_report() {
+        let entry = Entry {
+            id: "7".into(),
+            name: "7.zip".into(),
+            given: Vec::new(),
+            signs: Vec::new(),
+            at_most: Proof::Name,
+            notes: Vec::new(),
+            doubts: Vec::new(),
+            unusable: Vec::new(),
+            submission: Err("not asked".into()),
+        };
+        let mut row = Row {
+            entry: &entry,
+            person: None,
+            record: None,
+            mark: None,
+            not_counted: None,
+            is_shared: false,
+        };
+        assert_eq!(for_others(&row, true), None);
+        assert_eq!(for_others(&row, false).as_deref(), Some("7/report.html"));
+        let ada = Person {
+            id: "ada".into(),
+            ..Person::default()
+        };
+        row.person = Some(&ada);
+        assert_eq!(for_others(&row, true).as_deref(), Some("ada/report.html"));
+    }
 }

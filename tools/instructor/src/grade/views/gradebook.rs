@@ -3,7 +3,7 @@
 
 use super::csv::Table;
 use crate::grade::class::{Class, Row};
-use crate::grade::intake::names::{PlatformName, platforms};
+use crate::grade::intake::names::{Platform, platform};
 use crate::grade::intake::roster::Person;
 use crate::grade::policy::mark::{Mark, number};
 
@@ -23,7 +23,7 @@ pub fn canvas(class: &Class) -> String {
         let login = person.logins.first().cloned().unwrap_or_default();
         table.line(&[
             person.name.clone(),
-            account(person, row, PlatformName::canvas),
+            account(person, row, Platform::Canvas),
             person.id.clone(),
             login,
             person.section.clone(),
@@ -46,7 +46,7 @@ pub fn moodle(class: &Class) -> String {
         "Feedback comments",
     ]);
     for (person, mark, row) in class.gradebook() {
-        let number_there = account(person, row, PlatformName::moodle);
+        let number_there = account(person, row, Platform::Moodle);
         let identifier = match number_there.is_empty() {
             true => String::new(),
             false => format!("Participant {number_there}"),
@@ -71,23 +71,12 @@ fn comments(mark: &Mark) -> String {
     changes.collect::<Vec<_>>().join("; ")
 }
 
-/// The platform's number for a person: from the roster, or from what was handed in.
-fn account(
-    person: &Person,
-    row: &Row,
-    of_platform: fn(&str) -> Option<PlatformName<'_>>,
-) -> String {
-    let is_own = row
-        .entry
-        .given
-        .iter()
-        .any(|name| !platforms(name).is_empty());
-    let named = row.entry.given.iter().find_map(|name| of_platform(name));
+/// The platform's number for a person: from what was handed in, or from the roster.
+fn account(person: &Person, row: &Row, of: Platform) -> String {
+    let names = row.entry.given.iter().filter_map(|name| platform(name));
     // The number in what was handed in is that of the person who uploaded it, not of the
     // others in the group.
-    let is_shared = row.is_shared;
-    let named = named
-        .filter(|_| is_own && !is_shared)
-        .map(|name| name.number.to_owned());
+    let mut names = names.filter(|name| name.platform == of && !row.is_shared);
+    let named = names.next().map(|name| name.number.to_owned());
     named.or(person.number.clone()).unwrap_or_default()
 }

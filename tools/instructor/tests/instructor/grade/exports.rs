@@ -30,8 +30,9 @@ fn put(folder: &Path, files: &[(String, Vec<u8>)]) {
 }
 
 /// A roster with semicolons and one byte per letter, as a spreadsheet in Germany writes it.
-const ROSTER: &str = "id;name;section\r\n1;Ada Lovelace;A\r\n2;Yu Yang;A\r\n3;Grace Hopper;A\r\n\
-    4;Zoë Müller;B\r\n5;Alan Turing;B\r\n6;Emmy Noether;B\r\n7;Gus Ghost;B\r\n";
+const ROSTER: &str = "id;name;section;github\r\n1;Ada Lovelace;A\r\n2;Yu Yang;A\r\n\
+    3;Grace Hopper;A\r\n4;Zoë Müller;B\r\n5;Alan Turing;B;alan-turing\r\n\
+    6;Emmy Noether;B\r\n7;Gus Ghost;B\r\n";
 
 #[test]
 fn a_class_from_four_places_is_matched_judged_and_summed_up() {

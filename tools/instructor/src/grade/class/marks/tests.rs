@@ -1,4 +1,5 @@
 use super::*;
+use crate::grade::intake::matching::Proof;
 use crate::grade::intake::names::Sign;
 use crate::grade::intake::placement;
 use crate::grade::policy::rules::Rules;
@@ -17,10 +18,8 @@ fn entry(id: &str, person: &str, given: &str) -> Entry {
         id: id.into(),
         name: id.into(),
         given: vec![given.into()],
-        signs: vec![Sign {
-            person: person.into(),
-            number: None,
-        }],
+        signs: vec![Sign::Plain(person.into())],
+        at_most: Proof::Id,
         notes: Vec::new(),
         doubts: Vec::new(),
         unusable: Vec::new(),
@@ -90,6 +89,25 @@ fn the_last_attempt_counts_or_the_best_and_each_person_has_one_mark() {
     let rows = rows(&untold, &records);
     assert_eq!(finals(&rows), []);
     assert!(rows.concerns[0].is_grave && rows.concerns[0].which == ["one and two"]);
+}
+
+#[test]
+fn without_a_policy_too_each_person_has_one_mark() {
+    let records = records(&[("one", 60), ("two", 65)]);
+    let of = |given: [&str; 2]| {
+        let entries = vec![entry("one", "ada", given[0]), entry("two", "ada", given[1])];
+        let mut roll = roll(entries, RULES, &[]);
+        roll.policy = None;
+        let rows = rows(&roll, &records);
+        (finals(&rows), rows.concerns)
+    };
+    let (marks, concerns) = of(["ada", "ada again"]);
+    assert_eq!(marks, []);
+    assert!(concerns[0].is_grave && concerns[0].which == ["one and two"]);
+    // Nothing is taken off without a policy, but the names say which is the last.
+    let (marks, concerns) = of([EARLY, LATE]);
+    assert_eq!(marks, [("ada".into(), "two".into(), 65.0)]);
+    assert_eq!(concerns[0].which, ["one and two (counts: two)"]);
 }
 
 #[test]

@@ -6,16 +6,14 @@ fn entry(name: &str) -> Entry {
     let platforms = names::platforms(name);
     let signs = match platforms.is_empty() {
         false => platforms.iter().map(|it| it.sign()).collect(),
-        true => vec![Sign {
-            person: name.into(),
-            number: None,
-        }],
+        true => vec![Sign::Plain(name.into())],
     };
     Entry {
         given: Vec::new(),
         id: name.into(),
         name: name.into(),
         signs,
+        at_most: Proof::Id,
         notes: Vec::new(),
         doubts: Vec::new(),
         unusable: Vec::new(),
@@ -67,7 +65,7 @@ fn names_of_platforms_and_plain_ones_find_their_people() {
     is("Ada Lovelace_777_assignsubmission_file_", "s1");
     is("s1", "s1");
     is("homework_s2", "s2");
-    is("hw1-ada-lovelace", "s1");
+    is("Ada Lovelace", "s1");
     is("hw1-ghopper", "s2");
     is("ghopper@uni.example", "s2");
 }
@@ -129,6 +127,21 @@ fn file_name_chosen_by_the_uploader_is_not_trusted() {
 }
 
 #[test]
+fn what_people_choose_themselves_is_listed_and_yields_to_what_they_do_not() {
+    let named = "lovelaceada_13_502_hw.zip";
+    let placed = place(&entries(&[named, "s2", "s3"]), Some(&people()));
+    assert_eq!(placed.of[named].id, "s1");
+    assert_eq!(placed.by_name, [named]);
+    let placed = place(&entries(&[named, "s1"]), Some(&people()));
+    assert_eq!(placed.of.len(), 1);
+    assert_eq!(placed.of["s1"].id, "s1");
+    assert!(placed.ambiguous.contains_key(named), "{placed:?}");
+    // A name among other words proves nothing: it may be a login.
+    let placed = place(&entries(&["hw1-ada-lovelace"]), Some(&people()));
+    assert!(placed.ambiguous.contains_key("hw1-ada-lovelace") && placed.of.is_empty());
+}
+
+#[test]
 fn a_number_that_happens_to_be_another_persons_id_contradicts_the_name() {
     let name = "lovelaceada_20239999_501_a.zip";
     let placed = place(&entries(&[name]), Some(&people()));
@@ -141,7 +154,7 @@ fn a_number_that_happens_to_be_another_persons_id_contradicts_the_name() {
 
 #[test]
 fn several_submissions_by_one_person_are_all_listed() {
-    let plain = ["s1", "Ada Lovelace_7_assignsubmission_file"];
+    let plain = ["s1", "Ada Lovelace"];
     let placed = place(&entries(&plain), Some(&people()));
     assert!(placed.superseded.is_empty());
     assert_eq!(placed.several.len(), 1);

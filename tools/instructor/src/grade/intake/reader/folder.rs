@@ -5,7 +5,9 @@ use std::fs::File;
 use std::io;
 use std::path::Path;
 
-use super::{Content, MOST_FOLDERS, Reader, UnreadFile, is_skipped};
+use super::file_names::is_skipped;
+use super::unpack::UnreadFile;
+use super::{Content, MOST_FOLDERS, Reader};
 
 /// Reads the folder at a path. The path itself may be a link, because the lecturer chose it.
 pub fn read(reader: &mut Reader, path: &Path) -> io::Result<()> {

@@ -8,38 +8,49 @@ use pinhole_course::submission::archive::plain_path;
 use pinhole_course::submission::text;
 use tar::{Archive, EntryType, PaxExtensions};
 
-use super::{Reader, Trouble, UnreadFile, is_skipped, joined};
-
-/// The most bytes that are unpacked, because a few bytes of `gzip` can hold very many.
-const MOST_UNPACKED: u64 = 4 << 30;
-
-/// The longest name.
-const MOST_NAME: u64 = 64 << 10;
+use super::limits::{Limited, TOO_SLOW};
+use super::unpack::{Trouble, UnreadFile};
+use super::{MOST_NAME, Reader};
 
 /// Whether a file begins as `tar` archives do.
 pub fn begins(start: &[u8]) -> bool {
     start.get(257..262) == Some(b"ustar")
 }
 
-/// Reads the files that matter; says why, if the archive is refused.
-pub fn read(reader: &mut Reader, file: File, path: &[String], depth: usize) -> Result<(), String> {
+/// Reads the files that matter.
+pub fn read(reader: &mut Reader, file: File, path: &[String], depth: usize) -> Result<(), Trouble> {
+    let limits = reader.limits(path);
+    walk(reader, file, path, depth).map_err(|why| match limits.is_late() {
+        true => Trouble::Unreadable(TOO_SLOW.into()),
+        false => Trouble::Refused(why),
+    })
+}
+
+fn walk(reader: &mut Reader, file: File, path: &[String], depth: usize) -> Result<(), String> {
     let mut file = BufReader::new(file);
     let start = io::BufRead::fill_buf(&mut file).map_err(|error| error.to_string())?;
     let unpacked: Box<dyn Read> = match start.starts_with(b"\x1f\x8b") {
         true => Box::new(MultiGzDecoder::new(file)),
         false => Box::new(file),
     };
+    let unpacked = Limited {
+        inner: unpacked,
+        limits: reader.limits(path),
+        of: |it| &it.passed,
+    };
     let spoilt = |error: io::Error| format!("its contents make no sense ({error})");
-    let mut archive = Archive::new(unpacked.take(MOST_UNPACKED));
+    let mut archive = Archive::new(unpacked);
     let entries = archive.entries().map_err(spoilt)?;
     let mut long_name: Option<Vec<u8>> = None;
-    // Read raw entries, because otherwise a name of any length would be read into memory.
+    // Read raw entries; otherwise a name of any length would be read into memory.
     for entry in entries.raw(true) {
         let mut entry = entry.map_err(spoilt)?;
         let kind = entry.header().entry_type();
         if kind == EntryType::GNULongName || kind == EntryType::XHeader {
             let mut bytes = Vec::new();
-            let read = (&mut entry).take(MOST_NAME).read_to_end(&mut bytes);
+            let read = (&mut entry)
+                .take(2 * MOST_NAME as u64)
+                .read_to_end(&mut bytes);
             read.map_err(spoilt)?;
             match kind {
                 EntryType::GNULongName => {
@@ -57,10 +68,9 @@ pub fn read(reader: &mut Reader, file: File, path: &[String], depth: usize) -> R
             continue;
         }
         let inside = plain_path(&name).map_err(|why| format!("{name:?} {why}"))?;
-        let inside = joined(path, &inside);
-        if is_skipped(&inside, path.len()) || !reader.may_go_on(&inside) {
+        let Some(inside) = reader.enter(path, &inside) else {
             continue;
-        }
+        };
         if !kind.is_file() || !reader.wants(&inside) {
             reader.pass(&inside, kind.is_file());
             continue;

@@ -1,6 +1,7 @@
 //! Attacks by uploaders: names, links and archives that target other people's marks.
 
 use super::*;
+use crate::grade::intake::placement::Placement;
 
 #[test]
 fn an_archive_with_other_peoples_names_is_one_submission() {
@@ -16,7 +17,11 @@ fn an_archive_with_other_peoples_names_is_one_submission() {
     assert_eq!(text(&intake, 0, "sphere"), "// sphere by ada");
     assert_eq!(text(&intake, 1, "sphere"), "// sphere by mallory");
     let intake = export.find("class/malletmallory_13_502_hw1.zip");
-    assert_eq!(intake.entries[0].signs[0].number.as_deref(), Some("13"));
+    let sign = &intake.entries[0].signs[0];
+    assert!(
+        matches!(sign, Sign::Account { number, .. } if number == "13"),
+        "{sign:?}"
+    );
 }
 
 #[test]
@@ -114,6 +119,200 @@ fn every_submission_is_in_exactly_one_shard() {
     assert_eq!(shared, all);
 }
 
+/// What was found at these paths, and whose it is by this roster.
+fn placed(export: &Export, names: &[&str], list: &str) -> (Intake, Placement) {
+    export.put("roster.csv", list.as_bytes());
+    let people = roster::read(&export.path("roster.csv")).expect("it is a roster");
+    let paths: Vec<PathBuf> = names.iter().map(|name| export.path(name)).collect();
+    let intake = find(&paths, &assignment(), Some(&people)).expect("it can be read");
+    let placed = placement::place(&intake.entries, Some(&people));
+    (intake, placed)
+}
+
+/// The answers of everything that belongs to a person.
+#[track_caller]
+fn all_of(found: &(Intake, Placement), id: &str) -> Vec<String> {
+    let (intake, placed) = found;
+    let is_theirs = |entry: &&Entry| placed.of.get(&entry.id).is_some_and(|it| it.id == id);
+    let own = intake.entries.iter().filter(is_theirs);
+    own.map(|entry| {
+        let submission = entry.submission.as_ref().expect("it can be read");
+        let answer = submission.answer("sphere").expect("it is a task");
+        answer.text.clone().expect("it is there")
+    })
+    .collect()
+}
+
+#[test]
+fn blackboard_names_the_person_before_the_attempt_and_the_uploader_what_follows() {
+    let export = Export::new();
+    let ada = zip(&answers("", "ada"));
+    export.put("class/HW1_al1_attempt_2026-11-20-20-00-00_hw.zip", &ada);
+    let name = "class/HW1_mm1_attempt_2026-11-20-21-00-00_Ada Lovelace.zip";
+    export.put(name, &zip(&answers("", "mallory")));
+    let found = placed(&export, &["class"], "id,name,login\n1,Ada Lovelace,al1\n");
+    assert_eq!(all_of(&found, "1"), ["// sphere by ada"], "{:#?}", found.1);
+    assert_eq!(found.1.unknown.len(), 1, "{:#?}", found.1);
+    // A login that ends with another person's login is not that person's.
+    export.put(
+        "class/HW1_x_al1_attempt_2026-11-20-22-00-00_hw.zip",
+        &zip(&answers("", "mallory")),
+    );
+    let found = placed(&export, &["class"], "id,name,login\n1,Ada Lovelace,al1\n");
+    assert_eq!(all_of(&found, "1"), ["// sphere by ada"], "{:#?}", found.1);
+    // Without logins on the roster, nobody is guessed.
+    let found = placed(&export, &["class"], "id,name\n1,Ada Lovelace\n");
+    assert!(found.1.of.is_empty(), "{:#?}", found.1);
+}
+
+#[test]
+fn brightspace_names_the_person_before_the_date_and_the_uploader_what_follows() {
+    let export = Export::new();
+    let ada = "class/11-22 - Ada Lovelace - Nov 20, 2026 1207 AM - hw1.zip";
+    export.put(ada, &zip(&answers("", "ada")));
+    let mallory = "class/11-23 - Mallory Mann - Nov 20, 2026 1100 PM - Ada Lovelace.zip";
+    export.put(mallory, &zip(&answers("", "mallory")));
+    let found = placed(&export, &["class"], "id,name\n1,Ada Lovelace\n");
+    assert_eq!(all_of(&found, "1"), ["// sphere by ada"], "{:#?}", found.1);
+}
+
+#[test]
+fn a_login_that_looks_like_somebodys_name_proves_nothing() {
+    let export = Export::new();
+    export.put_all("class/homework1-countess", answers("", "ada"));
+    export.put_all("class/homework1-lovelace-ada", answers("", "mallory"));
+    // The end of this login is Ada's whole login.
+    export.put_all("class/homework1-x-countess", answers("", "mallory"));
+    let list = "id,name,github\n1,Ada Lovelace,countess\n";
+    let found = placed(&export, &["class"], list);
+    assert_eq!(all_of(&found, "1"), ["// sphere by ada"], "{:#?}", found.1);
+    // A login may also be chosen to equal somebody's id, or a login elsewhere.
+    let export = Export::new();
+    export.put_all("class/homework1-al1", answers("", "mallory"));
+    export.put_all("class/homework1-countess", answers("", "ada"));
+    let list = "id,name,login,github\n1,Ada Lovelace,al1,countess\n";
+    let found = placed(&export, &["class"], list);
+    assert_eq!(all_of(&found, "1"), ["// sphere by ada"], "{:#?}", found.1);
+}
+
+#[test]
+fn a_class_never_becomes_one_submission_silently() {
+    let export = Export::new();
+    for (class, place) in [
+        ("one", "handout/src/"),
+        ("two", "assignments/x/handout/src/"),
+        ("three", "src/"),
+        ("four", ""),
+    ] {
+        export.put_all(class, answers(place, "mallory"));
+        export.put_all(&format!("{class}/ada"), answers("", "ada"));
+        export.put(&format!("{class}/bob.zip"), &zip(&answers("src/", "bob")));
+        let intake = export.find(class);
+        let of = |name: &str| intake.entries.iter().position(|entry| entry.name == name);
+        let [Some(ada), Some(bob)] = ["ada", "bob.zip"].map(of) else {
+            panic!("{class}: {intake:#?}");
+        };
+        assert_eq!(text(&intake, ada, "sphere"), "// sphere by ada");
+        assert_eq!(text(&intake, bob, "sphere"), "// sphere by bob");
+        // With one other folder, it may as well be somebody's own copy.
+        fs::remove_file(export.path(&format!("{class}/bob.zip"))).expect("it was there");
+        let intake = export.find(class);
+        let told = intake.entries.iter().any(|entry| !entry.doubts.is_empty());
+        assert!(told || intake.entries.len() > 1, "{class}: {intake:#?}");
+    }
+    // In an archive too, nobody's files are left out silently.
+    let both = [
+        answers("ada/handout/src/", "ada"),
+        answers("bob/src/", "bob"),
+    ]
+    .concat();
+    export.put("class.zip", &zip(&both));
+    let intake = export.find("class.zip");
+    assert!(!intake.entries[0].doubts.is_empty(), "{intake:#?}");
+}
+
+#[test]
+fn an_upload_among_others_does_not_bring_other_peoples_submissions() {
+    let list = "id,name,number\n1,Ada Lovelace,11\n";
+    for inside in ["lovelaceada_11_999_hw/", "Ada Lovelace/"] {
+        let export = Export::new();
+        export.put("ada lovelace.zip", &zip(&answers("", "ada")));
+        export.put("my homework.zip", &zip(&answers(inside, "mallory")));
+        let found = placed(&export, &["ada lovelace.zip", "my homework.zip"], list);
+        assert_eq!(all_of(&found, "1"), ["// sphere by ada"], "{:#?}", found.1);
+        let told = found.0.entries.iter().any(|entry| !entry.doubts.is_empty());
+        assert!(told, "{:#?}", found.0);
+    }
+}
+
+#[test]
+fn long_names_in_an_archive_take_little_memory() {
+    let export = Export::new();
+    let name = format!("{}plane.rs", "a/".repeat(32_000));
+    let files: Files = (0..100).map(|_| (name.clone(), Vec::new())).collect();
+    let short: Files = (0..90_000)
+        .map(|_| ("x/plane.rs".into(), Vec::new()))
+        .collect();
+    for files in [files, short] {
+        export.put("class/mallory.tar.gz", &tar_gz(&files));
+        let path = export.path("class");
+        let found = reader::read(&path, &|name| name == "plane.rs").expect("it is there");
+        let parts: usize = found.iter().map(|it| 64 * it.path.len()).sum();
+        assert!(parts < 17 << 20, "{parts}");
+        let intake = export.find("class");
+        assert_eq!(intake.entries.len(), 1);
+        let one = &intake.entries[0];
+        let told = [&one.unusable[..], &one.doubts].concat().join("; ");
+        assert!(told.contains("it holds"), "{told}");
+    }
+}
+
+/// A ZIP file of `count` files that share one member of 256 MiB of zeros.
+fn shared_zeros(count: u16) -> Vec<u8> {
+    use std::io::Write;
+    let (mut packed, mut sum) = (
+        flate2::write::DeflateEncoder::new(Vec::new(), flate2::Compression::best()),
+        flate2::Crc::new(),
+    );
+    let zeros = vec![0; 1 << 20];
+    for _ in 0..256 {
+        packed.write_all(&zeros).expect("memory can be written");
+        sum.update(&zeros);
+    }
+    let packed = packed.finish().expect("it ends");
+    let common = [
+        &[20, 0, 0, 0, 8, 0, 0, 0, 0x21, 0][..],
+        &sum.sum().to_le_bytes(),
+        &(packed.len() as u32).to_le_bytes(),
+        &(256u32 << 20).to_le_bytes(),
+        &[9, 0, 0, 0],
+    ]
+    .concat();
+    let mut file = [b"PK\x03\x04", &common[..], b"x0000.zip", &packed].concat();
+    let start = file.len() as u32;
+    for k in 0..count {
+        let name = format!("x{k:04}.zip");
+        file.extend([b"PK\x01\x02\x14\0", &common[..], &[0; 14], name.as_bytes()].concat());
+    }
+    let size = file.len() as u32 - start;
+    file.extend(b"PK\x05\x06\0\0\0\0");
+    file.extend([count, count].map(u16::to_le_bytes).concat());
+    file.extend([size, start].map(u32::to_le_bytes).concat());
+    file.extend([0, 0]);
+    file
+}
+
+#[test]
+fn files_that_share_their_bytes_are_limited_together() {
+    let export = Export::new();
+    export.put("class/mallory.zip", &shared_zeros(20));
+    export.put("class/ada.zip", &zip(&answers("", "ada")));
+    let intake = export.find("class");
+    let told = intake.entries[1].unusable.join("; ");
+    assert!(told.contains("unpacks to more than 1 GiB"), "{told}");
+    assert_eq!(intake.entries[0].unusable, Vec::<String>::new());
+}
+
 #[test]
 fn no_name_harms_its_readers() {
     let words = [
@@ -161,8 +360,8 @@ fn no_name_harms_its_readers() {
         for meant in names::platforms(&name) {
             assert!(name.contains(meant.rest), "{name:?}");
         }
-        names::task_of(&name, &assignment);
-        assert!(name.starts_with(reader::stem(&name)), "{name:?}");
+        task_names::task_of(&name, &assignment);
+        assert!(name.starts_with(file_names::stem(&name)), "{name:?}");
         let id = plain(&name);
         let is_plain = |c: char| c.is_ascii_alphanumeric() || "._-".contains(c);
         assert!(

@@ -1,0 +1,177 @@
+//! Compares names, logins and numbers with those of people on the roster.
+
+use serde::{Deserialize, Serialize};
+use unicode_normalization::UnicodeNormalization;
+use unicode_normalization::char::is_combining_mark;
+
+use super::names::Sign;
+use super::roster::Person;
+
+/// The letters and digits of a text in lower case, with accents composed.
+fn folded(text: &str) -> String {
+    let composed: String = text.nfc().collect();
+    let kept = composed.chars().filter(|c| c.is_alphanumeric());
+    kept.flat_map(char::to_lowercase).collect()
+}
+
+/// The letters and digits of a text in lower case, without accents.
+fn unaccented(text: &str) -> String {
+    let letters: String = text.nfkd().filter(|c| !is_combining_mark(*c)).collect();
+    folded(&letters)
+}
+
+/// The ways to write a name in one word, with the last name first or last.
+fn turned(name: &str, fold: &dyn Fn(&str) -> String) -> Vec<String> {
+    let words: Vec<String> = name
+        .split(|c: char| c.is_whitespace() || c == ',')
+        .map(fold)
+        .filter(|word| !word.is_empty())
+        .collect();
+    let turned = |k: usize| [&words[k..], &words[..k]].concat().concat();
+    (0..words.len()).map(turned).collect()
+}
+
+/// The people of this name. Platforms keep accents, drop them, or drop letters that have one.
+fn named<'a>(name: &str, people: &'a [Person]) -> Vec<&'a Person> {
+    let ascii = |text: &str| -> String { folded(text).chars().filter(char::is_ascii).collect() };
+    let folds: [&dyn Fn(&str) -> String; 3] = [&folded, &unaccented, &ascii];
+    let found = folds.iter().map(|fold| {
+        let person = match fold(name) {
+            person if person.is_empty() => return Vec::new(),
+            person => person,
+        };
+        let is = |other: &&Person| turned(&other.name, fold).contains(&person);
+        people.iter().filter(is).collect::<Vec<_>>()
+    });
+    found
+        .into_iter()
+        .find(|found| !found.is_empty())
+        .unwrap_or_default()
+}
+
+/// How much says whose a submission is.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Proof {
+    /// It may be somebody's.
+    Hint,
+    /// A name or a login that people may have chosen themselves.
+    Name,
+    /// A number or a login that the platform gave, or a name that the instructor gave.
+    #[default]
+    Id,
+}
+
+/// The people with this id or login.
+fn with_id<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
+    let id = folded(id);
+    let is = |other: &&Person| {
+        let whole = other.logins.iter().map(String::as_str);
+        let local = whole.clone().filter_map(|login| login.split('@').next());
+        let github = other.github.as_deref();
+        let mut all = whole.chain(local).chain(github).chain([other.id.as_str()]);
+        !id.is_empty() && all.any(|it| folded(it) == id)
+    };
+    people.iter().filter(is).collect()
+}
+
+/// Whether a name may be somebody's.
+pub fn is_somebody(name: &str, people: &[Person]) -> bool {
+    !meant(&Sign::Plain(name.into()), people).1.is_empty()
+}
+
+/// The people of a text that ends with a title and a login, and the title. Whether the title
+/// is the assignment's is not known here.
+pub fn titled<'a, 't>(sign: &'t Sign, people: &'a [Person]) -> Vec<(&'t str, &'a Person)> {
+    let (text, between, is) = match sign {
+        Sign::Login(text) => (text, '_', has_login as fn(&Person, &str) -> bool),
+        Sign::Plain(text) => (text, '-', has_github as fn(&Person, &str) -> bool),
+        Sign::Account { .. } => return Vec::new(),
+    };
+    let ends = text.match_indices(between).map(|(at, _)| at + 1);
+    let of = |at: usize| {
+        let own = people.iter().filter(move |person| is(person, &text[at..]));
+        own.map(move |person| (&text[..at], person))
+    };
+    ends.flat_map(of).collect()
+}
+
+fn has_login(person: &Person, login: &str) -> bool {
+    let whole = person.logins.iter().map(String::as_str);
+    let local = whole.clone().filter_map(|login| login.split('@').next());
+    let mut all = whole.chain(local).chain([person.id.as_str()]);
+    all.any(|own| own.eq_ignore_ascii_case(login))
+}
+
+fn has_github(person: &Person, login: &str) -> bool {
+    let own = person.github.as_deref();
+    own.is_some_and(|own| own.eq_ignore_ascii_case(login))
+}
+
+/// The people whose name is among a text's words, as in `homework1-adalovelace`, or who have
+/// one of the words as id.
+fn among_words<'a>(text: &str, people: &'a [Person], is: Among) -> Vec<&'a Person> {
+    let words: Vec<String> = text
+        .split(|c: char| !c.is_alphanumeric() && !is_combining_mark(c))
+        .map(folded)
+        .filter(|word| !word.is_empty())
+        .collect();
+    let runs = || (0..words.len()).flat_map(|k| (k..words.len()).map(move |end| (k, end)));
+    let is_there = |other: &&Person| match is {
+        Among::Ids => {
+            let alone = std::slice::from_ref(*other);
+            words.iter().any(|word| !with_id(word, alone).is_empty())
+        }
+        Among::Names if other.name.split_whitespace().count() < 2 => false,
+        Among::Names => {
+            let names = turned(&other.name, &folded);
+            runs().any(|(k, end)| names.contains(&words[k..=end].concat()))
+        }
+    };
+    people.iter().filter(is_there).collect()
+}
+
+enum Among {
+    Ids,
+    Names,
+}
+
+/// The people that a sign may mean, and how much it proves if it is one.
+pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) {
+    let owners = || titled(sign, people).into_iter().map(|(_, person)| person);
+    match sign {
+        Sign::Login(_) => (Proof::Id, owners().collect()),
+        Sign::Account { number, name } => account(number, name, people),
+        Sign::Plain(name) => {
+            let found = [
+                (Proof::Id, with_id(name, people)),
+                (Proof::Id, named(name, people)),
+                (Proof::Id, owners().collect()),
+                (Proof::Name, among_words(name, people, Among::Ids)),
+                (Proof::Hint, among_words(name, people, Among::Names)),
+            ];
+            let mut found = found.into_iter().filter(|(_, found)| !found.is_empty());
+            found.next().unwrap_or((Proof::Hint, Vec::new()))
+        }
+    }
+}
+
+/// The people that an account may belong to. The platform's number decides, because people
+/// may change their names.
+fn account<'a>(number: &str, name: &str, people: &'a [Person]) -> (Proof, Vec<&'a Person>) {
+    let own = |other: &&Person| other.number.as_deref() == Some(number);
+    if let Some(person) = people.iter().find(own) {
+        return (Proof::Id, vec![person]);
+    }
+    let mut by_name = named(name, people);
+    by_name.extend(with_id(name, people));
+    by_name.retain(|other| other.number.is_none());
+    // A number in a name may equal somebody else's id by chance.
+    let is_id = |other: &&Person| other.number.is_none() && other.id == number;
+    let by_id: Vec<&Person> = people.iter().filter(is_id).collect();
+    let agrees = |other: &&Person| by_id.is_empty() || by_id.contains(other);
+    match by_name.iter().copied().filter(agrees).collect::<Vec<_>>() {
+        both if both.is_empty() => (Proof::Hint, [by_name, by_id].concat()),
+        both => (Proof::Name, both),
+    }
+}

@@ -1,0 +1,42 @@
+//! Recognises archives, and files that are left out, by their names.
+
+/// The ends of archives' names; only those in the first list are opened.
+const OPENED: [&str; 4] = [".zip", ".tar", ".tgz", ".tar.gz"];
+const CLOSED: [&str; 7] = [".rar", ".7z", ".xz", ".txz", ".bz2", ".zst", ".gz"];
+
+fn ends(name: &str, ends: &[&str]) -> bool {
+    let name = name.to_lowercase();
+    ends.iter().any(|end| name.ends_with(end))
+}
+
+/// Whether a name is that of an archive that is unpacked.
+pub fn is_opened(name: &str) -> bool {
+    ends(name, &OPENED)
+}
+
+/// Whether a name is an archive's.
+pub fn is_archive(name: &str) -> bool {
+    is_opened(name) || ends(name, &CLOSED)
+}
+
+/// A name without an archive's end.
+pub fn stem(name: &str) -> &str {
+    let mut found = OPENED.iter().filter(|end| ends(name, &[*end]));
+    let end = found.next_back().map_or(0, |end| end.len());
+    name.get(..name.len() - end).unwrap_or(name)
+}
+
+/// Whether a path, after its first `from` parts, goes through a folder made by a program: by
+/// version control, a build, or the operating system. Such a folder holds no answers.
+pub fn is_skipped(path: &[String], from: usize) -> bool {
+    let is_inside = path.len() > 1;
+    path[from.min(path.len())..]
+        .iter()
+        .any(|name| is_litter(name) || is_inside && (name.starts_with('.') || name == "target"))
+}
+
+/// Whether this is a file that operating systems leave in every folder.
+fn is_litter(name: &str) -> bool {
+    let litter = ["__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini"];
+    litter.contains(&name) || name.starts_with("._")
+}

@@ -1,0 +1,140 @@
+//! Bounds what is read of one submission. Archives may hold far more than their length tells:
+//! `gzip` packs well, and files in a ZIP file may share their bytes.
+
+use std::cell::Cell;
+use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::rc::Rc;
+use std::time::{Duration, Instant};
+
+use super::Found;
+
+/// How much of one submission is read, or of a whole archive. Everything that is read counts
+/// for its submission and for the archive around all.
+pub struct Limits {
+    /// Bytes of what is kept: answers, and the paths of all that is listed.
+    pub kept: Limit,
+    /// Bytes of archives and answers that are unpacked one by one.
+    pub unpacked: Limit,
+    /// Bytes that are read of archives to look for answers.
+    pub passed: Limit,
+    /// How many files are looked at.
+    pub files: Limit,
+    until: Option<Instant>,
+    whole: Option<Rc<Limits>>,
+}
+
+/// What is left of an amount, and the amount in words.
+pub struct Limit {
+    left: Cell<u64>,
+    said: &'static str,
+}
+
+impl Limit {
+    fn new(most: u64, said: &'static str) -> Limit {
+        let left = Cell::new(most);
+        Limit { left, said }
+    }
+
+    /// Spends some of it, if that much is left; otherwise, all of it.
+    fn spend(&self, amount: u64) -> Result<(), &'static str> {
+        let left = self.left.get().checked_sub(amount);
+        self.left.set(left.unwrap_or(0));
+        left.map(drop).ok_or(self.said)
+    }
+}
+
+/// Nobody's archive takes longer, even on a slow disk.
+const MOST_TIME: Duration = Duration::from_secs(60);
+pub const TOO_SLOW: &str = "reading it takes longer than a minute";
+
+impl Limits {
+    /// The limits of an archive of this length that may hold a whole class.
+    pub fn of_archive(length: u64) -> Limits {
+        let more = length.saturating_mul(20);
+        Limits {
+            kept: Limit::new((64 << 20) + more, "it holds more answer files than a class"),
+            unpacked: Limit::new((1 << 30) + more, "it unpacks to 20 times its length"),
+            passed: Limit::new((4 << 30) + more, "it unpacks to 20 times its length"),
+            files: Limit::new(u64::MAX, ""),
+            until: None,
+            whole: None,
+        }
+    }
+
+    /// The limits of one submission, in an archive or not.
+    pub fn of_one(whole: Option<Rc<Limits>>) -> Limits {
+        let answers = "it holds more answer files than anybody needs";
+        Limits {
+            kept: Limit::new(16 << 20, answers),
+            unpacked: Limit::new(1 << 30, "it unpacks to more than 1 GiB"),
+            passed: Limit::new(4 << 30, "it takes reading more than 4 GiB"),
+            files: Limit::new(100_000, "it holds more than 100000 files"),
+            until: Some(Instant::now() + MOST_TIME),
+            whole,
+        }
+    }
+
+    /// Spends a part of one limit, here and of the archive around; says why, if it can't be.
+    pub fn spend(&self, of: fn(&Limits) -> &Limit, amount: u64) -> Result<(), &'static str> {
+        if self.is_late() {
+            return Err(TOO_SLOW);
+        }
+        of(self).spend(amount)?;
+        match &self.whole {
+            Some(whole) => whole.spend(of, amount),
+            None => Ok(()),
+        }
+    }
+
+    pub fn is_late(&self) -> bool {
+        self.until.is_some_and(|until| Instant::now() > until)
+    }
+}
+
+/// What a found file costs: its path and its text.
+pub fn cost(found: &Found) -> u64 {
+    let path = found.path.iter().map(|part| part.len() + 64).sum::<usize>();
+    let text = match &found.content {
+        super::Content::Answer { text: Ok(text), .. } => text.len(),
+        _ => 0,
+    };
+    (path + text) as u64
+}
+
+/// A reader or writer that counts what goes through it, and stops at a limit.
+pub struct Limited<T> {
+    pub inner: T,
+    pub limits: Rc<Limits>,
+    pub of: fn(&Limits) -> &Limit,
+}
+
+impl<T> Limited<T> {
+    fn spend(&self, amount: usize) -> io::Result<()> {
+        let spent = self.limits.spend(self.of, amount as u64);
+        spent.map_err(io::Error::other)
+    }
+}
+
+impl<T: Read> Read for Limited<T> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let read = self.inner.read(buffer)?;
+        self.spend(read).map(|()| read)
+    }
+}
+
+impl<T: Seek> Seek for Limited<T> {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.inner.seek(to)
+    }
+}
+
+impl<T: Write> Write for Limited<T> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.spend(bytes.len())?;
+        self.inner.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.inner.flush()
+    }
+}

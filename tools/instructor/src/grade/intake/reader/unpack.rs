@@ -1,0 +1,166 @@
+//! Reads answers, and unpacks archives to find them.
+
+use std::fs::File;
+use std::io::{self, Read, Seek, Write};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::rc::Rc;
+
+use encoding_rs::{Encoding, UTF_8};
+
+use super::file_names::is_opened;
+use super::limits::{self, Limited, Limits};
+use super::{Content, Reader, tarball, zipped};
+use pinhole_course::submission::Unusable;
+use pinhole_course::submission::text::{self, MOST_BYTES, Text};
+
+/// How deep archives may be nested in archives.
+const MOST_ARCHIVES: usize = 3;
+
+/// Why something was not read.
+pub enum Trouble {
+    /// It is the author's fault.
+    Refused(String),
+    /// It is the machine's.
+    Unreadable(String),
+}
+
+/// A file that is not read yet.
+pub enum UnreadFile<'a> {
+    File(File),
+    /// A function that writes as many of its first bytes as the caller asks for.
+    Packed(&'a mut dyn FnMut(u64, &mut dyn Write) -> Result<(), Trouble>),
+}
+
+impl Reader<'_> {
+    /// Reads a file whose content matters, `depth` archives deep.
+    pub fn file(&mut self, path: &[String], depth: usize, unread: UnreadFile) {
+        let content = match self.names_answer(path) {
+            true => self.answer(path, unread),
+            false => match self.packed(path, depth, unread) {
+                Ok(()) => return,
+                Err(trouble) => trouble.into(),
+            },
+        };
+        self.keep(path, content);
+    }
+
+    fn answer(&mut self, path: &[String], unread: UnreadFile) -> Content {
+        let mut bytes = Vec::new();
+        let (text, note) = match unread.copy(MOST_BYTES + 1, &mut bytes, self.limits(path)) {
+            Ok(()) => decoded(bytes),
+            Err(Trouble::Refused(why)) => (Err(Unusable::Refused(why)), None),
+            Err(trouble) => return trouble.into(),
+        };
+        Content::Answer { text, note }
+    }
+
+    fn packed(&mut self, path: &[String], depth: usize, unread: UnreadFile) -> Result<(), Trouble> {
+        let name = path.last().map(String::as_str).unwrap_or_default();
+        if !is_opened(name) {
+            return Err(Trouble::Refused(
+                "archives of this kind are not unpacked: ask for a ZIP file".into(),
+            ));
+        }
+        if depth >= MOST_ARCHIVES {
+            return Err(Trouble::Refused("it is nested in too many archives".into()));
+        }
+        let file = match unread {
+            UnreadFile::File(file) => file,
+            packed => {
+                let mut file = tempfile::tempfile().map_err(no_room)?;
+                packed.copy(u64::MAX >> 1, &mut file, self.limits(path))?;
+                file
+            }
+        };
+        if path.len() == 1 {
+            self.keep(path, Content::Folder);
+        }
+        self.archive(file, path, depth + 1);
+        Ok(())
+    }
+
+    /// Reads the files of an archive. Its format is recognised by its content and not by its
+    /// name. An archive that is made to harm its reader must not end the grading of a class.
+    pub fn archive(&mut self, file: File, path: &[String], depth: usize) {
+        let opened = catch_unwind(AssertUnwindSafe(|| self.open(file, path, depth)));
+        let trouble = match opened {
+            Ok(Ok(())) => return,
+            Ok(Err(trouble)) => trouble,
+            Err(_) => {
+                Trouble::Unreadable("the grader itself failed to read it; please report it".into())
+            }
+        };
+        self.keep(path, trouble.into());
+    }
+
+    fn open(&mut self, mut file: File, path: &[String], depth: usize) -> Result<(), Trouble> {
+        let unreadable =
+            |error: io::Error| Trouble::Unreadable(format!("it cannot be read ({error})"));
+        if !file.metadata().map_err(unreadable)?.is_file() {
+            return Err(Trouble::Refused(
+                "it is neither a folder nor a regular file".into(),
+            ));
+        }
+        let mut start = Vec::new();
+        file.rewind()
+            .and_then(|()| (&mut file).take(512).read_to_end(&mut start))
+            .and_then(|_| file.rewind())
+            .map_err(unreadable)?;
+        if start.starts_with(b"\x1f\x8b") || tarball::begins(&start) {
+            return tarball::read(self, file, path, depth);
+        }
+        zipped::read(self, file, path, depth)
+    }
+}
+
+impl UnreadFile<'_> {
+    fn copy(self, most: u64, to: &mut dyn Write, limits: Rc<Limits>) -> Result<(), Trouble> {
+        let mut to = Limited {
+            inner: to,
+            limits: limits.clone(),
+            of: |it| &it.unpacked,
+        };
+        let copied = match self {
+            UnreadFile::Packed(copy) => copy(most, &mut to),
+            UnreadFile::File(file) => match io::copy(&mut file.take(most), &mut to) {
+                Ok(_) => Ok(()),
+                Err(error) => Err(Trouble::Unreadable(format!("it cannot be read ({error})"))),
+            },
+        };
+        copied.map_err(|trouble| match limits.is_late() {
+            true => Trouble::Unreadable(limits::TOO_SLOW.into()),
+            false => trouble,
+        })
+    }
+}
+
+impl From<Trouble> for Content {
+    fn from(trouble: Trouble) -> Content {
+        match trouble {
+            Trouble::Refused(why) => Content::Refused(why),
+            Trouble::Unreadable(why) => Content::Unreadable(why),
+        }
+    }
+}
+
+fn no_room(error: io::Error) -> Trouble {
+    Trouble::Unreadable(format!("there is no room to unpack it ({error})"))
+}
+
+/// Text in UTF-8, as compilers read it. Text in UTF-16 is converted if it begins with a byte
+/// order mark.
+fn decoded(bytes: Vec<u8>) -> (Text, Option<&'static str>) {
+    match Encoding::for_bom(&bytes) {
+        Some((encoding, _)) if encoding != UTF_8 && bytes.len() as u64 <= MOST_BYTES => {
+            let (text, _, is_spoilt) = encoding.decode(&bytes);
+            match is_spoilt {
+                true => (text::of_bytes(bytes), None),
+                false => (
+                    Ok(text.into_owned()),
+                    Some("was UTF-16, and was read as UTF-8"),
+                ),
+            }
+        }
+        _ => (text::of_bytes(bytes), None),
+    }
+}

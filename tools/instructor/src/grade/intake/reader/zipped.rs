@@ -1,0 +1,39 @@
+//! A ZIP file, of which only the files that matter are unpacked.
+
+use std::fs::File;
+use std::io::Write;
+
+use pinhole_course::submission::Unusable;
+use pinhole_course::submission::archive::Archive;
+
+use super::Reader;
+use super::limits::Limited;
+use super::unpack::{Trouble, UnreadFile};
+
+/// Reads the files that matter.
+pub fn read(reader: &mut Reader, file: File, path: &[String], depth: usize) -> Result<(), Trouble> {
+    let file = Limited {
+        inner: file,
+        limits: reader.limits(path),
+        of: |it| &it.passed,
+    };
+    let mut archive = Archive::new(file).map_err(Trouble::Refused)?;
+    let files: Vec<String> = archive.files().map(str::to_owned).collect();
+    for name in files {
+        let Some(inside) = reader.enter(path, &name) else {
+            continue;
+        };
+        if !reader.wants(&inside) {
+            reader.pass(&inside, true);
+            continue;
+        }
+        let mut copy = |most: u64, to: &mut dyn Write| {
+            archive.unpack(&name, most, to).map_err(|why| match why {
+                Unusable::Refused(why) => Trouble::Refused(why),
+                Unusable::Missing => Trouble::Refused("it is not there".into()),
+            })
+        };
+        reader.file(&inside, depth, UnreadFile::Packed(&mut copy));
+    }
+    Ok(())
+}

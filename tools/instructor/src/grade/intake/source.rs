@@ -1,0 +1,161 @@
+//! A path on the command line: a class, whose files are divided among people, or a single
+//! submission.
+
+use super::hand_in::{self, HandIn, Upload, account, signs, tops};
+use super::matching::Proof;
+use super::names::{self, Sign};
+use super::reader::{Content, Found, file_names};
+
+/// A path on the command line, and what was found there.
+pub struct Source<'a> {
+    pub name: String,
+    pub is_archive: bool,
+    /// Whether no other path was named.
+    pub is_only: bool,
+    pub found: Vec<Found>,
+    /// Whether somebody on the roster has this name or id.
+    pub is_on_roster: &'a dyn Fn(&str) -> bool,
+}
+
+/// The folders at the top of the course's repository. They are not people's.
+const REPOSITORY: [&str; 6] = ["assignments", "book", "golden", "handout", "src", "tools"];
+
+impl Source<'_> {
+    /// Divides the files of a class among its people. Also returns the names of files that
+    /// belong to nobody. `is_alone` says whether the other paths are classes too. If not, an
+    /// archive may be one person's upload, with names of other people inside.
+    pub fn of_class(self, is_alone: bool) -> (Vec<HandIn>, Vec<String>) {
+        let (mut all, ignored) = hand_in::of_class(tops(self.found));
+        for hand_in in all.iter_mut().filter(|_| self.is_archive) {
+            let is_plain = matches!(hand_in.signs[..], [Sign::Plain(_)]);
+            if !is_alone {
+                hand_in.at_most = Proof::Hint;
+                hand_in.doubts.push(format!(
+                    "`{}` holds names of people, but was named beside single submissions: name \
+                     it alone if it is a class",
+                    self.name
+                ));
+            } else if is_plain {
+                hand_in.at_most = Proof::Name;
+            }
+        }
+        (all, ignored)
+    }
+
+    /// Removes a single folder around a whole class in an archive.
+    pub fn unwrap(&mut self) {
+        let tops = tops(self.found.clone());
+        let Some((top, found)) = tops.iter().next().filter(|_| tops.len() == 1) else {
+            return;
+        };
+        let inside = below(found);
+        let is_class = !inside.is_empty() && self.names_people(&inside);
+        if self.is_archive && is_class && !self.is_person(top) && !file_names::is_archive(top) {
+            self.found = inside;
+        }
+    }
+
+    fn is_person(&self, name: &str) -> bool {
+        let stem = file_names::stem(name);
+        !names::platforms(name).is_empty() || (self.is_on_roster)(stem)
+    }
+
+    /// Whether everything at the top has a person's name.
+    fn names_people(&self, found: &[Found]) -> bool {
+        let mut tops = found.iter().filter_map(|found| found.path.first());
+        tops.all(|top| self.is_person(top))
+    }
+
+    /// Whether this is a folder of submissions, and not one.
+    pub fn is_class(&self) -> bool {
+        if self.found.iter().any(|found| found.path.is_empty()) {
+            return false;
+        }
+        // The author of a single submission could give its files the names of others.
+        if self.is_archive || !names::platforms(&self.name).is_empty() {
+            return self.is_archive
+                && !self.found.is_empty()
+                && !self.is_person(&self.name)
+                && self.names_people(&self.found);
+        }
+        let tops = tops(self.found.clone());
+        if tops.keys().any(|top| self.is_person(top)) {
+            return true;
+        }
+        if self.is_person(&self.name) {
+            return false;
+        }
+        let holding = self.holding().len();
+        match self.holds_answers() {
+            true => holding > 1,
+            false => self.is_only || holding != 1,
+        }
+    }
+
+    /// Whether answers lie where a single submission has them: at the top, in `src`, or where
+    /// the handed-out repository has them.
+    fn holds_answers(&self) -> bool {
+        let is_own = |path: &[String]| match path {
+            [_] => true,
+            [src, _] => src == "src",
+            [handout, src, _] => handout == "handout" && src == "src",
+            [assignments, _, handout, src, _] => {
+                assignments == "assignments" && handout == "handout" && src == "src"
+            }
+            _ => false,
+        };
+        let is_answer = |found: &&Found| matches!(found.content, Content::Answer { .. });
+        let mut answers = self.found.iter().filter(is_answer);
+        answers.any(|found| is_own(&found.path))
+    }
+
+    /// The folders and archives at the top that may be somebody's submission.
+    fn holding(&self) -> Vec<String> {
+        let holds = |it: &Found| {
+            (it.path.len() > 1 || is_closed(&it.content)) && it.content != Content::Other
+        };
+        let tops = tops(self.found.clone()).into_iter();
+        let tops = tops
+            .filter(|(top, found)| !REPOSITORY.contains(&top.as_str()) && found.iter().any(holds));
+        tops.map(|(top, _)| top).collect()
+    }
+
+    /// Everything as one submission.
+    pub fn whole(self) -> HandIn {
+        let holding = self.holding();
+        let mut doubts = Vec::new();
+        if self.holds_answers() && !holding.is_empty() {
+            let holding = holding.join(", ");
+            doubts.push(format!("other submissions may be in it: {holding}"));
+        }
+        let upload = |found: Found| Upload {
+            path: found.path,
+            order: 0,
+            content: found.content,
+        };
+        let (signs, at_most) = signs(&self.name);
+        HandIn {
+            signs,
+            at_most,
+            doubts,
+            name: account(&self.name),
+            given: vec![self.name],
+            uploads: self.found.into_iter().map(upload).collect(),
+            superseded: Vec::new(),
+        }
+    }
+}
+
+fn is_closed(content: &Content) -> bool {
+    matches!(content, Content::Refused(_) | Content::Unreadable(_))
+}
+
+/// The same files, with paths below the top folder.
+fn below(found: &[Found]) -> Vec<Found> {
+    let inside = found.iter().filter(|found| found.path.len() > 1);
+    let shorter = inside.map(|found| Found {
+        path: found.path[1..].to_vec(),
+        content: found.content.clone(),
+    });
+    shorter.collect()
+}

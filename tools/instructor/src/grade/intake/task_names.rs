@@ -1,0 +1,80 @@
+//! Recognises answers by their files' names, also by names that people or programs have changed.
+
+use pinhole_course::assignment::{Assignment, Task};
+
+/// The task that a file of this name may answer, and whether the name is exactly the one that
+/// was handed out. Recognises names that people or programs have changed: `Sphere.rs`, `sphere
+/// (1).rs`, `sphere-2.rs`, `sphere.rs.txt`.
+pub fn task_of<'a>(name: &str, assignment: &'a Assignment) -> Option<(&'a Task, bool)> {
+    let exact = assignment.tasks.iter().find(|task| task.file() == name);
+    if let Some(task) = exact {
+        return Some((task, true));
+    }
+    let plain = plain_stem(name)?;
+    let mut tasks = assignment.tasks.iter();
+    let task = tasks.find(|task| task.name.replace('_', "").to_lowercase() == plain)?;
+    Some((task, false))
+}
+
+/// A source file's name without its end, in small letters, without spaces and what marks a
+/// copy.
+fn plain_stem(name: &str) -> Option<String> {
+    let lower = name.trim().to_lowercase();
+    let lower = lower.strip_suffix(".txt").unwrap_or(&lower);
+    let mut stem = lower.strip_suffix(".rs")?.trim();
+    stem = stem.strip_prefix("copy of ").unwrap_or(stem);
+    loop {
+        let shorter = without_count(stem);
+        let shorter = shorter.strip_suffix("copy").unwrap_or(shorter);
+        let shorter = shorter.trim_end_matches([' ', '-', '_']);
+        if shorter == stem {
+            break;
+        }
+        stem = shorter;
+    }
+    Some(stem.replace([' ', '-', '_'], ""))
+}
+
+/// A name without `(2)` or `-2` at its end.
+fn without_count(stem: &str) -> &str {
+    let is_count = |text: &str| !text.is_empty() && text.chars().all(|c| c.is_ascii_digit());
+    let in_brackets = stem
+        .strip_suffix(')')
+        .and_then(|stem| stem.rsplit_once('('));
+    match in_brackets.or(stem.rsplit_once('-')) {
+        Some((shorter, count)) if is_count(count) => shorter,
+        _ => stem,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_that_programs_and_people_change_still_name_their_task() {
+        for name in [
+            "Triangle_Soup.rs",
+            "triangle_soup.RS",
+            "triangle_soup (1).rs",
+            "triangle_soup(12).rs",
+            "triangle_soup-1.rs",
+            "triangle_soup - Copy.rs",
+            "triangle_soup - Copy (2).rs",
+            "Copy of triangle_soup.rs",
+            "triangle soup copy.rs",
+            "TriangleSoup.rs",
+            "triangle_soup.rs.txt",
+        ] {
+            assert_eq!(plain_stem(name).as_deref(), Some("trianglesoup"), "{name}");
+        }
+        for name in [
+            "triangle_soup.rs~",
+            "triangle_soup2.rs",
+            "soup.rs",
+            "triangle_soup.c",
+        ] {
+            assert_ne!(plain_stem(name).as_deref(), Some("trianglesoup"), "{name}");
+        }
+    }
+}
