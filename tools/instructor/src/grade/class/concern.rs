@@ -41,9 +41,9 @@ impl Roll {
             ("not certain whose it is", true, ambiguous.collect()),
             ("not on the roster", true, self.names(&placed.unknown)),
             (
-                "known by a name or login alone that people may choose: add the platform's \
+                "matched by a name or login that people may choose: add the platform's \
                  numbers (column number) or GitHub's logins (github) to the roster",
-                true,
+                false,
                 self.names(&placed.by_name),
             ),
             (
