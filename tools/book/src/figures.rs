@@ -36,7 +36,7 @@ pub type Maker = fn(&Checkout) -> Result<Made>;
 
 /// All makers by the figure's name.
 pub fn makers() -> BTreeMap<&'static str, Maker> {
-    let makers: [(&'static str, Maker); 50] = [
+    let makers: [(&'static str, Maker); 51] = [
         ("camera_obscura", camera::camera_obscura),
         ("ray_parameter", camera::ray_parameter),
         ("pinhole_and_image_plane", camera::pinhole_and_image_plane),
@@ -58,6 +58,7 @@ pub fn makers() -> BTreeMap<&'static str, Maker> {
         ("slabs", boxes::slabs),
         ("boxes_by_depth", boxes::boxes_by_depth),
         ("tree_walk", boxes::tree_walk),
+        ("walk_steps", boxes::walk_steps),
         ("tests_per_pixel", boxes::tests_per_pixel),
         ("tests_by_triangles", boxes::tests_by_triangles),
         ("three_outputs_bunny", pictures::three_outputs_bunny),

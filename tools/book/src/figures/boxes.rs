@@ -9,7 +9,7 @@ use super::Made;
 use super::drawing::{Drawing, INK, Side, colour, ink, stroke};
 use super::loops::{Lines, plot};
 use super::pictures::{GAP, made};
-use crate::boxes::{Boxed, Search, box_of, inside, meet, slab};
+use crate::boxes::{Boxed, Search, Step, box_of, inside, meet, slab};
 use crate::course::assignment_with;
 use crate::error::{Error, Result};
 use crate::png::{beside, enlarged};
@@ -172,6 +172,42 @@ pub fn tree_walk(_: &Checkout) -> Result<Made> {
             None => {}
         }
     }
+    Ok(drawing.made())
+}
+
+/// The end of the same walk: what it left out, and how much of the ray counted last.
+pub fn walk_steps(_: &Checkout) -> Result<Made> {
+    let boxed = plan();
+    let mut drawing = Drawing::new(dvec2(-1.2, -0.2), dvec2(17.2, 8.0));
+    let at = |t: f64| {
+        let p = PLAN_RAY.at(t);
+        dvec2(p.x, p.y)
+    };
+    let mut nearest = f64::INFINITY;
+    let mut is_lit = vec![false; boxed.nodes()];
+    boxed.walk(&PLAN_RAY, 0.0, Search::FULL, |step| match step {
+        Step::Box(node, entered) => is_lit[node] = entered.is_some(),
+        Step::Skip(node, _) => is_lit[node] = false,
+        Step::Triangle(_, Some(t)) => nearest = nearest.min(t),
+        Step::Triangle(_, None) => {}
+    });
+    for (bounds, is_lit) in boxed.boxes().iter().zip(is_lit) {
+        let corners = outline(bounds);
+        let look = if is_lit {
+            drawing.area(&corners, &colour(0), 0.2);
+            stroke(colour(5))
+        } else {
+            stroke(colour(4)).dashed()
+        };
+        drawing.path(&corners, true, "none", &look);
+    }
+    draw_walls(&mut drawing, DVec2::ZERO);
+    drawing.line(at(0.0), at(nearest), &stroke(colour(5)).thick());
+    drawing.line(at(nearest), at(8.0), &ink().dashed());
+    drawing.dot(at(0.0), INK);
+    drawing.text(at(0.0), Side::Above, "*e*");
+    drawing.dot(at(nearest), &colour(5));
+    drawing.on_lines(at(nearest) + dvec2(0.0, 0.2), Side::Above, "max_t");
     Ok(drawing.made())
 }
 
