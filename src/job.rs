@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::counter::counted;
 use crate::kind::{
-    self, Answer, AnswerFn, CameraQuestion, Kind, Questions, Sent, Test, Unregistered,
+    self, Answer, AnswerFn, CameraQuestion, Kind, Questions, Test, Unregistered, WireAnswer,
 };
 use crate::ray::Ray;
 use crate::scene::Scene;
@@ -75,15 +75,15 @@ impl Job {
         &self,
         index: usize,
         functions: &[AnswerFn],
-    ) -> Result<Sent, Unregistered> {
+    ) -> Result<WireAnswer, Unregistered> {
         let hit = match self {
             Job::Film(scene) => {
                 let ray = CameraQuestion::of_scene(scene, index).ray(functions)?;
                 let (hit, tests) =
                     counted(|| kind::cast(&ray, scene.min_t, &scene.objects, functions));
                 return Ok(match tests {
-                    0 => Sent::Answer(hit?),
-                    _ => Sent::Counted(hit?, tests),
+                    0 => WireAnswer::Answer(hit?),
+                    _ => WireAnswer::Counted(hit?, tests),
                 });
             }
             Job::Ask(questions) => return questions.answer(index, functions),
@@ -93,16 +93,16 @@ impl Job {
                 kind::meet(&ray, scene.min_t, &scene.objects[object], functions)
             }
         };
-        hit.map(Sent::Answer)
+        hit.map(WireAnswer::Answer)
     }
 
     /// Turns what was sent for one of its questions into an answer; `None` if it answers another
     /// kind of question.
-    pub(crate) fn receive(&self, index: usize, sent: Sent) -> Option<Answer> {
+    pub(crate) fn receive(&self, index: usize, sent: WireAnswer) -> Option<Answer> {
         match self {
             Job::Ask(questions) => questions.receive(index, sent),
             Job::Film(_) => match sent {
-                Sent::Counted(answer, _) => Sent::Answer(answer).hit(),
+                WireAnswer::Counted(answer, _) => WireAnswer::Answer(answer).hit(),
                 sent => sent.hit(),
             },
             Job::Cast(..) | Job::Meet(..) => sent.hit(),
@@ -143,7 +143,7 @@ pub enum Message {
         /// The place of the first of them in the job.
         first: usize,
         /// The answers, in the job's order.
-        answers: Vec<Sent>,
+        answers: Vec<WireAnswer>,
     },
     /// A search asks for a test. The number is the place of its question in the job.
     Test(usize, Test),

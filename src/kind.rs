@@ -30,7 +30,7 @@ use crate::part::{Condition, Part, Quantity};
 use crate::scene::Scene;
 use crate::shape::{Shape, ShapeKind};
 
-pub use answer::{Answer, AnswerFn, Sent, Unregistered};
+pub use answer::{Answer, AnswerFn, Unregistered, WireAnswer};
 pub use bounds::BoundsQuestion;
 pub use first_hit::ObjectsQuestion;
 pub(crate) use first_hit::cast;
@@ -70,10 +70,10 @@ pub enum Kind {
 trait Question {
     /// Asks the submission's function for this kind. `index` is the question's place in its
     /// job.
-    fn answer(&self, index: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered>;
+    fn answer(&self, index: usize, functions: &[AnswerFn]) -> Result<WireAnswer, Unregistered>;
 
     /// The answer that was sent, or `None` if it is one to another kind of question.
-    fn receive(&self, sent: Sent) -> Option<Answer> {
+    fn receive(&self, sent: WireAnswer) -> Option<Answer> {
         sent.hit()
     }
 

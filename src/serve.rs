@@ -10,7 +10,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 use rayon::prelude::*;
 
 use crate::job::{self, CHUNK, Job, MOST_PANIC_TEXT, Message, Panic};
-use crate::kind::{self, AnswerFn, Sent, TestResult};
+use crate::kind::{self, AnswerFn, TestResult, WireAnswer};
 
 /// The argument that makes a submission answer. Without it, a person has started the program.
 pub const ANSWER: &str = "answer";
@@ -180,7 +180,7 @@ fn answer_all(
     functions: &[AnswerFn],
     job: &Job,
     indices: std::ops::Range<usize>,
-) -> Result<Vec<Sent>, Message> {
+) -> Result<Vec<WireAnswer>, Message> {
     let mut given = Vec::with_capacity(indices.len());
     for index in indices {
         match panic::catch_unwind(AssertUnwindSafe(|| job.answer(index, functions))) {

@@ -7,7 +7,7 @@ use super::transport::Next;
 use crate::camera::Resolution;
 use crate::film::{Film, TESTS};
 use crate::job::{Job, MOST_PANIC_TEXT, Message};
-use crate::kind::{Answer, Sent};
+use crate::kind::{Answer, WireAnswer};
 use crate::ray::{Hit, Ray};
 
 /// The reply to one job.
@@ -191,7 +191,7 @@ impl Reply {
                     return Err("it answered a question twice".into());
                 }
                 for (index, sent) in (first..end).zip(&answers) {
-                    if let Sent::Counted(_, tests) = sent {
+                    if let WireAnswer::Counted(_, tests) = sent {
                         self.own_tests.resize(job.len(), 0);
                         self.own_tests[index] = *tests;
                     }

@@ -7,8 +7,8 @@ use crate::camera::{Camera, Pixel, Projection, Resolution};
 use crate::film::TESTS;
 use crate::job::{Message, Panic};
 use crate::kind::{
-    Answer, CameraQuestion, ObjectsQuestion, Questions, SearchQuestion, Sent, Test, TestResult,
-    TestResults, TreeQuestion,
+    Answer, CameraQuestion, ObjectsQuestion, Questions, SearchQuestion, Test, TestResult,
+    TestResults, TreeQuestion, WireAnswer,
 };
 use crate::ray::{Hit, Intersection, Ray};
 use crate::scene::Scene;
@@ -59,7 +59,7 @@ fn hit(object: usize) -> Answer {
 }
 
 fn answers(first: usize, answers: &[Answer]) -> Message {
-    let answers = answers.iter().copied().map(Sent::Answer).collect();
+    let answers = answers.iter().copied().map(WireAnswer::Answer).collect();
     Message::Answers { first, answers }
 }
 
@@ -150,7 +150,7 @@ mod message {
         });
         let mut reply = Reply::before(&job);
         assert_eq!(reply.own_tests(resolution), None);
-        let counted = vec![Sent::Answer(hit(0)), Sent::Counted(hit(1), 7)];
+        let counted = vec![WireAnswer::Answer(hit(0)), WireAnswer::Counted(hit(1), 7)];
         let message = |answers| Message::Answers { first: 0, answers };
         assert_eq!(reply.take(&job, message(counted.clone())), Ok(Next::End));
         let tests = reply.own_tests(resolution).expect("they are counted");
@@ -166,7 +166,7 @@ mod message {
         let job = Job::Ask(Questions::Tree(vec![TreeQuestion { boxes }]));
         let tree = |nodes| Message::Answers {
             first: 0,
-            answers: vec![Sent::Tree(FlatTree(nodes))],
+            answers: vec![WireAnswer::Tree(FlatTree(nodes))],
         };
         let circle = vec![FlatNode::Branch([0, 0])];
         refused(&job, &[tree(circle)], "another kind");

@@ -94,7 +94,7 @@ impl Exchange {
         most: usize,
         on_message: OnMessage<'_>,
     ) -> io::Result<()> {
-        let mut timed = Timed {
+        let mut timed = DeadlineStream {
             link: &self.link,
             deadline: self.deadline,
             silence: self.silence,
@@ -205,7 +205,7 @@ fn receive_all<R: io::Read>(
 /// drip of bytes gains no time, after too long a silence, or when nobody wants the answer any
 /// more.
 #[cfg(unix)]
-struct Timed<'a> {
+struct DeadlineStream<'a> {
     link: &'a Link,
     deadline: Instant,
     silence: Duration,
@@ -214,7 +214,7 @@ struct Timed<'a> {
 }
 
 #[cfg(unix)]
-impl Timed<'_> {
+impl DeadlineStream<'_> {
     /// Reads or writes, a pulse at a time.
     fn in_time(
         &mut self,
@@ -252,7 +252,7 @@ fn armed(set: io::Result<()>) -> io::Result<()> {
 }
 
 #[cfg(unix)]
-impl io::Read for Timed<'_> {
+impl io::Read for DeadlineStream<'_> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let mut link = self.link;
         self.in_time(
@@ -263,7 +263,7 @@ impl io::Read for Timed<'_> {
 }
 
 #[cfg(unix)]
-impl io::Write for Timed<'_> {
+impl io::Write for DeadlineStream<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let mut link = self.link;
         self.in_time(

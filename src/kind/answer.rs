@@ -75,7 +75,7 @@ pub enum Answer {
 
 /// What a submission sends for one question.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Sent {
+pub enum WireAnswer {
     /// The answer.
     Answer(Answer),
     /// A tree, which the asker measures.
@@ -84,17 +84,17 @@ pub enum Sent {
     Counted(Answer, u32),
 }
 
-impl From<Answer> for Sent {
-    fn from(answer: Answer) -> Sent {
-        Sent::Answer(answer)
+impl From<Answer> for WireAnswer {
+    fn from(answer: Answer) -> WireAnswer {
+        WireAnswer::Answer(answer)
     }
 }
 
-impl Sent {
+impl WireAnswer {
     /// What was sent, as the answer to a question about hits.
     pub(crate) fn hit(self) -> Option<Answer> {
         match self {
-            Sent::Answer(answer @ Answer::Hit(_)) => Some(answer),
+            WireAnswer::Answer(answer @ Answer::Hit(_)) => Some(answer),
             _ => None,
         }
     }

@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
+use super::{Answer, AnswerFn, Kind, Question, Unregistered, WireAnswer};
 use crate::bounds::BoundingBox;
 use crate::fact::Fact;
 use crate::film::Samples;
@@ -35,7 +35,7 @@ impl BoundsQuestion {
 }
 
 impl Question for BoundsQuestion {
-    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<WireAnswer, Unregistered> {
         let (of_triangle, join) =
             AnswerFn::find(functions, Kind::Bounds, |function| match function {
                 AnswerFn::Bounds { of_triangle, join } => Some((*of_triangle, *join)),
@@ -48,9 +48,9 @@ impl Question for BoundsQuestion {
         .into())
     }
 
-    fn receive(&self, sent: Sent) -> Option<Answer> {
+    fn receive(&self, sent: WireAnswer) -> Option<Answer> {
         match sent {
-            Sent::Answer(answer @ Answer::Box(_)) => Some(answer),
+            WireAnswer::Answer(answer @ Answer::Box(_)) => Some(answer),
             _ => None,
         }
     }

@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
+use super::{Answer, AnswerFn, Kind, Question, Unregistered, WireAnswer};
 use crate::fact::Fact;
 use crate::film::Samples;
 use crate::part::{Condition, Quantity};
@@ -30,7 +30,7 @@ impl ObjectsQuestion {
 }
 
 impl Question for ObjectsQuestion {
-    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<WireAnswer, Unregistered> {
         let first_hit = AnswerFn::find(functions, Kind::FirstHit, |function| match function {
             AnswerFn::FirstHit { canned, .. } => Some(*canned),
             _ => None,

@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
+use super::{Answer, AnswerFn, Kind, Question, Unregistered, WireAnswer};
 use crate::fact::Fact;
 use crate::film::Samples;
 use crate::part::{Condition, Quantity};
@@ -30,8 +30,8 @@ impl ShapeQuestion {
 }
 
 impl Question for ShapeQuestion {
-    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
-        meet(&self.ray, self.min_t, &self.shape, functions).map(Sent::Answer)
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<WireAnswer, Unregistered> {
+        meet(&self.ray, self.min_t, &self.shape, functions).map(WireAnswer::Answer)
     }
 
     fn describe(&self, _: &str, digits: usize) -> Vec<Fact> {

@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Answer, AnswerFn, BoundsQuestion, BoxQuestion, CameraQuestion, Kind, ObjectsQuestion, Question,
-    SearchQuestion, Sent, ShapeQuestion, SoupQuestion, Test, TestResult, TreeQuestion,
-    Unregistered, cameras,
+    SearchQuestion, ShapeQuestion, SoupQuestion, Test, TestResult, TreeQuestion, Unregistered,
+    WireAnswer, cameras,
 };
 use crate::camera::Resolution;
 use crate::error::Error;
@@ -172,13 +172,13 @@ impl Questions {
         &self,
         index: usize,
         functions: &[AnswerFn],
-    ) -> Result<Sent, Unregistered> {
+    ) -> Result<WireAnswer, Unregistered> {
         self.question(index).answer(index, functions)
     }
 
     /// Turns what was sent for one of them into an answer; `None` if it answers another kind of
     /// question.
-    pub(crate) fn receive(&self, index: usize, sent: Sent) -> Option<Answer> {
+    pub(crate) fn receive(&self, index: usize, sent: WireAnswer) -> Option<Answer> {
         self.question(index).receive(sent)
     }
 

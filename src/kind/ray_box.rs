@@ -1,7 +1,7 @@
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
+use super::{Answer, AnswerFn, Kind, Question, Unregistered, WireAnswer};
 use crate::bounds::BoundingBox;
 use crate::fact::Fact;
 use crate::film::Samples;
@@ -56,7 +56,7 @@ impl BoxQuestion {
 }
 
 impl Question for BoxQuestion {
-    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<WireAnswer, Unregistered> {
         let ray_box = AnswerFn::find(functions, Kind::RayBox, |function| match function {
             AnswerFn::RayBox(ray_box) => Some(*ray_box),
             _ => None,

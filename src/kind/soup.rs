@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered, first_hit};
+use super::{Answer, AnswerFn, Kind, Question, Unregistered, WireAnswer, first_hit};
 use crate::fact::Fact;
 use crate::film::Samples;
 use crate::part::{Condition, Quantity};
@@ -30,7 +30,7 @@ impl SoupQuestion {
 }
 
 impl Question for SoupQuestion {
-    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<WireAnswer, Unregistered> {
         let intersect = AnswerFn::find(functions, Kind::Soup, |function| match function {
             AnswerFn::Soup(intersect) => Some(*intersect),
             _ => None,

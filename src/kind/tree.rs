@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
+use super::{Answer, AnswerFn, Kind, Question, Unregistered, WireAnswer};
 use crate::bounds::BoundingBox;
 use crate::fact::Fact;
 use crate::film::Samples;
@@ -37,7 +37,7 @@ impl TreeQuestion {
 }
 
 impl Question for TreeQuestion {
-    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<WireAnswer, Unregistered> {
         let build = AnswerFn::find(functions, Kind::Tree, |function| match function {
             AnswerFn::Tree(build) => Some(*build),
             _ => None,
@@ -49,12 +49,14 @@ impl Question for TreeQuestion {
             self.boxes.len(),
             tree.size()
         );
-        Ok(Sent::Tree(tree))
+        Ok(WireAnswer::Tree(tree))
     }
 
-    fn receive(&self, sent: Sent) -> Option<Answer> {
+    fn receive(&self, sent: WireAnswer) -> Option<Answer> {
         match sent {
-            Sent::Tree(tree) if tree.is_tree() => Some(Answer::Tree(tree.measure(&self.boxes))),
+            WireAnswer::Tree(tree) if tree.is_tree() => {
+                Some(Answer::Tree(tree.measure(&self.boxes)))
+            }
             _ => None,
         }
     }

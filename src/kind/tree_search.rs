@@ -3,7 +3,7 @@ use std::sync::OnceLock;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
+use super::{Answer, AnswerFn, Kind, Question, Unregistered, WireAnswer};
 use crate::fact::Fact;
 use crate::film::Samples;
 use crate::part::{Condition, Quantity};
@@ -138,7 +138,7 @@ impl SearchQuestion {
 }
 
 impl Question for SearchQuestion {
-    fn answer(&self, index: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
+    fn answer(&self, index: usize, functions: &[AnswerFn]) -> Result<WireAnswer, Unregistered> {
         let search = AnswerFn::find(functions, Kind::TreeSearch, |function| match function {
             AnswerFn::TreeSearch(search) => Some(*search),
             _ => None,

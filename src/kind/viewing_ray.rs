@@ -1,7 +1,7 @@
 use glam::{DMat3, DVec3};
 use serde::Serialize;
 
-use super::{Answer, AnswerFn, Kind, Question, Sent, Unregistered};
+use super::{Answer, AnswerFn, Kind, Question, Unregistered, WireAnswer};
 use crate::camera::{Camera, Pixel, Projection, Resolution};
 use crate::fact::Fact;
 use crate::film::{RAY_CHANNELS, Samples};
@@ -74,13 +74,13 @@ impl CameraQuestion {
 }
 
 impl Question for CameraQuestion {
-    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<Sent, Unregistered> {
+    fn answer(&self, _: usize, functions: &[AnswerFn]) -> Result<WireAnswer, Unregistered> {
         Ok(Answer::Ray(self.ray(functions)?).into())
     }
 
-    fn receive(&self, sent: Sent) -> Option<Answer> {
+    fn receive(&self, sent: WireAnswer) -> Option<Answer> {
         match sent {
-            Sent::Answer(answer @ Answer::Ray(_)) => Some(answer),
+            WireAnswer::Answer(answer @ Answer::Ray(_)) => Some(answer),
             _ => None,
         }
     }

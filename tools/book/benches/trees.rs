@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use pinhole::{Ray, Resolution, Triangle};
-use pinhole_book::boxes::{Boxed, Search};
+use pinhole_book::boxes::{MeshTree, Search};
 use pinhole_book::rasterizer::{camera, strewn};
 use pinhole_book::reference::Reference;
 use pinhole_book::worked::boxes::LARGEST_LEAF;
@@ -46,20 +46,20 @@ fn mesh(count: usize) -> Vec<Triangle> {
 #[divan::bench(args = SIZES, sample_count = 5, sample_size = 1)]
 fn build(bencher: Bencher, count: usize) {
     let inputs = bencher.with_inputs(|| mesh(count));
-    inputs.bench_values(|triangles| Boxed::new(triangles, LARGEST_LEAF));
+    inputs.bench_values(|triangles| MeshTree::new(triangles, LARGEST_LEAF));
 }
 
 #[divan::bench(args = SIZES, sample_count = 11, sample_size = 1)]
 fn cast_with_tree(bencher: Bencher, count: usize) {
-    cast(bencher, &Boxed::new(mesh(count), LARGEST_LEAF));
+    cast(bencher, &MeshTree::new(mesh(count), LARGEST_LEAF));
 }
 
 #[divan::bench(args = SMALL, sample_count = 5, sample_size = 1)]
 fn cast_without_tree(bencher: Bencher, count: usize) {
-    cast(bencher, &Boxed::new(mesh(count), count));
+    cast(bencher, &MeshTree::new(mesh(count), count));
 }
 
-fn cast(bencher: Bencher, boxed: &Boxed) {
+fn cast(bencher: Bencher, boxed: &MeshTree) {
     let rays = ItemsCount::new(RAYS.len());
     bencher
         .counter(rays)
@@ -67,16 +67,16 @@ fn cast(bencher: Bencher, boxed: &Boxed) {
 }
 
 fn print_tests_per_ray() {
-    let tests = |boxed: Boxed| {
+    let tests = |boxed: MeshTree| {
         let tests = boxed.tests(&RAYS, MIN_T, Search::FULL).sum();
         format!("{:.1}", tests as f64 / RAYS.len() as f64)
     };
     println!("tests for each of {} rays", RAYS.len());
     println!("triangles  with a tree  in one leaf");
     for count in SIZES {
-        let with = tests(Boxed::new(mesh(count), LARGEST_LEAF));
+        let with = tests(MeshTree::new(mesh(count), LARGEST_LEAF));
         let without = match SMALL.contains(&count) {
-            true => tests(Boxed::new(mesh(count), count)),
+            true => tests(MeshTree::new(mesh(count), count)),
             false => "not counted".into(),
         };
         println!("{count:>9}  {with:>11}  {without:>11}");

@@ -9,7 +9,7 @@ use pinhole::tree::FlatNode;
 use pinhole::{BoundingBox, FlatTree, Node, Ray, Tree, Triangle};
 
 /// A mesh in a tree of boxes.
-pub struct Boxed {
+pub struct MeshTree {
     triangles: Vec<Triangle>,
     tree: FlatTree,
     boxes: Vec<BoundingBox>,
@@ -84,10 +84,10 @@ pub fn box_of(triangles: &[Triangle]) -> BoundingBox {
     around(triangles.iter().flat_map(|triangle| triangle.corners))
 }
 
-impl Boxed {
+impl MeshTree {
     /// Splits at the middle of the longest axis of the boxes' centres, until each leaf has at
     /// most `largest` triangles.
-    pub fn new(triangles: Vec<Triangle>, largest: usize) -> Boxed {
+    pub fn new(triangles: Vec<Triangle>, largest: usize) -> MeshTree {
         let own: Vec<BoundingBox> = triangles.iter().map(|it| box_of(&[*it])).collect();
         let places = (0..triangles.len()).collect();
         let tree = FlatTree::from(split(places, &own, largest));
@@ -98,7 +98,7 @@ impl Boxed {
         let join =
             |a: &BoundingBox, b: &BoundingBox| around([a.min, a.max, b.min, b.max].into_iter());
         let boxes = tree.boxes(corners, join);
-        Boxed {
+        MeshTree {
             triangles,
             tree,
             boxes,
@@ -322,7 +322,7 @@ mod tests {
             ),
             (soup.triangles.len(), Search::FULL),
         ] {
-            let boxed = Boxed::new(soup.triangles.clone(), largest);
+            let boxed = MeshTree::new(soup.triangles.clone(), largest);
             let mut sum = 0;
             for (ray, met) in rays.iter().zip(&met) {
                 let (found, tests) = boxed.search(ray, scene.min_t, how);

@@ -24,7 +24,7 @@ use crate::record;
 pub use drawing::colour;
 
 /// A figure's file: its content, and the extension of its name.
-pub struct Made {
+pub struct FigureFile {
     /// `svg` or `png`.
     pub extension: &'static str,
     /// The file's content.
@@ -32,7 +32,7 @@ pub struct Made {
 }
 
 /// Makes one figure.
-pub type Maker = fn(&Checkout) -> Result<Made>;
+pub type Maker = fn(&Checkout) -> Result<FigureFile>;
 
 /// All makers by the figure's name.
 pub fn makers() -> BTreeMap<&'static str, Maker> {
@@ -96,8 +96,8 @@ pub fn makers() -> BTreeMap<&'static str, Maker> {
 }
 
 /// A plot of the study's record.
-fn plot(name: &str, checkout: &Checkout) -> Result<Made> {
-    Ok(Made {
+fn plot(name: &str, checkout: &Checkout) -> Result<FigureFile> {
+    Ok(FigureFile {
         extension: "svg",
         content: record::plot(&format!("{name}.svg"), checkout)?,
     })
@@ -175,7 +175,7 @@ pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
     }
     let mut made = BTreeMap::new();
     for (name, make) in makers() {
-        let Made { extension, content } = make(checkout)?;
+        let FigureFile { extension, content } = make(checkout)?;
         made.insert(format!("{name}.{extension}"), content);
     }
     Ok(compare(&kept, &made))

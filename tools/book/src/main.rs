@@ -35,7 +35,7 @@ enum Command {
     /// Build the book
     Build {
         #[command(flatten)]
-        which: Which,
+        which: BuildOptions,
         /// Build even if something is missing or wrong, and mark the place in the pages
         #[arg(long)]
         draft: bool,
@@ -43,7 +43,7 @@ enum Command {
     /// Build the book, and check everything in it
     Check {
         #[command(flatten)]
-        which: Which,
+        which: BuildOptions,
         /// Check only this part (repeatable)
         #[arg(long, value_enum, value_name = "PART")]
         only: Vec<Part>,
@@ -66,7 +66,7 @@ enum Command {
 }
 
 #[derive(Args)]
-struct Which {
+struct BuildOptions {
     /// Build only this edition
     #[arg(long, value_enum)]
     edition: Option<Edition>,
@@ -120,7 +120,7 @@ fn run_command(command: Command) -> Result<Vec<Problem>> {
     }
 }
 
-fn editions(which: &Which, checkout: &Checkout) -> Result<Vec<BuiltEdition>> {
+fn editions(which: &BuildOptions, checkout: &Checkout) -> Result<Vec<BuiltEdition>> {
     let here = std::env::current_dir().unwrap_or_default();
     let out = match &which.out {
         Some(out) => here.join(out),

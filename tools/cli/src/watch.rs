@@ -32,7 +32,7 @@ use pinhole_course::goldens::Goldens;
 use pinhole_course::outcome::Examination;
 use pinhole_course::sandbox::Sandbox;
 use pinhole_course::submission::Submission;
-use pinhole_report::html::Again;
+use pinhole_report::html::RepeatCommands;
 use plain::Plain;
 use state::{Action, State};
 use terminal::Terminal;
@@ -52,7 +52,7 @@ pub struct Course {
     /// Where the report is written when the student asks for it.
     pub report: PathBuf,
     /// The command that repeats the examination, for the report.
-    pub again: Again,
+    pub again: RepeatCommands,
 }
 
 /// Everything that can happen.

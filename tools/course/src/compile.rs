@@ -5,9 +5,9 @@
 
 mod blame;
 mod build;
+mod compiled_submission;
 mod harness;
 mod prune;
-mod whole;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -22,11 +22,11 @@ use crate::sandbox::Sandbox;
 use crate::shell;
 use crate::stubs;
 use crate::submission::allow_list::{self, Verdict};
-use crate::submission::{Answer, Submission, Unusable};
+use crate::submission::{Answer, AnswerFileProblem, Submission};
 use crate::timings::timed;
 use build::{BuildResult, Sources, build};
+pub use compiled_submission::CompiledSubmission;
 use harness::Harness;
-pub use whole::Whole;
 
 /// Answers that were replaced by their stubs, by task, and why.
 pub type Replacements = BTreeMap<String, Replacement>;
@@ -48,7 +48,7 @@ pub struct Program {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Replacement {
     /// There was no usable file.
-    Unusable(Unusable),
+    Unusable(AnswerFileProblem),
     /// It does not compile: the compiler's own words about that file.
     DoesNotCompile(String),
 }
@@ -307,7 +307,7 @@ fn blame_alone(
 ) -> Result<Replacements> {
     let tasks = submission.answers.iter().map(|answer| answer.task.clone());
     let stubs: Replacements = tasks
-        .map(|task| (task, Replacement::Unusable(Unusable::Missing)))
+        .map(|task| (task, Replacement::Unusable(AnswerFileProblem::Missing)))
         .collect();
     if let BuildResult::Refused { .. } = compile(&stubs)? {
         return Ok(Replacements::new());

@@ -48,9 +48,9 @@ use crate::error::Result;
 use crate::error::ResultExt;
 use crate::rust_tool::rust_tool;
 use budget::Budget;
-pub use finish::{Finished, finish};
+pub use finish::{CommandResult, finish};
 pub use limits::Limits;
-use watch::{Exceeded, Watch};
+use watch::{ExceededLimit, Watch};
 
 /// Turns this process into a confined program if it was started as one. Both sandboxes start this
 /// program again inside, with the argument `confine`, so every binary must call this function
@@ -246,7 +246,7 @@ impl Sandbox {
     }
 
     /// Runs a command made by [`compiler`](Sandbox::compiler) to its end.
-    pub fn compile(&self, compiler: Command, limits: &Limits) -> io::Result<Finished> {
+    pub fn compile(&self, compiler: Command, limits: &Limits) -> io::Result<CommandResult> {
         let finished = finish(compiler, limits, |pid| self.watch(pid, limits));
         self.sweep();
         let finished = finished?;
@@ -256,7 +256,7 @@ impl Sandbox {
         #[cfg(target_os = "linux")]
         if let Some(paths) = self.host_paths() {
             let text = String::from_utf8_lossy(&finished.stderr);
-            return Ok(Finished {
+            return Ok(CommandResult {
                 stderr: paths.hide(&text).into_bytes(),
                 ..finished
             });
@@ -333,10 +333,10 @@ impl Sandbox {
         }
         if let Ending::Died(death) = reply.ending.clone() {
             match exceeded {
-                Some(Exceeded::Cpu(most) | Exceeded::Idle(most)) => {
+                Some(ExceededLimit::Cpu(most) | ExceededLimit::Idle(most)) => {
                     reply.ending = Ending::TimedOut(most)
                 }
-                Some(Exceeded::Memory(most)) => reply.ending = Ending::OutOfMemory(most),
+                Some(ExceededLimit::Memory(most)) => reply.ending = Ending::OutOfMemory(most),
                 // Rust itself prints this before it aborts.
                 None if death == Death::Signal(6)
                     && reply.printed.contains("memory allocation of ") =>

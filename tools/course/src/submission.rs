@@ -38,7 +38,7 @@ pub struct Answer {
 
 /// Why an answer file does not count.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Unusable {
+pub enum AnswerFileProblem {
     /// It is not there.
     Missing,
     /// The file was not accepted, because it is too long or not a regular UTF-8 file. The text

@@ -28,7 +28,7 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 use serde::Serialize;
 
-use catches::Catches;
+use catches::DetectionTable;
 use draws::Draws;
 use mutants::Mutants;
 use naming::{Diagnoses, Names};
@@ -98,7 +98,7 @@ pub struct Validation {
     pub diagnoses: Option<Diagnoses>,
     /// How much each group of questions and each scene catches.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub catches: Option<Catches>,
+    pub catches: Option<DetectionTable>,
     /// The smallest errors that the scenes detect, if they were measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sensitivity: Option<Vec<Sensitivity>>,
@@ -174,7 +174,7 @@ pub fn validate(validator: &Validator, plan: &Plan) -> Result<Validation> {
     let draws = draws.transpose()?;
     let catches = (mistakes.is_some() || mutants.is_some()).then(|| {
         let judged = mistakes.as_ref().map_or(&[][..], |known| &known.judged);
-        Catches::count(validator, judged, mutants.as_ref())
+        DetectionTable::count(validator, judged, mutants.as_ref())
     });
 
     let diagnoses = match (&mistakes, &rewrites) {

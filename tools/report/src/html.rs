@@ -30,14 +30,14 @@ use crate::escape::{printable, printable_word};
 use crate::finish::Finish;
 use crate::passage::Passage;
 use crate::terminal;
+use belief::BeliefReference;
 pub use belief::Beliefs;
-use belief::Told;
 pub use heat::HeatMaps;
 pub use page::{PAGE_CSS, environment, policy};
 use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::outcome::{Examination, FilmOutcome, Outcome, SceneFilm, SceneOutcome};
 use pinhole_course::shell::PINHOLE;
-pub use rays::{RayGrid, RaysOfYours};
+pub use rays::{RayGrid, SubmittedRays};
 pub use scene::{Evidence, SceneSection};
 use task::TaskSection;
 
@@ -94,7 +94,7 @@ impl FinishSection {
 
 /// Commands that repeat an examination.
 #[derive(Clone, Debug)]
-pub struct Again {
+pub struct RepeatCommands {
     /// The command as it was typed.
     pub whole: String,
     /// The command without tasks and scenes, to which one is added.
@@ -110,7 +110,7 @@ impl Report {
     pub fn of_examination(
         examination: &Examination,
         goldens: &Path,
-        again: &Again,
+        again: &RepeatCommands,
     ) -> Result<Report> {
         let Examination {
             outcome,
@@ -118,9 +118,9 @@ impl Report {
             counted,
         } = examination;
         let tasks = outcome.tasks.iter().enumerate();
-        let told: Vec<Told> = tasks
+        let told: Vec<BeliefReference> = tasks
             .clone()
-            .flat_map(|(k, task)| Told::by_task(k, &task.name, &task.diagnosis))
+            .flat_map(|(k, task)| BeliefReference::by_task(k, &task.name, &task.diagnosis))
             .collect();
         let scenes = outcome.scenes.iter().zip(films);
         let failing = scenes.filter(|(scene, _)| !scene.outcome.passes());
@@ -212,8 +212,8 @@ struct JudgedScene<'a> {
     film: &'a SceneFilm,
     submission: &'a str,
     goldens: &'a Path,
-    again: &'a Again,
-    told: &'a [Told],
+    again: &'a RepeatCommands,
+    told: &'a [BeliefReference],
 }
 
 impl JudgedScene<'_> {
@@ -243,7 +243,7 @@ impl JudgedScene<'_> {
             heat: cast.tests.as_ref().and_then(HeatMaps::alone),
             scene: scene.as_ref(),
             rays,
-            own_rays: RaysOfYours::of(&cast.rays),
+            own_rays: SubmittedRays::of(&cast.rays),
             beliefs: Beliefs::of(&result.diagnosis, self.told),
             command: format!(
                 "{} --scene {}",

@@ -2,7 +2,7 @@
 
 use crate::judge::Tally;
 use crate::question::Data;
-use crate::result::{Breaking, Point, Sweep};
+use crate::result::{BreakingPoint, Point, Sweep};
 
 /// More wrong decisions than this share and a kernel is broken.
 const WRONG: f64 = 1e-3;
@@ -17,12 +17,12 @@ pub fn is_broken(tally: &Tally, data: Data) -> bool {
 }
 
 /// The breaking points of every kernel in a sweep.
-pub fn breaking(sweep: &Sweep, data: Data) -> Vec<Breaking> {
+pub fn breaking(sweep: &Sweep, data: Data) -> Vec<BreakingPoint> {
     let kernels = sweep.points.first().map_or(0, |point| point.kernels.len());
     (0..kernels).map(|at| of_kernel(sweep, data, at)).collect()
 }
 
-fn of_kernel(sweep: &Sweep, data: Data, at: usize) -> Breaking {
+fn of_kernel(sweep: &Sweep, data: Data, at: usize) -> BreakingPoint {
     let broken = |point: &&Point| is_broken(&point.kernels[at].tally, data);
     // The exponent nearest to 0 is easy.
     let exponents = || sweep.points.iter().map(|point| point.exponent);
@@ -30,7 +30,7 @@ fn of_kernel(sweep: &Sweep, data: Data, at: usize) -> Breaking {
     let above = sweep.points.iter().filter(|point| point.exponent >= easy);
     let below = sweep.points.iter().filter(|point| point.exponent <= easy);
     let named = &sweep.points[0].kernels[at];
-    Breaking {
+    BreakingPoint {
         shape: sweep.shape.clone(),
         family: sweep.family.clone(),
         kernel: named.kernel.clone(),

@@ -16,7 +16,7 @@ pub mod world;
 use std::marker::PhantomData;
 
 use crate::kernel::Limits;
-use crate::kernel::triangle::Four;
+use crate::kernel::triangle::TrianglePacket;
 use crate::shape::Ray;
 use model::{Model, Query};
 pub use search::Search;
@@ -123,7 +123,13 @@ impl<'a, M: Model> Nearest<'a, '_, M> {
 
     /// The same of four triangles, which are the parts from `first` on.
     #[inline(always)]
-    fn consider_four(&mut self, four: &Four, limits: &Limits, parts: &'a [Part], first: u32) {
+    fn consider_four(
+        &mut self,
+        four: &TrianglePacket,
+        limits: &Limits,
+        parts: &'a [Part],
+        first: u32,
+    ) {
         self.tally.tests += u64::from(four.count());
         let met = M::meet_four(four, limits, &self.query);
         let (mut hits, mut open) = (met.hits, met.open);

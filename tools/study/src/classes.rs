@@ -6,12 +6,12 @@ use std::collections::BTreeMap;
 
 use crate::conditioning::decade;
 use crate::contestants::EXACT;
-use crate::family::Studied;
+use crate::family::HasFamilies;
 use crate::instructions;
 use crate::judge::{Tally, median_and_worst};
 use crate::kernel::Tier;
 use crate::question::{Class, Data};
-use crate::result::{Conditioned, Sweep, TierTally, Trade};
+use crate::result::{ConditioningErrors, Sweep, TierTally, Trade};
 use crate::speed::{PAIRS, Time, pool, race};
 
 /// A kernel's name, and what it computes with.
@@ -27,7 +27,7 @@ pub type Errors = BTreeMap<Entry, Vec<Error>>;
 const COUNTED: usize = 10 * PAIRS;
 
 /// Cost and wrong decisions of every kernel, by class.
-pub fn trades<S: Studied>(
+pub fn trades<S: HasFamilies>(
     sweeps: &[Sweep],
     errors: &Errors,
     seconds: f64,
@@ -69,7 +69,7 @@ pub fn trades<S: Studied>(
 }
 
 /// Time and instructions of every kernel on a sample of a class.
-fn costs<S: Studied>(
+fn costs<S: HasFamilies>(
     class: Class,
     seconds: f64,
     counts: bool,
@@ -93,7 +93,7 @@ fn costs<S: Studied>(
 }
 
 /// Each tier of the exact kernel in `f64`: its share of a class, and its cost.
-pub fn tiers<S: Studied>(seconds: f64, counts: bool, seed: u64) -> Vec<TierTally> {
+pub fn tiers<S: HasFamilies>(seconds: f64, counts: bool, seed: u64) -> Vec<TierTally> {
     let kernels = S::contestants();
     let is_it = |k: &&crate::contestant::Contestant<S>| k.name == EXACT && k.data == Data::F64;
     let kernel = kernels.iter().find(is_it).expect("every shape has it");
@@ -129,7 +129,7 @@ pub fn tiers<S: Studied>(seconds: f64, counts: bool, seed: u64) -> Vec<TierTally
 
 /// So many casts of one kernel's workload on a class of questions, or on those that a tier
 /// decides: what runs under valgrind. False if `what` names something else.
-pub fn cast<S: Studied>(what: &str, kernel: usize, casts: u32) -> bool {
+pub fn cast<S: HasFamilies>(what: &str, kernel: usize, casts: u32) -> bool {
     let mut words = what.splitn(4, ' ');
     let (shape, class, seed) = (words.next(), words.next(), words.next());
     let class = Class::ALL.into_iter().find(|it| Some(it.name()) == class);
@@ -150,7 +150,7 @@ pub fn cast<S: Studied>(what: &str, kernel: usize, casts: u32) -> bool {
 }
 
 /// Errors of everyday and hard questions, by decades of the condition number.
-pub fn conditioning(shape: &str, errors: &Errors) -> Vec<Conditioned> {
+pub fn conditioning(shape: &str, errors: &Errors) -> Vec<ConditioningErrors> {
     let mut all = Vec::new();
     for ((kernel, numbers), errors) in errors {
         let mut decades: BTreeMap<i32, Vec<f64>> = BTreeMap::new();
@@ -160,7 +160,7 @@ pub fn conditioning(shape: &str, errors: &Errors) -> Vec<Conditioned> {
         for (decade, errors) in decades {
             let hits = errors.len() as u64;
             let [median, worst] = median_and_worst(errors);
-            all.push(Conditioned {
+            all.push(ConditioningErrors {
                 shape: shape.into(),
                 kernel: kernel.clone(),
                 numbers: numbers.clone(),

@@ -6,13 +6,13 @@
 //! function theorem, with N along the normal at the hit, ∂t/∂e = −N / (N·d), ∂t/∂d = t ∂t/∂e,
 //! and moving the shape moves t the other way.
 
-use crate::oracle::{Known, Truth};
+use crate::oracle::{HasTruth, Truth};
 use crate::question::Question;
 use crate::shape::{Plane, Ray, Sphere, Triangle};
 use crate::vector::Vector;
 
 /// A shape whose questions have a condition number.
-pub trait Conditioning: Known {
+pub trait Conditioning: HasTruth {
     /// κ, for a true hit, to a few digits; infinite where it is met by touching alone.
     fn condition(question: &Question<Self>, truth: &Truth) -> Option<f64>;
 }

@@ -1,13 +1,13 @@
 //! Who takes part.
 
 use crate::contestant::Contestant;
-use crate::kernel::{Kernel, Prepared, Tier, Widened, plane, sphere, triangle};
-use crate::oracle::Known;
+use crate::kernel::{Kernel, Prepared, Tier, WidenedKernel, plane, sphere, triangle};
+use crate::oracle::HasTruth;
 use crate::question::{Data, Question};
 use crate::shape::{Plane, Sphere, Triangle};
 
 /// A shape that kernels compete on.
-pub trait Contested: Known {
+pub trait HasKernels: HasTruth {
     /// The shape's name.
     const NAME: &'static str;
     /// All kernels, on all types of numbers.
@@ -22,29 +22,29 @@ pub const EXACT: &str = "adaptive exact";
 /// A kernel in `f64`, on data of either type.
 fn in_f64<S, K>() -> Vec<Contestant<S>>
 where
-    S: Known,
+    S: HasTruth,
     K: Kernel<S, f64>,
-    Widened<K>: Kernel<S::With<f32>, f32>,
+    WidenedKernel<K>: Kernel<S::With<f32>, f32>,
 {
     vec![
         Contestant::new::<K, f64>(Data::F64, "f64"),
-        Contestant::new::<Widened<K>, f32>(Data::F32, "f64 on f32"),
+        Contestant::new::<WidenedKernel<K>, f32>(Data::F32, "f64 on f32"),
     ]
 }
 
 /// And in `f32`.
 fn in_all_numbers<S, K>() -> Vec<Contestant<S>>
 where
-    S: Known,
+    S: HasTruth,
     K: Kernel<S, f64> + Kernel<S::With<f32>, f32>,
-    Widened<K>: Kernel<S::With<f32>, f32>,
+    WidenedKernel<K>: Kernel<S::With<f32>, f32>,
 {
     let mut all = in_f64::<S, K>();
     all.push(Contestant::new::<K, f32>(Data::F32, "f32"));
     all
 }
 
-impl Contested for Sphere<f64> {
+impl HasKernels for Sphere<f64> {
     const NAME: &'static str = "sphere";
 
     fn contestants() -> Vec<Contestant<Self>> {
@@ -61,12 +61,12 @@ impl Contested for Sphere<f64> {
     }
 }
 
-impl Contested for Plane<f64> {
+impl HasKernels for Plane<f64> {
     const NAME: &'static str = "plane";
 
     fn contestants() -> Vec<Contestant<Self>> {
         [
-            in_all_numbers::<Self, plane::Shifted>(),
+            in_all_numbers::<Self, plane::ShiftedOrigin>(),
             in_f64::<Self, plane::Adaptive>(),
         ]
         .concat()
@@ -77,7 +77,7 @@ impl Contested for Plane<f64> {
     }
 }
 
-impl Contested for Triangle<f64> {
+impl HasKernels for Triangle<f64> {
     const NAME: &'static str = "triangle";
 
     fn contestants() -> Vec<Contestant<Self>> {

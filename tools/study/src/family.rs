@@ -7,7 +7,7 @@ mod sphere;
 mod triangle;
 mod varied;
 
-use crate::contestants::Contested;
+use crate::contestants::HasKernels;
 use crate::question::{Class, Data, Question};
 use crate::random::Random;
 use crate::vector::Vector;
@@ -43,7 +43,7 @@ impl<S> Family<S> {
 }
 
 /// A shape with families of questions about it.
-pub trait Studied: Contested {
+pub trait HasFamilies: HasKernels {
     /// All of them.
     fn families() -> Vec<Family<Self>>;
 
@@ -78,7 +78,7 @@ fn scales(data: Data) -> Vec<i32> {
 
 /// So many sound questions of a family, rounded to the data's type: the same for every
 /// kernel, and on every machine. None where the type cannot hold them.
-pub fn questions<S: Contested>(
+pub fn questions<S: HasKernels>(
     family: &Family<S>,
     exponent: i32,
     data: Data,

@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::cast::Tally;
 use crate::cast::rays::rays;
 use crate::plan::casting::Seen;
-use crate::plan::{Plan, Wish, plan};
+use crate::plan::{AccuracyTarget, Plan, plan};
 
 /// What casting a film took.
 #[derive(Clone, Debug, Serialize)]
@@ -31,14 +31,14 @@ pub struct Report {
 
 /// What an exact film promises, beside the true object at every pixel: far more digits than
 /// the film's own numbers have.
-pub const EXACT: Wish = Wish {
+pub const EXACT: AccuracyTarget = AccuracyTarget {
     accuracy: 1e-12,
     depth: true,
     normal: true,
 };
 
 /// Plans a scene and casts it so.
-pub fn planned(scene: &Scene, wish: Wish) -> Result<(Film, Report), String> {
+pub fn planned(scene: &Scene, wish: AccuracyTarget) -> Result<(Film, Report), String> {
     let start = Instant::now();
     let (plan, casting) = plan(scene, wish)?;
     let planning_seconds = start.elapsed().as_secs_f64();

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::contestant::Contestant;
-use crate::oracle::{Known, Truth};
+use crate::oracle::{HasTruth, Truth};
 use crate::question::{Data, Question};
 
 /// What came of it. Ties are counted, and otherwise left out; so are questions whose t
@@ -66,7 +66,7 @@ enum Verdict {
     NotFinite,
 }
 
-fn verdict<S: Known>(
+fn verdict<S: HasTruth>(
     data: Data,
     question: &Question<S>,
     truth: &Truth,
@@ -97,7 +97,7 @@ const APART: f64 = 64.0;
 
 /// Whether t is nearer to the other root, where the two are further apart than the
 /// radius. (Nearly tangent roots are not told apart either; their error is measured.)
-fn is_of_other_side<S: Known>(question: &Question<S>, root: f64, other: f64, t: f64) -> bool {
+fn is_of_other_side<S: HasTruth>(question: &Question<S>, root: f64, other: f64, t: f64) -> bool {
     let [lengths, _, direction] = question.numbers();
     // A sphere's numbers end with its radius.
     let radius = lengths.last().copied().unwrap_or(0.0).abs();
@@ -106,7 +106,7 @@ fn is_of_other_side<S: Known>(question: &Question<S>, root: f64, other: f64, t: 
 }
 
 /// A kernel's answers to questions whose truths are known.
-pub fn judge<S: Known>(
+pub fn judge<S: HasTruth>(
     kernel: &Contestant<S>,
     questions: &[Question<S>],
     truths: &[Truth],
@@ -116,7 +116,7 @@ pub fn judge<S: Known>(
 
 /// The same, with the error in ulp of each t that is finite and no wrong decision, by the
 /// place of its question.
-pub fn judge_each<S: Known>(
+pub fn judge_each<S: HasTruth>(
     kernel: &Contestant<S>,
     questions: &[Question<S>],
     truths: &[Truth],

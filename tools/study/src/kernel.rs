@@ -15,7 +15,7 @@ pub mod triangle;
 mod widened;
 
 pub use filter::{Limits, Prepared, Tier, Window};
-pub use widened::Widened;
+pub use widened::WidenedKernel;
 
 use crate::number::Real;
 use crate::shape::Ray;

@@ -19,7 +19,7 @@ use crate::shape::Shape;
 use crate::vector::Vector;
 
 /// A shape about which the truth can be known.
-pub trait Known: Shape<With<f64> = Self> {
+pub trait HasTruth: Shape<With<f64> = Self> {
     /// The truth; `None` about a question with a number that is not finite.
     fn truth(question: &Question<Self>) -> Truth;
 }

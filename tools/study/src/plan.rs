@@ -24,11 +24,11 @@ use crate::cast::world::{Primitive, World};
 use crate::number::U;
 use crate::vector::{Vector, around};
 use bounds::{PROVEN_T, normal_of, of_normal};
-use casting::Casting;
+use casting::PlannedCaster;
 
 /// What a user wants of a film. Objects are the true ones in any case.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Wish {
+pub struct AccuracyTarget {
     /// The largest relative error of t, and the largest angle of a normal in radians.
     pub accuracy: f64,
     /// Whether t is asked for.
@@ -74,7 +74,7 @@ impl Kind {
 
 /// What is planned for a kind of shape.
 #[derive(Clone, Debug, Serialize)]
-pub struct OfKind {
+pub struct KindPlan {
     /// Which.
     pub kind: Kind,
     /// How many there are.
@@ -92,11 +92,11 @@ pub struct OfKind {
 #[derive(Clone, Debug, Serialize)]
 pub struct Plan {
     /// What for.
-    pub wish: Wish,
+    pub wish: AccuracyTarget,
     /// Pixels of the film.
     pub pixels: usize,
     /// The kinds there are.
-    pub kinds: Vec<OfKind>,
+    pub kinds: Vec<KindPlan>,
     /// `brute force` or `boxes`.
     pub search: &'static str,
     /// Instructions for a ray if every part is asked, planes apart.
@@ -106,7 +106,7 @@ pub struct Plan {
 }
 
 /// Plans; or says why nothing meets the wish.
-pub fn plan(scene: &Scene, wish: Wish) -> Result<(Plan, Casting), String> {
+pub fn plan(scene: &Scene, wish: AccuracyTarget) -> Result<(Plan, PlannedCaster), String> {
     // An exact t is rounded once, and a normal when it is made unit length.
     if !(wish.accuracy >= 16.0 * U) {
         return Err(format!(
@@ -125,7 +125,7 @@ pub fn plan(scene: &Scene, wish: Wish) -> Result<(Plan, Casting), String> {
             .collect();
         let worst = parts.iter().map(|shape| worst_normal(shape, origins));
         let worst_normal = worst.fold(0.0, f64::max);
-        (!parts.is_empty()).then(|| OfKind {
+        (!parts.is_empty()).then(|| KindPlan {
             kind,
             parts: parts.len(),
             worst_t: PROVEN_T,
@@ -142,7 +142,7 @@ pub fn plan(scene: &Scene, wish: Wish) -> Result<(Plan, Casting), String> {
         price_of_all: price_of_all(&world.parts),
         prices: PRICES,
     };
-    Ok((plan, Casting::new(world, scene.min_t, wish)))
+    Ok((plan, PlannedCaster::new(world, scene.min_t, wish)))
 }
 
 /// How far the normal of a part may be turned, whichever ray from this box meets it.

@@ -10,10 +10,10 @@ use crate::cast::model::Plain;
 use crate::cast::rays::rays;
 use crate::cast::world::World;
 use crate::cast::{Caster, Search, Tally};
-use crate::oracle::scene::{Compared, Sight, sight};
-use crate::plan::casting::Casting;
-use crate::plan::{Wish, plan};
-use crate::result::{Kept, PlanTally};
+use crate::oracle::scene::{HitComparison, TrueHit, sight};
+use crate::plan::casting::PlannedCaster;
+use crate::plan::{AccuracyTarget, plan};
+use crate::result::{PlanErrors, PlanTally};
 use crate::scenes::{self, Share};
 use crate::shape::Ray;
 use crate::speed::{Workload, race};
@@ -28,7 +28,7 @@ pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<Plan
     let rays: Vec<_> = rays(&scene).into_iter().step_by(share.step).collect();
     let truth = |ray| sight(&world.parts, ray, scene.min_t);
     let truths: Vec<_> = rays.par_iter().map(truth).collect();
-    let everything = |accuracy| Wish {
+    let everything = |accuracy| AccuracyTarget {
         accuracy,
         depth: true,
         normal: true,
@@ -38,7 +38,7 @@ pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<Plan
         let wish = everything(*accuracy);
         castings.push((wish, plan(&scene, wish)?.1));
     }
-    let unwatched = Casting::new(world.clone(), scene.min_t, everything(f64::INFINITY));
+    let unwatched = PlannedCaster::new(world.clone(), scene.min_t, everything(f64::INFINITY));
     let plain = Caster::new(world.clone());
     let search = Search::cheaper(&world.parts);
 
@@ -58,7 +58,7 @@ pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<Plan
         unreachable!("the last two are always there");
     };
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
-    let tally = |(at, (wish, casting)): (usize, &(Wish, Casting))| {
+    let tally = |(at, (wish, casting)): (usize, &(AccuracyTarget, PlannedCaster))| {
         let (kept, tally) = kept(&rays, &truths, casting, wish);
         PlanTally {
             scene: name.clone().into(),
@@ -76,17 +76,22 @@ pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<Plan
 /// Casts rays as planned, and judges what is seen by what is true. What is truly first is
 /// first, edges included, and of what is met together the object listed first: nothing else
 /// is right.
-pub fn kept(rays: &[Ray<f64>], truths: &[Sight], casting: &Casting, wish: &Wish) -> (Kept, Tally) {
+pub fn kept(
+    rays: &[Ray<f64>],
+    truths: &[TrueHit],
+    casting: &PlannedCaster,
+    wish: &AccuracyTarget,
+) -> (PlanErrors, Tally) {
     let (seen, tally) = casting.film(rays);
-    let mut kept = Kept {
+    let mut kept = PlanErrors {
         rays: rays.len() as u64,
-        ..Kept::default()
+        ..PlanErrors::default()
     };
     for ((ray, truth), seen) in rays.iter().zip(truths).zip(seen) {
         let first = truth.first.as_ref().map(|(part, _)| part.object);
         if first != seen.map(|(object, ..)| object) {
             kept.wrong_ids += 1;
-        } else if let Compared::Off { t, normal, .. } = truth.compared(ray, seen) {
+        } else if let HitComparison::Off { t, normal, .. } = truth.compared(ray, seen) {
             let t = if wish.depth { t } else { 0.0 };
             let normal = if wish.normal { normal } else { 0.0 };
             kept.worst_t = kept.worst_t.max(t);

@@ -17,9 +17,9 @@ use crate::cast::rays::rays;
 use crate::cast::world::{Primitive, World};
 use crate::cast::{Caster, Search, Tally};
 use crate::contestant::Contestant;
-use crate::contestants::{Contested, EXACT};
+use crate::contestants::{EXACT, HasKernels};
 use crate::family::mesh::{Aim, Ball};
-use crate::family::{Studied, questions};
+use crate::family::{HasFamilies, questions};
 use crate::judge::judge;
 use crate::oracle::scene::sight;
 use crate::plan::plan;
@@ -91,7 +91,7 @@ pub fn record(kind: Kind, rounds: Range<u64>, seed: u64) -> Count {
 /// Asked of one family at one exponent in a round.
 const BATCH: usize = 500;
 
-fn of_shape<S: Studied + Into<Primitive>>(kind: Kind, seed: u64) -> Count {
+fn of_shape<S: HasFamilies + Into<Primitive>>(kind: Kind, seed: u64) -> Count {
     let kernels = judged::<S>();
     let mut count = Count::default();
     for family in S::families() {
@@ -112,7 +112,7 @@ fn of_shape<S: Studied + Into<Primitive>>(kind: Kind, seed: u64) -> Count {
 }
 
 /// The exact kernel, and the caster around it.
-fn judged<S: Contested + Into<Primitive>>() -> [Contestant<S>; 2] {
+fn judged<S: HasKernels + Into<Primitive>>() -> [Contestant<S>; 2] {
     let kernels = S::contestants();
     let is_it = |k: &&Contestant<S>| k.name == EXACT && k.data == Data::F64;
     let kernel = *kernels.iter().find(is_it).expect("every shape has it");

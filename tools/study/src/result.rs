@@ -38,11 +38,11 @@ pub struct Findings {
     /// The tiers of the exact kernels.
     pub tiers: Vec<TierTally>,
     /// Errors of t against the question's conditioning.
-    pub conditioning: Vec<Conditioned>,
+    pub conditioning: Vec<ConditioningErrors>,
     /// Rays that begin on a surface.
     pub secondary: Vec<Secondary>,
     /// Where each kernel breaks.
-    pub breaking: Vec<Breaking>,
+    pub breaking: Vec<BreakingPoint>,
     /// Whole scenes.
     pub scenes: Vec<SceneTally>,
     /// What plans come to.
@@ -96,13 +96,13 @@ pub struct Point {
     /// How far from the ordinary its questions are.
     pub class: Class,
     /// Of each kernel.
-    pub kernels: Vec<Judged>,
+    pub kernels: Vec<KernelTally>,
 }
 
 /// One kernel's tally.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Judged {
+pub struct KernelTally {
     /// Its name.
     pub kernel: String,
     /// What it computes with.
@@ -186,7 +186,7 @@ pub struct TierTally {
 /// everyday and hard ones.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Conditioned {
+pub struct ConditioningErrors {
     /// sphere, plane or triangle.
     pub shape: String,
     /// Its name.
@@ -206,7 +206,7 @@ pub struct Conditioned {
 /// Where one kernel breaks in one family.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Breaking {
+pub struct BreakingPoint {
     /// sphere, plane or triangle.
     pub shape: String,
     /// The family's name.
@@ -282,7 +282,7 @@ pub struct Secondary {
 /// What the oracle says of a planned film.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Kept {
+pub struct PlanErrors {
     /// Rays that were judged.
     pub rays: u64,
     /// Whose object is not the one truly seen.
@@ -305,7 +305,7 @@ pub struct PlanTally {
     pub accuracy: f64,
     /// What the oracle says of its film.
     #[serde(flatten)]
-    pub kept: Kept,
+    pub kept: PlanErrors,
     /// Pixels whose t and normal were computed exactly.
     pub exact_hits: u64,
     /// CPU time for a ray: the median film.

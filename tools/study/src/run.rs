@@ -5,14 +5,14 @@ use rayon::prelude::*;
 use crate::breaking::breaking;
 use crate::classes::{self, Errors};
 use crate::conditioning::Conditioning;
-use crate::contestants::Contested;
+use crate::contestants::HasKernels;
 use crate::family::mesh::Aim;
-use crate::family::{Family, Studied, questions};
+use crate::family::{Family, HasFamilies, questions};
 use crate::judge::judge_each;
 use crate::leaks;
 use crate::plans;
 use crate::question::Data;
-use crate::result::{Findings, Judged, Point, Sweep};
+use crate::result::{Findings, KernelTally, Point, Sweep};
 use crate::scenes::{self, Share};
 use crate::secondary;
 use crate::shape::{Plane, Sphere, Triangle};
@@ -119,7 +119,7 @@ pub fn parts() -> Vec<&'static str> {
     names
 }
 
-fn of_shape<S: Studied + Conditioning>(
+fn of_shape<S: HasFamilies + Conditioning>(
     extent: &Extent,
     seed: u64,
     is_wanted: &dyn Fn(&str) -> bool,
@@ -151,7 +151,7 @@ fn of_shape<S: Studied + Conditioning>(
 }
 
 /// One family in one type of data, every kernel on the same questions.
-pub fn swept<S: Studied + Conditioning>(
+pub fn swept<S: HasFamilies + Conditioning>(
     family: &Family<S>,
     data: Data,
     count: usize,
@@ -184,7 +184,7 @@ pub fn swept<S: Studied + Conditioning>(
                 .map(|(at, ulp)| (class, ulp, condition(at).unwrap_or(f64::INFINITY)));
             let entry = (kernel.clone(), numbers.clone());
             errors.entry(entry).or_default().extend(with_condition);
-            kernels.push(Judged {
+            kernels.push(KernelTally {
                 kernel,
                 numbers,
                 tally,

@@ -13,7 +13,7 @@ use crate::cast::world::World;
 use crate::cast::{Caster, Search, Tally};
 use crate::instructions;
 use crate::judge::median_and_worst;
-use crate::oracle::scene::{Compared, Sight, sight};
+use crate::oracle::scene::{HitComparison, TrueHit, sight};
 use crate::plan::casting::Seen;
 use crate::result::SceneTally;
 use crate::shape::Ray;
@@ -32,30 +32,30 @@ pub struct Share {
 }
 
 /// A scene ready to be cast, and its rays.
-struct Stage {
+struct SceneRays {
     caster: Caster,
     rays: Vec<Ray<f64>>,
     min_t: f64,
 }
 
 /// One way to cast a scene.
-struct Way {
+struct CastMethod {
     /// What it computes with.
     numbers: &'static str,
     search: Search,
     /// What is seen along every ray.
-    see: fn(&Stage, Search, &mut Tally) -> Vec<Seen>,
+    see: fn(&SceneRays, Search, &mut Tally) -> Vec<Seen>,
     /// Casts all rays. It asks no clock: rustix's cannot be asked under valgrind.
-    film: fn(&Stage, Search),
+    film: fn(&SceneRays, Search),
 }
 
-fn ways() -> [Way; 4] {
-    fn way<M: Model>(search: Search) -> Way {
-        Way {
+fn ways() -> [CastMethod; 4] {
+    fn way<M: Model>(search: Search) -> CastMethod {
+        CastMethod {
             numbers: M::NAME,
             search,
-            see: Stage::see::<M>,
-            film: Stage::film::<M>,
+            see: SceneRays::see::<M>,
+            film: SceneRays::film::<M>,
         }
     }
     let (all, boxes) = (Search::BruteForce, Search::Boxes);
@@ -67,9 +67,9 @@ fn ways() -> [Way; 4] {
     ]
 }
 
-impl Stage {
-    fn new(scene: &Scene, step: usize) -> Stage {
-        Stage {
+impl SceneRays {
+    fn new(scene: &Scene, step: usize) -> SceneRays {
+        SceneRays {
             caster: Caster::new(World::of(&scene.objects)),
             rays: rays(scene).into_iter().step_by(step).collect(),
             min_t: scene.min_t,
@@ -103,7 +103,7 @@ pub fn cast(named: &str, way: usize, films: u32) -> bool {
     let name = named.strip_prefix(SCENE).map(|name| format!("{name}.toml"));
     let file = name.and_then(|name| files().into_iter().find(|file| file.ends_with(&name)));
     let Some(file) = file else { return false };
-    let stage = Stage::new(&read(&file).expect("the scene is committed"), 1);
+    let stage = SceneRays::new(&read(&file).expect("the scene is committed"), 1);
     if let Some(way) = ways().get(way) {
         (0..films).for_each(|_| (way.film)(&stage, way.search));
     }
@@ -155,7 +155,7 @@ fn golden(name: &str) -> Option<Film> {
 pub fn studied(file: &Path, share: Share) -> Result<Vec<SceneTally>, pinhole::Error> {
     let scene = read(file)?;
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
-    let stage = Stage::new(&scene, share.step);
+    let stage = SceneRays::new(&scene, share.step);
     let (parts, rays) = (&stage.caster.world.parts, &stage.rays);
     let truth = |ray| sight(parts, ray, scene.min_t);
     let truths: Vec<_> = rays.par_iter().map(truth).collect();
@@ -207,7 +207,7 @@ fn seen_in(film: &Film) -> Vec<Seen> {
     (0..film.resolution().pixels()).map(pixel).collect()
 }
 
-fn judged(rays: &[Ray<f64>], truths: &[Sight], seen: Vec<Seen>) -> SceneTally {
+fn judged(rays: &[Ray<f64>], truths: &[TrueHit], seen: Vec<Seen>) -> SceneTally {
     let mut tally = SceneTally {
         rays: rays.len() as u64,
         ..SceneTally::default()
@@ -215,9 +215,9 @@ fn judged(rays: &[Ray<f64>], truths: &[Sight], seen: Vec<Seen>) -> SceneTally {
     let mut errors = Vec::new();
     for ((ray, truth), seen) in rays.iter().zip(truths).zip(seen) {
         match truth.compared(ray, seen) {
-            Compared::Alike => (),
-            Compared::AnotherObject => tally.wrong_ids += 1,
-            Compared::Off { t, normal, .. } => {
+            HitComparison::Alike => (),
+            HitComparison::AnotherObject => tally.wrong_ids += 1,
+            HitComparison::Off { t, normal, .. } => {
                 errors.push(t);
                 tally.worst_normal = Some(tally.worst_normal.unwrap_or(0.0).max(normal));
             }

@@ -4,8 +4,8 @@
 
 use rayon::prelude::*;
 
-use crate::contestants::Contested;
-use crate::family::Studied;
+use crate::contestants::HasKernels;
+use crate::family::HasFamilies;
 use crate::kernel::{Kernel, sphere, triangle};
 use crate::number::Real;
 use crate::question::Data;
@@ -18,7 +18,7 @@ use crate::vector::Vector;
 const NEAR: f64 = 1e-3;
 
 /// A shape that rays leave.
-trait Left: Studied {
+trait SecondaryRaySource: HasFamilies {
     /// By a careful kernel in `f32`.
     fn meet(shape: &Self::With<f32>, ray: &Ray<f32>, min_t: f32) -> Option<f32>;
     /// At a point of it that was met: the point as nearly on it as `f32` allows, how far that
@@ -28,7 +28,7 @@ trait Left: Studied {
     fn near(self, normal: Vector<f64>) -> Self;
 }
 
-impl Left for Sphere<f64> {
+impl SecondaryRaySource for Sphere<f64> {
     fn meet(shape: &Sphere<f32>, ray: &Ray<f32>, min_t: f32) -> Option<f32> {
         sphere::Haines::intersect(shape, &sphere::Haines::prepare(ray), min_t)
     }
@@ -48,7 +48,7 @@ impl Left for Sphere<f64> {
     }
 }
 
-impl Left for Triangle<f64> {
+impl SecondaryRaySource for Triangle<f64> {
     fn meet(shape: &Triangle<f32>, ray: &Ray<f32>, min_t: f32) -> Option<f32> {
         triangle::MollerTrumbore::intersect(shape, ray, min_t)
     }
@@ -132,7 +132,7 @@ pub fn studied(count: usize, seed: u64) -> Vec<Secondary> {
     all
 }
 
-fn of_shape<S: Left>(count: usize, seed: u64) -> Vec<Secondary> {
+fn of_shape<S: SecondaryRaySource>(count: usize, seed: u64) -> Vec<Secondary> {
     let places = [0.0, 10.0, 1000.0].into_iter();
     let all = places.flat_map(|offset| METHODS.map(|method| (offset, method)));
     let all: Vec<_> = all.collect();
@@ -140,16 +140,16 @@ fn of_shape<S: Left>(count: usize, seed: u64) -> Vec<Secondary> {
     all.into_par_iter().map(of_method).collect()
 }
 
-fn of_method<S: Left>(
+fn of_method<S: SecondaryRaySource>(
     (name, method): (&str, Method),
     offset: f64,
     count: usize,
     seed: u64,
 ) -> Secondary {
-    let purpose = format!("secondary {} {offset}", <S as Contested>::NAME);
+    let purpose = format!("secondary {} {offset}", <S as HasKernels>::NAME);
     let mut random = Random::new(seed, &purpose);
     let mut tally = Secondary {
-        shape: <S as Contested>::NAME.into(),
+        shape: <S as HasKernels>::NAME.into(),
         method: name.into(),
         offset,
         leaving: 0,

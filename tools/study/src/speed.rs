@@ -7,7 +7,7 @@
 use std::time::Duration;
 
 pub use crate::contestant::Workload;
-use crate::family::{Studied, questions};
+use crate::family::{HasFamilies, questions};
 use crate::question::{Class, Data, Question};
 
 /// Pairs of ray and shape in a workload: few enough to stay in a core's own cache.
@@ -40,7 +40,7 @@ pub fn now() -> Duration {
 
 /// About so many questions of a class, evenly from all its families and steps: the first of
 /// those that are judged.
-pub fn pool<S: Studied>(class: Class, data: Data, count: usize, seed: u64) -> Vec<Question<S>> {
+pub fn pool<S: HasFamilies>(class: Class, data: Data, count: usize, seed: u64) -> Vec<Question<S>> {
     let families = S::families();
     let steps = families.iter().flat_map(|family| {
         let exponents = (family.exponents)(data).into_iter();

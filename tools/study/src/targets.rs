@@ -4,7 +4,9 @@
 use crate::contestants::EXACT;
 use crate::judge::{median_and_worst, rule_of_three};
 use crate::question::Class;
-use crate::result::{Conditioned, Findings, MeshTally, PlanTally, SceneTally, Target, Trade};
+use crate::result::{
+    ConditioningErrors, Findings, MeshTally, PlanTally, SceneTally, Target, Trade,
+};
 
 /// What came: in words, and whether that is as good as promised.
 type Measured = Option<(String, bool)>;
@@ -137,7 +139,7 @@ fn decisions(findings: &Findings, class: Class, is_it: impl Fn(&Trade) -> bool) 
     none_of(wrong, asked)
 }
 
-fn worst(conditioning: &[Conditioned]) -> Measured {
+fn worst(conditioning: &[ConditioningErrors]) -> Measured {
     let exact = conditioning.iter();
     let exact = exact.filter(|it| it.kernel == EXACT && it.numbers == "f64");
     let worst = exact.map(|it| it.worst_ulp).reduce(f64::max)?;

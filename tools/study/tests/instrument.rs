@@ -5,13 +5,13 @@ use std::sync::LazyLock;
 
 use pinhole_study::conditioning::{self, Conditioning};
 use pinhole_study::contestant::Contestant;
-use pinhole_study::contestants::{Contested, EXACT};
+use pinhole_study::contestants::{EXACT, HasKernels};
 use pinhole_study::family::mesh::Aim;
-use pinhole_study::family::{Studied, questions};
+use pinhole_study::family::{HasFamilies, questions};
 use pinhole_study::judge::{Tally, judge};
 use pinhole_study::kernel::{Kernel, sphere, triangle};
 use pinhole_study::leaks;
-use pinhole_study::oracle::Known;
+use pinhole_study::oracle::HasTruth;
 use pinhole_study::question::{Class, Data, Question};
 use pinhole_study::result::{Findings, Trade};
 use pinhole_study::run::{Extent, run};
@@ -23,7 +23,7 @@ use pinhole_study::vector::Vector;
 const SEED: u64 = 7;
 
 /// Tallies of one `f64` or `f32` contestant over every family and exponent.
-fn over_all<S: Studied>(kernel: &Contestant<S>, count: usize) -> Vec<(String, Tally)> {
+fn over_all<S: HasFamilies>(kernel: &Contestant<S>, count: usize) -> Vec<(String, Tally)> {
     let mut tallies = Vec::new();
     for family in S::families() {
         for exponent in (family.exponents)(kernel.data) {
@@ -36,7 +36,7 @@ fn over_all<S: Studied>(kernel: &Contestant<S>, count: usize) -> Vec<(String, Ta
     tallies
 }
 
-fn wrong<S: Studied>(kernel: &Contestant<S>) -> u64 {
+fn wrong<S: HasFamilies>(kernel: &Contestant<S>) -> u64 {
     over_all(kernel, 50)
         .iter()
         .map(|(_, tally)| tally.wrong())
@@ -144,7 +144,7 @@ const SPOILERS: [f64; 7] = [
 ];
 
 /// With each number of a question replaced in turn: no hit if it is no number, else the truth.
-fn no_number_spoils<S: Studied + std::fmt::Debug>(kernel: &Contestant<S>, value: f64) {
+fn no_number_spoils<S: HasFamilies + std::fmt::Debug>(kernel: &Contestant<S>, value: f64) {
     let families = S::families();
     let plain = families.iter().find(|family| family.name == "offset");
     let plain = plain.expect("every shape has an offset");
@@ -172,7 +172,7 @@ fn no_number_spoils<S: Studied + std::fmt::Debug>(kernel: &Contestant<S>, value:
 }
 
 #[track_caller]
-fn exact_kernels_are_never_wrong<S: Studied + std::fmt::Debug>() {
+fn exact_kernels_are_never_wrong<S: HasFamilies + std::fmt::Debug>() {
     for kernel in S::contestants()
         .iter()
         .filter(|kernel| kernel.name == EXACT)

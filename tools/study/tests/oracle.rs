@@ -7,7 +7,7 @@ use std::str::FromStr;
 
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
-use pinhole_study::family::{Studied, questions};
+use pinhole_study::family::{HasFamilies, questions};
 use pinhole_study::oracle::Truth;
 use pinhole_study::question::{Data, Question};
 use pinhole_study::shape::{Plane, Sphere, Triangle};
@@ -68,7 +68,7 @@ fn second_opinion(lines: &str) -> Vec<String> {
 }
 
 #[track_caller]
-fn oracles_agree<S: Studied + std::fmt::Debug>(shape_first: fn(&Question<S>) -> Vec<f64>) {
+fn oracles_agree<S: HasFamilies + std::fmt::Debug>(shape_first: fn(&Question<S>) -> Vec<f64>) {
     let mut asked = Vec::new();
     for family in S::families() {
         for data in [Data::F64, Data::F32] {

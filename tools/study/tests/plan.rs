@@ -7,12 +7,12 @@ use pinhole_study::cast::rays::rays;
 use pinhole_study::cast::world::World;
 use pinhole_study::film::{EXACT, planned};
 use pinhole_study::oracle::scene::sight;
-use pinhole_study::plan::{Wish, plan};
+use pinhole_study::plan::{AccuracyTarget, plan};
 use pinhole_study::plans::{kept, studied};
 use pinhole_study::scenes::{Share, files, read};
 
-fn wish(accuracy: f64) -> Wish {
-    Wish { accuracy, ..EXACT }
+fn wish(accuracy: f64) -> AccuracyTarget {
+    AccuracyTarget { accuracy, ..EXACT }
 }
 
 /// A scene of these tests: what once was wrong.

@@ -5,11 +5,11 @@ use image::RgbImage;
 use pinhole::{BoundingBox, Film, Kind, Node, Scene, Shape, false_colour};
 use pinhole_course::checkout::Checkout;
 
-use super::Made;
+use super::FigureFile;
 use super::drawing::{Drawing, INK, Side, colour, ink, stroke};
 use super::loops::{Lines, plot};
 use super::pictures::{GAP, made};
-use crate::boxes::{Boxed, Search, Step, box_of, inside, meet, slab};
+use crate::boxes::{MeshTree, Search, Step, box_of, inside, meet, slab};
 use crate::course::assignment_with;
 use crate::error::{Error, Result};
 use crate::png::{beside, enlarged};
@@ -31,7 +31,7 @@ fn outline(bounds: &BoundingBox) -> [DVec2; 4] {
 }
 
 /// The worked ray and box seen along z with two slabs, and the times of all three.
-pub fn slabs(_: &Checkout) -> Result<Made> {
+pub fn slabs(_: &Checkout) -> Result<FigureFile> {
     let bounds = box_of(&[TRIANGLE]);
     let mut drawing = Drawing::new(dvec2(-1.2, -0.7), dvec2(18.4, 9.9));
     let (min, max) = (bounds.min, bounds.max);
@@ -94,7 +94,7 @@ pub fn slabs(_: &Checkout) -> Result<Made> {
 }
 
 /// The boxes of a tree and their depths, the root's first.
-fn by_depth(boxed: &Boxed) -> Vec<(BoundingBox, usize, bool)> {
+fn by_depth(boxed: &MeshTree) -> Vec<(BoundingBox, usize, bool)> {
     let mut all = Vec::new();
     let mut waiting = vec![(0, 0)];
     while let Some((node, depth)) = waiting.pop() {
@@ -118,7 +118,7 @@ fn draw_walls(drawing: &mut Drawing, by: DVec2) {
 }
 
 /// Ten walls in one box, in two, in three.
-pub fn boxes_by_depth(_: &Checkout) -> Result<Made> {
+pub fn boxes_by_depth(_: &Checkout) -> Result<FigureFile> {
     let boxed = plan();
     let mut drawing = Drawing::new(dvec2(-0.6, -2.0), dvec2(30.6, 15.6));
     let places = [dvec2(8.0, 9.0), dvec2(0.0, 0.0), dvec2(16.0, 0.0)];
@@ -138,7 +138,7 @@ pub fn boxes_by_depth(_: &Checkout) -> Result<Made> {
 }
 
 /// A ray across the walls, and the boxes that it enters.
-pub fn tree_walk(_: &Checkout) -> Result<Made> {
+pub fn tree_walk(_: &Checkout) -> Result<FigureFile> {
     let boxed = plan();
     let mut drawing = Drawing::new(dvec2(-1.2, -0.2), dvec2(17.2, 8.0));
     let at = |t: f64| {
@@ -176,7 +176,7 @@ pub fn tree_walk(_: &Checkout) -> Result<Made> {
 }
 
 /// The end of the same walk: what it left out, and how much of the ray counted last.
-pub fn walk_steps(_: &Checkout) -> Result<Made> {
+pub fn walk_steps(_: &Checkout) -> Result<FigureFile> {
     let boxed = plan();
     let mut drawing = Drawing::new(dvec2(-1.2, -0.2), dvec2(17.2, 8.0));
     let at = |t: f64| {
@@ -213,7 +213,7 @@ pub fn walk_steps(_: &Checkout) -> Result<Made> {
 
 /// The bunny, and how many tests each of its pixels takes: with one box around it, and with a
 /// tree of boxes. Bright is many; the brightest is every triangle and the box.
-pub fn tests_per_pixel(checkout: &Checkout) -> Result<Made> {
+pub fn tests_per_pixel(checkout: &Checkout) -> Result<FigureFile> {
     let assignment = assignment_with(Kind::TreeSearch, checkout)?;
     let film = Film::read(&assignment.golden().join("bunny.exr"))?;
     let scene = Scene::read(&assignment.scene("bunny"))?;
@@ -227,7 +227,7 @@ pub fn tests_per_pixel(checkout: &Checkout) -> Result<Made> {
     let rays = reference.viewing_rays(scene.camera, scene.resolution)?;
     let most = (soup.triangles.len() as f64 + 1.0).ln();
     let heat = |largest_leaf: usize| {
-        let boxed = Boxed::new(soup.triangles.clone(), largest_leaf);
+        let boxed = MeshTree::new(soup.triangles.clone(), largest_leaf);
         let resolution = scene.resolution;
         RgbImage::from_fn(resolution.n_x as u32, resolution.n_y as u32, |x, y| {
             let ray = &rays[y as usize * resolution.n_x + x as usize];
@@ -244,7 +244,7 @@ pub fn tests_per_pixel(checkout: &Checkout) -> Result<Made> {
 }
 
 /// Tests for each ray, as triangles are added, with boxes and without.
-pub fn tests_by_triangles(checkout: &Checkout) -> Result<Made> {
+pub fn tests_by_triangles(checkout: &Checkout) -> Result<FigureFile> {
     let reference = Reference::of(&assignment_with(Kind::TreeSearch, checkout)?, checkout)?;
     let rays = reference.viewing_rays(camera(), SCATTERED_RESOLUTION)?;
     let points = (1..=5).map(|exponent| {

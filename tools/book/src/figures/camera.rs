@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3, dvec2, dvec3};
 use pinhole::Resolution;
 use pinhole_course::checkout::Checkout;
 
-use super::Made;
+use super::FigureFile;
 use super::drawing::{Drawing, INK, Side, Space, colour, ink, stroke};
 use crate::error::Result;
 use crate::worked::{PIXEL, on_plane, slide};
@@ -18,7 +18,7 @@ fn tree(drawing: &mut Drawing, foot: DVec2, size: DVec2) {
 }
 
 /// A dark box with a hole.
-pub fn camera_obscura(_: &Checkout) -> Result<Made> {
+pub fn camera_obscura(_: &Checkout) -> Result<FigureFile> {
     let mut drawing = Drawing::new(dvec2(-5.2, -2.2), dvec2(4.0, 2.2));
     let (hole, wall) = (DVec2::ZERO, 3.2);
     let (foot, top) = (dvec2(-4.2, -1.5), dvec2(-4.2, 1.5));
@@ -58,7 +58,7 @@ pub fn camera_obscura(_: &Checkout) -> Result<Made> {
 }
 
 /// A line with t = −1, 0, 1, 2.
-pub fn ray_parameter(_: &Checkout) -> Result<Made> {
+pub fn ray_parameter(_: &Checkout) -> Result<FigureFile> {
     let mut drawing = Drawing::new(dvec2(-1.7, -0.5), dvec2(2.7, 1.05));
     let (e, d) = (dvec2(0.0, 0.16), dvec2(1.0, 0.22));
     let at = |t: f64| e + t * d;
@@ -81,7 +81,7 @@ pub fn ray_parameter(_: &Checkout) -> Result<Made> {
 }
 
 /// An upright arrow, the image plane in front of the eye, the film behind.
-pub fn pinhole_and_image_plane(_: &Checkout) -> Result<Made> {
+pub fn pinhole_and_image_plane(_: &Checkout) -> Result<FigureFile> {
     let mut drawing = Drawing::new(dvec2(-3.2, -1.9), dvec2(6.6, 2.1));
     let (f, eye) = (2.0, DVec2::ZERO);
     let (foot, top) = (dvec2(5.6, -0.9), dvec2(5.6, 1.5));
@@ -107,7 +107,7 @@ pub fn pinhole_and_image_plane(_: &Checkout) -> Result<Made> {
 }
 
 /// u, v, w, and an up vector that leans.
-pub fn camera_frame(_: &Checkout) -> Result<Made> {
+pub fn camera_frame(_: &Checkout) -> Result<FigureFile> {
     let mut drawing = Drawing::new(dvec2(-1.9, -1.1), dvec2(2.2, 1.6));
     let space = Space::slanted();
     let point = |x, y, z| space.at(dvec3(x, y, z));
@@ -133,7 +133,7 @@ pub fn camera_frame(_: &Checkout) -> Result<Made> {
 }
 
 /// Five rays of an image plane, in three projections.
-pub fn projection_rays(_: &Checkout) -> Result<Made> {
+pub fn projection_rays(_: &Checkout) -> Result<FigureFile> {
     let mut drawing = Drawing::new(dvec2(-2.3, -2.7), dvec2(13.2, 2.9));
     let slant = 30.0_f64.to_radians().tan();
     let panels = [
@@ -168,7 +168,7 @@ pub fn projection_rays(_: &Checkout) -> Result<Made> {
 }
 
 /// Pixel (2, 3) of the lecture's picture, in three spaces.
-pub fn three_spaces(checkout: &Checkout) -> Result<Made> {
+pub fn three_spaces(checkout: &Checkout) -> Result<FigureFile> {
     let scene = slide(checkout)?;
     let Resolution { n_x, n_y } = scene.resolution;
     let camera = scene.camera;
@@ -248,7 +248,7 @@ pub fn three_spaces(checkout: &Checkout) -> Result<Made> {
 }
 
 /// Borders at whole numbers, centres between them.
-pub fn pixel_space(_: &Checkout) -> Result<Made> {
+pub fn pixel_space(_: &Checkout) -> Result<FigureFile> {
     let (n, width) = (4_usize, 2.0);
     let mut drawing = Drawing::new(dvec2(-0.7, -0.75), dvec2(4.7, 1.55));
     for (i, object) in [1, 0, 1, 0].iter().enumerate() {
@@ -286,7 +286,7 @@ pub fn pixel_space(_: &Checkout) -> Result<Made> {
 }
 
 /// The eye, the image plane with a coarse grid, and the ray of pixel (2, 3).
-pub fn viewing_ray(_: &Checkout) -> Result<Made> {
+pub fn viewing_ray(_: &Checkout) -> Result<FigureFile> {
     let mut drawing = Drawing::new(dvec2(-5.2, -2.3), dvec2(5.2, 3.0));
     // To the right of the picture is towards the reader, forward is to the right.
     let space = Space {

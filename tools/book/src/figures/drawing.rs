@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use glam::{DVec2, DVec3, dvec2};
 use pinhole::false_colour;
 
-use super::Made;
+use super::FigureFile;
 use crate::html::escaped;
 
 /// How wide every drawing is on the page, in CSS pixels. On a phone, whose pages are
@@ -246,13 +246,13 @@ impl Drawing {
     }
 
     /// The file. It has no empty line, so that Markdown takes it as one piece.
-    pub fn made(self) -> Made {
+    pub fn made(self) -> FigureFile {
         let Drawing { height, parts, .. } = self;
         let content = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height:.0}\" \
              width=\"{WIDTH}\" height=\"{height:.0}\">\n{parts}</svg>\n"
         );
-        Made {
+        FigureFile {
             extension: "svg",
             content: content.into_bytes(),
         }

@@ -5,7 +5,7 @@ use image::{Rgb, RgbImage};
 use pinhole::{Intersection, Ray, Resolution, Shape, false_colour};
 use pinhole_course::checkout::Checkout;
 
-use super::Made;
+use super::FigureFile;
 use super::pictures::{GAP, made};
 use crate::error::Result;
 use crate::png::{beside, enlarged};
@@ -25,7 +25,7 @@ const AMBIENT: f64 = 0.2;
 const OFF: f64 = 1e-6;
 
 /// Objects, the same with a lamp, and with its shadows.
-pub fn lit(checkout: &Checkout) -> Result<Made> {
+pub fn lit(checkout: &Checkout) -> Result<FigureFile> {
     let reference = Reference::build(checkout)?;
     let resolution = Resolution {
         n_x: SIZE,

@@ -4,7 +4,7 @@ use glam::{DVec2, dvec2};
 use pinhole::Resolution;
 use pinhole_course::checkout::Checkout;
 
-use super::Made;
+use super::FigureFile;
 use super::drawing::{Drawing, Side, Stroke, colour, ink, stroke};
 use crate::error::Result;
 use crate::rasterizer::{camera, rasterize, strewn};
@@ -17,7 +17,7 @@ fn steps(count: usize, resolution: Resolution) -> [f64; 2] {
 }
 
 /// As triangles are added.
-pub fn loops_by_objects(_: &Checkout) -> Result<Made> {
+pub fn loops_by_objects(_: &Checkout) -> Result<FigureFile> {
     let resolution = Resolution { n_x: 160, n_y: 90 };
     let counts = (0..=10).map(|half| 10f64.powf(f64::from(half) / 2.0).round());
     let points = counts.map(|count| (count, steps(count as usize, resolution)));
@@ -29,7 +29,7 @@ pub fn loops_by_objects(_: &Checkout) -> Result<Made> {
 }
 
 /// As pixels are added.
-pub fn loops_by_pixels(_: &Checkout) -> Result<Made> {
+pub fn loops_by_pixels(_: &Checkout) -> Result<FigureFile> {
     let sides = [1, 2, 4, 8, 16, 32, 64].map(|n| Resolution {
         n_x: 16 * n,
         n_y: 9 * n,
@@ -58,7 +58,7 @@ const LOOPS: Lines = Lines {
 };
 
 /// Both axes logarithmic, a grid line for each decade.
-pub fn plot(across: &str, lines: Lines, points: Vec<(f64, [f64; 2])>) -> Made {
+pub fn plot(across: &str, lines: Lines, points: Vec<(f64, [f64; 2])>) -> FigureFile {
     let decade = |value: f64| value.log10();
     let all = points.iter().flat_map(|(_, both)| both.iter().copied());
     let (least, most) = all.fold((f64::MAX, 0.0_f64), |(least, most), value| {

@@ -4,7 +4,7 @@ use image::{Rgb, Rgba};
 use pinhole::{Resolution, Scene, false_colour};
 use pinhole_course::checkout::Checkout;
 
-use super::Made;
+use super::FigureFile;
 use super::pictures::{GAP, made};
 use crate::error::Result;
 use crate::png::{beside, enlarged, opaque};
@@ -15,22 +15,22 @@ use crate::worked::nine_pixels::{RESOLUTION, camera, objects};
 const SIZE: usize = 300;
 
 /// The plane.
-pub fn nine_plane(checkout: &Checkout) -> Result<Made> {
+pub fn nine_plane(checkout: &Checkout) -> Result<FigureFile> {
     nine(1, checkout)
 }
 
 /// With the sphere.
-pub fn nine_sphere(checkout: &Checkout) -> Result<Made> {
+pub fn nine_sphere(checkout: &Checkout) -> Result<FigureFile> {
     nine(2, checkout)
 }
 
 /// With the triangle, too.
-pub fn nine_triangle(checkout: &Checkout) -> Result<Made> {
+pub fn nine_triangle(checkout: &Checkout) -> Result<FigureFile> {
     nine(3, checkout)
 }
 
 /// The first `count` objects, in nine pixels and in many, with the nine rays as dots.
-fn nine(count: usize, checkout: &Checkout) -> Result<Made> {
+fn nine(count: usize, checkout: &Checkout) -> Result<FigureFile> {
     let reference = Reference::build(checkout)?;
     let shapes = objects().into_iter().map(|(_, shape)| shape);
     let mut scene = Scene {

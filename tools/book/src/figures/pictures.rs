@@ -5,7 +5,7 @@ use image::{Rgb, Rgba, RgbaImage};
 use pinhole::{Camera, Film, Plane, Projection, Resolution, Scene, Shape, Sphere, false_colour};
 use pinhole_course::checkout::Checkout;
 
-use super::Made;
+use super::FigureFile;
 use super::drawing::{Drawing, Side, ink, stroke};
 use crate::course::{assignment, golden};
 use crate::error::{Error, Result};
@@ -16,15 +16,15 @@ use crate::reference::Reference;
 pub const GAP: u32 = 8;
 
 /// The figure of a picture.
-pub fn made(picture: &RgbaImage) -> Result<Made> {
-    Ok(Made {
+pub fn made(picture: &RgbaImage) -> Result<FigureFile> {
+    Ok(FigureFile {
         extension: "png",
         content: png(picture)?,
     })
 }
 
 /// A golden film in its three false colours.
-fn three(name: &str, checkout: &Checkout) -> Result<Made> {
+fn three(name: &str, checkout: &Checkout) -> Result<FigureFile> {
     let film = Film::read(&golden(checkout).join(format!("{name}.exr")))?;
     let scene = scene(name, checkout)?;
     let per_t = scene.camera.depth_per_t();
@@ -43,17 +43,17 @@ fn scene(name: &str, checkout: &Checkout) -> Result<Scene> {
 }
 
 /// The rabbit.
-pub fn three_outputs_bunny(checkout: &Checkout) -> Result<Made> {
+pub fn three_outputs_bunny(checkout: &Checkout) -> Result<FigureFile> {
     three("bunny", checkout)
 }
 
 /// The inside of a box.
-pub fn three_outputs_boxes(checkout: &Checkout) -> Result<Made> {
+pub fn three_outputs_boxes(checkout: &Checkout) -> Result<FigureFile> {
     three("inside_a_box", checkout)
 }
 
 /// One function, sampled twice.
-pub fn image_function(checkout: &Checkout) -> Result<Made> {
+pub fn image_function(checkout: &Checkout) -> Result<FigureFile> {
     let mut scene = scene("sphere_and_plane", checkout)?;
     let reference = Reference::build(checkout)?;
     let fine = false_colour::id(&reference.film(&scene)?);
@@ -70,7 +70,7 @@ pub fn image_function(checkout: &Checkout) -> Result<Made> {
 }
 
 /// Balls in two rows, in perspective and orthographic.
-pub fn projections_side_by_side(checkout: &Checkout) -> Result<Made> {
+pub fn projections_side_by_side(checkout: &Checkout) -> Result<FigureFile> {
     let reference = Reference::build(checkout)?;
     let mut objects = vec![Shape::Plane(Plane {
         point: DVec3::ZERO,
@@ -108,7 +108,7 @@ fn camera(eye: DVec3, view: DVec3, size: (f64, f64), projection: Projection) -> 
 }
 
 /// A sphere in the colours of its normals, as discs of one colour each, with the axes.
-pub fn normal_colours(checkout: &Checkout) -> Result<Made> {
+pub fn normal_colours(checkout: &Checkout) -> Result<FigureFile> {
     let reference = Reference::build(checkout)?;
     let n = 24;
     let scene = Scene {

@@ -6,7 +6,7 @@ use glam::{DVec2, dvec2, dvec3};
 use pinhole::{Pixel, Scene, Shape};
 use pinhole_course::checkout::Checkout;
 
-use super::Made;
+use super::FigureFile;
 use super::drawing::{Drawing, INK, Side, colour, ink, stroke};
 use crate::course::assignment;
 use crate::error::Result;
@@ -14,7 +14,7 @@ use crate::reference::Reference;
 use crate::worked::{PLANE, Quadratic, RAY, SPHERE, TRIANGLE, on_plane, weights};
 
 /// One object asks for its pixels; one pixel asks for its object.
-pub fn two_loops(_: &Checkout) -> Result<Made> {
+pub fn two_loops(_: &Checkout) -> Result<FigureFile> {
     let mut drawing = Drawing::new(dvec2(-0.6, -1.5), dvec2(22.6, 9.2));
     let corners = [dvec2(1.3, 0.8), dvec2(8.6, 3.1), dvec2(3.2, 7.4)];
     let inside = |p: DVec2| {
@@ -92,7 +92,7 @@ fn entry(e: DVec2, d: DVec2, center: DVec2, radius: f64) -> f64 {
 }
 
 /// A circle as an equation and as a path.
-pub fn implicit_and_parametric(_: &Checkout) -> Result<Made> {
+pub fn implicit_and_parametric(_: &Checkout) -> Result<FigureFile> {
     let mut drawing = Drawing::new(dvec2(-1.9, -1.9), dvec2(5.9, 1.7));
     let at = |angle: f64| dvec2(angle.cos(), angle.sin());
     let (left, right) = (DVec2::ZERO, dvec2(4.0, 0.0));
@@ -123,7 +123,7 @@ pub fn implicit_and_parametric(_: &Checkout) -> Result<Made> {
 }
 
 /// How far to the plane, how far one step goes.
-pub fn plane_and_ray(_: &Checkout) -> Result<Made> {
+pub fn plane_and_ray(_: &Checkout) -> Result<FigureFile> {
     let mut drawing = Drawing::new(dvec2(-3.7, -0.9), dvec2(6.2, 3.7));
     // The plane is the line y = 0; its normal points up.
     let (e, d, q) = (dvec2(-1.3, 3.0), dvec2(1.9, -1.2), dvec2(5.0, 0.0));
@@ -165,7 +165,7 @@ pub fn plane_and_ray(_: &Checkout) -> Result<Made> {
 }
 
 /// A secant, a tangent, a miss.
-pub fn sphere_and_line(_: &Checkout) -> Result<Made> {
+pub fn sphere_and_line(_: &Checkout) -> Result<FigureFile> {
     let mut drawing = Drawing::new(dvec2(-3.1, -1.5), dvec2(3.6, 2.0));
     let (center, e) = (DVec2::ZERO, dvec2(-2.6, -0.9));
     drawing.circle(center, 1.0, &colour(1), 0.3, &ink());
@@ -207,7 +207,7 @@ pub fn sphere_and_line(_: &Checkout) -> Result<Made> {
 
 /// The worked ray and its sphere in the plane of both, with the right triangle whose sides are
 /// the radius, the distance of the centre from the ray, and half of the chord.
-pub fn sphere_by_pythagoras(_: &Checkout) -> Result<Made> {
+pub fn sphere_by_pythagoras(_: &Checkout) -> Result<FigureFile> {
     let stride = RAY.direction.length();
     let quadratic = Quadratic::new(&RAY, &SPHERE);
     let [t0, t1] = quadratic.roots();
@@ -233,7 +233,7 @@ pub fn sphere_by_pythagoras(_: &Checkout) -> Result<Made> {
 }
 
 /// The worked triangle in its plane, with lines of equal α and β.
-pub fn triangle_alpha_beta(_: &Checkout) -> Result<Made> {
+pub fn triangle_alpha_beta(_: &Checkout) -> Result<FigureFile> {
     // Along the first edge, and at right angles to it.
     let [a, b, c] = TRIANGLE.corners;
     let (first, second) = (b - a, c - a);
@@ -270,7 +270,7 @@ pub fn triangle_alpha_beta(_: &Checkout) -> Result<Made> {
 }
 
 /// A ray among the triangles of a teapot.
-pub fn soup_of_triangles(checkout: &Checkout) -> Result<Made> {
+pub fn soup_of_triangles(checkout: &Checkout) -> Result<FigureFile> {
     let scene = Scene::read(&assignment(checkout)?.scene("teapot_orthographic"))?;
     let camera = scene.camera;
     let pixel = Pixel { i: 75, j: 45 };
@@ -317,7 +317,7 @@ pub fn soup_of_triangles(checkout: &Checkout) -> Result<Made> {
 }
 
 /// The worked ray as an axis of t.
-pub fn first_hit_along_ray(checkout: &Checkout) -> Result<Made> {
+pub fn first_hit_along_ray(checkout: &Checkout) -> Result<FigureFile> {
     let reference = Reference::build(checkout)?;
     let mut drawing = Drawing::new(dvec2(-0.5, -0.7), dvec2(6.7, 1.6));
     let at = |t: f64| dvec2(t, 0.0);

@@ -6,7 +6,7 @@ use pinhole::preview::Preview;
 use pinhole::{Film, Shape, ShapeKind, false_colour};
 use pinhole_course::checkout::Checkout;
 
-use super::Made;
+use super::FigureFile;
 use super::pictures::{GAP, made};
 use crate::course::assignment;
 use crate::error::Result;
@@ -25,7 +25,7 @@ const SHAPES: [ShapeKind; 4] = [
 ];
 
 /// Objects and normals once viewing rays and the first `shapes` shapes are answered.
-pub fn so_far(shapes: usize, checkout: &Checkout) -> Result<Made> {
+pub fn so_far(shapes: usize, checkout: &Checkout) -> Result<FigureFile> {
     let reference = Reference::build(checkout)?;
     let assignment = assignment(checkout)?;
     let (scene, _) = assignment.find_scene(SCENE)?;

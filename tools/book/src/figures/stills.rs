@@ -5,7 +5,7 @@ use image::{Rgb, RgbImage, Rgba, RgbaImage};
 use pinhole::{Film, Resolution, false_colour};
 use pinhole_course::checkout::Checkout;
 
-use super::Made;
+use super::FigureFile;
 use super::drawing::{Drawing, INK, Side, colour, ink, stroke};
 use super::pictures::{GAP, made};
 use crate::course::golden;
@@ -18,7 +18,7 @@ use crate::worked::{PIXEL, Quadratic, RAY, SPHERE};
 const CELL: u32 = 13;
 
 /// The lecture's picture with its pixel marked.
-pub fn pixel_to_ray(checkout: &Checkout) -> Result<Made> {
+pub fn pixel_to_ray(checkout: &Checkout) -> Result<FigureFile> {
     let film = Film::read(&golden(checkout).join("slide_example.exr"))?;
     let mut picture = enlarged(&false_colour::id(&film), CELL);
     let Resolution { n_x, .. } = film.resolution();
@@ -33,7 +33,7 @@ pub fn pixel_to_ray(checkout: &Checkout) -> Result<Made> {
 }
 
 /// The worked ray and its sphere, in the plane of both.
-pub fn sphere_roots(_: &Checkout) -> Result<Made> {
+pub fn sphere_roots(_: &Checkout) -> Result<FigureFile> {
     let stride = RAY.direction.length();
     let to_center = SPHERE.center - RAY.origin;
     let ahead = to_center.dot(RAY.direction) / stride;
@@ -66,7 +66,7 @@ pub fn sphere_roots(_: &Checkout) -> Result<Made> {
 }
 
 /// Balls of equal size in a row, and the rays to their tops and feet.
-pub fn projections(_: &Checkout) -> Result<Made> {
+pub fn projections(_: &Checkout) -> Result<FigureFile> {
     let mut drawing = Drawing::new(dvec2(-0.6, -5.6), dvec2(13.0, 2.2));
     let balls = [5.0, 7.5, 10.0].map(|x| dvec2(x, 0.0));
     let (radius, plane) = (0.8, 2.5);
@@ -106,24 +106,24 @@ pub fn projections(_: &Checkout) -> Result<Made> {
 }
 
 /// The silhouettes of one sphere at a hundred million radii, by three computations.
-pub fn breaking_distance(_: &Checkout) -> Result<Made> {
+pub fn breaking_distance(_: &Checkout) -> Result<FigureFile> {
     made(&row(&WAYS.map(|(_, meets)| (meets, 1e8)), 5))
 }
 
 /// One sphere from farther and farther away: by the textbook's discriminant above, from
 /// the foot of the perpendicular below.
-pub fn sphere_from_afar(_: &Checkout) -> Result<Made> {
+pub fn sphere_from_afar(_: &Checkout) -> Result<FigureFile> {
     let [_, (_, textbook), (_, foot)] = WAYS;
     from_afar([textbook, foot])
 }
 
 /// The same by the textbook's discriminant alone: in `f32` above, in `f64` below.
-pub fn sphere_in_f32(_: &Checkout) -> Result<Made> {
+pub fn sphere_in_f32(_: &Checkout) -> Result<FigureFile> {
     let [(_, single), (_, double), _] = WAYS;
     from_afar([single, double])
 }
 
-fn from_afar(ways: [Meets; 2]) -> Result<Made> {
+fn from_afar(ways: [Meets; 2]) -> Result<FigureFile> {
     let rows = ways.map(|meets| row(&DISTANCES.map(|far| (meets, far)), 3));
     made(&stacked(&rows, GAP))
 }

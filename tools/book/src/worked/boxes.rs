@@ -10,7 +10,7 @@ use pinhole_course::checkout::Checkout;
 
 use super::shapes::{RAY, TRIANGLE};
 use super::{Values, savings, shown, vector};
-use crate::boxes::{Boxed, Search, box_of, inside, slab};
+use crate::boxes::{MeshTree, Search, box_of, inside, slab};
 use crate::course::assignment_with;
 use crate::error::{Error, Result};
 use crate::reference::Reference;
@@ -53,8 +53,8 @@ pub fn walls() -> Vec<Triangle> {
 }
 
 /// Their tree.
-pub fn plan() -> Boxed {
-    Boxed::new(walls(), LARGEST_LEAF)
+pub fn plan() -> MeshTree {
+    MeshTree::new(walls(), LARGEST_LEAF)
 }
 
 /// A flat box that the worked ray meets.

@@ -9,7 +9,7 @@ use pinhole_course::assignment::Assignment;
 
 use super::Values;
 use super::boxes::LARGEST_LEAF;
-use crate::boxes::{Boxed, Search, Tests, box_of, enters_in_f32, inside, meet};
+use crate::boxes::{MeshTree, Search, Tests, box_of, enters_in_f32, inside, meet};
 use crate::error::{Error, Result};
 use crate::rasterizer::{camera, strewn};
 use crate::reference::Reference;
@@ -39,7 +39,7 @@ fn bunny(values: &mut Values, scene: &Scene, rays: &[Ray]) -> Result<()> {
     add("rays", grouped(rays.len()));
     add("brute", grouped(triangles.len() * rays.len()));
     let tests = |largest: usize, how: Search| -> (usize, usize, Tests) {
-        let boxed = Boxed::new(triangles.clone(), largest);
+        let boxed = MeshTree::new(triangles.clone(), largest);
         (
             boxed.nodes(),
             boxed.depth(),
@@ -123,9 +123,9 @@ fn bunny(values: &mut Values, scene: &Scene, rays: &[Ray]) -> Result<()> {
 
 /// A tree over so many scattered triangles, which always cover as much of the picture, and how
 /// many tests each of these rays takes on average.
-pub fn scattered(count: usize, rays: &[Ray]) -> (Boxed, f64) {
+pub fn scattered(count: usize, rays: &[Ray]) -> (MeshTree, f64) {
     let triangles = strewn(count, 10.0 / (count as f64).sqrt());
-    let boxed = Boxed::new(triangles, LARGEST_LEAF);
+    let boxed = MeshTree::new(triangles, LARGEST_LEAF);
     let tests = boxed.tests(rays, 1.0, Search::FULL).sum() as f64 / rays.len() as f64;
     (boxed, tests)
 }

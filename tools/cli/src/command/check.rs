@@ -24,7 +24,7 @@ use pinhole_course::submission::Submission;
 use pinhole_course::timings::{Timings, timed};
 use pinhole_report::escape::{printable, printable_word};
 use pinhole_report::finish::Finish;
-use pinhole_report::html::{Again, FinishSection, Report};
+use pinhole_report::html::{FinishSection, RepeatCommands, Report};
 use pinhole_report::passage::{self, Passage};
 use pinhole_report::program::Status;
 use pinhole_report::{json, terminal};
@@ -196,7 +196,7 @@ fn worth_reading(outcome: &Outcome) -> Option<Passage> {
 }
 
 /// The command that repeats this check.
-fn again(arguments: &Check) -> Again {
+fn again(arguments: &Check) -> RepeatCommands {
     let mut part = format!("{PINHOLE} check");
     let add = |words: &mut String, word: &str| {
         words.push(' ');
@@ -230,7 +230,7 @@ fn again(arguments: &Check) -> Again {
             add(&mut whole, name);
         }
     }
-    Again { whole, part }
+    RepeatCommands { whole, part }
 }
 
 fn selection(arguments: &Check, assignment: &Assignment, goldens: &Goldens) -> Result<Selection> {

@@ -20,7 +20,7 @@ use pinhole_course::mitsuba;
 use pinhole_course::outcome::FilmOutcome;
 use pinhole_course::shell::PINHOLE;
 use pinhole_report::escape::{printable, printable_word};
-use pinhole_report::html::{self, Beliefs, Evidence, HeatMaps, RaysOfYours, Report};
+use pinhole_report::html::{self, Beliefs, Evidence, HeatMaps, Report, SubmittedRays};
 use pinhole_report::program::Status;
 use pinhole_report::{json, pictures, terminal};
 
@@ -182,7 +182,7 @@ fn film_report(
                 .and_then(|film| HeatMaps::beside(golden.film(), film)),
             scene: scene.as_ref(),
             rays: html::rays_beside(&arguments.golden),
-            own_rays: RaysOfYours::Unknown,
+            own_rays: SubmittedRays::Unknown,
             beliefs: Beliefs::of(diagnosis, &[]),
             command,
             explain: None,

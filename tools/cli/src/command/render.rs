@@ -10,7 +10,7 @@ use pinhole::preview::{Preview, TaskKind};
 use pinhole::{Film, Scene};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
-use pinhole_course::compile::Whole;
+use pinhole_course::compile::CompiledSubmission;
 use pinhole_course::error::Result;
 use pinhole_course::examine;
 use pinhole_course::progress::Progress;
@@ -27,7 +27,7 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
     let (mut scene, golden) = assignment.find_scene(&arguments.scene)?;
     scene.resolution = arguments.resolution.unwrap_or(scene.resolution);
     let (resolution, depth_per_t) = (scene.resolution, scene.camera.depth_per_t());
-    let whole = Whole::build(checkout, &assignment, named, &arguments.run)?;
+    let whole = CompiledSubmission::build(checkout, &assignment, named, &arguments.run)?;
     let progress = Progress::new();
     let pixels = resolution.pixels() as f64;
     let limits = Limits::of_own_answers(arguments.run.wall());

@@ -16,7 +16,7 @@ pub enum Key {
     Previous,
     Everything,
     Scenes,
-    Again,
+    RepeatCommands,
     Quit,
     Help,
     /// Scroll down by this many lines, or up if negative.
@@ -46,7 +46,7 @@ pub const KEYS: [(char, Key, &str, &str); 9] = [
         "scenes",
         "cast the scenes with all answers together",
     ),
-    ('r', Key::Again, "again", "judge this once more"),
+    ('r', Key::RepeatCommands, "again", "judge this once more"),
     ('q', Key::Quit, "quit", "quit (or press Ctrl-C)"),
     ('?', Key::Help, "help", "show or hide this"),
 ];

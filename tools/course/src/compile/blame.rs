@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 use crate::compile::{Replacement, Replacements};
 use crate::error::Error;
-use crate::sandbox::Finished;
+use crate::sandbox::CommandResult;
 use crate::submission::Submission;
 
 /// The compiler's messages from its JSON output, one on each line.
@@ -40,7 +40,7 @@ struct Span {
 
 impl Diagnostic {
     /// A message to show instead of the compiler's, if the compiler was killed or crashed.
-    pub fn of_dead_compiler(finished: &Finished) -> Diagnostic {
+    pub fn of_dead_compiler(finished: &CommandResult) -> Diagnostic {
         let said = String::from_utf8_lossy(&finished.stderr);
         let lines: Vec<&str> = said
             .lines()

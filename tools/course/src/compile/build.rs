@@ -12,7 +12,7 @@ use super::blame::{self, Diagnostic};
 use super::harness::Harness;
 use super::prune;
 use crate::error::{Error, Result, ResultExt};
-use crate::sandbox::{Finished, Limits, Sandbox};
+use crate::sandbox::{CommandResult, Limits, Sandbox};
 use crate::timings::timed;
 
 /// The executable's name on this system.
@@ -129,7 +129,7 @@ fn is_program(path: &Path) -> bool {
 }
 
 /// The compiler's messages, or one that says why there are none.
-fn said(finished: &Finished) -> Vec<Diagnostic> {
+fn said(finished: &CommandResult) -> Vec<Diagnostic> {
     let mut diagnostics = blame::diagnostics(&finished.stderr);
     if !blame::has_error(&diagnostics) {
         diagnostics.push(Diagnostic::of_dead_compiler(finished));

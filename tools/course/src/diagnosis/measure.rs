@@ -22,7 +22,7 @@ use serde::{Deserialize, Serialize};
 use claim::{Claim, share_of};
 use law::{PartLaw, best};
 use rule::WhichAnswer;
-pub use sample::Asked;
+pub use sample::QuestionsAndAnswers;
 use sample::{Sample, samples};
 
 /// One thing that was measured, in a sentence.
@@ -64,7 +64,7 @@ const HITS: &str = "hits";
 const MOST_SAID: usize = 3;
 
 /// What is wrong in the answers to one task.
-pub fn measure(films: &[Asked<'_>]) -> Vec<Measurement> {
+pub fn measure(films: &[QuestionsAndAnswers<'_>]) -> Vec<Measurement> {
     let samples = samples(films);
     let mut found = decisions(&samples);
     let both: Vec<&Sample> = samples
@@ -318,7 +318,7 @@ impl PartFinding<'_> {
 
 impl Measurement {
     /// Whether its sentence is also true of other questions.
-    pub fn holds(&self, films: &[Asked<'_>]) -> bool {
+    pub fn holds(&self, films: &[QuestionsAndAnswers<'_>]) -> bool {
         self.claim.holds(films)
     }
 }

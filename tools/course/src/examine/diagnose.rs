@@ -6,7 +6,7 @@ use pinhole::judge::Golden;
 
 use crate::assignment::Task;
 use crate::diagnosis::evidence::Evidence;
-use crate::diagnosis::measure::Asked;
+use crate::diagnosis::measure::QuestionsAndAnswers;
 use crate::diagnosis::{Diagnosis, Explanation, Reading};
 use crate::error::Result;
 use crate::goldens::Goldens;
@@ -32,7 +32,11 @@ pub struct Cast<'a> {
 
 /// The questions of a task and the replies to its films, in the groups' order, for measuring.
 /// Groups about the pixels of scenes are left out, because a scene may be withheld.
-pub fn asked<'a>(task: &Task, questions: &'a Questions, replies: &'a [Reply]) -> Vec<Asked<'a>> {
+pub fn asked<'a>(
+    task: &Task,
+    questions: &'a Questions,
+    replies: &'a [Reply],
+) -> Vec<QuestionsAndAnswers<'a>> {
     let films = questions.groups.iter().flat_map(|group| {
         let of_scenes = task.is_of_scenes(&group.name);
         group.films.iter().map(move |film| (film, of_scenes))
@@ -41,7 +45,7 @@ pub fn asked<'a>(task: &Task, questions: &'a Questions, replies: &'a [Reply]) ->
         .zip(replies)
         .filter(|((_, of_scenes), reply)| !of_scenes && reply.is_whole())
         .filter_map(|((film, _), reply)| {
-            Some(Asked {
+            Some(QuestionsAndAnswers {
                 questions: film.job.questions()?,
                 answers: &reply.answers,
                 golden: &film.golden,

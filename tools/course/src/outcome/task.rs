@@ -8,7 +8,7 @@ use crate::assignment::{GroupPoints, Task};
 use crate::compile::Replacement;
 use crate::diagnosis::Diagnosis;
 use crate::diagnosis::measure::Finding;
-use crate::submission::Unusable;
+use crate::submission::AnswerFileProblem;
 
 /// One answer, judged alone.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -185,8 +185,8 @@ impl AnswerFile {
     pub fn of(replaced: Option<&Replacement>) -> AnswerFile {
         match replaced {
             None => AnswerFile::Compiled,
-            Some(Replacement::Unusable(Unusable::Missing)) => AnswerFile::Missing,
-            Some(Replacement::Unusable(Unusable::Refused(why))) => {
+            Some(Replacement::Unusable(AnswerFileProblem::Missing)) => AnswerFile::Missing,
+            Some(Replacement::Unusable(AnswerFileProblem::Refused(why))) => {
                 AnswerFile::Refused { why: why.clone() }
             }
             Some(Replacement::DoesNotCompile(compiler)) => AnswerFile::DoesNotCompile {

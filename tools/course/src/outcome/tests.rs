@@ -9,7 +9,7 @@ use schemars::generate::SchemaSettings;
 use super::*;
 use crate::assignment::Task;
 use crate::compile::Replacement;
-use crate::submission::Unusable;
+use crate::submission::AnswerFileProblem;
 
 // The harness derives no schemas, so these types repeat how its types look in documents.
 
@@ -144,8 +144,8 @@ fn an_outcome_is_read_back_as_it_was_written() {
         .map(|film| GroupOutcome::new("g".into(), "about".into(), 3, film, vec![fact.clone()]));
     let groups: Vec<GroupOutcome> = groups.collect();
     let states = [
-        Replacement::Unusable(Unusable::Missing),
-        Replacement::Unusable(Unusable::Refused("why".into())),
+        Replacement::Unusable(AnswerFileProblem::Missing),
+        Replacement::Unusable(AnswerFileProblem::Refused("why".into())),
         Replacement::DoesNotCompile("error".into()),
     ];
     let mut outcome = Outcome::new("Ray casting", "ada".into(), "none");
@@ -189,7 +189,7 @@ fn submission_has_the_worst_status_of_its_tasks_and_scenes() {
         chapter: "Plane".into(),
         points: Vec::new(),
     };
-    let missing = Replacement::Unusable(Unusable::Missing);
+    let missing = Replacement::Unusable(AnswerFileProblem::Missing);
     outcome.tasks.push(TaskOutcome::replaced(&task, &missing));
     assert_eq!(outcome.status(), Status::MissingFile);
 }

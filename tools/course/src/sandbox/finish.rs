@@ -6,25 +6,29 @@ use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use super::Limits;
-use super::watch::{Exceeded, Watch};
+use super::watch::{ExceededLimit, Watch};
 
 /// How a command ended.
 #[derive(Debug)]
-pub struct Finished {
+pub struct CommandResult {
     /// How it ended.
     pub status: ExitStatus,
     /// Its standard error, cut at [`MOST_SAID`] bytes.
     pub stderr: Vec<u8>,
     /// The limit that ended it, if one did.
-    pub exceeded: Option<Exceeded>,
+    pub exceeded: Option<ExceededLimit>,
     /// Whether the clock ended it.
     pub late: bool,
 }
 
-impl Finished {
+impl CommandResult {
     /// Whether it might have finished with more time.
     pub fn is_late(&self) -> bool {
-        self.late || matches!(self.exceeded, Some(Exceeded::Cpu(_) | Exceeded::Idle(_)))
+        self.late
+            || matches!(
+                self.exceeded,
+                Some(ExceededLimit::Cpu(_) | ExceededLimit::Idle(_))
+            )
     }
 }
 
@@ -40,7 +44,7 @@ pub fn finish(
     mut command: Command,
     limits: &Limits,
     watch: impl FnOnce(u32) -> Watch,
-) -> io::Result<Finished> {
+) -> io::Result<CommandResult> {
     let deadline = Instant::now() + limits.wall;
     command
         .stdin(Stdio::null())
@@ -76,7 +80,7 @@ pub fn finish(
     let stderr = said
         .recv_timeout(Duration::from_secs(2))
         .unwrap_or_default();
-    Ok(Finished {
+    Ok(CommandResult {
         status,
         stderr,
         exceeded,

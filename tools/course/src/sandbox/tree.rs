@@ -10,7 +10,7 @@ use rustix::process::{Pid, Signal, kill_process};
 
 /// The time and memory that a tree of processes uses.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Used {
+pub struct ResourceUsage {
     /// Processor time of all living processes and of the children they have waited for.
     pub cpu: Duration,
     /// Bytes in memory. Memory that several processes share is counted for each of them.
@@ -20,8 +20,8 @@ pub struct Used {
 }
 
 /// The current use of `pid` and its descendants. A process that ends meanwhile counts as nothing.
-pub fn used_by(pid: u32) -> Used {
-    let mut used = Used::default();
+pub fn used_by(pid: u32) -> ResourceUsage {
+    let mut used = ResourceUsage::default();
     let mut ticks = 0;
     let mut found = vec![pid];
     while let Some(pid) = found.pop() {

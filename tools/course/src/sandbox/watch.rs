@@ -8,7 +8,7 @@ use std::time::Duration;
 
 /// The limit that was exceeded.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Exceeded {
+pub enum ExceededLimit {
     /// Seconds of processor time.
     Cpu(Duration),
     /// Bytes in use.
@@ -17,14 +17,14 @@ pub enum Exceeded {
     Idle(Duration),
 }
 
-impl fmt::Display for Exceeded {
+impl fmt::Display for ExceededLimit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Exceeded::Cpu(most) => {
+            ExceededLimit::Cpu(most) => {
                 write!(f, "more than {} s of processor time", most.as_secs_f64())
             }
-            Exceeded::Memory(most) => write!(f, "more than {} MiB of memory", most >> 20),
-            Exceeded::Idle(most) => {
+            ExceededLimit::Memory(most) => write!(f, "more than {} MiB of memory", most >> 20),
+            ExceededLimit::Idle(most) => {
                 write!(f, "it waited {} s for something", most.as_secs_f64())
             }
         }
@@ -33,7 +33,7 @@ impl fmt::Display for Exceeded {
 
 /// A watchdog that runs until it is stopped.
 pub struct Watch {
-    looking: Option<(Sender<()>, JoinHandle<Option<Exceeded>>)>,
+    looking: Option<(Sender<()>, JoinHandle<Option<ExceededLimit>>)>,
 }
 
 impl Watch {
@@ -43,7 +43,7 @@ impl Watch {
     }
 
     /// Stops watching, and returns the limit that was exceeded, if any.
-    pub fn stop(self) -> Option<Exceeded> {
+    pub fn stop(self) -> Option<ExceededLimit> {
         let (enough, thread) = self.looking?;
         drop(enough);
         thread.join().ok().flatten()
@@ -83,7 +83,7 @@ mod looking {
 
         /// Whether the tree has been idle for too long. At least half of the usual number of
         /// looks in that time must have seen it.
-        fn exceeds(&mut self, most: Duration, used: &tree::Used) -> bool {
+        fn exceeds(&mut self, most: Duration, used: &tree::ResourceUsage) -> bool {
             match used.is_busy || used.cpu != self.cpu {
                 true => *self = Idleness::new(used.cpu),
                 false => self.looks += 1,
@@ -108,11 +108,11 @@ mod looking {
                     }
                     let used = tree::used_by(pid);
                     let exceeded = if used.memory > limits.memory {
-                        Exceeded::Memory(limits.memory)
+                        ExceededLimit::Memory(limits.memory)
                     } else if used.cpu > limits.cpu {
-                        Exceeded::Cpu(limits.cpu)
+                        ExceededLimit::Cpu(limits.cpu)
                     } else if idleness.exceeds(limits.idle, &used) {
-                        Exceeded::Idle(limits.idle)
+                        ExceededLimit::Idle(limits.idle)
                     } else {
                         continue;
                     };

@@ -10,7 +10,7 @@ use std::rc::Rc;
 
 use zip::ZipArchive;
 
-use super::Unusable;
+use super::AnswerFileProblem;
 use super::text::{self, MOST_BYTES, Text};
 use crate::error::{Error, Result, ResultExt};
 
@@ -154,7 +154,7 @@ impl<R: Read + Seek> Archive<R> {
             .filter(|other| other.to_lowercase() == path.to_lowercase());
         if alike.count() > 1 {
             let why = "there is another whose name differs only in capitals";
-            return Err(Unusable::Refused(why.into()));
+            return Err(AnswerFileProblem::Refused(why.into()));
         }
         let mut bytes = Vec::new();
         self.unpack(path, MOST_BYTES + 1, &mut bytes)?;
@@ -170,9 +170,9 @@ impl<R: Read + Seek> Archive<R> {
         path: &str,
         most: u64,
         to: &mut dyn Write,
-    ) -> std::result::Result<(), Unusable> {
-        let refused = |why: &str| Unusable::Refused(why.into());
-        let index = *self.files.get(path).ok_or(Unusable::Missing)?;
+    ) -> std::result::Result<(), AnswerFileProblem> {
+        let refused = |why: &str| AnswerFileProblem::Refused(why.into());
+        let index = *self.files.get(path).ok_or(AnswerFileProblem::Missing)?;
         self.left.set(MOST_READ.max(2 * most));
         let raw = self.zip.by_index_raw(index);
         let raw = raw.map_err(|error| refused(&error.to_string()))?;

@@ -4,11 +4,11 @@ use std::fs::{File, OpenOptions};
 use std::io::{self, Read};
 use std::path::Path;
 
-use super::Unusable;
+use super::AnswerFileProblem;
 use crate::error::{Error, Result, ResultExt};
 
 /// An answer's text, or why there is none.
-pub type Text = std::result::Result<String, Unusable>;
+pub type Text = std::result::Result<String, AnswerFileProblem>;
 
 /// An answer file longer than this is refused.
 pub const MOST_BYTES: u64 = 256 * 1024;
@@ -18,11 +18,11 @@ pub const MOST_BYTES: u64 = 256 * 1024;
 /// # Errors
 /// If there is a file, but this machine cannot read it.
 pub fn read(path: &Path) -> Result<Text> {
-    let refused = |why: &str| Ok(Err(Unusable::Refused(why.into())));
+    let refused = |why: &str| Ok(Err(AnswerFileProblem::Refused(why.into())));
     // `symlink_metadata` looks at the link itself, because a link could lead anywhere.
     let metadata = match std::fs::symlink_metadata(path) {
         Ok(metadata) => metadata,
-        Err(error) if is_absent(&error) => return Ok(Err(Unusable::Missing)),
+        Err(error) if is_absent(&error) => return Ok(Err(AnswerFileProblem::Missing)),
         Err(error) => return Err(unreadable(path).because(error)),
     };
     if !metadata.is_file() {
@@ -80,7 +80,7 @@ pub fn name(bytes: &[u8]) -> String {
 
 /// Checks the bytes of an answer, and returns its text.
 pub fn of_bytes(bytes: Vec<u8>) -> Text {
-    let refused = |why: &str| Err(Unusable::Refused(why.into()));
+    let refused = |why: &str| Err(AnswerFileProblem::Refused(why.into()));
     if bytes.len() as u64 > MOST_BYTES {
         return refused("it is longer than 256 KiB");
     }
@@ -104,8 +104,8 @@ mod tests {
             "{error}"
         );
         let absent = read(Path::new("/proc/self/nothing")).unwrap();
-        assert_eq!(absent, Err(Unusable::Missing));
+        assert_eq!(absent, Err(AnswerFileProblem::Missing));
         let below_a_file = read(Path::new("/proc/self/mem/x")).unwrap();
-        assert_eq!(below_a_file, Err(Unusable::Missing));
+        assert_eq!(below_a_file, Err(AnswerFileProblem::Missing));
     }
 }

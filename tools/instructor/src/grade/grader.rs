@@ -28,7 +28,7 @@ use pinhole_course::sandbox::Sandbox;
 use pinhole_course::submission::Submission;
 use pinhole_course::timings::timed;
 use pinhole_report::escape::printable;
-use pinhole_report::html::{Again, Report};
+use pinhole_report::html::{RepeatCommands, Report};
 
 /// The most bytes that are kept of what a student's code prints.
 const MOST_PRINTED: usize = 16 * 1024;
@@ -249,7 +249,7 @@ impl Grader<'_> {
 
     fn report(&self, record: &Record, examination: &Examination) -> Result<Report> {
         let command = format!("{} check", pinhole_course::shell::PINHOLE);
-        let again = Again {
+        let again = RepeatCommands {
             whole: command.clone(),
             part: command,
         };

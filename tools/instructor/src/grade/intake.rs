@@ -32,7 +32,7 @@ use self::source::Source;
 use super::provenance::sha256;
 use pinhole_course::assignment::{Assignment, Task};
 use pinhole_course::error::{Error, Result};
-use pinhole_course::submission::{Answer, Submission, Unusable, text};
+use pinhole_course::submission::{Answer, AnswerFileProblem, Submission, text};
 
 /// One submission as it was handed in.
 #[derive(Clone, Debug, Deserialize, Serialize)]
@@ -193,8 +193,8 @@ fn entry(
 fn unusable(submission: &Submission, assignment: &Assignment) -> Vec<String> {
     let why = |(task, answer): (&Task, &Answer)| match &answer.text {
         Ok(_) => None,
-        Err(Unusable::Missing) => Some(format!("{} is missing", task.file())),
-        Err(Unusable::Refused(why)) => Some(format!("{} is refused: {why}", task.file())),
+        Err(AnswerFileProblem::Missing) => Some(format!("{} is missing", task.file())),
+        Err(AnswerFileProblem::Refused(why)) => Some(format!("{} is refused: {why}", task.file())),
     };
     let answers = assignment.tasks.iter().zip(&submission.answers);
     answers.filter_map(why).collect()
@@ -233,7 +233,7 @@ fn plain(name: &str) -> String {
 pub fn without_answers(entry: &Entry, assignment: &Assignment) -> Submission {
     let answer = |task: &Task| Answer {
         task: task.name.clone(),
-        text: Err(Unusable::Missing),
+        text: Err(AnswerFileProblem::Missing),
     };
     Submission {
         folder: PathBuf::from(&entry.name),

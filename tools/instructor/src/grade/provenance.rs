@@ -12,7 +12,7 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::rust_tool::rust_tool;
 use pinhole_course::seed::Seed;
-use pinhole_course::submission::{Submission, Unusable};
+use pinhole_course::submission::{AnswerFileProblem, Submission};
 
 /// The hashes and settings behind a mark. Equal ones give equal marks.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -94,8 +94,8 @@ impl Provenance {
         let answers = submission.answers.iter().map(|answer| {
             let state = match &answer.text {
                 Ok(text) => sha256(text.as_bytes()),
-                Err(Unusable::Missing) => "missing".into(),
-                Err(Unusable::Refused(why)) => format!("refused: {why}"),
+                Err(AnswerFileProblem::Missing) => "missing".into(),
+                Err(AnswerFileProblem::Refused(why)) => format!("refused: {why}"),
             };
             (answer.task.clone(), state)
         });

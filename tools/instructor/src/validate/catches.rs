@@ -10,22 +10,22 @@ use pinhole_course::assignment::GroupPoints;
 
 /// Rows for groups of questions and, separately, for scenes.
 #[derive(Debug, Serialize)]
-pub struct Catches {
+pub struct DetectionTable {
     /// How many single mistakes were judged.
     pub mistakes: usize,
     /// How many mutants were caught by their own task's questions; `None` if none were
     /// judged.
     pub mutants: Option<usize>,
     /// Groups of questions, in the assignment's order.
-    pub probes: Vec<Catch>,
+    pub probes: Vec<DetectionRow>,
     /// Scenes, in the assignment's order.
-    pub scenes: Vec<Catch>,
+    pub scenes: Vec<DetectionRow>,
 }
 
 /// What one group of questions or one scene catches. Only single mistakes are counted, because a
 /// combined mistake fails wherever one of its beliefs does.
 #[derive(Debug, Default, Serialize)]
-pub struct Catch {
+pub struct DetectionRow {
     /// `task.group`, or the scene.
     pub name: String,
     /// How many mistakes fail here.
@@ -40,13 +40,13 @@ pub struct Catch {
     pub mutants_only: usize,
 }
 
-impl Catches {
+impl DetectionTable {
     /// Counts over single mistakes and mutants.
     pub fn count(
         validator: &Validator,
         judged: &[SubmissionVerdict],
         mutants: Option<&Mutants>,
-    ) -> Catches {
+    ) -> DetectionTable {
         let single: Vec<&SubmissionVerdict> =
             judged.iter().filter(|judged| judged.single).collect();
         let by_group = mutants.map(Mutants::by_group).unwrap_or_default();
@@ -56,15 +56,15 @@ impl Catches {
         });
         let group = |name: String| {
             let (mutants, mutants_only) = by_group.get(name.as_str()).copied().unwrap_or((0, 0));
-            Catch {
+            DetectionRow {
                 mutants,
                 mutants_only,
-                ..Catch::count(name, &single, |judged| &judged.groups)
+                ..DetectionRow::count(name, &single, |judged| &judged.groups)
             }
         };
         let scenes = validator.goldens.scenes.iter();
-        let scene = |name| Catch::count(name, &single, |judged| &judged.scenes);
-        Catches {
+        let scene = |name| DetectionRow::count(name, &single, |judged| &judged.scenes);
+        DetectionTable {
             mistakes: single.len(),
             mutants: mutants.map(|mutants| mutants.count(|judged| judged.groups().is_some())),
             probes: groups.map(group).collect(),
@@ -73,12 +73,12 @@ impl Catches {
     }
 }
 
-impl Catch {
+impl DetectionRow {
     fn count(
         name: String,
         judged: &[&SubmissionVerdict],
         kind: impl Fn(&SubmissionVerdict) -> &Vec<String>,
-    ) -> Catch {
+    ) -> DetectionRow {
         let here: Vec<&&SubmissionVerdict> = judged
             .iter()
             .filter(|judged| kind(judged).contains(&name))
@@ -87,12 +87,12 @@ impl Catch {
             let kept = here.iter().filter(|judged| keep(judged));
             kept.map(|judged| judged.name.clone()).collect()
         };
-        Catch {
+        DetectionRow {
             mistakes: here.len(),
             only_of_its_kind: names(&|judged| kind(judged).len() == 1),
             only: names(&|judged| judged.groups.len() + judged.scenes.len() == 1),
             name,
-            ..Catch::default()
+            ..DetectionRow::default()
         }
     }
 }

@@ -26,7 +26,7 @@ pub struct Names {
 
 /// The diagnoses of one submission, or of many.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Naming {
+pub struct SubmissionDiagnosisCounts {
     /// Diagnoses of tasks, by their questions.
     pub tasks: Names,
     /// Diagnoses of scenes, as `check` makes them after the tasks.
@@ -69,15 +69,15 @@ impl Names {
     }
 }
 
-impl Naming {
+impl SubmissionDiagnosisCounts {
     /// The diagnoses of an examination of a program with these beliefs.
     pub fn of(
         validator: &Validator,
         name: &str,
         examination: &Examination,
         beliefs: &[String],
-    ) -> Result<Naming> {
-        let mut naming = Naming::default();
+    ) -> Result<SubmissionDiagnosisCounts> {
+        let mut naming = SubmissionDiagnosisCounts::default();
         let Examination { outcome, films, .. } = examination;
         for task in outcome.tasks.iter().filter(|task| !task.passes()) {
             let film = format!("{name}: {}", task.name);
@@ -100,8 +100,10 @@ impl Naming {
     }
 
     /// The sum of all these counts.
-    pub fn sum<'a>(all: impl Iterator<Item = &'a Naming>) -> Naming {
-        let mut sum = Naming::default();
+    pub fn sum<'a>(
+        all: impl Iterator<Item = &'a SubmissionDiagnosisCounts>,
+    ) -> SubmissionDiagnosisCounts {
+        let mut sum = SubmissionDiagnosisCounts::default();
         for naming in all {
             sum.tasks.add(&naming.tasks);
             sum.scenes.add(&naming.scenes);
@@ -119,18 +121,19 @@ const ENOUGH: f64 = 0.95;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Diagnoses {
     /// Diagnoses of rewrites of single beliefs.
-    pub rewrites: Naming,
+    pub rewrites: SubmissionDiagnosisCounts,
     /// Diagnoses of two beliefs at once: composed of rewrites, or written as one answer.
-    pub compounds: Naming,
+    pub compounds: SubmissionDiagnosisCounts,
     /// Diagnoses of single beliefs as if each were unknown. Any name is then false.
-    pub unmet: Naming,
+    pub unmet: SubmissionDiagnosisCounts,
 }
 
 impl Diagnoses {
     /// Counts the names that were given to everything that was judged.
     pub fn of(mistakes: &SubmissionVerdicts, rewrites: &SubmissionVerdicts) -> Diagnoses {
-        let sum =
-            |judged: &[&SubmissionVerdict]| Naming::sum(judged.iter().map(|judged| &judged.naming));
+        let sum = |judged: &[&SubmissionVerdict]| {
+            SubmissionDiagnosisCounts::sum(judged.iter().map(|judged| &judged.naming))
+        };
         let (unmet, compounds): (Vec<_>, Vec<_>) =
             mistakes.judged.iter().partition(|judged| judged.single);
         let (rewrites, composed): (Vec<_>, Vec<_>) =

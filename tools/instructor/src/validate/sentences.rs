@@ -8,7 +8,7 @@ use pinhole::ask::Reply;
 use pinhole::job::Job;
 use pinhole_course::assignment::Task;
 use pinhole_course::compile::Program;
-use pinhole_course::diagnosis::measure::{Asked, measure};
+use pinhole_course::diagnosis::measure::{QuestionsAndAnswers, measure};
 use pinhole_course::error::Result;
 use pinhole_course::examine;
 use pinhole_course::goldens::Goldens;
@@ -107,10 +107,10 @@ fn films(goldens: &Goldens, task: &Task) -> Result<Vec<QuestionFilm>> {
     Ok(groups.into_iter().flat_map(|group| group.films).collect())
 }
 
-fn asked<'a>(films: &'a [QuestionFilm], replies: &'a [Reply]) -> Vec<Asked<'a>> {
+fn asked<'a>(films: &'a [QuestionFilm], replies: &'a [Reply]) -> Vec<QuestionsAndAnswers<'a>> {
     let pairs = films.iter().zip(replies);
     let asked = pairs.filter_map(|(film, reply)| {
-        Some(Asked {
+        Some(QuestionsAndAnswers {
             questions: film.job.questions()?,
             answers: &reply.answers,
             golden: &film.golden,

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
-use super::naming::Naming;
+use super::naming::SubmissionDiagnosisCounts;
 use super::validator::Validator;
 use crate::scene_cap::most_for_scenes;
 use bases::{Bases, OverlayBase};
@@ -61,7 +61,7 @@ pub struct SubmissionVerdict {
     /// Answers that do not compile, whose failure therefore shows nothing.
     pub not_compiled: Vec<String>,
     /// What its diagnoses name.
-    pub naming: Naming,
+    pub naming: SubmissionDiagnosisCounts,
 }
 
 /// Judges the stub and the reference by everything.
@@ -218,7 +218,12 @@ fn judge_all(
         let under = base.submission.clone();
         let submission = folders.try_fold(under, |under, folder| under.overlaid(folder))?;
         let examination = validator.examine_over(&submission, base)?;
-        let naming = Naming::of(&validator, &overlay.name, &examination, &overlay.beliefs)?;
+        let naming = SubmissionDiagnosisCounts::of(
+            &validator,
+            &overlay.name,
+            &examination,
+            &overlay.beliefs,
+        )?;
         let needs = validator.goldens.needs_of_scenes(validator.assignment)?;
         let most = most_for_scenes(&examination.outcome, &[], &needs, &[]);
         Ok(SubmissionVerdict::of(
@@ -235,7 +240,7 @@ impl SubmissionVerdict {
     fn of(
         outcome: &Outcome,
         overlay: &Overlay,
-        naming: Naming,
+        naming: SubmissionDiagnosisCounts,
         most_for_scenes: u32,
     ) -> SubmissionVerdict {
         let mut tasks = Vec::new();

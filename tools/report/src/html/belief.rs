@@ -19,7 +19,7 @@ pub struct Beliefs {
 #[derive(Debug, PartialEq, Serialize)]
 pub struct Belief {
     /// The section that has already explained it.
-    pub told: Option<Told>,
+    pub told: Option<BeliefReference>,
     pub belief: String,
     /// The share that it explains; none if the student holds only one of several.
     pub explains: Option<String>,
@@ -33,7 +33,7 @@ pub struct Belief {
 
 /// A belief that a task's section explains.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Told {
+pub struct BeliefReference {
     slug: String,
     task: String,
     id: String,
@@ -42,7 +42,7 @@ pub struct Told {
 impl Beliefs {
     /// `None` if no belief is named. A belief in `told` is only referred to, because an earlier
     /// section explains it.
-    pub fn of(diagnosis: &Diagnosis, told: &[Told]) -> Option<Beliefs> {
+    pub fn of(diagnosis: &Diagnosis, told: &[BeliefReference]) -> Option<Beliefs> {
         let one_of = diagnosis.reading == Reading::OneOf && diagnosis.beliefs.len() > 1;
         let most = diagnosis.beliefs.iter().map(|held| held.explained);
         let reading = one_of.then(|| {
@@ -69,14 +69,14 @@ impl Beliefs {
     }
 }
 
-impl Told {
+impl BeliefReference {
     /// The beliefs that the section of the `k`-th task explains.
     pub fn by_task<'a>(
         k: usize,
         name: &'a str,
         diagnosis: &'a Diagnosis,
-    ) -> impl Iterator<Item = Told> + 'a {
-        diagnosis.beliefs.iter().map(move |held| Told {
+    ) -> impl Iterator<Item = BeliefReference> + 'a {
+        diagnosis.beliefs.iter().map(move |held| BeliefReference {
             slug: held.slug.clone(),
             task: name.into(),
             id: format!("task-{k}"),
@@ -122,7 +122,7 @@ mod tests {
     #[test]
     fn belief_explained_in_a_task_is_not_repeated() {
         let single = diagnosis(vec![belief("A.", 1.0)], Reading::Together);
-        let told: Vec<Told> = Told::by_task(2, "sphere", &single).collect();
+        let told: Vec<BeliefReference> = BeliefReference::by_task(2, "sphere", &single).collect();
         let beliefs = Beliefs::of(&single, &told).expect("there is one");
         assert_eq!(
             beliefs.beliefs[0]

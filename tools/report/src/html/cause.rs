@@ -70,16 +70,16 @@ impl Cause {
 }
 
 /// What is wrong with a film of hits, pixel by pixel in image order.
-pub struct Wrong {
+pub struct PixelCauses {
     /// The cause; `None` where the film agrees.
     pub causes: Vec<Option<Cause>>,
     /// Which channels miss the golden: bit k for the k-th of [`HIT_CHANNELS`].
     pub missed: Vec<u8>,
 }
 
-impl Wrong {
+impl PixelCauses {
     /// Compares a film of hits with a golden of the same size.
-    pub fn between(golden: &Golden, film: &Film) -> Wrong {
+    pub fn between(golden: &Golden, film: &Film) -> PixelCauses {
         let mut missed = vec![0; golden.film().resolution().pixels()];
         for (bit, channel) in HIT_CHANNELS.iter().enumerate() {
             for (mask, missed) in missed.iter_mut().zip(golden.missed(film, channel)) {
@@ -94,7 +94,7 @@ impl Wrong {
             })
         };
         let causes = missed.iter().enumerate().map(cause).collect();
-        Wrong { causes, missed }
+        PixelCauses { causes, missed }
     }
 
     /// How many pixels have this cause.
@@ -145,7 +145,7 @@ mod tests {
     /// The cause at a pixel where object 1 is expected at t = 2 with this normal.
     fn cause_of(got: [f32; 5]) -> Option<Cause> {
         let expected = golden(&[[1.0, 2.0, 0.0, 0.6, 0.8]], 1e-3);
-        Wrong::between(&expected, &film(&[got])).causes[0]
+        PixelCauses::between(&expected, &film(&[got])).causes[0]
     }
 
     #[test]
@@ -164,7 +164,7 @@ mod tests {
         let nothing = golden(&[[-1.0, 0.0, 0.0, 0.0, 0.0]], 1e-3);
         let something = film(&[[0.0, 3.0, 1.0, 0.0, 0.0]]);
         assert_eq!(
-            Wrong::between(&nothing, &something).causes[0],
+            PixelCauses::between(&nothing, &something).causes[0],
             Some(Cause::HitsMiss)
         );
     }
@@ -205,7 +205,7 @@ mod tests {
         let nothing = golden(&[[-1.0, 0.0, 0.0, 0.0, 0.0]], pinhole::judge::EXEMPT);
         let nan = film(&[[-1.0, f32::NAN, 0.0, 0.0, 0.0]]);
         assert_eq!(
-            Wrong::between(&nothing, &nan).causes[0],
+            PixelCauses::between(&nothing, &nan).causes[0],
             Some(Cause::NotFinite)
         );
     }
@@ -213,7 +213,7 @@ mod tests {
     #[test]
     fn the_channels_that_miss_are_marked_bit_by_bit() {
         let expected = golden(&[[1.0, 2.0, 0.0, 0.0, 1.0]; 2], 1e-3);
-        let wrong = Wrong::between(
+        let wrong = PixelCauses::between(
             &expected,
             &film(&[[1.0, 2.0, 0.0, 0.0, 1.0], [1.0, 9.0, 0.0, 0.0, -1.0]]),
         );

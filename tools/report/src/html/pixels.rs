@@ -9,7 +9,7 @@ use miniz_oxide::deflate::compress_to_vec_zlib;
 use pinhole::Film;
 use pinhole::judge::Golden;
 
-use super::cause::{Cause, Wrong, samples};
+use super::cause::{Cause, PixelCauses, samples};
 use super::window::Window;
 
 /// A higher level takes twice the time to deflate and saves a twentieth of the size.
@@ -18,7 +18,7 @@ const EFFORT: u8 = 4;
 /// The pixels of a window: which channels miss; the cause (0 if nothing is wrong, otherwise one
 /// more than its place in [`Cause::ALL`]); then the five channels of what was expected, allowed
 /// and got.
-pub fn pack(golden: &Golden, film: &Film, wrong: &Wrong, window: Window) -> String {
+pub fn pack(golden: &Golden, film: &Film, wrong: &PixelCauses, window: Window) -> String {
     let indices = window.indices(golden.film().resolution());
     let code = |cause: Option<Cause>| {
         let place = Cause::ALL.iter().position(|other| Some(*other) == cause);

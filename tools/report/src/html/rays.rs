@@ -30,7 +30,7 @@ pub struct Steps {
 /// A submission's rays, as the page describes them.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum RaysOfYours {
+pub enum SubmittedRays {
     /// Nothing is known.
     Unknown,
     /// They are the expected rays.
@@ -42,14 +42,14 @@ pub enum RaysOfYours {
     Grid(RayGrid),
 }
 
-impl RaysOfYours {
+impl SubmittedRays {
     /// How the page describes these rays.
-    pub fn of(rays: &OwnRays) -> RaysOfYours {
+    pub fn of(rays: &OwnRays) -> SubmittedRays {
         match rays {
-            OwnRays::Unknown => RaysOfYours::Unknown,
-            OwnRays::Right => RaysOfYours::Right,
+            OwnRays::Unknown => SubmittedRays::Unknown,
+            OwnRays::Right => SubmittedRays::Right,
             OwnRays::Asked(film) => {
-                RayGrid::of(film).map_or(RaysOfYours::Uneven, RaysOfYours::Grid)
+                RayGrid::of(film).map_or(SubmittedRays::Uneven, SubmittedRays::Grid)
             }
         }
     }
@@ -138,7 +138,7 @@ mod tests {
         let row = Resolution { n_x: 3, n_y: 1 };
         let bent = Film::of_rays(row, &bent);
         assert_eq!(RayGrid::of(&bent), None);
-        let told = |rays| serde_json::to_value(RaysOfYours::of(&rays)).expect("it is plain data");
+        let told = |rays| serde_json::to_value(SubmittedRays::of(&rays)).expect("it is plain data");
         assert_eq!(told(OwnRays::Asked(bent)), "uneven");
         let even = [1.0, 2.0].map(|x| Ray {
             origin: DVec3::ZERO,

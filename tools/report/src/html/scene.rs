@@ -9,12 +9,12 @@ use serde::Serialize;
 use serde_json::json;
 
 use super::belief::Beliefs;
-use super::cause::{Cause, Wrong};
+use super::cause::{Cause, PixelCauses};
 use super::heat::HeatMaps;
 use super::page::{class, for_script};
 use super::picture;
 use super::pixels;
-use super::rays::{RayGrid, RaysOfYours};
+use super::rays::{RayGrid, SubmittedRays};
 use super::window::Window;
 use crate::terminal;
 
@@ -37,7 +37,7 @@ pub struct Evidence<'a> {
     /// The scene that the film shows, if it is known.
     pub scene: Option<&'a Scene>,
     pub rays: Option<RayGrid>,
-    pub own_rays: RaysOfYours,
+    pub own_rays: SubmittedRays,
     pub beliefs: Option<Beliefs>,
     /// The command that repeats this.
     pub command: String,
@@ -104,7 +104,7 @@ impl SceneSection {
         let comparable = film.filter(|film| {
             shows_hits(golden) && film.resolution() == golden.resolution() && !evidence.passes
         });
-        let wrong = comparable.map(|film| Wrong::between(evidence.golden, film));
+        let wrong = comparable.map(|film| PixelCauses::between(evidence.golden, film));
         let start = start(&evidence, wrong.as_ref());
         let window = Window::around(start, golden.resolution(), share);
         let view = match evidence.verdict.and_then(worst_pixel) {
@@ -206,7 +206,7 @@ fn worst_pixel(verdict: &Verdict) -> Option<(&ChannelVerdict, Pixel)> {
 }
 
 /// The pixel to look at first.
-fn start(evidence: &Evidence, wrong: Option<&Wrong>) -> Pixel {
+fn start(evidence: &Evidence, wrong: Option<&PixelCauses>) -> Pixel {
     let worst = evidence
         .verdict
         .and_then(worst_pixel)
@@ -242,7 +242,7 @@ fn failing_channels(verdict: &Verdict) -> Vec<String> {
     failing.map(|channel| channel.to_string()).collect()
 }
 
-fn cause_rows(wrong: &Wrong) -> Vec<CauseRow> {
+fn cause_rows(wrong: &PixelCauses) -> Vec<CauseRow> {
     let rows = Cause::ALL
         .into_iter()
         .enumerate()

@@ -43,7 +43,7 @@ fn report_examination(diagnosis: Diagnosis) -> Examination {
 
 fn report(diagnosis: Diagnosis) -> Report {
     let examination = report_examination(diagnosis);
-    let again = Again {
+    let again = RepeatCommands {
         whole: EVIL.into(),
         part: EVIL.into(),
     };

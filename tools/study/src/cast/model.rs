@@ -2,8 +2,8 @@
 
 use super::world::{Part, Primitive, World};
 use super::{Found, Tally};
-use crate::kernel::sphere::Scaled;
-use crate::kernel::triangle::{Four, Met};
+use crate::kernel::sphere::ScaledRay;
+use crate::kernel::triangle::{PacketHits, TrianglePacket};
 use crate::kernel::{Kernel, Limits, Prepared, Tier, Window, plane, sphere, triangle};
 use crate::root::Root;
 use crate::shape::Ray;
@@ -13,7 +13,7 @@ pub struct Query<'r> {
     /// As it was given, for exact decisions.
     pub ray: &'r Ray<f64>,
     /// For filters and boxes.
-    pub scaled: Scaled<f64>,
+    pub scaled: ScaledRay<f64>,
     /// From where on; not negative.
     pub min_t: f64,
     /// Around `min_t`, as the scaled ray counts.
@@ -26,7 +26,7 @@ impl<'r> Query<'r> {
     /// Once for a ray; what only filters need, for a model that has some.
     #[inline(always)]
     pub fn new<M: Model>(ray: &'r Ray<f64>, min_t: f64, world: &World) -> Query<'r> {
-        let scaled = Scaled::new(ray);
+        let scaled = ScaledRay::new(ray);
         let from = if M::FILTERS { scaled.scale(min_t) } else { 0.0 };
         Query {
             ray,
@@ -50,7 +50,7 @@ pub trait Model: Sync + 'static {
     /// The smallest t ≥ `min_t` at which a ray meets a part.
     fn meet(part: &Part, query: &Query, tally: &mut Tally) -> Option<f64>;
     /// Which of four triangles it meets. What is left open is asked again, part by part.
-    fn meet_four(four: &Four, limits: &Limits, query: &Query) -> Met;
+    fn meet_four(four: &TrianglePacket, limits: &Limits, query: &Query) -> PacketHits;
     /// A t of that, in multiples of the ray's direction.
     fn given(t: f64, query: &Query) -> f64;
     /// Whether a ray meets `one` before `other`.
@@ -69,7 +69,7 @@ impl Model for Plain {
     fn meet(part: &Part, &Query { ray, min_t, .. }: &Query, _: &mut Tally) -> Option<f64> {
         match &part.shape {
             Primitive::Sphere(sphere) => sphere::plainly(sphere, ray, min_t),
-            Primitive::Plane(plane) => plane::Shifted::intersect(plane, ray, min_t),
+            Primitive::Plane(plane) => plane::ShiftedOrigin::intersect(plane, ray, min_t),
             Primitive::Triangle(triangle) => {
                 triangle::MollerTrumbore::intersect(triangle, ray, min_t)
             }
@@ -77,7 +77,7 @@ impl Model for Plain {
     }
 
     #[inline(always)]
-    fn meet_four(four: &Four, _: &Limits, query: &Query) -> Met {
+    fn meet_four(four: &TrianglePacket, _: &Limits, query: &Query) -> PacketHits {
         four.plainly(query.ray, query.min_t)
     }
 
@@ -117,7 +117,7 @@ impl Model for Exact {
     }
 
     #[inline(always)]
-    fn meet_four(four: &Four, limits: &Limits, query: &Query) -> Met {
+    fn meet_four(four: &TrianglePacket, limits: &Limits, query: &Query) -> PacketHits {
         match query.is_near {
             true => four.filtered(&query.scaled, &query.window, limits),
             false => four.left_open(),

@@ -24,7 +24,7 @@
 use wide::f32x4;
 
 use super::frame::Frame;
-use crate::kernel::sphere::Scaled;
+use crate::kernel::sphere::ScaledRay;
 use crate::number::Real;
 
 /// Four boxes, side by side: first their low sides, then their high ones, by axis.
@@ -57,7 +57,7 @@ pub struct Slabs {
 impl Slabs {
     /// `None` if the ray is too far away to tell, or not finite.
     #[inline(always)]
-    pub fn of(frame: &Frame, scaled: &Scaled<f64>, min_t: f64) -> Option<Slabs> {
+    pub fn of(frame: &Frame, scaled: &ScaledRay<f64>, min_t: f64) -> Option<Slabs> {
         let (mut origin, d) = (frame.local(scaled.ray.origin), scaled.ray.direction);
         if !(d.largest() < 2.0) {
             return None;

@@ -25,7 +25,7 @@ use super::model::Model;
 use super::slabs::{Boxes, Slabs};
 use super::world::{Part, Primitive, World};
 use crate::kernel::Limits;
-use crate::kernel::triangle::{self, Four};
+use crate::kernel::triangle::{self, TrianglePacket};
 use crate::shape::Triangle;
 use crate::vector::{Vector, around};
 
@@ -44,7 +44,7 @@ const LONE: u32 = 1 << 30;
 /// Some triangles of one box.
 #[derive(Clone, Copy, Debug)]
 struct Leaf {
-    four: Four,
+    four: TrianglePacket,
     limits: Limits,
     /// The first of the parts that they are.
     first: u32,
@@ -92,7 +92,7 @@ impl Tree {
             };
             let boxes: Vec<_> = boxes.collect();
             let twos = build_bvh2(&boxes, one_each, &mut Duration::default());
-            let mut fours = Fours {
+            let mut fours = WideTreeBuilder {
                 sizes: sizes(&twos, &inside),
                 twos,
                 parts: &inside,
@@ -134,7 +134,7 @@ impl Tree {
             return nearest.consider(&world.parts[..self.boundless]);
         };
         let mut horizon = slabs.horizon(nearest.horizon());
-        let mut waiting = Waiting::default();
+        let mut waiting = TraversalStack::default();
         loop {
             if at & LEAF == 0 {
                 let node = &self.nodes[at as usize];
@@ -143,7 +143,7 @@ impl Tree {
                     let take = |met: &mut u32| {
                         let lane = met.trailing_zeros() as usize & 3;
                         *met &= *met - 1;
-                        Waiting::ticket(entries[lane], node.inside[lane])
+                        TraversalStack::ticket(entries[lane], node.inside[lane])
                     };
                     let before = waiting.tickets.len();
                     let mut near = take(&mut met);
@@ -172,13 +172,13 @@ impl Tree {
 /// half, for the bits of floats that are not negative are in the floats' own order; and
 /// what it enters.
 #[derive(Default)]
-struct Waiting {
+struct TraversalStack {
     tickets: ArrayVec<u64, 128>,
     /// For trees that are deeper than any seen.
     more: Vec<u64>,
 }
 
-impl Waiting {
+impl TraversalStack {
     #[inline(always)]
     fn ticket(entry: f32, inside: u32) -> u64 {
         u64::from(entry.max(0.0).to_bits()) << 32 | u64::from(inside)
@@ -206,7 +206,7 @@ impl Waiting {
     /// What is entered before the horizon.
     #[inline(always)]
     fn next(&mut self, horizon: f32) -> Option<u32> {
-        let beyond = Waiting::ticket(horizon, u32::MAX);
+        let beyond = TraversalStack::ticket(horizon, u32::MAX);
         loop {
             let ticket = match self.tickets.pop() {
                 Some(ticket) => ticket,
@@ -220,7 +220,7 @@ impl Waiting {
 }
 
 /// Takes nodes of two together to nodes of four.
-struct Fours<'a> {
+struct WideTreeBuilder<'a> {
     twos: Bvh2,
     /// How many parts are below each node of two, and whether all are triangles.
     sizes: Vec<(u32, bool)>,
@@ -259,7 +259,7 @@ fn sizes(twos: &Bvh2, parts: &[Part]) -> Vec<(u32, bool)> {
     sizes
 }
 
-impl Fours<'_> {
+impl WideTreeBuilder<'_> {
     fn root(&mut self) -> u32 {
         if self.is_leaf(0) {
             return self.leaf(0);
@@ -344,7 +344,7 @@ impl Fours<'_> {
         let size = most(&triangle::size);
         let away = most(&|triangle| self.reach.away(triangle.corners[0]));
         self.tree.leaves.push(Leaf {
-            four: Four::new(&triangles),
+            four: TrianglePacket::new(&triangles),
             limits: triangle::limits(size, away),
             first: first as u32,
         });

@@ -1,12 +1,12 @@
 //! What is hard about planes: rays along them, and how a plane may be written.
 
-use super::{Family, Studied, decades, scales, varied};
+use super::{Family, HasFamilies, decades, scales, varied};
 use crate::question::{Question, ten_to};
 use crate::random::Random;
 use crate::shape::Plane;
 use crate::vector::Vector;
 
-impl Studied for Plane<f64> {
+impl HasFamilies for Plane<f64> {
     fn families() -> Vec<Family<Self>> {
         vec![
             Family {

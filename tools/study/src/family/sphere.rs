@@ -1,12 +1,12 @@
 //! What is hard about spheres: far away, far too large, barely touched, or left.
 
-use super::{Family, Studied, decades, varied};
+use super::{Family, HasFamilies, decades, varied};
 use crate::question::{Question, ten_to};
 use crate::random::Random;
 use crate::shape::Sphere;
 use crate::vector::Vector;
 
-impl Studied for Sphere<f64> {
+impl HasFamilies for Sphere<f64> {
     fn families() -> Vec<Family<Self>> {
         vec![
             Family {

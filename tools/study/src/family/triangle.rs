@@ -1,12 +1,12 @@
 //! What is hard about triangles: far away, thin, seen from the side, or without an area.
 
-use super::{Family, Studied, decades, scales, varied};
+use super::{Family, HasFamilies, decades, scales, varied};
 use crate::question::{Question, ten_to};
 use crate::random::Random;
 use crate::shape::Triangle;
 use crate::vector::Vector;
 
-impl Studied for Triangle<f64> {
+impl HasFamilies for Triangle<f64> {
     fn families() -> Vec<Family<Self>> {
         vec![
             Family {

@@ -1,11 +1,11 @@
 //! Families that shapes have in common: a plain question, with one thing about it varied.
 
-use super::{Family, Studied, decades, scales};
+use super::{Family, HasFamilies, decades, scales};
 use crate::question::{Data, Question, ten_to};
 use crate::shape::Ray;
 
 /// By the length of the ray's direction.
-pub fn direction<S: Studied>() -> Family<S> {
+pub fn direction<S: HasFamilies>() -> Family<S> {
     Family {
         name: "direction",
         axis: "length of the direction = 10^x",
@@ -22,7 +22,7 @@ pub fn direction<S: Studied>() -> Family<S> {
 }
 
 /// By its place in the world.
-pub fn offset<S: Studied>() -> Family<S> {
+pub fn offset<S: HasFamilies>() -> Family<S> {
     Family {
         name: "offset",
         axis: "distance of the scene from the world's origin = 10^x",
@@ -43,7 +43,7 @@ pub fn offset<S: Studied>() -> Family<S> {
 }
 
 /// By the unit that shape, place and direction are measured in.
-pub fn scale<S: Studied>() -> Family<S> {
+pub fn scale<S: HasFamilies>() -> Family<S> {
     Family {
         name: "scale",
         axis: "size of the scene = 10^x",
@@ -58,7 +58,7 @@ pub fn scale<S: Studied>() -> Family<S> {
 }
 
 /// By where the ray begins: just before what it meets, or just behind.
-pub fn threshold<S: Studied>(axis: &'static str, meaning: &'static str) -> Family<S> {
+pub fn threshold<S: HasFamilies>(axis: &'static str, meaning: &'static str) -> Family<S> {
     Family {
         name: "threshold",
         axis,

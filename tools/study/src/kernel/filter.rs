@@ -7,7 +7,7 @@
 
 use serde::Serialize;
 
-use super::sphere::Scaled;
+use super::sphere::ScaledRay;
 use crate::number::{ROOT_OF_UNIT, TINY};
 use crate::shape::Ray;
 
@@ -94,7 +94,7 @@ impl Window {
 
     /// What a t of the scaled ray answers, if that is sure.
     #[inline(always)]
-    pub fn answer(&self, t: f64, scaled: &Scaled<f64>) -> Option<Option<f64>> {
+    pub fn answer(&self, t: f64, scaled: &ScaledRay<f64>) -> Option<Option<f64>> {
         if t < self.before {
             return Some(None);
         }
@@ -107,7 +107,7 @@ impl Window {
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared {
     /// For filters.
-    pub scaled: Scaled<f64>,
+    pub scaled: ScaledRay<f64>,
     /// For exact decisions.
     pub given: Ray<f64>,
 }
@@ -116,7 +116,7 @@ impl Prepared {
     /// Once for a ray.
     #[inline(always)]
     pub fn new(ray: &Ray<f64>) -> Prepared {
-        let (scaled, given) = (Scaled::new(ray), *ray);
+        let (scaled, given) = (ScaledRay::new(ray), *ray);
         Prepared { scaled, given }
     }
 }

@@ -4,4 +4,4 @@ mod adaptive;
 mod shifted;
 
 pub use adaptive::{Adaptive, decided, exact, filtered, limits};
-pub use shifted::Shifted;
+pub use shifted::ShiftedOrigin;

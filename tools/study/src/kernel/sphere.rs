@@ -5,7 +5,7 @@ mod haines;
 mod textbook;
 
 pub use adaptive::{Adaptive, decided, exact, filtered, limits};
-pub use haines::{Haines, Scaled, plainly};
+pub use haines::{Haines, ScaledRay, plainly};
 pub use textbook::Textbook;
 
 use crate::number::Real;

@@ -1,13 +1,13 @@
 //! Triangles: e + t d on the triangle a, b, c, edges included.
 
 mod adaptive;
-mod four;
+mod double_double_filter;
 mod moller_trumbore;
-mod twice;
+mod triangle_packet;
 mod woop;
 
 pub use adaptive::{Adaptive, decided, exact, filtered, limits, size};
-pub use four::{Four, Met};
+pub use double_double_filter::double_double_filter;
 pub use moller_trumbore::{MollerTrumbore, MollerTrumboreEpsilon};
-pub use twice::twice;
+pub use triangle_packet::{PacketHits, TrianglePacket};
 pub use woop::Woop;

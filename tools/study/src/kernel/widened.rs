@@ -4,11 +4,11 @@ use crate::shape::{Plane, Ray, Sphere, Triangle};
 
 /// `f64` arithmetic on `f32` data: memory holds `f32`, the formula runs in `f64`, and t
 /// is rounded once, at the end. Products of two `f32` are then exact.
-pub struct Widened<K>(K);
+pub struct WidenedKernel<K>(K);
 
 macro_rules! widened {
     ($shape:ident, $wide:expr) => {
-        impl<K: Kernel<$shape<f64>, f64>> Kernel<$shape<f32>, f32> for Widened<K> {
+        impl<K: Kernel<$shape<f64>, f64>> Kernel<$shape<f32>, f32> for WidenedKernel<K> {
             const NAME: &'static str = K::NAME;
             type Prepared = K::Prepared;
 

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 
 use dashu_ratio::Relaxed;
 
-use super::{Exact, Known, Root, Truth, sign};
+use super::{Exact, HasTruth, Root, Truth, sign};
 use crate::cast::world::{Part, Primitive};
 use crate::question::Question;
 use crate::shape::Ray;
@@ -13,7 +13,7 @@ use crate::vector::Vector;
 
 /// What a ray truly meets.
 #[derive(Clone, Debug)]
-pub struct Sight<'a> {
+pub struct TrueHit<'a> {
     /// Met first, and where; or nothing.
     pub first: Option<(&'a Part, Truth)>,
     /// What may be said instead, for an exact equality decides: objects touched on an
@@ -23,7 +23,7 @@ pub struct Sight<'a> {
     pub may_be_nothing: bool,
 }
 
-impl Sight<'_> {
+impl TrueHit<'_> {
     /// Whether this is what one sees.
     pub fn allows(&self, object: Option<u32>) -> bool {
         let first = self.first.as_ref().map(|(part, _)| part.object);
@@ -36,7 +36,7 @@ impl Sight<'_> {
 
 /// What somebody sees, beside what is true.
 #[derive(Clone, Copy, Debug)]
-pub enum Compared<'a> {
+pub enum HitComparison<'a> {
     /// Both see nothing, or an exact equality decides and any answer is as good.
     Alike,
     /// Another object, or none, or one where there is none.
@@ -52,22 +52,26 @@ pub enum Compared<'a> {
     },
 }
 
-impl<'a> Sight<'a> {
+impl<'a> TrueHit<'a> {
     /// What is seen along this ray: object, t and normal.
-    pub fn compared(&self, ray: &Ray<f64>, seen: Option<(u32, f64, Vector<f64>)>) -> Compared<'a> {
+    pub fn compared(
+        &self,
+        ray: &Ray<f64>,
+        seen: Option<(u32, f64, Vector<f64>)>,
+    ) -> HitComparison<'a> {
         if !self.allows(seen.map(|(object, ..)| object)) {
-            return Compared::AnotherObject;
+            return HitComparison::AnotherObject;
         }
         let (Some((part, met)), Some((object, t, direction))) = (&self.first, seen) else {
-            return Compared::Alike;
+            return HitComparison::Alike;
         };
         let Some(root) = met.t.as_ref().filter(|_| part.object == object) else {
-            return Compared::Alike;
+            return HitComparison::Alike;
         };
         // The sine and the cosine: near π the sine alone is small too.
         let truth = normal(&part.shape, ray, root);
         let off = truth.cross(direction);
-        Compared::Off {
+        HitComparison::Off {
             part,
             t: root.relative_error(t),
             normal: off.dot(off).sqrt().atan2(truth.dot(direction)),
@@ -76,7 +80,7 @@ impl<'a> Sight<'a> {
 }
 
 /// What a ray meets first, from `min_t` on.
-pub fn sight<'a>(parts: &'a [Part], ray: &Ray<f64>, min_t: f64) -> Sight<'a> {
+pub fn sight<'a>(parts: &'a [Part], ray: &Ray<f64>, min_t: f64) -> TrueHit<'a> {
     let near = parts
         .iter()
         .filter(|part| !is_passed_by_far(&part.shape, ray));
@@ -90,7 +94,7 @@ pub fn sight<'a>(parts: &'a [Part], ray: &Ray<f64>, min_t: f64) -> Sight<'a> {
     let together = met
         .iter()
         .filter(|(_, truth)| last.is_some_and(|(_, last)| order(truth, last) != Ordering::Greater));
-    Sight {
+    TrueHit {
         also: together.map(|(part, _)| part.object).collect(),
         may_be_nothing: touched == met.len(),
         first: met.into_iter().next(),
@@ -98,7 +102,7 @@ pub fn sight<'a>(parts: &'a [Part], ray: &Ray<f64>, min_t: f64) -> Sight<'a> {
 }
 
 fn truth(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> Truth {
-    fn of<S: Known>(shape: S, ray: &Ray<f64>, min_t: f64) -> Truth {
+    fn of<S: HasTruth>(shape: S, ray: &Ray<f64>, min_t: f64) -> Truth {
         S::truth(&Question {
             shape,
             ray: *ray,

@@ -2,7 +2,7 @@ use dashu_int::UBig;
 use dashu_int::ops::{BitTest, SquareRoot};
 use dashu_ratio::Relaxed;
 
-use super::{Exact, Known, Root, Truth, fraction, sign};
+use super::{Exact, HasTruth, Root, Truth, fraction, sign};
 use crate::question::Question;
 use crate::shape::Sphere;
 
@@ -10,7 +10,7 @@ use crate::shape::Sphere;
 /// that they keep all but a few of them.
 pub const BITS: usize = 340;
 
-impl Known for Sphere<f64> {
+impl HasTruth for Sphere<f64> {
     /// a t² + 2 h t + c = 0 has the roots (−h ∓ √Δ) / a. With k = −h − a m, the near one
     /// is not before m if k ≥ √Δ, the far one if −k ≤ √Δ: both are signs of k and of
     /// k² − Δ.

@@ -1,8 +1,8 @@
-use super::{Exact, Known, Root, Truth, fraction, sign};
+use super::{Exact, HasTruth, Root, Truth, fraction, sign};
 use crate::question::Question;
 use crate::shape::Triangle;
 
-impl Known for Triangle<f64> {
+impl HasTruth for Triangle<f64> {
     /// e − a = α t₁ + β t₂ − t d by Cramer's rule, in fractions: the determinant of three
     /// columns, and the same with each replaced by e − a. Edges belong to the triangle,
     /// and whatever touches one is a tie.

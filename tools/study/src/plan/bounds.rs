@@ -12,7 +12,7 @@
 //! certain, and exact arithmetic answers.
 
 use crate::cast::world::Primitive;
-use crate::kernel::sphere::Scaled;
+use crate::kernel::sphere::ScaledRay;
 use crate::number::{ROOT_OF_UNIT, U};
 use crate::shape::{Plane, Sphere, Triangle};
 use crate::vector::Vector;
@@ -48,7 +48,7 @@ fn are_in_range(sizes: impl IntoIterator<Item = f64>) -> bool {
 
 /// How far t may be off, as a part of itself, for a hit that the filters decided; what they
 /// left open was computed better. Infinite where nothing is certain.
-pub fn of_t(shape: &Primitive, ray: &Scaled<f64>) -> f64 {
+pub fn of_t(shape: &Primitive, ray: &ScaledRay<f64>) -> f64 {
     match shape {
         Primitive::Sphere(shape) => of_sphere(shape, ray),
         Primitive::Plane(shape) => of_plane(shape, ray),
@@ -64,7 +64,7 @@ pub fn of_t(shape: &Primitive, ray: &Scaled<f64>) -> f64 {
 /// 3. t|d| is q or c/q with q = |h|/|d| + s, which is off by λ + σ and six roundings; c =
 ///    |f|² − r² by χ = 8u|f|² + 3ur². q ≥ √|c| always: q² ≥ h²/|d|² + s² = |f|² + r² −
 ///    2|l|², which |l| ≤ r or |l| ≤ |f| makes ≥ |c|.
-fn of_sphere(sphere: &Sphere<f64>, Scaled { ray, .. }: &Scaled<f64>) -> f64 {
+fn of_sphere(sphere: &Sphere<f64>, ScaledRay { ray, .. }: &ScaledRay<f64>) -> f64 {
     let (d, r, from_center) = (ray.direction, sphere.radius, ray.origin - sphere.center);
     if !are_in_range([from_center.largest(), r]) {
         return f64::INFINITY;
@@ -85,7 +85,7 @@ fn of_sphere(sphere: &Sphere<f64>, Scaled { ray, .. }: &Scaled<f64>) -> f64 {
 
 /// A dot product of three terms is off by 8u of the sum of its terms' magnitudes, the
 /// subtraction p − e included (as in [`crate::kernel::plane::Adaptive`]).
-fn of_plane(plane: &Plane<f64>, Scaled { ray, .. }: &Scaled<f64>) -> f64 {
+fn of_plane(plane: &Plane<f64>, ScaledRay { ray, .. }: &ScaledRay<f64>) -> f64 {
     let (n, d, w) = (plane.normal, ray.direction, plane.point - ray.origin);
     let down = n.dot(d).abs();
     // A component of d that is 1e300 times smaller than another may have lost digits.
@@ -100,7 +100,7 @@ fn of_plane(plane: &Plane<f64>, Scaled { ray, .. }: &Scaled<f64>) -> f64 {
 /// With M the largest component of two edges, S that of e − a and |d|∞ < 2: Möller–Trumbore's
 /// determinant is off by 96u M², and t times it by 54u S M² (cf.
 /// [`crate::kernel::triangle::Adaptive`]).
-fn of_triangle(triangle: &Triangle<f64>, Scaled { ray, .. }: &Scaled<f64>) -> f64 {
+fn of_triangle(triangle: &Triangle<f64>, ScaledRay { ray, .. }: &ScaledRay<f64>) -> f64 {
     let [a, b, c] = triangle.corners;
     let (e1, e2, away) = (b - a, c - a, ray.origin - a);
     let (m, s) = (e1.largest().max(e2.largest()), away.largest());

@@ -4,17 +4,17 @@
 use rayon::prelude::*;
 
 use super::bounds::{OF_UNIT, PROVEN_T, normal_of, of_normal, of_t};
-use super::{Wish, exactly};
+use super::{AccuracyTarget, exactly};
 use crate::cast::model::Exact;
 use crate::cast::world::{Part, Primitive, World};
 use crate::cast::{Caster, Found, Search, Tally};
-use crate::kernel::sphere::Scaled;
+use crate::kernel::sphere::ScaledRay;
 use crate::shape::Ray;
 use crate::vector::Vector;
 
 /// A scene ready to be cast so.
-pub struct Casting {
-    wish: Wish,
+pub struct PlannedCaster {
+    wish: AccuracyTarget,
     min_t: f64,
     search: Search,
     caster: Caster,
@@ -29,10 +29,10 @@ const NO_NORMAL: Vector<f64> = Vector {
     z: 0.0,
 };
 
-impl Casting {
+impl PlannedCaster {
     /// Of a scene's parts.
-    pub fn new(world: World, min_t: f64, wish: Wish) -> Casting {
-        Casting {
+    pub fn new(world: World, min_t: f64, wish: AccuracyTarget) -> PlannedCaster {
+        PlannedCaster {
             wish,
             min_t,
             search: Search::cheaper(&world.parts),
@@ -53,7 +53,7 @@ impl Casting {
                 exactly::hit(&part.shape, ray, self.min_t)
             }
         };
-        let Wish {
+        let AccuracyTarget {
             depth,
             normal: wants_normal,
             ..
@@ -71,7 +71,7 @@ impl Casting {
     fn proven(&self, part: &Part, ray: &Ray<f64>, t: f64) -> Option<Vector<f64>> {
         let normal = self.proven_from(&part.shape, ray, t, PROVEN_T);
         normal.or_else(|| {
-            let closer = of_t(&part.shape, &Scaled::new(ray));
+            let closer = of_t(&part.shape, &ScaledRay::new(ray));
             let is_worth_it = self.wish.depth || matches!(part.shape, Primitive::Sphere(_));
             is_worth_it
                 .then(|| self.proven_from(&part.shape, ray, t, closer))
@@ -88,7 +88,7 @@ impl Casting {
         t: f64,
         of_t: f64,
     ) -> Option<Vector<f64>> {
-        let Wish {
+        let AccuracyTarget {
             accuracy,
             depth,
             normal,

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{OfKind, Plan, Wish};
+use super::{AccuracyTarget, KindPlan, Plan};
 use crate::cast::search::Search;
 
 /// So many of a kind.
@@ -14,7 +14,7 @@ fn count(parts: usize, kind: &str) -> String {
 }
 
 /// What of t and normals is asked for, in words.
-fn outputs(wish: Wish) -> &'static str {
+fn outputs(wish: AccuracyTarget) -> &'static str {
     match (wish.depth, wish.normal) {
         (true, true) => "t and normals",
         (true, false) => "t (normals are not asked for; the film has 0)",
@@ -24,7 +24,7 @@ fn outputs(wish: Wish) -> &'static str {
 }
 
 /// How a kind is cast.
-fn how(kind: &OfKind, wish: Wish) -> String {
+fn how(kind: &KindPlan, wish: AccuracyTarget) -> String {
     let normals = match kind.worst_normal {
         Some(worst) => format!("normals to {worst:.0e} rad"),
         None => "normals of all but some".into(),

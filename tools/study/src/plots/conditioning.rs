@@ -1,7 +1,7 @@
 //! Errors of t against the question's conditioning.
 
 use super::paper::{Anchor, GRID, Panel, Paper, colour, curve, legend, names, ulps};
-use crate::result::{Conditioned, Findings};
+use crate::result::{ConditioningErrors, Findings};
 
 /// A panel for each shape.
 pub fn svg(findings: &Findings) -> String {
@@ -36,7 +36,7 @@ pub fn svg(findings: &Findings) -> String {
                 let of_it = all().filter(|it| it.kernel == *name && it.numbers == numbers);
                 // A handful of hits has no median.
                 let of_it = of_it.filter(|it| it.hits >= 20 && it.decade < 17);
-                let place = |it: &Conditioned| {
+                let place = |it: &ConditioningErrors| {
                     panel.at(f64::from(it.decade) + 0.5, it.median_ulp.max(0.1).log10())
                 };
                 let points: Vec<_> = of_it.map(place).collect();

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
 use pinhole::Resolution;
 use pinhole_course::run_options::{AssignmentOption, resolution};
-use pinhole_study::plan::Wish;
+use pinhole_study::plan::AccuracyTarget;
 use pinhole_study::record::Kind;
 
 /// The trade between speed and accuracy in ray casting.
@@ -92,7 +92,7 @@ pub struct Plan {
     #[arg(long, value_name = "X", value_parser = accuracy)]
     pub accuracy: f64,
     #[command(flatten)]
-    pub wanted: Wanted,
+    pub wanted: FilmOptions,
     /// Plan for this many pixels instead of the scene's own
     #[arg(long, value_name = "NXxNY", value_parser = resolution)]
     pub resolution: Option<Resolution>,
@@ -123,7 +123,7 @@ pub struct Render {
     #[arg(long, value_name = "X", value_parser = accuracy)]
     pub plan: Option<f64>,
     #[command(flatten)]
-    pub wanted: Wanted,
+    pub wanted: FilmOptions,
     /// Cast this many pixels instead of the scene's own number; the image plane keeps its size
     #[arg(long, value_name = "NXxNY", value_parser = resolution)]
     pub resolution: Option<Resolution>,
@@ -158,7 +158,7 @@ pub struct Record {
 
 /// What a planned film should hold.
 #[derive(Args)]
-pub struct Wanted {
+pub struct FilmOptions {
     /// For a plan: which object each pixel shows. This changes nothing, because plans always
     /// show the true object
     #[arg(long, value_enum, value_name = "IDS")]
@@ -194,16 +194,16 @@ fn accuracy(text: &str) -> Result<f64, String> {
     accuracy.ok_or_else(|| format!("`{text}` is not an accuracy between 1e-15 and 1, like 1e-6"))
 }
 
-impl Wanted {
+impl FilmOptions {
     /// Whether the user gave none of these options.
     pub fn is_empty(&self) -> bool {
         self.ids.is_none() && self.outputs.is_empty()
     }
 
     /// What the user wants from a plan: everything, unless they say otherwise.
-    pub fn wish(&self, accuracy: f64) -> Wish {
+    pub fn wish(&self, accuracy: f64) -> AccuracyTarget {
         let wants = |output| self.outputs.is_empty() || self.outputs.contains(&output);
-        Wish {
+        AccuracyTarget {
             accuracy,
             depth: wants(Output::Depth),
             normal: wants(Output::Normal),

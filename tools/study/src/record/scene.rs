@@ -6,18 +6,18 @@
 
 use pinhole::{Camera, Projection, Resolution, Scene, Shape, Triangle, TriangleSoup};
 
-use crate::plan::Wish;
+use crate::plan::AccuracyTarget;
 use crate::random::Random;
 use crate::vector::Vector;
 
 /// The scene of a seed, and what is wished of it.
-pub fn drawn(seed: u64) -> (Scene, Wish) {
+pub fn drawn(seed: u64) -> (Scene, AccuracyTarget) {
     let mut random = Random::new(seed, "plans");
     let scene = match random.below(3) {
         0 => on_a_grid(&mut random),
         _ => anywhere(&mut random),
     };
-    let wish = Wish {
+    let wish = AccuracyTarget {
         accuracy: power(&mut random, -14.5, -4.0),
         depth: random.below(4) > 0,
         normal: random.below(4) > 0,

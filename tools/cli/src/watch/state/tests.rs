@@ -11,7 +11,7 @@ use pinhole_course::outcome::{
     AnswerFile, FilmOutcome, GroupOutcome, Outcome, SceneFilm, SceneOutcome,
 };
 use pinhole_course::sandbox::Sandbox;
-use pinhole_report::html::Again;
+use pinhole_report::html::RepeatCommands;
 
 /// The real course. Nothing is compiled or asked here.
 pub(in crate::watch) fn course() -> Course {
@@ -28,7 +28,7 @@ pub(in crate::watch) fn course() -> Course {
         wall: Duration::from_secs(1),
         tasks: Vec::new(),
         report: "report.html".into(),
-        again: Again {
+        again: RepeatCommands {
             whole: String::new(),
             part: String::new(),
         },

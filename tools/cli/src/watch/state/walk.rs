@@ -46,7 +46,7 @@ impl State {
                 self.top();
                 return self.ask_again(self.items.clone());
             }
-            Key::Again => {
+            Key::RepeatCommands => {
                 let again = self
                     .item()
                     .map_or(self.items.clone(), |item| vec![item.clone()]);

@@ -2,7 +2,7 @@
 
 use super::law::{self, PartLaw};
 use super::rule::Rule;
-use super::sample::{Asked, Sample, samples};
+use super::sample::{QuestionsAndAnswers, Sample, samples};
 use super::single;
 
 /// What a sentence claims, in a form that can be tested on other questions.
@@ -55,7 +55,7 @@ pub fn share_of<'a>(
 
 impl Claim {
     /// Whether it is also true of these questions, apart from a few exceptions.
-    pub fn holds(&self, films: &[Asked<'_>]) -> bool {
+    pub fn holds(&self, films: &[QuestionsAndAnswers<'_>]) -> bool {
         let samples = samples(films);
         let both = || {
             samples

@@ -6,7 +6,7 @@ use pinhole::part::{Condition, Part, Quantity};
 
 /// Questions, the answers that were given, and Mitsuba's.
 #[derive(Clone, Copy)]
-pub struct Asked<'a> {
+pub struct QuestionsAndAnswers<'a> {
     /// What was asked.
     pub questions: &'a Questions,
     /// The answers, in the questions' order.
@@ -40,8 +40,8 @@ pub struct Sample {
 const SAME: f64 = 2e-5;
 
 /// All questions of these films that were answered and are not exempt.
-pub fn samples(films: &[Asked<'_>]) -> Vec<Sample> {
-    let of_film = |film: &Asked<'_>| {
+pub fn samples(films: &[QuestionsAndAnswers<'_>]) -> Vec<Sample> {
+    let of_film = |film: &QuestionsAndAnswers<'_>| {
         let answered = film.answers.iter().enumerate();
         let samples = answered.filter_map(|(index, given)| film.sample(index, given.as_ref()?));
         samples.collect::<Vec<_>>()
@@ -49,9 +49,9 @@ pub fn samples(films: &[Asked<'_>]) -> Vec<Sample> {
     films.iter().flat_map(of_film).collect()
 }
 
-impl Asked<'_> {
+impl QuestionsAndAnswers<'_> {
     fn sample(&self, index: usize, given: &Answer) -> Option<Sample> {
-        let Asked {
+        let QuestionsAndAnswers {
             questions, golden, ..
         } = self;
         if golden.is_exempt(index) {

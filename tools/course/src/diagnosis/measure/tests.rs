@@ -68,7 +68,7 @@ fn said(answer: impl Fn(&ShapeQuestion, Intersection) -> Option<Intersection>) -
     };
     let (public, fresh) = (of(0), of(1000));
     let asked = |(questions, answers, golden): &'_ (Questions, Vec<Option<Answer>>, Golden)| {
-        measure(&[Asked {
+        measure(&[QuestionsAndAnswers {
             questions,
             answers,
             golden,
@@ -79,7 +79,7 @@ fn said(answer: impl Fn(&ShapeQuestion, Intersection) -> Option<Intersection>) -
     for measured in &measured {
         let says = &measured.finding.says;
         assert!(
-            measured.holds(&[Asked {
+            measured.holds(&[QuestionsAndAnswers {
                 questions,
                 answers,
                 golden
@@ -208,7 +208,7 @@ fn said_of_trees(misplaced: impl Fn(usize) -> usize) -> Vec<String> {
     let golden = Golden::new(all(0.0), all(8.0)).expect("the two belong together");
     let questions = Questions::Tree((0..COUNT).map(|_| question()).collect());
     let answers: Vec<Option<Answer>> = (0..COUNT).map(given).collect();
-    let asked = Asked {
+    let asked = QuestionsAndAnswers {
         questions: &questions,
         answers: &answers,
         golden: &golden,

@@ -2,7 +2,7 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 use super::{own_clock, used_by};
-use crate::sandbox::watch::{Exceeded, Watch};
+use crate::sandbox::watch::{ExceededLimit, Watch};
 use crate::sandbox::{Limits, finish};
 
 fn shell(line: &str) -> Command {
@@ -56,7 +56,7 @@ fn a_tree_that_takes_too_much_memory_is_ended_though_each_process_takes_little()
     let finished = finish(shell(&line), &limits, |pid| Watch::tree(pid, limits));
     assert_eq!(
         finished.expect("there is a shell").exceeded,
-        Some(Exceeded::Memory(limits.memory))
+        Some(ExceededLimit::Memory(limits.memory))
     );
 }
 
@@ -71,7 +71,7 @@ fn a_tree_that_takes_too_long_on_the_processor_is_ended() {
     let finished = finish(shell(line), &limits, |pid| Watch::tree(pid, limits));
     assert_eq!(
         finished.expect("there is a shell").exceeded,
-        Some(Exceeded::Cpu(limits.cpu))
+        Some(ExceededLimit::Cpu(limits.cpu))
     );
 }
 
@@ -88,7 +88,7 @@ fn a_tree_that_sleeps_is_ended_and_one_that_works_is_not() {
     };
     assert_eq!(
         exceeded("sleep 15 & wait"),
-        Some(Exceeded::Idle(limits.idle))
+        Some(ExceededLimit::Idle(limits.idle))
     );
     // It is ready to run, although the processor may have no time for it.
     assert_eq!(

@@ -27,7 +27,7 @@ fn refusal(path: &Path) -> String {
 }
 
 /// The text of sphere.rs in the first place that has one.
-fn sphere(path: &Path) -> std::result::Result<String, Unusable> {
+fn sphere(path: &Path) -> std::result::Result<String, AnswerFileProblem> {
     let mut archive = open(path).expect("a good archive");
     let places = archive.places().into_iter();
     let place = places
@@ -68,7 +68,7 @@ fn answers_are_found_in_the_same_places_as_in_a_folder() {
     let (_folder, path) = archive(&[("a/sphere.rs", b""), ("b/sphere.rs", b"")]);
     assert_eq!(
         sphere(&path),
-        Err(Unusable::Missing),
+        Err(AnswerFileProblem::Missing),
         "with two folders, the right one is unknown"
     );
 }
@@ -110,7 +110,9 @@ fn two_files_of_one_name_refuse_the_whole_archive() {
 #[test]
 fn names_that_differ_in_capitals_only_refuse_that_answer() {
     let (_folder, path) = archive(&[("sphere.rs", b"// one"), ("Sphere.rs", b"// two")]);
-    assert!(matches!(sphere(&path), Err(Unusable::Refused(why)) if why.contains("capitals")));
+    assert!(
+        matches!(sphere(&path), Err(AnswerFileProblem::Refused(why)) if why.contains("capitals"))
+    );
 }
 
 #[test]
@@ -121,7 +123,9 @@ fn zip_bomb_is_not_unpacked() {
         fs::metadata(&path).expect("it is there").len() < 1 << 20,
         "it is no bomb"
     );
-    assert!(matches!(sphere(&path), Err(Unusable::Refused(why)) if why.contains("256 KiB")));
+    assert!(
+        matches!(sphere(&path), Err(AnswerFileProblem::Refused(why)) if why.contains("256 KiB"))
+    );
 }
 
 #[test]
@@ -142,7 +146,7 @@ fn links_devices_and_passwords_are_refused() {
         }
         let refused = sphere(&path);
         assert!(
-            matches!(&refused, Err(Unusable::Refused(why)) if why.contains("regular")),
+            matches!(&refused, Err(AnswerFileProblem::Refused(why)) if why.contains("regular")),
             "{refused:?}"
         );
     }
@@ -157,7 +161,7 @@ fn links_devices_and_passwords_are_refused() {
     fs::write(&path, bytes).expect("it can be written");
     let refused = sphere(&path);
     assert!(
-        matches!(&refused, Err(Unusable::Refused(why)) if why.contains("encrypted")),
+        matches!(&refused, Err(AnswerFileProblem::Refused(why)) if why.contains("encrypted")),
         "{refused:?}"
     );
 }

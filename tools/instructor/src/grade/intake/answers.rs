@@ -9,7 +9,7 @@ use super::reader::Content;
 use super::task_names::task_of;
 use pinhole_course::assignment::{Assignment, Task};
 use pinhole_course::submission::text::Text;
-use pinhole_course::submission::{Answer, Submission, Unusable};
+use pinhole_course::submission::{Answer, AnswerFileProblem, Submission};
 
 /// The answers that were found, and notes on how.
 #[derive(Clone, Debug)]
@@ -116,8 +116,8 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
             .filter(|(other, _)| other.name == task.name);
         let own: Vec<&Candidate> = own.map(|(_, candidate)| candidate).collect();
         let text = match own.is_empty() {
-            true if refused.is_empty() => Err(Unusable::Missing),
-            true => Err(Unusable::Refused(refused.join("; "))),
+            true if refused.is_empty() => Err(AnswerFileProblem::Missing),
+            true => Err(AnswerFileProblem::Refused(refused.join("; "))),
             false => choice.of(task, &own),
         };
         choice.submission.answers.push(Answer {
@@ -159,7 +159,7 @@ impl Choice {
         let texts: BTreeSet<&str> = best.iter().map(|one| said(one.text)).collect();
         if texts.len() > 1 {
             let paths: Vec<String> = best.iter().map(|one| one.path()).collect();
-            return Err(Unusable::Refused(format!(
+            return Err(AnswerFileProblem::Refused(format!(
                 "there are {} files that could be `{file}`, and they differ: {}",
                 paths.len(),
                 paths.join(", ")
@@ -193,7 +193,7 @@ impl Choice {
 fn said(text: &Text) -> &str {
     match text {
         Ok(text) => text,
-        Err(Unusable::Refused(why)) => why,
-        Err(Unusable::Missing) => "",
+        Err(AnswerFileProblem::Refused(why)) => why,
+        Err(AnswerFileProblem::Missing) => "",
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::matching::Proof;
 use super::names::{self, PlatformName, Sign};
-use super::reader::{Content, Found, file_names};
+use super::reader::{Content, FoundFile, file_names};
 
 /// What one person handed in.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,10 +45,10 @@ impl Upload {
 }
 
 /// The names at the top of a source, and everything below each.
-pub type Tops = BTreeMap<String, Vec<Found>>;
+pub type Tops = BTreeMap<String, Vec<FoundFile>>;
 
 /// Sorts files by the names at the top.
-pub fn tops(found: Vec<Found>) -> Tops {
+pub fn tops(found: Vec<FoundFile>) -> Tops {
     let mut tops = Tops::new();
     for found in found {
         let top = found.path.first().cloned().unwrap_or_default();
@@ -83,9 +83,9 @@ pub fn signs(name: &str) -> (Vec<Sign>, Proof) {
 /// Divides the files of a class among its people.
 pub fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
     let mut ignored = Vec::new();
-    let mut all: BTreeMap<String, Vec<(String, Vec<Found>)>> = BTreeMap::new();
+    let mut all: BTreeMap<String, Vec<(String, Vec<FoundFile>)>> = BTreeMap::new();
     for (top, found) in tops {
-        let holds = |it: &Found| {
+        let holds = |it: &FoundFile| {
             it.path.len() > 1 || !matches!(it.content, Content::Other | Content::Answer { .. })
         };
         let name = match &names::platforms(&top)[..] {
@@ -105,7 +105,7 @@ pub fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
 
 /// What one person handed in, in one or several uploads. Of several archives, only the newest
 /// counts.
-fn of_one(name: String, parts: Vec<(String, Vec<Found>)>) -> HandIn {
+fn of_one(name: String, parts: Vec<(String, Vec<FoundFile>)>) -> HandIn {
     let order = |top: &str| names::platform(top).map_or(0, |it| it.upload);
     let archives = parts.iter().map(|(top, _)| top);
     let newest = archives

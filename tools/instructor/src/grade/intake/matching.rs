@@ -110,7 +110,7 @@ fn has_github(person: &Person, login: &str) -> bool {
 
 /// The people whose name is among a text's words, as in `homework1-adalovelace`, or who have
 /// one of the words as id.
-fn among_words<'a>(text: &str, people: &'a [Person], is: Among) -> Vec<&'a Person> {
+fn among_words<'a>(text: &str, people: &'a [Person], is: RosterKey) -> Vec<&'a Person> {
     let words: Vec<String> = text
         .split(|c: char| !c.is_alphanumeric() && !is_combining_mark(c))
         .map(folded)
@@ -118,12 +118,12 @@ fn among_words<'a>(text: &str, people: &'a [Person], is: Among) -> Vec<&'a Perso
         .collect();
     let runs = || (0..words.len()).flat_map(|k| (k..words.len()).map(move |end| (k, end)));
     let is_there = |other: &&Person| match is {
-        Among::Ids => {
+        RosterKey::Ids => {
             let alone = std::slice::from_ref(*other);
             words.iter().any(|word| !with_id(word, alone).is_empty())
         }
-        Among::Names if other.name.split_whitespace().count() < 2 => false,
-        Among::Names => {
+        RosterKey::Names if other.name.split_whitespace().count() < 2 => false,
+        RosterKey::Names => {
             let names = turned(&other.name, &folded);
             runs().any(|(k, end)| names.contains(&words[k..=end].concat()))
         }
@@ -131,7 +131,7 @@ fn among_words<'a>(text: &str, people: &'a [Person], is: Among) -> Vec<&'a Perso
     people.iter().filter(is_there).collect()
 }
 
-enum Among {
+enum RosterKey {
     Ids,
     Names,
 }
@@ -147,8 +147,8 @@ pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) 
                 (Proof::Id, with_id(name, people)),
                 (Proof::Id, named(name, people)),
                 (Proof::Id, owners().collect()),
-                (Proof::Name, among_words(name, people, Among::Ids)),
-                (Proof::Hint, among_words(name, people, Among::Names)),
+                (Proof::Name, among_words(name, people, RosterKey::Ids)),
+                (Proof::Hint, among_words(name, people, RosterKey::Names)),
             ];
             let mut found = found.into_iter().filter(|(_, found)| !found.is_empty());
             found.next().unwrap_or((Proof::Hint, Vec::new()))

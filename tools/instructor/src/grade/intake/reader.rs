@@ -19,12 +19,12 @@ use std::rc::Rc;
 use self::file_names::{is_archive, is_skipped};
 use self::limits::Limits;
 use pinhole_course::error::{Result, ResultExt};
-use pinhole_course::submission::Unusable;
+use pinhole_course::submission::AnswerFileProblem;
 use pinhole_course::submission::text::{self, Text};
 
 /// A file that was found, or a folder or an archive at the top.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Found {
+pub struct FoundFile {
     /// Its path: folders and archives, and then its name.
     pub path: Vec<String>,
     pub content: Content,
@@ -61,7 +61,7 @@ const MOST_PARTS: usize = 100;
 ///
 /// # Errors
 /// If there is nothing at that path.
-pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<Vec<Found>> {
+pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<Vec<FoundFile>> {
     let metadata = path.metadata().or_input(
         format_args!("cannot read {}", path.display()),
         "name a submission, or a folder of submissions",
@@ -84,15 +84,15 @@ pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<Vec<Found>>
 
 struct Reader<'a> {
     is_answer: &'a dyn Fn(&str) -> bool,
-    found: Vec<Found>,
+    found: Vec<FoundFile>,
     /// What may still be read of each submission, by its path.
-    of_each: BTreeMap<Vec<String>, OfOne>,
+    of_each: BTreeMap<Vec<String>, SubmissionReadBudget>,
     /// What may still be read of the archive that is read.
     whole: Option<Rc<Limits>>,
 }
 
 /// How much was read of one submission.
-struct OfOne {
+struct SubmissionReadBudget {
     limits: Rc<Limits>,
     others: usize,
     /// Whether a limit was exceeded, which is reported once.
@@ -109,17 +109,19 @@ impl Reader<'_> {
         }
     }
 
-    fn of_one(&mut self, path: &[String]) -> &mut OfOne {
+    fn of_one(&mut self, path: &[String]) -> &mut SubmissionReadBudget {
         let own = path[..self.length_of_own(path)].to_vec();
         let whole = self.whole.clone();
-        self.of_each.entry(own).or_insert_with_key(|own| OfOne {
-            limits: match whole {
-                Some(whole) if own.is_empty() => whole,
-                whole => Rc::new(Limits::of_one(whole)),
-            },
-            others: 0,
-            is_over: false,
-        })
+        self.of_each
+            .entry(own)
+            .or_insert_with_key(|own| SubmissionReadBudget {
+                limits: match whole {
+                    Some(whole) if own.is_empty() => whole,
+                    whole => Rc::new(Limits::of_one(whole)),
+                },
+                others: 0,
+                is_over: false,
+            })
     }
 
     fn limits(&mut self, path: &[String]) -> Rc<Limits> {
@@ -128,7 +130,7 @@ impl Reader<'_> {
 
     fn keep(&mut self, path: &[String], content: Content) {
         let path = path.to_vec();
-        let found = Found { path, content };
+        let found = FoundFile { path, content };
         match self
             .limits(&found.path)
             .spend(|it| &it.kept, limits::cost(&found))
@@ -148,7 +150,7 @@ impl Reader<'_> {
                 true => Content::Unreadable(why.into()),
                 false => Content::Refused(why.into()),
             };
-            self.found.push(Found { path, content });
+            self.found.push(FoundFile { path, content });
         }
     }
 
@@ -192,7 +194,7 @@ impl Reader<'_> {
     /// Notes a file whose content doesn't matter, or that is not regular.
     fn pass(&mut self, path: &[String], is_regular: bool) {
         if !is_regular && self.names_answer(path) {
-            let why = Unusable::Refused("it is not a regular file".into());
+            let why = AnswerFileProblem::Refused("it is not a regular file".into());
             let (text, note) = (Err(why), None);
             return self.keep(path, Content::Answer { text, note });
         }

@@ -4,7 +4,7 @@
 use super::hand_in::{self, HandIn, Upload, account, signs, tops};
 use super::matching::Proof;
 use super::names::{self, Sign};
-use super::reader::{Content, Found, file_names};
+use super::reader::{Content, FoundFile, file_names};
 
 /// A path on the command line, and what was found there.
 pub struct Source<'a> {
@@ -12,7 +12,7 @@ pub struct Source<'a> {
     pub is_archive: bool,
     /// Whether no other path was named.
     pub is_only: bool,
-    pub found: Vec<Found>,
+    pub found: Vec<FoundFile>,
     /// Whether somebody on the roster has this name or id.
     pub is_on_roster: &'a dyn Fn(&str) -> bool,
 }
@@ -61,7 +61,7 @@ impl Source<'_> {
     }
 
     /// Whether everything at the top has a person's name.
-    fn names_people(&self, found: &[Found]) -> bool {
+    fn names_people(&self, found: &[FoundFile]) -> bool {
         let mut tops = found.iter().filter_map(|found| found.path.first());
         tops.all(|top| self.is_person(top))
     }
@@ -104,14 +104,14 @@ impl Source<'_> {
             }
             _ => false,
         };
-        let is_answer = |found: &&Found| matches!(found.content, Content::Answer { .. });
+        let is_answer = |found: &&FoundFile| matches!(found.content, Content::Answer { .. });
         let mut answers = self.found.iter().filter(is_answer);
         answers.any(|found| is_own(&found.path))
     }
 
     /// The folders and archives at the top that may be somebody's submission.
     fn holding(&self) -> Vec<String> {
-        let holds = |it: &Found| {
+        let holds = |it: &FoundFile| {
             (it.path.len() > 1 || is_closed(&it.content)) && it.content != Content::Other
         };
         let tops = tops(self.found.clone()).into_iter();
@@ -128,7 +128,7 @@ impl Source<'_> {
             let holding = holding.join(", ");
             doubts.push(format!("other submissions may be in it: {holding}"));
         }
-        let upload = |found: Found| Upload {
+        let upload = |found: FoundFile| Upload {
             path: found.path,
             order: 0,
             content: found.content,
@@ -151,9 +151,9 @@ fn is_closed(content: &Content) -> bool {
 }
 
 /// The same files, with paths below the top folder.
-fn below(found: &[Found]) -> Vec<Found> {
+fn below(found: &[FoundFile]) -> Vec<FoundFile> {
     let inside = found.iter().filter(|found| found.path.len() > 1);
-    let shorter = inside.map(|found| Found {
+    let shorter = inside.map(|found| FoundFile {
         path: found.path[1..].to_vec(),
         content: found.content.clone(),
     });

@@ -1,13 +1,13 @@
 //! What each group of questions and each scene catches.
 
 use super::QUIET;
-use crate::validate::catches::{Catch, Catches};
+use crate::validate::catches::{DetectionRow, DetectionTable};
 
 /// How many mistakes a row names.
 const MOST_NAMED: usize = 3;
 
 /// A row for each group and each scene.
-pub fn table(catches: &Catches) -> String {
+pub fn table(catches: &DetectionTable) -> String {
     let mut text = format!(
         "\nOf {} single mistakes, how many fail here; how many of them in no other group (or in\n\
          no other scene); how many nowhere else at all, and which.",
@@ -38,7 +38,7 @@ pub fn table(catches: &Catches) -> String {
             "mistakes", "only", "at all"
         );
         for catch in rows {
-            let Catch {
+            let DetectionRow {
                 name,
                 mistakes,
                 only_of_its_kind,

@@ -1,6 +1,6 @@
 //! How often diagnoses give the right name, as a table.
 
-use crate::validate::naming::{Diagnoses, Naming};
+use crate::validate::naming::{Diagnoses, SubmissionDiagnosisCounts};
 
 use super::{QUIET, STRONG};
 
@@ -22,7 +22,7 @@ pub fn table(diagnoses: &Diagnoses) -> String {
     text + "  right: its name alone; among: with one or two others that look the same there\n"
 }
 
-fn rows(kind: &str, naming: &Naming) -> String {
+fn rows(kind: &str, naming: &SubmissionDiagnosisCounts) -> String {
     let films = [
         ("tasks", &naming.tasks),
         ("scenes, after the tasks", &naming.scenes),

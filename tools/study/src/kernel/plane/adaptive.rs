@@ -1,5 +1,5 @@
 use crate::dyadic::{Dyadic, DyadicVector};
-use crate::kernel::sphere::Scaled;
+use crate::kernel::sphere::ScaledRay;
 use crate::kernel::{Kernel, Limits, Prepared, Tier, Window};
 use crate::number::{ROOT_OF_UNIT, TINY, U};
 use crate::root::{Root, rounded};
@@ -63,7 +63,7 @@ pub fn limits(plane: &Plane<f64>, away: f64) -> Limits {
 #[inline(always)]
 pub fn filtered(
     plane: &Plane<f64>,
-    scaled: &Scaled<f64>,
+    scaled: &ScaledRay<f64>,
     window: &Window,
     limits: &Limits,
 ) -> Option<Option<f64>> {

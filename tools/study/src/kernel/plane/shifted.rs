@@ -6,9 +6,9 @@ use crate::shape::{Plane, Ray};
 /// point first, what the assignment's reference does: t = n·(p − e) / n·d. Multiplied out,
 /// n·p − n·e is a difference of large numbers far from the origin of the world. The subtraction of nearby points rounds little
 /// or not at all (Sterbenz's lemma), and the products are then as small as the scene.
-pub struct Shifted;
+pub struct ShiftedOrigin;
 
-impl<F: Real> Kernel<Plane<F>, F> for Shifted {
+impl<F: Real> Kernel<Plane<F>, F> for ShiftedOrigin {
     const NAME: &'static str = "shifted origin";
     type Prepared = Ray<F>;
 

@@ -1,4 +1,4 @@
-use super::haines::Scaled;
+use super::haines::ScaledRay;
 use crate::dyadic::{Dyadic, DyadicVector};
 use crate::kernel::{Kernel, Limits, Prepared, Tier, Window};
 use crate::number::{ROOT_OF_UNIT, TINY, U};
@@ -83,7 +83,7 @@ pub fn limits(sphere: &Sphere<f64>, away: f64) -> Limits {
 #[inline(always)]
 pub fn filtered(
     sphere: &Sphere<f64>,
-    scaled: &Scaled<f64>,
+    scaled: &ScaledRay<f64>,
     window: &Window,
     limits: &Limits,
 ) -> Option<Option<f64>> {

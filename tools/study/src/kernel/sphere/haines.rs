@@ -41,21 +41,21 @@ pub fn plainly<F: Real>(sphere: &Sphere<F>, ray: &Ray<F>, min_t: F) -> Option<F>
 /// A ray with its direction scaled by 2^−`exponent`. A component that is more than 1e300
 /// times smaller than another may lose digits by it, and cannot be had back.
 #[derive(Clone, Copy, Debug)]
-pub struct Scaled<F> {
+pub struct ScaledRay<F> {
     /// The same line.
     pub ray: Ray<F>,
     /// t of this ray times 2^−`exponent` is t of the ray as it was given.
     pub exponent: i32,
 }
 
-impl<F: Real> Scaled<F> {
+impl<F: Real> ScaledRay<F> {
     /// The same line with a direction of length about 1.
     #[inline(always)]
-    pub fn new(ray: &Ray<F>) -> Scaled<F> {
+    pub fn new(ray: &Ray<F>) -> ScaledRay<F> {
         let exponent = exponent(ray.direction.largest().wide());
         let direction = ray.direction.map(|d| d.times_power_of_two(-exponent));
         let ray = Ray { direction, ..*ray };
-        Scaled { ray, exponent }
+        ScaledRay { ray, exponent }
     }
 
     /// A t of the given ray as one of the scaled.
@@ -79,15 +79,15 @@ impl<F: Real> Scaled<F> {
 
 impl<F: Real> Kernel<Sphere<F>, F> for Haines {
     const NAME: &'static str = "Haines scaled";
-    type Prepared = Scaled<F>;
+    type Prepared = ScaledRay<F>;
 
     #[inline(always)]
-    fn prepare(ray: &Ray<F>) -> Scaled<F> {
-        Scaled::new(ray)
+    fn prepare(ray: &Ray<F>) -> ScaledRay<F> {
+        ScaledRay::new(ray)
     }
 
     #[inline(always)]
-    fn intersect(sphere: &Sphere<F>, scaled: &Scaled<F>, min_t: F) -> Option<F> {
+    fn intersect(sphere: &Sphere<F>, scaled: &ScaledRay<F>, min_t: F) -> Option<F> {
         let t = plainly(sphere, &scaled.ray, scaled.scale(min_t))?;
         Some(scaled.unscale(t))
     }

@@ -1,6 +1,6 @@
-use super::twice::twice;
+use super::double_double_filter;
 use crate::dyadic::{Dyadic, DyadicVector};
-use crate::kernel::sphere::Scaled;
+use crate::kernel::sphere::ScaledRay;
 use crate::kernel::{Kernel, Limits, Prepared, Tier, Window};
 use crate::number::{ROOT_OF_UNIT, TINY, U};
 use crate::root::{Root, rounded};
@@ -61,7 +61,7 @@ pub fn decided(triangle: &Triangle<f64>, ray: &Prepared, min_t: f64) -> (Option<
     if let Some(answer) = filtered(triangle, scaled, &window, &limits) {
         return (answer, Tier::SemiStatic);
     }
-    if let Some(answer) = twice(triangle, scaled, &window) {
+    if let Some(answer) = double_double_filter(triangle, scaled, &window) {
         return (answer, Tier::DoubleDouble);
     }
     (rounded(exact(triangle, &ray.given, min_t)), Tier::Exact)
@@ -95,7 +95,7 @@ pub fn limits(size: f64, away: f64) -> Limits {
 #[inline(always)]
 pub fn filtered(
     triangle: &Triangle<f64>,
-    scaled: &Scaled<f64>,
+    scaled: &ScaledRay<f64>,
     window: &Window,
     limits: &Limits,
 ) -> Option<Option<f64>> {

@@ -25,7 +25,7 @@ pub struct Woop;
 
 /// The shear, worked out once for a ray.
 #[derive(Clone, Copy, Debug)]
-pub struct Sheared<F> {
+pub struct ShearedRay<F> {
     origin: Vector<F>,
     along: Axis,
     shear: [F; 3],
@@ -53,10 +53,10 @@ impl Axis {
 
 impl<F: Real> Kernel<Triangle<F>, F> for Woop {
     const NAME: &'static str = "Woop, edges owned";
-    type Prepared = Sheared<F>;
+    type Prepared = ShearedRay<F>;
 
     #[inline(always)]
-    fn prepare(ray: &Ray<F>) -> Sheared<F> {
+    fn prepare(ray: &Ray<F>) -> ShearedRay<F> {
         let d = ray.direction.map(F::abs);
         let along = match (d.z >= d.x && d.z >= d.y, d.y >= d.x) {
             (true, _) => Axis::Z,
@@ -64,7 +64,7 @@ impl<F: Real> Kernel<Triangle<F>, F> for Woop {
             (false, false) => Axis::X,
         };
         let [x, y, z] = along.to_the_end(ray.direction);
-        Sheared {
+        ShearedRay {
             origin: ray.origin,
             along,
             shear: [x / z, y / z, F::ONE / z],
@@ -72,7 +72,7 @@ impl<F: Real> Kernel<Triangle<F>, F> for Woop {
     }
 
     #[inline(always)]
-    fn intersect(triangle: &Triangle<F>, ray: &Sheared<F>, min_t: F) -> Option<F> {
+    fn intersect(triangle: &Triangle<F>, ray: &ShearedRay<F>, min_t: F) -> Option<F> {
         let [sx, sy, sz] = ray.shear;
         let [a, b, c] = triangle.corners.map(|corner| {
             let [x, y, z] = ray.along.to_the_end(corner - ray.origin);

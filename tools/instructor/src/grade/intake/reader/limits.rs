@@ -6,7 +6,7 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
-use super::Found;
+use super::FoundFile;
 
 /// How much of one submission is read, or of a whole archive. Everything that is read counts
 /// for its submission and for the archive around all.
@@ -92,7 +92,7 @@ impl Limits {
 }
 
 /// What a found file costs: its path and its text.
-pub fn cost(found: &Found) -> u64 {
+pub fn cost(found: &FoundFile) -> u64 {
     let path = found.path.iter().map(|part| part.len() + 64).sum::<usize>();
     let text = match &found.content {
         super::Content::Answer { text: Ok(text), .. } => text.len(),
@@ -102,33 +102,33 @@ pub fn cost(found: &Found) -> u64 {
 }
 
 /// A reader or writer that counts what goes through it, and stops at a limit.
-pub struct Limited<T> {
+pub struct LimitedStream<T> {
     pub inner: T,
     pub limits: Rc<Limits>,
     pub of: fn(&Limits) -> &Limit,
 }
 
-impl<T> Limited<T> {
+impl<T> LimitedStream<T> {
     fn spend(&self, amount: usize) -> io::Result<()> {
         let spent = self.limits.spend(self.of, amount as u64);
         spent.map_err(io::Error::other)
     }
 }
 
-impl<T: Read> Read for Limited<T> {
+impl<T: Read> Read for LimitedStream<T> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let read = self.inner.read(buffer)?;
         self.spend(read).map(|()| read)
     }
 }
 
-impl<T: Seek> Seek for Limited<T> {
+impl<T: Seek> Seek for LimitedStream<T> {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
         self.inner.seek(to)
     }
 }
 
-impl<T: Write> Write for Limited<T> {
+impl<T: Write> Write for LimitedStream<T> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         self.spend(bytes.len())?;
         self.inner.write(bytes)

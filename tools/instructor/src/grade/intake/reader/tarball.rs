@@ -8,8 +8,8 @@ use pinhole_course::submission::archive::plain_path;
 use pinhole_course::submission::text;
 use tar::{Archive, EntryType, PaxExtensions};
 
-use super::limits::{Limited, TOO_SLOW};
-use super::unpack::{Trouble, UnreadFile};
+use super::limits::{LimitedStream, TOO_SLOW};
+use super::unpack::{ReadFailure, UnreadFile};
 use super::{MOST_NAME, Reader};
 
 /// Whether a file begins as `tar` archives do.
@@ -18,11 +18,16 @@ pub fn begins(start: &[u8]) -> bool {
 }
 
 /// Reads the files that matter.
-pub fn read(reader: &mut Reader, file: File, path: &[String], depth: usize) -> Result<(), Trouble> {
+pub fn read(
+    reader: &mut Reader,
+    file: File,
+    path: &[String],
+    depth: usize,
+) -> Result<(), ReadFailure> {
     let limits = reader.limits(path);
     walk(reader, file, path, depth).map_err(|why| match limits.is_late() {
-        true => Trouble::Unreadable(TOO_SLOW.into()),
-        false => Trouble::Refused(why),
+        true => ReadFailure::Unreadable(TOO_SLOW.into()),
+        false => ReadFailure::Refused(why),
     })
 }
 
@@ -33,7 +38,7 @@ fn walk(reader: &mut Reader, file: File, path: &[String], depth: usize) -> Resul
         true => Box::new(MultiGzDecoder::new(file)),
         false => Box::new(file),
     };
-    let unpacked = Limited {
+    let unpacked = LimitedStream {
         inner: unpacked,
         limits: reader.limits(path),
         of: |it| &it.passed,
@@ -79,7 +84,7 @@ fn walk(reader: &mut Reader, file: File, path: &[String], depth: usize) -> Resul
             let copied = io::copy(&mut (&mut entry).take(most), to);
             copied
                 .map(drop)
-                .map_err(|error| Trouble::Refused(spoilt(error)))
+                .map_err(|error| ReadFailure::Refused(spoilt(error)))
         };
         reader.file(&inside, depth, UnreadFile::Packed(&mut copy));
     }

@@ -8,16 +8,16 @@ use std::rc::Rc;
 use encoding_rs::{Encoding, UTF_8};
 
 use super::file_names::is_opened;
-use super::limits::{self, Limited, Limits};
+use super::limits::{self, LimitedStream, Limits};
 use super::{Content, Reader, tarball, zipped};
-use pinhole_course::submission::Unusable;
+use pinhole_course::submission::AnswerFileProblem;
 use pinhole_course::submission::text::{self, MOST_BYTES, Text};
 
 /// How deep archives may be nested in archives.
 const MOST_ARCHIVES: usize = 3;
 
 /// Why something was not read.
-pub enum Trouble {
+pub enum ReadFailure {
     /// It is the author's fault.
     Refused(String),
     /// It is the machine's.
@@ -28,7 +28,7 @@ pub enum Trouble {
 pub enum UnreadFile<'a> {
     File(File),
     /// A function that writes as many of its first bytes as the caller asks for.
-    Packed(&'a mut dyn FnMut(u64, &mut dyn Write) -> Result<(), Trouble>),
+    Packed(&'a mut dyn FnMut(u64, &mut dyn Write) -> Result<(), ReadFailure>),
 }
 
 impl Reader<'_> {
@@ -48,21 +48,28 @@ impl Reader<'_> {
         let mut bytes = Vec::new();
         let (text, note) = match unread.copy(MOST_BYTES + 1, &mut bytes, self.limits(path)) {
             Ok(()) => decoded(bytes),
-            Err(Trouble::Refused(why)) => (Err(Unusable::Refused(why)), None),
+            Err(ReadFailure::Refused(why)) => (Err(AnswerFileProblem::Refused(why)), None),
             Err(trouble) => return trouble.into(),
         };
         Content::Answer { text, note }
     }
 
-    fn packed(&mut self, path: &[String], depth: usize, unread: UnreadFile) -> Result<(), Trouble> {
+    fn packed(
+        &mut self,
+        path: &[String],
+        depth: usize,
+        unread: UnreadFile,
+    ) -> Result<(), ReadFailure> {
         let name = path.last().map(String::as_str).unwrap_or_default();
         if !is_opened(name) {
-            return Err(Trouble::Refused(
+            return Err(ReadFailure::Refused(
                 "archives of this kind are not unpacked: ask for a ZIP file".into(),
             ));
         }
         if depth >= MOST_ARCHIVES {
-            return Err(Trouble::Refused("it is nested in too many archives".into()));
+            return Err(ReadFailure::Refused(
+                "it is nested in too many archives".into(),
+            ));
         }
         let file = match unread {
             UnreadFile::File(file) => file,
@@ -86,18 +93,18 @@ impl Reader<'_> {
         let trouble = match opened {
             Ok(Ok(())) => return,
             Ok(Err(trouble)) => trouble,
-            Err(_) => {
-                Trouble::Unreadable("the grader itself failed to read it; please report it".into())
-            }
+            Err(_) => ReadFailure::Unreadable(
+                "the grader itself failed to read it; please report it".into(),
+            ),
         };
         self.keep(path, trouble.into());
     }
 
-    fn open(&mut self, mut file: File, path: &[String], depth: usize) -> Result<(), Trouble> {
+    fn open(&mut self, mut file: File, path: &[String], depth: usize) -> Result<(), ReadFailure> {
         let unreadable =
-            |error: io::Error| Trouble::Unreadable(format!("it cannot be read ({error})"));
+            |error: io::Error| ReadFailure::Unreadable(format!("it cannot be read ({error})"));
         if !file.metadata().map_err(unreadable)?.is_file() {
-            return Err(Trouble::Refused(
+            return Err(ReadFailure::Refused(
                 "it is neither a folder nor a regular file".into(),
             ));
         }
@@ -114,8 +121,8 @@ impl Reader<'_> {
 }
 
 impl UnreadFile<'_> {
-    fn copy(self, most: u64, to: &mut dyn Write, limits: Rc<Limits>) -> Result<(), Trouble> {
-        let mut to = Limited {
+    fn copy(self, most: u64, to: &mut dyn Write, limits: Rc<Limits>) -> Result<(), ReadFailure> {
+        let mut to = LimitedStream {
             inner: to,
             limits: limits.clone(),
             of: |it| &it.unpacked,
@@ -124,27 +131,29 @@ impl UnreadFile<'_> {
             UnreadFile::Packed(copy) => copy(most, &mut to),
             UnreadFile::File(file) => match io::copy(&mut file.take(most), &mut to) {
                 Ok(_) => Ok(()),
-                Err(error) => Err(Trouble::Unreadable(format!("it cannot be read ({error})"))),
+                Err(error) => Err(ReadFailure::Unreadable(format!(
+                    "it cannot be read ({error})"
+                ))),
             },
         };
         copied.map_err(|trouble| match limits.is_late() {
-            true => Trouble::Unreadable(limits::TOO_SLOW.into()),
+            true => ReadFailure::Unreadable(limits::TOO_SLOW.into()),
             false => trouble,
         })
     }
 }
 
-impl From<Trouble> for Content {
-    fn from(trouble: Trouble) -> Content {
+impl From<ReadFailure> for Content {
+    fn from(trouble: ReadFailure) -> Content {
         match trouble {
-            Trouble::Refused(why) => Content::Refused(why),
-            Trouble::Unreadable(why) => Content::Unreadable(why),
+            ReadFailure::Refused(why) => Content::Refused(why),
+            ReadFailure::Unreadable(why) => Content::Unreadable(why),
         }
     }
 }
 
-fn no_room(error: io::Error) -> Trouble {
-    Trouble::Unreadable(format!("there is no room to unpack it ({error})"))
+fn no_room(error: io::Error) -> ReadFailure {
+    ReadFailure::Unreadable(format!("there is no room to unpack it ({error})"))
 }
 
 /// Text in UTF-8, as compilers read it. Text in UTF-16 is converted if it begins with a byte

@@ -3,21 +3,26 @@
 use std::fs::File;
 use std::io::Write;
 
-use pinhole_course::submission::Unusable;
+use pinhole_course::submission::AnswerFileProblem;
 use pinhole_course::submission::archive::Archive;
 
 use super::Reader;
-use super::limits::Limited;
-use super::unpack::{Trouble, UnreadFile};
+use super::limits::LimitedStream;
+use super::unpack::{ReadFailure, UnreadFile};
 
 /// Reads the files that matter.
-pub fn read(reader: &mut Reader, file: File, path: &[String], depth: usize) -> Result<(), Trouble> {
-    let file = Limited {
+pub fn read(
+    reader: &mut Reader,
+    file: File,
+    path: &[String],
+    depth: usize,
+) -> Result<(), ReadFailure> {
+    let file = LimitedStream {
         inner: file,
         limits: reader.limits(path),
         of: |it| &it.passed,
     };
-    let mut archive = Archive::new(file).map_err(Trouble::Refused)?;
+    let mut archive = Archive::new(file).map_err(ReadFailure::Refused)?;
     let files: Vec<String> = archive.files().map(str::to_owned).collect();
     for name in files {
         let Some(inside) = reader.enter(path, &name) else {
@@ -29,8 +34,8 @@ pub fn read(reader: &mut Reader, file: File, path: &[String], depth: usize) -> R
         }
         let mut copy = |most: u64, to: &mut dyn Write| {
             archive.unpack(&name, most, to).map_err(|why| match why {
-                Unusable::Refused(why) => Trouble::Refused(why),
-                Unusable::Missing => Trouble::Refused("it is not there".into()),
+                AnswerFileProblem::Refused(why) => ReadFailure::Refused(why),
+                AnswerFileProblem::Missing => ReadFailure::Refused("it is not there".into()),
             })
         };
         reader.file(&inside, depth, UnreadFile::Packed(&mut copy));

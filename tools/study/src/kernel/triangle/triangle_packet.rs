@@ -1,6 +1,6 @@
 use wide::f64x4;
 
-use crate::kernel::sphere::Scaled;
+use crate::kernel::sphere::ScaledRay;
 use crate::kernel::{Limits, Window};
 use crate::shape::{Ray, Triangle};
 use crate::vector::Vector;
@@ -11,7 +11,7 @@ use crate::vector::Vector;
 /// What is computed is what [`super::MollerTrumbore`] and [`super::filtered`] compute of
 /// one triangle, operation by operation, and so are the bits.
 #[derive(Clone, Copy, Debug)]
-pub struct Four {
+pub struct TrianglePacket {
     corner: Vector<f64x4>,
     edges: [Vector<f64x4>; 2],
     /// A bit for each triangle that is there.
@@ -20,7 +20,7 @@ pub struct Four {
 
 /// What came of four tests.
 #[derive(Clone, Copy, Debug)]
-pub struct Met {
+pub struct PacketHits {
     /// A bit for each triangle that is surely met.
     pub hits: u32,
     /// A bit for each of which rounding might change the answer.
@@ -29,24 +29,24 @@ pub struct Met {
     pub t: [f64; 4],
 }
 
-impl Met {
-    const NOTHING: Met = Met {
+impl PacketHits {
+    const NOTHING: PacketHits = PacketHits {
         hits: 0,
         open: 0,
         t: [0.0; 4],
     };
 }
 
-impl Four {
+impl TrianglePacket {
     /// Of one to four triangles.
-    pub fn new(triangles: &[Triangle<f64>]) -> Four {
+    pub fn new(triangles: &[Triangle<f64>]) -> TrianglePacket {
         let each = |of: fn(&Triangle<f64>) -> Vector<f64>| {
             let lane = |at: usize| triangles.get(at).or(triangles.first()).map(of);
             let lanes = [0, 1, 2, 3].map(|at| lane(at).expect("there is one at least"));
             let component = |of: fn(Vector<f64>) -> f64| f64x4::new(lanes.map(of));
             Vector::new(component(|v| v.x), component(|v| v.y), component(|v| v.z))
         };
-        Four {
+        TrianglePacket {
             corner: each(|triangle| triangle.corners[0]),
             edges: [
                 each(|triangle| triangle.corners[1] - triangle.corners[0]),
@@ -64,16 +64,16 @@ impl Four {
 
     /// Nothing is known of any of them.
     #[inline(always)]
-    pub fn left_open(&self) -> Met {
-        Met {
+    pub fn left_open(&self) -> PacketHits {
+        PacketHits {
             open: self.all,
-            ..Met::NOTHING
+            ..PacketHits::NOTHING
         }
     }
 
     /// As [`super::MollerTrumbore`].
     #[inline(always)]
-    pub fn plainly(&self, ray: &Ray<f64>, min_t: f64) -> Met {
+    pub fn plainly(&self, ray: &Ray<f64>, min_t: f64) -> PacketHits {
         let (origin, d) = (
             ray.origin.map(f64x4::splat),
             ray.direction.map(f64x4::splat),
@@ -87,17 +87,17 @@ impl Four {
         // A determinant of 0 makes u infinite or NaN.
         let inside = u.simd_ge(zero) & u.simd_le(one);
         if inside.to_bitmask() & self.all == 0 {
-            return Met::NOTHING;
+            return PacketHits::NOTHING;
         }
         let q = s.cross(e1);
         let v = d.dot(q) * inverse;
         let inside = inside & v.simd_ge(zero) & (u + v).simd_le(one);
         let hits = inside.to_bitmask() & self.all;
         if hits == 0 {
-            return Met::NOTHING;
+            return PacketHits::NOTHING;
         }
         let t = e2.dot(q) * inverse;
-        Met {
+        PacketHits {
             hits: hits & t.simd_ge(f64x4::splat(min_t)).to_bitmask(),
             open: 0,
             t: t.to_array(),
@@ -106,7 +106,12 @@ impl Four {
 
     /// As [`super::filtered`].
     #[inline(always)]
-    pub fn filtered(&self, scaled: &Scaled<f64>, window: &Window, limits: &Limits) -> Met {
+    pub fn filtered(
+        &self,
+        scaled: &ScaledRay<f64>,
+        window: &Window,
+        limits: &Limits,
+    ) -> PacketHits {
         let ray = &scaled.ray;
         let (origin, d) = (
             ray.origin.map(f64x4::splat),
@@ -125,7 +130,7 @@ impl Four {
         let below = bound ^ minus_zero;
         let missed = is_sure & (u.simd_lt(below) | (u - determinant).simd_gt(bound));
         if !missed.to_bitmask() & self.all == 0 {
-            return Met::NOTHING;
+            return PacketHits::NOTHING;
         }
         let q = s.cross(e1);
         let v = d.dot(q) ^ side;
@@ -133,12 +138,12 @@ impl Four {
         let missed = missed | is_sure & (v.simd_lt(below) | w.simd_lt(below));
         let left = !missed.to_bitmask() & self.all;
         if left == 0 {
-            return Met::NOTHING;
+            return PacketHits::NOTHING;
         }
         let inside = u.simd_gt(bound) & v.simd_gt(bound) & w.simd_gt(bound);
         let volumes = (e2.dot(q) ^ side).to_array();
         let determinants = determinant.to_array();
-        let (mut met, mut inside) = (Met::NOTHING, inside.to_bitmask() & left);
+        let (mut met, mut inside) = (PacketHits::NOTHING, inside.to_bitmask() & left);
         met.open = left & !inside;
         // Mostly one, if any.
         while inside != 0 {

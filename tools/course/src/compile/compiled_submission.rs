@@ -13,7 +13,7 @@ use crate::sandbox::Sandbox;
 use crate::submission::Submission;
 
 /// A submission that compiles as a whole.
-pub struct Whole {
+pub struct CompiledSubmission {
     /// The answers.
     pub submission: Submission,
     /// The sandbox that the program runs in.
@@ -22,7 +22,7 @@ pub struct Whole {
     pub program: Program,
 }
 
-impl Whole {
+impl CompiledSubmission {
     /// Builds the submission in the folder that was named, or else in the current one, or
     /// else the handout.
     ///
@@ -33,7 +33,7 @@ impl Whole {
         assignment: &Assignment,
         named: Option<&Path>,
         options: &RunOptions,
-    ) -> Result<Whole> {
+    ) -> Result<CompiledSubmission> {
         let submission = Submission::named_or(named, assignment, &assignment.handout())?;
         let choice = options.sandbox.choice();
         let sandbox = Sandbox::around(&submission.folder, checkout, choice, &[])?;
@@ -49,7 +49,7 @@ impl Whole {
                 ));
             }
         }
-        Ok(Whole {
+        Ok(CompiledSubmission {
             submission,
             sandbox,
             program,

@@ -1,16 +1,16 @@
 //! Is what twice the digits decide what exact numbers decide, ever nearer to an edge?
 
 use pinhole_study::kernel::Window;
-use pinhole_study::kernel::sphere::Scaled;
-use pinhole_study::kernel::triangle::{exact, twice};
+use pinhole_study::kernel::sphere::ScaledRay;
+use pinhole_study::kernel::triangle::{double_double_filter, exact};
 use pinhole_study::random::Random;
 use pinhole_study::shape::{Ray, Triangle};
 use pinhole_study::vector::Vector;
 
 /// What numbers of twice the digits say, if that is sure.
 fn twice_decided(triangle: &Triangle<f64>, ray: &Ray<f64>, min_t: f64) -> Option<Option<f64>> {
-    let scaled = Scaled::new(ray);
-    twice(triangle, &scaled, &Window::new(scaled.scale(min_t)))
+    let scaled = ScaledRay::new(ray);
+    double_double_filter(triangle, &scaled, &Window::new(scaled.scale(min_t)))
 }
 
 /// A ray from a hair beside the world's origin at the middle of an edge. Without the hair

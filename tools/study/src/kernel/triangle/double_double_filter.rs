@@ -1,6 +1,6 @@
 use crate::double_double::DoubleVector;
 use crate::kernel::Window;
-use crate::kernel::sphere::Scaled;
+use crate::kernel::sphere::ScaledRay;
 use crate::number::{ROOT_OF_UNIT, TINY, U};
 use crate::shape::Triangle;
 
@@ -30,9 +30,9 @@ use crate::shape::Triangle;
 ///    a volume infinite or NaN, and all comparisons are written so that both are open.
 #[cold]
 #[inline(never)]
-pub fn twice(
+pub fn double_double_filter(
     triangle: &Triangle<f64>,
-    scaled: &Scaled<f64>,
+    scaled: &ScaledRay<f64>,
     window: &Window,
 ) -> Option<Option<f64>> {
     let d = DoubleVector::of(scaled.ray.direction);
