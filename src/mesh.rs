@@ -16,6 +16,7 @@ pub type Corners = [DVec3; 3];
 /// Polygons become fans around their first corner. Normals, texture coordinates,
 /// groups and materials are ignored: a triangle's normal comes from its corners.
 ///
+/// # Errors
 /// If the file cannot be read, is not an OBJ file, or has no face; if a face names a vertex that
 /// is not there; or if a vertex is not finite.
 pub fn read(path: &Path) -> Result<Vec<Corners>, Error> {

@@ -179,7 +179,7 @@ pub struct Explain {
     pub json: bool,
 }
 
-/// Compare a film of any renderer with a golden
+/// Compare any renderer's film with a golden film
 ///
 /// The rule: both films have the same size and channels, all values are finite, and at every
 /// pixel |film − golden| ≤ tolerance in every channel. The tolerance film NAME.tol.exr must be in
@@ -211,8 +211,7 @@ pub struct Diff {
 
 /// Replace an answer by the stub that was handed out
 ///
-/// Your text is kept: the old file is renamed with the ending .old, the next time .old2, and so
-/// on.
+/// Your text is kept in a file with the ending .old, or .old2 the next time, and so on.
 #[derive(Args)]
 pub struct Reset {
     /// The task

@@ -71,8 +71,8 @@ impl SandboxOptions {
 /// How to run a submission's program.
 #[derive(Args)]
 pub struct RunOptions {
-    /// Give up on a task or a scene after this many seconds, or after a fifteenth of them (2 s
-    /// at least) without an answer
+    /// Stop a task or a scene after this many seconds, or sooner if no answer comes for a fifteenth
+    /// of that time (at least 2 s)
     #[arg(long, value_name = "SECONDS", default_value_t = RunOptions::TIMEOUT,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,

@@ -103,12 +103,12 @@ pub struct Grade {
     /// Ask no fresh questions
     #[arg(long, conflicts_with_all = ["seed", "fresh"])]
     pub no_fresh: bool,
-    /// The list of students: a CSV file whose first line is `id,name,section`, or a list of
-    /// Canvas's or Moodle's
+    /// The list of students: a CSV file whose first line is `id,name,section`, or a list from
+    /// Canvas or Moodle
     #[arg(long, value_name = "CSV")]
     pub roster: Option<PathBuf>,
-    /// A policy.toml, which changes marks by deadlines, late days, extra credit, and adjustments
-    /// by hand
+    /// A policy.toml, which changes marks according to deadlines, late days, extra credit, and
+    /// adjustments by hand
     #[arg(long, value_name = "TOML")]
     pub policy: Option<PathBuf>,
     /// Also write results in this format (repeatable)
@@ -127,7 +127,8 @@ pub struct Grade {
     #[arg(long, value_name = "SECONDS", default_value_t = 4,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
-    /// The sandbox that all code runs in; `auto` means bubblewrap
+    /// The sandbox that all code runs in. Here, `auto` always means bubblewrap, even for a folder
+    /// of this checkout
     #[arg(long, value_enum, value_name = "SANDBOX", default_value_t)]
     pub sandbox: Choice,
     /// Run without a sandbox, which every result then mentions; only for your own code (short for
@@ -184,7 +185,7 @@ pub struct Merge {
     /// Write the whole class to this folder
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
-    /// Apply this policy.toml to the marks instead of the one of the parts
+    /// Apply this policy.toml to the marks instead of the parts' own
     #[arg(long, value_name = "TOML")]
     pub policy: Option<PathBuf>,
     /// Also write results in this format (repeatable)
@@ -199,10 +200,10 @@ pub struct Merge {
 ///
 /// In the stubs, signatures and documentation stay, and each answer becomes `todo!`.
 ///
-/// With --out, this writes a repository around the stubs: the harness, the student's
-/// commands, the public scenes and their goldens, tests, a README and a workflow for GitHub.
-/// It needs only Rust. It contains none of our answers, no source of a mistake or a variant,
-/// and nothing of a scene with `public = false`.
+/// With --out, this writes a repository around the stubs: the harness, the student's commands, the
+/// public scenes and their goldens, tests, a README and a workflow for GitHub. It needs only Rust.
+/// It contains none of our answers, no source of a mistake or a variant, and nothing about any
+/// scene with `public = false`.
 #[derive(Args)]
 #[command(group = ArgGroup::new("autograder").args(["gradescope", "prairielearn"]).multiple(true))]
 pub struct Handout {
@@ -253,9 +254,12 @@ pub struct Handout {
 /// Judges everything whose verdict is known, in the same way as a student's answers:
 ///
 /// - the stub must be unanswered, and the reference and every variant must pass;
+///
 /// - every known mistake must fail in exactly the tasks that it declares, and so must its
 ///   rewrite, which uses another algorithm;
+///
 /// - the hint of every mistake must be short and easy to read, and have an example in numbers;
+///
 /// - with --mutants, every copy of the reference with one small fault (a sign, a comparison, a
 ///   constant, …) must fail if it compiles, unless equivalent.toml lists it and a search for
 ///   differences agrees.
@@ -273,11 +277,11 @@ pub struct Validate {
     /// Judge mutants of the reference too: about 600, which takes some minutes
     #[arg(long)]
     pub mutants: bool,
-    /// Judge all pairs of beliefs in pairs.toml, not only a few of each task
+    /// Judge all pairs of beliefs in pairs.toml, not only a few for each task
     #[arg(long)]
     pub pairs: bool,
-    /// Also test every measured sentence on the questions in this folder; `golden render --seed N
-    /// --out DIR` makes them
+    /// Also check on the questions in this folder that each sentence of a diagnosis (such as
+    /// “exactly those where d · n > 0”) is true; `golden render --seed N --out DIR` makes them
     #[arg(long, value_name = "DIR")]
     pub fresh: Option<PathBuf>,
     /// Ask every mistake and mutant the fresh questions in each subfolder of this one, and list
@@ -287,7 +291,7 @@ pub struct Validate {
     /// Judge only this part (repeatable)
     #[arg(long, value_name = "PART")]
     pub only: Vec<Part>,
-    /// Judge only what has this in its name, such as `mistakes/sphere_`, `variants/`,
+    /// Judge only items whose name contains this text, such as `mistakes/sphere_`, `variants/`,
     /// `triangle.rs:26:` (a mutant) or `bunny`
     #[arg(long, value_name = "TEXT")]
     pub named: Option<String>,

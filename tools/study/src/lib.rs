@@ -1,4 +1,4 @@
-//! The trade between speed and accuracy in ray casting, measured.
+//! The trade-off between speed and accuracy in ray casting, measured.
 //!
 //! Reading order:
 //!

@@ -21,7 +21,7 @@ pub enum Reveal {
     /// Whether each passes
     #[default]
     Points,
-    /// Whether each passes, and how it ended: wrong, panicked, too late
+    /// Whether each passes, and how it ended: wrong, panicked, timed out
     Message,
     /// In addition, how much is wrong, and the pictures
     Picture,

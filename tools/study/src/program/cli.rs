@@ -8,7 +8,7 @@ use pinhole_course::run_options::{AssignmentOption, resolution};
 use pinhole_study::plan::AccuracyTarget;
 use pinhole_study::record::Kind;
 
-/// The trade between speed and accuracy in ray casting.
+/// The trade-off between speed and accuracy in ray casting.
 ///
 /// Exit codes: 0 if all is well; 1 if a measurement differs from what was promised; 2 if a
 /// file or an argument is wrong; 3 if the machine or this program is at fault.
@@ -46,7 +46,7 @@ impl Command {
     }
 }
 
-/// Measure what speed costs in accuracy, down to the extremes
+/// Measure what speed costs in accuracy, even in extreme cases
 ///
 /// Asks many ways to intersect a sphere, a plane and a triangle the same questions, which get
 /// harder step by step, and judges the answers with exact arithmetic. Then it casts every
@@ -62,7 +62,7 @@ pub struct Study {
     /// Write the files to this folder
     #[arg(long, value_name = "DIR", default_value = "study")]
     pub out: PathBuf,
-    /// Only this family of questions (distance, surface, …), or classes, mesh, plans, scenes or
+    /// Ask only this family of questions (distance, surface, …), or classes, mesh, plans, scenes or
     /// secondary
     #[arg(long, value_name = "FAMILY")]
     pub only: Option<String>,
@@ -137,8 +137,8 @@ pub struct Render {
 
 /// Ask the exact caster as many questions as you have time for
 ///
-/// Every line says what came of some rounds. A round depends on its number and the seed alone:
-/// a run that was stopped goes on with --from, at the round after the last line.
+/// Each line of output sums up some rounds. A round depends only on its number and the seed. To
+/// continue a run that was stopped, pass the round after its last line to --from.
 #[derive(Args)]
 pub struct Record {
     /// What a round asks: 500 questions at each step of the everyday families, or of all others;
