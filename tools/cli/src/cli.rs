@@ -118,10 +118,10 @@ pub struct Check {
 
 /// Cast a scene, and write its film and pictures
 ///
-/// film.exr holds the id, t and normal of each pixel. id.png, depth.png and normal.png show
-/// them in false colours. If the scene has a golden, depth.png uses the golden's range of
-/// depths, so that you can compare the two pictures. Where the tests of boxes and triangles
-/// are counted, tests.png shows how many each pixel took.
+/// film.exr holds the id, t and normal of each pixel. id.png, depth.png and normal.png show them in
+/// false colours. If the scene has a golden, depth.png uses the golden's range of depths, so that
+/// you can compare the two pictures. If the assignment counts the tests of boxes and triangles,
+/// tests.png shows how many each pixel took.
 ///
 /// While some of your answers are missing, Mitsuba's film fills in for them. Its pixels are faded
 /// in the pictures, so that you see what your own code does after each task.

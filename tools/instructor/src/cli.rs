@@ -274,7 +274,7 @@ pub struct Validate {
     pub positional: Option<String>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Judge mutants of the reference too: about 600, which takes some minutes
+    /// Judge mutants of the reference too: about 600 of them, which takes some minutes
     #[arg(long)]
     pub mutants: bool,
     /// Judge all pairs of beliefs in pairs.toml, not only a few for each task

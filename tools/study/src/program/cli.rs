@@ -145,10 +145,10 @@ pub struct Record {
     /// 1,000 rays at edges and vertices of a closed mesh; or the 64 pixels of a planned scene
     #[arg(value_enum)]
     pub kind: Kind,
-    /// The first round
+    /// Begin with this round
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub from: u64,
-    /// How many rounds
+    /// Run this many rounds
     #[arg(long, value_name = "N", default_value_t = 1_000)]
     pub rounds: u64,
     /// The seed of random questions
