@@ -1,5 +1,5 @@
-//! Compiles the few lines of C that call Embree, if its header is there (Debian:
-//! `libembree-dev`); the benchmark says so if it is not.
+//! Compiles the C wrapper around Embree if Embree's header is installed (Debian:
+//! `libembree-dev`). Otherwise, the benchmark prints that it skips Embree.
 
 fn main() {
     println!("cargo::rerun-if-changed=src/embree.c");

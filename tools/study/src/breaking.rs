@@ -1,14 +1,14 @@
-//! Where a kernel breaks, by one rule for all.
+//! Finds where each kernel breaks, by the same rule for all kernels.
 
 use crate::judge::Tally;
 use crate::question::Data;
 use crate::result::{BreakingPoint, Point, Sweep};
 
-/// More wrong decisions than this share and a kernel is broken.
+/// A kernel with a larger share of wrong decisions is broken.
 const WRONG: f64 = 1e-3;
 
-/// A kernel is broken where more than one decision in a thousand is wrong, where a t is
-/// not finite, or where half of all t have lost half of their digits.
+/// A kernel is broken if more than one decision in a thousand is wrong, if any t is not finite,
+/// or if at least half of all t have lost half of their digits.
 pub fn is_broken(tally: &Tally, data: Data) -> bool {
     let half_lost = 2f64.powf(f64::from(data.digits()) / 2.0);
     tally.wrong_share() > WRONG
@@ -24,7 +24,7 @@ pub fn breaking(sweep: &Sweep, data: Data) -> Vec<BreakingPoint> {
 
 fn of_kernel(sweep: &Sweep, data: Data, at: usize) -> BreakingPoint {
     let broken = |point: &&Point| is_broken(&point.kernels[at].tally, data);
-    // The exponent nearest to 0 is easy.
+    // The exponent nearest to 0 is the easiest: search upwards and downwards from there.
     let exponents = || sweep.points.iter().map(|point| point.exponent);
     let easy = exponents().min_by_key(|x| x.abs()).unwrap_or_default();
     let above = sweep.points.iter().filter(|point| point.exponent >= easy);

@@ -1,8 +1,8 @@
-//! Casting whole scenes: from a scene's file to a film, by kernels of one's choice.
+//! Casts whole scenes, with a choice of kernels.
 //!
-//! [`world`] is the scene as parts that a ray can meet, [`tree`] what spares most of
-//! them ([`frame`] and [`slabs`] are its boxes), [`search`] whether that pays, [`model`] with
-//! which kernels they are met, [`rays`] and [`reach`] where rays come from.
+//! [`world`] is the scene as a list of parts, [`tree`] is a bounding volume hierarchy over them
+//! ([`frame`] and [`slabs`] test its boxes), [`search`] decides whether to use it, [`model`]
+//! chooses the kernels, and [`rays`] and [`reach`] say where rays come from.
 
 pub mod frame;
 pub mod model;
@@ -23,25 +23,25 @@ pub use search::Search;
 use tree::Tree;
 use world::{Part, World};
 
-/// What a cast did.
+/// Counters of the work that a cast did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
-    /// Rays against parts.
+    /// Tests of a ray against a part.
     pub tests: u64,
-    /// Tests that the static filter left open.
+    /// Tests that the static filter could not decide.
     pub semi_static: u64,
-    /// Tests that the semi-static filter left open as well.
+    /// Tests that the semi-static filter could not decide either.
     pub double_double: u64,
     /// Tests that were decided exactly.
     pub exact: u64,
-    /// Comparisons of two t that floats left open.
+    /// Comparisons of two t that were too close to decide in `f64`.
     pub close_calls: u64,
-    /// Hits whose t and normal had to be computed exactly to be as accurate as was wished.
+    /// Hits whose t and normal had to be computed exactly to reach the requested accuracy.
     pub exact_hits: u64,
 }
 
 impl Tally {
-    /// Of both.
+    /// The sum of two tallies.
     pub fn plus(self, other: Tally) -> Tally {
         Tally {
             tests: self.tests + other.tests,
@@ -57,28 +57,28 @@ impl Tally {
 /// The part that a ray meets first, and where.
 #[derive(Clone, Copy, Debug)]
 pub struct Found<'a> {
-    /// Met first.
+    /// The part that is hit first.
     pub part: &'a Part,
-    /// In multiples of the ray's direction.
+    /// The ray parameter of the hit, in multiples of the ray's direction.
     pub t: f64,
 }
 
-/// A scene ready to be cast.
+/// A scene with its acceleration structure.
 pub struct Caster {
-    /// What can be met.
+    /// The parts of the scene.
     pub world: World,
     tree: Tree,
 }
 
 impl Caster {
-    /// Works out what is known of all rays, and builds the tree.
+    /// Computes the filters' limits for all parts, and builds the tree.
     pub fn new(mut world: World) -> Caster {
         world.settle();
         let tree = Tree::over(&mut world);
         Caster { world, tree }
     }
 
-    /// What a ray meets first, from `min_t` on; that is not negative.
+    /// The first hit with t ≥ `min_t`. `min_t` must not be negative.
     #[inline]
     pub fn first<M: Model>(
         &self,
@@ -101,7 +101,7 @@ impl Caster {
     }
 }
 
-/// The search for what one ray meets first.
+/// The state of the search for one ray's first hit.
 pub struct Nearest<'a, 'r, M> {
     query: Query<'r>,
     tally: &'r mut Tally,
@@ -110,7 +110,7 @@ pub struct Nearest<'a, 'r, M> {
 }
 
 impl<'a, M: Model> Nearest<'a, '_, M> {
-    /// Tests these parts too.
+    /// Tests these parts, and keeps the nearest hit.
     #[inline(always)]
     fn consider(&mut self, parts: &'a [Part]) {
         self.tally.tests += parts.len() as u64;
@@ -121,7 +121,7 @@ impl<'a, M: Model> Nearest<'a, '_, M> {
         }
     }
 
-    /// The same of four triangles, which are the parts from `first` on.
+    /// Tests four triangles, the parts from `first` on.
     #[inline(always)]
     fn consider_four(
         &mut self,
@@ -169,8 +169,8 @@ impl<'a, M: Model> Nearest<'a, '_, M> {
         }
     }
 
-    /// What lies further away cannot be first. A t below the smallest number with all its
-    /// digits is off by as much as that.
+    /// An upper limit on the t of the first hit: nothing beyond it can come first. The last
+    /// term covers a subnormal t, which has an absolute instead of a relative error.
     #[inline(always)]
     fn horizon(&self) -> f64 {
         let beyond = |t: f64| t + t.abs() * M::SLACK + f64::MIN_POSITIVE;

@@ -1,6 +1,6 @@
-//! Everyday, hard and absurd questions, each class by itself: what a kernel costs and what it
-//! gets wrong there, how often each tier of an exact kernel is needed, and errors of t
-//! against the questions' conditioning.
+//! Everyday, hard and absurd questions, each class on its own: what a kernel costs and what it
+//! gets wrong, how often each tier of an exact kernel is needed, and how errors of t depend on
+//! the questions' condition numbers.
 
 use std::collections::BTreeMap;
 
@@ -14,16 +14,16 @@ use crate::question::{Class, Data};
 use crate::result::{ConditioningErrors, Sweep, TierTally, Trade};
 use crate::speed::{PAIRS, Time, pool, race};
 
-/// A kernel's name, and what it computes with.
+/// A kernel's name, and the numbers it computes with.
 pub type Entry = (String, String);
 
-/// The error of one t, in ulp, the class of its question and its condition number.
+/// The class of a question, the error of its t in ulp, and its condition number.
 pub type Error = (Class, f64, f64);
 
 /// All errors of one shape's kernels.
 pub type Errors = BTreeMap<Entry, Vec<Error>>;
 
-/// Questions of which a tier's share is counted.
+/// Questions per class on which the shares of the tiers are counted.
 const COUNTED: usize = 10 * PAIRS;
 
 /// Cost and wrong decisions of every kernel, by class.
@@ -127,9 +127,10 @@ pub fn tiers<S: HasFamilies>(seconds: f64, counts: bool, seed: u64) -> Vec<TierT
     tallies
 }
 
-/// So many casts of one kernel's workload on a class of questions, or on those that a tier
-/// decides: what runs under valgrind. False if `what` names something else.
-pub fn cast<S: HasFamilies>(what: &str, kernel: usize, casts: u32) -> bool {
+/// Runs one kernel's workload `casts` times, on a class of questions or only on those that one
+/// tier decides. This is what runs under valgrind. Returns false if `what` names something
+/// else.
+pub fn cast<S: Studied>(what: &str, kernel: usize, casts: u32) -> bool {
     let mut words = what.splitn(4, ' ');
     let (shape, class, seed) = (words.next(), words.next(), words.next());
     let class = Class::ALL.into_iter().find(|it| Some(it.name()) == class);
@@ -149,8 +150,8 @@ pub fn cast<S: HasFamilies>(what: &str, kernel: usize, casts: u32) -> bool {
     true
 }
 
-/// Errors of everyday and hard questions, by decades of the condition number.
-pub fn conditioning(shape: &str, errors: &Errors) -> Vec<ConditioningErrors> {
+/// Errors of t in everyday and hard questions, by decade of the condition number.
+pub fn conditioning(shape: &str, errors: &Errors) -> Vec<Conditioned> {
     let mut all = Vec::new();
     for ((kernel, numbers), errors) in errors {
         let mut decades: BTreeMap<i32, Vec<f64>> = BTreeMap::new();

@@ -1,4 +1,4 @@
-//! How sensitive a question's t is to its own numbers.
+//! Condition numbers: how sensitive the t of a question is to the question's own numbers.
 //!
 //! The componentwise relative condition number κ = Σ |x ∂t/∂x| / |t| over all numbers x of the
 //! question (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., §1.6): if each
@@ -12,8 +12,8 @@ use crate::shape::{Plane, Ray, Sphere, Triangle};
 use crate::vector::Vector;
 
 /// A shape whose questions have a condition number.
-pub trait Conditioning: HasTruth {
-    /// κ, for a true hit, to a few digits; infinite where it is met by touching alone.
+pub trait Conditioning: Known {
+    /// κ of a true hit, to a few digits. It is infinite if the ray only touches the shape.
     fn condition(question: &Question<Self>, truth: &Truth) -> Option<f64>;
 }
 
@@ -21,8 +21,8 @@ fn magnitude(v: Vector<f64>) -> Vector<f64> {
     v.map(f64::abs)
 }
 
-/// From the normal, what the shape's points weigh in each component, what else it is
-/// made of, and N·d.
+/// κ from the normal n, the magnitudes that the shape's points contribute per component, the
+/// contribution of its other numbers, and N·d.
 fn of_hit(ray: &Ray<f64>, t: f64, n: Vector<f64>, points: Vector<f64>, rest: f64, nd: f64) -> f64 {
     let place = magnitude(ray.origin) + magnitude(ray.direction * t) + points;
     (magnitude(n).dot(place) + rest) / (t * nd).abs()
@@ -34,7 +34,7 @@ impl Conditioning for Sphere<f64> {
         let (t, other) = (truth.t.as_ref()?.value(), truth.other.as_ref()?.value());
         let d = ray.direction;
         let n = ray.origin + d * t - shape.center;
-        // N·d is half the roots' distance times d·d: the product itself would cancel.
+        // N·d is half the distance of the roots times d·d. Computed directly, it would cancel.
         let nd = d.dot(d) * (other - t) / 2.0;
         let r = shape.radius;
         Some(of_hit(ray, t, n, magnitude(shape.center), r * r, nd))
@@ -57,7 +57,8 @@ impl Conditioning for Triangle<f64> {
         let Question { shape, ray, .. } = question;
         let t = truth.t.as_ref()?.value();
         let (n, [a, b, c]) = (shape.outward_near_one(), shape.corners.map(magnitude));
-        // The hit's weights add up to 1: together the corners weigh no more than the largest.
+        // The barycentric weights of the hit add up to 1, so the corners together contribute at
+        // most the largest.
         let largest = |x: f64, y: f64, z: f64| x.max(y).max(z);
         let corners = Vector::new(
             largest(a.x, b.x, c.x),
@@ -68,7 +69,7 @@ impl Conditioning for Triangle<f64> {
     }
 }
 
-/// The power of ten of a condition number, up to 10²⁰.
+/// The decade of a condition number: its power of ten, at most 20.
 pub fn decade(condition: f64) -> i32 {
     condition.log10().clamp(0.0, 20.0) as i32
 }

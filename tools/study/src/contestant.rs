@@ -1,4 +1,4 @@
-//! A kernel with its types forgotten, so that tables can list them.
+//! A type-erased kernel, so that kernels of different types can be listed in one table.
 
 use std::hint::black_box;
 
@@ -7,27 +7,27 @@ use crate::number::Real;
 use crate::question::{Data, Question};
 use crate::shape::{Ray, Shape};
 
-/// Casts prepared rays at their shapes, all of them at each call.
+/// A call casts all prepared rays at their shapes.
 pub type Workload<'a> = Box<dyn FnMut() + 'a>;
 
-/// A kernel, the numbers it computes with, and the type its data are stored in.
+/// A kernel, the numbers it computes with, and the type in which its data are stored.
 #[derive(Clone, Copy)]
 pub struct Contestant<S: 'static> {
     /// The kernel's name.
     pub name: &'static str,
     /// `f64`, `f32`, or `f64 on f32`.
     pub numbers: &'static str,
-    /// What its questions are rounded to.
+    /// The type that its questions are rounded to.
     pub data: Data,
     /// Its answer to a question.
     pub answer: fn(&Question<S>) -> Option<f64>,
-    /// A workload: each call casts the ray of every question at its shape. Rays are
-    /// prepared beforehand, as they are when they come to the leaf of a tree.
+    /// Builds a workload from questions. Rays are prepared beforehand, as they are when they
+    /// reach a leaf of a tree.
     pub workload: fn(&[Question<S>]) -> Workload<'static>,
 }
 
 impl<S: Shape<With<f64> = S>> Contestant<S> {
-    /// From a kernel on `F`.
+    /// Wraps a kernel `K` that computes with `F`.
     pub fn new<K, F>(data: Data, numbers: &'static str) -> Contestant<S>
     where
         F: Real,

@@ -1,4 +1,4 @@
-//! Who takes part.
+//! The list of all kernels that the study compares.
 
 use crate::contestant::Contestant;
 use crate::kernel::{Kernel, Prepared, Tier, WidenedKernel, plane, sphere, triangle};
@@ -6,20 +6,20 @@ use crate::oracle::HasTruth;
 use crate::question::{Data, Question};
 use crate::shape::{Plane, Sphere, Triangle};
 
-/// A shape that kernels compete on.
-pub trait HasKernels: HasTruth {
+/// A shape with kernels to compare.
+pub trait Contested: Known {
     /// The shape's name.
     const NAME: &'static str;
-    /// All kernels, on all types of numbers.
+    /// All kernels, for all types of numbers.
     fn contestants() -> Vec<Contestant<Self>>;
-    /// What has the last word in the exact kernel, in `f64`.
+    /// The tier that decides a question in the exact kernel, in `f64`.
     fn tier(question: &Question<Self>) -> Tier;
 }
 
 /// The name of every shape's exact kernel.
 pub const EXACT: &str = "adaptive exact";
 
-/// A kernel in `f64`, on data of either type.
+/// A kernel that computes in `f64`, on `f64` and on `f32` data.
 fn in_f64<S, K>() -> Vec<Contestant<S>>
 where
     S: HasTruth,
@@ -32,7 +32,7 @@ where
     ]
 }
 
-/// And in `f32`.
+/// A kernel that computes in `f64` on either data, and also in `f32`.
 fn in_all_numbers<S, K>() -> Vec<Contestant<S>>
 where
     S: HasTruth,

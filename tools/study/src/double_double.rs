@@ -1,5 +1,5 @@
-//! Numbers of twice the digits: an unevaluated sum of two of the machine's own (Dekker,
-//! *Numer. Math.* 18, 1971). About 106 bits in `f64`, with `f64`'s range.
+//! Double-double arithmetic: a number is the unevaluated sum of two floats (Dekker, *Numer.
+//! Math.* 18, 1971). It has about 106 bits, with the range of `f64`.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -10,12 +10,12 @@ use crate::vector::Vector;
 pub struct DoubleDouble {
     /// The sum, rounded.
     pub high: f64,
-    /// What the rounding lost.
+    /// The rounding error of `high`.
     pub low: f64,
 }
 
 impl DoubleDouble {
-    /// The sum of two numbers without loss (Knuth's TwoSum, *TAOCP* vol. 2, §4.2.2).
+    /// The exact sum of two numbers (Knuth's TwoSum, *TAOCP* vol. 2, §4.2.2).
     #[inline(always)]
     pub fn sum(a: f64, b: f64) -> DoubleDouble {
         let high = a + b;
@@ -24,8 +24,8 @@ impl DoubleDouble {
         DoubleDouble { high, low }
     }
 
-    /// The product of two numbers without loss, unless it underflows (Ogita, Rump &
-    /// Oishi, *SIAM J. Sci. Comput.* 26, 2005, algorithm 3.5: TwoProductFMA).
+    /// The exact product of two numbers, unless it underflows (Ogita, Rump & Oishi, *SIAM J.
+    /// Sci. Comput.* 26, 2005, algorithm 3.5: TwoProductFMA).
     #[inline(always)]
     pub fn product(a: f64, b: f64) -> DoubleDouble {
         let high = a * b;
@@ -33,7 +33,7 @@ impl DoubleDouble {
         DoubleDouble { high, low }
     }
 
-    /// `high` + `low` anew, where |`high`| ≥ |`low`| (Dekker's FastTwoSum).
+    /// Renormalises `high` + `low`, where |`high`| ≥ |`low`| (Dekker's FastTwoSum).
     #[inline(always)]
     fn renewed(high: f64, low: f64) -> DoubleDouble {
         let sum = high + low;
@@ -91,19 +91,19 @@ impl Mul for DoubleDouble {
     }
 }
 
-/// A vector of such numbers: the difference of two points without loss, and products.
+/// A vector of double-doubles.
 #[derive(Clone, Copy, Debug)]
 pub struct DoubleVector([DoubleDouble; 3]);
 
 impl DoubleVector {
-    /// `a` − `b`, without loss.
+    /// `a` − `b`, exactly.
     #[inline(always)]
     pub fn between(a: Vector<f64>, b: Vector<f64>) -> DoubleVector {
         let less = |a: f64, b: f64| DoubleDouble::sum(a, -b);
         DoubleVector([less(a.x, b.x), less(a.y, b.y), less(a.z, b.z)])
     }
 
-    /// The same vector.
+    /// Converts a vector exactly.
     #[inline(always)]
     pub fn of(vector: Vector<f64>) -> DoubleVector {
         DoubleVector(vector.array().map(DoubleDouble::from))

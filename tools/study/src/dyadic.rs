@@ -1,11 +1,11 @@
-//! Integers times powers of two: every finite float is one, and so is every sum and
-//! product of floats, without rounding, overflow or underflow. The adaptive kernels
-//! decide with these what their filters leave open.
+//! Dyadic rationals: integers times powers of two. Every finite float is one, and so is every
+//! sum and product of floats, without rounding, overflow or underflow. The adaptive kernels use
+//! them to decide what their filters cannot.
 //!
-//! The integers are num-bigint's: MIT or Apache-2.0, and kept up. The oracle uses dashu's
-//! rationals: the two share no code. Why not expansions (Shewchuk, *Discrete Comput. Geom.* 18,
-//! 1997), which are faster: they are exact only while no partial product underflows, and the
-//! extremes are what this package is about.
+//! The integers are num-bigint's. The oracle uses dashu's rationals instead, so the two share
+//! no code. Expansions (Shewchuk, *Discrete Comput. Geom.* 18, 1997) would be faster, but they
+//! are exact only while no partial product underflows, and this package studies extreme
+//! numbers.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -21,7 +21,7 @@ pub struct Dyadic {
     exponent: i64,
 }
 
-/// The bits of quotients and roots, at least.
+/// Quotients and roots have at least this many bits.
 const BITS: i64 = 128;
 
 impl Dyadic {
@@ -47,7 +47,7 @@ impl Dyadic {
         }
     }
 
-    /// The e of 2^e ≤ |self| < 2^(e + 1); none of 0.
+    /// The e with 2^e ≤ |self| < 2^(e + 1); `None` for 0.
     pub fn magnitude(&self) -> Option<i64> {
         let bits = self.integer.bits() as i64;
         (bits > 0).then_some(self.exponent + bits - 1)
@@ -59,10 +59,11 @@ impl Dyadic {
         self
     }
 
-    /// The square root of what is not negative, rounded down to 2⁻¹²⁸ of itself.
+    /// The square root of a non-negative number, rounded down, with a relative error below
+    /// 2⁻¹²⁸.
     pub fn sqrt(&self) -> Dyadic {
         let up = 2 * BITS - self.integer.bits() as i64;
-        // What is left of the exponent is even.
+        // Makes the remaining exponent even.
         let up = up + (self.exponent - up).rem_euclid(2);
         let scaled = match up < 0 {
             true => &self.integer >> -up,
@@ -74,7 +75,7 @@ impl Dyadic {
         }
     }
 
-    /// self / `divisor`, which is not 0, rounded towards 0 by 2⁻¹²⁸ of itself.
+    /// self / `divisor`, which is not 0, rounded towards 0 with a relative error below 2⁻¹²⁸.
     pub fn over(&self, divisor: &Dyadic) -> Dyadic {
         let bits = |number: &Dyadic| number.integer.bits() as i64;
         let up = (BITS + 1 + bits(divisor) - bits(self)).max(0);
@@ -84,10 +85,12 @@ impl Dyadic {
         }
     }
 
-    /// The nearest float, infinite if there is none; a subnormal one may be the second nearest.
+    /// The nearest float; infinite if the number is too large. A subnormal result may be the
+    /// second nearest float, because it is rounded twice.
     pub fn rounded(&self) -> f64 {
         let bits = self.integer.bits() as i64;
-        // 64 bits, of which the last says whether there are more: it decides a tie.
+        // The top 63 bits, with the last bit set if any lower bit is (a sticky bit), so that
+        // ties are rounded correctly.
         let down = (bits - 63).max(0);
         let top = &self.integer >> down;
         let zeros = self.integer.trailing_zeros().unwrap_or(0) as i64;
@@ -96,7 +99,7 @@ impl Dyadic {
         (top as f64).times_power_of_two(power)
     }
 
-    /// The integers of two numbers at the smaller exponent of both.
+    /// The integers of two numbers, brought to the smaller of their exponents.
     fn aligned(&self, other: &Dyadic) -> (BigInt, BigInt, i64) {
         let exponent = self.exponent.min(other.exponent);
         let at = |number: &Dyadic| &number.integer << (number.exponent - exponent);
@@ -140,7 +143,7 @@ impl Mul for &Dyadic {
     }
 }
 
-/// A vector of such numbers.
+/// A vector of dyadic rationals.
 #[derive(Clone, Debug)]
 pub struct DyadicVector(pub [Dyadic; 3]);
 
@@ -163,8 +166,8 @@ impl DyadicVector {
         DyadicVector([minor(b, z, c, y), minor(c, x, a, z), minor(a, y, b, x)])
     }
 
-    /// Rounded to unit length. Brought near 1 together, so that none overflows; what vanishes
-    /// beside the largest is 0.
+    /// The unit vector along it. All components are first scaled by the same power of two, so
+    /// that none overflows. A component that vanishes beside the largest becomes 0.
     pub fn unit(self) -> Vector<f64> {
         let largest = self.0.iter().filter_map(Dyadic::magnitude).max();
         let down = -largest.unwrap_or(0);

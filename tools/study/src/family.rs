@@ -1,5 +1,5 @@
-//! The extremes: families of questions, each swept over an exponent until every kernel
-//! breaks or the type of numbers ends.
+//! Families of questions. Each sweeps an exponent towards an extreme, until every kernel breaks
+//! or the type of numbers ends.
 
 pub mod mesh;
 mod plane;
@@ -16,19 +16,19 @@ use crate::vector::Vector;
 pub struct Family<S> {
     /// One word or two, for `--only` and for file names.
     pub name: &'static str,
-    /// What is swept, as an axis says it: "distance / radius = 10^x".
+    /// What is swept, as the label of an axis: "distance / radius = 10^x".
     pub axis: &'static str,
-    /// What it shows, in a sentence for people who know no numerics.
+    /// What it shows, in a sentence for people who know no numerical analysis.
     pub meaning: &'static str,
     /// The exponents, for each type of data.
     pub exponents: fn(Data) -> Vec<i32>,
-    /// Up to this exponent, of either sign, questions are everyday ones.
+    /// Questions are everyday ones if the exponent's magnitude is at most this.
     pub everyday: i32,
-    /// One random question.
+    /// Draws one random question.
     pub ask: fn(&mut Random, i32, Data) -> Question<S>,
 }
 
-/// Exponents beyond this are absurd.
+/// Questions are absurd if the exponent's magnitude is larger than this.
 const HARD: i32 = 18;
 
 impl<S> Family<S> {
@@ -43,14 +43,14 @@ impl<S> Family<S> {
 }
 
 /// A shape with families of questions about it.
-pub trait HasFamilies: HasKernels {
-    /// All of them.
+pub trait Studied: Contested {
+    /// All families of this shape.
     fn families() -> Vec<Family<Self>>;
 
-    /// A question without anything that is hard about it.
+    /// Draws a question with nothing difficult about it.
     fn plain(random: &mut Random) -> Question<Self>;
 
-    /// The same shape elsewhere.
+    /// The shape, translated.
     fn moved(self, by: Vector<f64>) -> Self;
 }
 
@@ -59,7 +59,7 @@ fn decades(last: i32) -> Vec<i32> {
     (0..=last).collect()
 }
 
-/// Every scale the type has, in coarser steps where it is absurd.
+/// Exponents over the whole range of the type, in coarse steps towards its ends.
 fn scales(data: Data) -> Vec<i32> {
     let (coarse, fine, smallest) = match data {
         Data::F64 => (20, [3, 6, 10], -320),
@@ -76,9 +76,9 @@ fn scales(data: Data) -> Vec<i32> {
     scales
 }
 
-/// So many sound questions of a family, rounded to the data's type: the same for every
-/// kernel, and on every machine. None where the type cannot hold them.
-pub fn questions<S: HasKernels>(
+/// `count` valid questions of a family, rounded to the data's type. They are the same for every
+/// kernel and on every machine. Empty if the type cannot represent enough of them.
+pub fn questions<S: Contested>(
     family: &Family<S>,
     exponent: i32,
     data: Data,

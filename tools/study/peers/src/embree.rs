@@ -11,7 +11,7 @@ use crate::mesh::Mesh;
 use crate::peer::Cast;
 use crate::rays::Ray;
 
-/// As in `embree.c`, which alone looks inside.
+/// The same layout as in `embree.c`. Only the C code uses the pointers.
 #[repr(C)]
 struct Handles {
     device: *mut c_void,
@@ -38,12 +38,12 @@ unsafe extern "C" {
 
 struct Scene(Handles);
 
-/// With RTC_SCENE_FLAG_ROBUST.
+/// Casts with Embree's `RTC_SCENE_FLAG_ROBUST`.
 pub fn robust(mesh: &Mesh, rays: &[Ray]) -> Cast {
     cast(true, mesh, rays)
 }
 
-/// Without it.
+/// Casts without `RTC_SCENE_FLAG_ROBUST`.
 pub fn fast(mesh: &Mesh, rays: &[Ray]) -> Cast {
     cast(false, mesh, rays)
 }
@@ -55,7 +55,8 @@ fn cast(is_robust: bool, mesh: &Mesh, rays: &[Ray]) -> Cast {
     });
     let lengths = [mesh.corners.len(), mesh.triangles.len()];
     let [corners, triangles] = lengths.map(|length| c_uint::try_from(length).expect("it is small"));
-    // SAFETY: both buffers are as long as is said, and are copied before the call returns.
+    // SAFETY: both buffers have the lengths that are passed, and are copied before the call
+    // returns.
     unsafe {
         pinhole_embree_build(
             &mut scene.0,
@@ -74,7 +75,7 @@ fn cast(is_robust: bool, mesh: &Mesh, rays: &[Ray]) -> Cast {
     Box::new(move || {
         let mut t = vec![0.0; rays.len()];
         let count = c_uint::try_from(rays.len()).expect("they are few");
-        // SAFETY: the scene is built, and as many t are written as there are rays.
+        // SAFETY: the scene is built, and `t` has room for one number per ray.
         unsafe {
             pinhole_embree_cast(&scene.0, rays.as_ptr(), count, t.as_mut_ptr());
         }
@@ -84,7 +85,7 @@ fn cast(is_robust: bool, mesh: &Mesh, rays: &[Ray]) -> Cast {
 
 impl Drop for Scene {
     fn drop(&mut self) {
-        // SAFETY: it was built, and is released once.
+        // SAFETY: the scene was built, and `drop` runs once.
         unsafe { pinhole_embree_release(&mut self.0) }
     }
 }

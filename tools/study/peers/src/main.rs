@@ -1,10 +1,10 @@
-//! Our caster beside others, on the same rays and meshes:
+//! Benchmark of our caster against others, on the same rays and meshes:
 //! `cargo run --release --manifest-path tools/study/peers/Cargo.toml`.
 //!
-//! All take turns, each round casts all rays, and the median round counts, in CPU time
-//! of this thread. What anybody sees otherwise than the exact caster is counted. The
-//! times are of this build: `RUSTFLAGS="-C target-cpu=native"` makes ours, and all that is
-//! written in Rust, faster, while Embree looks for itself what the processor can do.
+//! The casters take turns. Each round casts all rays, and the median round is reported, in CPU
+//! time of this thread. Answers that differ from the exact caster's are counted. The times
+//! depend on the build: `RUSTFLAGS="-C target-cpu=native"` makes all casters written in Rust
+//! faster, ours included, whereas Embree selects its instruction set at run time.
 
 #[cfg(embree)]
 mod embree;
@@ -18,12 +18,13 @@ use mesh::{Mesh, ball, of_assignment};
 use pinhole_study::speed::{Workload, race};
 use rays::Ray;
 
-/// Ours, over Embree's: for primary and for incoherent rays.
+/// Targets: our time over Embree's should be at most this, for primary and for incoherent rays.
 const OVER_EMBREE: [f64; 2] = [1.5, 2.5];
-/// Parry's in `f64`, over ours.
+/// Target: the time of parry3d in `f64` over ours should be at least this.
 const OVER_PARRY: f64 = 2.0;
 
-/// A hundred last digits of an `f32`: t is off by a few of those of origin and corners.
+/// Largest difference of two t that agree: a hundred unit roundoffs of `f32`. The rounded
+/// origin and corners alone move t by a few of them.
 const FAR: f64 = 6e-6;
 
 fn main() {
@@ -36,7 +37,7 @@ fn main() {
     };
     println!("built for {level}");
     if cfg!(not(embree)) {
-        println!("skipped: Embree, whose headers are not there (Debian: libembree-dev)");
+        println!("skipped Embree: its headers are not installed (Debian: libembree-dev)");
     }
     for mesh in [
         of_assignment("teapot.obj"),
@@ -51,7 +52,8 @@ fn main() {
     }
 }
 
-/// `over` is relative to Embree robust, or to ours where that is missing.
+/// Times all casters on these rays and prints a table. The column `over` is the time relative
+/// to Embree robust, or to ours if Embree is missing.
 fn compare(mesh: &Mesh, kind: &str, rays: &[Ray], over_embree: f64, seconds: f64) {
     let peers = peer::all(mesh, rays);
     let answers: Vec<Vec<f64>> = peers.iter().map(|peer| (peer.cast)()).collect();
@@ -70,7 +72,7 @@ fn compare(mesh: &Mesh, kind: &str, rays: &[Ray], over_embree: f64, seconds: f64
     println!("\n{}, {} {kind} rays", mesh.name, rays.len());
     println!(
         "{:<22}{:>16}{:>8}{:>11}{:>13}",
-        "", "ns/ray", "over", "otherwise", "building/ms"
+        "", "ns/ray", "over", "differ", "building/ms"
     );
     for ((peer, time), its) in peers.iter().zip(&times).zip(&answers) {
         let both = answers[0].iter().zip(its);
@@ -98,7 +100,8 @@ fn compare(mesh: &Mesh, kind: &str, rays: &[Ray], over_embree: f64, seconds: f64
     }
 }
 
-/// Both miss, or both hit and t differs by no more than `f32` explains.
+/// Whether both miss, or both hit and their t differ by no more than rounding to `f32`
+/// explains.
 fn agree(one: f64, other: f64) -> bool {
     match one.is_finite() && other.is_finite() {
         true => (one - other).abs() <= FAR * (1.0 + one.abs()),

@@ -1,19 +1,19 @@
-//! Meshes whose numbers are `f32`, so that everybody casts at the very same.
+//! Meshes with `f32` coordinates, so that every caster gets exactly the same mesh.
 
 use std::path::Path;
 
-/// Triangles over shared corners.
+/// An indexed triangle mesh.
 pub struct Mesh {
-    /// How tables call it.
+    /// The name in the table.
     pub name: String,
-    /// Points.
+    /// The vertices' positions.
     pub corners: Vec<[f32; 3]>,
-    /// Three corners each.
+    /// The indices of each triangle's three corners.
     pub triangles: Vec<[u32; 3]>,
 }
 
 impl Mesh {
-    /// The corners of each triangle.
+    /// The positions of each triangle's corners.
     pub fn each(&self) -> impl Iterator<Item = [[f32; 3]; 3]> {
         let corner = |at: u32| self.corners[at as usize];
         self.triangles
@@ -22,7 +22,7 @@ impl Mesh {
     }
 }
 
-/// One of the assignment's, moved and scaled to fit a ball of radius 1.
+/// One of the assignment's meshes, moved and scaled to fit the unit sphere.
 pub fn of_assignment(name: &str) -> Mesh {
     let folder = "../../../assignments/ray_casting/scenes/meshes";
     let file = Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -65,7 +65,7 @@ pub fn of_assignment(name: &str) -> Mesh {
     }
 }
 
-/// A ball with hills: an octahedron whose faces are cut into n × n triangles each.
+/// A bumpy sphere: an octahedron whose faces are divided into n × n triangles each.
 pub fn ball(n: u32) -> Mesh {
     let (mut corners, mut triangles) = (Vec::new(), Vec::new());
     let hill = |x: f64, y: f64, z: f64| {

@@ -1,4 +1,5 @@
-//! Who is compared: each casts the same rays at the same mesh and says where.
+//! The casters to compare. Each casts the same rays at the same mesh and returns the first t of
+//! each.
 
 use std::time::Duration;
 
@@ -16,24 +17,24 @@ use pinhole_study::vector::Vector;
 use crate::mesh::Mesh;
 use crate::rays::Ray;
 
-/// One of them, ready to cast.
+/// A caster with its acceleration structure built.
 pub struct Peer {
-    /// How the table calls it.
+    /// The name in the table.
     pub name: &'static str,
-    /// CPU time of building what is searched, in milliseconds.
+    /// CPU time to build the acceleration structure, in milliseconds.
     pub building: f64,
-    /// Where each ray meets the mesh first, infinite for a miss.
+    /// The first t of each ray; infinite for a miss.
     pub cast: Cast,
 }
 
-/// Casts all rays.
+/// Casts all rays and returns their t.
 pub type Cast = Box<dyn Fn() -> Vec<f64>>;
 
-/// The exact caster, against which all are checked; it is the first.
+/// The exact caster: the first in the list, and the reference for all others.
 pub const EXACT: &str = "ours, exact";
-/// What targets are told in.
+/// The caster that our targets are relative to.
 pub const ROBUST: &str = "Embree robust, f32";
-/// Parry in our type of numbers.
+/// Parry in `f64`, the type of numbers that our caster uses.
 pub const PARRY: &str = "parry3d-f64";
 
 type Maker = fn(&Mesh, &[Ray]) -> Cast;
@@ -50,7 +51,7 @@ const ALL: &[(&str, Maker)] = &[
     ("obvhs, 8 wide, f32", eight_wide),
 ];
 
-/// All who are there.
+/// Builds every caster that is available.
 pub fn all(mesh: &Mesh, rays: &[Ray]) -> Vec<Peer> {
     let timed = |(name, make): &(&'static str, Maker)| {
         let (start, cast) = (now(), make(mesh, rays));
@@ -64,7 +65,7 @@ pub fn all(mesh: &Mesh, rays: &[Ray]) -> Vec<Peer> {
     ALL.iter().map(timed).collect()
 }
 
-/// The study's caster, in boxes.
+/// The study's caster, with its bounding volume hierarchy.
 pub fn ours<M: Model>(mesh: &Mesh, rays: &[Ray]) -> Cast {
     let wide = |[x, y, z]: [f32; 3]| Vector::new(x, y, z).map(f64::from);
     let mut world = World::default();
@@ -86,7 +87,7 @@ pub fn ours<M: Model>(mesh: &Mesh, rays: &[Ray]) -> Cast {
     })
 }
 
-/// obvhs's own search and its own test of a triangle, in `f32`.
+/// obvhs's traversal and triangle test, in `f32`.
 fn eight_wide(mesh: &Mesh, rays: &[Ray]) -> Cast {
     let triangle = |corners: [[f32; 3]; 3]| {
         let [v0, v1, v2] = corners.map(Vec3A::from);
@@ -112,7 +113,7 @@ fn eight_wide(mesh: &Mesh, rays: &[Ray]) -> Cast {
     })
 }
 
-/// parry3d, in one of its two types of numbers.
+/// parry3d, in `f32` or `f64`.
 macro_rules! parry {
     ($name:ident, $parry:ident, $number:ty) => {
         fn $name(mesh: &Mesh, rays: &[Ray]) -> Cast {

@@ -1,4 +1,4 @@
-//! Primary rays, and incoherent ones: from where those hit, anywhere.
+//! Primary rays, and incoherent ones that start at the hits of the primary rays.
 
 use pinhole_study::cast::model::Exact;
 use pinhole_study::random::Random;
@@ -6,19 +6,19 @@ use pinhole_study::random::Random;
 use crate::mesh::Mesh;
 use crate::peer::ours;
 
-/// With numbers that are `f32`; the direction is not unit length.
+/// A ray in `f32`; the direction is not unit length.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
-    /// Where t = 0.
+    /// The point at t = 0.
     pub origin: [f32; 3],
-    /// From t = 0 to t = 1.
+    /// The vector from t = 0 to t = 1.
     pub direction: [f32; 3],
 }
 
 /// Pixels in a row and in a column.
 const SIDE: u32 = 256;
 
-/// From a camera at three times the radius, of a film that the mesh fills.
+/// Rays of a camera at distance 3 from the centre of a mesh of radius 1, which fills the image.
 pub fn primary() -> Vec<Ray> {
     let at = |pixel: u32| (f64::from(pixel) + 0.5) / f64::from(SIDE) * 0.8 - 0.4;
     let ray = |index: u32| {
@@ -32,7 +32,8 @@ pub fn primary() -> Vec<Ray> {
     (0..SIDE * SIDE).map(ray).collect()
 }
 
-/// As many, from points a little before what primary rays hit, in all directions.
+/// As many rays, which start slightly before the hits of the primary rays, in random
+/// directions.
 pub fn incoherent(mesh: &Mesh, primary: &[Ray]) -> Vec<Ray> {
     let met: Vec<_> = ours::<Exact>(mesh, primary)()
         .into_iter()

@@ -1,4 +1,4 @@
-//! With which kernels a scene is cast, and how it is decided which of two parts is first.
+//! The choice of kernels for casting a scene, and how to decide which of two hits comes first.
 
 use super::world::{Part, Primitive, World};
 use super::{Found, Tally};
@@ -8,22 +8,22 @@ use crate::kernel::{Kernel, Limits, Prepared, Tier, Window, plane, sphere, trian
 use crate::root::Root;
 use crate::shape::Ray;
 
-/// A ray that is asked what it meets, with what filters need of it.
+/// A ray with everything that filters precompute from it.
 pub struct Query<'r> {
-    /// As it was given, for exact decisions.
+    /// The ray as it was given, for exact decisions.
     pub ray: &'r Ray<f64>,
-    /// For filters and boxes.
-    pub scaled: ScaledRay<f64>,
-    /// From where on; not negative.
+    /// The scaled ray, for filters and boxes.
+    pub scaled: Scaled<f64>,
+    /// The smallest t that counts; not negative.
     pub min_t: f64,
-    /// Around `min_t`, as the scaled ray counts.
+    /// `min_t` in the scaled ray's parameter, with the margins of the filters.
     window: Window,
-    /// Whether the parts' limits hold.
+    /// Whether the origin is near enough for the parts' precomputed limits to hold.
     is_near: bool,
 }
 
 impl<'r> Query<'r> {
-    /// Once for a ray; what only filters need, for a model that has some.
+    /// Prepares a ray. What only filters need is computed only for models with filters.
     #[inline(always)]
     pub fn new<M: Model>(ray: &'r Ray<f64>, min_t: f64, world: &World) -> Query<'r> {
         let scaled = ScaledRay::new(ray);
@@ -40,24 +40,25 @@ impl<'r> Query<'r> {
 
 /// A choice of kernels.
 pub trait Model: Sync + 'static {
-    /// How tables call it.
+    /// The name in tables.
     const NAME: &'static str;
-    /// How much further than the t it found the first hit may truly be, relative to it.
+    /// Bound on the relative error of t: the true first hit may be this much further than the t
+    /// found.
     const SLACK: f64;
-    /// Whether its kernels filter.
+    /// Whether the kernels use filters.
     const FILTERS: bool;
 
     /// The smallest t ≥ `min_t` at which a ray meets a part.
     fn meet(part: &Part, query: &Query, tally: &mut Tally) -> Option<f64>;
-    /// Which of four triangles it meets. What is left open is asked again, part by part.
-    fn meet_four(four: &TrianglePacket, limits: &Limits, query: &Query) -> PacketHits;
-    /// A t of that, in multiples of the ray's direction.
+    /// Tests four triangles. The caller tests undecided ones again, one by one.
+    fn meet_four(four: &Four, limits: &Limits, query: &Query) -> Met;
+    /// Converts a t from [`Model::meet_four`] to multiples of the ray's direction.
     fn given(t: f64, query: &Query) -> f64;
-    /// Whether a ray meets `one` before `other`.
+    /// Whether hit `one` comes before hit `other`.
     fn comes_first(one: &Found, other: &Found, query: &Query, tally: &mut Tally) -> bool;
 }
 
-/// Plain `f64`: the best kernels that never decide exactly, and t compared as it is.
+/// Plain `f64`: the best kernels without exact decisions, and a comparison of rounded t.
 pub struct Plain;
 
 impl Model for Plain {
@@ -92,11 +93,11 @@ impl Model for Plain {
     }
 }
 
-/// The adaptive kernels: hit or miss is never wrong, and neither is which part is first.
+/// The adaptive kernels: hit or miss is never wrong, and neither is the order of hits.
 pub struct Exact;
 
-/// The kernels' t are good to √u = 2⁻²⁶·⁵ of themselves; t as different as this are in
-/// their true order.
+/// The kernels' t have a relative error of at most √u = 2⁻²⁶·⁵. Two t that differ by more than
+/// this are in their true order.
 const APART: f64 = 4.0 * 1.1e-8;
 
 impl Model for Exact {
@@ -142,8 +143,9 @@ impl Model for Exact {
     }
 }
 
-/// What the static filter leaves open is filtered again, with limits of this ray and this
-/// shape, and then decided exactly. Out of the way of what it does not leave open.
+/// Decides a test that the static filter could not: first with the semi-static filter, whose
+/// limits are computed for this ray and shape, then exactly. It is cold and never inlined, to
+/// keep the common path short.
 #[cold]
 #[inline(never)]
 fn left_open(shape: &Primitive, query: &Query, tally: &mut Tally) -> Option<f64> {
@@ -160,7 +162,7 @@ fn left_open(shape: &Primitive, query: &Query, tally: &mut Tally) -> Option<f64>
     answer
 }
 
-/// Where a ray truly meets a part.
+/// The exact t at which a ray hits a part.
 pub fn exact(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
     match shape {
         Primitive::Sphere(shape) => sphere::exact(shape, ray, min_t),
@@ -172,9 +174,8 @@ pub fn exact(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
 #[cold]
 #[inline(never)]
 fn comes_first_exactly(one: &Part, other: &Part, query: &Query) -> bool {
-    let met = |part: &Part| {
-        exact(&part.shape, query.ray, query.min_t).expect("a filter said that it is met")
-    };
+    let met =
+        |part: &Part| exact(&part.shape, query.ray, query.min_t).expect("a filter found this hit");
     let order = met(one).compare(&met(other));
     order.then(one.place.cmp(&other.place)).is_lt()
 }

@@ -5,8 +5,8 @@ use pinhole::{Projection, Scene};
 use super::world::vector;
 use crate::shape::Ray;
 
-/// Through the centre of every pixel, in image order (Marschner & Shirley, 4th ed., §4.3):
-/// rounded, and what is exact is exact for the rounded ray.
+/// Rays through the centres of all pixels, in image order (Marschner & Shirley, 4th ed., §4.3).
+/// They are rounded to `f64`; exact decisions are exact for the rounded rays.
 pub fn rays(scene: &Scene) -> Vec<Ray<f64>> {
     let (camera, resolution) = (&scene.camera, scene.resolution);
     let through = |index| {

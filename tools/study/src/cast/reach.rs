@@ -1,9 +1,10 @@
-//! From where rays come, so that what bounds rounding need not be worked out for each.
+//! A region that contains most ray origins. Error bounds for all rays that start inside it are
+//! computed once per part instead of once per ray.
 
 use super::world::{Part, Primitive};
 use crate::vector::{Vector, around};
 
-/// A cube around a scene, a few times as large.
+/// A cube around a scene, several times as large as the scene.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Reach {
     center: Vector<f64>,
@@ -11,11 +12,11 @@ pub struct Reach {
     radius: f64,
 }
 
-/// A camera is seldom further away than so many times the size of what it sees.
+/// A camera is seldom further away than this many times the scene's size.
 const SIZES: f64 = 8.0;
 
 impl Reach {
-    /// Around all that is finite.
+    /// The reach of a scene: around its bounded parts and the points of its planes.
     pub fn around(parts: &[Part]) -> Reach {
         let ends = |part: &Part| {
             let anchor = part.shape.anchor();
@@ -26,7 +27,7 @@ impl Reach {
         };
         let center = low * 0.5 + high * 0.5;
         let size = (high - center).largest();
-        // A lone plane has no size.
+        // Planes have no size: use their distance from the origin, or at least 1.
         let is_flat = parts
             .iter()
             .all(|part| matches!(part.shape, Primitive::Plane(_)));
@@ -41,14 +42,14 @@ impl Reach {
         }
     }
 
-    /// How far a point of a part is, in each component, from a ray's origin at most. What
-    /// is rounded here is less than the room that every bound has.
+    /// The largest distance, in each component, between `anchor` and a ray origin within reach.
+    /// The rounding here is covered by the slack in every bound.
     pub fn away(&self, anchor: Vector<f64>) -> f64 {
         (anchor - self.center).largest() + self.radius
     }
 
-    /// Whether a ray from here is within reach. Others are asked with bounds of their own,
-    /// which takes longer.
+    /// Whether a ray from this origin is within reach. For other rays, kernels compute bounds
+    /// of their own, which takes longer.
     #[inline(always)]
     pub fn holds(&self, origin: Vector<f64>) -> bool {
         (origin - self.center).largest() <= self.radius

@@ -1,25 +1,27 @@
-//! A ray against four boxes at a time, in `f32`, without losing any.
+//! Slab test of a ray against four boxes at a time, in `f32`. Rounding never makes it reject a
+//! box that the ray meets.
 //!
-//! A ray crosses a box's side p at t = (p − e) / d, which is computed as p × inverse −
-//! offset. All that rounding can do to that is put into the offset beforehand, once for
-//! a ray: a near side is taken for nearer, a far side for further. In the scene's own
-//! [`Frame`], with u = 2⁻²⁴, |p| ≤ 1.001 and, where anything is met, |e| ≤ [`NEAR`]:
+//! A ray crosses a box's side p at t = (p − e) / d, which is computed as p × inverse − offset.
+//! A bound on the rounding errors is added to the offset once per ray, so that near sides are
+//! computed too near and far sides too far. In the scene's own [`Frame`], with u = 2⁻²⁴, |p| ≤
+//! 1.001 and, if the ray meets anything, |e| ≤ [`NEAR`]:
 //!
-//! 1. e is the origin; if that is far away, moved along the ray to a little before it
-//!    passes the middle of the scene, which leaves it within 6 of that. In `f64`, from a
-//!    distance A, it is off by 2⁻⁴⁸ A at most (five roundings of numbers up to 4A).
-//! 2. The inverse is off by u of itself, p × inverse by one more u, what is left when the
-//!    offset is taken from it by u (|p| + |e|) |inverse|, and the offset, rounded, by
-//!    u |e| |inverse|. Together that is below u (3.1 + 2.1 |e|) |inverse|; the spare is
-//!    (4u (1 + |e|) + 2⁻⁴⁷ A) |inverse|.
-//! 3. A component of the direction below 2⁻⁶⁰ is replaced by that. On the ray's way
-//!    through the scene, which is shorter than [`BEYOND`], this moves it by 2⁻⁵⁶, and the
-//!    spare has room for that. So no number here is infinite or NaN.
-//! 4. Where a search begins is rounded down, where it ends up.
+//! 1. e is the origin. A distant origin is first moved along the ray to a little before the
+//!    point nearest to the scene's centre, which leaves it within 6 of the centre. The moved
+//!    origin is computed in `f64`; from a distance A, its error is at most 2⁻⁴⁸ A (five
+//!    roundings of numbers up to 4A).
+//! 2. The inverse has a relative error of u, and p × inverse one more u. Subtracting the offset
+//!    adds an error of u (|p| + |e|) |inverse|, and rounding the offset one of u |e| |inverse|.
+//!    The sum is below u (3.1 + 2.1 |e|) |inverse|. The slack is (4u (1 + |e|) + 2⁻⁴⁷ A)
+//!    |inverse|.
+//! 3. A component of the direction below 2⁻⁶⁰ is replaced by ±2⁻⁶⁰. The ray's way through the
+//!    scene is shorter than [`BEYOND`], so this moves the ray by less than 2⁻⁵⁵, which the
+//!    slack covers. Therefore no number here is infinite or NaN.
+//! 4. The start of the search interval is rounded down and its end is rounded up.
 //!
-//! A point of a part lies in the part's box and in all boxes around that: its t is then
-//! between all near and all far sides as they are computed. No box that holds what a ray
-//! meets is passed by, but where the horizon says that something nearer is met.
+//! A point of a part lies in the part's box and in all boxes around it, so its t lies between
+//! the computed near and far sides of all these boxes. A box that contains a hit is therefore
+//! skipped only if the hit lies beyond the horizon, that is, if a nearer hit is already known.
 
 use wide::f32x4;
 
@@ -27,35 +29,35 @@ use super::frame::Frame;
 use crate::kernel::sphere::ScaledRay;
 use crate::number::Real;
 
-/// Four boxes, side by side: first their low sides, then their high ones, by axis.
+/// Four boxes in structure-of-arrays layout: low sides, then high sides, by axis.
 pub type Boxes = [[f32x4; 3]; 2];
 
-/// No scene is longer, along a ray that begins less than [`NEAR`] from it.
+/// No ray that starts less than [`NEAR`] from the scene leaves it after a longer way.
 const BEYOND: f32 = 32.0;
-/// Origins further away are moved.
+/// Origins further away are moved towards the scene.
 const NEAR: f64 = 8.0;
-/// From further away, the error of moving is as large as the scene.
+/// Beyond this distance, the error of the moved origin may be too large for the test.
 const TOO_FAR: f64 = 1e12;
-/// A smaller component of a direction crosses nothing.
+/// Smaller components of a direction are replaced by this one.
 const PARALLEL: f64 = 1.0 / (1u64 << 60) as f64;
-/// The largest relative error of an `f32`.
+/// The unit roundoff of `f32`.
 const UNIT: f64 = 1.0 / (1u64 << 24) as f64;
 
-/// What is needed of a ray to say which boxes it meets.
+/// A ray prepared for the slab test.
 pub struct Slabs {
     inverse: [f32x4; 3],
-    /// What to take from a near side's product, and from a far side's.
+    /// The offsets to subtract for near sides, and for far sides.
     offset: [[f32x4; 3]; 2],
-    /// Which of a box's two sides is the near one, and which the far.
+    /// For each axis, the index of a box's near side, and of its far side.
     order: [[usize; 3]; 2],
     from: f32x4,
-    /// t as given times 2^`exponent`, minus `moved`, is t here.
+    /// The local parameter is t × 2^`exponent` − `moved`.
     exponent: i32,
     moved: f64,
 }
 
 impl Slabs {
-    /// `None` if the ray is too far away to tell, or not finite.
+    /// Prepares a ray. `None` if it is not finite or starts too far away for the test.
     #[inline(always)]
     pub fn of(frame: &Frame, scaled: &ScaledRay<f64>, min_t: f64) -> Option<Slabs> {
         let (mut origin, d) = (frame.local(scaled.ray.origin), scaled.ray.direction);
@@ -106,14 +108,15 @@ impl Slabs {
         })
     }
 
-    /// A horizon, as counted here.
+    /// A horizon in the local parameter, rounded up.
     #[inline(always)]
     pub fn horizon(&self, t: f64) -> f32 {
         let t = (t.times_power_of_two(self.exponent) - self.moved) as f32;
         t.next_up().min(BEYOND)
     }
 
-    /// A bit for each box that the ray may meet before the horizon, and where it enters.
+    /// A bit for each box that the ray may enter before the horizon, and the parameter at which
+    /// it enters each box.
     #[inline(always)]
     pub fn enter(&self, boxes: &Boxes, horizon: f32) -> (u32, [f32; 4]) {
         let side = |axis: usize, far: usize| {

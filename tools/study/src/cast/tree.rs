@@ -1,14 +1,14 @@
-//! Boxes within boxes, so that a ray is tested against few parts.
+//! A bounding volume hierarchy over the parts, so that a ray is tested against few of them.
 //!
-//! obvhs builds the tree (Meister & Bittner's PLOC, then reinsertion), two boxes to a
-//! node; here they are taken together to four, and the triangles of a small box to four
-//! that are met at once. The search loses no hit:
+//! obvhs builds the tree (Meister & Bittner's PLOC, then reinsertion), with two boxes per node.
+//! Here, nodes are collapsed to four boxes (a BVH4), and the triangles of a small box are
+//! packed in fours and tested together. The search loses no hit:
 //!
-//! 1. A box holds its parts with room to spare: see [`Frame::boxed`].
-//! 2. A ray that meets something in a box is not taken to miss the box: see
+//! 1. A box encloses its parts with a margin: see [`Frame::boxed`].
+//! 2. The slab test never rejects a box that contains a hit that could be the first: see
 //!    [`super::slabs`].
-//! 3. Parts without a finite box, planes above all, are tested always; and all of them
-//!    are, for a ray that comes from too far away to tell.
+//! 3. Parts without a finite box, such as planes, are always tested. A ray that starts too far
+//!    away for the slab test is tested against every part.
 
 use std::time::Duration;
 
@@ -29,24 +29,25 @@ use crate::kernel::triangle::{self, TrianglePacket};
 use crate::shape::Triangle;
 use crate::vector::{Vector, around};
 
-/// Four boxes, and what is in them.
+/// A node of the BVH4: four boxes and their contents.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 struct Node {
     boxes: Boxes,
-    /// Another node; or [`LEAF`] and some triangles, or [`LEAF`], [`LONE`] and a part.
+    /// For each box, the index of another node; or [`LEAF`] and the index of a leaf; or
+    /// [`LEAF`], [`LONE`] and the index of a part.
     inside: [u32; 4],
 }
 
 const LEAF: u32 = 1 << 31;
 const LONE: u32 = 1 << 30;
 
-/// Some triangles of one box.
+/// A leaf: one to four triangles of one box.
 #[derive(Clone, Copy, Debug)]
 struct Leaf {
     four: TrianglePacket,
     limits: Limits,
-    /// The first of the parts that they are.
+    /// Index of the first of its parts.
     first: u32,
 }
 
@@ -54,18 +55,18 @@ struct Leaf {
 #[derive(Clone, Debug, Default)]
 pub struct Tree {
     frame: Frame,
-    /// A node, or the only leaf; none if no part has a finite box.
+    /// The root node or the only leaf; `None` if no part has a finite box.
     root: Option<u32>,
     nodes: Vec<Node>,
     leaves: Vec<Leaf>,
-    /// Parts from here on are in no box.
+    /// Parts from this index on are in no box.
     boundless: usize,
 }
 
-/// Larger numbers are in no box: their differences might overflow.
+/// Parts with larger coordinates are in no box: differences of these might overflow.
 const LARGE: f64 = 1e300;
 
-/// A box's corners, where they are finite and more.
+/// The corners of a part's box; `None` if it is unbounded or a coordinate reaches `LARGE`.
 fn bounds(part: &Part) -> Option<[Vector<f64>; 2]> {
     let bounds = part.shape.bounds()?;
     let is_small = |corner: &Vector<f64>| corner.array().into_iter().all(|x| x.abs() < LARGE);
@@ -73,7 +74,7 @@ fn bounds(part: &Part) -> Option<[Vector<f64>; 2]> {
 }
 
 impl Tree {
-    /// Builds it, and puts the world's parts in its order.
+    /// Builds the tree, and reorders the world's parts to match it.
     pub fn over(world: &mut World) -> Tree {
         let boxed = |part: &Part| bounds(part).is_some();
         let parts = std::mem::take(&mut world.parts);
@@ -107,7 +108,7 @@ impl Tree {
         tree
     }
 
-    /// Considers the parts of a leaf.
+    /// Tests the parts of a leaf.
     #[inline(always)]
     fn meet<'a, M: Model>(&self, leaf: u32, world: &'a World, nearest: &mut Nearest<'a, '_, M>) {
         match leaf & LONE {
@@ -122,7 +123,7 @@ impl Tree {
         }
     }
 
-    /// Considers all parts that a ray may meet first.
+    /// Tests all parts that a ray may hit first.
     #[inline(always)]
     pub(super) fn search<'a, M: Model>(&self, world: &'a World, nearest: &mut Nearest<'a, '_, M>) {
         nearest.consider(&world.parts[self.boundless..]);
@@ -143,9 +144,9 @@ impl Tree {
                     let take = |met: &mut u32| {
                         let lane = met.trailing_zeros() as usize & 3;
                         *met &= *met - 1;
-                        TraversalStack::ticket(entries[lane], node.inside[lane])
+                        Waiting::stack_entry(entries[lane], node.inside[lane])
                     };
-                    let before = waiting.tickets.len();
+                    let before = waiting.stack_entries.len();
                     let mut near = take(&mut met);
                     while met != 0 {
                         let other = take(&mut met);
@@ -168,61 +169,61 @@ impl Tree {
     }
 }
 
-/// What a search has still to look into, as tickets: where the ray enters, in the upper
-/// half, for the bits of floats that are not negative are in the floats' own order; and
-/// what it enters.
+/// Stack of nodes still to visit. Each entry packs the ray's entry t (upper 32 bits) and the
+/// node (lower 32 bits). The bits of non-negative floats sort like the floats, so comparing
+/// entries compares t.
 #[derive(Default)]
-struct TraversalStack {
-    tickets: ArrayVec<u64, 128>,
-    /// For trees that are deeper than any seen.
+struct Waiting {
+    stack_entries: ArrayVec<u64, 128>,
+    /// Overflow of the fixed array, for trees that are deeper than any seen.
     more: Vec<u64>,
 }
 
 impl TraversalStack {
     #[inline(always)]
-    fn ticket(entry: f32, inside: u32) -> u64 {
+    fn stack_entry(entry: f32, inside: u32) -> u64 {
         u64::from(entry.max(0.0).to_bits()) << 32 | u64::from(inside)
     }
 
     #[inline(always)]
-    fn add(&mut self, ticket: u64) {
-        if self.tickets.try_push(ticket).is_err() {
-            self.more.push(ticket);
+    fn add(&mut self, stack_entry: u64) {
+        if self.stack_entries.try_push(stack_entry).is_err() {
+            self.more.push(stack_entry);
         }
     }
 
-    /// The nearest of what came last is to be next.
+    /// Sorts the entries from `before` on, nearest last, so that the nearest is popped first.
     #[inline(always)]
     fn order_from(&mut self, before: usize) {
-        for end in before + 1..self.tickets.len() {
+        for end in before + 1..self.stack_entries.len() {
             for at in (before..end).rev() {
-                if self.tickets[at] < self.tickets[at + 1] {
-                    self.tickets.swap(at, at + 1);
+                if self.stack_entries[at] < self.stack_entries[at + 1] {
+                    self.stack_entries.swap(at, at + 1);
                 }
             }
         }
     }
 
-    /// What is entered before the horizon.
+    /// Pops the next node that the ray enters before the horizon.
     #[inline(always)]
     fn next(&mut self, horizon: f32) -> Option<u32> {
-        let beyond = TraversalStack::ticket(horizon, u32::MAX);
+        let beyond = Waiting::stack_entry(horizon, u32::MAX);
         loop {
-            let ticket = match self.tickets.pop() {
-                Some(ticket) => ticket,
+            let stack_entry = match self.stack_entries.pop() {
+                Some(stack_entry) => stack_entry,
                 None => self.more.pop()?,
             };
-            if ticket <= beyond {
-                return Some(ticket as u32);
+            if stack_entry <= beyond {
+                return Some(stack_entry as u32);
             }
         }
     }
 }
 
-/// Takes nodes of two together to nodes of four.
-struct WideTreeBuilder<'a> {
+/// Collapses the binary tree to nodes with four boxes.
+struct Fours<'a> {
     twos: Bvh2,
-    /// How many parts are below each node of two, and whether all are triangles.
+    /// For each binary node, the number of parts below it, and whether all are triangles.
     sizes: Vec<(u32, bool)>,
     parts: &'a [Part],
     ordered: &'a mut Vec<Part>,
@@ -301,7 +302,7 @@ impl WideTreeBuilder<'_> {
         count == 1 || are_triangles && count <= 4
     }
 
-    /// Two to four nodes of two, the largest opened first.
+    /// The two to four children of a wide node: keeps opening the child with the largest area.
     fn children(&self, two: usize) -> Vec<usize> {
         let mut children = vec![two];
         while children.len() < 4 {

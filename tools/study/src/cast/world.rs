@@ -1,11 +1,11 @@
-//! A scene as a list of parts, each of which a kernel can meet.
+//! A scene as a list of parts, each of which a kernel can intersect.
 
 use super::reach::Reach;
 use crate::kernel::{Limits, plane, sphere, triangle};
 use crate::shape::{Plane, Ray, Sphere, Triangle};
 use crate::vector::{Vector, around};
 
-/// What a ray can meet.
+/// A shape that a kernel can intersect.
 #[derive(Clone, Copy, Debug)]
 pub enum Primitive {
     /// See [`Sphere`].
@@ -37,27 +37,27 @@ impl From<Triangle<f64>> for Primitive {
 /// One primitive of a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Part {
-    /// The object it belongs to: its id in a film.
+    /// The object it belongs to: the id in a film.
     pub object: u32,
-    /// Its place in the scene. Of two parts met at the very same t, the one listed first
-    /// counts.
+    /// Its index in the scene's list. If a ray hits two parts at exactly the same t, the one
+    /// listed first wins.
     pub place: u32,
-    /// What is met.
+    /// Its shape.
     pub shape: Primitive,
-    /// For rays from within [`World::reach`].
+    /// The filters' limits for rays from within [`World::reach`].
     pub limits: Limits,
 }
 
 /// All parts of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct World {
-    /// A tree may change their order; [`Part::place`] remembers it.
+    /// The tree may reorder them; [`Part::place`] keeps the original index.
     pub parts: Vec<Part>,
-    /// Where most rays are taken to come from.
+    /// The region that most rays are assumed to start in.
     pub reach: Reach,
 }
 
-/// The same numbers in this package's vector.
+/// Converts glam's vector to this package's.
 pub fn vector(v: glam::DVec3) -> Vector<f64> {
     Vector::new(v.x, v.y, v.z)
 }
@@ -69,11 +69,10 @@ fn corners_of(triangle: &pinhole::Triangle) -> Primitive {
 }
 
 impl World {
-    /// Of the objects of a scene.
+    /// Collects the parts of a scene's objects.
     ///
     /// # Panics
-    /// If there is no kernel for one of them; [`read`](crate::scenes::read) refuses such
-    /// scenes.
+    /// If an object has no kernel; [`read`](crate::scenes::read) rejects such scenes.
     pub fn of(objects: &[pinhole::Shape]) -> World {
         let mut world = World::default();
         for (object, shape) in objects.iter().enumerate() {
@@ -92,13 +91,13 @@ impl World {
                         world.add(object, corners_of(corners));
                     }
                 }
-                other => unreachable!("a scene with a {} was let in", other.kind()),
+                other => unreachable!("a scene with a {} should have been rejected", other.kind()),
             }
         }
         world
     }
 
-    /// Works out the limits of all parts, once all are there.
+    /// Computes the filters' limits of all parts. Call it when the list is complete.
     pub fn settle(&mut self) {
         self.reach = Reach::around(&self.parts);
         for part in &mut self.parts {
@@ -111,7 +110,7 @@ impl World {
         }
     }
 
-    /// One more part, of an object.
+    /// Adds a part of an object.
     pub fn add(&mut self, object: usize, shape: Primitive) {
         self.parts.push(Part {
             object: object as u32,
@@ -123,7 +122,8 @@ impl World {
 }
 
 impl Primitive {
-    /// A point of it, or its middle: what a kernel first takes from a ray's origin.
+    /// The point that kernels subtract from a ray's origin: a sphere's centre, a plane's point
+    /// or a triangle's first corner.
     pub fn anchor(&self) -> Vector<f64> {
         match self {
             Primitive::Sphere(sphere) => sphere.center,
@@ -132,22 +132,23 @@ impl Primitive {
         }
     }
 
-    /// The corners of a box around it; none around a plane.
+    /// Two opposite corners of its bounding box; `None` for a plane.
     pub fn bounds(&self) -> Option<[Vector<f64>; 2]> {
         match self {
             Primitive::Plane(_) => None,
             Primitive::Sphere(Sphere { center, radius }) => {
                 let r = Vector::new(*radius, *radius, *radius);
                 let [low, high] = [*center - r, *center + r];
-                // What was rounded away from, added again.
+                // Widen by one ulp, to make up for the rounding.
                 Some([low.map(f64::next_down), high.map(f64::next_up)])
             }
             Primitive::Triangle(triangle) => around(triangle.corners.map(|corner| [corner; 2])),
         }
     }
 
-    /// The unit outward normal where a ray meets it, as rounding has it. From a sphere's centre,
-    /// so that nothing is lost far from the origin.
+    /// The unit outward normal at a hit, computed with rounding. For a sphere, the hit is
+    /// computed relative to the centre, so that it keeps its digits far from the world's
+    /// origin.
     pub fn normal(&self, ray: &Ray<f64>, t: f64) -> Vector<f64> {
         match self {
             Primitive::Sphere(sphere) => (ray.origin - sphere.center + ray.direction * t).unit(),

@@ -1,4 +1,5 @@
-//! Closed meshes: a ray from inside meets the surface exactly once, wherever it goes.
+//! Closed convex meshes: a ray from inside meets the surface exactly once, in whatever
+//! direction it goes.
 
 use crate::question::Data;
 use crate::random::Random;
@@ -8,9 +9,9 @@ use crate::vector::Vector;
 /// Where a ray is aimed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Aim {
-    /// At a random point of an edge, as nearly as rounding lets it.
+    /// At a random point of an edge, as nearly as rounding allows.
     Edge,
-    /// At a corner, exactly: the direction is the corner minus the origin, rounded.
+    /// At a corner: the direction is the corner minus the origin, rounded.
     Vertex,
 }
 
@@ -31,8 +32,8 @@ const OCTAHEDRON: [[usize; 3]; 8] = [
     [0, 3, 5],
 ];
 
-/// An octahedron's faces, each cut into four and blown up to the unit sphere: six faces
-/// meet at most corners, four at the others.
+/// An octahedron's faces, each divided into four and projected to the unit sphere. Six faces
+/// meet at most vertices, and four at the others.
 fn sphere() -> Vec<[Vector<f64>; 3]> {
     let axis = |x, y, z| Vector::new(x, y, z);
     let corners = [
@@ -43,7 +44,7 @@ fn sphere() -> Vec<[Vector<f64>; 3]> {
         axis(0.0, 0.0, 1.0),
         axis(0.0, 0.0, -1.0),
     ];
-    // The sum is the same from both ends: neighbours agree on the corner, to the bit.
+    // p + q is bit for bit the same as q + p, so neighbours share the new vertex exactly.
     let between = |p: Vector<f64>, q: Vector<f64>| {
         let middle = p + q;
         middle * (1.0 / middle.dot(middle).sqrt())
@@ -56,11 +57,11 @@ fn sphere() -> Vec<[Vector<f64>; 3]> {
     faces.into_iter().flat_map(cut).collect()
 }
 
-/// Where in [`sphere`] to find triangles between corners at which six meet, as at most
-/// corners of most meshes.
-const AMONG_SIX: (usize, usize) = (4, 3);
+/// Stride and offset of the triangles in [`sphere`] whose three vertices have valence 6, the
+/// usual valence in meshes.
+const VALENCE_SIX: (usize, usize) = (4, 3);
 
-/// A closed, convex mesh, numbers rounded to a type.
+/// A closed convex mesh with coordinates rounded to `data`.
 pub struct Ball {
     /// Its faces.
     pub triangles: Vec<Triangle<f64>>,
@@ -69,7 +70,7 @@ pub struct Ball {
 }
 
 impl Ball {
-    /// Of random shape and place.
+    /// A random ellipsoid at a random place.
     pub fn new(random: &mut Random, data: Data) -> Ball {
         let (x, middle) = (random.unit(), random.unit());
         let y = random.unit_across(x);
@@ -85,11 +86,11 @@ impl Ball {
         }
     }
 
-    /// A ray from inside it, aimed at an edge or a corner.
+    /// A ray from inside the mesh, aimed at an edge or a corner.
     pub fn ray(&self, random: &mut Random, aim: Aim) -> Ray<f64> {
         let round = |vector| rounded(vector, self.data);
         let origin = round(self.middle + random.unit() * random.within(0.0, 0.2));
-        let (step, first) = AMONG_SIX;
+        let (step, first) = VALENCE_SIX;
         let at = random.below(self.triangles.len() / step) * step + first;
         let [a, b, _] = self.triangles[at].corners;
         let target = match aim {

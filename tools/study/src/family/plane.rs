@@ -1,4 +1,5 @@
-//! What is hard about planes: rays along them, and how a plane may be written.
+//! Difficult questions about planes: nearly parallel rays, and normals that are not unit
+//! length.
 
 use super::{Family, HasFamilies, decades, scales, varied};
 use crate::question::{Question, ten_to};
@@ -35,7 +36,7 @@ impl HasFamilies for Plane<f64> {
         ]
     }
 
-    /// A plane and a ray at any angle; half of the rays go away from it.
+    /// A plane and a ray at any angle.
     fn plain(random: &mut Random) -> Question<Plane<f64>> {
         let point = random.unit() * random.within(0.0, 2.0);
         let normal = random.unit() * random.within(0.5, 2.0);
@@ -50,7 +51,8 @@ impl HasFamilies for Plane<f64> {
     }
 }
 
-/// A ray at the angle 10^−`exponent`; exactly parallel at 18, in one of the axes' planes.
+/// A ray at the angle 10^−`exponent` to the plane. At 18 it is exactly parallel, to an
+/// axis-aligned plane.
 fn parallel(random: &mut Random, exponent: i32) -> Question<Plane<f64>> {
     let Question {
         mut shape, mut ray, ..

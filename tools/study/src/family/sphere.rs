@@ -1,4 +1,5 @@
-//! What is hard about spheres: far away, far too large, barely touched, or left.
+//! Difficult questions about spheres: far away, very large, barely touched, or with an origin
+//! on the surface.
 
 use super::{Family, HasFamilies, decades, varied};
 use crate::question::{Question, ten_to};
@@ -65,7 +66,8 @@ impl HasFamilies for Sphere<f64> {
         ]
     }
 
-    /// A few radii away, with a direction that is not unit; half of the rays hit.
+    /// A ray from a few radii away, with a direction that is not unit length; about half of the
+    /// rays hit.
     fn plain(random: &mut Random) -> Question<Sphere<f64>> {
         let (radius, away) = (random.within(0.5, 2.0), random.within(1.0, 5.0));
         let squared = random.within(0.0, 2.0);
@@ -78,12 +80,13 @@ impl HasFamilies for Sphere<f64> {
     }
 }
 
-/// From `away` radii outside the surface, past the centre at `impact` radii.
+/// A ray from `away` radii outside the surface, along a line at distance `impact` radii from
+/// the centre.
 fn aimed(random: &mut Random, radius: f64, away: f64, impact: f64) -> Question<Sphere<f64>> {
     let (center, towards) = (random.unit(), random.unit());
     let distance = radius * (1.0 + away);
     let origin = center + towards * -distance;
-    // The line at that distance from the centre: sin of its angle is impact / distance.
+    // The line's angle to the centre has the sine impact / distance, both in the same unit.
     let sine = impact * radius / distance;
     let across = random.unit_across(towards) * sine;
     let along = towards * (1.0 - sine * sine).max(0.0).sqrt();
@@ -91,8 +94,8 @@ fn aimed(random: &mut Random, radius: f64, away: f64, impact: f64) -> Question<S
     Question::new(Sphere { center, radius }, origin, direction)
 }
 
-/// From a unit's height above a large ball, to a line half or one and a half times as far
-/// below the horizontal as its horizon.
+/// A ray from about one unit above a large sphere, aimed at 0.5 to 1.5 times the angle of its
+/// horizon below the horizontal.
 fn ground(random: &mut Random, radius: f64) -> Question<Sphere<f64>> {
     let up = random.unit();
     let origin = random.unit();

@@ -1,4 +1,4 @@
-//! What is hard about triangles: far away, thin, seen from the side, or without an area.
+//! Difficult questions about triangles: far away, thin, seen edge-on, or without area.
 
 use super::{Family, HasFamilies, decades, scales, varied};
 use crate::question::{Question, ten_to};
@@ -86,7 +86,7 @@ impl HasFamilies for Triangle<f64> {
         ]
     }
 
-    /// A few sizes away, from any side.
+    /// A ray from a few sizes away, from any side.
     fn plain(random: &mut Random) -> Question<Triangle<f64>> {
         let corners = well_shaped(random);
         let (from, away) = (random.unit(), random.within(1.0, 5.0));
@@ -99,7 +99,7 @@ impl HasFamilies for Triangle<f64> {
     }
 }
 
-/// No angle near 0 or a half turn.
+/// A triangle with no angle near 0° or 180°.
 fn well_shaped(random: &mut Random) -> [Vector<f64>; 3] {
     loop {
         let corners = [random.unit(), random.unit(), random.unit()];
@@ -111,7 +111,7 @@ fn well_shaped(random: &mut Random) -> [Vector<f64>; 3] {
     }
 }
 
-/// From a direction, at a point of the triangle's plane in or around it.
+/// A ray from the direction `from`, aimed at a point in the triangle or around it in its plane.
 fn aimed(
     random: &mut Random,
     corners: [Vector<f64>; 3],
@@ -125,7 +125,8 @@ fn aimed(
     Question::new(Triangle { corners }, target + from * away, direction)
 }
 
-/// Corners that coincide, or lie in a line: exactly, for they are multiples of 1/1024.
+/// Corners that coincide or are collinear. They are exactly so for kinds 0 to 2, because all
+/// coordinates are multiples of 1/4096.
 fn flat(random: &mut Random, kind: i32) -> Question<Triangle<f64>> {
     let coarse = |vector: Vector<f64>| vector.map(|x| (x * 1024.0).round() / 1024.0);
     let (a, along) = (coarse(random.unit()), coarse(random.unit()));

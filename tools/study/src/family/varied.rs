@@ -1,11 +1,11 @@
-//! Families that shapes have in common: a plain question, with one thing about it varied.
+//! Families that all shapes share: a plain question with one property varied.
 
 use super::{Family, HasFamilies, decades, scales};
 use crate::question::{Data, Question, ten_to};
 use crate::shape::Ray;
 
-/// By the length of the ray's direction.
-pub fn direction<S: HasFamilies>() -> Family<S> {
+/// Varies the length of the ray's direction.
+pub fn direction<S: Studied>() -> Family<S> {
     Family {
         name: "direction",
         axis: "length of the direction = 10^x",
@@ -13,7 +13,7 @@ pub fn direction<S: HasFamilies>() -> Family<S> {
         exponents: scales,
         everyday: 3,
         ask: |random, x, data| {
-            // So small that t can be told for every length.
+            // A scene so small that t is in range for every length.
             let size = if data == Data::F64 { 1e-13 } else { 1e-6 };
             let question = S::plain(random).map(|l| l * size, |n| n, |d| d, |t| t);
             question.map(|l| l, |n| n, |d| d * ten_to(x), |t| t)
@@ -21,8 +21,8 @@ pub fn direction<S: HasFamilies>() -> Family<S> {
     }
 }
 
-/// By its place in the world.
-pub fn offset<S: HasFamilies>() -> Family<S> {
+/// Varies the distance of the scene from the world's origin.
+pub fn offset<S: Studied>() -> Family<S> {
     Family {
         name: "offset",
         axis: "distance of the scene from the world's origin = 10^x",
@@ -42,8 +42,8 @@ pub fn offset<S: HasFamilies>() -> Family<S> {
     }
 }
 
-/// By the unit that shape, place and direction are measured in.
-pub fn scale<S: HasFamilies>() -> Family<S> {
+/// Varies the unit in which the shape, the origin and the direction are measured.
+pub fn scale<S: Studied>() -> Family<S> {
     Family {
         name: "scale",
         axis: "size of the scene = 10^x",
@@ -57,8 +57,8 @@ pub fn scale<S: HasFamilies>() -> Family<S> {
     }
 }
 
-/// By where the ray begins: just before what it meets, or just behind.
-pub fn threshold<S: HasFamilies>(axis: &'static str, meaning: &'static str) -> Family<S> {
+/// Varies `min_t` around the true hit: just before it, or just behind it.
+pub fn threshold<S: Studied>(axis: &'static str, meaning: &'static str) -> Family<S> {
     Family {
         name: "threshold",
         axis,
