@@ -1,4 +1,4 @@
-//! Films: cast exactly, what `pinhole render --exact` writes, or as planned.
+//! Casts films for `pinhole render`: exactly (`--exact`), or by a plan (`--plan`).
 
 use std::time::Instant;
 
@@ -10,35 +10,36 @@ use crate::cast::rays::rays;
 use crate::plan::casting::Seen;
 use crate::plan::{AccuracyTarget, Plan, plan};
 
-/// What casting a film took.
+/// What it took to cast a film.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
     /// Wall time of casting.
     pub seconds: f64,
-    /// Wall time of planning, the tree included.
+    /// Wall time of planning, including building the tree.
     pub planning_seconds: f64,
-    /// Rays against spheres, planes and triangles.
+    /// Tests of a ray against a sphere, plane or triangle.
     pub tests: u64,
-    /// Tests that were decided exactly, for a filter left them open.
+    /// Tests that no filter could decide, so that they were decided exactly.
     pub fallbacks: u64,
     /// Comparisons of two t that were decided exactly.
     pub close_calls: u64,
-    /// Pixels whose t and normal were computed exactly, for their bounds were too large.
+    /// Pixels whose t and normal were computed exactly, because their error bounds were too
+    /// large.
     pub exact_hits: u64,
     /// The plan, with its reasons.
     pub plan: Plan,
 }
 
-/// What an exact film promises, beside the true object at every pixel: far more digits than
-/// the film's own numbers have.
-pub const EXACT: AccuracyTarget = AccuracyTarget {
+/// What an exact film promises besides the true object at every pixel. The accuracy is far
+/// beyond the digits of the film's own `f32`.
+pub const EXACT: Wish = Wish {
     accuracy: 1e-12,
     depth: true,
     normal: true,
 };
 
-/// Plans a scene and casts it so.
-pub fn planned(scene: &Scene, wish: AccuracyTarget) -> Result<(Film, Report), String> {
+/// Plans a scene and casts it by that plan.
+pub fn planned(scene: &Scene, wish: Wish) -> Result<(Film, Report), String> {
     let start = Instant::now();
     let (plan, casting) = plan(scene, wish)?;
     let planning_seconds = start.elapsed().as_secs_f64();
@@ -65,7 +66,8 @@ pub fn planned(scene: &Scene, wish: AccuracyTarget) -> Result<(Film, Report), St
     Ok((Film::of_hits(scene.resolution, &hits), report))
 }
 
-/// What a film holds is finite: a t beyond its largest number is that number.
+/// Converts a hit for the film, whose samples must be finite: a t beyond the largest `f32`
+/// becomes that number.
 fn hit(seen: Seen) -> Option<Hit> {
     let (object, t, normal) = seen?;
     let largest = f64::from(f32::MAX);

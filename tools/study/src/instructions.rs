@@ -1,16 +1,16 @@
-//! How many instructions a kernel or a scene takes, by callgrind: unlike times, they repeat.
+//! Counts the instructions of a kernel or a scene with callgrind. Unlike times, these counts
+//! repeat exactly.
 
 use std::env;
 use std::process::Command;
 
-/// What the program says when it has cast all it was asked to.
+/// What the program prints when it has finished all its casts.
 pub const DONE: &str = "cast\n";
 
-/// Instructions of one way to cast something, for each of so many rays; `None` if there is no
-/// valgrind.
+/// Instructions per ray of one way to cast something; `None` without valgrind.
 ///
-/// This program is run under valgrind twice, with a different number of casts; the difference
-/// is what the casts took, without everything around them.
+/// Runs this program under valgrind twice, with different numbers of casts, and divides the
+/// difference. This excludes start-up and set-up.
 pub fn of_cast(what: &str, way: usize, rays: usize) -> Option<f64> {
     let with = |casts: u32| {
         let mut valgrind = Command::new("valgrind");
@@ -18,7 +18,7 @@ pub fn of_cast(what: &str, way: usize, rays: usize) -> Option<f64> {
         valgrind.arg(env::current_exe().ok()?);
         valgrind.args(["cast", what, &way.to_string(), &casts.to_string()]);
         let output = valgrind.output().ok()?;
-        // Instructions are counted even of a program that crashes half-way.
+        // Valgrind reports a count even for a program that crashes half-way.
         output.stdout.ends_with(DONE.as_bytes()).then_some(())?;
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         let line = said.lines().find(|line| line.contains("Collected :"))?;

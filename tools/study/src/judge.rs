@@ -1,4 +1,4 @@
-//! One kernel's answers to one set of questions, against the truth.
+//! Judges one kernel's answers to one set of questions by the true answers.
 
 use serde::Serialize;
 
@@ -6,33 +6,33 @@ use crate::contestant::Contestant;
 use crate::oracle::{HasTruth, Truth};
 use crate::question::{Data, Question};
 
-/// What came of it. Ties are counted, and otherwise left out; so are questions whose t
-/// is larger than the type's largest number.
+/// The result. Ties are only counted, not judged. Questions whose true t exceeds the type's
+/// largest number are left out.
 #[derive(Clone, Debug, Default, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Tally {
-    /// Questions that count.
+    /// Questions that were judged.
     pub asked: u64,
-    /// Questions decided by an exact equality.
+    /// Questions that an exact equality decides, such as a tangent ray.
     pub ties: u64,
-    /// Questions to which the true answer is a hit.
+    /// Questions whose true answer is a hit.
     pub hits: u64,
-    /// Answered with a hit where there is none.
+    /// Misses that were answered with a hit.
     pub false_hits: u64,
-    /// Answered with a miss where there is a hit.
+    /// Hits that were answered with a miss.
     pub false_misses: u64,
-    /// Answered with t of a sphere's other side.
+    /// Hits that were answered with the t of the sphere's other side.
     pub wrong_roots: u64,
-    /// Hits whose t is infinite or NaN.
+    /// Hits that were answered with an infinite t or NaN.
     pub not_finite: u64,
-    /// The median error of t over true hits that were answered with a finite t, in ulp.
+    /// The median error of t in ulp, over true hits with a finite answer.
     pub median_ulp: Option<f64>,
-    /// The largest.
+    /// The largest error of t in ulp, over the same hits.
     pub worst_ulp: Option<f64>,
 }
 
 impl Tally {
-    /// All decisions that are wrong.
+    /// The number of wrong decisions.
     pub fn wrong(&self) -> u64 {
         self.false_hits + self.false_misses + self.wrong_roots
     }
@@ -43,7 +43,7 @@ impl Tally {
     }
 }
 
-/// Of errors, if there are any.
+/// The median and the largest error; `None` if there are no errors.
 pub fn median_and_worst(errors: impl IntoIterator<Item = f64>) -> [Option<f64>; 2] {
     let mut errors: Vec<f64> = errors.into_iter().collect();
     errors.sort_by(f64::total_cmp);
@@ -57,7 +57,7 @@ pub fn rule_of_three(asked: u64) -> f64 {
     3.0 / asked.max(1) as f64
 }
 
-/// One answer, judged.
+/// The verdict on one answer. A right hit has its error in ulp.
 enum Verdict {
     Right(Option<f64>),
     FalseHit,
@@ -91,22 +91,22 @@ fn verdict<S: HasTruth>(
     }
 }
 
-/// Roots nearer to each other than so many ulp are not told apart: from very far away
-/// even the best t in the type may be nearer to the other one.
+/// Roots that are at most this many ulp apart are not told apart. From very far away, even the
+/// best t of the type may be nearer to the other root.
 const APART: f64 = 64.0;
 
-/// Whether t is nearer to the other root, where the two are further apart than the
-/// radius. (Nearly tangent roots are not told apart either; their error is measured.)
-fn is_of_other_side<S: HasTruth>(question: &Question<S>, root: f64, other: f64, t: f64) -> bool {
+/// Whether t is nearer to the other root, if the roots are further apart than the radius.
+/// Nearly tangent roots are not told apart either: their error is measured instead.
+fn is_of_other_side<S: Known>(question: &Question<S>, root: f64, other: f64, t: f64) -> bool {
     let [lengths, _, direction] = question.numbers();
-    // A sphere's numbers end with its radius.
+    // The last length of a sphere is its radius.
     let radius = lengths.last().copied().unwrap_or(0.0).abs();
     let length = direction.into_iter().fold(0.0, f64::hypot);
     (other - root).abs() > radius / length && (t - other).abs() < (t - root).abs()
 }
 
-/// A kernel's answers to questions whose truths are known.
-pub fn judge<S: HasTruth>(
+/// Judges a kernel's answers to questions with known true answers.
+pub fn judge<S: Known>(
     kernel: &Contestant<S>,
     questions: &[Question<S>],
     truths: &[Truth],
@@ -114,9 +114,9 @@ pub fn judge<S: HasTruth>(
     judge_each(kernel, questions, truths).0
 }
 
-/// The same, with the error in ulp of each t that is finite and no wrong decision, by the
-/// place of its question.
-pub fn judge_each<S: HasTruth>(
+/// Like [`judge`], and also returns the error in ulp of each finite t that is no wrong
+/// decision, with the index of its question.
+pub fn judge_each<S: Known>(
     kernel: &Contestant<S>,
     questions: &[Question<S>],
     truths: &[Truth],

@@ -1,12 +1,12 @@
-//! Ways to intersect a ray with a shape: one small file for each.
+//! Ways to intersect a ray with a shape, each in a small file of its own.
 //!
-//! All have the same signature, [`Kernel::intersect`], and answer with t alone: the
-//! first intersection from `min_t` on, as the lecture asks. A normal follows from t and
-//! the shape, and not every caller wants one.
+//! All have the same signature, [`Kernel::intersect`], and return t alone: the first
+//! intersection with t ≥ `min_t`, as in the lecture. A normal follows from t and the shape, and
+//! not every caller wants one.
 //!
-//! A kernel is a type without values, chosen at compile time: in the leaf of a tree it
-//! costs what its formula costs. What depends on the ray alone is worked out once for a
-//! ray, by [`Kernel::prepare`], and not again at every shape.
+//! A kernel is a type without values, chosen at compile time, so that the compiler can inline
+//! it into the leaves of a tree. [`Kernel::prepare`] computes what depends on the ray alone,
+//! once per ray instead of once per shape.
 
 mod filter;
 pub mod plane;
@@ -22,13 +22,13 @@ use crate::shape::Ray;
 
 /// One way to intersect a ray with a shape `S` whose numbers are `F`.
 pub trait Kernel<S, F: Real>: 'static {
-    /// How tables and plots call it.
+    /// The name in tables and plots.
     const NAME: &'static str;
 
-    /// The ray, with whatever this kernel works out of it beforehand.
+    /// The ray, with everything that this kernel precomputes from it.
     type Prepared: Copy;
 
-    /// Once for a ray.
+    /// Prepares a ray, once for all shapes.
     fn prepare(ray: &Ray<F>) -> Self::Prepared;
 
     /// The smallest t ≥ `min_t` at which the ray meets the shape.

@@ -1,4 +1,5 @@
-//! Leaks and double hits: from inside a closed mesh, a ray meets the surface exactly once.
+//! Counts leaks and double hits: from inside a closed mesh, a ray should hit the surface
+//! exactly once.
 
 use crate::contestant::Contestant;
 use crate::family::mesh::{Aim, Ball};
@@ -7,7 +8,8 @@ use crate::random::Random;
 use crate::result::MeshTally;
 use crate::shape::Triangle;
 
-/// One kernel on rays at edges or vertices, the same for all kernels with such data.
+/// Casts rays at edges or vertices with one kernel. The rays are the same for all kernels with
+/// the same type of data.
 pub fn of_kernel(
     kernel: &Contestant<Triangle<f64>>,
     aim: Aim,

@@ -1,22 +1,21 @@
-//! The trade-off between speed and accuracy in ray casting, measured.
+//! Measures the trade-off between speed and accuracy in ray casting.
 //!
 //! Reading order:
 //!
-//! 1. [`number`], [`vector`], [`shape`]: the lecture's words, generic over the type of
-//!    numbers;
-//! 2. [`kernel`]: ways to intersect a ray with a shape, one file for each, and what some
-//!    of them compute with: [`double_double`], [`dyadic`], [`root`];
-//! 3. [`question`], [`family`], [`random`]: what they are asked;
-//! 4. [`oracle`], [`judge`], [`breaking`], [`conditioning`]: what is true, what is wrong, what is
-//!    broken, what is sensitive;
-//! 5. [`contestant`], [`contestants`], [`speed`], [`instructions`], [`classes`]: who takes part,
+//! 1. [`number`], [`vector`], [`shape`]: the lecture's terms, generic over the type of numbers;
+//! 2. [`kernel`]: ways to intersect a ray with a shape, one file each, and the arithmetic that
+//!    some of them use: [`double_double`], [`dyadic`], [`root`];
+//! 3. [`question`], [`family`], [`random`]: the questions that kernels are asked;
+//! 4. [`oracle`], [`judge`], [`breaking`], [`conditioning`]: the true answers, wrong answers,
+//!    where kernels break, and how sensitive questions are;
+//! 5. [`contestant`], [`contestants`], [`speed`], [`instructions`], [`classes`]: the kernels,
 //!    what each costs, and what it gets wrong in each class of questions;
-//! 6. [`leaks`]: closed meshes; [`secondary`]: rays that begin on a surface; [`cast`], [`film`], [`scenes`]: whole scenes; [`record`]:
-//!    the long runs;
-//! 7. [`plan`]: the cheapest way to cast a scene that is accurate enough, and [`plans`],
-//!    whether it is;
-//! 8. [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the whole,
-//!    and how it is told.
+//! 6. [`leaks`]: closed meshes; [`secondary`]: rays that begin on a surface; [`cast`],
+//!    [`film`], [`scenes`]: whole scenes; [`record`]: the long runs;
+//! 7. [`plan`]: the cheapest way to cast a scene accurately enough, and [`plans`], which checks
+//!    this;
+//! 8. [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the whole
+//!    study, and its reports.
 
 pub mod breaking;
 pub mod cast;

@@ -1,4 +1,4 @@
-//! What a kernel needs of a number, so that one text serves `f32` and `f64`.
+//! The operations that kernels need from a number, so that one kernel serves `f32` and `f64`.
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -17,7 +17,7 @@ pub trait Real:
     + Sync
     + 'static
 {
-    /// How tables call it.
+    /// The name in tables.
     const NAME: &'static str;
     /// 0.
     const ZERO: Self;
@@ -25,7 +25,7 @@ pub trait Real:
     const ONE: Self;
     /// The largest relative error of one rounding: 2⁻²⁴ or 2⁻⁵³.
     const UNIT_ROUNDOFF: Self;
-    /// The nearest number of this type.
+    /// Rounds to this type.
     fn of(value: f64) -> Self;
     /// The same number as an `f64`.
     fn wide(self) -> f64;
@@ -37,7 +37,7 @@ pub trait Real:
     fn abs(self) -> Self;
     /// The larger of two numbers.
     fn max(self, other: Self) -> Self;
-    /// Neither infinite nor NaN.
+    /// Whether it is neither infinite nor NaN.
     fn is_finite(self) -> bool;
     /// self × 2^`power`, exact unless the result leaves the type's range.
     fn times_power_of_two(self, power: i32) -> Self;
@@ -47,10 +47,10 @@ pub trait Real:
 pub const U: f64 = 1.110_223_024_625_156_5e-16;
 /// The square root of [`U`], rounded up.
 pub const ROOT_OF_UNIT: f64 = 1.053_671_212_772_351e-8;
-/// The smallest `f64` with all its digits; below it, products lose some.
+/// The smallest normal `f64`. Products below it lose digits.
 pub const TINY: f64 = f64::MIN_POSITIVE;
 
-/// The e of 2^e ≤ |value| < 2^(e + 1); that of 1 for what has none.
+/// The e with 2^e ≤ |value| < 2^(e + 1); 0 for 0, infinities and NaN.
 #[inline]
 pub fn exponent(value: f64) -> i32 {
     let field = |bits: u64| ((bits >> 52) & 0x7ff) as i32;
@@ -105,7 +105,8 @@ macro_rules! real {
                 if power.abs() < $type::MAX_EXP - 1 {
                     return self * two_to(power);
                 }
-                // 2^power itself may be out of range: three factors are not, or leave it too.
+                // 2^power itself may be out of range. Multiply by three factors instead: they
+                // are in range, unless the result is far out of it.
                 #[cold]
                 #[inline(never)]
                 fn by_three(value: $type, power: i32, two_to: impl Fn(i32) -> $type) -> $type {

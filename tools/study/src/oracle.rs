@@ -1,8 +1,8 @@
-//! What is true: decisions without any rounding, and t to more than 300 bits.
+//! The true answers: decisions without any rounding, and t to more than 300 bits.
 //!
-//! Every number of a question is a fraction, and so is everything but a square root. The
-//! arithmetic is dashu's; nothing here is shared with the kernels, and the tests hold
-//! it against Python's fractions.
+//! Every number of a question is a fraction, and so is every intermediate result except a
+//! square root. The arithmetic is dashu's. The oracle shares no arithmetic with the kernels,
+//! and tests compare it with a second oracle that uses Python's fractions.
 
 mod plane;
 pub mod scene;
@@ -18,13 +18,16 @@ use crate::question::Question;
 use crate::shape::Shape;
 use crate::vector::Vector;
 
-/// A shape about which the truth can be known.
-pub trait HasTruth: Shape<With<f64> = Self> {
-    /// The truth; `None` about a question with a number that is not finite.
+/// A shape for which the true answer can be computed.
+pub trait Known: Shape<With<f64> = Self> {
+    /// The true answer.
+    ///
+    /// # Panics
+    /// If a number of the question is not finite.
     fn truth(question: &Question<Self>) -> Truth;
 }
 
-/// The same number as a fraction.
+/// Converts a float to a fraction, exactly.
 fn fraction(value: f64) -> Relaxed {
     Relaxed::try_from(value).expect("only finite questions are asked")
 }

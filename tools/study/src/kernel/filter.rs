@@ -1,9 +1,9 @@
-//! What filters share. A filter decides in floats and knows how far they may be off; the names
-//! of its kinds are the field's (Shewchuk 1997; Brönnimann, Burnikel & Pion, "Interval
-//! arithmetic yields efficient dynamic filters for computational geometry", *Discrete Applied
-//! Mathematics* 109, 2001). A *static* filter has [`Limits`] that were worked out once for a
-//! shape and all rays that begin near enough; a *semi-static* one is the same code with limits
-//! of one ray.
+//! Floating-point filters. A filter decides in floats, with a bound on its rounding error. The
+//! names of its kinds follow the literature (Shewchuk 1997; Brönnimann, Burnikel & Pion,
+//! "Interval arithmetic yields efficient dynamic filters for computational geometry", *Discrete
+//! Applied Mathematics* 109, 2001). A *static* filter has [`Limits`] that are computed once for
+//! a shape and all rays that start near enough. A *semi-static* one is the same code, with
+//! limits computed for one ray.
 
 use serde::Serialize;
 
@@ -11,24 +11,24 @@ use super::sphere::ScaledRay;
 use crate::number::{ROOT_OF_UNIT, TINY};
 use crate::shape::Ray;
 
-/// What has the last word in an exact kernel, from cheap to dear. A whole scene has a static
-/// filter before these.
+/// The stages of an exact kernel, cheapest first: the value names the one that decided. A whole
+/// scene has a static filter before these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub enum Tier {
     /// An error bound computed from this ray and this shape.
     #[serde(rename = "semi-static filter")]
     SemiStatic,
-    /// Twice the digits, with an error bound.
+    /// Double-double arithmetic, with an error bound.
     #[serde(rename = "double-double")]
     DoubleDouble,
-    /// Whole numbers of any length.
+    /// Integers of any length.
     #[serde(rename = "exact")]
     Exact,
 }
 
 impl Tier {
-    /// How tables call it.
+    /// The name in tables.
     pub fn name(self) -> &'static str {
         match self {
             Tier::SemiStatic => "semi-static filter",
@@ -38,15 +38,18 @@ impl Tier {
     }
 }
 
-/// What a filter compares with where plain arithmetic compares with 0. Infinite at first:
-/// every question is left open.
+/// The thresholds of a filter, used where plain arithmetic compares with 0. The default is
+/// infinite: every question is left to the next tier.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// What decides hit or miss has its sign if it is further from 0 than this.
+    /// The sign of the quantity that decides hit or miss is certain if its magnitude exceeds
+    /// this.
     pub sign: f64,
-    /// The divisor of t is good to ½√u if it is further from 0, and so is the root in it.
+    /// The relative error of t's divisor, and of the square root in it, is at most ½√u if its
+    /// magnitude exceeds this.
     pub divisor: f64,
-    /// The dividend of t is good to ½√u, and has its sign, if it is further from 0.
+    /// The sign of t's dividend is certain, and its relative error at most ½√u, if its
+    /// magnitude exceeds this.
     pub dividend: f64,
 }
 
@@ -61,22 +64,23 @@ impl Default for Limits {
     }
 }
 
-/// Which t are surely from `min_t` on, and which surely before, if they are good to √u of
-/// themselves.
+/// Which t are certainly at least `min_t`, and which are certainly below it, if their relative
+/// error is at most √u.
 ///
-/// t > m (1 + 8√u) + 2 TINY implies t − m > 4√u t + TINY, and t < m (1 − 8√u) − 2 TINY
-/// that m − t > 4√u max(|t|, m) + TINY: what is further from m than 4√u of the larger is on
-/// its side of it. That is for m ≥ 0, as all that casts scenes has it; else nothing is sure.
+/// For m = `min_t`, t > m (1 + 8√u) + 2 TINY implies t − m > 4√u t + TINY, and t < m (1 − 8√u)
+/// − 2 TINY implies m − t > 4√u max(|t|, m) + TINY. A computed t that is further from m than
+/// 4√u times the larger of the two is on the same side of m as the true t. This holds for m ≥
+/// 0, which everything that casts scenes guarantees. For other m, nothing is certain.
 #[derive(Clone, Copy, Debug)]
 pub struct Window {
-    /// Beyond this t are surely not before `min_t`.
+    /// A t above this is certainly not below `min_t`.
     pub after: f64,
-    /// Below this they surely are.
+    /// A t below this is certainly below `min_t`.
     pub before: f64,
 }
 
 impl Window {
-    /// For one `min_t`, in the measure of t.
+    /// The window of one `min_t`, in the same parameter as t.
     #[inline(always)]
     pub fn new(min_t: f64) -> Window {
         let room = 8.0 * ROOT_OF_UNIT;
@@ -92,7 +96,7 @@ impl Window {
         }
     }
 
-    /// What a t of the scaled ray answers, if that is sure.
+    /// The answer for a t of the scaled ray; `None` if it is not certain.
     #[inline(always)]
     pub fn answer(&self, t: f64, scaled: &ScaledRay<f64>) -> Option<Option<f64>> {
         if t < self.before {
@@ -103,17 +107,17 @@ impl Window {
     }
 }
 
-/// A ray scaled for filters, and as it was given, for exact decisions.
+/// A ray, both scaled for filters and as it was given for exact decisions.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared {
-    /// For filters.
-    pub scaled: ScaledRay<f64>,
-    /// For exact decisions.
+    /// The scaled ray, for filters.
+    pub scaled: Scaled<f64>,
+    /// The ray as it was given, for exact decisions.
     pub given: Ray<f64>,
 }
 
 impl Prepared {
-    /// Once for a ray.
+    /// Prepares a ray.
     #[inline(always)]
     pub fn new(ray: &Ray<f64>) -> Prepared {
         let (scaled, given) = (ScaledRay::new(ray), *ray);

@@ -10,7 +10,7 @@ pub use textbook::Textbook;
 
 use crate::number::Real;
 
-/// The smaller of two roots that is not before `min_t`.
+/// The smaller of two roots that are at least `min_t`.
 #[inline(always)]
 fn first_from<F: Real>(min_t: F, near: F, far: F) -> Option<F> {
     match near >= min_t {

@@ -2,9 +2,9 @@ use crate::kernel::Kernel;
 use crate::number::Real;
 use crate::shape::{Plane, Ray, Sphere, Triangle};
 
-/// `f64` arithmetic on `f32` data: memory holds `f32`, the formula runs in `f64`, and t
-/// is rounded once, at the end. Products of two `f32` are then exact.
-pub struct WidenedKernel<K>(K);
+/// A kernel that computes in `f64` on `f32` data. t is rounded once, at the end, and products
+/// of two `f32` are exact.
+pub struct Widened<K>(K);
 
 macro_rules! widened {
     ($shape:ident, $wide:expr) => {
@@ -23,7 +23,7 @@ macro_rules! widened {
             #[inline(always)]
             fn intersect(shape: &$shape<f32>, ray: &K::Prepared, min_t: f32) -> Option<f32> {
                 let wide: fn(&$shape<f32>) -> $shape<f64> = $wide;
-                // Rounding a t just above min_t never takes it below: min_t is an f32.
+                // Rounding never takes a t ≥ min_t below min_t, because min_t is an `f32`.
                 K::intersect(&wide(shape), ray, min_t.wide()).map(f32::of)
             }
         }

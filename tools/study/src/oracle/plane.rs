@@ -2,8 +2,8 @@ use super::{Exact, HasTruth, Root, Truth, fraction, sign};
 use crate::question::Question;
 use crate::shape::Plane;
 
-impl HasTruth for Plane<f64> {
-    /// t = n·(p − e) / n·d, unless n·d is exactly 0.
+impl Known for Plane<f64> {
+    /// t = n·(p − e) / n·d; a miss if n·d is exactly 0.
     fn truth(question: &Question<Self>) -> Truth {
         let Question { shape, ray, min_t } = question;
         let normal = Exact::of(shape.normal);

@@ -1,5 +1,5 @@
-//! What a ray truly meets first in a scene: every part by exact arithmetic, but for those
-//! that it passes by far. Nothing here is shared with what casts scenes.
+//! The true first hit of a ray in a scene: exact arithmetic on every part, except those that
+//! the ray misses by far. This shares no intersection code with the casters.
 
 use std::cmp::Ordering;
 
@@ -11,20 +11,20 @@ use crate::question::Question;
 use crate::shape::Ray;
 use crate::vector::Vector;
 
-/// What a ray truly meets.
+/// What a ray truly hits, with the answers that are accepted.
 #[derive(Clone, Debug)]
-pub struct TrueHit<'a> {
-    /// Met first, and where; or nothing.
+pub struct Sight<'a> {
+    /// The part that is hit first, and where; `None` for a miss.
     pub first: Option<(&'a Part, Truth)>,
-    /// What may be said instead, for an exact equality decides: objects touched on an
-    /// edge or a tangent before the first, or together with it.
+    /// Objects that are also accepted, because the ray only touches them at an edge or tangent,
+    /// before the first hit or at the same t.
     pub also: Vec<u32>,
-    /// Whether nothing may be said too, for all that is met is touched only.
+    /// Whether a miss is accepted too, because the ray only touches every object that it meets.
     pub may_be_nothing: bool,
 }
 
-impl TrueHit<'_> {
-    /// Whether this is what one sees.
+impl Sight<'_> {
+    /// Whether this object, or a miss, is an accepted answer.
     pub fn allows(&self, object: Option<u32>) -> bool {
         let first = self.first.as_ref().map(|(part, _)| part.object);
         match object {
@@ -34,16 +34,16 @@ impl TrueHit<'_> {
     }
 }
 
-/// What somebody sees, beside what is true.
+/// An answer compared with the true first hit.
 #[derive(Clone, Copy, Debug)]
-pub enum HitComparison<'a> {
-    /// Both see nothing, or an exact equality decides and any answer is as good.
+pub enum Compared<'a> {
+    /// Both miss, or the answer is accepted because an exact equality decides.
     Alike,
-    /// Another object, or none, or one where there is none.
+    /// The wrong object, a miss instead of a hit, or a hit instead of a miss.
     AnotherObject,
     /// The right object.
     Off {
-        /// What is truly met.
+        /// The part that is truly hit.
         part: &'a Part,
         /// The error of t, relative to the true one.
         t: f64,
@@ -52,13 +52,9 @@ pub enum HitComparison<'a> {
     },
 }
 
-impl<'a> TrueHit<'a> {
-    /// What is seen along this ray: object, t and normal.
-    pub fn compared(
-        &self,
-        ray: &Ray<f64>,
-        seen: Option<(u32, f64, Vector<f64>)>,
-    ) -> HitComparison<'a> {
+impl<'a> Sight<'a> {
+    /// Compares an answer (object, t and normal) with the truth.
+    pub fn compared(&self, ray: &Ray<f64>, seen: Option<(u32, f64, Vector<f64>)>) -> Compared<'a> {
         if !self.allows(seen.map(|(object, ..)| object)) {
             return HitComparison::AnotherObject;
         }
@@ -68,7 +64,7 @@ impl<'a> TrueHit<'a> {
         let Some(root) = met.t.as_ref().filter(|_| part.object == object) else {
             return HitComparison::Alike;
         };
-        // The sine and the cosine: near π the sine alone is small too.
+        // Use both sine and cosine, because the sine alone is also small near π.
         let truth = normal(&part.shape, ray, root);
         let off = truth.cross(direction);
         HitComparison::Off {
@@ -79,8 +75,8 @@ impl<'a> TrueHit<'a> {
     }
 }
 
-/// What a ray meets first, from `min_t` on.
-pub fn sight<'a>(parts: &'a [Part], ray: &Ray<f64>, min_t: f64) -> TrueHit<'a> {
+/// The true first hit with t ≥ `min_t`.
+pub fn sight<'a>(parts: &'a [Part], ray: &Ray<f64>, min_t: f64) -> Sight<'a> {
     let near = parts
         .iter()
         .filter(|part| !is_passed_by_far(&part.shape, ray));
@@ -116,8 +112,7 @@ fn truth(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> Truth {
     }
 }
 
-/// The unit outward normal where a ray meets a shape at `t`: rounded only when its three
-/// numbers are known.
+/// The unit outward normal at `t`, exact up to the final rounding and normalisation.
 pub fn normal(shape: &Primitive, ray: &Ray<f64>, t: &Root) -> Vector<f64> {
     let along = match shape {
         Primitive::Plane(plane) => Exact::of(plane.normal),
@@ -132,7 +127,8 @@ pub fn normal(shape: &Primitive, ray: &Ray<f64>, t: &Root) -> Vector<f64> {
             Exact(at.collect::<Vec<_>>().try_into().expect("three of them"))
         }
     };
-    // Over the largest, so that none is rounded to 0 or to infinity.
+    // Divide by the largest component, so that the conversion to floats neither underflows nor
+    // overflows.
     let magnitude = |number: &Relaxed| match sign(number) < 0 {
         true => -number.clone(),
         false => number.clone(),
@@ -146,8 +142,8 @@ pub fn normal(shape: &Primitive, ray: &Ray<f64>, t: &Root) -> Vector<f64> {
     along * (1.0 / along.dot(along).sqrt())
 }
 
-/// By t: fractions are compared as they are; a sphere's root is known to more than 300
-/// bits, and what agrees in 280 of them is taken for equal.
+/// Orders hits by t. Fractions compare exactly. A sphere's root is known to more than 300 bits,
+/// and two roots that agree in 280 bits count as equal.
 fn order(one: &Truth, other: &Truth) -> Ordering {
     let (Some(p), Some(q)) = (&one.t, &other.t) else {
         return one.t.is_none().cmp(&other.t.is_none());
@@ -160,8 +156,8 @@ fn order(one: &Truth, other: &Truth) -> Ordering {
     }
 }
 
-/// Whether a line passes a shape at more than its size and a millionth of how far off it
-/// is: too far for roundings to matter in numbers whose squares are floats.
+/// Whether a line misses a shape by so much that rounding cannot matter: by more than its size
+/// plus a millionth of its distance. The squares must be in range.
 fn is_passed_by_far(shape: &Primitive, ray: &Ray<f64>) -> bool {
     let (middle, radius) = match shape {
         Primitive::Plane(_) => return false,
@@ -177,6 +173,6 @@ fn is_passed_by_far(shape: &Primitive, ray: &Ray<f64>) -> bool {
     let (length, distance) = (ray.direction.dot(ray.direction), to.dot(to));
     let size = radius + 1e-6 * (radius + distance.sqrt());
     let (across, bound) = (across.dot(across), size * size * length * (1.0 + 1e-6));
-    // Smaller squares may have lost their digits, and larger ones are none.
+    // Smaller squares may have lost digits, and larger ones overflow.
     bound > 1e-250 && length > 1e-250 && across.is_finite() && across > bound
 }

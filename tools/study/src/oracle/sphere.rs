@@ -6,14 +6,14 @@ use super::{Exact, HasTruth, Root, Truth, fraction, sign};
 use crate::question::Question;
 use crate::shape::Sphere;
 
-/// The bits of a square root. Roots of the quadratic are formed without cancellation, so
-/// that they keep all but a few of them.
+/// Bits of a computed square root. The roots of the quadratic are formed without cancellation,
+/// so that they keep all but a few of these.
 pub const BITS: usize = 340;
 
-impl HasTruth for Sphere<f64> {
-    /// a t² + 2 h t + c = 0 has the roots (−h ∓ √Δ) / a. With k = −h − a m, the near one
-    /// is not before m if k ≥ √Δ, the far one if −k ≤ √Δ: both are signs of k and of
-    /// k² − Δ.
+impl Known for Sphere<f64> {
+    /// a t² + 2 h t + c = 0 has the roots (−h ∓ √Δ) / a. With m = `min_t` and k = −h − a m, the
+    /// near root is ≥ m if k ≥ √Δ, and the far root is ≥ m if −k ≤ √Δ. Both follow from the
+    /// signs of k and k² − Δ.
     fn truth(question: &Question<Self>) -> Truth {
         let Question { shape, ray, min_t } = question;
         let d = Exact::of(ray.direction);

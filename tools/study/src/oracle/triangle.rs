@@ -2,16 +2,15 @@ use super::{Exact, HasTruth, Root, Truth, fraction, sign};
 use crate::question::Question;
 use crate::shape::Triangle;
 
-impl HasTruth for Triangle<f64> {
-    /// e − a = α t₁ + β t₂ − t d by Cramer's rule, in fractions: the determinant of three
-    /// columns, and the same with each replaced by e − a. Edges belong to the triangle,
-    /// and whatever touches one is a tie.
+impl Known for Triangle<f64> {
+    /// Solves e − a = α t₁ + β t₂ − t d by Cramer's rule, in fractions. Edges belong to the
+    /// triangle, and a ray that touches one is a tie.
     fn truth(question: &Question<Self>) -> Truth {
         let Question { shape, ray, min_t } = question;
         let [a, b, c] = shape.corners.map(Exact::of);
         let (t1, t2, d) = (b.minus(&a), c.minus(&a), Exact::of(ray.direction));
         let from_a = Exact::of(ray.origin).minus(&a);
-        // |t₁ t₂ −d| = −d·(t₁ × t₂), and so on.
+        // The determinant |t₁ t₂ −d| is −d·(t₁ × t₂); the others replace one column by e − a.
         let normal = t1.cross(&t2);
         let determinant = -d.dot(&normal);
         if sign(&determinant) == 0 {

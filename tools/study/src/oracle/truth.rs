@@ -11,15 +11,15 @@ use crate::question::Data;
 pub struct Truth {
     /// The first intersection, if there is one.
     pub t: Option<Root>,
-    /// A sphere's other root, with which the first may be confused.
+    /// A sphere's other root, which a kernel may return by mistake.
     pub other: Option<Root>,
-    /// Whether it is decided by an exact equality: tangent, on an edge, t = min_t. Such
-    /// a question has an answer, but no kernel is blamed for another.
+    /// Whether an exact equality decides: a tangent ray, a hit on an edge, t = `min_t`. Such a
+    /// question has a true answer, but a kernel is not blamed for another.
     pub is_tie: bool,
 }
 
 impl Truth {
-    /// A plain miss, or a miss by a hair.
+    /// A miss, which may be a tie.
     pub fn miss(is_tie: bool) -> Truth {
         Truth {
             t: None,
@@ -29,12 +29,12 @@ impl Truth {
     }
 }
 
-/// A true t: exact, or to more than 300 bits.
+/// A true t: exact, or correct to more than 300 bits.
 #[derive(Clone, Debug)]
 pub struct Root {
-    /// The number itself.
+    /// The number as a fraction.
     pub exact: Relaxed,
-    /// `exact` = (`high` + `low`) × 2^`exponent`, to 106 bits, |`high`| from 1 to 2.
+    /// `exact` = (`high` + `low`) × 2^`exponent`, to 106 bits, with |`high`| from 1 to 2.
     high: f64,
     low: f64,
     exponent: i32,
@@ -71,7 +71,7 @@ impl From<Relaxed> for Root {
 }
 
 impl Root {
-    /// Whether a type has numbers as large as this.
+    /// Whether it is within the range of a type.
     pub fn fits(&self, data: Data) -> bool {
         self.exponent <= exponent(data.largest()) && self.value().abs() <= data.largest()
     }
@@ -82,7 +82,7 @@ impl Root {
         self.high.times_power_of_two(power)
     }
 
-    /// How far an answer is from it, as a part of it.
+    /// The relative error of an answer; for a true t of 0, the absolute error.
     pub fn relative_error(&self, answer: f64) -> f64 {
         let near_one = answer.times_power_of_two(-self.exponent);
         match self.high == 0.0 {
@@ -91,8 +91,7 @@ impl Root {
         }
     }
 
-    /// How far an answer is from it, in units in the last place of the true t as a
-    /// number of that type.
+    /// The error of an answer, in ulp of the true t in that type.
     pub fn error_in_ulp(&self, answer: f64, data: Data) -> f64 {
         let last_place = (self.exponent - data.digits() + 1).max(data.smallest_exponent());
         if self.high == 0.0 {

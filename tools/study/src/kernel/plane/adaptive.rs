@@ -6,17 +6,17 @@ use crate::root::{Root, rounded};
 use crate::shape::{Plane, Ray};
 use crate::vector::Vector;
 
-/// Shifted, with limits that say what rounding may have changed; that is decided exactly. Hit
-/// or miss is never wrong, and t is good to √u of itself at least.
+/// [`super::Shifted`] with a filter. What the filter leaves uncertain is decided exactly, so
+/// hit or miss is never wrong. The relative error of t is at most √u.
 ///
 /// # Why the filter is right
 ///
-/// A dot product of three terms is off by γ₃ ≤ 4u times the sum P of the terms'
-/// magnitudes (Higham, *Accuracy and Stability*, 2nd ed., §3.1), with p − e rounded
-/// before by 5u P: 8u P covers both. P is at most three times the product of the largest
-/// components, and that of the scaled direction is below 2. What underflows adds less than 64
-/// times [`TINY`]. What overflows makes a limit infinite or a number NaN, and that decides
-/// nothing.
+/// A dot product of three terms has an error of at most γ₃ ≤ 4u times P, the sum of the terms'
+/// magnitudes (Higham, *Accuracy and Stability*, 2nd ed., §3.1). Together with the rounding of
+/// p − e, this is below 5u P, so 8u P is safe. P is at most three times the product of the
+/// largest components, and the largest component of the scaled direction is below 2. Underflow
+/// adds less than 64 times [`TINY`]. Overflow makes a limit infinite or a number NaN; then the
+/// filter does not decide.
 pub struct Adaptive;
 
 impl Kernel<Plane<f64>, f64> for Adaptive {
@@ -34,8 +34,7 @@ impl Kernel<Plane<f64>, f64> for Adaptive {
     }
 }
 
-/// The answer, and what had the last word: the filter with limits of this ray, or what it
-/// leaves open to.
+/// The answer, and the tier that decided it: the semi-static filter or exact arithmetic.
 #[inline(always)]
 pub fn decided(plane: &Plane<f64>, ray: &Prepared, min_t: f64) -> (Option<f64>, Tier) {
     let scaled = &ray.scaled;
@@ -47,7 +46,8 @@ pub fn decided(plane: &Plane<f64>, ray: &Prepared, min_t: f64) -> (Option<f64>, 
     (rounded(exact(plane, &ray.given, min_t)), Tier::Exact)
 }
 
-/// For rays whose origin is up to `away` from the plane's point, in each component.
+/// The filter's limits for rays whose origin is up to `away` from the plane's point in each
+/// component.
 #[inline(always)]
 pub fn limits(plane: &Plane<f64>, away: f64) -> Limits {
     let size = 3.0 * plane.normal.largest();
@@ -59,7 +59,7 @@ pub fn limits(plane: &Plane<f64>, away: f64) -> Limits {
     }
 }
 
-/// The answer, or `None` if rounding might have changed it.
+/// The filter: the answer, or `None` if rounding might have changed it.
 #[inline(always)]
 pub fn filtered(
     plane: &Plane<f64>,
@@ -76,7 +76,7 @@ pub fn filtered(
     }
 }
 
-/// The answer by exact signs.
+/// The answer by exact arithmetic.
 #[cold]
 #[inline(never)]
 pub fn exact(plane: &Plane<f64>, ray: &Ray<f64>, min_t: f64) -> Option<Root> {

@@ -2,11 +2,12 @@ use crate::kernel::Kernel;
 use crate::number::Real;
 use crate::shape::{Plane, Ray};
 
-/// The implicit form (Marschner & Shirley, §4.4.3) with the origin shifted to the plane's
-/// point first, what the assignment's reference does: t = n·(p − e) / n·d. Multiplied out,
-/// n·p − n·e is a difference of large numbers far from the origin of the world. The subtraction of nearby points rounds little
-/// or not at all (Sterbenz's lemma), and the products are then as small as the scene.
-pub struct ShiftedOrigin;
+/// The implicit form (Marschner & Shirley, §4.4.3), with the origin shifted to the plane's
+/// point first, as in the assignment's reference: t = n·(p − e) / n·d. Far from the world's
+/// origin, the expanded form n·p − n·e would subtract two large numbers. Subtracting nearby
+/// points first has little or no rounding error (Sterbenz's lemma), and the products are then
+/// as small as the scene.
+pub struct Shifted;
 
 impl<F: Real> Kernel<Plane<F>, F> for ShiftedOrigin {
     const NAME: &'static str = "shifted origin";

@@ -6,32 +6,32 @@ use crate::root::{Root, rounded};
 use crate::shape::{Ray, Sphere};
 use crate::vector::Vector;
 
-/// Haines et al., scaled, with limits that say what rounding may have changed; that is decided
-/// exactly. Hit or miss is never wrong, and t is good to √u of itself at least, mostly to an
-/// ulp.
+/// [`super::Haines`] with a filter. What the filter leaves uncertain is decided exactly, so hit
+/// or miss is never wrong. The relative error of t is at most √u, and mostly about an ulp.
 ///
 /// # Why the filter is right
 ///
-/// With u the unit roundoff, 1 ≤ |d|∞ < 2, f = e − c and hats on what is computed
-/// (Shewchuk's style, *Discrete Comput. Geom.* 18, 1997; γₙ ≈ n u):
+/// Let u be the unit roundoff, 1 ≤ |d|∞ < 2, and f = e − c. Hats mark computed values, and γₙ ≈
+/// n u (in the style of Shewchuk, *Discrete Comput. Geom.* 18, 1997):
 ///
-/// 1. |f̂ − f| ≤ u|f|, so h = d·f is off by 4u|d||f|, h/a by 8u|f|/|d|, and
-///    l = f − (h/a) d by 12u|f| =: ε at most, every rounding counted.
-/// 2. r² − |l|² is off by 2|l|ε + ε² + 3u|l|² + 2u(r² + |l|²) at most. Of that, 24u|l||f|
-///    ≤ 12 (√u |l|² + u√u |f|²), since 2xy ≤ x² + y²; the rest is less than
-///    4 (√u (|l|² + r²) + u√u |f|²). Hence E = 16 (√u (|l|² + r²) + u√u |f|²): no root is
-///    needed to bound the error of a root's argument. If |l|² ≤ 2r², E ≤ 48√u r² +
-///    16u√u |f|², and [`Limits::sign`] is more. If |l|² > 2r², then r² − |l|² < −|l|²/2, and
-///    E ≤ 24√u |l|² + `sign`/2, of which the first is below a half of |l|²/2. So what is below
-///    −`sign` is below −E: a miss.
-/// 3. q = |h| + √(a (r² − |l|²)) is off by a (12u r|f| + 72u²|f|²) / root and 4u|d||f| at
-///    most, root being that of q, |l| ≤ r, |d| < 3.5; c = |f|² − r² by 8u (|f|² + r²).
-///    Where twice the first is below √u q, and the last below ½√u c, both roots c/q and
-///    q/a are good to √u. The first holds if 24u a |f| (r + 6u|f|) + 28u |f| root <
-///    √u q root. As q ≥ root, 48√u |f| (r + 6u|f|) and 3136u |f|² below root²/a = r² − |l|²
-///    suffice (a ≥ 1): [`Limits::divisor`]. c is the dividend.
-/// 4. What underflows adds less than [`TINY`] times 64 to each, and that is in the limits.
-///    What overflows makes a limit infinite or a number NaN, and either is left open.
+/// 1. |f̂ − f| ≤ u|f|, so the error of h = d·f is at most 4u|d||f|, that of h/a at most
+///    8u|f|/|d|, and that of l = f − (h/a) d at most ε := 12u|f|, with every rounding counted.
+/// 2. The error of r² − |l|² is at most 2|l|ε + ε² + 3u|l|² + 2u(r² + |l|²). Of this, 24u|l||f|
+///    ≤ 12 (√u |l|² + u√u |f|²), because 2xy ≤ x² + y². The rest is less than 4 (√u (|l|² + r²)
+///    + u√u |f|²). Hence E = 16 (√u (|l|² + r²) + u√u |f|²) is a bound that needs no square
+///    root. If |l|² ≤ 2r², then E ≤ 48√u r² + 16u√u |f|², which is less than [`Limits::sign`].
+///    If |l|² > 2r², then r² − |l|² < −|l|²/2 and E ≤ 24√u |l|² + `sign`/2, where the first
+///    term is below half of |l|²/2. So a value below −`sign` is also below −E, and the ray
+///    misses.
+/// 3. The error of q = |h| + √(a (r² − |l|²)) is at most a (12u r|f| + 72u²|f|²) / root plus
+///    4u|d||f|, where root is the square root in q, |l| ≤ r and |d| < 3.5. The error of c =
+///    |f|² − r² is at most 8u (|f|² + r²). If twice the first error is below √u q, and the
+///    second below ½√u c, then both roots c/q and q/a have a relative error of at most √u. The
+///    first condition holds if 24u a |f| (r + 6u|f|) + 28u |f| root < √u q root. Because q ≥
+///    root, it suffices that 48√u |f| (r + 6u|f|) and 3136u |f|² are below root²/a = r² − |l|²
+///    (a ≥ 1); this gives [`Limits::divisor`]. c is the dividend.
+/// 4. Underflow adds less than 64 times [`TINY`] to each, which the limits include. Overflow
+///    makes a limit infinite or a number NaN; then the filter does not decide.
 pub struct Adaptive;
 
 impl Kernel<Sphere<f64>, f64> for Adaptive {
@@ -49,8 +49,7 @@ impl Kernel<Sphere<f64>, f64> for Adaptive {
     }
 }
 
-/// The answer, and what had the last word: the filter with limits of this ray, or what it
-/// leaves open to.
+/// The answer, and the tier that decided it: the semi-static filter or exact arithmetic.
 #[inline(always)]
 pub fn decided(sphere: &Sphere<f64>, ray: &Prepared, min_t: f64) -> (Option<f64>, Tier) {
     let scaled = &ray.scaled;
@@ -62,8 +61,8 @@ pub fn decided(sphere: &Sphere<f64>, ray: &Prepared, min_t: f64) -> (Option<f64>
     (rounded(exact(sphere, &ray.given, min_t)), Tier::Exact)
 }
 
-/// For rays whose origin is up to `away` from the centre, in each component: |f| is at most
-/// 1.74 of that.
+/// The filter's limits for rays whose origin is up to `away` from the centre in each component,
+/// so that |f| ≤ 1.74 `away`.
 #[inline(always)]
 pub fn limits(sphere: &Sphere<f64>, away: f64) -> Limits {
     let (size, r) = (1.74 * away, sphere.radius.abs());
@@ -79,7 +78,7 @@ pub fn limits(sphere: &Sphere<f64>, away: f64) -> Limits {
     }
 }
 
-/// The answer, or `None` if rounding might have changed it.
+/// The filter: the answer, or `None` if rounding might have changed it.
 #[inline(always)]
 pub fn filtered(
     sphere: &Sphere<f64>,
@@ -103,14 +102,15 @@ pub fn filtered(
     if !(c.abs() > limits.dividend) {
         return None;
     }
-    // The signs of c and h are sure: with c > 0, a root needs h² > a c.
+    // The signs of c and h are certain: c by its limit, and h because for c > 0 a root needs h²
+    // > a c.
     let (is_ahead, is_inside) = (h < 0.0, c < 0.0);
     if !is_ahead && !is_inside {
-        // Both roots are negative, and so before any `min_t` that a window knows.
+        // Both roots are negative, and therefore below any `min_t` that a finite window has.
         return window.after.is_finite().then_some(None);
     }
     let q = h.abs() + (a * within).sqrt();
-    // From inside, the near root is negative; from outside, it may be before `min_t`.
+    // From inside, the near root is negative. From outside, it may be below `min_t`.
     let t = match is_ahead {
         true if !is_inside && c / q >= window.before => c / q,
         true => q / a,
@@ -119,7 +119,7 @@ pub fn filtered(
     window.answer(t, scaled)
 }
 
-/// The answer by exact signs.
+/// The answer by exact arithmetic.
 #[cold]
 #[inline(never)]
 pub fn exact(sphere: &Sphere<f64>, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
@@ -136,7 +136,7 @@ pub fn exact(sphere: &Sphere<f64>, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
     );
     let (a, h) = (d.dot(&d), d.dot(&f));
     let c = &f.dot(&f) - &(&r * &r);
-    // |f + m d|² − r², and how fast it changes there.
+    // |f + m d|² − r² at t = m, and half its derivative there.
     let onward = &(&a * &m) + &h;
     let outside = &(&(&onward + &h) * &m) + &c;
     let discriminant = &(&h * &h) - &(&a * &c);

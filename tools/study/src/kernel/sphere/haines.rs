@@ -3,23 +3,24 @@ use crate::kernel::Kernel;
 use crate::number::{Real, exponent};
 use crate::shape::{Ray, Sphere};
 
-/// The discriminant from the perpendicular: the vector from the centre to the nearest
-/// point of the line is l = f − (d·f / d·d) d, and the line meets the sphere if
-/// |l|² ≤ r² (Haines, Günther & Akenine-Möller, *Ray Tracing Gems*, 2019, chapter 7,
-/// "Precision Improvements for Ray/Sphere Intersection"). The roots are c/q and q/a of
-/// q = −h − sign(h) √Δ (Press et al., *Numerical Recipes*, 3rd ed., §5.6), which adds two
-/// numbers of one sign.
+/// The discriminant from the perpendicular: l = f − (d·f / d·d) d is the vector from the centre
+/// to the nearest point of the line, and the line meets the sphere if |l|² ≤ r² (Haines,
+/// Günther & Akenine-Möller, *Ray Tracing Gems*, 2019, chapter 7, "Precision Improvements for
+/// Ray/Sphere Intersection"). The roots are c/q and q/a with q = −h − sign(h) √Δ (Press et al.,
+/// *Numerical Recipes*, 3rd ed., §5.6), which adds two numbers of the same sign and cannot
+/// cancel.
 ///
-/// The large parts cancel before anything is squared, so that l is off by a few roundings
-/// of |f|, and r² − |l|² by those times r: good to distance/radius 1/u.
+/// The large parts cancel before anything is squared. The error of l is a few roundings of |f|,
+/// and that of r² − |l|² is about r times as large. The kernel therefore works up to a
+/// distance/radius of about 1/u.
 ///
-/// The direction is first scaled by a power of two so that its largest component is in
-/// [1, 2): d·d can then neither overflow nor vanish, and no digit changes. Without it a
-/// direction of length 1e-162 or 1e154 has a square that is 0 or infinite. What is counted in
-/// multiples of the direction, t and `min_t`, is scaled with it.
+/// The direction is first scaled by a power of two, so that its largest component is in [1, 2).
+/// This changes no digit, and d·d can then neither overflow nor vanish. Without scaling, a
+/// direction of length 1e-162 or 1e154 has a square that is 0 or infinite. t and `min_t` are
+/// multiples of the direction, so they are scaled with it.
 pub struct Haines;
 
-/// The same without scaling, which is as good for directions of ordinary length.
+/// The same kernel without scaling, which is just as good for directions of ordinary length.
 #[inline(always)]
 pub fn plainly<F: Real>(sphere: &Sphere<F>, ray: &Ray<F>, min_t: F) -> Option<F> {
     let f = ray.origin - sphere.center;
@@ -38,18 +39,18 @@ pub fn plainly<F: Real>(sphere: &Sphere<F>, ray: &Ray<F>, min_t: F) -> Option<F>
     }
 }
 
-/// A ray with its direction scaled by 2^−`exponent`. A component that is more than 1e300
-/// times smaller than another may lose digits by it, and cannot be had back.
+/// A ray with its direction scaled by 2^−`exponent`. A component that is more than 1e300 times
+/// smaller than another may lose digits, which scaling back does not restore.
 #[derive(Clone, Copy, Debug)]
-pub struct ScaledRay<F> {
-    /// The same line.
+pub struct Scaled<F> {
+    /// The scaled ray, along the same line.
     pub ray: Ray<F>,
-    /// t of this ray times 2^−`exponent` is t of the ray as it was given.
+    /// A t of the scaled ray times 2^−`exponent` is a t of the given ray.
     pub exponent: i32,
 }
 
-impl<F: Real> ScaledRay<F> {
-    /// The same line with a direction of length about 1.
+impl<F: Real> Scaled<F> {
+    /// Scales a ray so that its direction has a length of about 1.
     #[inline(always)]
     pub fn new(ray: &Ray<F>) -> ScaledRay<F> {
         let exponent = exponent(ray.direction.largest().wide());
@@ -58,7 +59,7 @@ impl<F: Real> ScaledRay<F> {
         ScaledRay { ray, exponent }
     }
 
-    /// A t of the given ray as one of the scaled.
+    /// Converts a t of the given ray to the scaled one.
     #[inline(always)]
     pub fn scale(&self, t: F) -> F {
         match self.exponent {
@@ -67,7 +68,7 @@ impl<F: Real> ScaledRay<F> {
         }
     }
 
-    /// A t of the scaled ray as one of the given.
+    /// Converts a t of the scaled ray to the given one.
     #[inline(always)]
     pub fn unscale(&self, t: F) -> F {
         match self.exponent {

@@ -3,11 +3,11 @@ use crate::kernel::Kernel;
 use crate::number::Real;
 use crate::shape::{Ray, Sphere};
 
-/// The quadratic formula as school teaches it (Marschner & Shirley, *Fundamentals of
-/// Computer Graphics*, §4.4.1): a t² + b t + c = 0.
+/// The quadratic formula as schools teach it (Marschner & Shirley, *Fundamentals of Computer
+/// Graphics*, §4.4.1): a t² + b t + c = 0.
 ///
-/// Far away, b² and 4 a c are huge and nearly equal: their difference loses every digit
-/// once distance/radius nears 1/√u, about 1e8 in `f64` and 1e4 in `f32`.
+/// For a distant sphere, b² and 4 a c are huge and nearly equal. Their difference loses every
+/// digit as distance/radius approaches 1/√u, about 1e8 in `f64` and 4e3 in `f32`.
 pub struct Textbook;
 
 impl<F: Real> Kernel<Sphere<F>, F> for Textbook {

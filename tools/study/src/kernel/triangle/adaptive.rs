@@ -7,30 +7,33 @@ use crate::root::{Root, rounded};
 use crate::shape::{Ray, Triangle};
 use crate::vector::Vector;
 
-/// Möller–Trumbore by signs, with limits that say what rounding may have changed; that is
-/// decided in twice the digits or else exactly. Edges are part of the triangle, so a closed
-/// mesh has no leak, and a ray exactly through an edge meets both of its triangles. t is good
-/// to √u of itself at least, mostly to an ulp.
+/// Möller–Trumbore by signs of volumes, with a filter. What the filter leaves uncertain is
+/// decided in double-double arithmetic or, failing that, exactly. Edges are part of the
+/// triangle, so a closed mesh has no leak, and a ray exactly through an edge hits both of its
+/// triangles. The relative error of t is at most √u, and mostly about an ulp.
 ///
 /// # Why the filter is right
 ///
-/// With u the unit roundoff, |d|∞ < 2, S = |s|∞, M the larger of |e₁|∞ and |e₂|∞, which
-/// come rounded by u each (Shewchuk's style, *Discrete Comput. Geom.* 18, 1997):
+/// Let u be the unit roundoff, |d|∞ < 2, S = |s|∞, and M the larger of |e₁|∞ and |e₂|∞. The
+/// edges are rounded by u each (in the style of Shewchuk, *Discrete Comput. Geom.* 18, 1997):
 ///
-/// 1. A component of d × e₂ is at most 4M and off by 12uM; a dot product of that with e₁
-///    is off by 3 M (4uM + 12uM) from its factors and 3u × 12 M² from its own roundings:
-///    84u M². Likewise d·(s × e₁) and s·(d × e₂) by 84u S M, and e₂·(s × e₁) by 48u S M².
-/// 2. The third volume, determinant − u − v, is off by the sum of these and of two
-///    roundings: 108u M² + 216u S M. So 256u M (M + S) bounds every volume's error, with
-///    its own roundings, and 256u S M² that of t times the determinant.
-/// 3. What underflows, in products of components below 1/u of the smallest normal
-///    number, adds less than 64 [`TINY`] times (1 + M + S). Where a sum or a product
-///    overflows, a volume may be infinite with the wrong sign. Those of M (M + S) are at most
-///    24 of it, and those of S M² 6: if 32 times as much is finite, nothing has; if not, the
-///    limit is infinite. Comparisons are written so that this is open.
+/// 1. A component of d × e₂ is at most 4M, with an error of at most 12uM. The error of its dot
+///    product with e₁ is at most 3 M (4uM + 12uM) from the factors plus 3u × 12 M² from its own
+///    roundings: 84u M². Likewise, the error of d·(s × e₁) and s·(d × e₂) is at most 84u S M,
+///    and that of e₂·(s × e₁) at most 48u S M².
+/// 2. The error of the third volume, determinant − u − v, is at most the sum of these errors
+///    and of two roundings: 108u M² + 216u S M. So 256u M (M + S) bounds the error of every
+///    volume, including the roundings of the bound itself, and 256u S M² that of t times the
+///    determinant.
+/// 3. Underflow, in products of components below 1/u of the smallest normal number, adds less
+///    than 64 [`TINY`] times (1 + M + S). If a sum or a product overflows, a volume may be
+///    infinite with the wrong sign. The volumes are at most 24 M (M + S), and t times the
+///    determinant is at most 6 S M². If 32 times these bounds is finite, nothing has
+///    overflowed; if not, the limit is infinite, and comparisons are written so that the filter
+///    then does not decide.
 ///
-/// The ray's line misses if two of the three volumes have certain opposite signs, and
-/// hits if all three have one certain sign; their sum, the determinant, has it too.
+/// The ray's line misses if two of the three volumes certainly have opposite signs. It hits if
+/// all three certainly have the same sign; their sum, the determinant, then has it too.
 pub struct Adaptive;
 
 impl Kernel<Triangle<f64>, f64> for Adaptive {
@@ -48,8 +51,8 @@ impl Kernel<Triangle<f64>, f64> for Adaptive {
     }
 }
 
-/// The answer, and what had the last word: the filter with limits of this ray, or what it
-/// leaves open to.
+/// The answer, and the tier that decided it: the semi-static filter, double-double or exact
+/// arithmetic.
 #[inline(always)]
 pub fn decided(triangle: &Triangle<f64>, ray: &Prepared, min_t: f64) -> (Option<f64>, Tier) {
     let scaled = &ray.scaled;
@@ -67,18 +70,20 @@ pub fn decided(triangle: &Triangle<f64>, ray: &Prepared, min_t: f64) -> (Option<
     (rounded(exact(triangle, &ray.given, min_t)), Tier::Exact)
 }
 
-/// The largest component of an edge from the first corner, rounded as kernels round it.
+/// The largest component of the two edges from the first corner, rounded as in the kernels.
 #[inline(always)]
 pub fn size(triangle: &Triangle<f64>) -> f64 {
     let [a, b, c] = triangle.corners;
     (b - a).largest().max((c - a).largest())
 }
 
-/// For rays whose origin is up to `away` from the first corner, in each component, and all
-/// triangles whose edges from there have components up to `size`. What has a sign is a volume.
+/// The filter's limits for rays whose origin is up to `away` from the first corner in each
+/// component, and all triangles whose edges from there have components up to `size`. `sign` is
+/// the limit of a volume.
 #[inline(always)]
 pub fn limits(size: f64, away: f64) -> Limits {
-    // The 256u in two steps: no sum or product that is bounded exceeds 32 times these.
+    // 256u is 32 times 8u: no sum or product in the kernel exceeds 32 times these sizes, so
+    // that overflow shows up in the limit.
     let of_size = 32.0 * size;
     let error = |product: f64, lost: f64| 8.0 * U * product + 64.0 * TINY * (1.0 + lost);
     let good = 2.0 / ROOT_OF_UNIT;
@@ -89,9 +94,10 @@ pub fn limits(size: f64, away: f64) -> Limits {
     }
 }
 
-/// The answer, or `None` if rounding might have changed it.
+/// The filter: the answer, or `None` if rounding might have changed it.
 ///
-/// A hit has three sure volumes, and a t that is good to √u, for both its parts are to ½√u.
+/// For a hit, all three volumes have a certain sign, and the relative error of t is at most √u,
+/// because that of its dividend and of its divisor is at most ½√u.
 #[inline(always)]
 pub fn filtered(
     triangle: &Triangle<f64>,
@@ -128,8 +134,8 @@ pub fn filtered(
     }
 }
 
-/// The answer by exact signs. Edges and corners belong to the triangle: a ray exactly through
-/// one hits, whichever of its triangles is asked.
+/// The answer by exact arithmetic. Edges and corners belong to the triangle: a ray exactly
+/// through one hits every triangle that shares it.
 #[cold]
 #[inline(never)]
 pub fn exact(triangle: &Triangle<f64>, ray: &Ray<f64>, min_t: f64) -> Option<Root> {

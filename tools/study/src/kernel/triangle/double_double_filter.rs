@@ -4,30 +4,31 @@ use crate::kernel::sphere::ScaledRay;
 use crate::number::{ROOT_OF_UNIT, TINY, U};
 use crate::shape::Triangle;
 
-/// The answer by signs of volumes in twice the digits, or `None` if rounding might have
-/// changed even that: almost only if the ray meets an edge or a vertex exactly. What
-/// [`super::filtered`] leaves open is asked here before it is decided in exact numbers,
-/// which take ten times as long.
+/// The double-double filter: the answer by signs of volumes in double-double arithmetic, or
+/// `None` if rounding might have changed even that, which happens almost only if the ray hits
+/// an edge or a vertex exactly. It gets what [`super::filtered`] leaves undecided, because
+/// exact arithmetic takes ten times as long.
 ///
 /// # Why the filter is right
 ///
-/// With u the unit roundoff, a, b, c the corners less the origin, which numbers of twice
-/// the digits hold without rounding, B the largest of their components and |d|∞ < 2:
+/// Let u be the unit roundoff and |d|∞ < 2. Let a, b, c be the corners minus the origin, which
+/// double-doubles hold exactly, and B their largest component:
 ///
-/// 1. A sum of two such numbers is off by 3u² + 13u³ of itself at most, a product by
-///    7u² (Joldes, Muller & Popescu, *ACM TOMS* 44(2), 2017, algorithms 6 and 10, which are
-///    ours): 8u² serves for either.
-/// 2. A component of b × c has two terms up to B² each: it is off by 2 × 8u² B² from its
-///    products and 8u² × 2B² from its difference, 32u² B². A dot product of that with d
-///    is off by 3 × 2 × 32u² B² from its factors, 8u² × 12B² from its products and 2 × 8u² ×
-///    12B² from its sums: 480u² B². That is of each of the three volumes d·(b × c),
-///    d·(c × a), d·(a × b); their sum, the determinant, is off by 3 × 480u² B² and 2 × 8u² ×
-///    36B², and a·(b × c) by half of 480u² B² times B. So E = 4096u² B² bounds each volume
-///    and their sum with the roundings of E itself, and E B that of t times the determinant.
-/// 3. What underflows, in a product or in what a product's rounding loses, is less than
-///    [`TINY`] each of some sixty times, and is multiplied by 4 + B at most: 1024
-///    [`TINY`] (1 + B)² and (1 + B)³ are added. What overflows makes B, a bound or
-///    a volume infinite or NaN, and all comparisons are written so that both are open.
+/// 1. The relative error of a double-double sum is at most 3u² + 13u³, and that of a product at
+///    most 7u² (Joldes, Muller & Popescu, *ACM TOMS* 44(2), 2017, algorithms 6 and 10, which
+///    are the ones used here). 8u² bounds both.
+/// 2. A component of b × c has two terms up to B² each. Its error is at most 2 × 8u² B² from
+///    the products plus 8u² × 2B² from the difference: 32u² B². The error of its dot product
+///    with d is at most 3 × 2 × 32u² B² from the factors, 8u² × 12B² from the products and 2 ×
+///    8u² × 12B² from the sums: 480u² B². This holds for each of the three volumes d·(b × c),
+///    d·(c × a) and d·(a × b). The error of their sum, the determinant, is at most 3 × 480u² B²
+///    + 2 × 8u² × 36B², and that of a·(b × c) half of 480u² B² times B. So E = 4096u² B² bounds
+///    the error of each volume and of their sum, including the roundings of E itself, and E B
+///    that of t times the determinant.
+/// 3. Underflow, in a product or in a product's low part, loses less than [`TINY`] in each of
+///    some sixty places, and is multiplied by at most 4 + B. 1024 [`TINY`] (1 + B)² and (1 +
+///    B)³ are added to the bounds for it. Overflow makes B, a bound or a volume infinite or
+///    NaN, and comparisons are written so that the filter then does not decide.
 #[cold]
 #[inline(never)]
 pub fn double_double_filter(
@@ -56,13 +57,13 @@ pub fn double_double_filter(
         return None;
     }
 
-    // As in exact numbers: a·(b × c) = t (u + v + w).
+    // As in the exact kernel, a·(b × c) = t (u + v + w).
     let [u, v, w] = volumes;
     let upright = |number: f64| if is_negative[0] { -number } else { number };
     let determinant = upright((u + v + w).high);
     let volume = upright(a.dot(b_cross_c).high);
     let half = 0.5 * ROOT_OF_UNIT;
-    // Both are good to ½√u, and so t is to √u.
+    // The relative errors of dividend and divisor are at most ½√u, so that of t is at most √u.
     match half * determinant > bound && half * volume.abs() > bound * (1.0 + size) {
         true => window.answer(volume / determinant, scaled),
         false => None,

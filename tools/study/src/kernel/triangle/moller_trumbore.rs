@@ -2,10 +2,10 @@ use crate::kernel::Kernel;
 use crate::number::Real;
 use crate::shape::{Ray, Triangle};
 
-/// The same system with its determinants as triple products, and each part worked out
-/// only if it is still needed (Möller & Trumbore, "Fast, Minimum Storage Ray/Triangle
-/// Intersection", *J. Graphics Tools* 2(1), 1997; the branch without culling). Departure:
-/// the paper calls a determinant below an epsilon parallel; here only 0 is.
+/// Solves e + t d = a + u e₁ + v e₂ by Cramer's rule, with determinants as triple products and
+/// each part computed only if it is still needed (Möller & Trumbore, "Fast, Minimum Storage
+/// Ray/Triangle Intersection", *J. Graphics Tools* 2(1), 1997; the branch without culling). The
+/// paper treats a determinant below an epsilon as parallel; here, only 0 is.
 pub struct MollerTrumbore;
 
 impl<F: Real> Kernel<Triangle<F>, F> for MollerTrumbore {
@@ -42,9 +42,9 @@ impl<F: Real> Kernel<Triangle<F>, F> for MollerTrumbore {
     }
 }
 
-/// Möller–Trumbore with |determinant| < 1e-8 called parallel, as in much public code. It
-/// is here to be measured: the determinant goes with the square of the triangle's size
-/// and with the direction's length, so that small triangles vanish.
+/// Möller–Trumbore that treats |determinant| < 1e-8 as parallel, as much public code does. It
+/// is here to measure the damage: the determinant scales with the square of the triangle's size
+/// and with the direction's length, so small triangles vanish.
 pub struct MollerTrumboreEpsilon;
 
 impl<F: Real> Kernel<Triangle<F>, F> for MollerTrumboreEpsilon {

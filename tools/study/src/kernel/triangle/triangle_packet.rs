@@ -5,27 +5,27 @@ use crate::kernel::{Limits, Window};
 use crate::shape::{Ray, Triangle};
 use crate::vector::Vector;
 
-/// Up to four triangles side by side: a first corner and the two edges that leave it,
-/// rounded once instead of at every test.
+/// Up to four triangles in SIMD lanes: a first corner and the two edges from it, which are
+/// computed once instead of at every test.
 ///
-/// What is computed is what [`super::MollerTrumbore`] and [`super::filtered`] compute of
-/// one triangle, operation by operation, and so are the bits.
+/// Each lane performs the same operations as [`super::MollerTrumbore`] and [`super::filtered`],
+/// so the results are the same bit for bit.
 #[derive(Clone, Copy, Debug)]
 pub struct TrianglePacket {
     corner: Vector<f64x4>,
     edges: [Vector<f64x4>; 2],
-    /// A bit for each triangle that is there.
+    /// A bit for each lane that holds a triangle.
     all: u32,
 }
 
-/// What came of four tests.
+/// The result of four tests.
 #[derive(Clone, Copy, Debug)]
-pub struct PacketHits {
-    /// A bit for each triangle that is surely met.
+pub struct Met {
+    /// A bit for each triangle that is certainly hit.
     pub hits: u32,
-    /// A bit for each of which rounding might change the answer.
+    /// A bit for each triangle whose answer is uncertain.
     pub open: u32,
-    /// Where; for triangles that are met.
+    /// The t of each triangle that is hit.
     pub t: [f64; 4],
 }
 
@@ -37,9 +37,9 @@ impl PacketHits {
     };
 }
 
-impl TrianglePacket {
-    /// Of one to four triangles.
-    pub fn new(triangles: &[Triangle<f64>]) -> TrianglePacket {
+impl Four {
+    /// Packs one to four triangles.
+    pub fn new(triangles: &[Triangle<f64>]) -> Four {
         let each = |of: fn(&Triangle<f64>) -> Vector<f64>| {
             let lane = |at: usize| triangles.get(at).or(triangles.first()).map(of);
             let lanes = [0, 1, 2, 3].map(|at| lane(at).expect("there is one at least"));
@@ -56,13 +56,13 @@ impl TrianglePacket {
         }
     }
 
-    /// How many there are.
+    /// The number of triangles.
     #[inline(always)]
     pub fn count(&self) -> u32 {
         self.all.count_ones()
     }
 
-    /// Nothing is known of any of them.
+    /// Leaves all triangles undecided.
     #[inline(always)]
     pub fn left_open(&self) -> PacketHits {
         PacketHits {
@@ -71,7 +71,7 @@ impl TrianglePacket {
         }
     }
 
-    /// As [`super::MollerTrumbore`].
+    /// Tests all lanes like [`super::MollerTrumbore`].
     #[inline(always)]
     pub fn plainly(&self, ray: &Ray<f64>, min_t: f64) -> PacketHits {
         let (origin, d) = (
@@ -104,7 +104,7 @@ impl TrianglePacket {
         }
     }
 
-    /// As [`super::filtered`].
+    /// Tests all lanes like [`super::filtered`].
     #[inline(always)]
     pub fn filtered(
         &self,
@@ -145,7 +145,7 @@ impl TrianglePacket {
         let determinants = determinant.to_array();
         let (mut met, mut inside) = (PacketHits::NOTHING, inside.to_bitmask() & left);
         met.open = left & !inside;
-        // Mostly one, if any.
+        // Usually at most one lane is left.
         while inside != 0 {
             let lane = inside.trailing_zeros() as usize & 3;
             inside &= inside - 1;

@@ -3,27 +3,28 @@ use crate::number::Real;
 use crate::shape::{Ray, Triangle};
 use crate::vector::Vector;
 
-/// The ray is made the z axis by a shear, once; each triangle is then a flat figure, and
-/// the question is whether the origin lies inside (Woop, Benthin & Wald, "Watertight
-/// Ray/Triangle Intersection", *J. Computer Graphics Techniques* 2(1), 2013).
+/// A shear, computed once per ray, maps the ray to the z axis. Each triangle is then projected
+/// to a plane, and the question is whether the origin lies inside (Woop, Benthin & Wald,
+/// "Watertight Ray/Triangle Intersection", *J. Computer Graphics Techniques* 2(1), 2013).
 ///
-/// A sheared corner is the same in all triangles that share it, and a difference of two
-/// rounded products has the right sign or is 0. Where it is 0 the paper computes it anew
-/// in `double`. Departures: here fused multiply-adds repair the sign (Kahan's difference
-/// of products), which serves `f64` too; and both orientations count, so that x and y
-/// need not be swapped. So nothing leaks.
+/// A sheared corner is the same in all triangles that share it, and a difference of two rounded
+/// products has the right sign or is 0. If it is 0, the paper recomputes it in `double`. This
+/// kernel differs in two ways: fused multiply-adds recover the sign (Kahan's difference of
+/// products), which works for `f64` too; and both orientations count, so that x and y need not
+/// be swapped. As a result, nothing leaks.
 ///
-/// A ray exactly through a sheared vertex would hit all triangles around it. So each edge has
-/// an owner, as rasterizers have it (the top-left rule): of two triangles that share an edge
-/// one has it, and of all around a vertex one. The rule is that of a ray moved by (−1, −ε), ε
-/// infinitely small, in the sheared plane: it passes an edge s = q − p on the left if s.y > 0,
-/// or s.y = 0 and s.x < 0. All triangles see the same moved ray, for sheared corners are the
-/// same in all of them and the signs of areas and of differences are right: so a ray leaves a
-/// closed mesh once, without any exact arithmetic. Which triangle that is may still be wrong
-/// by the rounding of the shear; that the adaptive kernel alone decides rightly.
+/// A ray exactly through a sheared vertex would hit all triangles around it. Therefore each
+/// edge belongs to one triangle, as in the top-left rule of rasterizers: of two triangles that
+/// share an edge, one owns it, and of all triangles around a vertex, one is hit. The rule
+/// simulates a ray moved by (−1, −ε) in the sheared plane, with ε infinitely small: it passes
+/// an edge s = q − p on the left if s.y > 0, or s.y = 0 and s.x < 0. All triangles see the same
+/// moved ray, because sheared corners are the same in all of them and the signs of areas and
+/// differences are right. So a ray leaves a closed mesh exactly once, without exact arithmetic.
+/// Rounding in the shear may still pick the wrong triangle; only the adaptive kernel always
+/// picks the right one.
 pub struct Woop;
 
-/// The shear, worked out once for a ray.
+/// The shear of a ray.
 #[derive(Clone, Copy, Debug)]
 pub struct ShearedRay<F> {
     origin: Vector<F>,
@@ -31,7 +32,7 @@ pub struct ShearedRay<F> {
     shear: [F; 3],
 }
 
-/// The largest component of a direction.
+/// The axis of a direction's largest component.
 #[derive(Clone, Copy, Debug)]
 enum Axis {
     X,
@@ -40,7 +41,7 @@ enum Axis {
 }
 
 impl Axis {
-    /// The components in cyclic order, this one last.
+    /// The components in cyclic order, with this axis last.
     #[inline(always)]
     fn to_the_end<F: Real>(self, v: Vector<F>) -> [F; 3] {
         match self {
@@ -112,7 +113,7 @@ fn is_owned<F: Real>(p: [F; 3], q: [F; 3]) -> bool {
     q[1] > p[1] || q[1] == p[1] && q[0] < p[0]
 }
 
-/// p.x q.y − p.y q.x, with the right sign always.
+/// p.x q.y − p.y q.x, always with the right sign.
 #[inline(always)]
 fn signed_area<F: Real>(p: [F; 3], q: [F; 3]) -> F {
     let area = p[0] * q[1] - p[1] * q[0];
