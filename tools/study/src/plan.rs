@@ -1,14 +1,16 @@
-//! The cheapest way to cast one scene that is as accurate as is wished, and proof that it is.
+//! Plans the cheapest way to cast a scene with the requested accuracy, and proves that the
+//! accuracy is reached.
 //!
-//! 1. Which object is first is always decided exactly: it costs a few instructions a ray, and
-//!    proves t to [`bounds::PROVEN_T`] besides.
-//! 2. [`bounds`] says how far t and the normal of a hit may be off, from the hit's own
-//!    numbers. It is asked only if X is smaller than what is proven already.
-//! 3. [`casting`] casts so; what its bounds leave uncertain is worked out [`exactly`].
-//! 4. [`told`] puts the plan in words.
+//! 1. Which object is first is always decided exactly. This costs a few instructions per ray,
+//!    and also proves t to [`bounds::PROVEN_T`].
+//! 2. [`bounds`] bounds the errors of a hit's t and normal, from the hit's own numbers. These
+//!    bounds are computed only if [`bounds::PROVEN_T`] does not suffice for the requested
+//!    accuracy.
+//! 3. [`casting`] casts by the plan. Hits whose bounds are too wide are computed [`exactly`].
+//! 4. [`told`] describes the plan in words.
 //!
-//! All of that is proven, for every ray. Nothing is sampled and nothing is timed, so the same
-//! scene has the same plan on every machine.
+//! All of this is proven for every ray. Nothing is sampled or timed, so the same scene has the
+//! same plan on every machine.
 
 pub mod bounds;
 pub mod casting;
@@ -26,14 +28,14 @@ use crate::vector::{Vector, around};
 use bounds::{PROVEN_T, normal_of, of_normal};
 use casting::PlannedCaster;
 
-/// What a user wants of a film. Objects are the true ones in any case.
+/// What a user wants from a film. Objects are the true ones in any case.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct AccuracyTarget {
     /// The largest relative error of t, and the largest angle of a normal in radians.
     pub accuracy: f64,
-    /// Whether t is asked for.
+    /// Whether t is requested.
     pub depth: bool,
-    /// Whether the normal is.
+    /// Whether the normal is requested.
     pub normal: bool,
 }
 
@@ -45,15 +47,15 @@ pub enum Kind {
     Sphere,
     /// Planes.
     Plane,
-    /// Triangles, alone or in soups.
+    /// Single triangles and those of soups.
     Triangle,
 }
 
 impl Kind {
-    /// All of them.
+    /// All kinds.
     pub const ALL: [Kind; 3] = [Kind::Sphere, Kind::Plane, Kind::Triangle];
 
-    /// Of a part.
+    /// The kind of a shape.
     pub fn of(shape: &Primitive) -> Kind {
         match shape {
             Primitive::Sphere(_) => Kind::Sphere,
@@ -62,7 +64,7 @@ impl Kind {
         }
     }
 
-    /// In words.
+    /// The kind in words, as a plural.
     pub fn name(self) -> &'static str {
         match self {
             Kind::Sphere => "spheres",
@@ -72,42 +74,42 @@ impl Kind {
     }
 }
 
-/// What is planned for a kind of shape.
+/// The plan for one kind of shape.
 #[derive(Clone, Debug, Serialize)]
-pub struct KindPlan {
-    /// Which.
+pub struct OfKind {
+    /// The kind of shape.
     pub kind: Kind,
-    /// How many there are.
+    /// The number of parts of this kind.
     pub parts: usize,
-    /// How far t may be off, relative to it, in `f64`, whatever ray is cast.
+    /// Worst relative error of t in `f64`, over all rays.
     pub worst_t: f64,
-    /// And the normal of any of them, in radians; none without an end.
+    /// Worst error of a normal, in radians; `None` if unbounded.
     pub worst_normal: Option<f64>,
-    /// Whether that is more than is wished: each hit's own bound is then looked at, and what
-    /// exceeds the wish is computed exactly.
+    /// Whether a worst case exceeds the requested accuracy. If so, each hit's own bound is
+    /// checked, and hits that exceed the accuracy are computed exactly.
     pub watched: bool,
 }
 
 /// A plan for one scene.
 #[derive(Clone, Debug, Serialize)]
 pub struct Plan {
-    /// What for.
-    pub wish: AccuracyTarget,
-    /// Pixels of the film.
+    /// The accuracy and outputs that were requested.
+    pub wish: Wish,
+    /// The number of pixels.
     pub pixels: usize,
-    /// The kinds there are.
-    pub kinds: Vec<KindPlan>,
-    /// `brute force` or `boxes`.
+    /// The plans of the kinds that occur in the scene.
+    pub kinds: Vec<OfKind>,
+    /// The chosen search: `brute force` or `boxes`.
     pub search: &'static str,
-    /// Instructions for a ray if every part is asked, planes apart.
+    /// Instructions per ray to test every part except planes.
     pub price_of_all: u64,
-    /// By what the search is chosen.
+    /// The costs that decide the search.
     pub prices: Prices,
 }
 
-/// Plans; or says why nothing meets the wish.
-pub fn plan(scene: &Scene, wish: AccuracyTarget) -> Result<(Plan, PlannedCaster), String> {
-    // An exact t is rounded once, and a normal when it is made unit length.
+/// Plans a scene, or explains why the request cannot be met.
+pub fn plan(scene: &Scene, wish: Wish) -> Result<(Plan, Casting), String> {
+    // Even an exact t is rounded once, and a normal again when it is normalised.
     if !(wish.accuracy >= 16.0 * U) {
         return Err(format!(
             "an f64 holds 16 digits: no answer is known to {:e}\n  remedy: ask for 2e-15 or more",
@@ -145,7 +147,7 @@ pub fn plan(scene: &Scene, wish: AccuracyTarget) -> Result<(Plan, PlannedCaster)
     Ok((plan, PlannedCaster::new(world, scene.min_t, wish)))
 }
 
-/// How far the normal of a part may be turned, whichever ray from this box meets it.
+/// Largest error of a part's normal, for all rays that start in this box.
 fn worst_normal(shape: &Primitive, [low, high]: [Vector<f64>; 2]) -> f64 {
     match shape {
         Primitive::Plane(_) => bounds::OF_UNIT,

@@ -1,5 +1,6 @@
-//! Plans for every scene and several accuracies: does each meet what was wished at every
-//! pixel, and what does it cost beside exact objects alone and beside plain `f64`?
+//! Checks plans for every scene and several accuracies: does each reach the requested accuracy
+//! at every pixel, and what does it cost compared with exact objects alone and with plain
+//! `f64`?
 
 use std::hint::black_box;
 use std::path::Path;
@@ -18,10 +19,10 @@ use crate::scenes::{self, Share};
 use crate::shape::Ray;
 use crate::speed::{Workload, race};
 
-/// What is wished, one after another.
+/// The requested accuracies.
 pub const ACCURACIES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
-/// Plans for a scene with every wish, judged at a share of its pixels.
+/// Plans a scene for each accuracy, and judges a share of its pixels.
 pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<PlanTally>, String> {
     let scene = scenes::read(file).map_err(|error| error.to_string())?;
     let world = World::of(&scene.objects);
@@ -73,15 +74,9 @@ pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<Plan
     Ok(castings.iter().enumerate().map(tally).collect())
 }
 
-/// Casts rays as planned, and judges what is seen by what is true. What is truly first is
-/// first, edges included, and of what is met together the object listed first: nothing else
-/// is right.
-pub fn kept(
-    rays: &[Ray<f64>],
-    truths: &[TrueHit],
-    casting: &PlannedCaster,
-    wish: &AccuracyTarget,
-) -> (PlanErrors, Tally) {
+/// Casts rays by a plan, and judges the result by the truth. Only the true first object is
+/// right: edges count as hits, and at the same t the object listed first wins.
+pub fn kept(rays: &[Ray<f64>], truths: &[Sight], casting: &Casting, wish: &Wish) -> (Kept, Tally) {
     let (seen, tally) = casting.film(rays);
     let mut kept = PlanErrors {
         rays: rays.len() as u64,
@@ -102,7 +97,7 @@ pub fn kept(
     (kept, tally)
 }
 
-/// Casts all rays at each call.
+/// A workload: each call casts all rays.
 fn film<'a, T>(rays: &'a [Ray<f64>], see: impl Fn(&Ray<f64>) -> T + 'a) -> Workload<'a> {
     Box::new(move || {
         for ray in black_box(rays) {

@@ -1,5 +1,5 @@
-//! The study's eight plots as SVG, one for each cause. Words and axes take the colour of the
-//! page that a plot stands in, light or dark; on a page 350 pixels wide, words are 11 high.
+//! The study's eight plots as SVG. Text and axes take the text colour of the surrounding page,
+//! light or dark. On a page 350 pixels wide, text is 11 pixels high.
 
 mod conditioning;
 mod leaks;
@@ -12,15 +12,15 @@ use std::path::Path;
 
 use crate::result::{Study, Sweep};
 
-/// The families that are plotted, by shape: far away, in other units, and from the side.
+/// The families that are plotted, by shape: distant, in other units, and edge-on.
 const FAMILIES: [(&str, &str); 3] = [
     ("sphere", "distance"),
     ("sphere", "scale"),
     ("triangle", "edge-on"),
 ];
 
-/// Draws every plot that the study has data for, and says what files were written. A study of
-/// one family shows that family, for every shape that has it.
+/// Draws every plot that the study has data for, and returns the names of the files. A study of
+/// one family plots that family, for every shape that has it.
 pub fn draw(study: &Study, folder: &Path) -> std::io::Result<Vec<String>> {
     let findings = &study.findings;
     let mut plots = Vec::new();

@@ -1,15 +1,15 @@
-//! How far rounding can have moved what the exact caster says of a hit.
+//! Bounds on the rounding errors of a hit by the exact caster.
 //!
-//! Which part is met, and which is first, it never gets wrong. Its t it proves to
-//! [`PROVEN_T`], for every ray and every scene, before any bound of this file is looked at.
-//! Who wants more asks [`of_t`] about a hit: a forward error bound in the manner of Higham,
-//! *Accuracy and Stability of Numerical Algorithms*, 2nd ed., §§2–3, counted to first order
-//! with constants that are rounded up and leave room for the rest. [`of_normal`] says what
-//! an error of t does to the normal.
+//! The exact caster never gets the part wrong, nor which part is first. For every ray and every
+//! scene, its t is proven to [`PROVEN_T`] without any bound of this file. For more accuracy,
+//! [`of_t`] computes a forward error bound of one hit, in the manner of Higham, *Accuracy and
+//! Stability of Numerical Algorithms*, 2nd ed., §§2–3. It counts first-order terms, with
+//! constants rounded up to cover the rest. [`of_normal`] bounds the error of a normal, given
+//! the error of t.
 //!
-//! Such bounds are relative. They hold where no number underflows or overflows, and that is
-//! proven first, from the sizes of what is multiplied ([`IN_RANGE`]); elsewhere nothing is
-//! certain, and exact arithmetic answers.
+//! These bounds are relative, so they hold only if no number underflows or overflows. This is
+//! checked first, from the sizes of the factors ([`IN_RANGE`]). Outside this range nothing is
+//! certain, and the hit is computed exactly.
 
 use crate::cast::world::Primitive;
 use crate::kernel::sphere::ScaledRay;
@@ -17,19 +17,20 @@ use crate::number::{ROOT_OF_UNIT, U};
 use crate::shape::{Plane, Sphere, Triangle};
 use crate::vector::Vector;
 
-/// The exact caster's t is off by no more than this part of itself: twice the √u that
-/// [`crate::kernel::sphere::Adaptive`] and the others prove, which leaves room for what
-/// divides and scales it last.
+/// Bound on the relative error of the exact caster's t: twice the √u that
+/// [`crate::kernel::sphere::Adaptive`] and the others prove, which covers the final division
+/// and scaling.
 pub const PROVEN_T: f64 = 2.0 * ROOT_OF_UNIT;
 
-/// Sizes between 2^−150 and 2^150. No product of this file has more than five factors, so
-/// that what underflows, 2^−1074 each, is far below the roundings of what does not.
+/// Sizes from 2^−150 to 2^150. No product in this file has more than five factors, so
+/// underflow, 2^−1074 each time, is far below the other rounding errors.
 const IN_RANGE: std::ops::RangeInclusive<f64> = 7.1e-46..=1.4e45;
 
-/// How far rounding turns a vector that is made unit length.
+/// Largest angle by which normalising a vector turns it.
 pub const OF_UNIT: f64 = 8.0 * U;
 
-/// An error as a part of the true number, given what was computed of both.
+/// The relative error, from a bound on the absolute error and the computed magnitude; infinite
+/// if the error is too large for that.
 fn part(error: f64, computed: f64) -> f64 {
     match error < 0.5 * computed {
         true => error / (computed - error),
@@ -46,9 +47,9 @@ fn are_in_range(sizes: impl IntoIterator<Item = f64>) -> bool {
     sizes.into_iter().all(|size| IN_RANGE.contains(&size))
 }
 
-/// How far t may be off, as a part of itself, for a hit that the filters decided; what they
-/// left open was computed better. Infinite where nothing is certain.
-pub fn of_t(shape: &Primitive, ray: &ScaledRay<f64>) -> f64 {
+/// Bound on the relative error of t for a hit that the filters decided; other hits have a more
+/// accurate t. Infinite if nothing is certain.
+pub fn of_t(shape: &Primitive, ray: &Scaled<f64>) -> f64 {
     match shape {
         Primitive::Sphere(shape) => of_sphere(shape, ray),
         Primitive::Plane(shape) => of_plane(shape, ray),
@@ -56,15 +57,16 @@ pub fn of_t(shape: &Primitive, ray: &ScaledRay<f64>) -> f64 {
     }
 }
 
-/// With 1 ≤ |d|∞ < 2, f = e − c and l from the centre to the line:
+/// Let 1 ≤ |d|∞ < 2, f = e − c, and l the vector from the centre to the line:
 ///
-/// 1. l is off by λ = 16u|f|, of which [`crate::kernel::sphere::Adaptive`] counts 12u|f|.
-/// 2. s² = r² − |l|² is off by ω = 2(r + λ)λ + λ² + 8u(r + λ)², hence s by σ = ω/(s + ŝ) ≤
-///    ω/s; and by √ω at most, however flat the ray grazes.
-/// 3. t|d| is q or c/q with q = |h|/|d| + s, which is off by λ + σ and six roundings; c =
-///    |f|² − r² by χ = 8u|f|² + 3ur². q ≥ √|c| always: q² ≥ h²/|d|² + s² = |f|² + r² −
-///    2|l|², which |l| ≤ r or |l| ≤ |f| makes ≥ |c|.
-fn of_sphere(sphere: &Sphere<f64>, ScaledRay { ray, .. }: &ScaledRay<f64>) -> f64 {
+/// 1. The error of l is at most λ = 16u|f|, of which [`crate::kernel::sphere::Adaptive`] counts
+///    12u|f|.
+/// 2. The error of s² = r² − |l|² is at most ω = 2(r + λ)λ + λ² + 8u(r + λ)², so that of s is
+///    at most σ = ω/(s + ŝ) ≤ ω/s. It is also at most √ω, even for a grazing ray.
+/// 3. t|d| is q or c/q with q = |h|/|d| + s. The error of q is at most λ + σ plus six
+///    roundings, and that of c = |f|² − r² at most χ = 8u|f|² + 3ur². Always q ≥ √|c|, because
+///    q² ≥ h²/|d|² + s² = |f|² + r² − 2|l|², which is at least |c| as |l| ≤ r and |l| ≤ |f|.
+fn of_sphere(sphere: &Sphere<f64>, Scaled { ray, .. }: &Scaled<f64>) -> f64 {
     let (d, r, from_center) = (ray.direction, sphere.radius, ray.origin - sphere.center);
     if !are_in_range([from_center.largest(), r]) {
         return f64::INFINITY;
@@ -83,9 +85,9 @@ fn of_sphere(sphere: &Sphere<f64>, ScaledRay { ray, .. }: &ScaledRay<f64>) -> f6
     part(lambda + sigma, q) + part(chi, c) + 6.0 * U
 }
 
-/// A dot product of three terms is off by 8u of the sum of its terms' magnitudes, the
-/// subtraction p − e included (as in [`crate::kernel::plane::Adaptive`]).
-fn of_plane(plane: &Plane<f64>, ScaledRay { ray, .. }: &ScaledRay<f64>) -> f64 {
+/// The error of a dot product of three terms is at most 8u times the sum of its terms'
+/// magnitudes, including the subtraction p − e (as in [`crate::kernel::plane::Adaptive`]).
+fn of_plane(plane: &Plane<f64>, Scaled { ray, .. }: &Scaled<f64>) -> f64 {
     let (n, d, w) = (plane.normal, ray.direction, plane.point - ray.origin);
     let down = n.dot(d).abs();
     // A component of d that is 1e300 times smaller than another may have lost digits.
@@ -97,10 +99,10 @@ fn of_plane(plane: &Plane<f64>, ScaledRay { ray, .. }: &ScaledRay<f64>) -> f64 {
     (down + height) * (1.0 + down) + 2.0 * U
 }
 
-/// With M the largest component of two edges, S that of e − a and |d|∞ < 2: Möller–Trumbore's
-/// determinant is off by 96u M², and t times it by 54u S M² (cf.
-/// [`crate::kernel::triangle::Adaptive`]).
-fn of_triangle(triangle: &Triangle<f64>, ScaledRay { ray, .. }: &ScaledRay<f64>) -> f64 {
+/// With M the largest component of two edges, S that of e − a, and |d|∞ < 2, the error of
+/// Möller–Trumbore's determinant is at most 96u M², and that of t times the determinant at most
+/// 54u S M² (cf. [`crate::kernel::triangle::Adaptive`]).
+fn of_triangle(triangle: &Triangle<f64>, Scaled { ray, .. }: &Scaled<f64>) -> f64 {
     let [a, b, c] = triangle.corners;
     let (e1, e2, away) = (b - a, c - a, ray.origin - a);
     let (m, s) = (e1.largest().max(e2.largest()), away.largest());
@@ -113,11 +115,11 @@ fn of_triangle(triangle: &Triangle<f64>, ScaledRay { ray, .. }: &ScaledRay<f64>)
     (determinant + volume) * (1.0 + determinant) + 3.0 * U
 }
 
-/// How far a sphere's normal may be turned, in radians, if its t is off by this part of
-/// itself. (e − c) + t d is off by u|e − c|, by what t is off times |t d| ≤ |e − c| + r, and
-/// by roundings of either; over r, that turns the normal.
+/// Largest error of a sphere's normal in radians, given the relative error of t. The error of
+/// (e − c) + t d is u|e − c|, plus the error of t times |t d| ≤ |e − c| + r, plus roundings of
+/// both. Divided by r, it is the angle.
 pub fn of_normal(sphere: &Sphere<f64>, away: f64, of_t: f64) -> f64 {
-    // A vector is no longer than √3 of its largest component.
+    // A vector is at most √3 times as long as its largest component.
     let (away, r) = (1.74 * away, sphere.radius);
     let moved = of_t * (away + r) + 4.0 * U * (away + r);
     match are_in_range([r]) {
@@ -126,9 +128,9 @@ pub fn of_normal(sphere: &Sphere<f64>, away: f64, of_t: f64) -> f64 {
     }
 }
 
-/// A triangle's unit normal, and how far it may be turned. Edges are brought near 1 by powers
-/// of two: rounded by u each, they have components below 2, so that each component of their
-/// product is off by 33u at most, and the product by 58u.
+/// A triangle's unit normal, and the largest error of its angle. The edges are scaled near 1 by
+/// powers of two and have components below 2, rounded by u each. So the error of each component
+/// of their cross product is at most 33u, and that of the product at most 58u.
 pub fn normal_of(triangle: &Triangle<f64>) -> (Vector<f64>, f64) {
     let outward = triangle.outward_near_one();
     let turned = 1.1 * part(64.0 * U, outward.largest()) + OF_UNIT;

@@ -1,5 +1,5 @@
-//! Casting as planned: which object is first is decided exactly; t and the normal are
-//! computed in `f64` if that is proven to be good enough, and else exactly.
+//! Casts by a plan. Which object is first is decided exactly. t and the normal are computed in
+//! `f64` if that is proven to be accurate enough, and exactly otherwise.
 
 use rayon::prelude::*;
 
@@ -12,15 +12,15 @@ use crate::kernel::sphere::ScaledRay;
 use crate::shape::Ray;
 use crate::vector::Vector;
 
-/// A scene ready to be cast so.
-pub struct PlannedCaster {
-    wish: AccuracyTarget,
+/// A scene ready to be cast by a plan.
+pub struct Casting {
+    wish: Wish,
     min_t: f64,
     search: Search,
     caster: Caster,
 }
 
-/// What is seen: object, t and normal, the last two 0 if they are not asked for.
+/// A pixel: object, t and normal. t and normal are 0 if they are not requested.
 pub type Seen = Option<(u32, f64, Vector<f64>)>;
 
 const NO_NORMAL: Vector<f64> = Vector {
@@ -29,10 +29,10 @@ const NO_NORMAL: Vector<f64> = Vector {
     z: 0.0,
 };
 
-impl PlannedCaster {
-    /// Of a scene's parts.
-    pub fn new(world: World, min_t: f64, wish: AccuracyTarget) -> PlannedCaster {
-        PlannedCaster {
+impl Casting {
+    /// Prepares the parts of a scene.
+    pub fn new(world: World, min_t: f64, wish: Wish) -> Casting {
+        Casting {
             wish,
             min_t,
             search: Search::cheaper(&world.parts),
@@ -40,7 +40,7 @@ impl PlannedCaster {
         }
     }
 
-    /// What is seen along a ray.
+    /// Casts one ray.
     #[inline]
     pub fn see(&self, ray: &Ray<f64>, tally: &mut Tally) -> Seen {
         let Found { part, t } = self
@@ -66,7 +66,7 @@ impl PlannedCaster {
         ))
     }
 
-    /// The normal, if it and t are certain to be as near the truth as is wished.
+    /// The normal, if it and t are proven to have the requested accuracy.
     #[inline]
     fn proven(&self, part: &Part, ray: &Ray<f64>, t: f64) -> Option<Vector<f64>> {
         let normal = self.proven_from(&part.shape, ray, t, PROVEN_T);
@@ -79,7 +79,8 @@ impl PlannedCaster {
         })
     }
 
-    /// The same, given how far t may be off. A t with few digits has no such relative error.
+    /// Like `proven`, given the relative error of t. A subnormal or overflowing t has no such
+    /// bound.
     #[inline]
     fn proven_from(
         &self,
@@ -116,7 +117,7 @@ impl PlannedCaster {
         (turned <= accuracy).then_some(normal)
     }
 
-    /// What is seen along many rays, by all of the machine's cores.
+    /// Casts many rays, on all cores.
     pub fn film(&self, rays: &[Ray<f64>]) -> (Vec<Seen>, Tally) {
         let cast = |rays: &[Ray<f64>]| {
             let mut tally = Tally::default();

@@ -1,4 +1,4 @@
-//! A hit worked out without any rounding but the last: what the bounds leave uncertain.
+//! Computes a hit exactly and rounds once. Used where the error bounds are too wide.
 
 use crate::cast::model::exact;
 use crate::cast::world::Primitive;
@@ -7,15 +7,14 @@ use crate::root::rounded;
 use crate::shape::Ray;
 use crate::vector::Vector;
 
-/// t and the unit normal where a ray meets a shape, each rounded when it is known to a
-/// hundred bits.
+/// t and the unit normal of a hit, each rounded from at least a hundred bits.
 ///
 /// # Panics
 /// If the ray misses the shape.
 #[cold]
 #[inline(never)]
 pub fn hit(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> (f64, Vector<f64>) {
-    let root = exact(shape, ray, min_t).expect("the exact caster says that it is met");
+    let root = exact(shape, ray, min_t).expect("the exact caster found this hit");
     let along = match shape {
         Primitive::Plane(plane) => DyadicVector::of(plane.normal),
         Primitive::Triangle(triangle) => {

@@ -1,11 +1,11 @@
-//! A plan in words.
+//! Describes a plan in words.
 
 use std::fmt::Write;
 
 use super::{AccuracyTarget, KindPlan, Plan};
 use crate::cast::search::Search;
 
-/// So many of a kind.
+/// A number of parts, as a phrase.
 fn count(parts: usize, kind: &str) -> String {
     match parts {
         1 => format!("1 {}", kind.trim_end_matches('s')),
@@ -13,8 +13,8 @@ fn count(parts: usize, kind: &str) -> String {
     }
 }
 
-/// What of t and normals is asked for, in words.
-fn outputs(wish: AccuracyTarget) -> &'static str {
+/// Which of t and normals are requested, in words.
+fn outputs(wish: Wish) -> &'static str {
     match (wish.depth, wish.normal) {
         (true, true) => "t and normals",
         (true, false) => "t (normals are not asked for; the film has 0)",
@@ -23,28 +23,28 @@ fn outputs(wish: AccuracyTarget) -> &'static str {
     }
 }
 
-/// How a kind is cast.
-fn how(kind: &KindPlan, wish: AccuracyTarget) -> String {
+/// How a kind of shape is cast.
+fn how(kind: &OfKind, wish: Wish) -> String {
     let normals = match kind.worst_normal {
         Some(worst) => format!("normals to {worst:.0e} rad"),
-        None => "normals of all but some".into(),
+        None => "no common bound on normals".into(),
     };
     let proven = match (wish.depth, wish.normal) {
         (true, true) => format!("t to {:.0e}, {normals}", kind.worst_t),
         (true, false) => format!("t to {:.0e}", kind.worst_t),
         (false, true) => normals,
-        (false, false) => return "nothing to compute but the object".into(),
+        (false, false) => return "only the object is computed".into(),
     };
     match kind.watched {
         false => format!("f64; proven for every ray: {proven}"),
         true => format!(
-            "f64, each hit with a bound of its own, and exactly where that exceeds X; proven for \
-             every ray: {proven}"
+            "f64 with an error bound for each hit, and exactly where it exceeds X; proven for every \
+             ray: {proven}"
         ),
     }
 }
 
-/// The whole plan, for a terminal.
+/// The text of a plan, for a terminal.
 pub fn told(plan: &Plan, scene: &str) -> String {
     let mut text = String::new();
     let (wish, prices) = (plan.wish, plan.prices);
@@ -73,8 +73,8 @@ pub fn told(plan: &Plan, scene: &str) -> String {
     line(
         "search",
         &format!(
-            "{}, because asking every part takes {} {sign} {} instructions a ray ({} for a \
-             sphere, {} for a triangle)",
+            "{}, because testing every part takes {} {sign} {} instructions per ray ({} per \
+             sphere, {} per triangle)",
             plan.search, plan.price_of_all, prices.boxes, prices.sphere, prices.triangle
         ),
     );

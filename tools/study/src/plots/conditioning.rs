@@ -1,9 +1,9 @@
-//! Errors of t against the question's conditioning.
+//! Plots errors of t against the question's condition number.
 
 use super::paper::{Anchor, GRID, Panel, Paper, colour, curve, legend, names, ulps};
 use crate::result::{ConditioningErrors, Findings};
 
-/// A panel for each shape.
+/// Draws a panel for each shape.
 pub fn svg(findings: &Findings) -> String {
     let mut paper = Paper::default();
     let note = "whole lines: f64; dashes: f32; thin: what half an ulp";
@@ -26,7 +26,7 @@ pub fn svg(findings: &Findings) -> String {
         paper.word((14.0, top - 18.0), Anchor::Start, &title);
         panel.rows(&mut paper, &ulps(panel.y.1));
         panel.columns(&mut paper, "condition number of the question", false);
-        // κ/2 ulp reaches the panel's top before its right end.
+        // The line κ/2 ulp reaches the panel's top before its right end.
         let end = (panel.y.1 + 0.3).min(17.0);
         let deserved = GRID.replace("0.15", "0.6");
         let ends = [panel.at(0.0, -0.3), panel.at(end, end - 0.3)];
@@ -34,7 +34,7 @@ pub fn svg(findings: &Findings) -> String {
         for numbers in ["f64", "f32"] {
             for (at, name) in names.iter().enumerate() {
                 let of_it = all().filter(|it| it.kernel == *name && it.numbers == numbers);
-                // A handful of hits has no median.
+                // The median of only a few hits means little.
                 let of_it = of_it.filter(|it| it.hits >= 20 && it.decade < 17);
                 let place = |it: &ConditioningErrors| {
                     panel.at(f64::from(it.decade) + 0.5, it.median_ulp.max(0.1).log10())

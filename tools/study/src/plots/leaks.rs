@@ -1,13 +1,13 @@
-//! Leaks and double hits on closed meshes.
+//! Plots leaks and double hits on closed meshes.
 
 use super::paper::{Anchor, Paper, colour, names};
 use crate::result::MeshTally;
 
 const LEFT: f64 = 130.0;
-/// Of a bar for all rays.
+/// Width of a bar that stands for all rays.
 const WHOLE: f64 = 230.0;
 
-/// For every kernel and aim two bars in `f64`, and two in `f32`.
+/// Draws two bars in `f64` and two in `f32` for every kernel and aim.
 pub fn svg(meshes: &[MeshTally]) -> String {
     let mut paper = Paper::default();
     let (leak, double) = (colour(0), colour(1));

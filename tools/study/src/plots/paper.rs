@@ -1,40 +1,40 @@
-//! What all plots share: a sheet to draw on, and panels with logarithmic axes.
+//! Shared by all plots: a canvas, and panels with logarithmic axes.
 
 use std::fmt::Write;
 
-/// How wide every plot is, in units of its own.
+/// The width of every plot, in SVG user units.
 pub const WIDTH: f64 = 480.0;
 
-/// The size of words: 11 pixels on a page that is 350 wide.
+/// The font size: 11 pixels on a page that is 350 wide.
 const WORDS: f64 = 15.5;
 
-/// Okabe & Ito's palette ("Color Universal Design", 2008), where it can be told from both a
-/// light and a dark ground.
+/// Four colours after Okabe & Ito ("Color Universal Design", 2008) that are visible on both
+/// light and dark backgrounds.
 const COLOURS: [&str; 4] = ["#d55e00", "#3a8fd0", "#009e73", "#cc79a7"];
 
 /// The colour of the page's text.
 pub const INK: &str = "currentColor";
 
-/// The colour of the kernel at a place in its list.
+/// The colour of the kernel at this index.
 pub fn colour(at: usize) -> &'static str {
     COLOURS.get(at).copied().unwrap_or(INK)
 }
 
-/// Where a word stands about its place.
+/// The alignment of text about its position.
 #[derive(Clone, Copy)]
 pub enum Anchor {
-    /// It begins there.
+    /// The text begins at the position.
     Start,
-    /// Its middle is there.
+    /// The text is centred on the position.
     Middle,
-    /// It ends there.
+    /// The text ends at the position.
     End,
 }
 
-/// How the lines of a grid look.
+/// SVG attributes of grid lines.
 pub const GRID: &str = "stroke=\"currentColor\" stroke-width=\"1\" stroke-opacity=\"0.15\"";
 
-/// How the line of a kernel looks; those of `f32` are dashed.
+/// SVG attributes of a kernel's curve; curves of `f32` are dashed.
 pub fn curve(colour: &str, numbers: &str) -> String {
     let dashes = match numbers {
         "f32" => " stroke-dasharray=\"5 4\"",
@@ -43,12 +43,12 @@ pub fn curve(colour: &str, numbers: &str) -> String {
     format!("stroke=\"{colour}\" stroke-width=\"2.5\"{dashes}")
 }
 
-/// A plot, y downward.
+/// A plot under construction; y points down.
 #[derive(Default)]
 pub struct Paper(String);
 
 impl Paper {
-    /// A word whose middle line is at y.
+    /// Draws text, vertically centred at y.
     pub fn word(&mut self, (x, y): (f64, f64), anchor: Anchor, words: &str) {
         let anchor = match anchor {
             Anchor::Start => "start",
@@ -63,7 +63,7 @@ impl Paper {
         );
     }
 
-    /// Straight from point to point, with attributes that say how it looks.
+    /// Draws a polyline with these SVG attributes.
     pub fn line(&mut self, points: &[(f64, f64)], look: &str) {
         let place = |(x, y): &(f64, f64)| format!("{x:.1},{y:.1}");
         let places: Vec<String> = points.iter().map(place).collect();
@@ -74,7 +74,7 @@ impl Paper {
         );
     }
 
-    /// A disc, or a ring if it is not filled.
+    /// Draws a disc, or a ring if it is not filled.
     pub fn dot(&mut self, (x, y): (f64, f64), radius: f64, colour: &str, is_filled: bool) {
         let fill = if is_filled { colour } else { "none" };
         let _ = writeln!(
@@ -84,7 +84,7 @@ impl Paper {
         );
     }
 
-    /// Two strokes that cross.
+    /// Draws a cross.
     pub fn cross(&mut self, (x, y): (f64, f64), size: f64, colour: &str) {
         let look = format!("stroke=\"{colour}\" stroke-width=\"2\"");
         for rise in [-size, size] {
@@ -92,7 +92,7 @@ impl Paper {
         }
     }
 
-    /// A bar from x on, around y.
+    /// Draws a bar that begins at x, vertically centred at y.
     pub fn bar(&mut self, (x, y): (f64, f64), length: f64, height: f64, colour: &str) {
         let _ = writeln!(
             self.0,
@@ -102,7 +102,7 @@ impl Paper {
         );
     }
 
-    /// The whole document.
+    /// The SVG document.
     pub fn svg(self, height: f64) -> String {
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height:.0}\" \
@@ -113,7 +113,7 @@ impl Paper {
     }
 }
 
-/// Numbers to left and bottom, powers of ten, in a rectangle of a plot.
+/// A panel of a plot with logarithmic axes.
 pub struct Panel {
     /// Its upper end.
     pub top: f64,
@@ -129,7 +129,7 @@ const LEFT: f64 = 66.0;
 const RIGHT: f64 = WIDTH - 24.0;
 
 impl Panel {
-    /// Where two powers of ten lie; what is beyond an end lies there.
+    /// The position of two powers of ten, clamped to the panel.
     pub fn at(&self, x: f64, y: f64) -> (f64, f64) {
         let share =
             |value: f64, (low, high): (f64, f64)| ((value - low) / (high - low)).clamp(0.0, 1.0);
@@ -138,7 +138,7 @@ impl Panel {
         (across, up)
     }
 
-    /// A line of the grid, and its number, at each of some powers of ten.
+    /// Draws horizontal grid lines with their labels.
     pub fn rows(&self, paper: &mut Paper, ticks: &[(f64, String)]) {
         for (y, words) in ticks {
             let y = self.at(0.0, *y).1;
@@ -147,7 +147,8 @@ impl Panel {
         }
     }
 
-    /// Round numbers below, about six, and what they mean: powers of ten, or of a tenth.
+    /// Draws up to about eight vertical grid lines with their labels, and the name of the axis.
+    /// The labels are powers of ten, with the sign reversed if `of_a_tenth`.
     pub fn columns(&self, paper: &mut Paper, meaning: &str, of_a_tenth: bool) {
         let (low, high) = self.x;
         let steps = [0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0];
@@ -167,7 +168,7 @@ impl Panel {
     }
 }
 
-/// A power of ten, or three times one, as people write it.
+/// A label for a power of ten, or for three times one.
 pub fn number(power: f64) -> String {
     let whole = power.floor() as i32;
     let first = if power > power.floor() { 3 } else { 1 };
@@ -185,16 +186,16 @@ fn raised(exponent: i32) -> String {
     exponent.to_string().chars().map(digit).collect()
 }
 
-/// Shares of wrong decisions: ticks, and below them, apart, none at all.
+/// A logarithmic axis for shares of wrong decisions, with a separate place below for none.
 pub struct Shares {
-    /// Where none lies.
+    /// The place of "none".
     pub none: f64,
     /// The ends of the axis.
     pub y: (f64, f64),
 }
 
 impl Shares {
-    /// For counts among so many questions.
+    /// The axis for shares of this many questions.
     pub fn of(asked: u64) -> Shares {
         let smallest = -(asked.max(10) as f64).log10();
         let none = smallest.floor() - 1.0;
@@ -204,7 +205,7 @@ impl Shares {
         }
     }
 
-    /// The height of so many wrong of all.
+    /// The place of a share.
     pub fn at(&self, wrong: u64, asked: u64) -> f64 {
         match wrong {
             0 => self.none,
@@ -212,7 +213,7 @@ impl Shares {
         }
     }
 
-    /// Every second power, and none.
+    /// A tick at every second power of ten, and at "none".
     pub fn ticks(&self) -> Vec<(f64, String)> {
         let mut ticks = vec![(self.none, "none".to_owned())];
         for (power, words) in [(0.0, "100 %"), (-2.0, "1 %"), (-4.0, "0.01 %")] {
@@ -224,7 +225,7 @@ impl Shares {
     }
 }
 
-/// Errors in ulp, from a tenth of one up.
+/// Ticks for errors in ulp.
 pub fn ulps(highest: f64) -> Vec<(f64, String)> {
     let step = if highest > 9.0 { 4 } else { 2 };
     let last = highest.ceil() as i32;
@@ -234,7 +235,7 @@ pub fn ulps(highest: f64) -> Vec<(f64, String)> {
         .collect()
 }
 
-/// Kernels by colour, two in a row, below each other from y on; says where the next may be.
+/// Draws a legend of kernels by colour, two per row, and returns the y below it.
 pub fn legend(paper: &mut Paper, y: f64, names: &[&str]) -> f64 {
     for (at, name) in names.iter().enumerate() {
         let (x, y) = (20.0 + 230.0 * (at % 2) as f64, y + 22.0 * (at / 2) as f64);
@@ -244,7 +245,7 @@ pub fn legend(paper: &mut Paper, y: f64, names: &[&str]) -> f64 {
     y + 22.0 * names.len().div_ceil(2) as f64
 }
 
-/// Names, each once, in the order of the alphabet: a kernel has one colour in all plots.
+/// The distinct names in alphabetical order, so that a kernel has the same colour in all plots.
 pub fn names<'a>(all: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     let mut names = Vec::new();
     for name in all {

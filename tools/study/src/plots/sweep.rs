@@ -1,10 +1,11 @@
-//! A sweep: wrong decisions above, errors of t below; `f64` in whole lines, `f32` in dashes.
+//! Plots a sweep: wrong decisions above, errors of t below, solid lines for `f64` and dashed
+//! lines for `f32`.
 
 use super::paper::{Anchor, Panel, Paper, Shares, colour, curve, legend, names, ulps};
 use crate::judge::Tally;
 use crate::result::{Point, Sweep};
 
-/// The plot of one family, in both types of data.
+/// Draws one family, in both types of data.
 pub fn svg(sweeps: &[&Sweep]) -> String {
     let points = || sweeps.iter().flat_map(|sweep| &sweep.points);
     let judged = || points().flat_map(|point| &point.kernels);
@@ -54,7 +55,7 @@ pub fn svg(sweeps: &[&Sweep]) -> String {
     paper.svg(below.bottom + 48.0)
 }
 
-/// " radii" as ", in radii".
+/// Turns the unit " radii" into ", in radii".
 fn unit_of(rest: &str) -> String {
     match rest.trim() {
         "" => String::new(),

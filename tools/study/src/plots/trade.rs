@@ -1,10 +1,10 @@
-//! Cost against wrong decisions, each class of questions by itself: the trade.
+//! Plots cost against wrong decisions, with a panel for each class of questions.
 
 use super::paper::{Anchor, Panel, Paper, Shares, colour, legend, names};
 use crate::question::Class;
 use crate::result::{Findings, Trade};
 
-/// Three panels for one shape.
+/// Draws the three panels of one shape.
 pub fn svg(findings: &Findings, shape: &str) -> String {
     let trades = || findings.trades.iter().filter(|trade| trade.shape == shape);
     let names = names(trades().map(|trade| trade.kernel.as_str()));
