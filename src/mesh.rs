@@ -77,10 +77,10 @@ fn parse(text: &str, path: &Path) -> Result<Vec<Corners>, Error> {
     Ok(triangles)
 }
 
-/// The text without anything that makes no triangle: it keeps x, y, z of `v` and the vertices of
-/// `f`. tobj would also make triangles of polylines, divide by a vertex's w, and refuse comments
-/// behind values and texture coordinates it cannot find; the goldens' reader
-/// (tools/mitsuba/mesh.py) does none of that.
+/// Keeps only vertex positions and the vertex indices of faces. tobj would also make triangles
+/// of polylines, divide by a vertex's w, and reject comments behind values and texture
+/// coordinates that it cannot find. The goldens' reader (tools/mitsuba/mesh.py) does none of
+/// that.
 fn corners_and_faces(text: &str) -> String {
     let mut kept = String::with_capacity(text.len());
     for line in text.lines() {
@@ -108,8 +108,8 @@ fn corners_and_faces(text: &str) -> String {
     kept
 }
 
-/// The first face that names a vertex not yet there. tobj notices only after the
-/// last line, and not at all if the vertex comes later.
+/// The first face that names a vertex that is not yet defined. tobj notices only after the last
+/// line, and not at all if the vertex comes later.
 fn absent_vertex(text: &str, path: &Path) -> Option<Error> {
     let mut vertices = 0;
     for (number, line) in text.lines().enumerate() {

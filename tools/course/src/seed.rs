@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn small_seed_is_a_number_and_a_large_one_text() {
+    fn small_seeds_are_toml_numbers_and_large_seeds_are_strings() {
         for (seed, text) in [
             (1, "seed = 1\n"),
             (i64::MAX as u128, "seed = 9223372036854775807\n"),

@@ -21,14 +21,14 @@ use pinhole_course::progress::Progress;
 use pinhole_course::sandbox::{Limits, Sandbox};
 
 /// How long a mistake may take for a film.
-const WALL: Duration = Duration::from_secs(60);
+const TIME_LIMIT: Duration = Duration::from_secs(60);
 
 /// Films to fingerprint, each with the task that it tests alone, if it tests one.
 type FilmsToCast = Vec<(Option<String>, QuestionFilm)>;
 
 /// Fingerprints the mistakes on scenes and, with `probes`, on every group of questions. Keeps
-/// what was known of other films. Returns the files that were written, as paths inside the
-/// folder.
+/// earlier fingerprints of other films. Returns the files that were written, as paths inside
+/// the folder.
 pub fn make(
     assignment: &Assignment,
     goldens: &Goldens,
@@ -45,14 +45,16 @@ pub fn make(
         let submission = overlay::reference(assignment)?.overlaid(&folder.folder)?;
         compile(&submission, assignment, checkout, &Sandbox::Trusted)
     };
-    let told = Counter::new("building the mistakes", mistakes.len(), progress);
-    let programs = mistakes.par_iter().map(|folder| told.after(build(folder)));
+    let counter = Counter::new("building the mistakes", mistakes.len(), progress);
+    let programs = mistakes
+        .par_iter()
+        .map(|folder| counter.after(build(folder)));
     let programs: Vec<Program> = programs.collect::<Result<_>>()?;
 
     let mut known = KnownMistakes::read(&goldens.folder)?;
     let words = |folder: &MistakeFolder| (folder.slug.clone(), folder.mistake.clone());
     known.mistake = mistakes.iter().map(words).collect();
-    let asked = asked(assignment, goldens, probes)?;
+    let films_to_cast = films_to_cast(assignment, goldens, probes)?;
     let cast_all = |(task, film): &(Option<String>, QuestionFilm)| {
         let shows = |folder: &MistakeFolder| match task {
             Some(task) => folder.mistake.fails.contains(task),
@@ -66,11 +68,13 @@ pub fn make(
         }
         Ok(casts)
     };
-    let told = Counter::new("casting the mistakes", asked.len(), progress);
-    let films = asked.par_iter().map(|film| told.after(cast_all(film)));
+    let counter = Counter::new("casting the mistakes", films_to_cast.len(), progress);
+    let films = films_to_cast
+        .par_iter()
+        .map(|film| counter.after(cast_all(film)));
     let casts: Vec<Vec<(String, Option<Film>)>> = films.collect::<Result<_>>()?;
     let mut written = Vec::new();
-    for ((_, film), casts) in asked.iter().zip(casts) {
+    for ((_, film), casts) in films_to_cast.iter().zip(casts) {
         let name = goldens.film_name(&film.golden_path);
         written.extend(known.add(&name, &film.golden, casts, &goldens.folder)?);
     }
@@ -82,10 +86,10 @@ pub fn make(
     Ok(written)
 }
 
-fn asked(assignment: &Assignment, goldens: &Goldens, probes: bool) -> Result<FilmsToCast> {
-    let mut asked = FilmsToCast::new();
+fn films_to_cast(assignment: &Assignment, goldens: &Goldens, probes: bool) -> Result<FilmsToCast> {
+    let mut films_to_cast = FilmsToCast::new();
     for scene in &goldens.scenes {
-        asked.push((None, goldens.scene_film(scene)?));
+        films_to_cast.push((None, goldens.scene_film(scene)?));
     }
     for task in &assignment.tasks {
         let groups = match probes {
@@ -93,10 +97,10 @@ fn asked(assignment: &Assignment, goldens: &Goldens, probes: bool) -> Result<Fil
             false => goldens.scene_groups(task)?,
         };
         for film in groups.into_iter().flat_map(|group| group.films) {
-            asked.push((Some(task.name.clone()), film));
+            films_to_cast.push((Some(task.name.clone()), film));
         }
     }
-    Ok(asked)
+    Ok(films_to_cast)
 }
 
 /// The film of a mistake; `None` if it panics.
@@ -104,7 +108,7 @@ fn cast(program: &Program, film: &QuestionFilm) -> Result<Option<Film>> {
     let reply = examine::run(
         program,
         &Sandbox::Trusted,
-        &Limits::of_answers(WALL),
+        &Limits::of_answers(TIME_LIMIT),
         &film.job,
         &mut |_| {},
     )?;

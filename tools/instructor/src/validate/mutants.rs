@@ -222,7 +222,7 @@ impl MutantVerdict {
                 difference,
             } => {
                 let word = if is_listed {
-                    "listed otherwise"
+                    "listed, but its claim does not agree"
                 } else {
                     "missed"
                 };
@@ -240,8 +240,11 @@ impl Mutants {
     }
 
     /// How many mutants satisfy a condition.
-    pub fn count(&self, such: impl Fn(&MutantVerdict) -> bool) -> usize {
-        self.judged.iter().filter(|judged| such(judged)).count()
+    pub fn count(&self, predicate: impl Fn(&MutantVerdict) -> bool) -> usize {
+        self.judged
+            .iter()
+            .filter(|judged| predicate(judged))
+            .count()
     }
 
     /// How many mutants fail in each group of questions, and how many of them in no
@@ -262,6 +265,6 @@ impl Mutants {
 /// Deletes a program, because hundreds of mutants are not worth keeping.
 fn discard(program: &Program) {
     if let Some(folder) = program.executable.parent() {
-        let _another_run_may_have = fs::remove_dir_all(folder);
+        let _ = fs::remove_dir_all(folder); // another run may have deleted it
     }
 }

@@ -194,7 +194,7 @@ fn escaped_mutant_is_a_fault_unless_listed_as_equivalent() {
     let wrongly = listed("if discriminant == 0.0 {", "nowhere");
     write(&course, "equivalent.toml", &[never, ties, wrongly].concat());
     let ran = validate(&course, &only_these).expect_code(1);
-    let ran = ran.expect_out("✗ listed otherwise: sphere.rs:");
+    let ran = ran.expect_out("✗ listed, but its claim does not agree: sphere.rs:");
     ran.expect_out("1 target is missed");
 }
 
