@@ -1,4 +1,4 @@
-//! What exact kernels decide with, by properties.
+//! Property tests of the arithmetic that exact kernels use.
 
 use std::cmp::Ordering;
 
@@ -31,7 +31,7 @@ fn sums_and_products_of_floats_are_exact() {
 }
 
 #[test]
-fn signs_follow_small_integers() {
+fn signs_agree_with_integer_arithmetic() {
     let mut random = Random::new(2, "dyadic");
     for _ in 0..20_000 {
         let [a, b, c, d] = [0; 4].map(|_| random.within(-1e6, 1e6).round());
@@ -43,7 +43,7 @@ fn signs_follow_small_integers() {
 }
 
 #[test]
-fn a_float_comes_back_from_its_dyadic() {
+fn dyadic_of_a_float_rounds_back_to_it() {
     let mut random = Random::new(3, "leading");
     for value in (0..20_000)
         .map(|_| any(&mut random))
@@ -54,12 +54,12 @@ fn a_float_comes_back_from_its_dyadic() {
 }
 
 #[test]
-fn a_root_and_a_quotient_are_rounded_right() {
+fn dyadic_roots_and_quotients_are_correctly_rounded() {
     let mut random = Random::new(4, "leading");
     for _ in 0..20_000 {
         let (a, b) = (any(&mut random).abs(), random.within(1.0, 2.0));
         assert_eq!(Dyadic::of(a).sqrt().rounded(), a.sqrt(), "√{a:e}");
-        // A subnormal quotient is rounded twice.
+        // A subnormal quotient is rounded twice, so it may differ.
         if (a / b).is_normal() {
             assert_eq!(
                 Dyadic::of(a).over(&Dyadic::of(b)).rounded(),
@@ -71,7 +71,7 @@ fn a_root_and_a_quotient_are_rounded_right() {
 }
 
 #[test]
-fn double_doubles_lose_nothing_where_they_promise_so() {
+fn double_double_sums_and_products_of_floats_are_exact() {
     let mut random = Random::new(5, "double-double");
     for _ in 0..20_000 {
         let (a, b) = (random.within(-1e9, 1e9), random.within(-1e-3, 1e3));
@@ -85,14 +85,15 @@ fn double_doubles_lose_nothing_where_they_promise_so() {
     }
 }
 
-/// √2 as exactly as an `f64` says it, and things around it: t² − 2 = 0 has ±√2.
+/// Compares the `f64` nearest to √2, and numbers very close to √2, with the root √2 of t² − 2 =
+/// 0.
 #[test]
-fn roots_are_compared_beyond_the_digits_of_any_float() {
+fn roots_that_round_to_the_same_float_are_compared_correctly() {
     let of = Dyadic::of;
     let root =
         |p: f64, sign, radicand: f64, q: f64| Root::quadratic(of(p), sign, of(radicand), of(q));
     let near_root_2 = Root::fraction(of(2f64.sqrt()), of(1.0));
-    // 2f64.sqrt() is above √2: its square is.
+    // 2f64.sqrt() is above √2, because its square is above 2.
     assert_eq!(
         near_root_2.compare(&root(0.0, 1, 2.0, 1.0)),
         Ordering::Greater
@@ -101,7 +102,7 @@ fn roots_are_compared_beyond_the_digits_of_any_float() {
         root(0.0, -1, 2.0, 1.0).compare(&near_root_2),
         Ordering::Less
     );
-    // √8 / 2 = √2, 1 + √2 = (2 + √8) / 2, and √2 + √3 < √10 by a digit of the fourth.
+    // √8 / 2 = √2 and 1 ± √2 = (2 ± √8) / 2.
     assert_eq!(
         root(0.0, 1, 8.0, 2.0).compare(&root(0.0, 1, 2.0, 1.0)),
         Ordering::Equal
@@ -126,7 +127,7 @@ fn roots_are_compared_beyond_the_digits_of_any_float() {
 }
 
 #[test]
-fn a_comparison_of_roots_is_that_of_their_values_and_turns_around() {
+fn comparing_roots_is_antisymmetric_and_agrees_with_their_values() {
     let mut random = Random::new(6, "roots");
     for _ in 0..5_000 {
         let [p, q] = [0; 2].map(|_| {

@@ -1,4 +1,5 @@
-//! Whole scenes: is no hit lost, and is the nearer of two always first?
+//! Tests that casting whole scenes loses no hit, and that the nearer of two hits always comes
+//! first.
 
 use pinhole_study::cast::model::{Exact, Model, Plain, exact};
 use pinhole_study::cast::world::{Primitive, World};
@@ -8,7 +9,8 @@ use pinhole_study::random::Random;
 use pinhole_study::shape::{Plane, Ray, Sphere, Triangle};
 use pinhole_study::vector::Vector;
 
-/// A direction along an axis half of the time: it runs parallel to the sides of boxes.
+/// A random direction. Half of them lie along an axis or in an axis-aligned plane, and so run
+/// parallel to the sides of boxes.
 fn direction(random: &mut Random) -> Vector<f64> {
     let any = random.unit();
     let axis = Vector::new(1.0, 0.0, 0.0);
@@ -20,7 +22,7 @@ fn direction(random: &mut Random) -> Vector<f64> {
     }
 }
 
-/// Balls and triangles with corners on a grid, so that sides of boxes and rays coincide.
+/// Spheres and triangles on a grid, so that rays often coincide with the sides of boxes.
 fn crowd(random: &mut Random, scale: f64, offset: Vector<f64>) -> World {
     let on_grid = |random: &mut Random| {
         let at = random.unit() * random.within(0.0, 8.0);
@@ -102,7 +104,7 @@ fn boxes_lose_no_hit_of_rays_from_far_away() {
 }
 
 #[test]
-fn what_lies_an_ulp_before_min_t_is_not_seen() {
+fn hit_one_ulp_before_min_t_is_not_seen() {
     let mut random = Random::new(4, "min_t");
     let mut met = 0;
     for _ in 0..20 {
@@ -133,7 +135,7 @@ fn what_lies_an_ulp_before_min_t_is_not_seen() {
     assert!(met > 1_000, "{met}");
 }
 
-/// Rays at shapes that lie within a few last digits of each other.
+/// Casts rays at surfaces that are a few ulps apart, and counts wrong objects.
 fn wrong_objects<M: Model>() -> usize {
     let mut random = Random::new(2, "close");
     let mut wrong = 0;
@@ -144,7 +146,8 @@ fn wrong_objects<M: Model>() -> usize {
             origin: from,
             direction: (target - from) * random.within(0.3, 3.0),
         };
-        // A ball, and planes and triangles where the ray meets it, give or take an ulp.
+        // A sphere, and a plane or triangle through the point where the ray hits it, up to
+        // rounding.
         let ball = Primitive::Sphere(Sphere {
             center: Vector::new(0.0, 0.0, 0.0),
             radius: 1.0,
@@ -186,14 +189,15 @@ fn wrong_objects<M: Model>() -> usize {
 #[test]
 fn of_two_surfaces_an_ulp_apart_the_nearer_is_seen() {
     assert_eq!(wrong_objects::<Exact>(), 0);
-    // And the judge notices a caster that compares rounded t.
+    // The judge notices a caster that compares rounded t.
     let plain = wrong_objects::<Plain>();
     assert!(plain > 100, "{plain}");
 }
 
-/// Scaled to a length of about 1, such a direction runs parallel to the plane.
+/// The direction's y component underflows when the direction is scaled to a length of about 1,
+/// so that it seems to run parallel to the plane.
 #[test]
-fn a_slope_too_small_to_scale_is_seen() {
+fn plane_is_hit_if_scaling_the_direction_underflows() {
     let mut world = World::default();
     world.add(
         0,
@@ -211,10 +215,10 @@ fn a_slope_too_small_to_scale_is_seen() {
     assert_eq!(seen.map(|found| found.t), Some(0.5));
 }
 
-/// The further ball's box is entered first, and its t, 1.45 times the smallest float, is
-/// rounded to once that: before the nearer ball, at 1.3.
+/// The box of the farther sphere is entered first. Its t, 1.45 times the smallest float, is
+/// rounded down to 1, before the nearer sphere's 1.3.
 #[test]
-fn boxes_lose_no_hit_where_t_has_lost_its_digits() {
+fn boxes_lose_no_hit_with_subnormal_t() {
     let unit = 2f64.powi(-51);
     let ball = |x: f64, z: f64, radius: f64| {
         Primitive::Sphere(Sphere {
@@ -236,9 +240,10 @@ fn boxes_lose_no_hit_where_t_has_lost_its_digits() {
     }
 }
 
-/// Its area, 1e-320, has three digits, and that of the next none.
+/// The area 1e-320 of the first triangle is subnormal, with three digits. That of the second
+/// underflows to 0, and that of the third overflows.
 #[test]
-fn the_normal_of_a_tiny_or_a_huge_triangle_is_a_number() {
+fn normals_of_tiny_and_huge_triangles_are_accurate() {
     for size in [1e-160, 1e-170, 1e160] {
         let corner = |x: f64, y: f64| Vector::new(x, y, 0.5 * x) * size;
         let triangle = Triangle {
@@ -254,9 +259,9 @@ fn the_normal_of_a_tiny_or_a_huge_triangle_is_a_number() {
     }
 }
 
-/// The square of such a direction is 0.
+/// The square of this direction's length underflows to 0.
 #[test]
-fn the_judge_sees_along_a_direction_that_is_hardly_there() {
+fn judge_handles_a_direction_whose_square_underflows() {
     let mut world = World::default();
     world.add(
         0,

@@ -1,4 +1,5 @@
-//! Is what twice the digits decide what exact numbers decide, ever nearer to an edge?
+//! Tests that the double-double filter agrees with exact arithmetic, for rays ever closer to an
+//! edge.
 
 use pinhole_study::kernel::Window;
 use pinhole_study::kernel::sphere::ScaledRay;
@@ -7,14 +8,15 @@ use pinhole_study::random::Random;
 use pinhole_study::shape::{Ray, Triangle};
 use pinhole_study::vector::Vector;
 
-/// What numbers of twice the digits say, if that is sure.
+/// The double-double filter's answer, if it is certain.
 fn twice_decided(triangle: &Triangle<f64>, ray: &Ray<f64>, min_t: f64) -> Option<Option<f64>> {
     let scaled = ScaledRay::new(ray);
     double_double_filter(triangle, &scaled, &Window::new(scaled.scale(min_t)))
 }
 
-/// A ray from a hair beside the world's origin at the middle of an edge. Without the hair
-/// that is met exactly: corners are multiples of 2^−50, and their sum is not rounded.
+/// A ray from a point at distance `hair` from the world's origin, aimed at the middle of an
+/// edge. With `hair` = 0 it hits the edge exactly, because corners are multiples of 2^−50 and
+/// their sum is not rounded.
 fn beside_an_edge(random: &mut Random, hair: f64) -> (Triangle<f64>, Ray<f64>) {
     let fine = 2f64.powi(50);
     let [a, b, c] = [0; 3].map(|_| random.unit().map(|x| (x * fine).round() / fine));
@@ -26,7 +28,7 @@ fn beside_an_edge(random: &mut Random, hair: f64) -> (Triangle<f64>, Ray<f64>) {
 }
 
 #[test]
-fn what_twice_the_digits_decide_is_true() {
+fn double_double_decisions_are_true() {
     let mut random = Random::new(1, "twice");
     let [mut decided, mut open] = [0; 2];
     for exponent in 0..=60 {
@@ -51,8 +53,8 @@ fn what_twice_the_digits_decide_is_true() {
     assert!(decided > 20_000 && open > 10_000, "{decided}, {open}");
 }
 
-/// Small whole numbers, of which two are often the same: so much is decided by a last
-/// digit, and of such small ones products have none.
+/// Small integers times `unit`, of which two are often equal. Many answers then depend on a
+/// last digit, which underflows in products of small units.
 fn in_units_of(random: &mut Random, unit: f64) -> (Triangle<f64>, Ray<f64>) {
     let mut point = || {
         let mut number = || random.within(-4.0, 4.0).round() * unit;
@@ -65,7 +67,7 @@ fn in_units_of(random: &mut Random, unit: f64) -> (Triangle<f64>, Ray<f64>) {
 }
 
 #[test]
-fn what_underflows_or_lies_about_min_t_is_left_open() {
+fn no_decision_is_wrong_with_underflow_or_t_near_min_t() {
     let mut random = Random::new(2, "twice");
     let (mut decided, mut met) = (0, 0);
     for power in [0, -300, -340, -360, -500, -530, -1000] {
@@ -90,9 +92,9 @@ fn what_underflows_or_lies_about_min_t_is_left_open() {
     assert!(met > 1_000 && decided > 100, "{met}, {decided}");
 }
 
-/// An edge is met exactly, and products have digits below the smallest float.
+/// The ray hits an edge exactly, and digits of the products underflow.
 #[test]
-fn what_products_lose_by_underflow_is_left_open() {
+fn products_that_underflow_are_left_to_exact_arithmetic() {
     let mut random = Random::new(3, "twice");
     for power in -530..-470 {
         for _ in 0..20 {

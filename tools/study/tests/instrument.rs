@@ -1,4 +1,4 @@
-//! The instrument itself: does it notice what is broken, and is nothing else noticed?
+//! Tests the study itself: broken kernels are noticed, and correct kernels are not blamed.
 
 use std::cell::Cell;
 use std::sync::LazyLock;
@@ -43,7 +43,7 @@ fn wrong<S: HasFamilies>(kernel: &Contestant<S>) -> u64 {
         .sum()
 }
 
-/// Only the far side of a sphere is looked for.
+/// A broken kernel that returns the far root if there is one.
 struct FarSide;
 
 impl Kernel<Sphere<f64>, f64> for FarSide {
@@ -58,7 +58,7 @@ impl Kernel<Sphere<f64>, f64> for FarSide {
     }
 }
 
-/// The last bit of a direction's component is dropped: one ulp of an input.
+/// A broken kernel that moves a component of the direction by one ulp.
 struct OneUlpOff;
 
 impl Kernel<Triangle<f64>, f64> for OneUlpOff {
@@ -74,7 +74,7 @@ impl Kernel<Triangle<f64>, f64> for OneUlpOff {
     }
 }
 
-/// A triangle without its edges: strict comparisons.
+/// A broken kernel that excludes edges by strict comparisons.
 struct Strict;
 
 impl Kernel<Triangle<f64>, f64> for Strict {
@@ -131,8 +131,8 @@ fn an_eye_at_the_centre_sees_the_sphere_at_its_radius() {
     }
 }
 
-/// What takes the place of a number; the type's smallest and largest are those of `f32`, which
-/// `f64` has as well.
+/// Values that replace a number. The smallest and the largest finite ones are those of `f32`,
+/// which `f64` can represent too.
 const SPOILERS: [f64; 7] = [
     f64::NAN,
     f64::INFINITY,
@@ -143,8 +143,9 @@ const SPOILERS: [f64; 7] = [
     -0.0,
 ];
 
-/// With each number of a question replaced in turn: no hit if it is no number, else the truth.
-fn no_number_spoils<S: HasFamilies + std::fmt::Debug>(kernel: &Contestant<S>, value: f64) {
+/// Replaces each number of a question in turn. If the question becomes invalid, the kernel must
+/// miss; otherwise it must give the true answer.
+fn survives_replaced_numbers<S: Studied + std::fmt::Debug>(kernel: &Contestant<S>, value: f64) {
     let families = S::families();
     let plain = families.iter().find(|family| family.name == "offset");
     let plain = plain.expect("every shape has an offset");
@@ -163,7 +164,7 @@ fn no_number_spoils<S: HasFamilies + std::fmt::Debug>(kernel: &Contestant<S>, va
                 let tally = judge(kernel, &[spoilt], &[S::truth(&spoilt)]);
                 assert_eq!(tally.wrong() + tally.not_finite, 0, "{spoilt:?}");
             } else if spoilt.min_t != f64::NEG_INFINITY {
-                // That min_t is an honest way to ask for every t.
+                // −∞ is a valid min_t: it accepts every t.
                 let answer = (kernel.answer)(&spoilt);
                 assert_eq!(answer, None, "{} {spoilt:?}", kernel.name);
             }
@@ -177,7 +178,7 @@ fn exact_kernels_are_never_wrong<S: HasFamilies + std::fmt::Debug>() {
         .iter()
         .filter(|kernel| kernel.name == EXACT)
     {
-        // t is promised to √u of itself.
+        // The promised relative error of t is √u.
         let promise = 2f64.powf(f64::from(kernel.data.digits()) / 2.0 + 0.5);
         for (place, tally) in over_all(kernel, 100) {
             let worst = tally.worst_ulp.unwrap_or(0.0);
@@ -185,7 +186,7 @@ fn exact_kernels_are_never_wrong<S: HasFamilies + std::fmt::Debug>() {
             assert!(is_right, "{place} {}: {tally:?}", kernel.numbers);
         }
         for value in SPOILERS {
-            no_number_spoils(kernel, value);
+            survives_replaced_numbers(kernel, value);
         }
     }
 }
@@ -218,7 +219,7 @@ fn closed_meshes_of_exact_triangles_do_not_leak() {
     }
 }
 
-/// Of one kernel's decisions in a class, on few questions.
+/// Wrong and judged decisions of one kernel in one class, on few questions.
 fn traded(shape: &str, class: Class, kernel: &str, numbers: &str) -> (u64, u64) {
     static FINDINGS: LazyLock<Findings> = LazyLock::new(|| {
         let extent = Extent {
@@ -232,7 +233,11 @@ fn traded(shape: &str, class: Class, kernel: &str, numbers: &str) -> (u64, u64) 
         (it.shape.as_str(), it.class) == (shape, class)
             && (it.kernel.as_str(), it.numbers.as_str()) == (kernel, numbers)
     };
-    let trade = FINDINGS.trades.iter().find(is_it).expect("it took part");
+    let trade = FINDINGS
+        .trades
+        .iter()
+        .find(is_it)
+        .expect("this kernel was measured");
     let missed = targets(&FINDINGS).into_iter().filter(|target| !target.met);
     assert_eq!(
         missed.map(|target| target.about).collect::<Vec<_>>(),
@@ -242,7 +247,7 @@ fn traded(shape: &str, class: Class, kernel: &str, numbers: &str) -> (u64, u64) 
 }
 
 #[test]
-fn classes_tell_apart_who_fails_where() {
+fn each_class_shows_which_kernels_fail_in_it() {
     let share = |(wrong, asked): (u64, u64)| wrong as f64 / asked as f64;
     let textbook = |class, numbers| share(traded("sphere", class, "textbook", numbers));
     assert_eq!(textbook(Class::Everyday, "f64"), 0.0);
@@ -256,7 +261,7 @@ fn classes_tell_apart_who_fails_where() {
 
 #[test]
 fn a_question_is_as_sensitive_as_its_conditioning_says() {
-    // Where n · d is 1e-6 of its products, t follows the numbers a million times as strongly.
+    // If n · d is 1e-6 times the magnitude of its products, t is a million times as sensitive.
     for (across, decade) in [(1.0, 0), (1e-6, 6)] {
         let at = |x, y, z| Vector::new(x, y, z);
         let (point, normal) = (at(0.0, 0.0, 0.0), at(1.0, 0.0, 1.0));
@@ -268,7 +273,7 @@ fn a_question_is_as_sensitive_as_its_conditioning_says() {
 }
 
 #[test]
-fn rays_that_leave_a_surface_meet_it_again_unless_they_are_moved() {
+fn secondary_rays_hit_their_own_surface_unless_their_origin_is_offset() {
     let all = secondary::studied(2_000, SEED);
     for tally in &all {
         let is_moved = ["pbrt-v4", "Wächter–Binder"].contains(&tally.method.as_str());
@@ -280,7 +285,7 @@ fn rays_that_leave_a_surface_meet_it_again_unless_they_are_moved() {
 }
 
 #[test]
-fn a_study_is_the_same_again() {
+fn repeated_study_gives_identical_sweeps() {
     let extent = Extent {
         questions: 20,
         ..Extent::QUICK

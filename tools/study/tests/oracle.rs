@@ -1,4 +1,4 @@
-//! The oracle against a second one, in another language, by other formulas.
+//! Compares the oracle with a second one, which is written in Python and uses other formulas.
 
 use std::io::Write;
 use std::path::Path;
@@ -14,7 +14,8 @@ use pinhole_study::shape::{Plane, Sphere, Triangle};
 
 /// Questions at each exponent of each family.
 const COUNT: usize = 12;
-/// The oracles agree on t to this power of ten: more than 300 bits.
+/// The largest relative difference of t between the oracles is 10 to minus this power: they
+/// agree in more than 300 bits.
 const AGREE: usize = 91;
 
 /// A number as Python's `float.fromhex` reads it.
@@ -43,7 +44,7 @@ fn decimal(text: &str) -> RBig {
     }
 }
 
-/// What the second oracle says to lines of questions.
+/// Runs the second oracle on questions, one per line, and returns its answers.
 fn second_opinion(lines: &str) -> Vec<String> {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let own = here.join("../mitsuba/.venv/bin/python");
@@ -105,7 +106,7 @@ fn oracles_agree<S: HasFamilies + std::fmt::Debug>(shape_first: fn(&Question<S>)
     }
     assert!(
         hits > asked.len() / 8,
-        "{hits} hits of {} are no test",
+        "only {hits} of {} questions are hits",
         asked.len()
     );
 }

@@ -1,4 +1,4 @@
-//! Plans: does what is cast as planned keep to what was wished, and is it the same again?
+//! Tests that plans reach the requested accuracy, and that they are reproducible.
 
 use std::path::Path;
 
@@ -15,7 +15,7 @@ fn wish(accuracy: f64) -> AccuracyTarget {
     AccuracyTarget { accuracy, ..EXACT }
 }
 
-/// A scene of these tests: what once was wrong.
+/// Reads a test scene that a plan once got wrong.
 fn hostile(name: &str) -> Scene {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenes");
     read(&folder.join(format!("{name}.toml"))).expect("it is a scene")
@@ -36,7 +36,7 @@ fn keeps_its_promise(scene: &Scene, accuracies: &[f64]) {
 }
 
 #[test]
-fn every_plan_keeps_to_what_was_wished_at_every_pixel_asked() {
+fn every_plan_reaches_the_requested_accuracy_at_every_sampled_pixel() {
     let share = Share {
         step: 13,
         seconds: 0.0,
@@ -57,7 +57,7 @@ fn scenes_that_once_broke_plans_keep_their_promise() {
     }
 }
 
-/// At 8 pixels a triangle's hypotenuse runs through the centres exactly.
+/// The triangle's hypotenuse runs exactly through the centres of 8 pixels.
 #[test]
 fn edges_are_hits() {
     let (film, _) = planned(&hostile("closed_edge"), EXACT).expect("a film");
@@ -67,7 +67,7 @@ fn edges_are_hits() {
 }
 
 #[test]
-fn all_that_a_film_holds_is_finite() {
+fn all_samples_of_a_film_are_finite() {
     for name in ["slivers", "far_triangle"] {
         let (film, _) = planned(&hostile(name), EXACT).expect("a film");
         for channel in film.channels() {
@@ -78,7 +78,7 @@ fn all_that_a_film_holds_is_finite() {
 }
 
 #[test]
-fn what_is_too_far_for_a_number_is_seen() {
+fn hit_beyond_the_largest_f32_is_seen_at_that_depth() {
     let (film, _) = planned(&hostile("far_triangle"), EXACT).expect("a film");
     let [id, t] = ["id", "t"].map(|name| film.channel(name).expect("it is there"));
     assert!(id.iter().all(|id| *id == 0.0), "{id:?}");
@@ -86,7 +86,7 @@ fn what_is_too_far_for_a_number_is_seen() {
 }
 
 #[test]
-fn a_scene_has_the_same_plan_again() {
+fn planning_a_scene_twice_gives_the_same_plan() {
     for file in files() {
         let scene = read(&file).expect("it is a scene");
         let [one, other] = [0; 2].map(|_| {
@@ -98,7 +98,7 @@ fn a_scene_has_the_same_plan_again() {
 }
 
 #[test]
-fn what_no_f64_can_hold_is_refused() {
+fn accuracy_beyond_f64_is_rejected() {
     let refused = plan(&hostile("crate"), wish(1e-17));
     assert!(refused.is_err_and(|why| why.contains("remedy")));
 }

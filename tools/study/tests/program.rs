@@ -1,4 +1,4 @@
-//! The real program, on one small part.
+//! Runs the real program on small parts of the study.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -36,7 +36,7 @@ fn each_part_is_measured_and_written() {
 }
 
 #[test]
-fn an_unknown_family_is_refused_by_name() {
+fn unknown_family_is_rejected_by_name() {
     let (code, said, _) = studied("nonsense");
     let error: Value = serde_json::from_str(&said).expect("an error is a document too");
     let problem = error["error"].as_str().expect("it has words");
@@ -47,7 +47,7 @@ fn an_unknown_family_is_refused_by_name() {
 }
 
 #[test]
-fn plots_and_the_page_are_written_and_name_each_other() {
+fn summary_shows_the_plots_that_are_written() {
     let (_, _, folder) = studied("edge-on");
     let page = fs::read_to_string(folder.join("summary.md")).expect("it was written");
     let name = "triangle-edge-on.svg";

@@ -1,4 +1,4 @@
-//! The long runs, short: what `pinhole-study record` would say in a few seconds.
+//! Short versions of the long runs of `pinhole-study record`.
 
 use pinhole_study::record::{Kind, record};
 
