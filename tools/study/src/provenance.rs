@@ -1,4 +1,4 @@
-//! Where, when and how a study was made.
+//! Records where, when and how a study was made.
 
 use std::fs;
 use std::path::Path;
@@ -8,7 +8,7 @@ use pinhole_course::shell::PINHOLE;
 
 use crate::result::Provenance;
 
-/// Of this run.
+/// The provenance of this run.
 pub fn provenance(mode: &str, seed: u64) -> Provenance {
     Provenance {
         machine: machine(),
@@ -26,7 +26,7 @@ pub fn provenance(mode: &str, seed: u64) -> Provenance {
     }
 }
 
-/// What to type for the same; where it is written changes no figure.
+/// The command that repeats the run, without `--out`, which changes no result.
 fn command() -> String {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let mut words = vec![PINHOLE];

@@ -1,4 +1,4 @@
-//! What kernels and oracle are asked, and the two kinds of numbers it is asked in.
+//! The questions that kernels and the oracle are asked, and the types of their numbers.
 
 use serde::Serialize;
 
@@ -6,35 +6,36 @@ use crate::number::Real;
 use crate::shape::{Ray, Shape};
 use crate::vector::Vector;
 
-/// Where does this ray first meet this shape, from `min_t` on? The numbers are `f64`,
-/// but each is one that the tested type has: the oracle judges the kernel, not the
-/// rounding of its inputs.
+/// Where does this ray first hit this shape, with t ≥ `min_t`? The numbers are stored as `f64`,
+/// but each is representable in the tested type, so that the oracle judges the kernel and not
+/// the rounding of its input.
 #[derive(Clone, Copy, Debug)]
 pub struct Question<S> {
-    /// What may be met.
+    /// The shape.
     pub shape: S,
-    /// By what.
+    /// The ray.
     pub ray: Ray<f64>,
-    /// From where on.
+    /// The smallest t that counts.
     pub min_t: f64,
 }
 
-/// How far from the ordinary a question is. Classes are never added up: nobody's scene is a
-/// mixture of a teapot and a galaxy.
+/// How unusual a question is. Results of different classes are never added up, because no real
+/// scene is a mixture of a teapot and a galaxy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Class {
-    /// Within about a thousand sizes of everything: what most scenes ask.
+    /// All lengths are within a factor of about a thousand, as in most scenes.
     Everyday,
-    /// Planets, grazing rays, slivers, surfaces seen edge-on: a careful scene may ask it.
+    /// Planets, grazing rays, slivers, surfaces seen edge-on: a realistic scene may contain
+    /// them.
     Hard,
-    /// Lengths beyond 1e18 or below 1e-18: nearly at the ends of the type.
+    /// Lengths beyond 1e18 or below 1e-18: close to the ends of the type's range.
     Absurd,
 }
 
 impl Class {
-    /// All of them.
+    /// All classes.
     pub const ALL: [Class; 3] = [Class::Everyday, Class::Hard, Class::Absurd];
 
     /// How tables call it.
@@ -50,9 +51,9 @@ impl Class {
 /// The type in which a question's numbers are stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Data {
-    /// 53 bits, 1e-308 to 1e308.
+    /// `f64`: 53 bits, 1e-308 to 1e308.
     F64,
-    /// 24 bits, 1e-38 to 1e38.
+    /// `f32`: 24 bits, 1e-38 to 1e38.
     F32,
 }
 
@@ -81,7 +82,7 @@ impl Data {
         }
     }
 
-    /// The bits of a number.
+    /// The number of significant bits.
     pub fn digits(self) -> i32 {
         match self {
             Data::F64 => f64::MANTISSA_DIGITS as i32,
@@ -89,7 +90,7 @@ impl Data {
         }
     }
 
-    /// The e of the smallest number above 0, 2^e.
+    /// The e of the smallest positive number, 2^e.
     pub fn smallest_exponent(self) -> i32 {
         match self {
             Data::F64 => -1074,
@@ -99,7 +100,7 @@ impl Data {
 }
 
 impl<S> Question<S> {
-    /// From the ray's origin on.
+    /// A question with `min_t` = 0.
     pub fn new(shape: S, origin: Vector<f64>, direction: Vector<f64>) -> Question<S> {
         Question {
             shape,
@@ -110,8 +111,8 @@ impl<S> Question<S> {
 }
 
 impl<S: Shape<With<f64> = S>> Question<S> {
-    /// Each number replaced by functions of it: of lengths, of what a plane's normal
-    /// holds, of directions, of t.
+    /// Applies one function to all lengths, one to the components of normals, one to those of
+    /// directions, and one to t.
     pub fn map(
         &self,
         length: impl Fn(f64) -> f64 + Copy,
@@ -126,13 +127,13 @@ impl<S: Shape<With<f64> = S>> Question<S> {
         }
     }
 
-    /// With every number rounded to a type.
+    /// Rounds every number to a type.
     pub fn rounded(&self, data: Data) -> Question<S> {
         let round = |value| data.round(value);
         self.map(round, round, round, round)
     }
 
-    /// All its numbers: lengths, a normal's, the direction's.
+    /// All its numbers except `min_t`: lengths, the normal's and the direction's components.
     pub fn numbers(&self) -> [Vec<f64>; 3] {
         let (mut lengths, mut free) = (Vec::new(), Vec::new());
         lengths.extend(self.ray.origin.array());
@@ -162,7 +163,7 @@ impl<S: Shape<With<f64> = S>> Question<S> {
     }
 }
 
-/// A power of ten, also where it is subnormal.
+/// A power of ten, even if it is subnormal.
 pub fn ten_to(power: i32) -> f64 {
     format!("1e{power}").parse().expect("it is a number")
 }

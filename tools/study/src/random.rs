@@ -1,4 +1,4 @@
-//! Random numbers that are the same on every machine and forever.
+//! Random numbers that are the same on every machine and in every version.
 
 use std::f64::consts::TAU;
 
@@ -12,7 +12,7 @@ use crate::vector::Vector;
 pub struct Random(SplitMix64);
 
 impl Random {
-    /// Of a seed and of what it is for, so that one family does not depend on another.
+    /// Seeds a generator from `seed` and `purpose`, so that families draw independent numbers.
     pub fn new(seed: u64, purpose: &str) -> Random {
         // FNV-1a.
         let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
@@ -35,7 +35,7 @@ impl Random {
         if self.bits() >> 63 == 0 { 1.0 } else { -1.0 }
     }
 
-    /// A whole number below `count`.
+    /// An integer from 0 to `count` − 1.
     pub fn below(&mut self, count: usize) -> usize {
         (self.bits() % count as u64) as usize
     }
@@ -47,7 +47,7 @@ impl Random {
         Vector::new(radius * angle.cos(), radius * angle.sin(), z)
     }
 
-    /// A unit vector perpendicular to one that is about unit.
+    /// A unit vector perpendicular to `axis`, which is nearly a unit vector.
     pub fn unit_across(&mut self, axis: Vector<f64>) -> Vector<f64> {
         loop {
             let across = self.unit().cross(axis);

@@ -1,10 +1,10 @@
-//! The long runs: whether exact casting is ever wrong, in as many rounds as one has time
-//! for. `pinhole-study record` prints results to record in `tools/RECORDS.md`.
+//! The long runs: is exact casting ever wrong, in as many rounds as you have time for?
+//! `pinhole-study record` prints results to record in `tools/RECORDS.md`.
 //!
-//! Every answer is judged by the oracle, in fractions; that is what takes the time, about
-//! ten times as much as is judged. A tie (tangent, on an edge, t = `min_t`) has no wrong
-//! answer to random and adversarial questions; closed meshes ask edges and corners apart, and
-//! of a plan every pixel has one right object.
+//! The oracle judges every answer with fractions, which takes about ten times as long as
+//! computing it. In random and adversarial questions, a tie (tangent, on an edge, t = `min_t`)
+//! has no wrong answer. Edges and corners are tested separately with closed meshes, and every
+//! pixel of a plan has exactly one right object.
 
 pub mod scene;
 
@@ -28,32 +28,34 @@ use crate::question::{Class, Data, Question};
 use crate::random::Random;
 use crate::shape::{Plane, Sphere, Triangle};
 
-/// What is asked. A round of each depends on its number and the seed alone, so that a run can
-/// go on where another ended.
+/// What to ask. A round depends only on its number and the seed, so that a run can continue
+/// where another ended.
 #[derive(Clone, Copy, Debug, PartialEq, clap::ValueEnum)]
 pub enum Kind {
     /// Everyday questions of all shapes and families, to the exact kernels and the caster.
     Random,
-    /// The same of hard and absurd ones.
+    /// Hard and absurd questions of all shapes and families, to the exact kernels and the
+    /// caster.
     Adversarial,
     /// Rays at the edges and the vertices of a closed mesh, to the caster.
     Edges,
-    /// A plan of a random scene, at every pixel.
+    /// A plan of a random scene, judged at every pixel.
     Plans,
 }
 
-/// What came of some rounds.
+/// The result of some rounds.
 #[derive(Clone, Debug, Default)]
 pub struct Count {
-    /// Questions, rays or pixels; ties of questions left out.
+    /// Questions, rays or pixels that were judged; ties of questions are left out.
     pub asked: u64,
-    /// Of them, those that truly hit something, where that is not all.
+    /// Those that truly hit something; 0 for closed meshes, where all do.
     pub hits: u64,
-    /// Decided exactly, or, of plans, computed exactly.
+    /// Tests that were decided exactly at meshes; for plans, hits that were computed exactly. 0
+    /// for questions.
     pub exact: u64,
-    /// Wrong decisions, leaks, and pixels that broke a plan.
+    /// Wrong decisions, leaks, and pixels that violate a plan.
     pub wrong: u64,
-    /// The rounds that these are in.
+    /// The rounds with something wrong.
     pub broken: Vec<u64>,
 }
 
@@ -70,7 +72,7 @@ impl Count {
     }
 }
 
-/// Some rounds, on all cores.
+/// Runs some rounds, on all cores.
 pub fn record(kind: Kind, rounds: Range<u64>, seed: u64) -> Count {
     let of_round = |round: u64| {
         let seed = seed ^ round.wrapping_mul(0x9e37_79b9_7f4a_7c15);
@@ -88,7 +90,7 @@ pub fn record(kind: Kind, rounds: Range<u64>, seed: u64) -> Count {
     counts.reduce(Count::default, Count::plus)
 }
 
-/// Asked of one family at one exponent in a round.
+/// Questions of one family at one exponent in a round, and rays per aim at a mesh.
 const BATCH: usize = 500;
 
 fn of_shape<S: HasFamilies + Into<Primitive>>(kind: Kind, seed: u64) -> Count {
@@ -111,8 +113,8 @@ fn of_shape<S: HasFamilies + Into<Primitive>>(kind: Kind, seed: u64) -> Count {
     count
 }
 
-/// The exact kernel, and the caster around it.
-fn judged<S: HasKernels + Into<Primitive>>() -> [Contestant<S>; 2] {
+/// The exact kernel in `f64`, and the caster as a kernel.
+fn judged<S: Contested + Into<Primitive>>() -> [Contestant<S>; 2] {
     let kernels = S::contestants();
     let is_it = |k: &&Contestant<S>| k.name == EXACT && k.data == Data::F64;
     let kernel = *kernels.iter().find(is_it).expect("every shape has it");
@@ -126,7 +128,7 @@ fn judged<S: HasKernels + Into<Primitive>>() -> [Contestant<S>; 2] {
     [kernel, Contestant { answer, ..kernel }]
 }
 
-/// From inside one mesh.
+/// Casts rays from inside one closed mesh.
 fn edges(seed: u64) -> Count {
     let mut random = Random::new(seed, "leaks");
     let ball = Ball::new(&mut random, Data::F64);
@@ -148,8 +150,8 @@ fn edges(seed: u64) -> Count {
     count
 }
 
-/// The judge computes in fractions and shares no code with what casts; only the scene's numbers
-/// and the camera's rays, as rounded to `f64`, are given to both.
+/// Casts a random scene by its plan. The judge computes with fractions and shares only its
+/// input with the casters: the scene and the camera's rays, rounded to `f64`.
 fn planned(seed: u64) -> Count {
     let (scene, wish) = scene::drawn(seed);
     let (world, rays) = (World::of(&scene.objects), rays(&scene));

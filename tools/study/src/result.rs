@@ -1,5 +1,5 @@
-//! What a study found, as it is written to `study.json`: `tools/schema/study.schema.json`
-//! says the same to other programs.
+//! The result of a study, as written to `study.json`. `tools/schema/study.schema.json`
+//! describes the same document for other programs.
 
 use serde::Serialize;
 
@@ -21,11 +21,11 @@ pub struct Study {
     /// What was found.
     #[serde(flatten)]
     pub findings: Findings,
-    /// What was promised or measured before, beside what came.
+    /// Promised or earlier figures, with the ones measured now.
     pub targets: Vec<Target>,
 }
 
-/// What a run finds, before it is judged itself.
+/// The findings of a run, before they are compared with the promises.
 #[derive(Clone, Debug, Default, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Findings {
@@ -33,19 +33,19 @@ pub struct Findings {
     pub families: Vec<Sweep>,
     /// Closed meshes.
     pub meshes: Vec<MeshTally>,
-    /// What each kernel costs, and what it gets wrong, by class.
+    /// Cost and wrong answers of each kernel, by class.
     pub trades: Vec<Trade>,
     /// The tiers of the exact kernels.
     pub tiers: Vec<TierTally>,
-    /// Errors of t against the question's conditioning.
-    pub conditioning: Vec<ConditioningErrors>,
+    /// Errors of t by the question's condition number.
+    pub conditioning: Vec<Conditioned>,
     /// Rays that begin on a surface.
     pub secondary: Vec<Secondary>,
     /// Where each kernel breaks.
     pub breaking: Vec<BreakingPoint>,
     /// Whole scenes.
     pub scenes: Vec<SceneTally>,
-    /// What plans come to.
+    /// Whole scenes, cast by plans.
     pub plans: Vec<PlanTally>,
 }
 
@@ -55,15 +55,15 @@ pub struct Findings {
 pub struct Provenance {
     /// The processor.
     pub machine: String,
-    /// UTC.
+    /// The date, in UTC.
     pub date: String,
-    /// The commit, with `+` behind it if the work tree differs.
+    /// The commit, with `+` appended if the work tree differs.
     pub commit: String,
-    /// What was typed.
+    /// The command.
     pub command: String,
     /// `quick` or `full`.
     pub mode: String,
-    /// What random numbers come from.
+    /// The seed of random numbers.
     pub seed: u64,
     /// The compiler's target features that matter.
     pub features: String,
@@ -77,13 +77,13 @@ pub struct Sweep {
     pub shape: String,
     /// The family's name.
     pub family: String,
-    /// What it shows.
+    /// What the family shows.
     pub meaning: String,
-    /// What x is.
+    /// The meaning of x.
     pub axis: String,
     /// The type its numbers are rounded to.
     pub data: String,
-    /// From small to large x.
+    /// The points, in order of x.
     pub points: Vec<Point>,
 }
 
@@ -91,23 +91,23 @@ pub struct Sweep {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Point {
-    /// x.
+    /// The exponent x.
     pub exponent: i32,
-    /// How far from the ordinary its questions are.
+    /// The class of its questions.
     pub class: Class,
-    /// Of each kernel.
-    pub kernels: Vec<KernelTally>,
+    /// The results of all kernels.
+    pub kernels: Vec<Judged>,
 }
 
-/// One kernel's tally.
+/// The result of one kernel.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct KernelTally {
-    /// Its name.
+pub struct Judged {
+    /// The kernel's name.
     pub kernel: String,
-    /// What it computes with.
+    /// The numbers it computes with.
     pub numbers: String,
-    /// What came of it.
+    /// The tally of its answers.
     #[serde(flatten)]
     pub tally: Tally,
 }
@@ -116,9 +116,9 @@ pub struct KernelTally {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct MeshTally {
-    /// Its name.
+    /// The kernel's name.
     pub kernel: String,
-    /// What it computes with.
+    /// The numbers it computes with.
     pub numbers: String,
     /// `edge` or `vertex`.
     pub aimed_at: String,
@@ -137,13 +137,13 @@ pub struct MeshTally {
 pub struct Trade {
     /// sphere, plane or triangle.
     pub shape: String,
-    /// How far from the ordinary the questions are.
+    /// The class of the questions.
     pub class: Class,
-    /// Its name.
+    /// The kernel's name.
     pub kernel: String,
-    /// What it computes with.
+    /// The numbers it computes with.
     pub numbers: String,
-    /// Questions that count.
+    /// Questions that were judged.
     pub asked: u64,
     /// Wrong decisions.
     pub wrong: u64,
@@ -151,9 +151,9 @@ pub struct Trade {
     pub not_finite: u64,
     /// The median error of t, in ulp.
     pub median_ulp: Option<f64>,
-    /// The largest.
+    /// The largest error of t, in the same unit.
     pub worst_ulp: Option<f64>,
-    /// CPU time for one ray and one shape: the median round.
+    /// CPU time for one ray and one shape, in the median round.
     pub nanoseconds: Option<f64>,
     /// Half the width of the median's 95 % confidence interval, over the median.
     pub spread: Option<f64>,
@@ -161,37 +161,37 @@ pub struct Trade {
     pub instructions: Option<f64>,
 }
 
-/// One tier of an exact kernel in `f64`: how often it has the last word, and what a question
-/// costs then, the tiers before it included.
+/// One tier of an exact kernel in `f64`: how often it decides, and what a question that it
+/// decides costs, including the tiers before it.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct TierTally {
     /// sphere, plane or triangle.
     pub shape: String,
-    /// Of the questions.
+    /// The class of the questions.
     pub class: Class,
-    /// Which.
+    /// The tier.
     pub tier: Tier,
     /// Questions it decided.
     pub decided: u64,
-    /// Of so many.
+    /// All questions.
     pub asked: u64,
     /// CPU time for a question that it decides.
     pub nanoseconds: f64,
-    /// The same in instructions, by callgrind.
+    /// Instructions for a question that it decides, by callgrind.
     pub instructions: Option<f64>,
 }
 
-/// One kernel's errors of t where questions are about as sensitive to their own numbers:
-/// everyday and hard ones.
+/// One kernel's errors of t in everyday and hard questions whose condition numbers are in the
+/// same decade.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ConditioningErrors {
     /// sphere, plane or triangle.
     pub shape: String,
-    /// Its name.
+    /// The kernel's name.
     pub kernel: String,
-    /// What it computes with.
+    /// The numbers it computes with.
     pub numbers: String,
     /// The condition number is from 10^`decade` to ten times as much.
     pub decade: i32,
@@ -199,7 +199,7 @@ pub struct ConditioningErrors {
     pub hits: u64,
     /// The median error of t, in ulp.
     pub median_ulp: f64,
-    /// The largest.
+    /// The largest error of t, in the same unit.
     pub worst_ulp: f64,
 }
 
@@ -211,13 +211,13 @@ pub struct BreakingPoint {
     pub shape: String,
     /// The family's name.
     pub family: String,
-    /// Its name.
+    /// The kernel's name.
     pub kernel: String,
-    /// What it computes with.
+    /// The numbers it computes with.
     pub numbers: String,
-    /// The first exponent above the easy one at which it is broken.
+    /// The first exponent above the easiest one at which the kernel is broken.
     pub above: Option<i32>,
-    /// The first below.
+    /// The first exponent below it at which the kernel is broken.
     pub below: Option<i32>,
 }
 
@@ -225,7 +225,7 @@ pub struct BreakingPoint {
 #[derive(Clone, Debug, Default, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SceneTally {
-    /// Its name.
+    /// The scene's name.
     pub scene: String,
     /// `f64`, `exact`, or `Mitsuba` (the golden film, by rays of its own in `f32`).
     pub model: String,
@@ -233,25 +233,25 @@ pub struct SceneTally {
     pub search: Option<String>,
     /// Spheres, planes and triangles in the scene.
     pub parts: u64,
-    /// Pixels that were asked.
+    /// Pixels that were cast.
     pub rays: u64,
-    /// Pixels whose object is not the one that is truly seen.
+    /// Pixels with a wrong object.
     pub wrong_ids: u64,
     /// Median relative error of t, where the object is right.
     pub median_t: Option<f64>,
-    /// The largest.
+    /// The largest error of t, in the same unit.
     pub worst_t: Option<f64>,
     /// The largest angle between a normal and the true one, in radians.
     pub worst_normal: Option<f64>,
-    /// CPU time for a ray: the median film.
+    /// CPU time for a ray, in the median film.
     pub nanoseconds: Option<f64>,
     /// Instructions for a ray of a film, by callgrind.
     pub instructions: Option<f64>,
-    /// Parts tested for a ray.
+    /// Mean number of parts tested per ray.
     pub tests: Option<f64>,
-    /// Tests that the static filter left open.
+    /// Tests that the static filter could not decide.
     pub semi_static: u64,
-    /// Tests that both filters left open: of triangles, decided in double-double first.
+    /// Tests that neither filter could decide; for triangles, double-double comes next.
     pub double_double: u64,
     /// Tests that were decided exactly.
     pub exact: u64,
@@ -259,7 +259,8 @@ pub struct SceneTally {
     pub close_calls: u64,
 }
 
-/// Rays that begin where another met a surface, moved off it by one method, all in `f32`.
+/// Rays that begin at the hit of another ray, with the origin moved off the surface by one
+/// method, all in `f32`.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Secondary {
@@ -269,25 +270,25 @@ pub struct Secondary {
     pub method: String,
     /// The distance of the scene from the world's origin, in sizes of the surface.
     pub offset: f64,
-    /// Rays that leave the surface and do not come back.
+    /// Rays that leave the surface, none of which truly hits it again.
     pub leaving: u64,
-    /// Of them, those that meet the surface they leave: dark specks in shadows.
+    /// Those that hit the surface they leave, which causes dark specks in shadows.
     pub self_hits: u64,
-    /// Rays at a surface that lies a thousandth of the size away.
+    /// Rays aimed at a surface a thousandth of the size away.
     pub near: u64,
-    /// Of them, those that miss it: light that leaks.
+    /// Those that miss it, which causes light leaks.
     pub lost: u64,
 }
 
-/// What the oracle says of a planned film.
+/// How well a planned film keeps its promise, judged by the oracle.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct PlanErrors {
     /// Rays that were judged.
     pub rays: u64,
-    /// Whose object is not the one truly seen.
+    /// Rays with a wrong object.
     pub wrong_ids: u64,
-    /// Where t or the normal is off by more than is wished.
+    /// Rays whose t or normal exceeds the requested error.
     pub violations: u64,
     /// The largest relative error of t.
     pub worst_t: f64,
@@ -295,24 +296,24 @@ pub struct PlanErrors {
     pub worst_normal: f64,
 }
 
-/// One plan, and what came of it at the pixels of its scene.
+/// One plan, and its result at the pixels of its scene.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct PlanTally {
     /// The scene's name.
     pub scene: String,
-    /// The accuracy that was wished.
+    /// The requested accuracy.
     pub accuracy: f64,
-    /// What the oracle says of its film.
+    /// The oracle's judgement of its film.
     #[serde(flatten)]
     pub kept: PlanErrors,
     /// Pixels whose t and normal were computed exactly.
     pub exact_hits: u64,
-    /// CPU time for a ray: the median film.
+    /// CPU time for a ray, in the median film.
     pub nanoseconds: f64,
-    /// The same for exact objects, and t and normals as they come.
+    /// CPU time for a ray with exact objects, but t and normals not refined.
     pub exact_ids: f64,
-    /// And for plain `f64`.
+    /// CPU time for a ray in plain `f64`.
     pub plain: f64,
 }
 
@@ -320,16 +321,16 @@ pub struct PlanTally {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Target {
-    /// What it is about.
+    /// What was measured.
     pub about: String,
-    /// As it was written.
+    /// The promise, in words.
     pub expected: String,
-    /// As it came.
+    /// The measurement, in words.
     pub measured: String,
-    /// Whether they agree.
+    /// Whether the promise is kept.
     pub met: bool,
-    /// Whether it is a time, which another machine or a busy one changes: to fall short in
-    /// it is told, and is no fault of the run.
+    /// Whether it is a time, which depends on the machine and its load. Missing such a target
+    /// is reported, but does not fail the run.
     pub is_time: bool,
 }
 

@@ -1,5 +1,5 @@
-//! Exact answers, before anything is rounded: what tells which of two shapes comes first
-//! where their t agree in every digit of a float.
+//! Exact roots, before anything is rounded. They tell which of two hits comes first even if
+//! their t agree in every digit of a float.
 
 use std::cmp::Ordering;
 
@@ -18,9 +18,9 @@ pub struct Root {
 }
 
 impl Root {
-    /// A fraction; its divisor is not 0.
+    /// A fraction. `divisor` must not be 0.
     pub fn fraction(numerator: Dyadic, divisor: Dyadic) -> Root {
-        debug_assert!(divisor.sign() != 0, "nothing is divided by 0");
+        debug_assert!(divisor.sign() != 0, "the divisor is not 0");
         let is_negative = divisor.sign() < 0;
         let upright = |x: Dyadic| if is_negative { -x } else { x };
         Root {
@@ -31,7 +31,8 @@ impl Root {
         }
     }
 
-    /// (`rational` + `sign` √`radicand`) / `divisor`, where the last two are not negative.
+    /// (`rational` + `sign` √`radicand`) / `divisor`, with a radicand that is not negative and
+    /// a positive divisor.
     pub fn quadratic(rational: Dyadic, sign: i32, radicand: Dyadic, divisor: Dyadic) -> Root {
         debug_assert!(radicand.sign() >= 0 && divisor.sign() > 0 && sign.abs() == 1);
         Root {
@@ -42,8 +43,8 @@ impl Root {
         }
     }
 
-    /// The nearest float, from more than a hundred bits: where the two terms would cancel,
-    /// p + s = (p² − s²) / (p − s).
+    /// The nearest float, rounded from more than a hundred bits. Where p + s would cancel, it
+    /// is computed as (p² − s²) / (p − s).
     pub fn rounded(&self) -> f64 {
         let root = self.root();
         let cancels = self.rational.sign() * root.sign() < 0;
@@ -57,21 +58,22 @@ impl Root {
         numerator.over(&self.divisor).rounded()
     }
 
-    /// ±√`radicand`, to 2⁻¹²⁸ of itself.
+    /// ±√`radicand`, with a relative error below 2⁻¹²⁸.
     fn root(&self) -> Dyadic {
         let root = self.radicand.sqrt();
         if self.sign < 0 { -root } else { root }
     }
 
-    /// Along e + t d, if this is t: times the divisor, and good to a hundred bits of its length,
-    /// as long as the two terms of t leave it no longer than either. On a sphere they do, for
-    /// from the centre e less its part along d and the rest are at right angles.
+    /// The vector e + t d, where t is this root, times the divisor. It has a hundred correct
+    /// bits relative to its length if the sum of e + (`rational`/`divisor`) d and
+    /// ±(√`radicand`/`divisor`) d is no shorter than either. On a sphere, with e relative to
+    /// the centre, these two are perpendicular, so this holds.
     pub fn point(&self, e: &DyadicVector, d: &DyadicVector) -> DyadicVector {
         let t = &self.rational + &self.root();
         DyadicVector([0, 1, 2].map(|axis| &(&self.divisor * &e.0[axis]) + &(&t * &d.0[axis])))
     }
 
-    /// Which is smaller, whatever their digits.
+    /// Compares two roots exactly.
     pub fn compare(&self, other: &Root) -> Ordering {
         // The difference times both divisors is a + b √self.radicand + c √other.radicand.
         let a = &(&self.rational * &other.divisor) - &(&other.rational * &self.divisor);
@@ -96,14 +98,14 @@ impl Root {
     }
 }
 
-/// An exact answer as a kernel gives it: the nearest finite number. What is met further away
-/// than numbers reach is met.
+/// An exact answer as a kernel returns it: the nearest finite float. A hit beyond the largest
+/// float is clamped to it.
 pub fn rounded(root: Option<Root>) -> Option<f64> {
     Some(root?.rounded().clamp(f64::MIN, f64::MAX))
 }
 
-/// The sign of a + b √`radicand`: where the terms have opposite signs, the larger square
-/// decides.
+/// The sign of a + b √`radicand`. If the terms have opposite signs, the one with the larger
+/// square decides.
 fn sign_of(a: &Dyadic, b: &Dyadic, radicand: &Dyadic) -> i32 {
     let (first, second) = (a.sign(), b.sign() * radicand.sign());
     match first * second {

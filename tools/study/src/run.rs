@@ -1,4 +1,4 @@
-//! The whole study, one part after another.
+//! Runs the whole study, part by part.
 
 use rayon::prelude::*;
 
@@ -17,29 +17,29 @@ use crate::scenes::{self, Share};
 use crate::secondary;
 use crate::shape::{Plane, Sphere, Triangle};
 
-/// How much of everything.
+/// How much work a study does.
 #[derive(Clone, Debug)]
 pub struct Extent {
     /// `quick` or `full`.
     pub name: &'static str,
-    /// Questions at each exponent.
+    /// Questions at each exponent of a family.
     pub questions: usize,
     /// Rays at edges, and as many at vertices.
     pub mesh_rays: usize,
     /// Rays that begin on a surface.
     pub secondary: usize,
-    /// For which each kernel is timed on a class of questions.
+    /// How long each kernel is timed on a class of questions.
     pub seconds: f64,
     /// Whether instructions are counted.
     pub instructions: bool,
-    /// How much of every scene.
+    /// How much of every scene is cast.
     pub scenes: Share,
-    /// What is wished of plans.
+    /// The accuracies that plans are made for.
     pub accuracies: &'static [f64],
 }
 
 impl Extent {
-    /// Less than a minute: for readers, and to keep the rest honest.
+    /// The quick study, which takes less than a minute.
     pub const QUICK: Extent = Extent {
         name: "quick",
         questions: 600,
@@ -54,7 +54,7 @@ impl Extent {
         },
         accuracies: &[1e-2, 1e-6, 1e-12],
     };
-    /// For the record.
+    /// The full study, as recorded in `tools/study/record`.
     pub const FULL: Extent = Extent {
         name: "full",
         questions: 4_000,
@@ -71,8 +71,9 @@ impl Extent {
     };
 }
 
-/// Does it all, or only the family, `classes` (all families and what each kernel costs),
-/// `mesh`, `plans`, `scenes` or `secondary` that is named; `say` is told what is being done.
+/// Runs everything, or only the named part: a family, `classes` (all families and what each
+/// kernel costs), `mesh`, `plans`, `scenes` or `secondary`. Calls `say` with the name of each
+/// step.
 pub fn run(extent: &Extent, seed: u64, only: Option<&str>, say: &dyn Fn(&str)) -> Findings {
     let mut findings = Findings::default();
     let is_wanted = |part: &str| only.is_none_or(|only| only == part);
@@ -108,7 +109,7 @@ pub fn run(extent: &Extent, seed: u64, only: Option<&str>, say: &dyn Fn(&str)) -
     findings
 }
 
-/// What can be named to [`run`].
+/// The parts that can be named to [`run`].
 pub fn parts() -> Vec<&'static str> {
     let mut names = vec!["classes", "mesh", "plans", "scenes", "secondary"];
     names.extend(Sphere::families().iter().map(|family| family.name));
@@ -150,8 +151,8 @@ fn of_shape<S: HasFamilies + Conditioning>(
     findings.families.extend(sweeps);
 }
 
-/// One family in one type of data, every kernel on the same questions.
-pub fn swept<S: HasFamilies + Conditioning>(
+/// Sweeps one family in one type of data, with the same questions for every kernel.
+pub fn swept<S: Studied + Conditioning>(
     family: &Family<S>,
     data: Data,
     count: usize,

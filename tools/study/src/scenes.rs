@@ -1,5 +1,5 @@
-//! Whole scenes: plainly in `f64` and exactly, by both searches, on every scene's own rays,
-//! judged pixel by pixel, and timed in turns.
+//! Casts whole scenes in plain `f64` and exactly, by brute force and with boxes, on each
+//! scene's own rays. Judges every pixel, and times all ways in turns.
 
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
@@ -20,14 +20,14 @@ use crate::shape::Ray;
 use crate::speed::{Workload, race};
 use crate::vector::Vector;
 
-/// How much of every scene.
+/// How much of every scene is cast.
 #[derive(Clone, Copy, Debug)]
 pub struct Share {
-    /// Every so many rays are cast; 1 for all.
+    /// Every `step`-th ray is cast; 1 for all.
     pub step: usize,
-    /// For which each way to cast it is timed.
+    /// How long each way to cast the scene is timed.
     pub seconds: f64,
-    /// Whether instructions are counted, of whole films.
+    /// Whether instructions of whole films are counted.
     pub instructions: bool,
 }
 
@@ -39,14 +39,15 @@ struct SceneRays {
 }
 
 /// One way to cast a scene.
-struct CastMethod {
-    /// What it computes with.
+struct Way {
+    /// The numbers it computes with.
     numbers: &'static str,
     search: Search,
-    /// What is seen along every ray.
-    see: fn(&SceneRays, Search, &mut Tally) -> Vec<Seen>,
-    /// Casts all rays. It asks no clock: rustix's cannot be asked under valgrind.
-    film: fn(&SceneRays, Search),
+    /// Casts all rays and returns object, t and normal of each.
+    see: fn(&Stage, Search, &mut Tally) -> Vec<Seen>,
+    /// Casts all rays, for timing. It does not read a clock, because rustix's clock does not
+    /// work under valgrind.
+    film: fn(&Stage, Search),
 }
 
 fn ways() -> [CastMethod; 4] {
@@ -95,10 +96,10 @@ impl SceneRays {
     }
 }
 
-/// What runs under valgrind is named so, with a scene's name behind it.
+/// Prefix of a scene's name among the workloads that run under valgrind.
 const SCENE: &str = "scene:";
 
-/// So many films of the scene that is named, one way; false if none is.
+/// Casts the named scene `films` times in one way. Returns false if there is no such scene.
 pub fn cast(named: &str, way: usize, films: u32) -> bool {
     let name = named.strip_prefix(SCENE).map(|name| format!("{name}.toml"));
     let file = name.and_then(|name| files().into_iter().find(|file| file.ends_with(&name)));
@@ -120,7 +121,7 @@ pub fn files() -> Vec<PathBuf> {
     files
 }
 
-/// The shapes that there are kernels for; a soup is made of triangles.
+/// The shapes with kernels; a soup consists of triangles.
 const SHAPES: [ShapeKind; 4] = [
     ShapeKind::Sphere,
     ShapeKind::Plane,
@@ -151,7 +152,7 @@ fn golden(name: &str) -> Option<Film> {
     Film::read(&folder.join(format!("{name}.exr"))).ok()
 }
 
-/// Every way on one scene, and Mitsuba's film of it if there is one.
+/// Judges every way to cast a scene, and Mitsuba's film of it if there is one.
 pub fn studied(file: &Path, share: Share) -> Result<Vec<SceneTally>, pinhole::Error> {
     let scene = read(file)?;
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
@@ -197,7 +198,7 @@ pub fn studied(file: &Path, share: Share) -> Result<Vec<SceneTally>, pinhole::Er
     Ok(tallies)
 }
 
-/// What a film of hits says, pixel by pixel.
+/// Reads object, t and normal of each pixel from a film.
 fn seen_in(film: &Film) -> Vec<Seen> {
     let channels = pinhole::film::HIT_CHANNELS.map(|name| film.channel(name).unwrap_or_default());
     let pixel = |at: usize| {
@@ -232,7 +233,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_scene_with_a_shape_that_has_no_kernel_is_refused() {
+    fn scene_with_a_shape_without_kernel_is_rejected() {
         let file = std::env::temp_dir().join(format!("pinhole-disk-{}.toml", std::process::id()));
         let scene = files().remove(0);
         let scene = std::fs::read_to_string(scene).expect("it is committed");

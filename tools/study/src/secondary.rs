@@ -1,6 +1,7 @@
-//! Rays that begin where another met a surface, as shadows and reflections do, in `f32`: the
-//! computed point lies beside the surface, so that a ray may meet what it leaves (a self-hit),
-//! and what moves it away may carry it through what is near (a lost hit).
+//! Secondary rays in `f32`, such as shadow rays and reflections, which begin at the hit of
+//! another ray. The computed hit does not lie exactly on the surface, so a secondary ray may
+//! hit the surface that it leaves (a self-hit). An origin moved too far may pass through a
+//! nearby surface (a lost hit).
 
 use rayon::prelude::*;
 
@@ -14,17 +15,17 @@ use crate::result::Secondary;
 use crate::shape::{Ray, Sphere, Triangle};
 use crate::vector::Vector;
 
-/// How far away what is near lies, in sizes.
+/// Distance of the nearby surface, in sizes of the shape.
 const NEAR: f64 = 1e-3;
 
-/// A shape that rays leave.
-trait SecondaryRaySource: HasFamilies {
-    /// By a careful kernel in `f32`.
+/// A shape that secondary rays leave.
+trait Left: Studied {
+    /// Intersects with a careful kernel in `f32`.
     fn meet(shape: &Self::With<f32>, ray: &Ray<f32>, min_t: f32) -> Option<f32>;
-    /// At a point of it that was met: the point as nearly on it as `f32` allows, how far that
-    /// may be off in each component, and the outward normal, or one of the two.
+    /// Given a computed hit: the point as nearly on the surface as `f32` allows, a bound on its
+    /// error in each component, and a unit normal.
     fn at(shape: &Self::With<f32>, point: Vector<f32>) -> [Vector<f32>; 3];
-    /// A surface a little further out along a normal.
+    /// A surface slightly further out along a normal.
     fn near(self, normal: Vector<f64>) -> Self;
 }
 
@@ -33,7 +34,8 @@ impl SecondaryRaySource for Sphere<f64> {
         sphere::Haines::intersect(shape, &sphere::Haines::prepare(ray), min_t)
     }
 
-    /// pbrt-v4, §6.8.5: γ₅ of the refined point about the centre, and the rounding of the sum.
+    /// pbrt-v4, §6.8.5: γ₅ for the refined point relative to the centre, plus the rounding of
+    /// the sum.
     fn at(shape: &Sphere<f32>, point: Vector<f32>) -> [Vector<f32>; 3] {
         let normal = (point - shape.center).unit();
         let out = normal * shape.radius;
@@ -53,7 +55,8 @@ impl SecondaryRaySource for Triangle<f64> {
         triangle::MollerTrumbore::intersect(shape, ray, min_t)
     }
 
-    /// pbrt-v4, §6.8.4: the point from its weights, and γ₇ of what they weigh.
+    /// pbrt-v4, §6.8.4: the point from its barycentric weights, and γ₇ times the weighted
+    /// magnitudes of the corners.
     fn at(shape: &Triangle<f32>, point: Vector<f32>) -> [Vector<f32>; 3] {
         let [a, b, c] = shape.corners;
         let across = (b - a).cross(c - a);
@@ -81,10 +84,10 @@ fn gamma(n: f32) -> f32 {
     bound / (1.0 - bound)
 }
 
-/// The origin and the `min_t` of a ray that leaves a point along a side of its normal.
+/// A method to offset a secondary ray: its origin and `min_t`.
 type Method = fn(met: Vector<f32>, on: [Vector<f32>; 3]) -> (Vector<f32>, f32);
 
-/// In the order of tables.
+/// The methods, in the order of the tables.
 const METHODS: [(&str, Method); 4] = [
     ("as computed", |met, _| (met, 0.0)),
     ("min_t = 10⁻⁴", |met, _| (met, 1e-4)),
@@ -92,8 +95,8 @@ const METHODS: [(&str, Method); 4] = [
     ("Wächter–Binder", |met, on| (integers(met, on[2]), 0.0)),
 ];
 
-/// Along the normal to the far side of the box that the point is surely in, each component
-/// rounded away (pbrt-v4, §6.8.6, `OffsetRayOrigin`).
+/// Moves the point along the normal to the far side of its error box, and rounds each component
+/// away from the surface (pbrt-v4, §6.8.6, `OffsetRayOrigin`).
 fn pbrt([point, error, normal]: [Vector<f32>; 3]) -> Vector<f32> {
     let offset = normal * normal.map(f32::abs).dot(error);
     let away = |x: f32, by: f32| match by {
@@ -108,7 +111,7 @@ fn pbrt([point, error, normal]: [Vector<f32>; 3]) -> Vector<f32> {
     )
 }
 
-/// So many steps of the type in each component (Wächter & Binder, *Ray Tracing Gems*, ch. 6).
+/// Moves each component by a number of ulps (Wächter & Binder, *Ray Tracing Gems*, ch. 6).
 fn integers(point: Vector<f32>, normal: Vector<f32>) -> Vector<f32> {
     let away = |x: f32, n: f32| {
         let steps = (256.0 * n) as i32;
@@ -125,7 +128,7 @@ fn integers(point: Vector<f32>, normal: Vector<f32>) -> Vector<f32> {
     )
 }
 
-/// So many rays of each kind that leave spheres and triangles, by every method.
+/// Casts `count` rays of each kind from spheres and triangles, with every method.
 pub fn studied(count: usize, seed: u64) -> Vec<Secondary> {
     let mut all = of_shape::<Sphere<f64>>(count, seed);
     all.extend(of_shape::<Triangle<f64>>(count, seed));
@@ -172,7 +175,7 @@ fn of_method<S: SecondaryRaySource>(
         };
         let met = ray.origin + ray.direction * t;
         let mut on = S::at(&narrow, met);
-        // Towards where the first ray came from.
+        // Turn the normal towards the first ray's origin.
         if on[2].dot(ray.direction) > 0.0 {
             on[2] = on[2] * -1.0;
         }

@@ -1,4 +1,4 @@
-//! The harness's ray and shapes, with numbers of either type.
+//! The harness's ray and shapes, generic over the type of numbers.
 
 use crate::number::{Real, exponent};
 use crate::vector::Vector;
@@ -6,27 +6,27 @@ use crate::vector::Vector;
 /// p(t) = origin + t direction; the direction is not unit length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray<F> {
-    /// Where t = 0.
+    /// The point at t = 0.
     pub origin: Vector<F>,
-    /// From t = 0 to t = 1.
+    /// The vector from t = 0 to t = 1.
     pub direction: Vector<F>,
 }
 
 /// All points at distance `radius` from `center`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere<F> {
-    /// Its middle.
+    /// The centre.
     pub center: Vector<F>,
-    /// Positive.
+    /// The radius; positive.
     pub radius: F,
 }
 
 /// All points p with (p − `point`) · `normal` = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane<F> {
-    /// Any point of it.
+    /// Any point of the plane.
     pub point: Vector<F>,
-    /// Not unit length.
+    /// A normal; not unit length.
     pub normal: Vector<F>,
 }
 
@@ -38,8 +38,8 @@ pub struct Triangle<F> {
 }
 
 impl<F: Real> Triangle<F> {
-    /// Along its normal, from edges that are brought near 1 by powers of two before they are
-    /// multiplied: the area of a triangle with edges of 1e-160 is no `f64`.
+    /// A vector along its normal. Both edges are first scaled near 1 by powers of two, because
+    /// the area of a triangle with edges of 1e-160 underflows in `f64`.
     pub fn outward_near_one(&self) -> Vector<F> {
         let [a, b, c] = self.corners;
         let near_one = |edge: Vector<F>| {
@@ -50,13 +50,13 @@ impl<F: Real> Triangle<F> {
     }
 }
 
-/// What can be asked about a shape of either type of number: all that the instrument
-/// needs to round a question, to scale it and to spoil it.
+/// A shape that questions can be asked about, with everything that the study needs to round,
+/// scale and corrupt a question.
 pub trait Shape: Copy + Send + Sync + 'static {
     /// The same shape with other numbers.
     type With<G: Real>: Copy;
-    /// Each number replaced by a function of it, lengths by one function, everything
-    /// that has no length (a plane's normal) by another.
+    /// Applies one function to all lengths, and another to numbers that are no lengths (a
+    /// plane's normal).
     fn map<G: Real>(&self, length: impl Fn(f64) -> G, free: impl Fn(f64) -> G) -> Self::With<G>;
 }
 
@@ -90,7 +90,7 @@ impl Shape for Triangle<f64> {
 }
 
 impl Ray<f64> {
-    /// Each number replaced by a function of it.
+    /// Applies one function to the origin and another to the direction.
     #[inline(always)]
     pub fn map<G: Real>(&self, length: impl Fn(f64) -> G, direction: impl Fn(f64) -> G) -> Ray<G> {
         Ray {

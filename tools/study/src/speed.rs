@@ -1,7 +1,7 @@
-//! How long a kernel takes.
+//! Measures how long kernels take.
 //!
-//! All contestants of a shape take turns, round after round, so that whatever slows the
-//! machine slows all of them; of each the median round counts, in CPU time of this
+//! All kernels of a shape take turns, round after round, so that anything that slows the
+//! machine slows all of them. The result is each kernel's median round, in CPU time of this
 //! thread, which other programs do not lengthen.
 
 use std::time::Duration;
@@ -13,12 +13,12 @@ use crate::question::{Class, Data, Question};
 /// Pairs of ray and shape in a workload: few enough to stay in a core's own cache.
 pub const PAIRS: usize = 2048;
 
-/// What was measured of one contestant.
+/// The measured time of one workload.
 #[derive(Clone, Debug)]
 pub struct Time {
-    /// Median over all rounds.
+    /// Median over all rounds, for one pair.
     pub nanoseconds: f64,
-    /// Half the width of its 95 % confidence interval over it.
+    /// Half the width of the median's 95 % confidence interval, over the median.
     pub spread: f64,
 }
 
@@ -29,7 +29,7 @@ pub fn now() -> Duration {
     Duration::new(time.tv_sec as u64, time.tv_nsec as u32)
 }
 
-/// Wall time, where a thread's own is not to be had.
+/// Wall time, on platforms without a thread's CPU time.
 #[cfg(not(unix))]
 pub fn now() -> Duration {
     use std::sync::LazyLock;
@@ -38,7 +38,7 @@ pub fn now() -> Duration {
     START.elapsed()
 }
 
-/// About so many questions of a class, evenly from all its families and steps: the first of
+/// About `count` questions of a class, evenly from all its families and exponents: the first of
 /// those that are judged.
 pub fn pool<S: HasFamilies>(class: Class, data: Data, count: usize, seed: u64) -> Vec<Question<S>> {
     let families = S::families();
@@ -53,14 +53,14 @@ pub fn pool<S: HasFamilies>(class: Class, data: Data, count: usize, seed: u64) -
         .into_iter()
         .map(|(family, exponent)| questions(family, exponent, data, each, seed));
     let asked: Vec<_> = asked.collect();
-    // In turns, so that no branch is foretold by the family.
+    // Interleave the families, so that the branch predictor cannot learn one.
     (0..each)
         .flat_map(|at| asked.iter().filter_map(move |asked| asked.get(at).copied()))
         .collect()
 }
 
-/// Times of workloads of so many pairs each, for one pair; each has so many seconds, but
-/// nine rounds at least.
+/// Times workloads of `pairs` pairs each, in turns. Each gets `seconds` seconds, but at least
+/// nine rounds. The results are for one pair.
 pub fn race(mut workloads: Vec<Workload>, pairs: usize, seconds: f64) -> Vec<Time> {
     let mut times = vec![Vec::new(); workloads.len()];
     let mut is_any_left = true;
@@ -82,8 +82,8 @@ pub fn race(mut workloads: Vec<Workload>, pairs: usize, seconds: f64) -> Vec<Tim
     times.into_iter().map(of_rounds).collect()
 }
 
-/// The median, and half the width of its 95 % confidence interval over it, by order
-/// statistics: n/2 ± 0.98 √n (Conover, *Practical Nonparametric Statistics*, 3rd ed., §3.2).
+/// The median and its confidence interval by order statistics: n/2 ± 0.98 √n (Conover,
+/// *Practical Nonparametric Statistics*, 3rd ed., §3.2).
 fn of_rounds(mut times: Vec<f64>, casts: f64) -> Time {
     times.sort_by(f64::total_cmp);
     let (middle, half) = (times.len() / 2, 0.98 * (times.len() as f64).sqrt());

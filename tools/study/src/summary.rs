@@ -1,4 +1,4 @@
-//! The study in words: one page, and lines for a terminal.
+//! The study's report: a page in Markdown, and lines for a terminal.
 
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use crate::judge::{median_and_worst, rule_of_three};
 use crate::question::Class;
 use crate::result::{Findings, PlanTally, Study, Trade};
 
-/// What was promised beside what came, for a terminal.
+/// The promises beside the measurements, for a terminal.
 pub fn terminal(study: &Study) -> String {
     let mut text = String::new();
     let lengths = study.targets.iter().map(|t| t.about.chars().count());
@@ -29,7 +29,7 @@ pub fn terminal(study: &Study) -> String {
     text
 }
 
-/// The page, with the plots that were drawn.
+/// The Markdown page, with the plots that were drawn.
 pub fn summary(study: &Study, plots: &[String]) -> String {
     let (p, findings) = (&study.provenance, &study.findings);
     let head = format!(
@@ -95,7 +95,7 @@ fn table<const N: usize>(
     text + "\n"
 }
 
-/// A share of wrong answers; of none, what that shows.
+/// A share of wrong answers; if there are none, the upper bound that this proves.
 fn share(wrong: u64, asked: u64) -> String {
     match (wrong, asked) {
         (_, 0) => "–".into(),
@@ -105,7 +105,7 @@ fn share(wrong: u64, asked: u64) -> String {
     }
 }
 
-/// A number that may not have been measured.
+/// A number, or a dash if it was not measured.
 fn or_dash(number: Option<f64>, text: fn(f64) -> String) -> String {
     number.map_or("–".into(), text)
 }
@@ -114,7 +114,7 @@ fn whole(number: f64) -> String {
     format!("{number:.0}")
 }
 
-/// Two digits or so.
+/// A number with about two digits.
 fn short(number: f64) -> String {
     match number {
         1000.0.. => format!("{number:.0e}"),
@@ -225,7 +225,7 @@ fn plans(findings: &Findings) -> String {
     table("Plans, over all scenes", columns, rows)
 }
 
-/// What to use, by what the study found.
+/// Which kernel to use for which scene, with the measured costs.
 fn choice(findings: &Findings) -> String {
     if findings.trades.is_empty() {
         return String::new();

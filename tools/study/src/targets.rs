@@ -1,5 +1,5 @@
-//! The promises: what each is about, what was promised, and how it is read off the findings.
-//! `terminal` and `summary` show them; here they are data.
+//! The promises as data: what each is about, what was promised, and how to compute it from the
+//! findings. `terminal` and `summary` print them.
 
 use crate::contestants::EXACT;
 use crate::judge::{median_and_worst, rule_of_three};
@@ -8,7 +8,7 @@ use crate::result::{
     ConditioningErrors, Findings, MeshTally, PlanTally, SceneTally, Target, Trade,
 };
 
-/// What came: in words, and whether that is as good as promised.
+/// A measurement in words, and whether it keeps the promise.
 type Measured = Option<(String, bool)>;
 
 struct Promise {
@@ -95,7 +95,7 @@ const PROMISES: [Promise; 13] = [
     },
 ];
 
-/// Kernels that take care, but never compute exactly.
+/// Numerically careful kernels without exact decisions.
 pub const CAREFUL: [&str; 3] = ["Haines scaled", "shifted origin", "Woop, edges owned"];
 
 const fn never(about: &'static str, measured: fn(&Findings) -> Measured) -> Promise {
@@ -107,7 +107,7 @@ const fn never(about: &'static str, measured: fn(&Findings) -> Measured) -> Prom
     }
 }
 
-/// Every promise that the run allows to judge.
+/// Compares every promise that the run has findings for.
 pub fn targets(findings: &Findings) -> Vec<Target> {
     let target = |promise: &Promise| {
         let (measured, met) = (promise.measured)(findings)?;
@@ -152,7 +152,8 @@ fn leaks(meshes: &[MeshTally], kernel: &str) -> Measured {
     none_of(of_it().map(|mesh| mesh.leaks).sum(), rays)
 }
 
-/// In the search that takes fewer tests, as `render --exact` casts.
+/// Additional instructions of exact casting over `f64`, both with boxes, which is the only
+/// search whose instructions are counted.
 fn added(scenes: &[SceneTally]) -> Measured {
     let of = |model: &'static str| {
         let of_model = scenes.iter().filter(move |tally| tally.model == model);

@@ -1,34 +1,34 @@
-//! Three numbers of one type. The order of operations is glam's `DVec3`'s, and so are
-//! the bits; glam itself has no vector that is generic over the type of its numbers.
+//! A vector of three numbers. Operations have the same order as glam's `DVec3`, so results are
+//! the same bit for bit. glam itself has no vector that is generic over the type of numbers.
 
 use std::ops::{Add, Mul, Sub};
 
 use crate::number::{Real, exponent};
 
-/// What can be added and multiplied: a number, or several side by side.
+/// What can be added, subtracted and multiplied: a number, or several in SIMD lanes.
 pub trait Ring: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {}
 
 impl<F: Copy + Add<Output = F> + Sub<Output = F> + Mul<Output = F>> Ring for F {}
 
-/// A point, or a direction.
+/// A point or a direction.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vector<F> {
     /// The first component.
     pub x: F,
-    /// The second.
+    /// The second component.
     pub y: F,
-    /// The third.
+    /// The third component.
     pub z: F,
 }
 
 impl<F: Ring> Vector<F> {
-    /// From its components.
+    /// A vector from its components.
     #[inline(always)]
     pub fn new(x: F, y: F, z: F) -> Vector<F> {
         Vector { x, y, z }
     }
 
-    /// The same function of each component.
+    /// Applies a function to each component.
     #[inline(always)]
     pub fn map<G>(self, function: impl Fn(F) -> G) -> Vector<G> {
         Vector {
@@ -38,7 +38,7 @@ impl<F: Ring> Vector<F> {
         }
     }
 
-    /// The three components in a row.
+    /// The three components as an array.
     #[inline(always)]
     pub fn array(self) -> [F; 3] {
         [self.x, self.y, self.z]
@@ -62,8 +62,8 @@ impl<F: Ring> Vector<F> {
 }
 
 impl<F: Real> Vector<F> {
-    /// The unit vector along it. It is brought near 1 before it is squared: a normal of a
-    /// small triangle may be as short as 1e-160.
+    /// The unit vector along it. It is scaled near 1 before it is squared, because the normal
+    /// of a small triangle may be as short as 1e-160.
     #[inline(always)]
     pub fn unit(self) -> Vector<F> {
         let power = -exponent(self.largest().wide());
@@ -102,7 +102,7 @@ impl<F: Ring> Mul<F> for Vector<F> {
     }
 }
 
-/// The box around boxes, by two corners of each; none around nothing.
+/// The bounding box of boxes, each given by two opposite corners; `None` if there are none.
 pub fn around(boxes: impl IntoIterator<Item = [Vector<f64>; 2]>) -> Option<[Vector<f64>; 2]> {
     let by = |pick: fn(f64, f64) -> f64, p: Vector<f64>, q: Vector<f64>| {
         Vector::new(pick(p.x, q.x), pick(p.y, q.y), pick(p.z, q.z))

@@ -137,8 +137,8 @@ pub struct Render {
 
 /// Ask the exact caster as many questions as you have time for
 ///
-/// Each line of output sums up some rounds. A round depends only on its number and the seed. To
-/// continue a run that was stopped, pass the round after its last line to --from.
+/// Each line summarises some rounds. A round depends only on its number and the seed, so you
+/// can resume a stopped run: pass --from the round after the last line.
 #[derive(Args)]
 pub struct Record {
     /// What a round asks: 500 questions at each step of the everyday families, or of all others;

@@ -1,4 +1,4 @@
-//! `pinhole plan`: how to cast a scene, and why.
+//! `pinhole plan`: explains how to cast a scene, and why.
 
 use std::path::PathBuf;
 
@@ -28,8 +28,8 @@ pub fn run(checkout: &Checkout, arguments: &Plan) -> Result<Status> {
     Ok(Status::Well)
 }
 
-/// The scene a user means, at another resolution if one is given, where it lies, and its
-/// golden if one is committed.
+/// Finds a scene by name or file. Returns the scene, at another resolution if one is given, its
+/// file, and its golden if one is committed.
 pub fn scene(
     named: &str,
     resolution: Option<Resolution>,
@@ -42,7 +42,7 @@ pub fn scene(
     Ok((scene, file, golden))
 }
 
-/// The study has no more to say than one text.
+/// Turns the study's message into an error.
 pub fn unplannable(problem: String) -> Error {
     Error::input(problem, "ask for less accuracy, or change the scene")
 }

@@ -1,4 +1,4 @@
-//! The long runs.
+//! `pinhole-study record`: the long runs.
 
 use pinhole_report::program::Status;
 use pinhole_study::judge::rule_of_three;
@@ -6,7 +6,7 @@ use pinhole_study::record::{Count, record};
 
 use crate::cli::Record;
 
-/// Whether nothing was wrong.
+/// Runs all rounds, and fails if any answer is wrong.
 pub fn run(arguments: &Record) -> Status {
     let Record {
         kind,
@@ -17,7 +17,7 @@ pub fn run(arguments: &Record) -> Status {
     let end = from + rounds;
     let (mut from, mut is_well) = (from, true);
     while from < end {
-        // As many as a crash may cost.
+        // Report every thousand rounds, so that a crash loses no more than these.
         let to = end.min(from + 1_000);
         let Count {
             asked,

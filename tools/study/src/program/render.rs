@@ -1,4 +1,4 @@
-//! `pinhole render --exact` and `--plan`: a film by the study's casters.
+//! `pinhole render --exact` and `--plan`: casts a film with the study's casters.
 
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};
@@ -14,8 +14,8 @@ use crate::cli::Render;
 pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
     if arguments.plan.is_none() && !arguments.wanted.is_empty() {
         return Err(Error::input(
-            "--ids and --outputs say what a plan is for",
-            "say how accurate it is to be with --plan X",
+            "--ids and --outputs need a plan",
+            "give the accuracy of the plan with --plan X",
         ));
     }
     let assignment = arguments.assignment.find(checkout, None)?;

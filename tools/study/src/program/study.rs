@@ -1,4 +1,4 @@
-//! `pinhole study`: run, judged, written.
+//! `pinhole study`: runs the study, judges it, and writes the report.
 
 use std::fs;
 
@@ -13,7 +13,7 @@ use pinhole_study::{plots, summary};
 
 use crate::cli::Study as Arguments;
 
-/// Well if all came as it was promised, times apart.
+/// Succeeds if all promises are kept, not counting times.
 pub fn run(arguments: &Arguments) -> Result<Status> {
     let extent = match arguments.quick {
         true => Extent::QUICK,
@@ -32,7 +32,7 @@ pub fn run(arguments: &Arguments) -> Result<Status> {
         true => anstream::eprintln!("{what}"),
         false => bar.set_message(what.to_owned()),
     };
-    // Before a long run, during which the work tree may change.
+    // Record this before the run, because the work tree may change during it.
     let provenance = provenance(extent.name, arguments.seed);
     let findings = ask(&extent, arguments.seed, only, &say);
     bar.finish_and_clear();

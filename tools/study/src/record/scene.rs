@@ -1,8 +1,8 @@
-//! Scenes that nobody drew, for plans to be tried on.
+//! Random scenes to test plans on.
 //!
-//! They are of any size from 1e-30 to 1e30, and made to be hard: shapes of very different
-//! sizes, far from the origin, nearly or exactly on each other, slivers, closed crates, grids of
-//! small whole numbers whose edges and tangents the rays meet exactly.
+//! Their sizes range from 1e-30 to 1e30, and they are made to be hard: shapes of very different
+//! sizes, far from the origin, nearly or exactly coincident, slivers, closed boxes, and grids
+//! of small integers, whose edges and tangents the rays hit exactly.
 
 use pinhole::{Camera, Projection, Resolution, Scene, Shape, Triangle, TriangleSoup};
 
@@ -10,8 +10,8 @@ use crate::plan::AccuracyTarget;
 use crate::random::Random;
 use crate::vector::Vector;
 
-/// The scene of a seed, and what is wished of it.
-pub fn drawn(seed: u64) -> (Scene, AccuracyTarget) {
+/// The scene of a seed, and the request to plan for.
+pub fn drawn(seed: u64) -> (Scene, Wish) {
     let mut random = Random::new(seed, "plans");
     let scene = match random.below(3) {
         0 => on_a_grid(&mut random),
@@ -25,7 +25,7 @@ pub fn drawn(seed: u64) -> (Scene, AccuracyTarget) {
     (scene, wish)
 }
 
-/// A power of ten.
+/// A random power of ten, with an exponent from `low` to `high`.
 fn power(random: &mut Random, low: f64, high: f64) -> f64 {
     10f64.powf(random.within(low, high))
 }
@@ -38,14 +38,14 @@ fn shape(corners: [Vector<f64>; 3]) -> Triangle {
 
 const PIXELS: Resolution = Resolution { n_x: 8, n_y: 8 };
 
-/// Everything of any size, in front of the camera or about it.
+/// A scene with objects of any size, in front of the camera or around it.
 fn anywhere(random: &mut Random) -> Scene {
     let scale = power(random, -30.0, 30.0);
     let far = [0.0, power(random, 0.0, 7.0)][random.below(2)];
     let middle = random.unit() * (scale * far);
     let away = scale * power(random, -1.0, 4.0);
     let (back, size) = (random.unit(), scale * random.within(0.5, 3.0));
-    // As much of the world as fills the picture, on a plane that may be anywhere.
+    // The image plane may be at any distance, but the same part of the scene fills the picture.
     let focal_length = away * power(random, -5.0, 2.0);
     let projection = match random.below(3) {
         0 => Projection::Orthographic,
@@ -92,7 +92,8 @@ fn anywhere(random: &mut Random) -> Scene {
     }
 }
 
-/// Small whole numbers times a power of two: every edge, corner and tangent is met exactly.
+/// A scene of small integers times a power of two, so that rays hit edges, corners and tangents
+/// exactly.
 fn on_a_grid(random: &mut Random) -> Scene {
     let unit = 2f64.powi(random.below(200) as i32 - 100);
     let whole = |random: &mut Random, most: usize| {
@@ -159,7 +160,7 @@ fn along(axis: usize, length: f64) -> Vector<f64> {
     Vector::new(component(0), component(1), component(2))
 }
 
-/// Twelve triangles around a box.
+/// The twelve triangles of a box.
 fn box_of(corner: Vector<f64>, edges: [Vector<f64>; 3]) -> Vec<Triangle> {
     let mut triangles = Vec::new();
     for axis in 0..3 {
@@ -171,7 +172,7 @@ fn box_of(corner: Vector<f64>, edges: [Vector<f64>; 3]) -> Vec<Triangle> {
     triangles
 }
 
-/// A turned box, some of whose faces may be a hair thin.
+/// A rotated box, which may be very thin.
 fn crate_of(random: &mut Random, at: Vector<f64>, size: f64) -> Shape {
     let x = random.unit();
     let y = random.unit_across(x);
@@ -179,7 +180,7 @@ fn crate_of(random: &mut Random, at: Vector<f64>, size: f64) -> Shape {
     soup(box_of(at, [x * size, y * size, x.cross(y) * (size * thin)]))
 }
 
-/// A triangle up to 1e13 times as long as it is wide.
+/// A triangle that may be 1e13 times as long as it is wide.
 fn sliver(random: &mut Random, at: Vector<f64>, size: f64) -> Shape {
     let long = random.unit() * size;
     let wide = random.unit() * (size * power(random, -13.0, 0.0));
@@ -187,7 +188,7 @@ fn sliver(random: &mut Random, at: Vector<f64>, size: f64) -> Shape {
     soup(vec![shape([at, at + long, third])])
 }
 
-/// A plane, or a triangle, that the view runs along, more or less.
+/// A plane or a triangle that is seen nearly edge-on.
 fn edge_on(random: &mut Random, at: Vector<f64>, size: f64, view: Vector<f64>) -> Shape {
     let across = random.unit_across(view);
     let tilted = view + across * power(random, -15.0, -1.0);
@@ -201,7 +202,7 @@ fn edge_on(random: &mut Random, at: Vector<f64>, size: f64, view: Vector<f64>) -
     }
 }
 
-/// A sphere or a plane that the eye is next to.
+/// A sphere or a plane very close to the eye.
 fn at_the_eye(random: &mut Random, eye: Vector<f64>, size: f64) -> Shape {
     let (to, hair) = (random.unit(), size * power(random, -14.0, 0.0));
     let radius = size * power(random, -2.0, 2.0);
@@ -212,7 +213,8 @@ fn at_the_eye(random: &mut Random, eye: Vector<f64>, size: f64) -> Shape {
     }
 }
 
-/// Some objects come again, exactly or moved by next to nothing: which is first?
+/// Repeats some objects, exactly or moved by a tiny distance, so that it is hard to tell which
+/// is first.
 fn repeat(random: &mut Random, objects: &mut Vec<Shape>, size: f64) {
     for _ in 0..random.below(4) {
         let mut again = objects[random.below(objects.len())].clone();
