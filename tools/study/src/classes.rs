@@ -96,7 +96,10 @@ fn costs<S: HasFamilies>(
 pub fn tiers<S: HasFamilies>(seconds: f64, counts: bool, seed: u64) -> Vec<TierTally> {
     let kernels = S::contestants();
     let is_it = |k: &&crate::contestant::Contestant<S>| k.name == EXACT && k.data == Data::F64;
-    let kernel = kernels.iter().find(is_it).expect("every shape has it");
+    let kernel = kernels
+        .iter()
+        .find(is_it)
+        .expect("every shape has an exact kernel");
     let at = kernels.iter().position(|k| is_it(&k)).unwrap_or_default();
     let mut tallies = Vec::new();
     for class in Class::ALL {

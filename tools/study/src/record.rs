@@ -117,7 +117,10 @@ fn of_shape<S: HasFamilies + Into<Primitive>>(kind: Kind, seed: u64) -> Count {
 fn judged<S: Contested + Into<Primitive>>() -> [Contestant<S>; 2] {
     let kernels = S::contestants();
     let is_it = |k: &&Contestant<S>| k.name == EXACT && k.data == Data::F64;
-    let kernel = *kernels.iter().find(is_it).expect("every shape has it");
+    let kernel = *kernels
+        .iter()
+        .find(is_it)
+        .expect("every shape has an exact kernel");
     let answer = |question: &Question<S>| {
         let mut world = World::default();
         world.add(0, question.shape.into());
@@ -157,7 +160,7 @@ fn planned(seed: u64) -> Count {
     let (world, rays) = (World::of(&scene.objects), rays(&scene));
     let truth = |ray| sight(&world.parts, ray, scene.min_t);
     let truths: Vec<_> = rays.iter().map(truth).collect();
-    let (_, casting) = plan(&scene, wish).expect("no wish is as small as an ulp");
+    let (_, casting) = plan(&scene, wish).expect("an f64 can reach the accuracy");
     let (kept, tally) = kept(&rays, &truths, &casting, &wish);
     Count {
         asked: kept.rays,

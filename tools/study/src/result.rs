@@ -157,7 +157,7 @@ pub struct Trade {
     pub nanoseconds: Option<f64>,
     /// Half the width of the median's 95 % confidence interval, over the median.
     pub spread: Option<f64>,
-    /// For one ray and one shape, by callgrind.
+    /// Instructions for one ray and one shape, by callgrind.
     pub instructions: Option<f64>,
 }
 

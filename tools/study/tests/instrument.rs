@@ -267,7 +267,8 @@ fn a_question_is_as_sensitive_as_its_conditioning_says() {
         let (point, normal) = (at(0.0, 0.0, 0.0), at(1.0, 0.0, 1.0));
         let (origin, direction) = (at(0.0, 0.0, 1.0), at(1.0, 0.0, -1.0 - across));
         let question = Question::new(Plane { point, normal }, origin, direction);
-        let condition = Plane::condition(&question, &Plane::truth(&question)).expect("it is met");
+        let condition =
+            Plane::condition(&question, &Plane::truth(&question)).expect("the ray hits the plane");
         assert_eq!(conditioning::decade(condition / 1.5), decade, "{condition}");
     }
 }

@@ -39,7 +39,7 @@ fn each_part_is_measured_and_written() {
 fn unknown_family_is_rejected_by_name() {
     let (code, said, _) = studied("nonsense");
     let error: Value = serde_json::from_str(&said).expect("an error is a document too");
-    let problem = error["error"].as_str().expect("it has words");
+    let problem = error["error"].as_str().expect("the error is a string");
     assert!(
         code == Some(2) && problem.contains("nonsense"),
         "{code:?} {said}"

@@ -54,7 +54,8 @@ fn cast(is_robust: bool, mesh: &Mesh, rays: &[Ray]) -> Cast {
         scene: std::ptr::null_mut(),
     });
     let lengths = [mesh.corners.len(), mesh.triangles.len()];
-    let [corners, triangles] = lengths.map(|length| c_uint::try_from(length).expect("it is small"));
+    let [corners, triangles] =
+        lengths.map(|length| c_uint::try_from(length).expect("the mesh is small"));
     // SAFETY: both buffers have the lengths that are passed, and are copied before the call
     // returns.
     unsafe {
@@ -74,7 +75,7 @@ fn cast(is_robust: bool, mesh: &Mesh, rays: &[Ray]) -> Cast {
     let rays: Vec<[f32; 6]> = rays.iter().map(numbers).collect();
     Box::new(move || {
         let mut t = vec![0.0; rays.len()];
-        let count = c_uint::try_from(rays.len()).expect("they are few");
+        let count = c_uint::try_from(rays.len()).expect("there are few rays");
         // SAFETY: the scene is built, and `t` has room for one number per ray.
         unsafe {
             pinhole_embree_cast(&scene.0, rays.as_ptr(), count, t.as_mut_ptr());

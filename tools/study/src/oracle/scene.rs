@@ -124,7 +124,11 @@ pub fn normal(shape: &Primitive, ray: &Ray<f64>, t: &Root) -> Vector<f64> {
             let from_center = Exact::of(ray.origin).minus(&Exact::of(sphere.center));
             let [e, d] = [from_center.0, Exact::of(ray.direction).0];
             let at = e.iter().zip(&d).map(|(e, d)| e + &t.exact * d);
-            Exact(at.collect::<Vec<_>>().try_into().expect("three of them"))
+            Exact(
+                at.collect::<Vec<_>>()
+                    .try_into()
+                    .expect("there are three components"),
+            )
         }
     };
     // Divide by the largest component, so that the conversion to floats neither underflows nor

@@ -50,7 +50,7 @@ impl Known for Sphere<f64> {
 /// The square root of n/d, as √(n d) / d, rounded down to [`BITS`] bits or more.
 fn square_root(value: &Relaxed) -> Relaxed {
     let product = value.numerator() * dashu_int::IBig::from(value.denominator().clone());
-    let product = UBig::try_from(product).expect("it is not negative");
+    let product = UBig::try_from(product).expect("the discriminant is not negative");
     let shift = (2 * BITS).saturating_sub(product.bit_len()).div_ceil(2);
     let root = (product << (2 * shift)).sqrt();
     Relaxed::from_parts(root.into(), value.denominator().clone() << shift)

@@ -26,6 +26,6 @@ pub fn hit(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> (f64, Vector<f64>) 
             root.point(&from_center, &DyadicVector::of(ray.direction))
         }
     };
-    let t = rounded(Some(root)).expect("there is a root");
+    let t = rounded(Some(root)).expect("the root is not `None`");
     (t, along.unit())
 }

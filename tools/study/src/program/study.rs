@@ -52,7 +52,7 @@ pub fn run(arguments: &Arguments) -> Result<Status> {
 
 fn write(study: &Study, arguments: &Arguments) -> Result<()> {
     let folder = &arguments.out;
-    let document = serde_json::to_string(study).expect("all its keys are words");
+    let document = serde_json::to_string(study).expect("all map keys are strings");
     let files = || {
         fs::create_dir_all(folder)?;
         fs::write(folder.join("study.json"), document.clone() + "\n")?;

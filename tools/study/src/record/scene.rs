@@ -85,7 +85,7 @@ fn anywhere(random: &mut Random) -> Scene {
             (width, width * random.within(0.5, 2.0)),
             projection,
         )
-        .expect("up is across"),
+        .expect("up is perpendicular to the view"),
         resolution: PIXELS,
         min_t: [0.0, 0.0, 1.0, power(random, -2.0, 5.0)][random.below(4)],
         objects,
@@ -128,7 +128,7 @@ fn on_a_grid(random: &mut Random) -> Scene {
             (8.0 * unit, 8.0 * unit),
             projection,
         )
-        .expect("up is across"),
+        .expect("up is perpendicular to the view"),
         resolution: PIXELS,
         min_t: random.below(3) as f64 * unit.min(1.0),
         objects,

@@ -42,7 +42,7 @@ impl Four {
     pub fn new(triangles: &[Triangle<f64>]) -> Four {
         let each = |of: fn(&Triangle<f64>) -> Vector<f64>| {
             let lane = |at: usize| triangles.get(at).or(triangles.first()).map(of);
-            let lanes = [0, 1, 2, 3].map(|at| lane(at).expect("there is one at least"));
+            let lanes = [0, 1, 2, 3].map(|at| lane(at).expect("there is at least one triangle"));
             let component = |of: fn(Vector<f64>) -> f64| f64x4::new(lanes.map(of));
             Vector::new(component(|v| v.x), component(|v| v.y), component(|v| v.z))
         };
