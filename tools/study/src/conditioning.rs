@@ -1,10 +1,10 @@
 //! Condition numbers: how sensitive the t of a question is to the question's own numbers.
 //!
-//! The componentwise relative condition number κ = Σ |x ∂t/∂x| / |t| over all numbers x of the
-//! question (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., §1.6): if each
-//! number is off by half an ulp, t may be off by κ/2 ulp, whatever the kernel. By the implicit
-//! function theorem, with N along the normal at the hit, ∂t/∂e = −N / (N·d), ∂t/∂d = t ∂t/∂e,
-//! and moving the shape moves t the other way.
+//! The componentwise relative condition number is κ = Σ |x ∂t/∂x| / |t| over all numbers x of
+//! the question (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., §1.6). If
+//! each number is off by half an ulp, t may be off by κ/2 ulp, whatever the kernel. By the
+//! implicit function theorem, with N along the normal at the hit, ∂t/∂e = −N / (N·d) and ∂t/∂d
+//! = t ∂t/∂e. Moving the shape moves t the other way.
 
 use crate::oracle::{HasTruth, Truth};
 use crate::question::Question;

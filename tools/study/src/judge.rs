@@ -23,7 +23,7 @@ pub struct Tally {
     pub false_misses: u64,
     /// Hits that were answered with the t of the sphere's other side.
     pub wrong_roots: u64,
-    /// Hits that were answered with an infinite t or NaN.
+    /// Answers whose t is infinite or NaN.
     pub not_finite: u64,
     /// The median error of t in ulp, over true hits with a finite answer.
     pub median_ulp: Option<f64>,

@@ -38,7 +38,7 @@ impl Class {
     /// All classes.
     pub const ALL: [Class; 3] = [Class::Everyday, Class::Hard, Class::Absurd];
 
-    /// How tables call it.
+    /// The name in tables.
     pub fn name(self) -> &'static str {
         match self {
             Class::Everyday => "everyday",
@@ -58,7 +58,7 @@ pub enum Data {
 }
 
 impl Data {
-    /// How tables call it.
+    /// The name in tables.
     pub fn name(self) -> &'static str {
         match self {
             Data::F64 => f64::NAME,

@@ -10,7 +10,7 @@ use crate::question::Class;
 /// The version of the document; it changes when a field changes its meaning.
 pub const SCHEMA: &str = "pinhole-study/3";
 
-/// One run of the instrument.
+/// One run of the study.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Study {
@@ -147,7 +147,7 @@ pub struct Trade {
     pub asked: u64,
     /// Wrong decisions.
     pub wrong: u64,
-    /// Hits whose t is infinite or NaN.
+    /// Answers whose t is infinite or NaN.
     pub not_finite: u64,
     /// The median error of t, in ulp.
     pub median_ulp: Option<f64>,
