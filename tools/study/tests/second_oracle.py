@@ -1,4 +1,4 @@
-"""The study's oracle a second time, in Python's own fractions and decimals.
+"""A second oracle for the study, with Python's fractions and decimals.
 
 Reads a question on each line, a shape's name and its numbers as hexadecimal floats, and
 answers with `miss`, or `hit` and t to a hundred decimal digits.
@@ -20,7 +20,7 @@ def dot(a, b):
 
 
 def determinant(a, b, c):
-    """Of the matrix with these columns, by Sarrus's rule."""
+    """The determinant of the matrix with these columns, by Sarrus's rule."""
     return (a[0] * b[1] * c[2] + b[0] * c[1] * a[2] + c[0] * a[1] * b[2]
             - c[0] * b[1] * a[2] - b[0] * a[1] * c[2] - a[0] * c[1] * b[2])
 

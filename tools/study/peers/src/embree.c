@@ -1,4 +1,4 @@
-/* A mesh and one ray after another, as Embree's manual has it. */
+/* Builds a mesh and casts rays at it one by one, following Embree's manual. */
 #include <math.h>
 #include <string.h>
 #if EMBREE == 4

@@ -32,7 +32,7 @@ use crate::number::Real;
 /// Four boxes in structure-of-arrays layout: low sides, then high sides, by axis.
 pub type Boxes = [[f32x4; 3]; 2];
 
-/// No ray that starts less than [`NEAR`] from the scene leaves it after a longer way.
+/// A ray that starts less than [`NEAR`] from the scene has left it by this t.
 const BEYOND: f32 = 32.0;
 /// Origins further away are moved towards the scene.
 const NEAR: f64 = 8.0;
