@@ -133,7 +133,7 @@ pub fn tiers<S: HasFamilies>(seconds: f64, counts: bool, seed: u64) -> Vec<TierT
 /// Runs one kernel's workload `casts` times, on a class of questions or only on those that one
 /// tier decides. This is what runs under valgrind. Returns false if `what` names something
 /// else.
-pub fn cast<S: Studied>(what: &str, kernel: usize, casts: u32) -> bool {
+pub fn cast<S: HasFamilies>(what: &str, kernel: usize, casts: u32) -> bool {
     let mut words = what.splitn(4, ' ');
     let (shape, class, seed) = (words.next(), words.next(), words.next());
     let class = Class::ALL.into_iter().find(|it| Some(it.name()) == class);
@@ -154,7 +154,7 @@ pub fn cast<S: Studied>(what: &str, kernel: usize, casts: u32) -> bool {
 }
 
 /// Errors of t in everyday and hard questions, by decade of the condition number.
-pub fn conditioning(shape: &str, errors: &Errors) -> Vec<Conditioned> {
+pub fn conditioning(shape: &str, errors: &Errors) -> Vec<ConditioningErrors> {
     let mut all = Vec::new();
     for ((kernel, numbers), errors) in errors {
         let mut decades: BTreeMap<i32, Vec<f64>> = BTreeMap::new();

@@ -12,7 +12,7 @@ use crate::shape::{Plane, Ray, Sphere, Triangle};
 use crate::vector::Vector;
 
 /// A shape whose questions have a condition number.
-pub trait Conditioning: Known {
+pub trait Conditioning: HasTruth {
     /// κ of a true hit, to a few digits. It is infinite if the ray only touches the shape.
     fn condition(question: &Question<Self>, truth: &Truth) -> Option<f64>;
 }

@@ -7,7 +7,7 @@ use crate::question::{Data, Question};
 use crate::shape::{Plane, Sphere, Triangle};
 
 /// A shape with kernels to compare.
-pub trait Contested: Known {
+pub trait HasKernels: HasTruth {
     /// The shape's name.
     const NAME: &'static str;
     /// All kernels, for all types of numbers.

@@ -43,7 +43,7 @@ impl<S> Family<S> {
 }
 
 /// A shape with families of questions about it.
-pub trait Studied: Contested {
+pub trait HasFamilies: HasKernels {
     /// All families of this shape.
     fn families() -> Vec<Family<Self>>;
 
@@ -78,7 +78,7 @@ fn scales(data: Data) -> Vec<i32> {
 
 /// `count` valid questions of a family, rounded to the data's type. They are the same for every
 /// kernel and on every machine. Empty if the type cannot represent enough of them.
-pub fn questions<S: Contested>(
+pub fn questions<S: HasKernels>(
     family: &Family<S>,
     exponent: i32,
     data: Data,

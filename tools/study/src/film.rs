@@ -32,14 +32,14 @@ pub struct Report {
 
 /// What an exact film promises besides the true object at every pixel. The accuracy is far
 /// beyond the digits of the film's own `f32`.
-pub const EXACT: Wish = Wish {
+pub const EXACT: AccuracyTarget = AccuracyTarget {
     accuracy: 1e-12,
     depth: true,
     normal: true,
 };
 
 /// Plans a scene and casts it by that plan.
-pub fn planned(scene: &Scene, wish: Wish) -> Result<(Film, Report), String> {
+pub fn planned(scene: &Scene, wish: AccuracyTarget) -> Result<(Film, Report), String> {
     let start = Instant::now();
     let (plan, casting) = plan(scene, wish)?;
     let planning_seconds = start.elapsed().as_secs_f64();

@@ -97,7 +97,7 @@ const APART: f64 = 64.0;
 
 /// Whether t is nearer to the other root, if the roots are further apart than the radius.
 /// Nearly tangent roots are not told apart either: their error is measured instead.
-fn is_of_other_side<S: Known>(question: &Question<S>, root: f64, other: f64, t: f64) -> bool {
+fn is_of_other_side<S: HasTruth>(question: &Question<S>, root: f64, other: f64, t: f64) -> bool {
     let [lengths, _, direction] = question.numbers();
     // The last length of a sphere is its radius.
     let radius = lengths.last().copied().unwrap_or(0.0).abs();
@@ -106,7 +106,7 @@ fn is_of_other_side<S: Known>(question: &Question<S>, root: f64, other: f64, t: 
 }
 
 /// Judges a kernel's answers to questions with known true answers.
-pub fn judge<S: Known>(
+pub fn judge<S: HasTruth>(
     kernel: &Contestant<S>,
     questions: &[Question<S>],
     truths: &[Truth],
@@ -116,7 +116,7 @@ pub fn judge<S: Known>(
 
 /// Like [`judge`], and also returns the error in ulp of each finite t that is no wrong
 /// decision, with the index of its question.
-pub fn judge_each<S: Known>(
+pub fn judge_each<S: HasTruth>(
     kernel: &Contestant<S>,
     questions: &[Question<S>],
     truths: &[Truth],

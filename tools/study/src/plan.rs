@@ -76,7 +76,7 @@ impl Kind {
 
 /// The plan for one kind of shape.
 #[derive(Clone, Debug, Serialize)]
-pub struct OfKind {
+pub struct KindPlan {
     /// The kind of shape.
     pub kind: Kind,
     /// The number of parts of this kind.
@@ -94,11 +94,11 @@ pub struct OfKind {
 #[derive(Clone, Debug, Serialize)]
 pub struct Plan {
     /// The accuracy and outputs that were requested.
-    pub wish: Wish,
+    pub wish: AccuracyTarget,
     /// The number of pixels.
     pub pixels: usize,
     /// The plans of the kinds that occur in the scene.
-    pub kinds: Vec<OfKind>,
+    pub kinds: Vec<KindPlan>,
     /// The chosen search: `brute force` or `boxes`.
     pub search: &'static str,
     /// Instructions per ray to test every part except planes.
@@ -108,7 +108,7 @@ pub struct Plan {
 }
 
 /// Plans a scene, or explains why the request cannot be met.
-pub fn plan(scene: &Scene, wish: Wish) -> Result<(Plan, Casting), String> {
+pub fn plan(scene: &Scene, wish: AccuracyTarget) -> Result<(Plan, PlannedCaster), String> {
     // Even an exact t is rounded once, and a normal again when it is normalised.
     if !(wish.accuracy >= 16.0 * U) {
         return Err(format!(

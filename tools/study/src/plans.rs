@@ -76,7 +76,12 @@ pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<Plan
 
 /// Casts rays by a plan, and judges the result by the truth. Only the true first object is
 /// right: edges count as hits, and at the same t the object listed first wins.
-pub fn kept(rays: &[Ray<f64>], truths: &[Sight], casting: &Casting, wish: &Wish) -> (Kept, Tally) {
+pub fn kept(
+    rays: &[Ray<f64>],
+    truths: &[TrueHit],
+    casting: &PlannedCaster,
+    wish: &AccuracyTarget,
+) -> (PlanErrors, Tally) {
     let (seen, tally) = casting.film(rays);
     let mut kept = PlanErrors {
         rays: rays.len() as u64,

@@ -114,7 +114,7 @@ fn of_shape<S: HasFamilies + Into<Primitive>>(kind: Kind, seed: u64) -> Count {
 }
 
 /// The exact kernel in `f64`, and the caster as a kernel.
-fn judged<S: Contested + Into<Primitive>>() -> [Contestant<S>; 2] {
+fn judged<S: HasKernels + Into<Primitive>>() -> [Contestant<S>; 2] {
     let kernels = S::contestants();
     let is_it = |k: &&Contestant<S>| k.name == EXACT && k.data == Data::F64;
     let kernel = *kernels

@@ -38,7 +38,7 @@ pub struct Findings {
     /// The tiers of the exact kernels.
     pub tiers: Vec<TierTally>,
     /// Errors of t by the question's condition number.
-    pub conditioning: Vec<Conditioned>,
+    pub conditioning: Vec<ConditioningErrors>,
     /// Rays that begin on a surface.
     pub secondary: Vec<Secondary>,
     /// Where each kernel breaks.
@@ -96,13 +96,13 @@ pub struct Point {
     /// The class of its questions.
     pub class: Class,
     /// The results of all kernels.
-    pub kernels: Vec<Judged>,
+    pub kernels: Vec<KernelTally>,
 }
 
 /// The result of one kernel.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Judged {
+pub struct KernelTally {
     /// The kernel's name.
     pub kernel: String,
     /// The numbers it computes with.

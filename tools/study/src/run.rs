@@ -152,7 +152,7 @@ fn of_shape<S: HasFamilies + Conditioning>(
 }
 
 /// Sweeps one family in one type of data, with the same questions for every kernel.
-pub fn swept<S: Studied + Conditioning>(
+pub fn swept<S: HasFamilies + Conditioning>(
     family: &Family<S>,
     data: Data,
     count: usize,

@@ -39,15 +39,15 @@ struct SceneRays {
 }
 
 /// One way to cast a scene.
-struct Way {
+struct CastMethod {
     /// The numbers it computes with.
     numbers: &'static str,
     search: Search,
     /// Casts all rays and returns object, t and normal of each.
-    see: fn(&Stage, Search, &mut Tally) -> Vec<Seen>,
+    see: fn(&SceneRays, Search, &mut Tally) -> Vec<Seen>,
     /// Casts all rays, for timing. It does not read a clock, because rustix's clock does not
     /// work under valgrind.
-    film: fn(&Stage, Search),
+    film: fn(&SceneRays, Search),
 }
 
 fn ways() -> [CastMethod; 4] {

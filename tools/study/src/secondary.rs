@@ -19,7 +19,7 @@ use crate::vector::Vector;
 const NEAR: f64 = 1e-3;
 
 /// A shape that secondary rays leave.
-trait Left: Studied {
+trait SecondaryRaySource: HasFamilies {
     /// Intersects with a careful kernel in `f32`.
     fn meet(shape: &Self::With<f32>, ray: &Ray<f32>, min_t: f32) -> Option<f32>;
     /// Given a computed hit: the point as nearly on the surface as `f32` allows, a bound on its

@@ -145,7 +145,7 @@ const SPOILERS: [f64; 7] = [
 
 /// Replaces each number of a question in turn. If the question becomes invalid, the kernel must
 /// miss; otherwise it must give the true answer.
-fn survives_replaced_numbers<S: Studied + std::fmt::Debug>(kernel: &Contestant<S>, value: f64) {
+fn survives_replaced_numbers<S: HasFamilies + std::fmt::Debug>(kernel: &Contestant<S>, value: f64) {
     let families = S::families();
     let plain = families.iter().find(|family| family.name == "offset");
     let plain = plain.expect("every shape has an offset");

@@ -13,7 +13,7 @@ pub struct Query<'r> {
     /// The ray as it was given, for exact decisions.
     pub ray: &'r Ray<f64>,
     /// The scaled ray, for filters and boxes.
-    pub scaled: Scaled<f64>,
+    pub scaled: ScaledRay<f64>,
     /// The smallest t that counts; not negative.
     pub min_t: f64,
     /// `min_t` in the scaled ray's parameter, with the margins of the filters.
@@ -51,7 +51,7 @@ pub trait Model: Sync + 'static {
     /// The smallest t ≥ `min_t` at which a ray meets a part.
     fn meet(part: &Part, query: &Query, tally: &mut Tally) -> Option<f64>;
     /// Tests four triangles. The caller tests undecided ones again, one by one.
-    fn meet_four(four: &Four, limits: &Limits, query: &Query) -> Met;
+    fn meet_four(four: &TrianglePacket, limits: &Limits, query: &Query) -> PacketHits;
     /// Converts a t from [`Model::meet_four`] to multiples of the ray's direction.
     fn given(t: f64, query: &Query) -> f64;
     /// Whether hit `one` comes before hit `other`.

@@ -144,7 +144,7 @@ impl Tree {
                     let take = |met: &mut u32| {
                         let lane = met.trailing_zeros() as usize & 3;
                         *met &= *met - 1;
-                        Waiting::stack_entry(entries[lane], node.inside[lane])
+                        TraversalStack::stack_entry(entries[lane], node.inside[lane])
                     };
                     let before = waiting.stack_entries.len();
                     let mut near = take(&mut met);
@@ -173,7 +173,7 @@ impl Tree {
 /// node (lower 32 bits). The bits of non-negative floats sort like the floats, so comparing
 /// entries compares t.
 #[derive(Default)]
-struct Waiting {
+struct TraversalStack {
     stack_entries: ArrayVec<u64, 128>,
     /// Overflow of the fixed array, for trees that are deeper than any seen.
     more: Vec<u64>,
@@ -207,7 +207,7 @@ impl TraversalStack {
     /// Pops the next node that the ray enters before the horizon.
     #[inline(always)]
     fn next(&mut self, horizon: f32) -> Option<u32> {
-        let beyond = Waiting::stack_entry(horizon, u32::MAX);
+        let beyond = TraversalStack::stack_entry(horizon, u32::MAX);
         loop {
             let stack_entry = match self.stack_entries.pop() {
                 Some(stack_entry) => stack_entry,
@@ -221,7 +221,7 @@ impl TraversalStack {
 }
 
 /// Collapses the binary tree to nodes with four boxes.
-struct Fours<'a> {
+struct WideTreeBuilder<'a> {
     twos: Bvh2,
     /// For each binary node, the number of parts below it, and whether all are triangles.
     sizes: Vec<(u32, bool)>,

@@ -5,7 +5,7 @@ use crate::question::{Data, Question, ten_to};
 use crate::shape::Ray;
 
 /// Varies the length of the ray's direction.
-pub fn direction<S: Studied>() -> Family<S> {
+pub fn direction<S: HasFamilies>() -> Family<S> {
     Family {
         name: "direction",
         axis: "length of the direction = 10^x",
@@ -22,7 +22,7 @@ pub fn direction<S: Studied>() -> Family<S> {
 }
 
 /// Varies the distance of the scene from the world's origin.
-pub fn offset<S: Studied>() -> Family<S> {
+pub fn offset<S: HasFamilies>() -> Family<S> {
     Family {
         name: "offset",
         axis: "distance of the scene from the world's origin = 10^x",
@@ -43,7 +43,7 @@ pub fn offset<S: Studied>() -> Family<S> {
 }
 
 /// Varies the unit in which the shape, the origin and the direction are measured.
-pub fn scale<S: Studied>() -> Family<S> {
+pub fn scale<S: HasFamilies>() -> Family<S> {
     Family {
         name: "scale",
         axis: "size of the scene = 10^x",
@@ -58,7 +58,7 @@ pub fn scale<S: Studied>() -> Family<S> {
 }
 
 /// Varies `min_t` around the true hit: just before it, or just behind it.
-pub fn threshold<S: Studied>(axis: &'static str, meaning: &'static str) -> Family<S> {
+pub fn threshold<S: HasFamilies>(axis: &'static str, meaning: &'static str) -> Family<S> {
     Family {
         name: "threshold",
         axis,

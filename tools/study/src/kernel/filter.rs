@@ -111,7 +111,7 @@ impl Window {
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared {
     /// The scaled ray, for filters.
-    pub scaled: Scaled<f64>,
+    pub scaled: ScaledRay<f64>,
     /// The ray as it was given, for exact decisions.
     pub given: Ray<f64>,
 }

@@ -4,7 +4,7 @@ use crate::shape::{Plane, Ray, Sphere, Triangle};
 
 /// A kernel that computes in `f64` on `f32` data. t is rounded once, at the end, and products
 /// of two `f32` are exact.
-pub struct Widened<K>(K);
+pub struct WidenedKernel<K>(K);
 
 macro_rules! widened {
     ($shape:ident, $wide:expr) => {

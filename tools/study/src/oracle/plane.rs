@@ -2,7 +2,7 @@ use super::{Exact, HasTruth, Root, Truth, fraction, sign};
 use crate::question::Question;
 use crate::shape::Plane;
 
-impl Known for Plane<f64> {
+impl HasTruth for Plane<f64> {
     /// t = n·(p − e) / n·d; a miss if n·d is exactly 0.
     fn truth(question: &Question<Self>) -> Truth {
         let Question { shape, ray, min_t } = question;

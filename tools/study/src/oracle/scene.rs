@@ -13,7 +13,7 @@ use crate::vector::Vector;
 
 /// What a ray truly hits, with the answers that are accepted.
 #[derive(Clone, Debug)]
-pub struct Sight<'a> {
+pub struct TrueHit<'a> {
     /// The part that is hit first, and where; `None` for a miss.
     pub first: Option<(&'a Part, Truth)>,
     /// Objects that are also accepted, because the ray only touches them at an edge or tangent,
@@ -23,7 +23,7 @@ pub struct Sight<'a> {
     pub may_be_nothing: bool,
 }
 
-impl Sight<'_> {
+impl TrueHit<'_> {
     /// Whether this object, or a miss, is an accepted answer.
     pub fn allows(&self, object: Option<u32>) -> bool {
         let first = self.first.as_ref().map(|(part, _)| part.object);
@@ -36,7 +36,7 @@ impl Sight<'_> {
 
 /// An answer compared with the true first hit.
 #[derive(Clone, Copy, Debug)]
-pub enum Compared<'a> {
+pub enum HitComparison<'a> {
     /// Both miss, or the answer is accepted because an exact equality decides.
     Alike,
     /// The wrong object, a miss instead of a hit, or a hit instead of a miss.
@@ -52,9 +52,13 @@ pub enum Compared<'a> {
     },
 }
 
-impl<'a> Sight<'a> {
+impl<'a> TrueHit<'a> {
     /// Compares an answer (object, t and normal) with the truth.
-    pub fn compared(&self, ray: &Ray<f64>, seen: Option<(u32, f64, Vector<f64>)>) -> Compared<'a> {
+    pub fn compared(
+        &self,
+        ray: &Ray<f64>,
+        seen: Option<(u32, f64, Vector<f64>)>,
+    ) -> HitComparison<'a> {
         if !self.allows(seen.map(|(object, ..)| object)) {
             return HitComparison::AnotherObject;
         }
@@ -76,7 +80,7 @@ impl<'a> Sight<'a> {
 }
 
 /// The true first hit with t ≥ `min_t`.
-pub fn sight<'a>(parts: &'a [Part], ray: &Ray<f64>, min_t: f64) -> Sight<'a> {
+pub fn sight<'a>(parts: &'a [Part], ray: &Ray<f64>, min_t: f64) -> TrueHit<'a> {
     let near = parts
         .iter()
         .filter(|part| !is_passed_by_far(&part.shape, ray));

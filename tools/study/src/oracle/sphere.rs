@@ -10,7 +10,7 @@ use crate::shape::Sphere;
 /// so that they keep all but a few of these.
 pub const BITS: usize = 340;
 
-impl Known for Sphere<f64> {
+impl HasTruth for Sphere<f64> {
     /// a t² + 2 h t + c = 0 has the roots (−h ∓ √Δ) / a. With m = `min_t` and k = −h − a m, the
     /// near root is ≥ m if k ≥ √Δ, and the far root is ≥ m if −k ≤ √Δ. Both follow from the
     /// signs of k and k² − Δ.

@@ -2,7 +2,7 @@ use super::{Exact, HasTruth, Root, Truth, fraction, sign};
 use crate::question::Question;
 use crate::shape::Triangle;
 
-impl Known for Triangle<f64> {
+impl HasTruth for Triangle<f64> {
     /// Solves e − a = α t₁ + β t₂ − t d by Cramer's rule, in fractions. Edges belong to the
     /// triangle, and a ray that touches one is a tie.
     fn truth(question: &Question<Self>) -> Truth {

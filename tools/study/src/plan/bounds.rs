@@ -49,7 +49,7 @@ fn are_in_range(sizes: impl IntoIterator<Item = f64>) -> bool {
 
 /// Bound on the relative error of t for a hit that the filters decided; other hits have a more
 /// accurate t. Infinite if nothing is certain.
-pub fn of_t(shape: &Primitive, ray: &Scaled<f64>) -> f64 {
+pub fn of_t(shape: &Primitive, ray: &ScaledRay<f64>) -> f64 {
     match shape {
         Primitive::Sphere(shape) => of_sphere(shape, ray),
         Primitive::Plane(shape) => of_plane(shape, ray),
@@ -66,7 +66,7 @@ pub fn of_t(shape: &Primitive, ray: &Scaled<f64>) -> f64 {
 /// 3. t|d| is q or c/q with q = |h|/|d| + s. The error of q is at most λ + σ plus six
 ///    roundings, and that of c = |f|² − r² at most χ = 8u|f|² + 3ur². Always q ≥ √|c|, because
 ///    q² ≥ h²/|d|² + s² = |f|² + r² − 2|l|², which is at least |c| as |l| ≤ r and |l| ≤ |f|.
-fn of_sphere(sphere: &Sphere<f64>, Scaled { ray, .. }: &Scaled<f64>) -> f64 {
+fn of_sphere(sphere: &Sphere<f64>, ScaledRay { ray, .. }: &ScaledRay<f64>) -> f64 {
     let (d, r, from_center) = (ray.direction, sphere.radius, ray.origin - sphere.center);
     if !are_in_range([from_center.largest(), r]) {
         return f64::INFINITY;
@@ -87,7 +87,7 @@ fn of_sphere(sphere: &Sphere<f64>, Scaled { ray, .. }: &Scaled<f64>) -> f64 {
 
 /// The error of a dot product of three terms is at most 8u times the sum of its terms'
 /// magnitudes, including the subtraction p − e (as in [`crate::kernel::plane::Adaptive`]).
-fn of_plane(plane: &Plane<f64>, Scaled { ray, .. }: &Scaled<f64>) -> f64 {
+fn of_plane(plane: &Plane<f64>, ScaledRay { ray, .. }: &ScaledRay<f64>) -> f64 {
     let (n, d, w) = (plane.normal, ray.direction, plane.point - ray.origin);
     let down = n.dot(d).abs();
     // A component of d that is 1e300 times smaller than another may have lost digits.
@@ -102,7 +102,7 @@ fn of_plane(plane: &Plane<f64>, Scaled { ray, .. }: &Scaled<f64>) -> f64 {
 /// With M the largest component of two edges, S that of e − a, and |d|∞ < 2, the error of
 /// Möller–Trumbore's determinant is at most 96u M², and that of t times the determinant at most
 /// 54u S M² (cf. [`crate::kernel::triangle::Adaptive`]).
-fn of_triangle(triangle: &Triangle<f64>, Scaled { ray, .. }: &Scaled<f64>) -> f64 {
+fn of_triangle(triangle: &Triangle<f64>, ScaledRay { ray, .. }: &ScaledRay<f64>) -> f64 {
     let [a, b, c] = triangle.corners;
     let (e1, e2, away) = (b - a, c - a, ray.origin - a);
     let (m, s) = (e1.largest().max(e2.largest()), away.largest());

@@ -13,8 +13,8 @@ use crate::shape::Ray;
 use crate::vector::Vector;
 
 /// A scene ready to be cast by a plan.
-pub struct Casting {
-    wish: Wish,
+pub struct PlannedCaster {
+    wish: AccuracyTarget,
     min_t: f64,
     search: Search,
     caster: Caster,
@@ -29,10 +29,10 @@ const NO_NORMAL: Vector<f64> = Vector {
     z: 0.0,
 };
 
-impl Casting {
+impl PlannedCaster {
     /// Prepares the parts of a scene.
-    pub fn new(world: World, min_t: f64, wish: Wish) -> Casting {
-        Casting {
+    pub fn new(world: World, min_t: f64, wish: AccuracyTarget) -> PlannedCaster {
+        PlannedCaster {
             wish,
             min_t,
             search: Search::cheaper(&world.parts),

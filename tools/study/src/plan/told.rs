@@ -14,7 +14,7 @@ fn count(parts: usize, kind: &str) -> String {
 }
 
 /// Which of t and normals are requested, in words.
-fn outputs(wish: Wish) -> &'static str {
+fn outputs(wish: AccuracyTarget) -> &'static str {
     match (wish.depth, wish.normal) {
         (true, true) => "t and normals",
         (true, false) => "t (normals are not asked for; the film has 0)",
@@ -24,7 +24,7 @@ fn outputs(wish: Wish) -> &'static str {
 }
 
 /// How a kind of shape is cast.
-fn how(kind: &OfKind, wish: Wish) -> String {
+fn how(kind: &KindPlan, wish: AccuracyTarget) -> String {
     let normals = match kind.worst_normal {
         Some(worst) => format!("normals to {worst:.0e} rad"),
         None => "no common bound on normals".into(),

@@ -11,7 +11,7 @@ use crate::random::Random;
 use crate::vector::Vector;
 
 /// The scene of a seed, and the request to plan for.
-pub fn drawn(seed: u64) -> (Scene, Wish) {
+pub fn drawn(seed: u64) -> (Scene, AccuracyTarget) {
     let mut random = Random::new(seed, "plans");
     let scene = match random.below(3) {
         0 => on_a_grid(&mut random),

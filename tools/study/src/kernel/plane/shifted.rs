@@ -7,7 +7,7 @@ use crate::shape::{Plane, Ray};
 /// origin, the expanded form n·p − n·e would subtract two large numbers. Subtracting nearby
 /// points first has little or no rounding error (Sterbenz's lemma), and the products are then
 /// as small as the scene.
-pub struct Shifted;
+pub struct ShiftedOrigin;
 
 impl<F: Real> Kernel<Plane<F>, F> for ShiftedOrigin {
     const NAME: &'static str = "shifted origin";

@@ -17,8 +17,8 @@ use crate::vector::Vector;
 /// 1. |f̂ − f| ≤ u|f|, so the error of h = d·f is at most 4u|d||f|, that of h/a at most
 ///    8u|f|/|d|, and that of l = f − (h/a) d at most ε := 12u|f|, with every rounding counted.
 /// 2. The error of r² − |l|² is at most 2|l|ε + ε² + 3u|l|² + 2u(r² + |l|²). Of this, 24u|l||f|
-///    ≤ 12 (√u |l|² + u√u |f|²), because 2xy ≤ x² + y². The rest is less than 4 (√u (|l|² + r²)
-///    + u√u |f|²). Hence E = 16 (√u (|l|² + r²) + u√u |f|²) is a bound that needs no square
+///    ≤ 12 (√u |l|² + u√u |f|²), because 2xy ≤ x² + y². The rest is less than 4 (√u (|l|² + r²) +
+///    u√u |f|²). Hence E = 16 (√u (|l|² + r²) + u√u |f|²) is a bound that needs no square
 ///    root. If |l|² ≤ 2r², then E ≤ 48√u r² + 16u√u |f|², which is less than [`Limits::sign`].
 ///    If |l|² > 2r², then r² − |l|² < −|l|²/2 and E ≤ 24√u |l|² + `sign`/2, where the first
 ///    term is below half of |l|²/2. So a value below −`sign` is also below −E, and the ray

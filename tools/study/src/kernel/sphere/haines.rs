@@ -42,14 +42,14 @@ pub fn plainly<F: Real>(sphere: &Sphere<F>, ray: &Ray<F>, min_t: F) -> Option<F>
 /// A ray with its direction scaled by 2^−`exponent`. A component that is more than 1e300 times
 /// smaller than another may lose digits, which scaling back does not restore.
 #[derive(Clone, Copy, Debug)]
-pub struct Scaled<F> {
+pub struct ScaledRay<F> {
     /// The scaled ray, along the same line.
     pub ray: Ray<F>,
     /// A t of the scaled ray times 2^−`exponent` is a t of the given ray.
     pub exponent: i32,
 }
 
-impl<F: Real> Scaled<F> {
+impl<F: Real> ScaledRay<F> {
     /// Scales a ray so that its direction has a length of about 1.
     #[inline(always)]
     pub fn new(ray: &Ray<F>) -> ScaledRay<F> {

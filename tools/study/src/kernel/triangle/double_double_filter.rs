@@ -21,8 +21,8 @@ use crate::shape::Triangle;
 ///    the products plus 8u² × 2B² from the difference: 32u² B². The error of its dot product
 ///    with d is at most 3 × 2 × 32u² B² from the factors, 8u² × 12B² from the products and 2 ×
 ///    8u² × 12B² from the sums: 480u² B². This holds for each of the three volumes d·(b × c),
-///    d·(c × a) and d·(a × b). The error of their sum, the determinant, is at most 3 × 480u² B²
-///    + 2 × 8u² × 36B², and that of a·(b × c) half of 480u² B² times B. So E = 4096u² B² bounds
+///    d·(c × a) and d·(a × b). The error of their sum, the determinant, is at most 3 × 480u² B² +
+///    2 × 8u² × 36B², and that of a·(b × c) half of 480u² B² times B. So E = 4096u² B² bounds
 ///    the error of each volume and of their sum, including the roundings of E itself, and E B
 ///    that of t times the determinant.
 /// 3. Underflow, in a product or in a product's low part, loses less than [`TINY`] in each of

@@ -20,7 +20,7 @@ pub struct TrianglePacket {
 
 /// The result of four tests.
 #[derive(Clone, Copy, Debug)]
-pub struct Met {
+pub struct PacketHits {
     /// A bit for each triangle that is certainly hit.
     pub hits: u32,
     /// A bit for each triangle whose answer is uncertain.
@@ -37,9 +37,9 @@ impl PacketHits {
     };
 }
 
-impl Four {
+impl TrianglePacket {
     /// Packs one to four triangles.
-    pub fn new(triangles: &[Triangle<f64>]) -> Four {
+    pub fn new(triangles: &[Triangle<f64>]) -> TrianglePacket {
         let each = |of: fn(&Triangle<f64>) -> Vector<f64>| {
             let lane = |at: usize| triangles.get(at).or(triangles.first()).map(of);
             let lanes = [0, 1, 2, 3].map(|at| lane(at).expect("there is at least one triangle"));
