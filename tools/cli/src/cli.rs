@@ -150,9 +150,9 @@ pub struct Render {
 
 /// Explain one pixel in words
 ///
-/// Shows your ray beside the expected one: where it meets the image plane, in camera space, and
-/// in world space. Then it shows what each object answers, what your code printed, the first hit
-/// and, if the scene has a golden, what Mitsuba found.
+/// Shows your ray beside the expected one: the point where it meets the image plane, then the
+/// ray in camera space, then the ray in world space. After that it shows what each object answers,
+/// what your code printed, the first hit and, if the scene has a golden, what Mitsuba found.
 ///
 /// Try: cargo pinhole explain slide_example 2 3
 #[derive(Args)]

@@ -48,7 +48,7 @@ pub struct GoldenRender {
     pub no_mistakes: bool,
 }
 
-/// Cast the known mistakes again, for goldens that exist
+/// Render again what each known mistake does to the existing goldens, without Mitsuba
 ///
 /// Stores beside each golden what each mistake does to the film, so that `check` and `diff` can
 /// recognise it. `golden render` does this too; use this command when only a mistake has changed.

@@ -134,7 +134,7 @@ fn with_rust_alone_every_command_works_and_tests_pass_once_the_stubs_are_filled(
         run(command).expect_code(0);
     }
     assert!(
-        answers.join("sphere.rs.old").is_file(),
+        answers.join("plane.rs.old").is_file(),
         "it keeps what was there"
     );
 }
