@@ -213,16 +213,17 @@ fn tests_that_are_counted_have_heat_maps_on_one_scale() {
         ),
         true
     );
-    let sums = browser.text("document.querySelector('#task-0 .heat .stills').innerText");
+    // The last of the three takes more than twice as many tests as are needed.
+    let last = "[...document.querySelectorAll('#task-0 .heat')].at(-1)";
+    let sums = browser.text(&format!("{last}.querySelector('.stills').innerText"));
     let [expected, yours] = numbers(&sums)[..] else {
         panic!("two sums: {sums}");
     };
-    assert!(yours > 1.4 * expected, "{sums}");
-    let steps = browser.text("document.querySelector('#task-0 .scale p').innerText");
+    assert!(yours > 2.0 * expected, "{sums}");
+    let steps = browser.text(&format!("{last}.querySelector('.scale p').innerText"));
     let steps = numbers(&steps);
     assert_eq!(steps[0], 0.0);
-    let mean = yours / 160.0;
-    assert!(steps[4] > mean && steps[2] * 2.0 == steps[4], "{steps:?}");
+    assert!(steps[4] >= 113.0 && steps[2] * 2.0 == steps[4], "{steps:?}");
     let again = browser.text("document.querySelector('.again code').innerText");
     assert!(again.contains("--assignment bounding_volumes"), "{again}");
     browser.expect_quiet();
