@@ -31,10 +31,12 @@ mod user_id;
 mod visible;
 mod watch;
 
+use std::cell::Cell;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::time::Duration;
+use std::rc::Rc;
+use std::time::{Duration, Instant};
 
 use clap::ValueEnum;
 use pinhole::ask::{Clock, Death, Ending, Limit, Reply, Stop, ask_watched};
@@ -320,11 +322,20 @@ impl Sandbox {
             silence: limits.silence,
             stop,
         };
+        let starved = Rc::new(Cell::new(Duration::ZERO));
         let asked = ask_watched(command, job, limit, progress, &mut |pid| {
             watch = Some(self.watch(pid, &limits));
-            own_clock(pid)
+            let (mut clock, begun, starved) = (own_clock(pid), Instant::now(), starved.clone());
+            Box::new(move || {
+                let had = clock();
+                starved.set(begun.elapsed().saturating_sub(had));
+                had
+            })
         });
         let exceeded = watch.and_then(Watch::stop);
+        if let Some(budget) = self.budget() {
+            budget.add_starved(starved.get());
+        }
         self.sweep();
         let mut reply = asked?;
         #[cfg(target_os = "linux")]

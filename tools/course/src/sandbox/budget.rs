@@ -3,8 +3,8 @@
 //! Code that runs into its limit in every group and every scene would take a hundred times that
 //! limit. Answers that arrive cost nothing here, so a slow but right submission loses nothing.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use super::Limits;
@@ -16,6 +16,8 @@ pub struct Budget {
     lost: Arc<AtomicU32>,
     /// When it began, and how long it may take in all on the clock; `None` if no class waits.
     whole: Option<(Instant, Duration)>,
+    /// How long other programs kept it from running.
+    starved: Arc<Mutex<Duration>>,
 }
 
 /// After this many, everything else gets only its shortest time.
@@ -33,12 +35,14 @@ impl Budget {
         }
     }
 
-    /// The time that is left on the clock; if there is none, how much there was in all.
+    /// The time that is left on the clock; if there is none, how much there was in all. The time
+    /// in which it was kept from running doesn't count, up to as much again.
     pub fn left(&self) -> Result<Duration, Duration> {
         let Some((begun, whole)) = self.whole else {
             return Ok(Duration::MAX);
         };
-        match whole.saturating_sub(begun.elapsed()) {
+        let starved = *self.starved.lock().unwrap_or_else(PoisonError::into_inner);
+        match (whole + starved.min(whole)).saturating_sub(begun.elapsed()) {
             Duration::ZERO => Err(whole),
             left => Ok(left),
         }
@@ -56,6 +60,11 @@ impl Budget {
             true => limits.shortened(),
             false => limits,
         }
+    }
+
+    /// Counts time in which other programs kept it from running.
+    pub fn add_starved(&self, time: Duration) {
+        *self.starved.lock().unwrap_or_else(PoisonError::into_inner) += time;
     }
 
     /// Counts one limit that was exceeded.
@@ -79,6 +88,28 @@ mod tests {
         assert!(Budget::of(hour).left().is_ok_and(|left| left <= hour));
         assert!(!Budget::of(hour).is_done_compiling());
         assert_eq!(Budget::default().left(), Ok(Duration::MAX));
+    }
+
+    #[test]
+    fn time_in_which_others_ran_is_given_back_up_to_as_much_again() {
+        let begun = Instant::now() - Duration::from_secs(15);
+        let budget = Budget {
+            whole: Some((begun, Duration::from_secs(10))),
+            ..Budget::default()
+        };
+        assert!(budget.left().is_err());
+        budget.clone().add_starved(Duration::from_secs(8));
+        assert!(
+            budget
+                .left()
+                .is_ok_and(|left| left <= Duration::from_secs(3))
+        );
+        budget.add_starved(Duration::from_secs(100));
+        assert!(
+            budget
+                .left()
+                .is_ok_and(|left| left <= Duration::from_secs(5))
+        );
     }
 
     #[test]
