@@ -92,6 +92,8 @@ fn place_of(assignment: &Assignment) -> String {
 pub struct Repository {
     assignment: String,
     files: Files,
+    /// Whether cargo looks for dependencies in the folder that [`vendor`] fills.
+    pub vendored: bool,
 }
 
 impl Repository {
@@ -128,13 +130,8 @@ impl Repository {
         Ok(Repository {
             assignment: assignment.name.clone(),
             files,
+            vendored: false,
         })
-    }
-
-    /// Makes cargo look for dependencies in the folder that [`vendor`] fills.
-    pub fn use_vendored_sources(&mut self) {
-        let settings = self.files.entry(CARGO_CONFIG.into()).or_default();
-        settings.extend_from_slice(VENDORED.as_bytes());
     }
 
     /// Writes it to `out`, completely or not at all.

@@ -37,9 +37,7 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
     let mut words = String::new();
     if let Some(out) = &arguments.out {
         let mut repository = Repository::of(assignment, checkout, arguments.book.as_deref())?;
-        if arguments.vendor {
-            repository.use_vendored_sources();
-        }
+        repository.vendored = arguments.vendor;
         let written = repository.write(out, arguments.force)?;
         if arguments.vendor {
             progress.say("vendoring");

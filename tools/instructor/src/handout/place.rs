@@ -4,7 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::{Files, Repository};
+use super::{CARGO_CONFIG, Files, Repository, VENDORED};
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::handout_record::{self, HandoutRecord};
 use pinhole_course::manifest::{Hashes, hash, hash_of};
@@ -38,6 +38,7 @@ pub fn write(repository: Repository, out: &Path, force: bool) -> Result<HandoutS
     let Repository {
         assignment,
         mut files,
+        vendored,
     } = repository;
     for (path, bytes) in &files {
         put(&fresh.0.join(path), bytes)?;
@@ -48,6 +49,13 @@ pub fn write(repository: Repository, out: &Path, force: bool) -> Result<HandoutS
         "Cargo.lock".into(),
         fs::read(&lock).or_fail(&cannot(&lock))?,
     );
+    if vendored {
+        // Only now, because the folder that they name is not there yet, and cargo would look for
+        // it.
+        let settings = files.entry(CARGO_CONFIG.into()).or_default();
+        settings.extend_from_slice(VENDORED.as_bytes());
+        put(&fresh.0.join(CARGO_CONFIG), settings)?;
+    }
     let record = HandoutRecord {
         assignment,
         files: hashes(&files),

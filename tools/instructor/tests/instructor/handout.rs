@@ -38,10 +38,13 @@ fn plain(path: &Path) -> &str {
 }
 
 fn handed_out(name: &str) -> PathBuf {
+    handed_out_with(name, &[])
+}
+
+fn handed_out_with(name: &str, flags: &[&str]) -> PathBuf {
     let out = fresh(&trusted(), name).join("students");
-    pinhole(&["handout", "ray_casting", "--out", plain(&out)])
-        .expect_code(0)
-        .expect_out("files, ");
+    let arguments = [&["handout", "ray_casting", "--out", plain(&out)], flags].concat();
+    pinhole(&arguments).expect_code(0).expect_out("files, ");
     out
 }
 

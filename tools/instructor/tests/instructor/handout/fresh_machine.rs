@@ -1,21 +1,22 @@
 //! A student's repository on a machine with only Rust.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use super::{handed_out, plain};
-use pinhole_testing::{RunResult, TASKS, root};
+use super::{handed_out, handed_out_with, plain};
+use pinhole_testing::{RunResult, TASKS, fresh, root, trusted};
 
-/// Runs a command line in a student's repository, on a machine with Rust, a linker and cargo's
-/// cache of the registry, but without a network or this checkout.
-fn on_a_fresh_machine(repository: &Path, command_line: &str) -> RunResult {
+/// Cargo's cache of the registry.
+fn registry() -> PathBuf {
     let home = std::env::var("HOME").expect("there is a home");
-    let folder = |variable: &str, default: &str| {
-        let default = format!("{home}/{default}");
-        std::env::var(variable).unwrap_or(default)
-    };
-    let registry = format!("{}/registry", folder("CARGO_HOME", ".cargo"));
+    let cargo_home = std::env::var("CARGO_HOME").unwrap_or(format!("{home}/.cargo"));
+    Path::new(&cargo_home).join("registry")
+}
+
+/// Runs a command line in a student's repository, on a machine with Rust, a linker and this cache
+/// of the registry, but without a network or this checkout.
+fn on_a_fresh_machine(repository: &Path, registry: &Path, command_line: &str) -> RunResult {
     let asked = Command::new("rustc").args(["--print", "sysroot"]).output();
     let asked = asked.expect("rustc starts").stdout;
     let sysroot = String::from_utf8(asked).expect("a plain path");
@@ -34,7 +35,7 @@ fn on_a_fresh_machine(repository: &Path, command_line: &str) -> RunResult {
         plain(&cache),
         "/cargo",
         "--ro-bind",
-        &registry,
+        plain(registry),
         "/cargo/registry",
     ]);
     walled.args(["--bind", plain(repository), place, "--chdir", place]);
@@ -67,9 +68,23 @@ fn commands(readme: &str) -> Vec<String> {
 }
 
 #[test]
+fn vendored_repository_has_every_dependency_without_a_network() {
+    let out = handed_out_with("handout-vendored", &["--vendor"]);
+    let registry = fresh(&trusted(), "handout-no-registry");
+    let look_for_dependencies = || {
+        let command = "cargo metadata --locked --format-version 1 >/dev/null";
+        on_a_fresh_machine(&out, &registry, command)
+    };
+    look_for_dependencies().expect_code(0);
+    fs::remove_dir_all(out.join("vendor/clap")).expect("the command needs it");
+    look_for_dependencies().expect_code(101).expect_err("clap");
+}
+
+#[test]
 fn with_rust_alone_every_command_works_and_tests_pass_once_the_stubs_are_filled() {
     let out = handed_out("handout-fresh");
-    let run = |command: &str| on_a_fresh_machine(&out, command);
+    let registry = registry();
+    let run = |command: &str| on_a_fresh_machine(&out, &registry, command);
     run("cargo run --release --locked -- check")
         .expect_code(1)
         .expect_out("unanswered");
