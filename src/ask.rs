@@ -34,7 +34,7 @@ pub struct Limit {
     pub stop: Stop,
 }
 
-/// How much time a process had so far. The clock may stand still while the machine is busy with
+/// How much time a process has had so far. The clock may stand still while the machine is busy with
 /// other work: a process that got no processor is not silent.
 pub type Clock = Box<dyn FnMut() -> Duration>;
 
@@ -54,7 +54,7 @@ impl Stop {
         self.0.store(true, Ordering::Relaxed);
     }
 
-    /// Whether it was raised.
+    /// Whether it has been raised.
     pub fn is_raised(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }

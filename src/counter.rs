@@ -1,6 +1,6 @@
 //! Tests that a submission counts itself while it casts a scene.
 //!
-//! They are for pictures: whoever counts their own work can count what they like. The work
+//! They are for pictures only, because a submission can count whatever it likes. The work
 //! that is judged is counted by the asker (see [`SearchQuestion`](crate::kind::SearchQuestion)).
 
 use std::cell::Cell;
@@ -14,7 +14,7 @@ pub fn count_test() {
     TESTS.set(TESTS.get().saturating_add(1));
 }
 
-/// What some work gives, and how many tests this thread counted meanwhile.
+/// The result of some work, and how many tests this thread counted during it.
 pub(crate) fn counted<T>(work: impl FnOnce() -> T) -> (T, u32) {
     TESTS.set(0);
     (work(), TESTS.take())

@@ -64,10 +64,9 @@ pub fn normal(film: &Film) -> RgbImage {
     })
 }
 
-/// The depths a picture of this film should span, in scene units: from the nearest
-/// hit to the 95th percentile, since a plane's horizon has no end. They are at least a
-/// thousandth of the nearest apart: of a wall that faces the camera, the picture would show
-/// the rounding.
+/// The depths a picture of this film should span, in scene units: from the nearest hit to the 95th
+/// percentile, since a plane's horizon has no end. They differ by at least a thousandth of the
+/// nearest. Otherwise, the picture of a wall that faces the camera would show rounding errors.
 ///
 /// Take it from the golden where there is one, for film and golden alike: with a
 /// range of its own, a film whose depths are all twice too large would look right.

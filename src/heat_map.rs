@@ -37,8 +37,8 @@ impl HeatScale {
         })
     }
 
-    /// Black for no tests, over purple, red and orange to pale yellow for the most. A pixel
-    /// whose tests are no number takes the colour of what hits nothing.
+    /// Black for no tests, over purple, red and orange to pale yellow for the most. A pixel without
+    /// a finite number of tests gets the colour of a miss.
     pub fn picture(&self, film: &Film) -> RgbImage {
         let resolution = film.resolution();
         let tests = film.channel(TESTS).unwrap_or_default();

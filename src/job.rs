@@ -52,8 +52,8 @@ impl Job {
             .is_some_and(|questions| questions.kind().is_counted())
     }
 
-    /// Whether answering it takes the answer to this kind of task, about this shape if the kind
-    /// takes one.
+    /// Whether it needs the answer to a task of this kind, about this shape if the kind is about
+    /// one.
     pub fn needs(&self, kind: Kind, shape: Option<ShapeKind>) -> bool {
         match self {
             Job::Film(scene) | Job::Meet(scene, _) => kind.is_needed_by(shape, scene),

@@ -135,8 +135,8 @@ impl Kind {
         }
     }
 
-    /// Whether casting a scene takes the answer to this kind of task, about this shape if the
-    /// kind takes one.
+    /// Whether casting a scene needs the answer to a task of this kind, about this shape if the
+    /// kind is about one.
     pub fn is_needed_by(self, shape: Option<ShapeKind>, scene: &Scene) -> bool {
         let objects = scene.objects.iter().map(Shape::kind);
         let mut shapes = objects.flat_map(|object| [&[object], object.parts()].concat());

@@ -1,4 +1,4 @@
-//! A scene: one camera and the objects before it, read from a TOML file.
+//! A scene: one camera and the objects in front of it, read from a TOML file.
 
 mod document;
 mod tables;

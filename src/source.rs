@@ -9,7 +9,7 @@ use toml::Spanned;
 
 use crate::error::Error;
 
-/// Things that a renderer knows and ray casting does not.
+/// Keys that scene files of renderers have, but ours don't.
 const NOT_MODELLED: [&str; 12] = [
     "light",
     "lights",
@@ -50,7 +50,7 @@ impl Source<'_> {
             return Err(self.error(
                 vector.span(),
                 format!("`{key}` has no direction: its length is {}", value.length()),
-                "give a vector of ordinary length; it need not be unit",
+                "give a vector of ordinary length; it need not be a unit vector",
             ));
         }
         Ok(value)

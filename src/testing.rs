@@ -25,7 +25,7 @@ impl Random {
         self.0.next_u64()
     }
 
-    /// From 0 to `end`, which is left out.
+    /// From 0 to `end`, exclusive.
     pub(crate) fn below(&mut self, end: usize) -> usize {
         (self.bits() % end as u64) as usize
     }

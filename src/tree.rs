@@ -19,7 +19,7 @@ pub enum Tree {
 // ANCHOR_END: tree
 
 // ANCHOR: ray_tree
-/// A tree as one ray sees it. What the ray meets is known by these tests alone, and the
+/// A tree as one ray sees it. These tests are the only way to find out what the ray meets, and the
 /// harness counts them: a search that needs fewer is faster.
 pub trait RayTree {
     /// What is in a node. The root is node 0.

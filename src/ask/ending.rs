@@ -17,9 +17,9 @@ pub enum Ending {
     Unregistered(Unregistered),
     /// Time was up before every question was answered.
     TimedOut(Duration),
-    /// The whole submission had taken so long that this was not asked, or not to its end.
+    /// The whole submission had taken so long that this was not asked, or not completely.
     OutOfTime(Duration),
-    /// The process took more memory than it may: how many bytes it may.
+    /// The process took more memory than its limit, which is given in bytes.
     OutOfMemory(u64),
     /// The process ended early.
     Died(Death),

@@ -176,7 +176,7 @@ mod message {
             largest_leaf: 0,
             cost: 0.0,
         };
-        // Measured by itself.
+        // Measures that the submission computed itself.
         refused(
             &job,
             &[answers(0, &[Answer::Tree(measures)])],

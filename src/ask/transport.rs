@@ -20,7 +20,7 @@ pub(super) struct Exchange {
     pub(super) child: Child,
     link: Link,
     deadline: Instant,
-    /// Where answers come through a socket; a file is read when it is complete.
+    /// Only for answers through a socket. A file is read when it is complete.
     #[cfg_attr(not(unix), expect(dead_code))]
     silence: Duration,
     stop: Stop,
@@ -201,8 +201,8 @@ fn receive_all<R: io::Read>(
     Ok(())
 }
 
-/// A socket whose every read and write ends at the same deadline, so that a slow
-/// drip of bytes gains no time, after too long a silence, or when nobody wants the answer any
+/// A socket whose reads and writes all fail after the same deadline, so that a slow drip of bytes
+/// gains no time. They also fail after too long a silence, or once nobody wants the answer any
 /// more.
 #[cfg(unix)]
 struct DeadlineStream<'a> {
@@ -215,7 +215,7 @@ struct DeadlineStream<'a> {
 
 #[cfg(unix)]
 impl DeadlineStream<'_> {
-    /// Reads or writes, a pulse at a time.
+    /// Reads or writes, and checks every [`PULSE`] whether to give up.
     fn in_time(
         &mut self,
         arm: impl Fn(&Link, Duration) -> io::Result<()>,

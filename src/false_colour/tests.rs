@@ -263,7 +263,7 @@ fn colour_blind_readers_can_tell_the_kinds_of_difference_apart() {
         ],
     ];
     let mut colours: Vec<Rgb<u8>> = Difference::LEGEND.map(|(kind, _)| kind.colour()).into();
-    // The brightest of the faint rest is the furthest from black.
+    // Pixels that agree are faded. Their brightest colour is the easiest to confuse with these.
     let faint = |id| Rgb(object(id).0.map(|value| value / 4));
     colours.extend((0..OBJECTS.len()).map(faint));
     for seen in BLIND {

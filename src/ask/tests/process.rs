@@ -123,7 +123,7 @@ fn garbage_in_place_of_answers_is_reported() {
         &after_the_job("printf '\\003\\000\\000\\000abc' >&0"),
         Ending::Garbled("a message could not be read".into()),
     );
-    // Answers, from the 10th on: none; and one, that nothing is hit.
+    // Two messages of answers from question 10 on: one without an answer, one with a miss.
     ends(
         &after_the_job("printf '\\003\\000\\000\\000\\000\\012\\000' >&0"),
         Ending::Garbled("it sent a message without an answer".into()),

@@ -48,7 +48,7 @@ fn a_vector_of_length_zero_has_no_direction() {
             &format!("{key} = {value}"),
             &format!("{key} = ▶[0.0, 0.0, 0.0]"),
             &format!("`{key}` has no direction: its length is 0"),
-            "it need not be unit",
+            "it need not be a unit vector",
         );
     }
 }

@@ -246,7 +246,7 @@ impl Compiler {
     }
 }
 
-/// Said of answers that were not compiled any more.
+/// The message for answers that were no longer compiled.
 const TOO_LONG: &str = "error: these answers together take the compiler too long\n  = help: look for \
                         constants that take long to compute\n";
 

@@ -94,7 +94,7 @@ pub struct Outcome {
     pub passes: bool,
     /// Points earned; null if it could not be graded, which is not the same as zero.
     pub points: Option<u32>,
-    /// Points that what was asked is worth.
+    /// The points that everything that was asked is worth.
     pub possible: u32,
     /// Points that cannot be earned here, for scenes that students do not have.
     pub withheld: u32,

@@ -23,7 +23,7 @@ pub struct Cast {
     pub film: Film,
     /// How many tests each pixel took, if that is counted.
     pub tests: Option<Film>,
-    /// Who cast it: a submission's folder, or a way of the study's.
+    /// Who cast it: a submission's folder, or one of the study's methods.
     pub by: String,
     /// How long the cast took.
     pub seconds: f64,

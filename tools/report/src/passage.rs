@@ -10,8 +10,9 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::diagnosis::Diagnosis;
 use pinhole_course::shell::from_here;
 
-/// A chapter of the book, or a section of one. It has its words, and its page relative to the top
-/// of a student's repository. In the course's checkout, pages are in `book/build/student`.
+/// A chapter of the book, or a section of one. It holds the words that name it, and its page
+/// relative to the top of a student's repository. In the course's checkout, pages are in
+/// `book/build/student`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Passage {
     /// The passage in words.

@@ -219,7 +219,7 @@ fn sandbox(checkout: &Checkout) -> Finding {
     };
     Finding::optional(
         "sandbox",
-        "to run other people's code: grade, and check on a folder outside",
+        "to run other people's code: grade, and check on a folder outside the checkout",
         found,
         &remedy,
     )

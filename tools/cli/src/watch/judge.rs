@@ -23,7 +23,7 @@ use pinhole_course::submission::flags::flags;
 /// Takes orders. A new one replaces the last.
 pub struct Judge {
     course: Arc<Course>,
-    /// Made anew after a failure, because the folder of the harness may have been deleted.
+    /// Built again after a failure, because the folder of the harness may have been deleted.
     compiler: Arc<Mutex<Option<Arc<Compiler>>>>,
     events: Sender<Event>,
     stop: Stop,

@@ -38,8 +38,8 @@ pub trait KnownReplies: Sync {
 /// student.
 const LEAST_WALL: Duration = Duration::from_secs(2);
 
-/// When a class is graded, a task may have so many late films. Then its other films count as late
-/// too, because a loop that shows nearly everywhere would hold up the class for minutes.
+/// When a class is graded, a task may have this many late films. After that, its other films count
+/// as late too, because a loop that shows nearly everywhere would hold up the class for minutes.
 const MOST_LATE: usize = 3;
 
 impl Examiner<'_> {

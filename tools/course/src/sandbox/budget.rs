@@ -23,7 +23,7 @@ pub struct Budget {
 /// After this many, everything else gets only its shortest time.
 const MOST_LOST: u32 = 2;
 
-/// Compiling may take one part in so many of the whole time. Right answers take a hundredth.
+/// Compiling may take the whole time divided by this. Right answers take a hundredth.
 const COMPILING: u32 = 4;
 
 impl Budget {

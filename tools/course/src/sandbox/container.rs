@@ -237,9 +237,9 @@ impl Container {
     }
 }
 
-/// What a program needs to start: the libraries of this one, which is also written in Rust. To
-/// open any other file of the system would leave a trace for another submission, the time of the
-/// last access.
+/// What a program needs to start: the libraries of this one, which is also written in Rust. Opening
+/// any other file of the system would leave a trace for other submissions: the time of the last
+/// access.
 fn libraries() -> Vec<PathBuf> {
     let maps = fs::read_to_string("/proc/self/maps").unwrap_or_default();
     let mapped = maps.lines().filter_map(|line| line.split_once(" /"));

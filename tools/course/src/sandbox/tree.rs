@@ -35,7 +35,7 @@ pub fn used_by(pid: u32) -> ResourceUsage {
 }
 
 /// A clock for `pid` and its descendants. It counts the time in which they sleep, and of the rest
-/// the processor time that they get, but runs no faster than the clock on the wall.
+/// the processor time that they get, but runs no faster than the wall clock.
 pub fn own_clock(pid: u32) -> Clock {
     let mut had = Duration::ZERO;
     let mut last = (Instant::now(), Duration::ZERO);

@@ -46,7 +46,7 @@ pub struct Entry {
     pub given: Vec<String>,
     /// What these names say about the person who handed it in.
     pub signs: Vec<Sign>,
-    /// How much these may prove at most.
+    /// The most that these names can prove.
     #[serde(default)]
     pub at_most: Proof,
     /// What had to be done to read it.

@@ -42,7 +42,7 @@ fn a_mistake_fails_where_it_shows_and_its_rewrite_is_named() {
     run(&["check", &rewritten, "--no-report"])
         .expect_code(1)
         .expect_out("10 / 12   4 of 5 groups pass")
-        .expect_out("whoever calls me can compare t with min_t")
+        .expect_out("my caller can compare t with min_t")
         .expect_out("disk      c = (");
 }
 

@@ -19,8 +19,9 @@ pub enum Cause {
     AnotherNormal,
 }
 
-/// A normal is not unit if its length differs from 1 by more than this. Rounding to 32-bit floats
-/// never causes so large a difference, and a forgotten normalisation rarely causes a smaller one.
+/// A normal counts as a unit vector if its length differs from 1 by no more than this. Rounding to
+/// 32-bit floats never causes so large a difference, and a forgotten normalisation rarely causes a
+/// smaller one.
 const UNIT: f32 = 1e-4;
 
 /// A normal is called reversed if its opposite is this near to the golden's. The limit may be

@@ -26,7 +26,7 @@ const REACHES: [(&str, &str); 33] = [
     ("other-submission", "std::fs::read(\"%NEIGHBOUR%\").is_ok()"),
     ("reference", "std::fs::metadata(\"%REFERENCE%\").is_ok()"),
     ("etc", "std::fs::read(\"/etc/passwd\").is_ok()"),
-    // Its time of access would be a message to other submissions, where it can change.
+    // Where access times can change, they could carry a message to other submissions.
     (
         "system-file",
         "std::fs::File::open(\"/usr/bin/env\").is_ok()",
@@ -156,10 +156,10 @@ fn reaches() -> (Vec<Attack>, TcpListener) {
     (attacks.into(), listener)
 }
 
-/// The attacks that succeed without namespaces. A user who owns nothing may still do what the
-/// modes of the container's files allow. Landlock lets everyone see whether a file exists. Root
-/// under another number has no limit on processes, because the kernel does not count root's, and
-/// the ordinary user in these tests is root.
+/// The attacks that succeed without namespaces. A user who owns nothing may still do what the modes
+/// of the container's files allow. Landlock lets everyone see whether a file exists. The kernel
+/// does not count root's processes, and the ordinary user in these tests is root under another
+/// number, so it has no limit on processes.
 fn succeeds(mode: &str, attack: &str) -> bool {
     // The system's files are bound read-only there, and their times don't change.
     if [modes::BUBBLEWRAP, modes::USER].contains(&mode) && attack == "system-file" {
@@ -211,7 +211,7 @@ fn attacks_at_run_time_cost_only_their_own_task() {
             Outcome("died"),
             "eprintln!(\"pinhole: the sandbox could not be set up\"); std::process::exit(125);",
         ),
-        // As a shell tells that a limit of the kernel's ended a process.
+        // As a shell reports that a limit of the kernel ended a process.
         attack(
             "exit-like-a-limit",
             Outcome("died"),

@@ -41,8 +41,8 @@ pub struct Pace {
     all: Duration,
 }
 
-/// So many times the shortest limit is the shortest for everything: an endless loop in one
-/// answer must not cost the others their time.
+/// The limit for everything is at least this many times the shortest limit, because an endless loop
+/// in one answer must not cost the others their time.
 const WHOLE: u32 = 12;
 
 impl Pace {
@@ -105,8 +105,8 @@ impl Pace {
         })
     }
 
-    /// What a submission may take in all, on the clock: a hundred times what the reference takes,
-    /// too. It ends code that stays just below every other limit.
+    /// How long a whole submission may take on the clock: also a hundred times what the reference
+    /// takes. It ends code that stays just below every other limit.
     pub fn whole(&self) -> Duration {
         (self.least * WHOLE).max(rounded(self.all * TIMES))
     }

@@ -15,7 +15,7 @@ pub struct HandIn {
     /// What the names say about the person. There are several signs if the names may contradict
     /// each other.
     pub signs: Vec<Sign>,
-    /// How much these signs may prove at most.
+    /// The most that these signs can prove.
     pub at_most: Proof,
     /// Why the files may have been divided wrongly.
     pub doubts: Vec<String>,
