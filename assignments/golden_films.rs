@@ -56,7 +56,7 @@ fn find() -> Result<(Checkout, Assignment)> {
 }
 
 /// Asks one answer every question of its task, or casts a scene. Fails in the words of
-/// `cargo pinhole check`, before insta could advise to accept what is wrong.
+/// `cargo pinhole check`, before insta could advise the reader to accept a wrong verdict.
 fn passes(kind: &str, name: &str, selection: &Selection) -> std::result::Result<(), Failed> {
     let (checkout, assignment) = find()?;
     let examination = examine(&checkout, &assignment, selection)?;
@@ -91,7 +91,7 @@ fn examine(
     assignment: &Assignment,
     selection: &Selection,
 ) -> Result<Examination> {
-    // What people believe who answer so is for `check` to say.
+    // Diagnoses are left to `check`.
     let goldens = Goldens::read(&assignment.golden(), assignment)?.without_known();
     // Cargo builds the answers before their tests.
     let executable = env!(concat!("CARGO_BIN_EXE_", env!("CARGO_PKG_NAME")));

@@ -1,9 +1,9 @@
 //! The harness of Pinhole: everything around a ray casting assignment except its answers.
 //!
-//! A *submission* is a few small files of student's code; a *film* is the only thing it
-//! can say; a *golden* film, made by Mitsuba, is the only thing that judges it. The
-//! harness knows no submission: a submission's `main` hands its functions to [`serve()`],
-//! and to get a film, you start that program and [`ask`](mod@ask) it.
+//! A *submission* is a few small files of a student's code. Its only output is a *film*,
+//! which is judged only by comparing it with a *golden* film made by Mitsuba. The harness
+//! knows no submission: a submission's `main` hands its functions to [`serve()`], and to
+//! get a film, you start that program and [`ask`](mod@ask) it.
 //!
 //! Reading order:
 //!

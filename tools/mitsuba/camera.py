@@ -10,7 +10,7 @@ plane, in scene units,
     v(j) = height/n_y (j + 1/2) - height/2.
 
 A ray is p(t) = o + t d. In perspective o = eye and
-d = u(i) u + v(j) v - focal_length w, which is NOT unit: t = 1 lies on the image
+d = u(i) u + v(j) v - focal_length w, NOT a unit vector: t = 1 lies on the image
 plane. Orthographic rays start on the image plane, which contains the eye, and
 have the unit direction d = -w.
 """

@@ -12,7 +12,7 @@ from shapes.triangle import Triangles
 
 
 def normal_rounding(objects, hits):
-    """For every hit, how far its face's float32 normal may lie off; 0 elsewhere.
+    """For every hit, how far its face's float32 normal may be off; 0 elsewhere.
 
     Two parts. How far the rounding of its corners turns the face is computed,
     not bounded: the distance between the float64 normals of both. Mitsuba's

@@ -122,7 +122,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("scenes", nargs="*", type=Path, metavar="SCENE.toml")
     questions = parser.add_mutually_exclusive_group()
-    questions.add_argument("--questions", type=Path, metavar="ASSIGNMENT", help="of its tasks, too")
+    questions.add_argument("--questions", type=Path, metavar="ASSIGNMENT", help="also of its tasks")
     questions.add_argument(
         "--fresh", type=Path, metavar="ASSIGNMENT", help="of its fresh questions and random scenes"
     )

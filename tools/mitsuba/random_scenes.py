@@ -65,7 +65,7 @@ def render_random(assignment, seed, index, folder):
 
 
 def _require_every_shape(scene):
-    """Raise `SceneError` if none of every seventh pixel shows some shape."""
+    """Raise `SceneError` unless every shape is seen, looking at every seventh pixel."""
     i, j = scene.camera.pixels()
     rays = scene.camera.rays(i[::7], j[::7])
     seen = set(cast(to_mitsuba(scene.objects), *rays, scene.camera.min_t).id) - {MISS}

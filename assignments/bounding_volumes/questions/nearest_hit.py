@@ -20,7 +20,7 @@ def triangles(rng, count, spread, size):
 
 
 def through(rng, corners, *, largest=2, hit=0.8, min_t=0.0):
-    """A ray through the mesh from outside; aimed at a triangle for a share `hit`."""
+    """A ray through the mesh from outside, aimed at a triangle with probability `hit`."""
     middle, reach = corners.mean(axis=(0, 1)), np.ptp(corners.reshape(-1, 3), axis=0).max()
     origin = middle + 2 * reach * unit_vector(rng)
     if rng.uniform() < hit:

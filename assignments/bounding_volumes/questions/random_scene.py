@@ -6,7 +6,7 @@ from chance import unit_vector
 
 
 def objects(rng, view):
-    """Tables of the scene file's objects: lone triangles 2.5 to 8 before the eye."""
+    """Tables of the scene file's objects: lone triangles 2.5 to 8 in front of the eye."""
     return [triangle(rng, view) for _ in range(8)]
 
 

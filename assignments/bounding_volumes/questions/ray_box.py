@@ -30,7 +30,7 @@ def beside(rng, shape):
 def aim(
     rng, shape, target, *, away=None, length=None, min_t=None, max_t=None, zeros=0, in_face=False
 ):
-    """A ray through `target`, from `away` sizes before it.
+    """A ray through `target` that starts `away` box sizes before it.
 
     `min_t` and `max_t` are shares of the target's t; `zeros` is the number of components of
     the direction that are 0. With `in_face`, the ray lies in a face of the box that is

@@ -29,7 +29,7 @@ export function drawingsWrong({ smallest }) {
         words.forEach(({ text, box }, at) => {
             for (const other of words.slice(at + 1)) {
                 if (overlap(box, other.box)) {
-                    wrong.add(`${name}: “${text}” and “${other.text}” are on each other`);
+                    wrong.add(`${name}: “${text}” and “${other.text}” overlap`);
                 }
             }
         });

@@ -10,7 +10,7 @@ const expected = [
     "axe image-alt",
     "the keyboard does not move the figure still",
     "“tiny” is 8.0 pixels high",
-    "“one” and “two” are on each other",
+    "“one” and “two” overlap",
     "figure moved 9: <circle > is beyond the border",
     "wide: a picture is beyond the figure",
     "printing leaves 1 parts folded",

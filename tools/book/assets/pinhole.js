@@ -19,8 +19,8 @@ addEventListener("beforeprint", () => {
 });
 addEventListener("afterprint", () => opened.forEach((one) => (one.open = false)));
 
-// mdBook's switch of the sidebar is a label: for the keyboard, and for who hears the page,
-// it becomes the button that it looks like.
+// mdBook's sidebar switch is a label. For the keyboard and for screen readers,
+// make it the button that it looks like.
 const sidebarSwitch = document.getElementById("mdbook-sidebar-toggle");
 if (sidebarSwitch !== null) {
     sidebarSwitch.setAttribute("role", "button");

@@ -44,7 +44,7 @@ pub fn shown(
 pub fn bundle(checkout: &Checkout) -> Result<()> {
     checkout.write(FACTS, facts::text(checkout)?)?;
     let bundle = npm(&["run", "--silent", "bundle"], checkout)?;
-    let bundle = bundle.map_err(|said| Problem::of("book/interactive", said, "mend the script"))?;
+    let bundle = bundle.map_err(|said| Problem::of("book/interactive", said, "fix the script"))?;
     Ok(checkout.write(KEPT, bundle)?)
 }
 
@@ -57,12 +57,12 @@ pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
     }
     for script in ["types", "test"] {
         if let Err(said) = npm(&["run", "--silent", script], checkout)? {
-            problems.push(Problem::of("book/interactive", said, "mend the script"));
+            problems.push(Problem::of("book/interactive", said, "fix the script"));
         }
     }
     match npm(&["run", "--silent", "bundle"], checkout)? {
         Ok(bundle) => problems.extend(stale(KEPT, BUNDLE, &bundle)),
-        Err(said) => problems.push(Problem::of("book/interactive", said, "mend the script")),
+        Err(said) => problems.push(Problem::of("book/interactive", said, "fix the script")),
     }
     Ok(problems)
 }

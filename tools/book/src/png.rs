@@ -6,7 +6,7 @@ use image::{DynamicImage, ImageFormat, RgbImage, Rgba, RgbaImage};
 
 use crate::error::{Error, Result};
 
-/// The picture as an opaque one with an alpha channel.
+/// The picture with an alpha channel, opaque everywhere.
 pub fn opaque(picture: &RgbImage) -> RgbaImage {
     DynamicImage::from(picture.clone()).into_rgba8()
 }
@@ -42,6 +42,6 @@ pub fn png(picture: &RgbaImage) -> Result<Vec<u8>> {
     let mut file = std::io::Cursor::new(Vec::new());
     picture
         .write_to(&mut file, ImageFormat::Png)
-        .map_err(|error| Error::environment(format!("no PNG: {error}"), "report this"))?;
+        .map_err(|error| Error::environment(format!("cannot write a PNG: {error}"), "report this"))?;
     Ok(file.into_inner())
 }

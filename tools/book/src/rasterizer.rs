@@ -1,8 +1,8 @@
 //! The other loop: for each triangle its pixels, with a depth buffer.
 //!
-//! The book compares it with ray casting, which must draw the same picture, and counts
-//! the steps of both loops. A triangle with a corner nearer than min_t is refused: to
-//! clip it is what rasterizers need besides, and no idea of the chapter's.
+//! The book compares it with ray casting, which must draw the same picture, and counts the steps of
+//! both loops. A triangle with a corner nearer than min_t is refused, because the chapter doesn't
+//! explain clipping.
 
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use pinhole::{Camera, Projection, Resolution, Triangle};
@@ -91,8 +91,9 @@ fn box_of(corners: [Corner; 3], resolution: Resolution) -> [std::ops::Range<usiz
     ]
 }
 
-/// 1/t of a triangle at a place of the picture, if it covers it: the three areas between
-/// the place and an edge have one sign, and weigh the corner across.
+/// 1/t of a triangle at a place in the picture, if it covers that place. The areas between the
+/// place and the three edges then have the same sign, and each is the weight of the opposite
+/// corner.
 fn nearness_at(place: DVec2, corners: [Corner; 3]) -> Option<f64> {
     let area = |k: usize| {
         let [from, to] = [(k + 1) % 3, (k + 2) % 3].map(|at| corners[at].place);
@@ -113,8 +114,8 @@ pub fn camera() -> Camera {
     Camera::new(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, size, projection).expect("it is a frame")
 }
 
-/// This many triangles of about this size, scattered in front of the camera, the same
-/// each time.
+/// `count` triangles of about this size, scattered in front of the camera in the same way each
+/// time.
 pub fn strewn(count: usize, size: f64) -> Vec<Triangle> {
     // The fractions of multiples of three irrational numbers fill a cube evenly.
     let spread = |number: usize, by: f64| (number as f64 * by).fract() - 0.5;

@@ -15,7 +15,7 @@ pub type Values = BTreeMap<String, String>;
 /// Where the record lies.
 const RECORD: &str = "tools/study/record";
 
-/// What the book tells of kernels: whose numbers and data are `f64`, as the assignment's.
+/// The book shows kernels whose numbers and data are `f64`, as in the assignment.
 const NUMBERS: &str = "f64";
 
 /// What the book reads of `study.json`; its schema says what the fields mean.
@@ -256,7 +256,7 @@ impl Record {
 }
 
 impl Record {
-    /// Whether what is pushed gets smaller from question to question.
+    /// Whether the exponents of this family stand for ever smaller numbers, 10^−x.
     fn shrinks(&self, it: &Breaking) -> bool {
         let mut families = self.families.iter();
         let own = families.find(|own| (&own.shape, &own.family) == (&it.shape, &it.family));
@@ -274,7 +274,7 @@ fn word(name: &str) -> String {
 
 fn share(part: u64, all: u64) -> String {
     match part {
-        // Two digits of a percentage would be zeros.
+        // As a percentage with two decimals, it would be 0.00 %.
         part if part == 0 || part * 10_000 < all => {
             format!("{} of {}", grouped(part), grouped(all))
         }

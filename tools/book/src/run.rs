@@ -153,7 +153,7 @@ impl<'a> Runner<'a> {
         // Exit code 1 is a verdict and not an error.
         if !matches!(output.status.code(), Some(0 | 1)) {
             let said = String::from_utf8_lossy(&output.stderr);
-            return Err(wrong(format!("it fails: {said}"), "mend the command").into());
+            return Err(wrong(format!("it fails: {said}"), "correct the command").into());
         }
         let mut text = String::from_utf8_lossy(&output.stdout).into_owned();
         let root = format!("{}/", self.checkout.root().display());
@@ -210,7 +210,7 @@ struct Artifact {
 
 /// Builds the `pinhole` command and returns its path.
 fn build(checkout: &Checkout) -> Result<PathBuf> {
-    let remedy = "run `cargo build --release -p pinhole-cli` and mend what it says";
+    let remedy = "run `cargo build --release -p pinhole-cli` and fix the errors it reports";
     let cargo = std::env::var_os("CARGO").unwrap_or("cargo".into());
     let output = Command::new(cargo)
         .current_dir(checkout.root())

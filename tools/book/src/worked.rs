@@ -1,7 +1,7 @@
 //! The book's numbers: asked of the reference, or computed by the formula of the chapter.
 //!
-//! What the reference does not return, a discriminant say, is computed here, and a test
-//! holds it against what the reference does return.
+//! What the reference does not return, such as a discriminant, is computed here, and a test
+//! compares it with what the reference does return.
 
 pub mod boxes;
 mod camera;

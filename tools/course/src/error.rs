@@ -42,7 +42,7 @@ impl Error {
         }
     }
 
-    /// Something is missing or broken that changes to the user's files can't mend.
+    /// Something is missing or broken, and changes to the user's files can't fix it.
     pub fn environment(problem: impl Into<String>, remedy: impl Into<String>) -> Error {
         Error {
             fault: Fault::Environment,

@@ -54,8 +54,8 @@ class Question:
     def answer(self):
         """Golden and tolerance, (5,) each, or None for a question to be redrawn.
 
-        Displaced are eight rays tilted by `TILT` about their origin, whose t counts
-        in units of the untilted |d|, and two with min_t moved. The absolute part of
+        Ten rays are displaced: eight are tilted by `TILT` about their origin, with t
+        in units of the untilted |d|, and two have min_t moved. The absolute part of
         t's tolerance is not the 1e-6 of scenes, which would swallow all of t for a
         ray of great |d|, but what the rounding of a start at that distance from the
         shape costs: 2e-6 of the distance, in units of |d|.

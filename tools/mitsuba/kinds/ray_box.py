@@ -56,8 +56,8 @@ class Question:
     def answer(self):
         """Golden and tolerance, (5,) each, or None for a question to be redrawn.
 
-        Displaced are eight rays tilted by `TILT` about their origin, and four with min_t
-        or max_t moved. A component of the direction that is 0 stays 0: a tilt would turn
+        Twelve rays are displaced: eight are tilted by `TILT` about their origin, and four
+        have min_t or max_t moved. A component of the direction that is 0 stays 0: a tilt would turn
         a ray that runs beside a flat box into one that crosses it.
         """
         box = self.thickened()

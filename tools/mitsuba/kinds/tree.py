@@ -21,7 +21,7 @@ LARGEST_LEAF = 8
 """How many triangles a leaf may have."""
 
 COST = 1.1
-"""How many times the expected tests of the costliest tree compared with are allowed. Measured:
+"""How many times the expected tests of the costliest of our trees are allowed. Measured:
 splits by the surface area heuristic need 0.4 to 1.5 times those of the costliest middle split,
 and triangles that are halved in the order of the list up to 4.6 times."""
 
@@ -54,8 +54,8 @@ class Question:
     def answer(self):
         """Golden and tolerance, (4,) each.
 
-        A depth is allowed that is twice that of the deepest tree compared with, and two more,
-        for trees that are split otherwise: by the surface area heuristic, say.
+        Twice the depth of the deepest of our trees is allowed, and two more, because trees may be
+        split in other ways, such as by the surface area heuristic.
         """
         trees = [
             split(self.boxes, largest, is_first)

@@ -26,17 +26,17 @@ NODES = 192
 """How many nodes a question has room for."""
 
 HITS = 12
-"""How many triangles that the ray meets a question has room for."""
+"""A question has room for this many triangles that the ray meets."""
 
 LARGEST_STUB = 12
 """How many triangles are kept of a subtree that the ray misses."""
 
 WORK = 0.45
-"""How many more tests are allowed than a search needs that knows the answer in advance, as
-a share of them. Measured on layers behind each other and on the teapot: a search that takes
-the nearer box first needs 0.01 and 0.03 more, one that does not look again whether a box that
-waits is still near enough 0.35 and 0.18, one that takes the boxes in the order of the tree
-2.02 and 0.55, and one that is not stopped by what it has found 4.27 and 1.22."""
+"""How many tests are allowed beyond those of a search that knows the answer in advance, as a
+share of these. Measured on layers behind each other and on the teapot: a search that takes the
+nearer box first needs 0.01 and 0.03 more, one that does not check again whether a waiting box is
+still near enough 0.35 and 0.18 more, one that takes the boxes in the order of the tree 2.02 and
+0.55 more, and one that looks into every box that the ray meets 4.27 and 1.22 more."""
 
 ROUNDING = 1e-5
 """By how much, as a share of t, rounding may move where a ray meets a box: ten times what
@@ -167,7 +167,7 @@ def met_triangles(mesh, direction):
 
 
 def is_fair(met, min_t):
-    """No two triangles at nearly the same t, and none near min_t."""
+    """Whether no two triangles are met at nearly the same t, and none near min_t."""
     marks = sorted([min_t, *(t for _, t, _ in met)])
     return all(far - near >= NEAR_TIE * far for near, far in zip(marks, marks[1:]))
 

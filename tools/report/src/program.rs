@@ -65,11 +65,11 @@ mod tests {
     #[test]
     fn an_error_that_quotes_a_student_cannot_control_the_terminal() {
         let problem = "\u{1b}[31merror\u{1b}[0m: \u{1b}]52;c;eA==\u{7}\u{202e}\nnot compiled";
-        let words = in_words(&Error::input(problem, "mend it"));
+        let words = in_words(&Error::input(problem, "fix it"));
         assert_eq!(
             words,
             "pinhole: \u{1b}[31merror\u{1b}[0m: ]52;c;eA==\\u{7}\\u{202e}\nnot compiled\n  \
-             remedy: mend it\n"
+             remedy: fix it\n"
         );
     }
 }

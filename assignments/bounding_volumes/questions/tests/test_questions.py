@@ -128,7 +128,7 @@ def test_a_triangle_that_is_met_lies_in_every_box_above_it(group):
 
 
 def entry(node):
-    """Where a ray enters a box. A flat one is entered a hair late, as rounding may have it."""
+    """Where a ray enters a box. A flat one is entered slightly late, as rounding may cause."""
     is_flat = node.near == node.far
     return node.near / (1 + 2 * ROUNDING) if is_flat else node.near
 

@@ -30,7 +30,7 @@ fn outline(bounds: &BoundingBox) -> [DVec2; 4] {
     ]
 }
 
-/// The worked ray and box seen along z with two slabs, and the times of all three.
+/// The worked ray and box seen along z with two slabs, and the intervals of t of all three.
 pub fn slabs(_: &Checkout) -> Result<FigureFile> {
     let bounds = box_of(&[TRIANGLE]);
     let mut drawing = Drawing::new(dvec2(-1.2, -0.7), dvec2(18.4, 9.9));
@@ -67,7 +67,7 @@ pub fn slabs(_: &Checkout) -> Result<FigureFile> {
         drawing.ring(at(t));
         drawing.on_lines(at(t) - dvec2(0.0, 0.4), Side::Right, &format!("t = {t}"));
     }
-    // The times beside each other, t upward as in the picture.
+    // The intervals side by side, t upward as in the picture.
     let place = |column: f64, t: f64| dvec2(10.1 + 2.1 * column, 1.0 + 2.0 * t);
     let left = place(0.0, 0.0).x - 0.9;
     for t in 0..=4 {
@@ -175,7 +175,7 @@ pub fn tree_walk(_: &Checkout) -> Result<FigureFile> {
     Ok(drawing.made())
 }
 
-/// The end of the same walk: what it left out, and how much of the ray counted last.
+/// The end of the same walk: what it left out, and the part of the ray that still counted.
 pub fn walk_steps(_: &Checkout) -> Result<FigureFile> {
     let boxed = plan();
     let mut drawing = Drawing::new(dvec2(-1.2, -0.2), dvec2(17.2, 8.0));
@@ -212,7 +212,7 @@ pub fn walk_steps(_: &Checkout) -> Result<FigureFile> {
 }
 
 /// The bunny, and how many tests each of its pixels takes: with one box around it, and with a
-/// tree of boxes. Bright is many; the brightest is every triangle and the box.
+/// tree of boxes. Bright means many; the brightest pixels test every triangle and the box.
 pub fn tests_per_pixel(checkout: &Checkout) -> Result<FigureFile> {
     let assignment = assignment_with(Kind::TreeSearch, checkout)?;
     let film = Film::read(&assignment.golden().join("bunny.exr"))?;

@@ -1,4 +1,4 @@
-//! The scene that grew through the book, with a lamp: what the next rays are for.
+//! The scene that grew through the book, lit by a lamp: an outlook on shading and shadows.
 
 use glam::{DVec3, dvec3};
 use image::{Rgb, RgbImage};
@@ -18,13 +18,13 @@ const SIZE: usize = 150;
 /// Where the lamp hangs.
 const LAMP: DVec3 = dvec3(3.0, 5.0, 5.0);
 
-/// What light there is where the lamp does not shine.
+/// The light in places that the lamp does not reach.
 const AMBIENT: f64 = 0.2;
 
-/// A shadow's ray begins a little off its surface.
+/// A shadow ray begins a little off its surface.
 const OFF: f64 = 1e-6;
 
-/// Objects, the same with a lamp, and with its shadows.
+/// Three pictures: the objects, the same with a lamp, and also with its shadows.
 pub fn lit(checkout: &Checkout) -> Result<FigureFile> {
     let reference = Reference::build(checkout)?;
     let resolution = Resolution {

@@ -42,7 +42,7 @@ fn nine(count: usize, checkout: &Checkout) -> Result<FigureFile> {
     let pixel = (SIZE / RESOLUTION.n_x) as u32;
     let mut coarse = enlarged(&false_colour::id(&reference.film(&scene)?), pixel);
     for (x, y, colour) in coarse.enumerate_pixels_mut() {
-        // Two pixels wide: a phone shows about every second.
+        // Make the lines two pixels wide, because a phone shows about every second pixel.
         if x % pixel < 2 || y % pixel < 2 {
             let [r, g, b, _] = colour.0.map(|value| value / 2);
             *colour = Rgba([r, g, b, 255]);

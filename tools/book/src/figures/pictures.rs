@@ -60,7 +60,7 @@ pub fn image_function(checkout: &Checkout) -> Result<FigureFile> {
     scene.resolution = Resolution { n_x: 16, n_y: 9 };
     let mut coarse = enlarged(&false_colour::id(&reference.film(&scene)?), 20);
     for (x, y, pixel) in coarse.enumerate_pixels_mut() {
-        // Two pixels wide: a phone shows about every second.
+        // Make the lines two pixels wide, because a phone shows about every second pixel.
         if x % 20 < 2 || y % 20 < 2 {
             let [r, g, b, _] = pixel.0.map(|value| value / 2);
             *pixel = Rgba([r, g, b, 255]);
@@ -104,7 +104,7 @@ pub fn projections_side_by_side(checkout: &Checkout) -> Result<FigureFile> {
 
 fn camera(eye: DVec3, view: DVec3, size: (f64, f64), projection: Projection) -> Result<Camera> {
     Camera::new(eye, view, DVec3::Y, size, projection)
-        .ok_or_else(|| Error::environment("a figure's camera is none", "report this"))
+        .ok_or_else(|| Error::environment("a figure's camera has no frame", "report this"))
 }
 
 /// A sphere in the colours of its normals, as discs of one colour each, with the axes.
@@ -134,7 +134,7 @@ pub fn normal_colours(checkout: &Checkout) -> Result<FigureFile> {
     for (x, y, Rgb([r, g, b])) in picture.enumerate_pixels() {
         if ids[y as usize * n + x as usize] >= 0.0 {
             let (x, y) = (-1.0 + f64::from(x) * pixel, 1.0 - f64::from(y) * pixel);
-            // A little wider than it is, or the page shows through.
+            // Draw it a little too wide, so that the page doesn't show through.
             let (right, below) = (x + 1.04 * pixel, y - 1.04 * pixel);
             let corners = [at(x, y), at(right, y), at(right, below), at(x, below)];
             drawing.area(&corners, &format!("#{r:02x}{g:02x}{b:02x}"), 1.0);

@@ -38,9 +38,9 @@ pub const PLAN_RAY: Ray = Ray {
     direction: dvec3(-2.0, 0.5, 0.0),
 };
 
-/// The walls: in the plan each goes from the lower left corner of its box, which is 2 × 1, to
-/// the upper right one. They are triangles on end, which the plane z = 0 cuts three quarters
-/// as long.
+/// The walls: in the plan each goes from the lower left corner of its box, which is 2 × 1, to the
+/// upper right one. They are upright triangles. Where the plane z = 0 cuts them, they are three
+/// quarters as long.
 pub fn walls() -> Vec<Triangle> {
     let wall = |[x, y]: [f64; 2]| Triangle {
         corners: [

@@ -11,7 +11,7 @@ use crate::reference::Reference;
 /// The lecture's pixel.
 pub const PIXEL: Pixel = Pixel { i: 2, j: 3 };
 
-/// A place in pixel space on the image plane of this width (or height), in scene units
+/// Converts a place from pixel space to an image plane of this width (or height), in scene units
 /// from its middle (Marschner & Shirley, 4th ed., §4.3).
 pub fn on_plane(place: f64, width: f64, pixels: usize) -> f64 {
     width / pixels as f64 * place - width / 2.0

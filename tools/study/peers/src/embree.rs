@@ -2,7 +2,7 @@
 
 #![expect(
     unsafe_code,
-    reason = "Embree is a C library, and no crate for Debian's version is kept up"
+    reason = "Embree is a C library, and no crate for Debian's version is maintained"
 )]
 
 use std::ffi::{c_float, c_int, c_uint, c_void};

@@ -29,7 +29,7 @@ pub fn build_tree(boxes: &[BoundingBox]) -> Tree {
     let (left, right): (Vec<usize>, Vec<usize>) = (0..boxes.len()).partition(below);
     let whole = [left.clone(), right.clone()].concat();
     match boxes.len() > 4 && !left.is_empty() && !right.is_empty() {
-        // Within a side the plane parts nothing any more.
+        // Within one side, the plane no longer separates anything.
         true => Tree::Branch(Box::new([halves(&left), halves(&right)])),
         false => halves(&whole),
     }
