@@ -98,7 +98,7 @@ fn words(record: &Record, evidence: &Evidence) -> String {
     if let Some(most) = record.most_for_scenes {
         let (earned, possible) = record.scene_points();
         text +=
-            &format!("\nscenes {earned} / {possible}, at most {most} by the answers behind them\n");
+            &format!("\nscenes {earned} / {possible}, at most {most} because of the tasks they need\n");
     }
     text
 }

@@ -277,8 +277,8 @@ impl Grader<'_> {
                 > most
         {
             report.said.push_str(&format!(
-                " The scenes earn {most} points at most: for each, the share that the answers \
-                 behind it earned, on questions that nobody had seen too."
+                " The scenes earn at most {most} points: a scene earns no larger a share of its \
+                 points than the tasks it needs, whose fresh questions count too."
             ));
         }
         Ok(report)

@@ -52,7 +52,7 @@ impl Cause {
             Cause::TooNear => "right object, too near",
             Cause::TooFar => "right object, too far",
             Cause::NormalReversed => "right point, normal reversed",
-            Cause::NormalNotUnit => "right point, normal not unit",
+            Cause::NormalNotUnit => "right point, normal of the wrong length",
             Cause::AnotherNormal => "right point, another normal",
         }
     }

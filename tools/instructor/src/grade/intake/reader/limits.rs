@@ -67,7 +67,7 @@ impl Limits {
         Limits {
             kept: Limit::new(16 << 20, answers),
             unpacked: Limit::new(1 << 30, "it unpacks to more than 1 GiB"),
-            passed: Limit::new(4 << 30, "it takes reading more than 4 GiB"),
+            passed: Limit::new(4 << 30, "it holds more than 4 GiB to read through"),
             files: Limit::new(100_000, "it holds more than 100000 files"),
             until: Some(Instant::now() + MOST_TIME),
             whole,
