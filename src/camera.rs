@@ -71,7 +71,7 @@ impl Camera {
         }
         let u = u.normalize();
         let v = w.cross(u);
-        // At the smallest angle rounding tilts `u` by 1e-7; see PARALLEL.
+        // At the smallest angle, rounding tilts `u` by 1e-7; see PARALLEL.
         debug_assert!(v.is_normalized() && u.dot(w).abs() < 1e-6);
         Some(Camera {
             eye,

@@ -72,7 +72,7 @@ trait Question {
     /// job.
     fn answer(&self, index: usize, functions: &[AnswerFn]) -> Result<WireAnswer, Unregistered>;
 
-    /// The answer that was sent, or `None` if it is one to another kind of question.
+    /// The answer that was sent, or `None` if it answers another kind of question.
     fn receive(&self, sent: WireAnswer) -> Option<Answer> {
         sent.hit()
     }

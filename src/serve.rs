@@ -105,7 +105,7 @@ pub(crate) const TEST_RESULT: u8 = 3;
 
 /// Ends this process when the asker is gone, even if the student's code loops forever. Once
 /// the asker has read enough, discards what the code prints, because writing to a pipe
-/// takes ten times as long. Gives the results of tests.
+/// takes ten times as long. Passes on the results of tests.
 #[cfg(unix)]
 fn listen_to(asker: std::os::unix::net::UnixStream) -> mpsc::Receiver<TestResult> {
     let (sender, results) = mpsc::channel();

@@ -249,7 +249,7 @@ mod message {
         };
         assert_eq!(reply.take(&job, Message::Panicked(panic)), Ok(Next::End));
         let Ending::Panicked(panic) = reply.ending else {
-            panic!("it ended otherwise");
+            panic!("it ended in another way");
         };
         assert_eq!(panic.index, 2);
         assert!(panic.message.len() <= MOST_PANIC_TEXT);

@@ -44,7 +44,7 @@ impl Questions {
     ///
     /// # Errors
     /// If the film cannot be read, lacks a channel of this kind's questions, or holds a
-    /// value that makes no question.
+    /// value that no question can have.
     pub fn read(
         path: &Path,
         task: &str,
@@ -55,7 +55,7 @@ impl Questions {
         let questions = Questions::from_film(&film, kind, shape).map_err(|problem| {
             Error::new(
                 path,
-                format!("this is no question film for `{task}`: {problem}"),
+                format!("this is not a question film for `{task}`: {problem}"),
                 "make the question films again: cargo pinhole golden render",
             )
         })?;

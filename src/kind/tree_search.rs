@@ -85,7 +85,7 @@ impl SearchQuestion {
         }
         let tree = FlatTree(nodes);
         if !tree.is_tree() {
-            return Err("its nodes make no tree".into());
+            return Err("its nodes don't form a tree".into());
         }
         let hit = |k| {
             Ok(Hit {

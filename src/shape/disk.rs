@@ -14,8 +14,7 @@ use crate::words::{number, vector};
 pub struct Disk {
     /// World space, scene units.
     pub center: DVec3,
-    /// Perpendicular to the disk, as the scene file has it: **not** unit length in
-    /// general, never zero.
+    /// Perpendicular to the disk, as the scene file has it: of any length but zero.
     pub normal: DVec3,
     /// Scene units, positive.
     pub radius: f64,

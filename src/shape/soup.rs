@@ -12,7 +12,7 @@ use crate::mesh;
 /// question films fill it with [`Canned`](crate::Canned) objects.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TriangleSoup<T = Triangle> {
-    /// In the mesh file's order, which means nothing about distance.
+    /// In the mesh file's order, which says nothing about distance.
     pub triangles: Vec<T>,
 }
 

@@ -28,7 +28,7 @@ fn a_film_cut_short_anywhere_is_refused() {
     for length in 0..whole.len() {
         assert!(
             read(&whole[..length]).is_err(),
-            "{length} of {} bytes are no film",
+            "{length} of {} bytes are not a film",
             whole.len()
         );
     }

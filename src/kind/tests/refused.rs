@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Makes a question afresh.
+/// Makes a new question.
 type Ask = fn() -> Channels<'static>;
 
 const TASKS: [(&str, Ask); 11] = [
@@ -21,8 +21,8 @@ const TASKS: [(&str, Ask); 11] = [
 
 #[track_caller]
 fn refused(task: &str, question: &[(&str, f32)], problem: &str) {
-    let error = ask(task, question).expect_err("this should be no question");
-    let start = format!("this is no question film for `{task}`: ");
+    let error = ask(task, question).expect_err("this should not be a question");
+    let start = format!("this is not a question film for `{task}`: ");
     assert!(error.problem.starts_with(&start), "{error}");
     assert!(error.problem.contains(problem), "{error}");
     assert!(error.remedy.contains("golden render"), "{error}");
@@ -117,10 +117,10 @@ fn a_tree_is_asked_for_over_at_least_one_box_and_not_too_many() {
 }
 
 #[test]
-fn nodes_to_search_make_a_tree() {
+fn nodes_to_search_form_a_tree() {
     for second in [1.0, 3.0] {
         let question = with(search(), "0.second", second);
-        refused("tree_search", &question, "its nodes make no tree");
+        refused("tree_search", &question, "its nodes don't form a tree");
     }
 }
 

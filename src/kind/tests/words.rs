@@ -120,7 +120,7 @@ fn id_is_described_only_where_it_was_asked() {
 }
 
 #[test]
-fn a_kind_is_called_as_in_an_assignment() {
+fn a_kind_has_the_name_that_assignments_use() {
     for kind in [
         Kind::ViewingRay,
         Kind::Intersect,

@@ -184,7 +184,7 @@ fn one_ray_is_cast_among_real_shapes() {
 fn panicked(kind: &str, job: &Job) -> Panic {
     match asked(kind, job).ending {
         Ending::Panicked(panic) => panic,
-        other => panic!("it ended otherwise: {other:?}"),
+        other => panic!("it ended in another way: {other:?}"),
     }
 }
 
@@ -307,7 +307,7 @@ fn tests_of_a_search_are_answered_and_counted_by_the_asker() {
 fn a_search_without_end_is_stopped() {
     let job = Job::Ask(Questions::TreeSearch(vec![search()]));
     let Ending::Garbled(why) = asked("testing", &job).ending else {
-        panic!("it ended otherwise");
+        panic!("it ended in another way");
     };
     assert!(why.contains("ten times as many tests"), "{why}");
 }

@@ -142,7 +142,7 @@ pub fn keep(checkout: &Checkout) -> Result<()> {
     keep_all(strips, checkout)
 }
 
-/// The strips of an assignment's mistakes, chosen anew.
+/// The strips of an assignment's mistakes, newly chosen.
 fn chosen(assignment: &Assignment, checkout: &Checkout) -> Result<Strips> {
     let known = KnownMistakes::read(&assignment.golden())?;
     let studio = Studio::new(assignment, checkout)?;

@@ -2,7 +2,7 @@
 //!
 //! The unit sphere is at distance `far` from the origin, where the rays begin. Each ray leads to
 //! a point (x, y) of the plane through the centre. However large the distance, the picture should
-//! stay the same. They are not solutions of the sphere's task, because none computes t.
+//! stay the same. No way is a solution of the sphere's task, because none computes t.
 
 use glam::{DVec3, dvec3};
 

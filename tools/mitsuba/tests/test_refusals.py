@@ -89,7 +89,7 @@ def test_a_horizon_between_two_rows_is_accepted(tmp_path):
 
 
 def test_too_many_pixels_on_edges_are_refused(tmp_path):
-    # The edge is 7e-4 px from the centres: displaced rays cross it, but it is no tie.
+    # The edge is 7e-4 px from the centres: displaced rays cross it, but it is not a tie.
     shift = 7e-4 * 3 / 31
     assert "pixels lie on edges" in refused(scene(tmp_path, TRIANGLE, x=shift))
 

@@ -27,7 +27,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_address_keeps_a_paths_signs_from_meaning_something() {
+    fn special_characters_of_a_path_mean_nothing_in_its_address() {
         let path = Path::new("/home/ada/100% #1");
         assert_eq!(address(path), "file:///home/ada/100%25%20%231");
         assert_eq!(address(Path::new("C:\\book")), "file:///C:/book");

@@ -114,8 +114,8 @@ pub fn judge<S: HasTruth>(
     judge_each(kernel, questions, truths).0
 }
 
-/// Like [`judge`], and also returns the error in ulp of each finite t that is no wrong
-/// decision, with the index of its question.
+/// Like [`judge`], and also returns the error in ulp of each finite t that is not a wrong decision,
+/// with the index of its question.
 pub fn judge_each<S: HasTruth>(
     kernel: &Contestant<S>,
     questions: &[Question<S>],

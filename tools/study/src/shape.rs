@@ -55,8 +55,8 @@ impl<F: Real> Triangle<F> {
 pub trait Shape: Copy + Send + Sync + 'static {
     /// The same shape with other numbers.
     type With<G: Real>: Copy;
-    /// Applies one function to all lengths, and another to numbers that are no lengths (a
-    /// plane's normal).
+    /// Applies one function to all lengths, and another to numbers that are not lengths (a plane's
+    /// normal).
     fn map<G: Real>(&self, length: impl Fn(f64) -> G, free: impl Fn(f64) -> G) -> Self::With<G>;
 }
 

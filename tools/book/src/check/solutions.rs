@@ -34,7 +34,7 @@ pub fn answers(assignment: &Assignment, checkout: &Checkout) -> Result<Vec<Line>
         let handout = checkout.read(assignment.handout().join("src").join(task.file()))?;
         for line in bodies.lines().map(str::trim) {
             let bare = bare(line);
-            // Identifiers are no secret, because the appendix lists them.
+            // Identifiers are not secret, because the appendix lists them.
             let tells = bare.chars().count() >= LEAST && !line.starts_with("use ");
             if tells && !handout.contains(line) {
                 lines.push(Line {

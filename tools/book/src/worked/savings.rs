@@ -121,8 +121,8 @@ fn bunny(values: &mut Values, scene: &Scene, rays: &[Ray]) -> Result<()> {
     Ok(())
 }
 
-/// A tree over so many scattered triangles, which always cover as much of the picture, and how
-/// many tests each of these rays takes on average.
+/// A tree over this many scattered triangles, which always cover the same share of the picture, and
+/// how many tests each of these rays takes on average.
 pub fn scattered(count: usize, rays: &[Ray]) -> (MeshTree, f64) {
     let triangles = strewn(count, 10.0 / (count as f64).sqrt());
     let boxed = MeshTree::new(triangles, LARGEST_LEAF);

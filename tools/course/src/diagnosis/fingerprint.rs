@@ -28,8 +28,8 @@ pub struct Witness {
     pub values: Vec<f32>,
 }
 
-/// Sampled pixels per mistake and film. A share that is estimated from so many is off by at
-/// most about 5 %.
+/// Sampled pixels per mistake and film. A share that is estimated from this many is off by at most
+/// about 5 %.
 pub const MOST_SAMPLED: usize = 96;
 
 /// Telling pixels per mistake and film, and per pair of similar mistakes.

@@ -7,8 +7,8 @@ use std::time::Duration;
 /// A mark must not depend on what else the machine does. So `cpu` counts the processor's seconds,
 /// of all threads and processes together, and `wall` is only for code that waits for something.
 /// Choose `cpu` at least a hundred times what the reference takes, and count a timeout only if it
-/// happens again when the submission runs alone, because caches, clocks and memory are shared
-/// even where seconds are not.
+/// happens again when the submission runs alone, because jobs share caches, memory and the
+/// processor's clock speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Seconds of processor time, summed over the whole tree.

@@ -40,7 +40,7 @@ pub enum Kind {
     FocalLength,
     /// Every t is too large by this share of itself.
     T,
-    /// Every normal is tilted by so many radians.
+    /// Every normal is tilted by this many radians.
     NormalTilt,
 }
 

@@ -29,7 +29,7 @@ pub struct HeatMap {
 }
 
 impl HeatMaps {
-    /// Those of a film and its golden, both on one scale; `None` unless both count tests.
+    /// The maps of a film and its golden, both on one scale; `None` unless both count tests.
     pub fn beside(golden: &Film, film: &Film) -> Option<HeatMaps> {
         let scale = HeatScale::of(&[golden, film])?;
         Some(HeatMaps {
@@ -38,7 +38,7 @@ impl HeatMaps {
         })
     }
 
-    /// That of a film of which no golden counts tests.
+    /// The map of a film without a golden that counts tests.
     pub fn alone(film: &Film) -> Option<HeatMaps> {
         Some(HeatMaps::of(film, &HeatScale::of(&[film])?))
     }

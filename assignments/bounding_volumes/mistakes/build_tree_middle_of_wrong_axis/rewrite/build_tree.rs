@@ -11,7 +11,7 @@ fn subtree(boxes: &[BoundingBox], part: &[usize]) -> Tree {
     let split = split(boxes, part);
     let x = |it: usize| 0.5 * (boxes[it].min.x + boxes[it].max.x);
     let mut order = part.to_vec();
-    // The left ones first, and otherwise as before.
+    // The left ones first, in the same order as before.
     order.sort_by_key(|&it| x(it) >= split);
     let place = match order.partition_point(|&it| x(it) < split) {
         0 => order.len() / 2,

@@ -176,7 +176,7 @@ fn single_precision_is_recognised_by_the_numbers_themselves() {
     assert!(!other[0].contains("f32"), "{other:?}");
 }
 
-/// What is said of trees with so many misplaced triangles.
+/// What is said about trees with this many misplaced triangles.
 fn said_of_trees(misplaced: impl Fn(usize) -> usize) -> Vec<String> {
     let question = || TreeQuestion {
         boxes: vec![

@@ -121,7 +121,7 @@ fn zip_bomb_is_not_unpacked() {
     let (_folder, path) = archive(&[("sphere.rs", &zeros)]);
     assert!(
         fs::metadata(&path).expect("it is there").len() < 1 << 20,
-        "it is no bomb"
+        "it is not a bomb"
     );
     assert!(
         matches!(sphere(&path), Err(AnswerFileProblem::Refused(why)) if why.contains("256 KiB"))

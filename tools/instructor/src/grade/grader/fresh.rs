@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn questions_for_feedback_are_never_used_for_a_mark_nor_vice_versa() {
+    fn no_questions_are_used_both_for_feedback_and_for_marks() {
         for (first, second) in [
             (Purpose::Feedback, Purpose::Grading),
             (Purpose::Grading, Purpose::Feedback),

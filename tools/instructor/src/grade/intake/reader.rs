@@ -100,8 +100,8 @@ struct SubmissionReadBudget {
 }
 
 impl Reader<'_> {
-    /// How many parts of a path tell submissions apart. In an archive, there may be a folder
-    /// around all; but what is in an archive inside belongs to one submission.
+    /// How many parts of a path distinguish submissions. In an archive, there may be a folder
+    /// around everything; but what is in an archive inside it belongs to one submission.
     fn length_of_own(&self, path: &[String]) -> usize {
         match path {
             [first, _, ..] if self.whole.is_some() && !is_archive(first) => 2,

@@ -15,6 +15,7 @@ target/release/pinhole-instructor grade "$class" --out "$graded" \
     --sandbox container --format prairielearn --reveal "$(cat reveal)" "${fresh[@]}"
 
 if ! cp "$graded"/submissions/*/prairielearn.json /grade/results/results.json; then
-    # Call it not gradable, so that a fault of the grader costs no attempt and is no zero.
+    # Call it not gradable, so that a fault of the grader costs no attempt and does not count as a
+    # zero.
     echo '{"gradable": false, "format_errors": "The grader failed, not your answers. Your instructor can run it again."}' >/grade/results/results.json
 fi
