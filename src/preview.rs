@@ -35,7 +35,7 @@ impl Preview {
     /// `ask` gives the submission's reply to a job, or `None` if it has no answer yet.
     ///
     /// # Errors
-    /// Those of `ask`.
+    /// If `ask` fails.
     pub fn new<E>(
         scene: &Scene,
         golden: &Film,

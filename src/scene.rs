@@ -36,7 +36,7 @@ impl Scene {
     ///
     /// # Errors
     /// With line and column, if the file is not TOML, a key is missing, unknown or
-    /// of the wrong kind, or no camera or shape can have a value; and if a mesh
+    /// of the wrong kind, or a value is impossible for a camera or shape; and if a mesh
     /// cannot be read (see [`mesh::read`](crate::mesh::read)).
     pub fn read(path: &Path) -> Result<Scene, Error> {
         let text = read_text(path).map_err(|error| {

@@ -15,7 +15,7 @@ use crate::serve::ANSWER;
 #[cfg(unix)]
 use crate::serve::TEST_RESULT;
 
-/// A running submission and the way to it.
+/// A running submission and the connection to it.
 pub(super) struct Exchange {
     pub(super) child: Child,
     link: Link,

@@ -202,7 +202,7 @@ impl Question for CameraQuestion {
                 turned(DMat3::IDENTITY),
             ),
             (
-                "the point on the image plane instead of the way to it",
+                "the point on the image plane instead of the vector to it",
                 to_point,
             ),
         ]

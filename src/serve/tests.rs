@@ -109,7 +109,7 @@ fn met_at(t: f64) -> Option<Intersection> {
     Some(Intersection { t, normal })
 }
 
-/// A tree whose every branch has a leaf of one triangle and all the rest.
+/// A tree in which each branch has a leaf of one triangle, and all the rest.
 fn chain(first: usize, end: usize) -> Tree {
     match end - first {
         1 => Tree::Leaf(vec![first]),

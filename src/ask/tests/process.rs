@@ -186,7 +186,7 @@ fn cancelled_submission_is_ended_long_before_its_time_limit() {
 }
 
 #[test]
-fn only_time_that_a_submission_had_counts_as_silence() {
+fn waiting_for_a_processor_is_not_silence() {
     let answers = |clock: fn() -> Clock| {
         // As above, after a second.
         let miss = "sleep 1; printf '\\006\\000\\000\\000\\000\\000\\001\\000\\000\\000' >&0";

@@ -95,7 +95,8 @@ fn spoilt_scenes_do_not_harm_the_reader() {
         b"\n",
         b"obj = \"/dev/zero\"",
     ];
-    // One file for all: a folder for each would fill the disk's list of changes.
+    // Use one file for all inputs, because a folder for each would fill the disk's
+    // journal.
     let (_folder, path) = testing::file("scene.toml", "");
     testing::fuzz::fuzz("scene", &seeds, &words, |bytes| {
         fs::write(&path, bytes).unwrap();

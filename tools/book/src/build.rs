@@ -12,8 +12,8 @@ use crate::error::{Problem, Result};
 use crate::expand::{Expand, Sources};
 use crate::interactive;
 
-/// Files that every page loads besides mdBook's own, whose names (such as `book.js`) are taken.
-/// They are written to the book's top folder.
+/// Files that every page loads besides mdBook's own, whose names (such as `book.js`) are already
+/// taken. They are written to the book's top folder.
 const ASSETS: [(&str, &[u8]); 5] = [
     ("pinhole.css", include_bytes!("../assets/pinhole.css")),
     ("pinhole.js", include_bytes!("../assets/pinhole.js")),
@@ -28,7 +28,7 @@ const ASSETS: [(&str, &[u8]); 5] = [
     ),
 ];
 
-/// An edition after it was built.
+/// A built edition.
 pub struct BuiltEdition {
     /// The readers that it is for.
     pub edition: Edition,

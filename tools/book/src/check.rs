@@ -32,7 +32,7 @@ pub enum Part {
     Galleries,
     /// The interactive figures' types and mathematics (needs Node.js)
     Interactive,
-    /// Words (needs Node.js)
+    /// Spelling (needs Node.js)
     Spelling,
 }
 

@@ -80,7 +80,7 @@ pub enum OwnRays {
     Asked(Film),
 }
 
-/// Everything the judge can say of one submission.
+/// Everything the judge can say about one submission.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Outcome {

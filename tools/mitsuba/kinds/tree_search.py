@@ -100,7 +100,7 @@ class Question:
         return np.array([*self.golden, least]), np.array([*self.tolerance, WORK * least])
 
     def least_tests(self):
-        """How many tests a search needs that knows the nearest t beforehand: the root's
+        """How many tests a search needs if it knows the nearest t in advance: the root's
         box, and the children or triangles of each node that the ray enters before it."""
         # A triangle in a face of its box is met a hair before the box.
         nearest = self.golden[1] * (1 + 2 * ROUNDING) if self.golden[0] != MISS else np.inf

@@ -7,7 +7,8 @@ DIR is what `many_draws.py` wrote. Each mistake answers wrongly wherever t, the 
 the direction's length or min_t is above or below a threshold. The threshold is chosen so that one
 in a thousand everyday questions is wrong. Everyday questions are drawn independently, as the
 committed ones are. For each mistake this prints how many seeds ask no question that shows it, and
-the smallest number of questions of a seed that do. """
+the smallest number of questions of a seed that do.
+"""
 
 import sys
 from pathlib import Path

@@ -25,11 +25,11 @@ pub fn dead(pages: &Pages, folder: &Path, edition: Edition) -> Vec<Problem> {
     problems
 }
 
-/// What the page at the end of a link does, if the text promises something of it.
+/// Words after a link by which the text promises something about the linked page.
 const PROMISES: [&str; 6] = ["says", "shows", "measures", "counts", "explains", "warns"];
 
-/// Promises that readers would have to look for: links to a whole page, of which the text says
-/// that it shows something.
+/// Links to a whole page of which the text says that it shows something. Readers would have to
+/// search the page for it.
 pub fn vague(pages: &Pages, edition: Edition) -> Vec<Problem> {
     let mut problems = Vec::new();
     for (path, page) in pages {

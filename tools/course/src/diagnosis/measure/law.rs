@@ -237,8 +237,8 @@ pub fn tally<'a>(
     })
 }
 
-/// The law that most of these samples follow, all of which are wrong in this part. Simple laws
-/// are tried first, and lose only to a law that clearly more samples follow.
+/// The law that most of these samples follow, all of which are wrong in this part. Simple laws are
+/// tried first, and a complicated one wins only if clearly more samples follow it.
 pub fn best(samples: &[&Sample], part: usize) -> Option<PartLaw> {
     let (right, _) = samples.first()?.both(part)?;
     let axes = right.len();

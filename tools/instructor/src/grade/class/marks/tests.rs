@@ -92,7 +92,7 @@ fn the_last_attempt_counts_or_the_best_and_each_person_has_one_mark() {
 }
 
 #[test]
-fn without_a_policy_too_each_person_has_one_mark() {
+fn each_person_has_one_mark_even_without_a_policy() {
     let records = records(&[("one", 60), ("two", 65)]);
     let of = |given: [&str; 2]| {
         let entries = vec![entry("one", "ada", given[0]), entry("two", "ada", given[1])];
