@@ -42,6 +42,8 @@ pub fn png(picture: &RgbaImage) -> Result<Vec<u8>> {
     let mut file = std::io::Cursor::new(Vec::new());
     picture
         .write_to(&mut file, ImageFormat::Png)
-        .map_err(|error| Error::environment(format!("cannot write a PNG: {error}"), "report this"))?;
+        .map_err(|error| {
+            Error::environment(format!("cannot write a PNG: {error}"), "report this")
+        })?;
     Ok(file.into_inner())
 }

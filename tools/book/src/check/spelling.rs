@@ -16,7 +16,11 @@ pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
             Err(said) => {
                 let told: Vec<Problem> = said.lines().filter_map(problem).collect();
                 match told.is_empty() {
-                    true => vec![Problem::of("book/interactive/cspell.json", said, "correct it")],
+                    true => vec![Problem::of(
+                        "book/interactive/cspell.json",
+                        said,
+                        "correct it",
+                    )],
                     false => told,
                 }
             }

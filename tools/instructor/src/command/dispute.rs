@@ -97,8 +97,9 @@ fn words(record: &Record, evidence: &Evidence) -> String {
     }
     if let Some(most) = record.most_for_scenes {
         let (earned, possible) = record.scene_points();
-        text +=
-            &format!("\nscenes {earned} / {possible}, at most {most} because of the tasks they need\n");
+        text += &format!(
+            "\nscenes {earned} / {possible}, at most {most} because of the tasks they need\n"
+        );
     }
     text
 }
