@@ -105,7 +105,7 @@ impl FlatTree {
         }
     }
 
-    /// The box of each node, if `leaf` gives that of some triangles and `join` that around
+    /// The box of each node. `leaf` gives the box around some triangles, and `join` the box around
     /// two boxes.
     pub fn boxes(
         &self,

@@ -44,7 +44,7 @@ fn up_along_the_line_of_sight_is_refused() {
 }
 
 #[test]
-fn a_film_has_a_pixel_at_least_and_fits_in_memory() {
+fn a_film_has_at_least_one_pixel_and_fits_in_memory() {
     let resolution = "resolution = [8, 5]";
     for bad in [
         "[0, 5]",

@@ -1,8 +1,8 @@
 //! What a tree saves as meshes grow: `cargo bench -p pinhole-book`.
 //!
-//! The meshes are those of the chapter "What it bought, and what it cost", and larger:
-//! triangles strewn by a fixed sequence, smaller the more there are. Times are of one thread. The
-//! last table counts the tests, which are the same on every machine.
+//! The meshes are those of the chapter "What it bought, and what it cost", and larger: triangles
+//! scattered by a fixed sequence; the more there are, the smaller they are. Times are of one
+//! thread. The last table counts the tests, which are the same on every machine.
 
 use std::sync::LazyLock;
 
@@ -38,7 +38,7 @@ fn main() {
     }
 }
 
-/// Triangles that cover about as much of the picture, however many there are.
+/// Triangles that cover about the same share of the picture, however many there are.
 fn mesh(count: usize) -> Vec<Triangle> {
     strewn(count, 10.0 / (count as f64).sqrt())
 }

@@ -77,7 +77,8 @@ pub fn build(
     for (name, content) in ASSETS {
         checkout.write(folder.join(name), content)?;
     }
-    let problems = std::mem::take(&mut *problems.lock().expect("nobody panics while adding one"));
+    let problems =
+        std::mem::take(&mut *problems.lock().expect("no thread panics while adding one"));
     Ok(BuiltEdition {
         edition,
         folder: folder.into(),

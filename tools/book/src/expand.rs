@@ -99,7 +99,7 @@ impl Expand {
         let mut problems = self
             .problems
             .lock()
-            .expect("nobody panics while adding one");
+            .expect("no thread panics while adding one");
         let text = match self.edition.lines(text, &file) {
             Ok(lines) => lines,
             Err(problem) => {

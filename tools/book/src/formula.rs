@@ -12,7 +12,7 @@ impl Default for Formulas {
             annotation: false,
             ..MathCoreConfig::default()
         };
-        Formulas(LatexToMathML::new(config).expect("no macros, none of which can be wrong"))
+        Formulas(LatexToMathML::new(config).expect("without macros, no macro can be wrong"))
     }
 }
 

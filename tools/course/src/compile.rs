@@ -146,7 +146,7 @@ impl Compiler {
     pub fn compile(&self, submission: &Submission) -> Result<Program> {
         match self.compile_until(submission, &mut |_| false)? {
             Attempt::Program(program) => Ok(program),
-            Attempt::Enough => unreachable!("no replacement is ever enough"),
+            Attempt::Enough => unreachable!("compiling is never stopped early"),
             Attempt::Late => Err(Error::environment(
                 "the compiler did not finish, perhaps because of other work",
                 "run this command again",

@@ -57,8 +57,8 @@ class Question:
         """Golden and tolerance, (5,) each, or None for a question to be redrawn.
 
         Twelve rays are displaced: eight are tilted by `TILT` about their origin, and four
-        have min_t or max_t moved. A component of the direction that is 0 stays 0: a tilt would turn
-        a ray that runs beside a flat box into one that crosses it.
+        have min_t or max_t moved. A component of the direction that is 0 stays 0, since a
+        tilt would turn a ray that runs beside a flat box into one that crosses it.
         """
         box = self.thickened()
         size = box[1] - box[0]

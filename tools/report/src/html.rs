@@ -1,8 +1,8 @@
 //! The report: one HTML file that opens from disk and loads nothing else.
 //!
-//! Reading order: [`task`] and [`scene`] hold what the page shows; [`cause`] says why a pixel
-//! is wrong; [`heat`] shows tests; [`belief`] holds diagnoses; [`pixels`], [`window`] and [`rays`] hold the data of
-//! films; [`page`] turns it all into HTML. Then read `templates`, and `viewer.js` there.
+//! Reading order: `task` and `scene` hold what the page shows; `cause` says why a pixel is wrong;
+//! `heat` shows tests; `belief` holds diagnoses; `pixels`, `window` and `rays` hold the data of
+//! films; `page` turns it all into HTML. Then read `templates`, and `viewer.js` there.
 
 mod belief;
 mod cause;
@@ -97,7 +97,7 @@ impl FinishSection {
 pub struct RepeatCommands {
     /// The command as it was typed.
     pub whole: String,
-    /// The command without tasks and scenes, to which one is added.
+    /// The command without tasks and scenes, so that one can be added.
     pub part: String,
 }
 

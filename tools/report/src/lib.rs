@@ -1,7 +1,7 @@
 //! Views of an examination: terminal text, JSON and HTML.
 //!
 //! Reading order: [`terminal`], [`json`], [`html`]; then [`passage`], which refers readers to the
-//! book, and [`program`], the frame of every program here.
+//! book, and [`program`], which all programs share.
 
 pub mod cast;
 pub mod desktop;

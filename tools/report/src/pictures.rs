@@ -34,7 +34,7 @@ pub fn write(
     Ok(written)
 }
 
-/// Writes the picture of a film's tests, its name behind `prefix`; gives its path.
+/// Writes the picture of a film's tests, with `prefix` before its name. Returns its path.
 pub fn write_tests(folder: &Path, prefix: &str, film: &Film, scale: &HeatScale) -> Result<String> {
     let path = folder.join(format!("{prefix}tests.png"));
     save(&scale.picture(film), &path)?;

@@ -1,6 +1,6 @@
 //! An examination as a table for people.
 //!
-//! The rows of [`tasks`] and [`scenes`] say what is wrong in each. [`words`] puts each kind of
+//! The rows of `tasks` and `scenes` say what is wrong in each. `words` puts each kind of
 //! thing into a line.
 
 mod scenes;

@@ -79,7 +79,7 @@ fn free_name(file: &Path) -> PathBuf {
     };
     let mut names = (1..).map(name);
     let free = names.find(|name| fs::symlink_metadata(name).is_err());
-    free.expect("no folder holds files without end")
+    free.expect("a folder holds finitely many files")
 }
 
 #[cfg(test)]

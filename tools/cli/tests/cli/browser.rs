@@ -58,7 +58,8 @@ impl Browser {
             let port = line.split_once("started successfully on port ")?.1;
             Some(port.trim_end_matches('.').to_owned())
         });
-        let port = port.unwrap_or_else(|| panic!("chromedriver says no port\n  remedy: {REMEDY}"));
+        let port =
+            port.unwrap_or_else(|| panic!("chromedriver printed no port\n  remedy: {REMEDY}"));
         let server = format!("http://127.0.0.1:{port}/session");
         let mut flags: Vec<String> = FLAGS.map(String::from).into();
         flags.push(format!("--user-data-dir={}", profile.path().display()));

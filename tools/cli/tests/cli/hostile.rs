@@ -133,7 +133,7 @@ fn secrets() -> Vec<String> {
     vec![
         SECRET.1.into(),
         hash.expect("the manifest holds hashes").into(),
-        passwd.lines().next().expect("somebody is there").into(),
+        passwd.lines().next().expect("it has a line").into(),
     ]
 }
 
@@ -298,12 +298,17 @@ fn try_all(attacks: &[&Attack], walls: &str) {
                     let names: Vec<&str> = pack.iter().map(|attack| attack.name).collect();
                     let seconds = start.elapsed().as_secs_f64();
                     eprintln!("{seconds:>6.1} s  {} ({walls})", names.join(", "));
-                    problems.lock().expect("nobody panics here").extend(found);
+                    problems
+                        .lock()
+                        .expect("no thread panics while holding it")
+                        .extend(found);
                 }
             });
         }
     });
-    let mut problems = problems.into_inner().expect("nobody panics here");
+    let mut problems = problems
+        .into_inner()
+        .expect("no thread panics while holding it");
     problems.extend(left_behind());
     assert!(problems.is_empty(), "{}", problems.join("\n"));
 }

@@ -50,7 +50,7 @@ fn watch(folder: &Path, more: &[&str]) -> Screen {
     thread::spawn(move || {
         let mut bytes = [0; 4096];
         while let Ok(count) = (&*reader).read(&mut bytes) {
-            let mut shown = shown.lock().expect("nobody panics with it");
+            let mut shown = shown.lock().expect("no thread panics while holding it");
             shown.0.extend_from_slice(&bytes[..count]);
             shown.1.process(&bytes[..count]);
         }
@@ -67,7 +67,7 @@ fn watch(folder: &Path, more: &[&str]) -> Screen {
 impl Screen {
     /// What a person sees.
     fn text(&self) -> String {
-        let seen = self.seen.lock().expect("nobody panics with it");
+        let seen = self.seen.lock().expect("no thread panics while holding it");
         seen.1.screen().contents()
     }
 
@@ -96,7 +96,7 @@ impl Screen {
     }
 
     fn resize(&self, rows: u16, columns: u16) {
-        let mut seen = self.seen.lock().expect("nobody panics with it");
+        let mut seen = self.seen.lock().expect("no thread panics while holding it");
         seen.1.screen_mut().set_size(rows, columns);
         self.pty
             .resize(Size::new(rows, columns))
@@ -116,7 +116,7 @@ impl Screen {
         };
         let after = tcgetattr(&*self.pty).expect("it is a terminal");
         assert_eq!(format!("{after:?}"), format!("{:?}", self.before));
-        let seen = self.seen.lock().expect("nobody panics with it");
+        let seen = self.seen.lock().expect("no thread panics while holding it");
         let screen = seen.1.screen();
         assert!(!screen.hide_cursor() && !screen.alternate_screen());
         status
@@ -161,7 +161,7 @@ fn a_student_goes_from_the_first_wrong_task_to_the_scenes() {
     screen.expect_text("✓ viewing_ray   14 / 14");
     screen.press("p");
     let text = screen.expect_text("✗ plane   ");
-    assert!(!text.contains("think: "), "hints start anew:\n{text}");
+    assert!(!text.contains("think: "), "hints start over:\n{text}");
 
     screen.press("?");
     screen.expect_text("quit (or press Ctrl-C)");
@@ -235,7 +235,10 @@ fn student_output_is_escaped_in_the_terminal() {
     screen.expect_text("rude");
     screen.press("q");
     screen.expect_end();
-    let seen = screen.seen.lock().expect("nobody panics with it");
+    let seen = screen
+        .seen
+        .lock()
+        .expect("no thread panics while holding it");
     let sent = String::from_utf8_lossy(&seen.0);
     for code in ["\u{1b}]0;", "\u{1b}[31mrude", "\u{1b}[?1049h"] {
         assert!(!sent.contains(code), "{code:?} was sent");

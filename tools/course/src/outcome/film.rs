@@ -43,7 +43,7 @@ pub enum FilmOutcome {
         #[serde(default)]
         whole: bool,
     },
-    /// It took more memory than it may.
+    /// It took more memory than its limit.
     #[serde(rename = "out of memory")]
     OutOfMemory {
         /// The limit, in bytes.

@@ -25,7 +25,7 @@ pub struct Bubblewrap {
     /// This program. Inside, it confines the code further.
     pinhole: PathBuf,
     /// The user that the code runs as if we are root. Otherwise, the code runs as our own user,
-    /// shown inside with another number.
+    /// which has another number inside.
     uid: Option<UserId>,
     /// Paths that the code's author must not see.
     pub host_paths: HostPaths,

@@ -145,7 +145,7 @@ impl Grader<'_> {
         let compiler = compiler.stopping_when_late(!clock.is_alone());
         let program = match compiler.compile_until(submission, &mut |_| false)? {
             Attempt::Late => return Err(clock.late()),
-            Attempt::Enough => unreachable!("no replacement is ever enough"),
+            Attempt::Enough => unreachable!("compiling is never stopped early"),
             Attempt::Program(program) => program,
         };
         let compiled = start.elapsed();

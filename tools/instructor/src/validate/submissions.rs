@@ -46,7 +46,7 @@ pub struct SubmissionVerdict {
     pub single: bool,
     /// Whether it is composed of the folders of several beliefs.
     pub composed: bool,
-    /// Tasks that must lose points, sorted. None if it must pass.
+    /// Tasks that must lose points, sorted. Empty if it must pass.
     pub declared: Vec<String>,
     /// Tasks that lose points, sorted.
     pub tasks: Vec<String>,
@@ -71,7 +71,7 @@ pub fn pristine(validator: &Validator) -> Result<PristineVerdicts> {
         validator.examine(submission, &Selection::default())
     })?;
     let [stub, reference] = &examined[..] else {
-        unreachable!("two go in, two come out");
+        unreachable!("two submissions have two results");
     };
     let mut faults = Vec::new();
     let is_empty =

@@ -178,7 +178,7 @@ fn copy(test: &str) -> PathBuf {
     let from = root().join("tools/instructor/tests/fixture");
     let mut folders = vec![from.clone()];
     while let Some(folder) = folders.pop() {
-        let to = course.join(folder.strip_prefix(&from).expect("it lies there"));
+        let to = course.join(folder.strip_prefix(&from).expect("it is in that folder"));
         fs::create_dir_all(&to).expect("a folder can be made");
         for entry in fs::read_dir(folder).expect("it can be read").flatten() {
             match entry.path().is_dir() {

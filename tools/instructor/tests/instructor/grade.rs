@@ -187,7 +187,7 @@ fn a_class_gets_the_same_grades_with_any_number_of_jobs_and_a_full_report() {
         .expect("by id")
         .keys()
         .find(|id| id.contains("frida"));
-    let frida = frida.expect("she is there").clone();
+    let frida = frida.expect("she is in the list").clone();
     let report = class.read(&format!("one/submissions/{frida}/report.html"));
     assert!(report.contains("alert(1)") && !report.contains("<script>alert"));
 

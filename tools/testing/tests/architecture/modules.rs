@@ -212,7 +212,7 @@ fn imports(folder: &str) -> BTreeMap<String, Vec<String>> {
     let folder = root().join(folder);
     let mut imports: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for path in sources(&folder) {
-        let inside = path.strip_prefix(&folder).expect("it lies there");
+        let inside = path.strip_prefix(&folder).expect("it is in that folder");
         let module = inside
             .iter()
             .next()

@@ -38,7 +38,7 @@ fn no_tool_names_an_assignment_a_task_or_a_shape() {
     let mut wrong = Vec::new();
     let mut looked_at = 0;
     for path in all.concat() {
-        let inside = path.strip_prefix(root()).expect("it lies there");
+        let inside = path.strip_prefix(root()).expect("it is in that folder");
         let file = inside.to_string_lossy().replace('\\', "/");
         let is_nameless = NAMELESS.iter().any(|start| file.starts_with(start));
         if !is_nameless || is_test(inside) {

@@ -138,10 +138,7 @@ fn reaches() -> (Vec<Attack>, TcpListener) {
         ),
         ("%NEIGHBOUR%", path(scratch.join("neighbour.rs"))),
         ("%SCRATCH%", path(scratch)),
-        (
-            "%HOME%",
-            std::env::var("HOME").expect("everyone lives somewhere"),
-        ),
+        ("%HOME%", std::env::var("HOME").expect("HOME is set")),
         ("%SECRET%", SECRET.0.into()),
         ("%ADDRESS%", address),
     ];

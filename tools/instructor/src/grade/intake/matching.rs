@@ -49,7 +49,7 @@ fn named<'a>(name: &str, people: &'a [Person]) -> Vec<&'a Person> {
         .unwrap_or_default()
 }
 
-/// How much says whose a submission is.
+/// How strong the evidence is that says whose a submission is.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Proof {

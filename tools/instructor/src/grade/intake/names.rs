@@ -239,7 +239,7 @@ mod tests {
     }
 
     #[test]
-    fn a_platforms_part_of_a_name_is_told_from_the_uploaders() {
+    fn a_platforms_part_of_a_name_is_distinguished_from_the_uploaders() {
         let canvas = |name| PlatformName::canvas(name).map(|it| (it.person, it.number, it.upload));
         let ada = Some(("lovelaceada", "12", 501));
         assert_eq!(canvas("lovelaceada_12_501_answers.zip"), ada);

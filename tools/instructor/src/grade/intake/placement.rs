@@ -22,7 +22,7 @@ pub struct Placement {
     pub missing: Vec<Person>,
     /// Submissions by people who are not on the roster. They are graded.
     pub unknown: Vec<String>,
-    /// Submissions whose person is known by a name or a login alone that people may have chosen
+    /// Submissions whose person is known only by a name or a login, which people may have chosen
     /// themselves.
     #[serde(default)]
     pub by_name: Vec<String>,

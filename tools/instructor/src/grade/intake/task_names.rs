@@ -1,4 +1,4 @@
-//! Recognises answers by their files' names, also by names that people or programs have changed.
+//! Recognises answers by their files' names, even if people or programs have changed them.
 
 use pinhole_course::assignment::{Assignment, Task};
 
@@ -16,7 +16,7 @@ pub fn task_of<'a>(name: &str, assignment: &'a Assignment) -> Option<(&'a Task, 
     Some((task, false))
 }
 
-/// A source file's name without its end, in small letters, without spaces and what marks a
+/// A source file's name without its extension, in lower case, and without spaces and marks of a
 /// copy.
 fn plain_stem(name: &str) -> Option<String> {
     let lower = name.trim().to_lowercase();

@@ -185,7 +185,7 @@ impl Table {
         let cells: Vec<String> = cells.iter().map(|cell| harmless(cell)).collect();
         self.0
             .write_record(&cells)
-            .expect("memory can be written, and lines are even");
+            .expect("memory can be written, and all rows are equally long");
     }
 
     /// The whole file. It begins with a byte order mark, because without one Excel reads UTF-8

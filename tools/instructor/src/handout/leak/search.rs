@@ -17,7 +17,7 @@ impl Search {
         let mut by_beginning: HashMap<_, Vec<String>> = HashMap::new();
         for text in texts {
             let beginning = text.as_bytes().first_chunk();
-            let beginning = *beginning.expect("texts are long enough to mean something");
+            let beginning = *beginning.expect("each text has that many bytes");
             by_beginning.entry(beginning).or_default().push(text);
         }
         Search { by_beginning }

@@ -105,7 +105,7 @@ fn a_mutant_says_where_it_differs_and_how() {
         "// ½\nfn f() -> f64 {\n    // ANCHOR: answer\n    ½(0.5)\n    // ANCHOR_END: answer\n}\n";
     let text = text.replace("½(", "half(");
     let mutants = mutants("sphere", &text).expect("it is Rust");
-    let mutant = mutants.first().expect("0.5 may be another number");
+    let mutant = mutants.first().expect("there is a mutant of 0.5");
     assert_eq!(mutant.name(), "sphere.rs:4:10");
     assert_eq!(mutant.diff(), "  - half(0.5)\n  + half(0.0)");
     assert!(mutant.text.contains("// ½\n"));

@@ -21,7 +21,7 @@ fn a_built_book_is_handed_out_unless_it_shows_an_answer() {
     fs::write(book.join("sphere.html"), "<h1>Sphere</h1>").expect("there is room");
     fs::write(book.join("index.html"), "<h1>Begin</h1>").expect("there is room");
     hand_out().expect_code(0);
-    let page = fs::read_to_string(out.join("book/sphere.html")).expect("it came along");
+    let page = fs::read_to_string(out.join("book/sphere.html")).expect("it was copied");
     assert_eq!(page, "<h1>Sphere</h1>");
     let readme = fs::read_to_string(out.join("README.md")).expect("it has one");
     assert!(readme.contains("open\n`book/index.html`"), "{readme}");

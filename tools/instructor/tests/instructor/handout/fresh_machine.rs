@@ -104,7 +104,7 @@ fn with_rust_alone_every_command_works_and_tests_pass_once_the_stubs_are_filled(
     }
     let course = "assignments/ray_casting";
     let stub = out.join(course).join("stubs/src/sphere.rs");
-    let text = fs::read_to_string(&stub).expect("it came along");
+    let text = fs::read_to_string(&stub).expect("it was copied");
     fs::write(&stub, text.replace("todo!", "panic!")).expect("it can be written");
     run("cargo pinhole check --task sphere")
         .expect_code(2)
@@ -127,7 +127,7 @@ fn with_rust_alone_every_command_works_and_tests_pass_once_the_stubs_are_filled(
     fs::write(answers.join("sphere.rs"), sphere).expect("it can be written");
 
     run("cargo test --locked").expect_code(0);
-    let readme = fs::read_to_string(out.join("README.md")).expect("it came along");
+    let readme = fs::read_to_string(out.join("README.md")).expect("it was copied");
     let commands = commands(&readme);
     assert!(commands.len() >= 6, "{commands:?}");
     // `film.exr` may come from any program. Here, it comes from ours.

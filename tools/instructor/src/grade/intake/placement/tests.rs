@@ -127,7 +127,7 @@ fn file_name_chosen_by_the_uploader_is_not_trusted() {
 }
 
 #[test]
-fn what_people_choose_themselves_is_listed_and_yields_to_what_they_do_not() {
+fn names_that_people_choose_are_listed_and_yield_to_names_that_they_do_not_choose() {
     let named = "lovelaceada_13_502_hw.zip";
     let placed = place(&entries(&[named, "s2", "s3"]), Some(&people()));
     assert_eq!(placed.of[named].id, "s1");

@@ -65,7 +65,7 @@ fn a_folder_replaced_by_a_link_while_it_is_read_shows_nobody_elses_answers() {
         scope.spawn(|| {
             while !done.load(Ordering::Relaxed) {
                 let swapped = renameat_with(CWD, &own, CWD, &link, RenameFlags::EXCHANGE);
-                swapped.expect("this system exchanges");
+                swapped.expect("this system can exchange files");
             }
         });
         for _ in 0..300 {
