@@ -1,4 +1,4 @@
-//! Files that hold no film, or more than they can.
+//! Files that hold no film, or claim to hold more than they do.
 
 use super::*;
 

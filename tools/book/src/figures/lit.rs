@@ -1,4 +1,4 @@
-//! The scene that grew through the book, lit by a lamp: an outlook on shading and shadows.
+//! The scene that grew through the book, lit by a lamp: a preview of shading and shadows.
 
 use glam::{DVec3, dvec3};
 use image::{Rgb, RgbImage};
