@@ -5,6 +5,7 @@
 
 pub mod boxes;
 mod camera;
+mod effort;
 pub mod nine_pixels;
 pub mod savings;
 mod shapes;
@@ -33,6 +34,7 @@ pub fn values(checkout: &Checkout) -> Result<Values> {
     shapes::add(&mut values, &reference)?;
     nine_pixels::add(&mut values, &reference)?;
     boxes::add(&mut values, checkout)?;
+    effort::add(&mut values, checkout)?;
     let colours = pinhole::false_colour::OBJECT_COLOURS;
     for (name, meets) in WAYS {
         for far in DISTANCES {
