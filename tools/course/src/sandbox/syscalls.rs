@@ -27,7 +27,7 @@ pub enum Purpose {
 
 /// Calls that are always denied: they reach other processes, the kernel itself, new
 /// namespaces, or memory that no limit counts.
-const NEVER: [libc::c_long; 43] = [
+const NEVER: [libc::c_long; 44] = [
     libc::SYS_ptrace,
     libc::SYS_process_vm_readv,
     libc::SYS_process_vm_writev,
@@ -39,6 +39,7 @@ const NEVER: [libc::c_long; 43] = [
     libc::SYS_io_uring_setup,
     libc::SYS_io_uring_enter,
     libc::SYS_io_uring_register,
+    libc::SYS_io_setup,
     libc::SYS_keyctl,
     libc::SYS_add_key,
     libc::SYS_request_key,
@@ -78,12 +79,17 @@ const NEVER: [libc::c_long; 43] = [
 /// `open_tree_attr`, which Linux has had since 6.15.
 const OPEN_TREE_ATTR: libc::c_long = 467;
 
+/// The command of `fcntl` that watches a folder.
+const F_NOTIFY: u64 = 1026;
+
 /// Calls that only the compiler may make. Without namespaces and Landlock, the names of files in
 /// a folder like `/tmp` would carry one submission's answers to another, even if no file may be
-/// written.
-const NEVER_WHILE_ANSWERING: [libc::c_long; 14] = [
+/// written. So would the times of a file that everyone may write, such as `/dev/null`.
+const NEVER_WHILE_ANSWERING: [libc::c_long; 16] = [
     libc::SYS_socket,
     libc::SYS_socketpair,
+    // Makes a file if standard input, a socket, gets a path as its name.
+    libc::SYS_bind,
     libc::SYS_pipe2,
     libc::SYS_inotify_init1,
     libc::SYS_setsid,
@@ -95,13 +101,14 @@ const NEVER_WHILE_ANSWERING: [libc::c_long; 14] = [
     libc::SYS_renameat,
     libc::SYS_renameat2,
     libc::SYS_unlinkat,
+    libc::SYS_utimensat,
     // Its flags lie in memory. The C library uses `openat`.
     libc::SYS_openat2,
 ];
 
 /// The same calls under the names that only x86-64 still has.
 #[cfg(target_arch = "x86_64")]
-const OLD_NAMES: [libc::c_long; 12] = [
+const OLD_NAMES: [libc::c_long; 15] = [
     libc::SYS_fork,
     libc::SYS_vfork,
     libc::SYS_pipe,
@@ -114,6 +121,9 @@ const OLD_NAMES: [libc::c_long; 12] = [
     libc::SYS_rename,
     libc::SYS_rmdir,
     libc::SYS_unlink,
+    libc::SYS_utime,
+    libc::SYS_utimes,
+    libc::SYS_futimesat,
 ];
 
 /// What makes `open` make a file: with a name, and without one.
@@ -164,6 +174,11 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
             rules.extend(OLD_NAMES.map(|call| (call, Vec::new())));
             rules.insert(libc::SYS_open, making(1)?);
         }
+        // Pages of a shared mapping stay in memory until its last page is unmapped, but don't count
+        // as the process's own any more once they are.
+        rules.insert(libc::SYS_mmap, vec![with_flag(3, libc::MAP_SHARED, true)?]);
+        let notifies = SeccompCondition::new(1, Dword, Eq, F_NOTIFY)?;
+        rules.insert(libc::SYS_fcntl, vec![SeccompRule::new(vec![notifies])?]);
         // The process was told to end with the grader, and must not be able to change that.
         let outlives = SeccompCondition::new(0, Dword, Eq, libc::PR_SET_PDEATHSIG as u64)?;
         rules.insert(libc::SYS_prctl, vec![SeccompRule::new(vec![outlives])?]);

@@ -121,6 +121,46 @@ const REACHES: [(&str, &str); 33] = [
     ),
 ];
 
+/// System calls that safe Rust has no function for. Safe code still gets at them: it may become
+/// another program of the system, and the compiler has unsound corners.
+const CALL: &str = "
+    #[unsafe(naked)]
+    extern \"C\" fn call(n: usize, a: usize, b: usize, c: usize, d: usize, e: usize) -> isize {
+        core::arch::naked_asm!(
+            \"mov rax, rdi\", \"mov rdi, rsi\", \"mov rsi, rdx\", \"mov rdx, rcx\",
+            \"mov r10, r8\", \"mov r8, r9\", \"xor r9d, r9d\", \"syscall\", \"ret\"
+        )
+    }
+    let here = usize::MAX - 99;";
+
+/// Attacks by system calls: name, and an expression that is true if one of them works.
+const CALLS: [(&str, &str); 6] = [
+    // Once most of a shared mapping is unmapped, its memory counts for nobody. The other call
+    // takes from a pool of the whole machine.
+    (
+        "memory-of-nobody",
+        "call(9, 0, 1 << 20, 3, 0x21, usize::MAX) > 0 || { let id = 0_u64; call(206, 1, &raw const id as usize, 0, 0, 0) == 0 }",
+    ),
+    (
+        "name-for-a-socket",
+        "let mut name = vec![1, 0]; name.extend(b\"%SCRATCH%/name\\0\"); call(49, 0, name.as_ptr() as usize, name.len(), 0, 0) == 0 || { name[2] = 0; call(49, 0, name.as_ptr() as usize, 9, 0, 0) == 0 }",
+    ),
+    (
+        "times-of-a-device",
+        "let null = b\"/dev/null\\0\".as_ptr() as usize; call(280, here, null, 0, 0, 0) == 0 || call(132, null, 0, 0, 0, 0) == 0 || call(235, null, 0, 0, 0, 0) == 0 || call(261, here, null, 0, 0, 0) == 0",
+    ),
+    (
+        "watches-a-folder",
+        "call(253, 0, 0, 0, 0, 0) >= 0 || { let folder = call(2, b\"/usr/lib\\0\".as_ptr() as usize, 0o200000, 0, 0, 0); folder >= 0 && call(72, folder as usize, 1026, 1, 0, 0) == 0 }",
+    ),
+    // The second call is as new as Linux 6.15.
+    (
+        "opens-a-mount",
+        "[428, 467].into_iter().any(|n| call(n, here, b\"/\\0\".as_ptr() as usize, 1, 0, 0) != -38)",
+    ),
+    ("outlives-the-grader", "call(157, 1, 0, 0, 0, 0) == 0"),
+];
+
 fn reaches() -> (Vec<Attack>, TcpListener) {
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
     let address = listener.local_addr().expect("it is bound").to_string();
@@ -142,15 +182,16 @@ fn reaches() -> (Vec<Attack>, TcpListener) {
         ("%SECRET%", SECRET.0.into()),
         ("%ADDRESS%", address),
     ];
-    let attacks = REACHES.map(|(name, expression)| {
+    let calls = CALLS.map(|(name, expression)| (name, format!("{CALL} {expression}")));
+    let calls = calls.into_iter().filter(|_| cfg!(target_arch = "x86_64"));
+    let others = REACHES.map(|(name, expression)| (name, expression.to_owned()));
+    let attacks = others.into_iter().chain(calls).map(|(name, expression)| {
         let expression = known
             .iter()
-            .fold(expression.to_owned(), |text, (mark, value)| {
-                text.replace(mark, value)
-            });
+            .fold(expression, |text, (mark, value)| text.replace(mark, value));
         reach(name, &expression)
     });
-    (attacks.into(), listener)
+    (attacks.collect(), listener)
 }
 
 /// The attacks that succeed without namespaces. A user who owns nothing may still do what the modes
