@@ -7,6 +7,7 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use pinhole_course::shell::in_shell;
 use pinhole_testing::{program_of, root};
 
 /// Bubblewrap as root, or as the user who runs the tests.
@@ -42,6 +43,33 @@ pub fn can_be_tried(mode: &str) -> bool {
 
 /// Runs `pinhole` at the top of the checkout in one of the modes, or without one.
 pub fn run(mode: &str, environment: &[(&str, &str)], arguments: &[&str]) -> Output {
+    let mut command = command(mode, environment, arguments);
+    command.output().expect("it starts")
+}
+
+/// Like [`run`], but in a terminal of its own.
+pub fn run_in_a_terminal(mode: &str, arguments: &[&str]) -> Output {
+    let command = command(mode, &[], arguments);
+    let words = [command.get_program()]
+        .into_iter()
+        .chain(command.get_args());
+    let words = words.map(|word| in_shell(word.to_str().expect("plain words")));
+    let line = words.collect::<Vec<_>>().join(" ");
+    let mut script = Command::new("script");
+    script.args(["--quiet", "--return", "--command", &line, "/dev/null"]);
+    for (name, value) in command.get_envs() {
+        match value {
+            Some(value) => script.env(name, value),
+            None => script.env_remove(name),
+        };
+    }
+    script
+        .current_dir(root())
+        .output()
+        .expect("there is `script`")
+}
+
+fn command(mode: &str, environment: &[(&str, &str)], arguments: &[&str]) -> Command {
     let mut command = match mode {
         USER => as_a_user(),
         CONTAINER => in_a_container(true),
@@ -51,7 +79,7 @@ pub fn run(mode: &str, environment: &[(&str, &str)], arguments: &[&str]) -> Outp
     command.arg(program_of(arguments[0])).args(arguments);
     command.envs(environment.iter().copied());
     command.current_dir(root());
-    command.output().expect("it starts")
+    command
 }
 
 fn as_a_user() -> Command {

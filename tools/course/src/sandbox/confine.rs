@@ -115,7 +115,10 @@ fn give_up(confine: &Confine) -> Result<(), String> {
         step("group", thread::set_thread_res_gid(group, group, group))?;
         step("user", thread::set_thread_res_uid(user, user, user))?;
     }
-    // This comes last, because changing the user would undo it.
+    // Otherwise, the code could write to the terminal of whoever grades. Bubblewrap's processes
+    // are in a session of their own already, and then this fails.
+    let _alone = rustix::process::setsid();
+    // This comes after changing the user, which would undo it.
     let end_with_parent = rustix::process::set_parent_process_death_signal(Some(Signal::KILL));
     step("end with the parent", end_with_parent)?;
     for (resource, most) in [

@@ -57,6 +57,32 @@ fn no_kind_of_sandbox_lets_code_read_goldens_answers_or_built_programs() {
     fs::remove_dir_all(folder).expect("it was made");
 }
 
+#[test]
+fn code_cannot_write_to_the_graders_terminal() {
+    let body = "use std::io::Write; \
+         let terminal = std::fs::OpenOptions::new().write(true).open(\"/dev/tty\"); \
+         let _ = terminal.and_then(|mut it| it.write_all(b\"written by\\x20plane\"));";
+    let text = with_body("plane", body);
+    let folder = submission(&std::env::temp_dir(), "terminal", &[("plane.rs", &text)]);
+    let name = folder.to_str().expect("a plain name");
+    let shown = |mode: &str| {
+        let fixed = ["check", name, "--task", "plane", "--no-report", "--sandbox"];
+        let arguments = [&fixed[..], &[modes::sandbox(mode)]].concat();
+        let ran = modes::run_in_a_terminal(mode, &arguments);
+        let shown = String::from_utf8_lossy(&ran.stdout).into_owned();
+        assert!(shown.contains("12 / 12"), "{mode}: {shown}");
+        shown.contains("written by plane")
+    };
+    let tried = modes::ALL
+        .into_iter()
+        .filter(|mode| modes::can_be_tried(mode));
+    for mode in tried {
+        assert!(!shown(mode), "{mode}");
+    }
+    assert!(shown("none"), "the attack cannot succeed");
+    fs::remove_dir_all(folder).expect("it was made");
+}
+
 /// Writes a program that leaves a trace and then runs another program.
 fn marking_script(path: &Path, mark: &Path, program: &str) {
     let folder = path.parent().expect("it lies in a folder");
