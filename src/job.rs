@@ -115,7 +115,7 @@ impl Job {
 pub struct Panic {
     /// Its text, at most [`MOST_PANIC_TEXT`] bytes.
     pub message: String,
-    /// The source file it came from, as the compiler named it.
+    /// The source file it came from, as the compiler named it; cut like the message.
     pub file: String,
     /// Line in that file, from 1; 0 if unknown.
     pub line: u32,

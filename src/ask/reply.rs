@@ -163,9 +163,9 @@ impl Reply {
                 ))
             }
             Message::Panicked(mut panic) => {
-                panic
-                    .message
-                    .truncate(panic.message.floor_char_boundary(MOST_PANIC_TEXT));
+                for text in [&mut panic.message, &mut panic.file] {
+                    text.truncate(text.floor_char_boundary(MOST_PANIC_TEXT));
+                }
                 panic.index = panic.index.min(self.answers.len().saturating_sub(1));
                 self.ending = Ending::Panicked(panic);
                 Ok(Next::End)

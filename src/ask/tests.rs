@@ -243,7 +243,7 @@ mod message {
         let mut reply = Reply::before(&job);
         let panic = Panic {
             message: "é".repeat(MOST_PANIC_TEXT),
-            file: "a.rs".into(),
+            file: "<".repeat(50 * MOST_PANIC_TEXT),
             line: 1,
             index: usize::MAX,
         };
@@ -253,6 +253,7 @@ mod message {
         };
         assert_eq!(panic.index, 2);
         assert!(panic.message.len() <= MOST_PANIC_TEXT);
+        assert!(panic.file.len() <= MOST_PANIC_TEXT);
     }
 
     #[test]
