@@ -135,15 +135,15 @@ impl Finder<'_> {
         }
     }
 
-    fn path(&mut self, named: &[String], line: usize, after: Option<&Token>) {
+    fn path(&mut self, named: &[&str], line: usize, after: Option<&Token>) {
         match named {
             [root] if is_library(root) && after == Some(&Token::Word("as".into())) => {
                 self.flag(line, format!("{root} by another name"));
             }
-            [root, module] if is_library(root) && MODULES.contains(&module.as_str()) => {
+            [root, module] if is_library(root) && MODULES.contains(module) => {
                 self.flag(line, format!("{root}::{module}"));
             }
-            [root, module] if root == "pinhole" && HARNESS.contains(&module.as_str()) => {
+            [root, module] if *root == "pinhole" && HARNESS.contains(module) => {
                 self.flag(line, format!("{root}::{module}"));
             }
             _ => {}
@@ -160,16 +160,17 @@ const KEYWORDS: [&str; 10] = [
     "use", "pub", "as", "in", "return", "dyn", "impl", "mut", "if", "match",
 ];
 
-/// Which path a word belongs to, followed through the braces of a `use`.
+/// Which path a word belongs to, followed through the braces of a `use`. It borrows the words,
+/// because a hostile answer may repeat long ones thousands of times.
 #[derive(Default)]
-struct Paths {
-    current: Vec<String>,
+struct Paths<'t> {
+    current: Vec<&'t str>,
     /// The path in front of each open brace.
-    behind: Vec<Vec<String>>,
+    behind: Vec<Vec<&'t str>>,
 }
 
-impl Paths {
-    fn word(&mut self, word: &str, continues: bool) -> &[String] {
+impl<'t> Paths<'t> {
+    fn word(&mut self, word: &'t str, continues: bool) -> &[&'t str] {
         if KEYWORDS.contains(&word) {
             self.current.clear();
             return &self.current;
@@ -179,7 +180,7 @@ impl Paths {
         }
         // No flag needs a longer path, and paths may be nested without limit.
         if self.current.len() < 4 {
-            self.current.push(word.to_owned());
+            self.current.push(word);
         }
         &self.current
     }

@@ -109,3 +109,25 @@ fn a_table_of_results_is_flagged() {
         ["401 numbers written out"]
     );
 }
+
+#[test]
+#[cfg(target_os = "linux")]
+fn paths_behind_long_words_take_little_memory() {
+    let most = || -> usize {
+        let status = std::fs::read_to_string("/proc/self/status").expect("Linux has it");
+        let most = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        let kib = most.and_then(|text| text.split_whitespace().next());
+        kib.expect("a line of its own").parse().expect("a number")
+    };
+    let word = "x".repeat(30_000);
+    let behind = format!("use {}", format!("{word}::").repeat(4));
+    let before = most();
+    let nested = "{a::".repeat(20_000) + "b" + &"}".repeat(20_000);
+    of_text("plane", &format!("{behind}{nested};"));
+    let listed = format!("{behind}{{{}}};", ",".repeat(100_000));
+    let start = std::time::Instant::now();
+    of_text("plane", &listed);
+    let (took, more) = (start.elapsed(), most() - before);
+    assert!(more < 200 << 10, "{more} KiB");
+    assert!(took < std::time::Duration::from_secs(1), "{took:?}");
+}
