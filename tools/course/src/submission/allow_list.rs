@@ -119,7 +119,7 @@ pub(super) fn finding(tokens: &[(Token, usize)]) -> Option<(String, &'static str
     let is = |at: usize, mark: char| token(at) == Some(&Token::Mark(mark));
     match token(0)? {
         Token::Word(word) if word.starts_with("r#") => {
-            Some((format!("`{word}`"), "use a name without `r#`"))
+            Some((format!("`{}`", beginning(word)), "use a name without `r#`"))
         }
         Token::Word(word) if word == "as" => match token(1) {
             Some(Token::Word(new)) if is_listed(new) => Some((
@@ -134,7 +134,7 @@ pub(super) fn finding(tokens: &[(Token, usize)]) -> Option<(String, &'static str
                 "macro_rules" => "write a function in its place",
                 _ => "use functions and the macros of an ordinary answer, such as `assert!`",
             };
-            Some((format!("`{word}!`"), remedy))
+            Some((format!("`{}!`", beginning(word)), remedy))
         }
         Token::Mark('#') => {
             let name = 2 + usize::from(is(1, '!'));
@@ -144,10 +144,16 @@ pub(super) fn finding(tokens: &[(Token, usize)]) -> Option<(String, &'static str
             };
             let is_tool = ["clippy", "rustfmt"].contains(&word.as_str());
             let is_allowed = contains(&ATTRIBUTES, word) && is(name + 1, PATH) == is_tool;
-            (!is_allowed).then(|| (format!("`#[{word}]`"), "remove the attribute"))
+            (!is_allowed).then(|| (format!("`#[{}]`", beginning(word)), "remove the attribute"))
         }
         _ => None,
     }
+}
+
+/// As much of a word as a message shows. A hostile answer may be one long word, and its results
+/// repeat the message at each group.
+fn beginning(word: &str) -> &str {
+    &word[..word.floor_char_boundary(100)]
 }
 
 fn opens(token: Option<&Token>) -> bool {

@@ -142,3 +142,18 @@ fn deep_nesting_does_no_harm() {
         Verdict::Allowed
     );
 }
+
+#[test]
+fn a_long_word_makes_no_long_message() {
+    let word = "é".repeat(100_000);
+    for text in [
+        format!("fn f() {{ {word}!() }}"),
+        format!("#[{word}] fn f() {{}}"),
+        format!("fn r#{word}() {{}}"),
+    ] {
+        match verdict("plane", &text) {
+            Verdict::Refused(why) => assert!(why.len() < 400, "{} bytes", why.len()),
+            other => panic!("{other:?}"),
+        }
+    }
+}
