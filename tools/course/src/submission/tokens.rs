@@ -26,7 +26,13 @@ pub const PATH: char = '∷';
 /// # Errors
 /// If it can't be split into tokens.
 pub fn tokens(text: &str) -> Result<Vec<(Token, usize)>, LexError> {
-    let stream: TokenStream = text.parse()?;
+    let tokens = text.parse().map(flat);
+    // The library would keep every text, for the places of tokens, until this thread ends.
+    proc_macro2::extra::invalidate_current_thread_spans();
+    tokens
+}
+
+fn flat(stream: TokenStream) -> Vec<(Token, usize)> {
     // Don't recurse: delimiters may be nested without limit and would overflow the stack.
     let mut flat: Vec<(Token, usize)> = Vec::new();
     let mut open = vec![(stream.into_iter(), None)];
@@ -71,5 +77,28 @@ pub fn tokens(text: &str) -> Result<Vec<(Token, usize)>, LexError> {
             }
         }
     }
-    Ok(flat)
+    flat
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn texts_are_not_kept_in_memory() {
+        let pages = || -> usize {
+            let text = std::fs::read_to_string("/proc/self/statm").expect("Linux has it");
+            let pages = text.split_whitespace().nth(1).expect("a second number");
+            pages.parse().expect("a number")
+        };
+        let text = "\n".repeat(250_000);
+        let before = pages();
+        for _ in 0..100 {
+            assert_eq!(tokens(&text).expect("they are tokens").len(), 0);
+        }
+        let more = pages().saturating_sub(before);
+        // Other tests of this program run at the same time.
+        assert!(more * 4 < 100 << 10, "{} KiB are kept", more * 4);
+    }
 }

@@ -43,7 +43,10 @@ pub struct SharedPair {
 /// A hash of an answer's tokens, without documentation and with numbers in place of the answer's
 /// own names. `None` if the text can't be split into tokens.
 pub fn tokens(text: &str) -> Option<String> {
-    let words = words(text.parse().ok()?);
+    let words = text.parse().map(words);
+    // The library would keep every text, for the places of tokens, until this thread ends.
+    proc_macro2::extra::invalidate_current_thread_spans();
+    let words = words.ok()?;
     let own = own_names(&words);
     let mut numbers: BTreeMap<&str, usize> = BTreeMap::new();
     let mut flat = String::new();
