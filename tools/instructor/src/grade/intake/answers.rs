@@ -21,8 +21,16 @@ pub struct Choice {
     pub doubts: Vec<String>,
 }
 
-/// How many refused files are named.
-const MOST_REFUSED: usize = 5;
+/// How many files of a kind are named.
+const MOST_NAMED: usize = 5;
+
+/// The first of these names. An archive may hold a hundred thousand.
+fn first(names: &[String]) -> Vec<String> {
+    let mut named = names[..names.len().min(MOST_NAMED)].to_vec();
+    let more = names.len() - named.len();
+    named.extend((more > 0).then(|| format!("{more} more like these")));
+    named
+}
 
 /// A file that may answer a task.
 struct Candidate<'a> {
@@ -86,11 +94,6 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
             Content::Folder => {}
         }
     }
-    let more = refused.len().saturating_sub(MOST_REFUSED);
-    if more > 0 {
-        refused.truncate(MOST_REFUSED);
-        refused.push(format!("{more} more like these"));
-    }
     // A copy of the course's repository holds files of the same names elsewhere too.
     let roots = candidates.iter().filter_map(|(_, one)| one.repository());
     let roots: BTreeSet<Vec<String>> = roots.map(<[String]>::to_vec).collect();
@@ -117,7 +120,7 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
         let own: Vec<&Candidate> = own.map(|(_, candidate)| candidate).collect();
         let text = match own.is_empty() {
             true if refused.is_empty() => Err(AnswerFileProblem::Missing),
-            true => Err(AnswerFileProblem::Refused(refused.join("; "))),
+            true => Err(AnswerFileProblem::Refused(first(&refused).join("; "))),
             false => choice.of(task, &own),
         };
         choice.submission.answers.push(Answer {
@@ -126,19 +129,20 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
         });
     }
     if !outside.is_empty() {
-        let outside = outside.iter().take(5).cloned().collect::<Vec<_>>();
         let doubt = format!(
             "what lies in `handout/src` was taken, and not {}",
-            outside.join(", ")
+            first(&outside).join(", ")
         );
         choice.doubts.push(doubt);
     }
     if candidates.is_empty() && refused.is_empty() && !others.is_empty() {
-        let found = others.iter().take(5).cloned().collect::<Vec<_>>();
-        let note = format!("no answer file was handed in, but {}", found.join(", "));
+        let note = format!(
+            "no answer file was handed in, but {}",
+            first(&others).join(", ")
+        );
         choice.doubts.push(note);
     } else if !candidates.is_empty() {
-        choice.doubts.extend(refused);
+        choice.doubts.extend(first(&refused));
     }
     Ok(choice)
 }
@@ -162,7 +166,7 @@ impl Choice {
             return Err(AnswerFileProblem::Refused(format!(
                 "there are {} files that could be `{file}`, and they differ: {}",
                 paths.len(),
-                paths.join(", ")
+                first(&paths).join(", ")
             )));
         }
         let chosen = best[0];
@@ -176,7 +180,7 @@ impl Choice {
             self.doubts.push(format!(
                 "`{}` was taken as `{file}`, and not {}",
                 chosen.path(),
-                left.join(", ")
+                first(&left).join(", ")
             ));
         } else if !chosen.is_exact {
             self.notes
