@@ -116,7 +116,11 @@ fn among_words<'a>(text: &str, people: &'a [Person], is: RosterKey) -> Vec<&'a P
         .map(folded)
         .filter(|word| !word.is_empty())
         .collect();
-    let runs = || (0..words.len()).flat_map(|k| (k..words.len()).map(move |end| (k, end)));
+    let whole = words.concat();
+    let mut places = vec![0];
+    for word in &words {
+        places.push(places[places.len() - 1] + word.len());
+    }
     let is_there = |other: &&Person| match is {
         RosterKey::Ids => {
             let alone = std::slice::from_ref(*other);
@@ -124,8 +128,13 @@ fn among_words<'a>(text: &str, people: &'a [Person], is: RosterKey) -> Vec<&'a P
         }
         RosterKey::Names if other.name.split_whitespace().count() < 2 => false,
         RosterKey::Names => {
+            let begins = |at: usize, name: &str| {
+                whole[at..].starts_with(name) && places.binary_search(&(at + name.len())).is_ok()
+            };
             let names = turned(&other.name, &folded);
-            runs().any(|(k, end)| names.contains(&words[k..=end].concat()))
+            places
+                .iter()
+                .any(|at| names.iter().any(|name| begins(*at, name)))
         }
     };
     people.iter().filter(is_there).collect()
