@@ -85,7 +85,9 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
         let titled = entry.signs.iter().flat_map(|sign| titled(sign, people));
         titled.map(|(title, _)| title.to_owned()).next()
     };
-    let titles: BTreeSet<String> = entries.iter().filter_map(title).collect();
+    // An archive's author may have chosen a title that makes all others overlong.
+    let given = entries.iter().filter(|entry| entry.at_most == Proof::Id);
+    let titles: BTreeSet<String> = given.filter_map(title).collect();
     let titles = titles.iter().map(String::as_str).collect();
     let mut of: BTreeMap<&str, Vec<(Proof, &Entry, &Person)>> = BTreeMap::new();
     for entry in entries {

@@ -246,6 +246,58 @@ fn an_upload_among_others_does_not_bring_other_peoples_submissions() {
 }
 
 #[test]
+fn a_short_title_of_an_uploaders_choice_moves_nobodys_mark() {
+    let export = Export::new();
+    for (name, whose) in [
+        ("class/cs-hw1-countess.zip", "ada"),
+        ("class/cs-hw1-zoe.zip", "zoe"),
+        ("class/cs-countess.zip", "mallory"),
+    ] {
+        export.put(name, &zip(&answers("", whose)));
+    }
+    let list = "id,name,github\n1,Ada Lovelace,countess\n2,Zoe Zuse,zoe\n";
+    let found = placed(&export, &["class"], list);
+    assert_eq!(all_of(&found, "1"), [""; 0], "{:#?}", found.1);
+    assert_eq!(all_of(&found, "2"), ["// sphere by zoe"], "{:#?}", found.1);
+    assert_eq!(found.1.ambiguous.len(), 2, "{:#?}", found.1);
+}
+
+#[test]
+fn a_name_of_thousands_of_words_is_soon_compared() {
+    let export = Export::new();
+    let words = vec!["a"; 2000].join("-");
+    export.put(
+        "mallory.zip",
+        &zip(&answers(&format!("{words}/"), "mallory")),
+    );
+    let people = (0..300).map(|k| format!("{k},First{k} Last{k}\n"));
+    let list = format!("id,name\n{}", people.collect::<String>());
+    let start = std::time::Instant::now();
+    let found = placed(&export, &["mallory.zip"], &list);
+    let took = start.elapsed();
+    assert_eq!(found.0.entries.len(), 1);
+    assert!(took < std::time::Duration::from_secs(20), "{took:?}");
+}
+
+#[test]
+fn thousands_of_files_for_one_answer_make_a_short_message() {
+    let export = Export::new();
+    let long = "y".repeat(200);
+    let file = |k: usize| (format!("{k}{long}/plane.rs"), k.to_string().into_bytes());
+    let deep = |k: usize| (format!("{k}/{long}/sphere.rs"), k.to_string().into_bytes());
+    let mut files: Files = (0..2000).flat_map(|k| [file(k), deep(k)]).collect();
+    files.push(("x/sphere.rs".into(), b"mine".to_vec()));
+    export.put("class/mallory.zip", &zip(&files));
+    export.put("class/ada.zip", &zip(&answers("", "ada")));
+    let intake = export.find("class");
+    let mallory = &intake.entries[1];
+    let told = [&mallory.unusable[..], &mallory.doubts].concat().join("; ");
+    assert!(told.contains("there are 2000 files"), "{told}");
+    assert!(told.contains("was taken as `sphere.rs`, and not"), "{told}");
+    assert!(told.len() < 4000, "{} bytes", told.len());
+}
+
+#[test]
 fn long_names_in_an_archive_take_little_memory() {
     let export = Export::new();
     let name = format!("{}plane.rs", "a/".repeat(32_000));
