@@ -27,8 +27,8 @@ pub trait Clock: Sync {
 /// Complete replies of other submissions. They are used again for tasks and scenes that the same
 /// files answer.
 pub trait KnownReplies: Sync {
-    /// The reply to all questions of a task, or to a scene.
-    fn get(&self, what: &str) -> Option<Reply>;
+    /// The reply to this many questions of a task, or to a scene.
+    fn get(&self, what: &str, questions: usize) -> Option<Reply>;
 
     /// Called with every such reply that was asked for.
     fn keep(&self, what: &str, reply: &Reply);
@@ -45,9 +45,18 @@ const MOST_LATE: usize = 3;
 impl Examiner<'_> {
     /// A reply to each film of a task.
     pub(super) fn ask_task(&self, task: &Task, questions: &Questions) -> Result<Vec<Reply>> {
-        let films = questions.groups.iter().flat_map(|group| &group.films);
-        let films: Vec<&QuestionFilm> = films.collect();
-        let parts = match self.ask_together(task, questions, &films)? {
+        let batches = questions.batches();
+        let replies = batches.map(|(films, job)| self.ask_batch(task, films, job));
+        Ok(replies.collect::<Result<Vec<_>>>()?.concat())
+    }
+
+    fn ask_batch(
+        &self,
+        task: &Task,
+        films: Vec<&QuestionFilm>,
+        job: Option<&Job>,
+    ) -> Result<Vec<Reply>> {
+        let parts = match self.ask_together(task, job, &films)? {
             // Either all is well, or every film failed and would fail just as slowly when asked
             // alone.
             Some(parts) if parts.iter().all(Reply::is_whole) => return Ok(parts),
@@ -95,10 +104,10 @@ impl Examiner<'_> {
     fn ask_together(
         &self,
         task: &Task,
-        questions: &Questions,
+        job: Option<&Job>,
         films: &[&QuestionFilm],
     ) -> Result<Option<Vec<Reply>>> {
-        let Some(job) = &questions.together else {
+        let Some(job) = job else {
             return Ok(None);
         };
         let mut reply = self.ask_whole(&task.name, job)?;
@@ -117,7 +126,7 @@ impl Examiner<'_> {
 
     /// The reply to all that is asked about a task or a scene.
     pub(super) fn ask_whole(&self, what: &str, job: &Job) -> Result<Reply> {
-        if let Some(reply) = self.known.and_then(|known| known.get(what)) {
+        if let Some(reply) = self.known.and_then(|known| known.get(what, job.len())) {
             return Ok(reply);
         }
         let reply = self.ask(what, job, self.wall)?;

@@ -18,8 +18,33 @@ use crate::timings::timed;
 #[derive(Debug)]
 pub struct Questions {
     pub groups: Vec<Group>,
-    /// The jobs of all films as one; `None` if their kinds differ or there is no film.
-    pub together: Option<Job>,
+    /// The groups in turn, as many at a time as one process is asked about.
+    pub batches: Vec<Batch>,
+}
+
+/// Groups that one process is asked about. A process that sees pixels of scenes, which may be
+/// withheld, is asked about nothing else: a public question can be answered with what it has seen,
+/// and results show wrong answers to public questions.
+#[derive(Debug)]
+pub struct Batch {
+    /// How many groups.
+    pub groups: usize,
+    /// The jobs of all their films as one; `None` if their kinds differ or there is no film.
+    pub job: Option<Job>,
+}
+
+impl Questions {
+    /// The films of each batch, and the jobs of all of them as one.
+    pub fn batches(&self) -> impl Iterator<Item = (Vec<&QuestionFilm>, Option<&Job>)> {
+        let mut groups = self.groups.iter();
+        self.batches.iter().map(move |batch| {
+            let films = groups.by_ref().take(batch.groups);
+            (
+                films.flat_map(|group| &group.films).collect(),
+                batch.job.as_ref(),
+            )
+        })
+    }
 }
 
 /// Questions that earn their points together or not at all.
@@ -65,8 +90,14 @@ impl Goldens {
             return Ok(Arc::clone(questions));
         }
         let groups = timed("read goldens", || self.groups(task))?;
-        let together = join(&groups);
-        let questions = Arc::new(Questions { groups, together });
+        let of_scenes = |group: &Group| task.is_of_scenes(&group.name);
+        let batches = groups.chunk_by(|a, b| of_scenes(a) == of_scenes(b));
+        let batches = batches.map(|groups| Batch {
+            groups: groups.len(),
+            job: join(groups),
+        });
+        let batches = batches.collect();
+        let questions = Arc::new(Questions { groups, batches });
         kept().insert(task.name.clone(), Arc::clone(&questions));
         Ok(questions)
     }

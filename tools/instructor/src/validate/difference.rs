@@ -139,8 +139,13 @@ impl<'a> Oracle<'a> {
     fn answered(&self, task: &Task) -> Result<AnsweredQuestions> {
         let goldens = self.validator.goldens;
         let kept = goldens.cached_questions(task)?;
-        let asked = kept.together.as_ref().and_then(Job::questions);
-        let mut questions = asked.cloned().expect("a task's questions are of one kind");
+        let films = kept.groups.iter().flat_map(|group| &group.films);
+        let mut asked = films.filter_map(|film| film.job.questions());
+        let mut questions = asked.next().cloned().expect("a task has questions");
+        for more in asked {
+            let is_alike = questions.append(more);
+            assert!(is_alike, "a task's questions are of one kind");
+        }
         let mut is_tie = vec![false; questions.len()];
         if let Some((more, ties)) = ties::read(goldens, task)? {
             questions.append(&more);

@@ -90,8 +90,9 @@ impl Pace {
         };
         for goldens in goldens {
             for task in &assignment.tasks {
-                if let Some(job) = &goldens.cached_questions(task)?.together {
-                    measure(&task.name, job)?;
+                for batch in &goldens.cached_questions(task)?.batches {
+                    let job = batch.job.as_ref();
+                    job.map_or(Ok(()), |job| measure(&task.name, job))?;
                 }
             }
             for scene in &goldens.scenes {

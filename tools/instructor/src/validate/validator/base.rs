@@ -15,11 +15,12 @@ use pinhole_course::error::Result;
 use pinhole_course::examine::KnownReplies;
 use pinhole_course::submission::Submission;
 
-/// Answers, and their replies so far, by task or scene.
+/// Answers, and their replies so far.
 pub struct Base {
     /// The answers.
     pub submission: Submission,
-    replies: Mutex<BTreeMap<String, Reply>>,
+    /// By task or scene, and the number of questions: a task's may be asked in several batches.
+    replies: Mutex<BTreeMap<(String, usize), Reply>>,
 }
 
 /// The replies of a base that also hold for a submission over it.
@@ -93,18 +94,19 @@ fn stands_alone(text: &str, fixed: &[String]) -> bool {
 }
 
 impl KnownReplies for RepliesInCommon<'_> {
-    fn get(&self, what: &str) -> Option<Reply> {
+    fn get(&self, what: &str, questions: usize) -> Option<Reply> {
         let replies = &self.base.replies;
         let replies = replies.lock().unwrap_or_else(PoisonError::into_inner);
         let is_same = self.unchanged.contains(what);
-        replies.get(what).filter(|_| is_same).cloned()
+        let key = (what.to_owned(), questions);
+        replies.get(&key).filter(|_| is_same).cloned()
     }
 
     fn keep(&self, what: &str, reply: &Reply) {
         if self.unchanged.contains(what) {
             let replies = &self.base.replies;
             let mut replies = replies.lock().unwrap_or_else(PoisonError::into_inner);
-            replies.insert(what.into(), reply.clone());
+            replies.insert((what.into(), reply.answers.len()), reply.clone());
         }
     }
 }

@@ -90,6 +90,49 @@ fn withheld_scenes_show_no_more_than_the_instructor_chooses() {
 }
 
 #[test]
+fn wrong_answers_to_public_questions_show_nothing_of_a_withheld_scene() {
+    let class = Class::new("withheld-camera");
+    let mine = goldens_of_one_scene(&class, "inside_a_sphere");
+    let reference = fs::read_to_string(answers().join("viewing_ray.rs")).expect("it is there");
+    // A scene asks many more pixels of one camera than any public question. The answers to these
+    // wait until one was seen.
+    let told = reference.replacen(
+        "// ANCHOR: answer\n",
+        "use std::sync::Mutex;
+        static LAST: Mutex<(u64, u32)> = Mutex::new((0, 0));
+        static SEEN: Mutex<Option<f64>> = Mutex::new(None);
+        static BEGUN: std::sync::LazyLock<std::time::Instant> =
+            std::sync::LazyLock::new(std::time::Instant::now);
+        {
+            let mut last = LAST.lock().unwrap();
+            let key = camera.eye.x.to_bits() ^ camera.width.to_bits();
+            *last = if last.0 == key { (key, last.1 + 1) } else { (key, 0) };
+            if last.1 == 1000 {
+                *SEEN.lock().unwrap() = Some(camera.width);
+            }
+        }
+        while SEEN.lock().unwrap().is_none() && BEGUN.elapsed().as_millis() < 500 {
+            std::thread::sleep(std::time::Duration::from_millis(1));
+        }
+        if let Some(width) = *SEEN.lock().unwrap() {
+            let told = glam::DVec3::new(4242.0, width, 0.0);
+            return Ray { origin: told, direction: told };
+        }
+",
+        1,
+    );
+    class.hand_in("mallory", &[("viewing_ray.rs", &told)]);
+    let (mallory, out) = (class.path("class/mallory"), class.path("out"));
+    let line = ["grade", &mallory, "--out", &out, "--no-fresh"];
+    on_small_assignment(&[&line[..], &["--golden", &mine]].concat()).expect_code(0);
+    let result = class.result("out", "mallory");
+    let report = class.read("out/submissions/mallory/report.html");
+    for shown in [result.to_string(), report] {
+        assert!(!shown.contains("4242"), "{}", result["tasks"][0]);
+    }
+}
+
+#[test]
 fn changed_goldens_are_refused_for_grading() {
     let class = Class::new("changed-goldens");
     let mine = goldens_of_one_scene(&class, "inside_a_sphere");
