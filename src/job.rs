@@ -98,11 +98,11 @@ impl Job {
 
     /// Turns what was sent for one of its questions into an answer; `None` if it answers another
     /// kind of question.
-    pub(crate) fn receive(&self, index: usize, sent: WireAnswer) -> Option<Answer> {
+    pub(crate) fn receive(&self, index: usize, sent: &WireAnswer) -> Option<Answer> {
         match self {
             Job::Ask(questions) => questions.receive(index, sent),
             Job::Film(_) => match sent {
-                WireAnswer::Counted(answer, _) => WireAnswer::Answer(answer).hit(),
+                WireAnswer::Counted(answer, _) => WireAnswer::Answer(*answer).hit(),
                 sent => sent.hit(),
             },
             Job::Cast(..) | Job::Meet(..) => sent.hit(),

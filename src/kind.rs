@@ -73,7 +73,7 @@ trait Question {
     fn answer(&self, index: usize, functions: &[AnswerFn]) -> Result<WireAnswer, Unregistered>;
 
     /// The answer that was sent, or `None` if it answers another kind of question.
-    fn receive(&self, sent: WireAnswer) -> Option<Answer> {
+    fn receive(&self, sent: &WireAnswer) -> Option<Answer> {
         sent.hit()
     }
 

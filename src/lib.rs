@@ -89,4 +89,4 @@ pub use ray::{Hit, Intersection, Ray};
 pub use scene::Scene;
 pub use serve::serve;
 pub use shape::{Canned, Disk, Plane, Shape, ShapeKind, Sphere, Triangle, TriangleSoup};
-pub use tree::{FlatTree, Node, RayTree, Tree};
+pub use tree::{FlatTree, Node, NodeBox, RayTree, Tree};

@@ -21,6 +21,9 @@ pub struct Part {
     pub channels: &'static [&'static str],
     /// How many of the channels' units make one of its own.
     pub scale: f64,
+    /// Whether a golden limits it: then the golden is 0, and its tolerance the greatest value that
+    /// is right.
+    pub is_limit: bool,
 }
 
 /// A positive number that belongs to a question, such as a radius.

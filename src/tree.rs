@@ -94,6 +94,27 @@ impl From<Tree> for FlatTree {
 }
 
 impl FlatTree {
+    /// The tree whose leaves, from the first to the last, have these depths and members; `None`
+    /// if there is none. The depths alone determine the branches.
+    pub(crate) fn of_leaves(leaves: Vec<(usize, Vec<usize>)>) -> Option<FlatTree> {
+        // Trees in their order, each with its depth. Two neighbours of one depth are children of
+        // one branch.
+        let mut whole: Vec<(usize, Tree)> = Vec::new();
+        for (depth, members) in leaves {
+            whole.push((depth, Tree::Leaf(members)));
+            while let [.., (first, _), (second, _)] = whole[..]
+                && first == second
+            {
+                let children = [whole.swap_remove(whole.len() - 2).1, whole.pop()?.1];
+                whole.push((first.checked_sub(1)?, Tree::Branch(Box::new(children))));
+            }
+        }
+        match whole.pop() {
+            Some((0, tree)) if whole.is_empty() => Some(tree.into()),
+            _ => None,
+        }
+    }
+
     /// One of the nodes.
     ///
     /// # Panics
@@ -149,26 +170,49 @@ impl FlatTree {
         parents.first() == Some(&0) && parents[1..].iter().all(|&count| count == 1)
     }
 
+    /// How many branches are above each node.
+    fn depths(&self) -> Vec<usize> {
+        let mut depths = vec![0; self.0.len()];
+        for (index, node) in self.0.iter().enumerate() {
+            if let FlatNode::Branch(children) = node {
+                for &child in children {
+                    depths[child] = depths[index] + 1;
+                }
+            }
+        }
+        depths
+    }
+
+    /// The boxes of its upper nodes, as a tree over triangles with these boxes. They are at most
+    /// 15, however large the tree is. A node without any of the triangles has no box.
+    pub(crate) fn outline(&self, triangles: &[BoundingBox]) -> Vec<NodeBox> {
+        let leaf = |members: &[usize]| {
+            let members = members.iter();
+            around(members.filter_map(|&index| triangles.get(index).copied()))
+        };
+        let boxes = self.boxes(leaf, |a, b| around([*a, *b]));
+        let nodes = self.depths().into_iter().zip(boxes);
+        let is_drawn = |(depth, bounds): &(usize, BoundingBox)| {
+            *depth <= DEEPEST_DRAWN && bounds.min.x <= bounds.max.x
+        };
+        let drawn = nodes.filter(is_drawn);
+        drawn
+            .map(|(depth, bounds)| NodeBox { depth, bounds })
+            .collect()
+    }
+
     /// Its measures, as a tree over triangles with these boxes.
     pub(crate) fn measure(&self, triangles: &[BoundingBox]) -> TreeMeasures {
         let mut seen = vec![0_usize; triangles.len()];
         let mut foreign = 0;
-        let mut depths = vec![0; self.0.len()];
         let mut largest_leaf = 0;
-        for (index, node) in self.0.iter().enumerate() {
-            match node {
-                FlatNode::Leaf(members) => {
-                    largest_leaf = largest_leaf.max(members.len());
-                    for &triangle in members {
-                        match seen.get_mut(triangle) {
-                            Some(count) => *count += 1,
-                            None => foreign += 1,
-                        }
-                    }
-                }
-                FlatNode::Branch(children) => {
-                    for &child in children {
-                        depths[child] = depths[index] + 1;
+        for node in &self.0 {
+            if let FlatNode::Leaf(members) = node {
+                largest_leaf = largest_leaf.max(members.len());
+                for &triangle in members {
+                    match seen.get_mut(triangle) {
+                        Some(count) => *count += 1,
+                        None => foreign += 1,
                     }
                 }
             }
@@ -176,7 +220,7 @@ impl FlatTree {
         let misplaced = seen.iter().filter(|&&count| count != 1).count() + foreign;
         TreeMeasures {
             misplaced,
-            depth: depths.iter().copied().max().unwrap_or(0),
+            depth: self.depths().into_iter().max().unwrap_or(0),
             largest_leaf,
             cost: match misplaced {
                 0 => self.cost(triangles),
@@ -213,6 +257,18 @@ fn around(boxes: impl IntoIterator<Item = BoundingBox> + Clone) -> BoundingBox {
         min: corners(|it| it.min).fold(DVec3::INFINITY, DVec3::min),
         max: corners(|it| it.max).fold(DVec3::NEG_INFINITY, DVec3::max),
     }
+}
+
+/// The depth of the deepest nodes of an outline.
+pub const DEEPEST_DRAWN: usize = 3;
+
+/// The box of a node, for pictures.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NodeBox {
+    /// How many branches are above the node.
+    pub depth: usize,
+    /// The smallest box around its triangles.
+    pub bounds: BoundingBox,
 }
 
 /// What is judged of a tree.

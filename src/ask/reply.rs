@@ -7,8 +7,9 @@ use super::transport::Next;
 use crate::camera::Resolution;
 use crate::film::{Film, TESTS};
 use crate::job::{Job, MOST_PANIC_TEXT, Message};
-use crate::kind::{Answer, WireAnswer};
+use crate::kind::{Answer, Questions, WireAnswer};
 use crate::ray::{Hit, Ray};
+use crate::tree::NodeBox;
 
 /// The reply to one job.
 #[derive(Clone, Debug)]
@@ -21,6 +22,8 @@ pub struct Reply {
     /// How many tests the submission says that each pixel of a scene took, if it counts them;
     /// otherwise empty. For pictures only.
     pub own_tests: Vec<u32>,
+    /// The boxes of the upper nodes of each tree, for pictures; empty if no trees came.
+    pub outlines: Vec<Vec<NodeBox>>,
     /// How it ended.
     pub ending: Ending,
     /// How long it took to start: until the first answers came.
@@ -38,6 +41,7 @@ impl Reply {
             missing: job.len(),
             tests: vec![0; if job.is_counted() { job.len() } else { 0 }],
             own_tests: Vec::new(),
+            outlines: Vec::new(),
             ending: Ending::Complete,
             start: Duration::ZERO,
             printed: String::new(),
@@ -133,11 +137,14 @@ impl Reply {
             let missing = answers.iter().filter(|answer| answer.is_none()).count();
             let later = self.tests.split_off(length.min(self.tests.len()));
             let tests = std::mem::replace(&mut self.tests, later);
+            let later = self.outlines.split_off(length.min(self.outlines.len()));
+            let outlines = std::mem::replace(&mut self.outlines, later);
             parts.push(Reply {
                 answers,
                 missing,
                 tests,
                 own_tests: Vec::new(),
+                outlines,
                 ending: self.ending.clone(),
                 start: self.start,
                 printed: String::new(),
@@ -145,6 +152,21 @@ impl Reply {
         }
         assert!(self.answers.is_empty(), "the parts leave answers over");
         parts
+    }
+
+    /// Keeps what is drawn of an answer, but not judged.
+    fn keep_for_pictures(&mut self, job: &Job, index: usize, sent: &WireAnswer) {
+        match (sent, job.questions()) {
+            (WireAnswer::Counted(_, tests), _) => {
+                self.own_tests.resize(job.len(), 0);
+                self.own_tests[index] = *tests;
+            }
+            (WireAnswer::Tree(tree), Some(Questions::Tree(all))) => {
+                self.outlines.resize(job.len(), Vec::new());
+                self.outlines[index] = all[index].outline(tree);
+            }
+            _ => {}
+        }
     }
 
     /// Stores one message, and says what comes next.
@@ -190,19 +212,16 @@ impl Reply {
                 if places.iter().any(Option::is_some) {
                     return Err("it answered a question twice".into());
                 }
-                for (index, sent) in (first..end).zip(&answers) {
-                    if let WireAnswer::Counted(_, tests) = sent {
-                        self.own_tests.resize(job.len(), 0);
-                        self.own_tests[index] = *tests;
-                    }
-                }
-                let sent = (first..end).zip(answers);
-                let answers: Option<Vec<Answer>> =
-                    sent.map(|(index, sent)| job.receive(index, sent)).collect();
-                let answers = answers.ok_or("it sent an answer to another kind of question")?;
-                self.missing -= answers.len();
-                for (place, answer) in places.iter_mut().zip(answers) {
+                let sent = || (first..end).zip(&answers);
+                let received = sent().map(|(index, sent)| job.receive(index, sent));
+                let received: Option<Vec<Answer>> = received.collect();
+                let received = received.ok_or("it sent an answer to another kind of question")?;
+                self.missing -= received.len();
+                for (place, answer) in places.iter_mut().zip(received) {
                     *place = Some(answer);
+                }
+                for (index, sent) in sent() {
+                    self.keep_for_pictures(job, index, sent);
                 }
                 Ok(match self.missing {
                     0 => Next::End,

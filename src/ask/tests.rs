@@ -13,7 +13,7 @@ use crate::kind::{
 use crate::ray::{Hit, Intersection, Ray};
 use crate::scene::Scene;
 use crate::testing::Random;
-use crate::tree::{FlatNode, FlatTree, TreeMeasures};
+use crate::tree::{FlatNode, FlatTree, NodeBox, TreeMeasures};
 use glam::DVec3;
 
 mod fuzz;
@@ -159,11 +159,43 @@ mod message {
         refused(&hits(2), &[message(counted)], "another kind");
     }
 
+    fn tree_question(boxes: Vec<BoundingBox>) -> TreeQuestion {
+        TreeQuestion {
+            boxes,
+            example: FlatTree::default(),
+        }
+    }
+
+    #[test]
+    fn trees_are_kept_as_outlines_for_pictures() {
+        let bounds = |x: f64| BoundingBox {
+            min: DVec3::splat(x),
+            max: DVec3::splat(x + 1.0),
+        };
+        let ask = |x| Questions::Tree(vec![tree_question(vec![bounds(x)]); 2]);
+        let mut both = ask(0.0);
+        assert!(both.append(&ask(5.0)));
+        let job = Job::Ask(both);
+        let mut reply = Reply::before(&job);
+        assert!(reply.outlines.is_empty());
+        let leaf = || WireAnswer::Tree(FlatTree(vec![FlatNode::Leaf(vec![0])]));
+        let answers = (0..4).map(|_| leaf()).collect();
+        let next = reply.take(&job, Message::Answers { first: 0, answers });
+        assert_eq!(next, Ok(Next::End));
+        for (part, x) in reply.split([2, 2].into_iter()).iter().zip([0.0, 5.0]) {
+            let root = NodeBox {
+                depth: 0,
+                bounds: bounds(x),
+            };
+            assert_eq!(part.outlines, [[root], [root]]);
+        }
+    }
+
     #[test]
     fn a_list_of_nodes_that_is_no_tree_is_refused() {
         let (min, max) = (DVec3::ZERO, DVec3::ONE);
         let boxes = vec![BoundingBox { min, max }];
-        let job = Job::Ask(Questions::Tree(vec![TreeQuestion { boxes }]));
+        let job = Job::Ask(Questions::Tree(vec![tree_question(boxes)]));
         let tree = |nodes| Message::Answers {
             first: 0,
             answers: vec![WireAnswer::Tree(FlatTree(nodes))],

@@ -92,9 +92,9 @@ impl From<Answer> for WireAnswer {
 
 impl WireAnswer {
     /// What was sent, as the answer to a question about hits.
-    pub(crate) fn hit(self) -> Option<Answer> {
+    pub(crate) fn hit(&self) -> Option<Answer> {
         match self {
-            WireAnswer::Answer(answer @ Answer::Hit(_)) => Some(answer),
+            WireAnswer::Answer(answer @ Answer::Hit(_)) => Some(*answer),
             _ => None,
         }
     }
@@ -138,6 +138,7 @@ impl BoundingBox {
             unit: "",
             channels,
             scale: 1.0,
+            is_limit: false,
         };
         let (low, high) = BOX_CHANNELS.split_at(3);
         vec![part("min", self.min, low), part("max", self.max, high)]
@@ -154,6 +155,7 @@ impl Hit {
             unit: "",
             channels,
             scale: 1.0,
+            is_limit: false,
         };
         let Intersection { t, normal } = self.intersection;
         vec![

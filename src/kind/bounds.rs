@@ -48,9 +48,9 @@ impl Question for BoundsQuestion {
         .into())
     }
 
-    fn receive(&self, sent: WireAnswer) -> Option<Answer> {
+    fn receive(&self, sent: &WireAnswer) -> Option<Answer> {
         match sent {
-            WireAnswer::Answer(answer @ Answer::Box(_)) => Some(answer),
+            WireAnswer::Answer(answer @ Answer::Box(_)) => Some(*answer),
             _ => None,
         }
     }

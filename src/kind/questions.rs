@@ -178,7 +178,7 @@ impl Questions {
 
     /// Turns what was sent for one of them into an answer; `None` if it answers another kind of
     /// question.
-    pub(crate) fn receive(&self, index: usize, sent: WireAnswer) -> Option<Answer> {
+    pub(crate) fn receive(&self, index: usize, sent: &WireAnswer) -> Option<Answer> {
         self.question(index).receive(sent)
     }
 

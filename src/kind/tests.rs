@@ -99,7 +99,14 @@ fn ray_and_box() -> Channels<'static> {
 }
 
 fn boxes_for_a_tree() -> Channels<'static> {
-    [vec![("count", 2.0)], bounding_box(0), bounding_box(1)].concat()
+    let places = vec![
+        ("count", 2.0),
+        ("0.leaf", 1.0),
+        ("0.depth", 1.0),
+        ("1.leaf", 0.0),
+        ("1.depth", 1.0),
+    ];
+    [places, bounding_box(0), bounding_box(1)].concat()
 }
 
 /// A branch with a leaf of two triangles, of which the second is met, and one that is missed.

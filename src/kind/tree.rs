@@ -1,3 +1,5 @@
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 use super::{Answer, AnswerFn, Kind, Question, Unregistered, WireAnswer};
@@ -5,7 +7,7 @@ use crate::bounds::BoundingBox;
 use crate::fact::Fact;
 use crate::film::Samples;
 use crate::part::{Condition, Part, Quantity};
-use crate::tree::{FlatTree, TreeMeasures};
+use crate::tree::{FlatTree, NodeBox, TreeMeasures};
 use crate::words::number;
 
 /// Which tree holds triangles with these boxes?
@@ -13,6 +15,9 @@ use crate::words::number;
 pub struct TreeQuestion {
     /// The box of each triangle, in the mesh's order; at least one.
     pub boxes: Vec<BoundingBox>,
+    /// One of the right trees, for pictures. It stays with the asker.
+    #[serde(skip)]
+    pub example: FlatTree,
 }
 
 /// A pixel of a question film can hold at most this many boxes.
@@ -32,8 +37,27 @@ impl TreeQuestion {
         let boxes = (0..count).map(|k| samples.bounding_box(&k.to_string()));
         Ok(TreeQuestion {
             boxes: boxes.collect::<Result<_, String>>()?,
+            example: example(samples, count)?,
         })
     }
+
+    /// The boxes of a tree's upper nodes, for pictures.
+    pub fn outline(&self, tree: &FlatTree) -> Vec<NodeBox> {
+        tree.outline(&self.boxes)
+    }
+}
+
+/// A tree over this many triangles. The film says of each in which of the leaves it is, and how
+/// deep that leaf is.
+fn example(samples: Samples<'_>, count: usize) -> Result<FlatTree, String> {
+    let mut leaves: BTreeMap<usize, (usize, Vec<usize>)> = BTreeMap::new();
+    for k in 0..count {
+        let depth = samples.count(&format!("{k}.depth"))?;
+        let leaf = leaves.entry(samples.count(&format!("{k}.leaf"))?);
+        leaf.or_insert((depth, Vec::new())).1.push(k);
+    }
+    FlatTree::of_leaves(leaves.into_values().collect())
+        .ok_or_else(|| "its leaves make no tree".into())
 }
 
 impl Question for TreeQuestion {
@@ -52,7 +76,7 @@ impl Question for TreeQuestion {
         Ok(WireAnswer::Tree(tree))
     }
 
-    fn receive(&self, sent: WireAnswer) -> Option<Answer> {
+    fn receive(&self, sent: &WireAnswer) -> Option<Answer> {
         match sent {
             WireAnswer::Tree(tree) if tree.is_tree() => {
                 Some(Answer::Tree(tree.measure(&self.boxes)))
@@ -139,6 +163,7 @@ impl TreeMeasures {
             unit: "",
             channels,
             scale: 1.0,
+            is_limit: true,
         };
         let mut parts = vec![
             part(

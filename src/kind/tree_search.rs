@@ -116,25 +116,67 @@ impl SearchQuestion {
                 let entered = t.filter(|(enter, leave)| enter <= leave);
                 Some(TestResult::Box(entered.map(|(enter, _)| enter)))
             }
-            Test::Triangle { triangle, min_t } => {
-                let is_there = |node: &FlatNode| match node {
-                    FlatNode::Leaf(members) => members.contains(&triangle),
-                    FlatNode::Branch(_) => false,
-                };
-                self.tree.0.iter().any(is_there).then(|| {
-                    let met = self.results.triangles.iter();
-                    let met = met.filter(|hit| hit.object == triangle);
-                    let mut met = met.filter(|hit| hit.intersection.t >= min_t);
-                    TestResult::Triangle(met.next().map(|hit| hit.intersection))
-                })
-            }
+            Test::Triangle { triangle, min_t } => self.leaf_of(triangle).map(|_| {
+                let met = self.results.triangles.iter();
+                let met = met.filter(|hit| hit.object == triangle);
+                let mut met = met.filter(|hit| hit.intersection.t >= min_t);
+                TestResult::Triangle(met.next().map(|hit| hit.intersection))
+            }),
         }
+    }
+
+    /// The t at which the ray enters a node's box, from `min_t` on.
+    fn entry(&self, node: usize) -> Option<f64> {
+        let inside = self.results.boxes.get(node)?.as_ref()?;
+        let t = inside.start().max(self.min_t);
+        (t <= *inside.end()).then_some(t)
+    }
+
+    /// The leaf that names a triangle.
+    fn leaf_of(&self, triangle: usize) -> Option<usize> {
+        let mut nodes = self.tree.0.iter();
+        nodes.position(|node| match node {
+            FlatNode::Leaf(members) => members.contains(&triangle),
+            FlatNode::Branch(_) => false,
+        })
+    }
+
+    /// The nodes that lead to a triangle, its leaf first, each with the node beside it. The root
+    /// is left out.
+    fn way_to(&self, triangle: usize) -> impl Iterator<Item = WayNode> {
+        let above = |node: usize| {
+            let branches = self.tree.0.iter().enumerate();
+            branches.into_iter().find_map(|(parent, it)| match it {
+                FlatNode::Branch([a, b]) if *a == node => Some((parent, *b, false)),
+                FlatNode::Branch([a, b]) if *b == node => Some((parent, *a, true)),
+                _ => None,
+            })
+        };
+        let mut next = self.leaf_of(triangle);
+        std::iter::from_fn(move || {
+            let node = next?;
+            let (parent, beside, is_second) = above(node)?;
+            next = Some(parent);
+            Some(WayNode {
+                node,
+                beside,
+                is_second,
+            })
+        })
     }
 
     /// The limit on the tests of one search: ten times as many as there are boxes and triangles.
     pub(crate) fn most_tests(&self) -> usize {
         10 * self.tree.size()
     }
+}
+
+/// A node on the way to a triangle.
+struct WayNode {
+    node: usize,
+    /// The other child of its parent.
+    beside: usize,
+    is_second: bool,
 }
 
 impl Question for SearchQuestion {
@@ -195,13 +237,25 @@ impl Question for SearchQuestion {
     }
 
     fn quantities(&self, _: &Answer) -> Vec<Quantity> {
-        vec![Quantity::new("min_t", self.min_t)]
+        let entry = self.entry(0).unwrap_or(f64::NAN);
+        vec![
+            Quantity::new("min_t", self.min_t),
+            Quantity::new("the t at which the ray enters the root's box", entry),
+        ]
     }
 
     fn conditions(&self, answer: &Answer) -> Vec<Condition> {
         let t = answer.hit().map_or(f64::NAN, |hit| hit.intersection.t);
         let root = matches!(self.tree.0[0], FlatNode::Leaf(_));
         let boxes = self.results.boxes.first();
+        let way = || {
+            let hit = answer.hit().into_iter();
+            hit.flat_map(|hit| self.way_to(hit.object))
+        };
+        let is_later = |it: WayNode| {
+            let entries = self.entry(it.node).zip(self.entry(it.beside));
+            entries.is_some_and(|(own, beside)| own > beside)
+        };
         vec![
             Condition::new("t is below min_t", "t is min_t or more", t < self.min_t),
             Condition::new("the root is a leaf", "the root is a branch", root),
@@ -210,10 +264,20 @@ impl Question for SearchQuestion {
                 "the ray meets the root's box",
                 boxes.is_none_or(Option::is_none),
             ),
+            Condition::new(
+                "a second child leads to the triangle",
+                "only first children lead to the triangle",
+                way().any(|it| it.is_second),
+            ),
+            Condition::new(
+                "a box with the triangle is entered after the box beside it",
+                "each box with the triangle is entered before the box beside it",
+                way().any(is_later),
+            ),
         ]
     }
 
-    fn others(&self, _: &Answer) -> Vec<(&'static str, Answer)> {
+    fn others(&self, right: &Answer) -> Vec<(&'static str, Answer)> {
         let met = &self.results.triangles;
         let by_t = |a: &&Hit, b: &&Hit| a.intersection.t.total_cmp(&b.intersection.t);
         let farthest = met.iter().max_by(by_t);
@@ -223,7 +287,14 @@ impl Question for SearchQuestion {
             ("that of the nearest triangle whatever min_t is", nearest),
         ];
         let answer = |(name, hit): (_, Option<&Hit>)| Some((name, Answer::Hit(Some(*hit?))));
-        all.into_iter().filter_map(answer).collect()
+        let of_leaf = right.hit().and_then(|mut hit| {
+            hit.intersection.t = self.entry(self.leaf_of(hit.object)?)?;
+            Some((
+                "that at which the ray enters the leaf's box",
+                Answer::Hit(Some(hit)),
+            ))
+        });
+        all.into_iter().filter_map(answer).chain(of_leaf).collect()
     }
 }
 

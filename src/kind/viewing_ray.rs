@@ -78,9 +78,9 @@ impl Question for CameraQuestion {
         Ok(Answer::Ray(self.ray(functions)?).into())
     }
 
-    fn receive(&self, sent: WireAnswer) -> Option<Answer> {
+    fn receive(&self, sent: &WireAnswer) -> Option<Answer> {
         match sent {
-            WireAnswer::Answer(answer @ Answer::Ray(_)) => Some(answer),
+            WireAnswer::Answer(answer @ Answer::Ray(_)) => Some(*answer),
             _ => None,
         }
     }
@@ -132,6 +132,7 @@ impl Question for CameraQuestion {
             unit: "",
             channels,
             scale: 1.0,
+            is_limit: false,
         };
         Some(vec![
             Part {
@@ -141,6 +142,7 @@ impl Question for CameraQuestion {
                 unit: " pixels",
                 channels,
                 scale: 1.0 / per_unit[0].max(per_unit[1]),
+                is_limit: false,
             },
             of_frame("the origin", start, origin),
             of_frame("the direction", direction, along),

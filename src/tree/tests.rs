@@ -41,6 +41,65 @@ fn a_flat_tree_lists_a_branch_before_its_first_child_and_then_the_second() {
 }
 
 #[test]
+fn the_depths_of_its_leaves_determine_a_tree() {
+    let shapes = [
+        leaf(&[0, 1]),
+        branch(leaf(&[0]), leaf(&[1])),
+        branch(branch(leaf(&[2]), leaf(&[0])), leaf(&[1])),
+        branch(
+            leaf(&[2]),
+            branch(leaf(&[0]), branch(leaf(&[3]), leaf(&[1]))),
+        ),
+    ];
+    for tree in shapes.map(FlatTree::from) {
+        let depths = tree.depths();
+        let leaves = tree
+            .0
+            .iter()
+            .zip(depths)
+            .filter_map(|(node, depth)| match node {
+                FlatNode::Leaf(members) => Some((depth, members.clone())),
+                FlatNode::Branch(_) => None,
+            });
+        assert_eq!(FlatTree::of_leaves(leaves.collect()), Some(tree));
+    }
+    for depths in [
+        &[][..],
+        &[1],
+        &[0, 0],
+        &[1, 2],
+        &[1, 1, 1],
+        &[usize::MAX, usize::MAX],
+    ] {
+        let leaves = depths.iter().map(|depth| (*depth, vec![0]));
+        assert_eq!(FlatTree::of_leaves(leaves.collect()), None, "{depths:?}");
+    }
+}
+
+#[test]
+fn the_outline_of_a_hostile_tree_is_short() {
+    let places = |outline: &[NodeBox]| {
+        let places = outline.iter().map(|node| (node.depth, node.bounds.min.x));
+        places.collect::<Vec<_>>()
+    };
+    let tree = branch(leaf(&[7, 1, 1]), branch(leaf(&[]), leaf(&[0])));
+    let outline = FlatTree::from(tree).outline(&cubes(2));
+    // Nothing is drawn of triangle 7, which does not exist, or of a leaf without any.
+    assert_eq!(places(&outline), [(0, 0.0), (1, 2.0), (1, 0.0), (2, 0.0)]);
+    let full = |depth: u32| {
+        let leaves = (0..1 << depth).map(|_| (depth as usize, vec![0]));
+        FlatTree::of_leaves(leaves.collect()).expect("all its leaves are equally deep")
+    };
+    let outline = full(12).outline(&cubes(1));
+    assert_eq!(outline.len(), 15);
+    assert_eq!(
+        outline.iter().map(|node| node.depth).max(),
+        Some(DEEPEST_DRAWN)
+    );
+    assert_eq!(FlatTree::default().outline(&cubes(1)), []);
+}
+
+#[test]
 fn boxes_of_branches_enclose_those_of_their_children() {
     let flat = FlatTree::from(branch(leaf(&[0]), leaf(&[1, 2])));
     let cubes = cubes(3);

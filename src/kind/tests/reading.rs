@@ -1,6 +1,7 @@
 //! Questions are read as they were written.
 
 use super::*;
+use crate::tree::{FlatNode, FlatTree};
 
 #[track_caller]
 fn only_shape(task: &str, question: Channels<'_>) -> Shape {
@@ -96,6 +97,59 @@ fn a_max_t_too_great_for_a_film_is_none() {
         };
         assert_eq!(questions[0].max_t, expected);
     }
+}
+
+#[test]
+fn a_tree_to_show_stays_with_the_asker() {
+    let Questions::Tree(questions) = ask("tree", &boxes_for_a_tree()).unwrap() else {
+        panic!("it asks for a tree");
+    };
+    let leaf = |triangle| FlatNode::Leaf(vec![triangle]);
+    let shown = [FlatNode::Branch([1, 2]), leaf(1), leaf(0)];
+    assert_eq!(questions[0].example.0, shown);
+    let sent = postcard::to_stdvec(&questions[0]).unwrap();
+    let received: TreeQuestion = postcard::from_bytes(&sent).unwrap();
+    assert_eq!(received.boxes, questions[0].boxes);
+    assert_eq!(received.example, FlatTree::default());
+}
+
+#[test]
+fn a_search_knows_how_the_ray_gets_to_a_triangle() {
+    let questions = ask("tree_search", &search()).unwrap();
+    let hit = |object| {
+        let intersection = Intersection {
+            t: 2.5,
+            normal: DVec3::Y,
+        };
+        let hit = Hit {
+            object,
+            intersection,
+        };
+        Answer::Hit(Some(hit))
+    };
+    let second = "a second child leads to the triangle";
+    for (triangle, is_second) in [(2, false), (0, true), (9, false)] {
+        let conditions = questions.conditions(0, &hit(triangle)).into_iter();
+        let met: Vec<&str> = conditions.filter(|it| it.holds).map(|it| it.name).collect();
+        assert_eq!(met.contains(&second), is_second, "{met:?}");
+        assert!(
+            !met.iter()
+                .any(|name| name.contains("after the box beside it"))
+        );
+    }
+    let later = with(with(search(), "2.near", 0.5), "2.far", 2.0);
+    let questions = ask("tree_search", &later).unwrap();
+    let conditions = questions.conditions(0, &hit(2)).into_iter();
+    let later = "a box with the triangle is entered after the box beside it";
+    assert!(conditions.filter(|it| it.holds).any(|it| it.name == later));
+    let entry = questions.quantities(0, &hit(2)).pop().unwrap();
+    assert_eq!(entry.name, "the t at which the ray enters the root's box");
+    assert_eq!(entry.value, 1.0);
+    let (name, Answer::Hit(Some(other))) = questions.others(0, &hit(0)).pop().unwrap() else {
+        panic!("it is no hit");
+    };
+    assert_eq!(name, "that at which the ray enters the leaf's box");
+    assert_eq!((other.object, other.intersection.t), (0, 0.5));
 }
 
 #[test]

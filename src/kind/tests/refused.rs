@@ -117,6 +117,14 @@ fn a_tree_is_asked_for_over_at_least_one_box_and_not_too_many() {
 }
 
 #[test]
+fn leaves_of_a_tree_to_show_form_a_tree() {
+    for depth in [0.0, 2.0, 1e30] {
+        let question = with(boxes_for_a_tree(), "1.depth", depth);
+        refused("tree", &question, "its leaves don't form a tree");
+    }
+}
+
+#[test]
 fn nodes_to_search_form_a_tree() {
     for second in [1.0, 3.0] {
         let question = with(search(), "0.second", second);

@@ -319,7 +319,11 @@ fn a_tree_is_measured_by_the_asker() {
         max: dvec3(x + 1.0, 1.0, 1.0),
     };
     let boxes: Vec<BoundingBox> = (0..3).map(|x| bounds(2.0 * f64::from(x))).collect();
-    let job = Job::Ask(Questions::Tree(vec![TreeQuestion { boxes }; 300]));
+    let question = TreeQuestion {
+        boxes: boxes.clone(),
+        example: FlatTree::default(),
+    };
+    let job = Job::Ask(Questions::Tree(vec![question; 300]));
     let measures = TreeMeasures {
         misplaced: 0,
         depth: 2,

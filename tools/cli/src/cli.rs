@@ -121,7 +121,7 @@ pub struct Check {
 /// film.exr holds the id, t and normal of each pixel. id.png, depth.png and normal.png show them in
 /// false colours. If the scene has a golden, depth.png uses the golden's range of depths, so that
 /// you can compare the two pictures. If the assignment counts the tests of boxes and triangles,
-/// tests.png shows how many each pixel took.
+/// tests.png shows how many each pixel took, and expected-tests.png how many our own answers take.
 ///
 /// While some of your answers are missing, Mitsuba's film fills in for them. Its pixels are faded
 /// in the pictures, so that you see what your own code does after each task.

@@ -22,8 +22,8 @@ use crate::error::{Error, Result};
 use crate::goldens::questions::{Group, QuestionFilm};
 use crate::goldens::{GoldenScene, Goldens};
 use crate::outcome::{
-    CountedFilm, Examination, FilmOutcome, GroupOutcome, Outcome, OwnRays, SceneFilm, SceneOutcome,
-    Status, TaskOutcome,
+    Examination, FilmOutcome, GroupOutcome, GroupPicture, Outcome, OwnRays, SceneFilm,
+    SceneOutcome, Status, TaskOutcome,
 };
 use crate::sandbox::Sandbox;
 use crate::second_judge::SecondJudge;
@@ -106,11 +106,11 @@ impl Examiner<'_> {
         let tasks: Vec<&Task> = tasks
             .filter(|task| selection.has_task(&task.name))
             .collect();
-        let (mut counted, mut printed) = (Vec::new(), Vec::new());
+        let (mut pictures, mut printed) = (Vec::new(), Vec::new());
         let mut answered = Vec::new();
-        for (outcome, films, text) in self.each(&tasks, |task| self.task(task))? {
+        for (outcome, drawn, text) in self.each(&tasks, |task| self.task(task))? {
             answered.push(outcome);
-            counted.extend(films);
+            pictures.extend(drawn);
             printed.push(text);
         }
         let tasks = answered;
@@ -148,7 +148,7 @@ impl Examiner<'_> {
         let mut examination = Examination {
             outcome,
             films,
-            counted,
+            pictures,
         };
         timed("diagnose scenes", || {
             self.goldens.diagnose_scenes(&mut examination)
@@ -203,14 +203,14 @@ impl Examiner<'_> {
         late.filter_map(|outcome| self.assignment.task(&outcome.name))
     }
 
-    fn task(&self, task: &Task) -> Result<(TaskOutcome, Vec<CountedFilm>, String)> {
+    fn task(&self, task: &Task) -> Result<(TaskOutcome, Vec<GroupPicture>, String)> {
         let questions = self.goldens.cached_questions(task)?;
         let all = self.ask_task(task, &questions)?;
         let printed: String = all.iter().map(|reply| reply.printed.as_str()).collect();
         let mut replies = all.iter();
         let mut results = Vec::new();
         let mut casts = Vec::new();
-        let mut counted: Vec<CountedFilm> = Vec::new();
+        let mut pictures: Vec<GroupPicture> = Vec::new();
         for Group {
             name,
             worth,
@@ -232,20 +232,17 @@ impl Examiner<'_> {
                     None if self.interactive => describe::panicked(film, reply),
                     None => Vec::new(),
                 };
-                let outcome = judged.outcome;
+                let outcome = judged.outcome.clone();
                 // The first film that fails is reported for its group.
                 let is_reported = result
                     .as_ref()
                     .is_none_or(|(earlier, _): &(FilmOutcome, _)| earlier.passes());
-                if let Some(cast) = judged.film.as_ref().filter(|_| film.job.is_counted())
-                    && is_reported
-                {
-                    counted.retain(|other| other.group != *name);
-                    counted.push(CountedFilm {
+                if is_reported && let Some(shows) = judged.picture(film, reply) {
+                    pictures.retain(|other| other.group != *name);
+                    pictures.push(GroupPicture {
                         task: task.name.clone(),
                         group: name.clone(),
-                        golden: film.golden.film().clone(),
-                        film: cast.clone(),
+                        shows,
                     });
                 }
                 casts.push(Cast {
@@ -289,7 +286,7 @@ impl Examiner<'_> {
             let warnings = self.program.warnings.get(&task.name);
             outcome.warnings = warnings.cloned().unwrap_or_default();
         }
-        Ok((outcome, counted, printed))
+        Ok((outcome, pictures, printed))
     }
 
     /// Whether the answer that gives rays was judged, and passes.

@@ -178,6 +178,12 @@ impl Goldens {
     }
 }
 
+/// Where the film lies that says how many tests the reference took for each pixel of a golden's
+/// scene. Only assignments that count tests have one.
+pub fn tests_beside(golden: &Path) -> PathBuf {
+    golden.with_extension("tests.exr")
+}
+
 fn own(file: PathBuf, worth: u32) -> GoldenScene {
     let name = file
         .file_stem()

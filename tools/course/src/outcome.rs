@@ -11,8 +11,8 @@ mod task;
 
 use std::path::PathBuf;
 
-use pinhole::Film;
 use pinhole::judge::{Golden, Verdict};
+use pinhole::{BoundingBox, Film, NodeBox};
 use serde::{Deserialize, Serialize};
 
 use crate::diagnosis::Diagnosis;
@@ -32,21 +32,40 @@ pub struct Examination {
     pub outcome: Outcome,
     /// What was cast, in the order of the outcome's scenes.
     pub films: Vec<SceneFilm>,
-    /// Films of questions whose tests are counted, one for each group.
-    pub counted: Vec<CountedFilm>,
+    /// What can be drawn of questions, at most one picture for each group.
+    pub pictures: Vec<GroupPicture>,
 }
 
-/// A group's film whose tests are counted, for pictures.
+/// What can be drawn of a group of questions.
 #[derive(Debug)]
-pub struct CountedFilm {
+pub struct GroupPicture {
     /// The task.
     pub task: String,
     /// The group of questions.
     pub group: String,
-    /// How many tests are enough, as Mitsuba's film says.
-    pub golden: Film,
-    /// What the submission answered, and with how many tests.
-    pub film: Film,
+    /// What is drawn.
+    pub shows: Picture,
+}
+
+/// An answer beside what is expected, for people.
+#[derive(Debug)]
+pub enum Picture {
+    /// The tests that each question took.
+    Tests {
+        /// How many are enough, as Mitsuba's film says.
+        golden: Film,
+        /// What the submission answered, and with how many.
+        film: Film,
+    },
+    /// The worst of a group's trees.
+    Tree {
+        /// The boxes of the triangles.
+        triangles: Vec<BoundingBox>,
+        /// The upper boxes of a right tree.
+        expected: Vec<NodeBox>,
+        /// Those of the submission's tree.
+        got: Vec<NodeBox>,
+    },
 }
 
 /// A scene's film and what it was compared with, for pictures.

@@ -2,6 +2,7 @@
 
 pub mod arguments;
 mod mistake_films;
+mod test_films;
 mod verify;
 
 use std::ffi::{OsStr, OsString};
@@ -60,7 +61,7 @@ fn mistakes(
 }
 
 /// Stores the known mistakes' fingerprints for these scenes, and for the questions if the folder
-/// has any.
+/// has any. Also stores how many tests the reference takes for the scenes.
 fn fingerprint(
     manifest: &mut Manifest,
     folder: &Path,
@@ -73,6 +74,9 @@ fn fingerprint(
     let probes = manifest.probe_seed.is_some();
     let written = mistake_films::make(assignment, &goldens, probes, checkout, &progress)?;
     progress.clear();
+    for film in test_films::make(assignment, &goldens, checkout)? {
+        manifest.add_film(&film, folder)?;
+    }
     manifest.set_mistakes(&written, folder, assignment)?;
     let mistakes = KnownMistakes::read(folder)?.mistake.len();
     Ok(format!(

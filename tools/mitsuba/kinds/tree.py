@@ -25,6 +25,9 @@ COST = 1.1
 splits by the surface area heuristic need 0.4 to 1.5 times those of the costliest middle split,
 and triangles that are halved in the order of the list up to 4.6 times."""
 
+SHOWN_LEAF = 4
+"""How many triangles a leaf of the tree has that a wrong one is shown beside."""
+
 ANY_COST = 1e6
 """More expected tests than any tree over so few triangles needs."""
 
@@ -42,13 +45,20 @@ class Question:
     channels = (
         "count",
         *(f"{k}.{channel}" for k in range(SLOTS) for channel in BOX_CHANNELS),
+        *(f"{k}.{channel}" for k in range(SLOTS) for channel in ("leaf", "depth")),
     )
 
     def values(self):
-        """The pixel of the question's film."""
+        """The pixel of the question's film: the boxes, and a right tree for pictures. Of each
+        triangle it says in which of the leaves it is, and how deep that leaf is. The depths of
+        all leaves, from the first to the last, fit one binary tree alone."""
         values = np.zeros(len(self.channels))
         values[0] = len(self.boxes)
         values[1 : 1 + self.boxes.size] = self.boxes.ravel()
+        tree = split(self.boxes, SHOWN_LEAF, below_middle)
+        for k, (members, deep) in enumerate(leaves(tree)):
+            for member in members:
+                values[1 + 6 * SLOTS + 2 * member :][:2] = k, deep
         return values
 
     def answer(self):
@@ -126,6 +136,13 @@ def in_first_half(places):
 def depth(tree):
     """How many branches are on the way to the deepest leaf."""
     return 1 + max(map(depth, tree)) if isinstance(tree, tuple) else 0
+
+
+def leaves(tree, deep=0):
+    """The members and the depth of each leaf, from the first to the last."""
+    if isinstance(tree, tuple):
+        return [leaf for child in tree for leaf in leaves(child, deep + 1)]
+    return [(tree, deep)]
 
 
 def members_of(tree):

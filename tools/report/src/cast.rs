@@ -23,6 +23,8 @@ pub struct Cast {
     pub film: Film,
     /// How many tests each pixel took, if that is counted.
     pub tests: Option<Film>,
+    /// How many tests our answers take for each pixel of the scene, if that is known.
+    pub expected_tests: Option<Film>,
     /// Who cast it: a submission's folder, or one of the study's methods.
     pub by: String,
     /// How long the cast took.
@@ -80,11 +82,17 @@ impl Cast {
         let pictures = pictures::write(out, "", &self.film, depth_per_t, range.clone(), copied)?;
         written.extend(pictures);
         let mut scale = None;
-        if let Some(tests) = &self.tests
-            && let Some(of_tests) = HeatScale::of(&[tests])
-        {
-            written.push(pictures::write_tests(out, "", tests, &of_tests)?);
-            scale = Some(of_tests);
+        if let Some(tests) = &self.tests {
+            // Films side by side need one scale.
+            let expected = self.expected_tests.as_ref();
+            let films = [Some(tests), expected].into_iter().flatten();
+            scale = HeatScale::of(&films.collect::<Vec<_>>());
+            if let Some(scale) = &scale {
+                written.push(pictures::write_tests(out, "", tests, scale)?);
+                if let Some(expected) = expected {
+                    written.push(pictures::write_tests(out, "expected-", expected, scale)?);
+                }
+            }
         }
         self.show(&range, scale.as_ref(), &written, json);
         Ok(match self.problem {
@@ -114,6 +122,7 @@ impl Cast {
                     "hits": hits,
                     "depth_range": [range.start, range.end],
                     "tests": self.tests.as_ref().map(heat_map::sum),
+                    "expected_tests": self.expected_tests.as_ref().map(heat_map::sum),
                     "seconds": self.seconds,
                     "files": written,
                     "problem": self.problem,
@@ -142,6 +151,10 @@ impl Cast {
                     "tests.png: {scale} for a pixel, {} in all",
                     number(heat_map::sum(film), 9)
                 );
+                if let Some(expected) = &self.expected_tests {
+                    let sum = number(heat_map::sum(expected), 9);
+                    anstream::println!("expected-tests.png: by our answers, {sum} in all");
+                }
             }
             for file in written {
                 anstream::println!("wrote {file}");

@@ -1,8 +1,9 @@
 //! The report: one HTML file that opens from disk and loads nothing else.
 //!
 //! Reading order: `task` and `scene` hold what the page shows; `cause` says why a pixel is wrong;
-//! `heat` shows tests; `belief` holds diagnoses; `pixels`, `window` and `rays` hold the data of
-//! films; `page` turns it all into HTML. Then read `templates`, and `viewer.js` there.
+//! `heat` shows tests and `tree` shows trees; `belief` holds diagnoses; `pixels`, `window` and
+//! `rays` hold the data of films; `page` turns it all into HTML. Then read `templates`, and
+//! `viewer.js` there.
 
 mod belief;
 mod cause;
@@ -18,6 +19,7 @@ mod task;
 mod testing;
 #[cfg(test)]
 mod tests;
+mod tree;
 mod window;
 
 use std::path::Path;
@@ -35,6 +37,7 @@ pub use belief::Beliefs;
 pub use heat::HeatMaps;
 pub use page::{PAGE_CSS, environment, policy};
 use pinhole_course::error::{Result, ResultExt};
+use pinhole_course::goldens::tests_beside;
 use pinhole_course::outcome::{Examination, FilmOutcome, Outcome, SceneFilm, SceneOutcome};
 use pinhole_course::shell::PINHOLE;
 pub use rays::{RayGrid, SubmittedRays};
@@ -115,7 +118,7 @@ impl Report {
         let Examination {
             outcome,
             films,
-            counted,
+            pictures,
         } = examination;
         let tasks = outcome.tasks.iter().enumerate();
         let told: Vec<BeliefReference> = tasks
@@ -147,7 +150,7 @@ impl Report {
             said: said.into_iter().flatten().collect::<Vec<_>>().join(" "),
             points: outcome.points.map(|points| (points, outcome.possible)),
             tasks: tasks
-                .map(|(k, task)| TaskSection::of(k, task, counted, &again.part))
+                .map(|(k, task)| TaskSection::of(k, task, pictures, &again.part))
                 .collect(),
             scenes: scenes.collect::<Result<_>>()?,
             more_printed: lines.len().saturating_sub(MOST_PRINTED_LINES),
@@ -240,7 +243,12 @@ impl JudgedScene<'_> {
             verdict: cast.verdict.as_ref(),
             golden: &cast.golden,
             film: cast.film.as_ref(),
-            heat: cast.tests.as_ref().and_then(HeatMaps::alone),
+            heat: cast.tests.as_ref().and_then(|tests| {
+                match Film::read(&tests_beside(&self.goldens.join(&result.name))) {
+                    Ok(expected) => HeatMaps::beside(&expected, tests),
+                    Err(_) => HeatMaps::alone(tests),
+                }
+            }),
             scene: scene.as_ref(),
             rays,
             own_rays: SubmittedRays::of(&cast.rays),

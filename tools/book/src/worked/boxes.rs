@@ -148,6 +148,7 @@ fn tree(values: &mut Values, reference: &Reference) -> Result<()> {
     });
     let question = TreeQuestion {
         boxes: boxes.into(),
+        example: Default::default(),
     };
     let answer = reference.ask(&Job::Ask(Questions::Tree(vec![question])))?;
     let Answer::Tree(measures) = answer else {

@@ -7,12 +7,13 @@ use std::time::Instant;
 use pinhole::ask::{Ending, Reply};
 use pinhole::job::Job;
 use pinhole::preview::{Preview, TaskKind};
-use pinhole::{Film, Scene};
+use pinhole::{Film, Resolution, Scene};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::CompiledSubmission;
 use pinhole_course::error::Result;
 use pinhole_course::examine;
+use pinhole_course::goldens::tests_beside;
 use pinhole_course::progress::Progress;
 use pinhole_course::sandbox::Limits;
 use pinhole_report::cast::{Cast, Shares};
@@ -55,6 +56,7 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
     let tests = reply.own_tests(resolution);
     let cast = Cast {
         tests,
+        expected_tests: expected_tests(golden.as_deref(), resolution)?,
         scene: arguments.scene.clone(),
         film,
         by: whole.submission.folder.display().to_string(),
@@ -66,6 +68,13 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
         shares,
     };
     cast.deliver(&arguments.out, golden, depth_per_t, arguments.json)
+}
+
+/// How many tests our answers take for each pixel, if that is known for this size.
+fn expected_tests(golden: Option<&Path>, resolution: Resolution) -> Result<Option<Film>> {
+    let path = golden.map(tests_beside).filter(|path| path.is_file());
+    let film = path.map(|path| Film::read(&path)).transpose()?;
+    Ok(film.filter(|film| film.resolution() == resolution))
 }
 
 /// As much of the scene as can be cast. `None` if its golden films are missing or have another

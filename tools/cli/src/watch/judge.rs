@@ -177,7 +177,7 @@ impl OrderJudge {
                 self.tell_judged(Examination {
                     outcome,
                     films: Vec::new(),
-                    counted: Vec::new(),
+                    pictures: Vec::new(),
                 });
                 ControlFlow::Break(())
             }

@@ -100,7 +100,7 @@ impl State {
                     ..Outcome::new(&course.assignment.title, folder, course.sandbox.name())
                 },
                 films: Vec::new(),
-                counted: Vec::new(),
+                pictures: Vec::new(),
             },
             stamps: BTreeMap::new(),
             saved: BTreeMap::new(),

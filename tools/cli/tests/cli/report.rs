@@ -179,19 +179,57 @@ fn diff_writes_a_report_beside_its_pictures() {
     browser.expect_quiet();
 }
 
+/// A submission about bounding volumes that is right but for this answer of a mistake.
+fn with_mistake(name: &str, mistake: &str, file: &str) -> PathBuf {
+    let assignment = root().join("assignments/bounding_volumes");
+    let folder = fresh(&trusted(), name);
+    let copy = |from: PathBuf| {
+        let to = folder.join(from.file_name().expect("it is a file"));
+        std::fs::copy(from, to).expect("it can be copied");
+    };
+    for file in [
+        "triangle_box.rs",
+        "ray_box.rs",
+        "build_tree.rs",
+        "nearest_hit.rs",
+    ] {
+        copy(assignment.join("reference/src").join(file));
+    }
+    copy(assignment.join("mistakes").join(mistake).join(file));
+    folder
+}
+
+#[test]
+fn the_worst_tree_of_a_group_is_drawn_beside_a_right_one() {
+    let folder = with_mistake("report-tree", "build_tree_leaves_of_16", "build_tree.rs");
+    let picked = ["--assignment", "bounding_volumes", "--task", "build_tree"];
+    let browser = Browser::open(&report(&folder, &picked));
+    let shown = |what: &str| {
+        let all = format!("document.querySelectorAll('#task-0 .tree {what}')");
+        browser.value(&format!("{all}.length"))
+    };
+    let drawn = shown("figure").as_u64().expect("a number");
+    assert!(
+        drawn >= 6 && drawn % 2 == 0,
+        "two for each wrong group: {drawn}"
+    );
+    assert_eq!(shown("figure:first-child .depth-0"), drawn / 2);
+    // A right tree is split where leaves of up to 16 are not.
+    let boxes = |figure: &str| shown(&format!("figure:{figure}-child [class^=depth]")).as_u64();
+    assert!(boxes("first") > boxes("last"), "{:?}", boxes("last"));
+    let outside = "[...document.querySelectorAll('.tree figure path')].every((it) => {
+        const [path, all] = [it, it.ownerSVGElement].map((it) => it.getBoundingClientRect());
+        return path.left > all.left - 1 && path.right < all.right + 1
+            && path.top > all.top - 1 && path.bottom < all.bottom + 1;
+    })";
+    assert_eq!(browser.value(outside), true);
+    browser.expect_quiet();
+}
+
 #[test]
 fn tests_that_are_counted_have_heat_maps_on_one_scale() {
-    let assignment = root().join("assignments/bounding_volumes");
-    let folder = fresh(&trusted(), "report-heat");
-    for file in ["triangle_box.rs", "ray_box.rs", "build_tree.rs"] {
-        std::fs::copy(
-            assignment.join("reference/src").join(file),
-            folder.join(file),
-        )
-        .expect("it can be copied");
-    }
-    let slow = assignment.join("mistakes/nearest_hit_max_t_never_shrinks/nearest_hit.rs");
-    std::fs::copy(slow, folder.join("nearest_hit.rs")).expect("it can be copied");
+    let slow = "nearest_hit_max_t_never_shrinks";
+    let folder = with_mistake("report-heat", slow, "nearest_hit.rs");
     let picked = ["--task", "nearest_hit", "--scene", "teapot"];
     let page = report(
         &folder,
@@ -202,11 +240,7 @@ fn tests_that_are_counted_have_heat_maps_on_one_scale() {
     let shown = |what: &str| browser.value(&format!("document.querySelectorAll('{what}').length"));
     assert_eq!(shown("#task-0 .heat"), 3);
     assert_eq!(shown("#task-0 .heat .stills img"), 6);
-    assert_eq!(
-        shown(".costs .heat .stills img"),
-        1,
-        "the scene has no golden of tests"
-    );
+    assert_eq!(shown(".costs .heat .stills img"), 2);
     assert_eq!(
         browser.value(
             "[...document.querySelectorAll('.heat img')].every((it) => it.naturalWidth > 0)"
@@ -220,6 +254,11 @@ fn tests_that_are_counted_have_heat_maps_on_one_scale() {
         panic!("two sums: {sums}");
     };
     assert!(yours > 2.0 * expected, "{sums}");
+    let sums = browser.text("document.querySelector('.costs .stills').innerText");
+    let [expected, yours] = numbers(&sums)[..] else {
+        panic!("two sums: {sums}");
+    };
+    assert!(yours > 1.05 * expected, "{sums}");
     let steps = browser.text(&format!("{last}.querySelector('.scale p').innerText"));
     let steps = numbers(&steps);
     assert_eq!(steps[0], 0.0);

@@ -17,6 +17,7 @@ mod single;
 mod words;
 
 use pinhole::part::Part;
+use pinhole::words::number;
 use serde::{Deserialize, Serialize};
 
 use claim::{Claim, share_of};
@@ -24,6 +25,7 @@ use law::{PartLaw, best};
 use rule::WhichAnswer;
 pub use sample::QuestionsAndAnswers;
 use sample::{Sample, samples};
+use words::DIGITS;
 
 /// One thing that was measured, in a sentence.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -252,6 +254,10 @@ impl PartFinding<'_> {
         });
         let lost = lost.count();
         let law = self.law();
+        let (is_wrong, excess) = match self.excess() {
+            Some(excess) => ("is too large", excess),
+            None => ("is wrong", String::new()),
+        };
         let (says, claim) = match (law, rule) {
             (Some((law, share)), rule) => {
                 let said = words::law(&law, self.part, self.wrong[0]);
@@ -275,7 +281,7 @@ impl PartFinding<'_> {
                 )
             }
             (None, Some(rule)) => (
-                format!("{about} is wrong {of}{where_}."),
+                format!("{about} {is_wrong} {of}{where_}{excess}."),
                 Claim::Where {
                     part: self.part,
                     rule,
@@ -285,7 +291,7 @@ impl PartFinding<'_> {
                 format!("{about} is wrong {of}; in {lost} it is infinite or not a number."),
                 Claim::Count,
             ),
-            (None, None) => (format!("{about} is wrong {of}."), Claim::Count),
+            (None, None) => (format!("{about} {is_wrong} {of}{excess}."), Claim::Count),
         };
         Measurement {
             finding: Finding {
@@ -295,6 +301,22 @@ impl PartFinding<'_> {
             },
             claim,
         }
+    }
+
+    /// How far a part is above its limit at worst, if it has one.
+    fn excess(&self) -> Option<String> {
+        let limited = self.wrong.iter().map(|sample| sample.limited(self.part));
+        let limited: Vec<(f64, f64)> = limited.collect::<Option<_>>()?;
+        // Above a limit of 0, the ratio is infinite.
+        let by_excess = |a: &&(f64, f64), b: &&(f64, f64)| {
+            let ratio = |it: &(f64, f64)| it.0 / it.1;
+            ratio(a).total_cmp(&ratio(b)).then(a.0.total_cmp(&b.0))
+        };
+        let (given, most) = limited.iter().max_by(by_excess)?;
+        let [given, most] = [*given, *most].map(|value| number(value, DIGITS));
+        Some(format!(
+            ": at worst {given}, where {most} is the most that is allowed"
+        ))
     }
 
     /// The law that most of the wrong samples follow on both halves, and its share.

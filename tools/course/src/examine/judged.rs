@@ -6,12 +6,14 @@ use pinhole::Film;
 use pinhole::ask::{Ending, Reply};
 use pinhole::job::Panic;
 use pinhole::judge::{Verdict, judge};
+use pinhole::kind::Questions;
 
 use super::Examiner;
 use crate::assignment::Assignment;
+use crate::describe;
 use crate::error::Result;
 use crate::goldens::questions::QuestionFilm;
-use crate::outcome::FilmOutcome;
+use crate::outcome::{FilmOutcome, Picture};
 use crate::timings::timed;
 
 /// The outcome of a film, and the film if it is complete.
@@ -19,6 +21,30 @@ pub(super) struct JudgedFilm {
     pub outcome: FilmOutcome,
     pub film: Option<Film>,
     pub verdict: Option<Verdict>,
+}
+
+impl JudgedFilm {
+    /// What can be drawn of the answers.
+    pub fn picture(&self, asked: &QuestionFilm, reply: &Reply) -> Option<Picture> {
+        let film = self.film.as_ref()?;
+        if asked.job.is_counted() {
+            return Some(Picture::Tests {
+                golden: asked.golden.film().clone(),
+                film: film.clone(),
+            });
+        }
+        let Questions::Tree(questions) = asked.job.questions()? else {
+            return None;
+        };
+        let (_, worst) = describe::worst_of(self.verdict.as_ref()?)?;
+        let index = asked.resolution.index(worst.pixel);
+        let question = questions.get(index)?;
+        Some(Picture::Tree {
+            triangles: question.boxes.clone(),
+            expected: question.outline(&question.example),
+            got: reply.outlines.get(index)?.clone(),
+        })
+    }
 }
 
 impl Examiner<'_> {

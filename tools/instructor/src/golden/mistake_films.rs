@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use pinhole::Film;
+use pinhole::ask::Reply;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use pinhole_course::assignment::Assignment;
@@ -20,7 +21,7 @@ use pinhole_course::overlay;
 use pinhole_course::progress::Progress;
 use pinhole_course::sandbox::{Limits, Sandbox};
 
-/// How long a mistake may take for a film.
+/// How long a program may take for a film.
 const TIME_LIMIT: Duration = Duration::from_secs(60);
 
 /// Films to fingerprint, each with the task that it tests alone, if it tests one.
@@ -103,15 +104,15 @@ fn films_to_cast(assignment: &Assignment, goldens: &Goldens, probes: bool) -> Re
     Ok(films_to_cast)
 }
 
+/// A program's reply to what a film asks.
+pub fn ask(program: &Program, film: &QuestionFilm) -> Result<Reply> {
+    let limits = Limits::of_answers(TIME_LIMIT);
+    examine::run(program, &Sandbox::Trusted, &limits, &film.job, &mut |_| {})
+}
+
 /// The film of a mistake; `None` if it panics.
 fn cast(program: &Program, film: &QuestionFilm) -> Result<Option<Film>> {
-    let reply = examine::run(
-        program,
-        &Sandbox::Trusted,
-        &Limits::of_answers(TIME_LIMIT),
-        &film.job,
-        &mut |_| {},
-    )?;
+    let reply = ask(program, film)?;
     let complete = reply.answers.iter().all(Option::is_some);
     Ok(complete.then(|| reply.film(film.resolution)))
 }

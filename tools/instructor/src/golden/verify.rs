@@ -57,7 +57,13 @@ pub fn verify(
 /// Goldens that can't be used: unreadable, without a fitting tolerance film, or with too many
 /// exempt pixels.
 fn unusable(manifest: &Manifest, folder: &Path) -> Vec<String> {
-    let others = [".tol.exr", ".ask.exr", ".mistakes.exr", ".toml"];
+    let others = [
+        ".tol.exr",
+        ".ask.exr",
+        ".mistakes.exr",
+        ".tests.exr",
+        ".toml",
+    ];
     let is_golden = |name: &&String| !others.iter().any(|end| name.ends_with(end));
     let goldens = manifest.films.keys().filter(is_golden);
     goldens

@@ -148,6 +148,7 @@ fn redact_pictures(section: &mut SceneSection, reveal: Reveal) {
         section.expected = None;
         section.yours = None;
         section.difference = None;
+        section.heat = None;
         section.cut = None;
         section.causes.clear();
     }

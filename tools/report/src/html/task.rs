@@ -4,11 +4,14 @@ use serde::Serialize;
 
 use super::belief::Beliefs;
 use super::heat::HeatMaps;
+use super::tree::TreeDrawings;
 use crate::escape::printable;
 use crate::passage::Passage;
 use crate::terminal;
 use pinhole::Fact;
-use pinhole_course::outcome::{AnswerFile, CountedFilm, FilmOutcome, GroupOutcome, TaskOutcome};
+use pinhole_course::outcome::{
+    AnswerFile, FilmOutcome, GroupOutcome, GroupPicture, Picture, TaskOutcome,
+};
 
 /// One answer, judged alone.
 #[derive(Debug, Serialize)]
@@ -49,12 +52,14 @@ pub struct GroupRow {
     pub worst: Vec<Fact>,
     /// The tests of its questions, if they are counted.
     pub heat: Option<HeatMaps>,
+    /// The worst of its trees, if it asks for trees.
+    pub tree: Option<TreeDrawings>,
 }
 
 impl TaskSection {
-    /// The `k`-th task; `counted` are films whose tests are counted, and `again` is the
-    /// command that examined it.
-    pub fn of(k: usize, task: &TaskOutcome, counted: &[CountedFilm], again: &str) -> TaskSection {
+    /// The `k`-th task; `pictures` are those of all tasks, and `again` is the command that
+    /// examined it.
+    pub fn of(k: usize, task: &TaskOutcome, pictures: &[GroupPicture], again: &str) -> TaskSection {
         let compiler = match &task.file {
             AnswerFile::DoesNotCompile { compiler } => Some(plain(compiler)),
             _ => (!task.warnings.is_empty()).then(|| plain(&task.warnings)),
@@ -69,7 +74,7 @@ impl TaskSection {
             said: terminal::task_in_words(task),
             attempted: replaced || !task.is_unanswered(),
             replaced,
-            groups: rows(task, counted),
+            groups: rows(task, pictures),
             compiler,
             beliefs: Beliefs::of(&task.diagnosis, &[]),
             measured: task.measured.iter().map(|it| it.says.clone()).collect(),
@@ -86,15 +91,23 @@ fn shows_again(task: &TaskOutcome) -> bool {
 }
 
 /// The groups of a task; a panic in every group is one panic.
-fn rows(task: &TaskOutcome, counted: &[CountedFilm]) -> Vec<GroupRow> {
+fn rows(task: &TaskOutcome, pictures: &[GroupPicture]) -> Vec<GroupRow> {
     let mut told: Vec<String> = Vec::new();
     let row = |group: &GroupOutcome| {
         let said = terminal::group_in_words(group);
         let is_judged = matches!(group.outcome, FilmOutcome::Judged(_));
         let again = !is_judged && told.contains(&said);
         told.push(said.clone());
-        let is_its = |film: &&CountedFilm| film.task == task.name && film.group == group.name;
-        let film = counted.iter().find(is_its);
+        let is_its = |it: &&GroupPicture| it.task == task.name && it.group == group.name;
+        let (heat, tree) = match pictures.iter().find(is_its).map(|it| &it.shows) {
+            Some(Picture::Tests { golden, film }) => (HeatMaps::beside(golden, film), None),
+            Some(Picture::Tree {
+                triangles,
+                expected,
+                got,
+            }) => (None, TreeDrawings::beside(triangles, expected, got)),
+            None => (None, None),
+        };
         GroupRow {
             name: group.name.clone(),
             passes: group.outcome.passes(),
@@ -105,7 +118,8 @@ fn rows(task: &TaskOutcome, counted: &[CountedFilm]) -> Vec<GroupRow> {
                 true => Vec::new(),
                 false => group.worst.iter().map(printable_fact).collect(),
             },
-            heat: film.and_then(|it| HeatMaps::beside(&it.golden, &it.film)),
+            heat,
+            tree,
         }
     };
     task.groups.iter().map(row).collect()

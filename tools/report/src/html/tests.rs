@@ -37,7 +37,7 @@ fn report_examination(diagnosis: Diagnosis) -> Examination {
     Examination {
         outcome,
         films: Vec::new(),
-        counted: Vec::new(),
+        pictures: Vec::new(),
     }
 }
 

@@ -46,6 +46,7 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
     };
     let cast = Cast {
         tests: None,
+        expected_tests: None,
         scene: arguments.scene.clone(),
         film,
         by,

@@ -179,7 +179,7 @@ impl Watch {
         Examination {
             outcome: made,
             films,
-            counted: Vec::new(),
+            pictures: Vec::new(),
         }
     }
 

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use super::{Action, Stamp, State};
 use crate::watch::order::Item;
-use pinhole_course::outcome::{Examination, Outcome};
+use pinhole_course::outcome::{Examination, GroupPicture, Outcome};
 use pinhole_course::submission::Submission;
 
 impl State {
@@ -49,7 +49,7 @@ impl State {
         let Examination {
             outcome,
             films,
-            counted,
+            pictures,
         } = examination;
         let Outcome {
             tasks,
@@ -59,10 +59,11 @@ impl State {
         } = outcome;
         for task in tasks {
             self.stamp(Item::Task(task.name.clone()), at, printed.clone());
-            self.known.counted.retain(|film| film.task != task.name);
+            let is_other = |picture: &GroupPicture| picture.task != task.name;
+            self.known.pictures.retain(is_other);
             self.known.outcome.tasks.push(task);
         }
-        self.known.counted.extend(counted);
+        self.known.pictures.extend(pictures);
         let place = |name: &str| self.items.iter().position(|item| item.name() == name);
         let known = &mut self.known.outcome.tasks;
         known.sort_by_key(|task| place(&task.name));

@@ -65,10 +65,12 @@ impl QuestionsAndAnswers<'_> {
             let samples = part.channels.iter();
             let tolerances = samples.filter_map(|name| golden.tolerance().channel(name));
             let widest = tolerances.map(|all| f64::from(all[index]));
-            match part.is_object() {
+            let widest = widest.fold(0.0, f64::max) / part.scale;
+            match part {
                 // An id is a name, so another id is never nearly right.
-                true => 0.0,
-                false => 2.0 * widest.fold(0.0, f64::max) / part.scale,
+                part if part.is_object() => 0.0,
+                part if part.is_limit => widest,
+                _ => 2.0 * widest,
             }
         };
         Some(Sample {
@@ -97,6 +99,13 @@ impl Sample {
     /// right one multiplied by `stretch`.
     pub fn allowed(&self, part: usize, value: f64, stretch: f64) -> f64 {
         self.slack[part] * stretch.abs().max(1.0) + SAME * value.abs()
+    }
+
+    /// How large a part is, and how large it may be, if a golden limits it.
+    pub fn limited(&self, part: usize) -> Option<(f64, f64)> {
+        let right = self.right.as_ref()?.get(part)?;
+        let (_, given) = self.both(part)?;
+        (right.is_limit).then_some((*given.first()?, self.slack[part]))
     }
 
     /// Whether both answers have this part and it is right.

@@ -3,7 +3,7 @@ use pinhole::film::{Channel, HIT_CHANNELS, TREE_CHANNELS};
 use pinhole::judge::Golden;
 use pinhole::kind::{Answer, Questions, ShapeQuestion, TreeQuestion};
 use pinhole::tree::TreeMeasures;
-use pinhole::{BoundingBox, Film, Hit, Intersection, Plane, Ray, Resolution, Shape};
+use pinhole::{BoundingBox, Film, FlatTree, Hit, Intersection, Plane, Ray, Resolution, Shape};
 
 use super::*;
 
@@ -176,8 +176,18 @@ fn single_precision_is_recognised_by_the_numbers_themselves() {
     assert!(!other[0].contains("f32"), "{other:?}");
 }
 
-/// What is said about trees with this many misplaced triangles.
-fn said_of_trees(misplaced: impl Fn(usize) -> usize) -> Vec<String> {
+/// A tree in which this many triangles are misplaced.
+fn tree_with(misplaced: usize) -> TreeMeasures {
+    TreeMeasures {
+        misplaced,
+        depth: 1,
+        largest_leaf: 1,
+        cost: if misplaced == 0 { 4.0 } else { 0.0 },
+    }
+}
+
+/// What is said about trees with these measures, where all but misplaced triangles may be up to 8.
+fn said_of_trees(measures: impl Fn(usize) -> TreeMeasures) -> Vec<String> {
     let question = || TreeQuestion {
         boxes: vec![
             BoundingBox {
@@ -186,17 +196,9 @@ fn said_of_trees(misplaced: impl Fn(usize) -> usize) -> Vec<String> {
             };
             2
         ],
+        example: FlatTree::default(),
     };
-    let given = |index: usize| {
-        let misplaced = misplaced(index);
-        let measures = TreeMeasures {
-            misplaced,
-            depth: 1,
-            largest_leaf: 1,
-            cost: if misplaced == 0 { 4.0 } else { 0.0 },
-        };
-        Some(Answer::Tree(measures))
-    };
+    let given = |index: usize| Some(Answer::Tree(measures(index)));
     let resolution = Resolution { n_x: COUNT, n_y: 1 };
     let all = |sample: f32| {
         let channel = |name: &str| Channel {
@@ -221,11 +223,30 @@ fn said_of_trees(misplaced: impl Fn(usize) -> usize) -> Vec<String> {
 fn a_tree_without_all_triangles_has_no_right_number_of_tests() {
     let right = |said: &[String]| said.last().expect("something is said").clone();
     for misplaced in [|_| 1, |index| usize::from(index % 3 == 0)] as [fn(usize) -> usize; 2] {
-        let said = said_of_trees(misplaced);
+        let said = said_of_trees(|index| tree_with(misplaced(index)));
         assert_eq!(
             right(&said),
             "The depth and the largest leaf are right everywhere."
         );
         assert!(!said.concat().contains("tests"), "{said:?}");
     }
+}
+
+#[test]
+fn a_part_above_its_limit_is_told_with_the_limit() {
+    let leaves = |largest: fn(usize) -> usize| {
+        said_of_trees(|index| TreeMeasures {
+            largest_leaf: largest(index),
+            ..tree_with(0)
+        })
+    };
+    assert_eq!(leaves(|index| index % 9), Vec::<String>::new());
+    let half = COUNT / 2;
+    let said = leaves(|index| if index % 2 == 0 { 8 } else { 9 + index % 3 });
+    let worst = "at worst 11, where 8 is the most that is allowed";
+    let leaf = format!("The largest leaf is too large in {half} of {COUNT} questions: {worst}.");
+    assert_eq!(said[0], leaf);
+    // Nothing else is above its limit.
+    let rest = "The number of misplaced triangles, the depth and the expected number of tests are";
+    assert_eq!(said[1..], [format!("{rest} right everywhere.")]);
 }

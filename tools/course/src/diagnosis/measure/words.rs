@@ -7,7 +7,7 @@ use super::rule::{Literal, Rule, WhichAnswer, conditions};
 use super::sample::Sample;
 
 /// Significant digits of a measured number.
-const DIGITS: usize = 4;
+pub const DIGITS: usize = 4;
 
 /// A part's law, as it follows the part's name: "is divided by |d|".
 pub fn law(law: &PartLaw, part: usize, sample: &Sample) -> String {
