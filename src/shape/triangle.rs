@@ -83,12 +83,8 @@ impl Notation for Triangle {
         let beyond = [[0, 1, 2], [1, 2, 0], [2, 0, 1]].map(is_beyond);
         let beside = beyond.contains(&true);
         let [ab, bc, ca] = beyond;
+        // Each edge comes before all three, because it says which condition is missing.
         vec![
-            Condition::new(
-                "the point lies beside the triangle",
-                "the point lies on the triangle",
-                beside,
-            ),
             Condition::new(
                 "the point lies beyond edge ab",
                 "it does not lie beyond ab",
@@ -104,6 +100,36 @@ impl Notation for Triangle {
                 "it does not lie beyond ca",
                 ca,
             ),
+            Condition::new(
+                "the point lies beside the triangle",
+                "the point lies on the triangle",
+                beside,
+            ),
         ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_edge_is_named_before_the_whole_triangle() {
+        let triangle = Triangle {
+            corners: [DVec3::ZERO, DVec3::X, DVec3::Y],
+        };
+        let ray = Ray {
+            origin: DVec3::Z,
+            direction: -DVec3::Z,
+        };
+        let beyond = |x: f64, y: f64| {
+            let conditions = triangle.conditions(&ray, DVec3::new(x, y, 0.0));
+            let first = conditions.into_iter().find(|it| it.holds);
+            first.map(|condition| condition.name)
+        };
+        assert_eq!(beyond(0.25, 0.25), None);
+        assert_eq!(beyond(0.5, -0.1), Some("the point lies beyond edge ab"));
+        assert_eq!(beyond(0.6, 0.6), Some("the point lies beyond edge bc"));
+        assert_eq!(beyond(-0.1, 0.5), Some("the point lies beyond edge ca"));
     }
 }
