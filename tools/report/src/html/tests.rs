@@ -168,6 +168,13 @@ fn a_scene_counts_a_belief_only_if_a_row_above_spelled_it_out() {
 }
 
 #[test]
+fn a_small_share_is_called_a_part() {
+    let told = scenes(&[], &[belief("A.", 0.02)]);
+    let part = "“A.” That explains part of what is wrong here.";
+    assert!(told.contains(part), "{told}");
+}
+
+#[test]
 fn no_share_is_told_of_beliefs_that_explain_something_together() {
     let told = scenes(&[], &[belief("A.", 0.4), belief("B.", 0.5)]);
     assert!(
