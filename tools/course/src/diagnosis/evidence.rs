@@ -18,6 +18,8 @@ pub struct Evidence {
     pub failing: usize,
     /// How many pixels there are.
     pub pixels: usize,
+    /// Whether there are values to compare. A film in which no ray hits anything has none.
+    pub has_values: bool,
     /// In how many pixels each part is wrong, counted where it can be compared.
     pub failing_parts: Vec<f64>,
     /// The agreement of each mistake that would show in this film.
@@ -73,6 +75,7 @@ impl Evidence {
         Ok(Some(Evidence {
             failing,
             pixels,
+            has_values: compared.has_values(),
             failing_parts: compared.failing_parts(),
             agreements,
         }))
@@ -92,6 +95,7 @@ impl Evidence {
         Evidence {
             failing: pixels,
             pixels,
+            has_values: false,
             failing_parts: Vec::new(),
             agreements: agreements.collect(),
         }

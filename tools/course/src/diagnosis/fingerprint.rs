@@ -113,6 +113,19 @@ impl<'a> FilmComparison<'a> {
         self.wrong.len()
     }
 
+    /// Whether any pixel has more to compare than that its ray hits nothing.
+    pub fn has_values(&self) -> bool {
+        let mut ids = self
+            .quantities
+            .iter()
+            .filter_map(|quantity| match quantity {
+                Quantity::Id(place) => Some(self.film[*place]),
+                Quantity::Other(_) => None,
+            });
+        ids.next()
+            .is_none_or(|ids| ids.iter().any(|id| *id != MISS))
+    }
+
     /// Whether the pixel is wrong at all.
     pub fn is_wrong(&self, pixel: usize) -> bool {
         self.wrong.get(pixel) == Some(&true)

@@ -12,6 +12,9 @@ use super::{Diagnosis, Explanation, Reading, parts};
 /// and more (`pinhole validate` measures it), while a coincidence rarely exceeds one half.
 const ENOUGH: f64 = 0.9;
 
+/// The limit if no film has any values. Whatever misses most hits would agree with such films.
+const EXACT: f64 = 0.99;
+
 /// The limit for two beliefs in one task, which spoil each other's pixels where both apply.
 const ENOUGH_TOGETHER: f64 = 0.8;
 
@@ -29,6 +32,7 @@ impl KnownMistakes {
         if films.iter().all(|film| film.failing == 0) {
             return Diagnosis::default();
         }
+        let has_values = films.iter().any(|film| film.has_values);
         let candidates: Vec<&str> = self
             .mistake
             .keys()
@@ -39,6 +43,7 @@ impl KnownMistakes {
             .iter()
             .map(|slug| (*slug, Sum::of(films, &[slug])))
             .filter(|(slug, _)| films.iter().all(|film| explains(slug, film)))
+            .filter(|(_, sum)| has_values || sum.agreement() >= EXACT)
             .collect();
         alone.sort_by(|(_, a), (_, b)| a.apart.total_cmp(&b.apart));
         if let Some((_, best)) = alone.first().copied() {
@@ -52,6 +57,9 @@ impl KnownMistakes {
                 2..=MOST_ALIKE => Diagnosis::of(beliefs, Reading::OneOf),
                 _ => Diagnosis::default(),
             };
+        }
+        if !has_values {
+            return Diagnosis::default();
         }
         let pair = pair(films, &candidates).map(|pair| pair.to_vec());
         let held = pair.or_else(|| parts::partial(films, &candidates));

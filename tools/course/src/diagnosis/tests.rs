@@ -138,6 +138,33 @@ fn a_mistake_that_leaves_not_a_number_is_recognised() {
     assert_eq!(names(&diagnosis), ["lost"]);
 }
 
+/// A film whose first pixels show nothing.
+fn blind(pixels: usize) -> Film {
+    let film = film(right);
+    let channels = film.channels().iter().map(|channel| {
+        let mut samples = channel.samples.clone();
+        samples[..pixels].fill(if channel.name == HIT_CHANNELS[0] {
+            -1.0
+        } else {
+            0.0
+        });
+        Channel {
+            name: channel.name.clone(),
+            samples,
+        }
+    });
+    Film::new(RESOLUTION, channels.collect())
+}
+
+#[test]
+fn a_film_without_hits_is_named_only_after_a_mistake_without_hits() {
+    let (all, most) = (blind(RESOLUTION.pixels()), blind(950));
+    assert!(diagnosis(&[("most", &[&most])], &[&all]).is_empty());
+    assert!(diagnosis(&[("most", &[&most, &most])], &[&all, &all]).is_empty());
+    assert_eq!(names(&diagnosis(&[("all", &[&all])], &[&all])), ["all"]);
+    assert_eq!(names(&diagnosis(&[("most", &[&most])], &[&most])), ["most"]);
+}
+
 #[test]
 fn beliefs_that_differ_in_few_pixels_are_told_apart() {
     // They differ in three pixels of a thousand, which an even sample of a hundred misses.
