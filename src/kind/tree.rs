@@ -57,7 +57,7 @@ fn example(samples: Samples<'_>, count: usize) -> Result<FlatTree, String> {
         leaf.or_insert((depth, Vec::new())).1.push(k);
     }
     FlatTree::of_leaves(leaves.into_values().collect())
-        .ok_or_else(|| "its leaves make no tree".into())
+        .ok_or_else(|| "its leaves don't form a tree".into())
 }
 
 impl Question for TreeQuestion {

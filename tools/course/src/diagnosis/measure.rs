@@ -22,7 +22,7 @@ use serde::{Deserialize, Serialize};
 
 use claim::{Claim, share_of};
 use law::{PartLaw, best};
-use rule::WhichAnswer;
+use rule::{Literal, Rule, Scope, WhichAnswer};
 pub use sample::QuestionsAndAnswers;
 use sample::{Sample, samples};
 use words::DIGITS;
@@ -83,6 +83,7 @@ pub fn measure(films: &[QuestionsAndAnswers<'_>]) -> Vec<Measurement> {
         .and_then(|it| it.right.as_ref())
         .map_or(0, Vec::len);
     let mut right = Vec::new();
+    let mut wrong_parts: Vec<PartFinding> = Vec::new();
     for part in 0..parts {
         let name = |sample: &Sample| sample.right.as_ref().map_or("", |parts| parts[part].name);
         let about = name(both[0]);
@@ -97,15 +98,16 @@ pub fn measure(films: &[QuestionsAndAnswers<'_>]) -> Vec<Measurement> {
             right.extend(is_seen.then_some((about, part)));
             continue;
         }
-        let finding = PartFinding {
+        wrong_parts.push(PartFinding {
             part,
             about,
             noun,
+            side: None,
             wrong,
             good,
-        };
-        found.push(finding.measured());
+        });
     }
+    found.extend(measured_parts(&wrong_parts));
     // If a law is known, leave out parts that are only known to be wrong, because they may follow
     // from it.
     found.sort_by_key(|measured| measured.claim.rank());
@@ -197,9 +199,14 @@ fn decisions(samples: &[Sample]) -> Vec<Measurement> {
             Some(rule) => {
                 let place = words::rule(&rule, wrong[0]);
                 let nearly = rule.nearly(&wrong, &found_rightly);
-                let says = match (rule.exactly, misses) {
-                    (true, true) => format!("{counted}: {nearly}exactly those where {place}."),
-                    _ => format!("{counted}. In {nearly}each of them {place}."),
+                let says = match (rule.scope, misses) {
+                    (Scope::Exactly, true) => {
+                        format!("{counted}: {nearly}exactly those where {place}.")
+                    }
+                    (Scope::Exactly | Scope::Everywhere, _) => {
+                        format!("{counted}. In {nearly}each of them {place}.")
+                    }
+                    (Scope::Partly, _) => format!("{counted}{}.", among(&rule, &wrong, misses)),
                 };
                 decision(says, true, Claim::Decision { misses, rule })
             }
@@ -207,6 +214,17 @@ fn decisions(samples: &[Sample]) -> Vec<Measurement> {
         });
     }
     found
+}
+
+/// How many of the wrong samples a rule is about that does not explain the others.
+fn among(rule: &Rule, wrong: &[&Sample], all: bool) -> String {
+    let place = words::rule(rule, wrong[0]);
+    let count = wrong.iter().filter(|it| rule.holds(it)).count();
+    match all {
+        true => format!(", among them all {count} where {place}"),
+        // Where nothing is to be found, nobody knows where else the condition holds.
+        false => format!("; in {count} of them {place}"),
+    }
 }
 
 fn decision(says: String, is_law: bool, claim: Claim) -> Measurement {
@@ -221,86 +239,181 @@ fn decision(says: String, is_law: bool, claim: Claim) -> Measurement {
     }
 }
 
+/// Describes the wrong parts. Parts that are wrong in the same way share a sentence.
+fn measured_parts(findings: &[PartFinding<'_>]) -> Vec<Measurement> {
+    let mut alike: Vec<(Claim, Vec<&PartFinding>)> = Vec::new();
+    let mut measured = Vec::new();
+    for finding in findings {
+        let claim = finding.claim();
+        if let Some(sides) = finding.sides(&claim) {
+            measured.extend(sides);
+            continue;
+        }
+        let is_same = |(other, of): &&mut (Claim, Vec<&PartFinding>)| {
+            finding.excess().is_none()
+                && of[0].wrong.len() == finding.wrong.len()
+                && of[0].good.len() == finding.good.len()
+                && other.is_like(&claim)
+        };
+        match alike.iter_mut().find(is_same) {
+            Some((_, of)) => of.push(finding),
+            None => alike.push((claim, vec![finding])),
+        }
+    }
+    measured.extend(alike.into_iter().map(|(claim, of)| {
+        let about = words::list(of.iter().map(|it| it.about.to_owned()).collect());
+        let says = of[0].says(&about, of.len() > 1, &claim);
+        let is_law = claim != Claim::Count;
+        let claim = match of.as_slice() {
+            [_] => claim,
+            all => Claim::Several(all.iter().map(|it| claim.about(it.part)).collect()),
+        };
+        Measurement {
+            finding: Finding {
+                about,
+                says,
+                is_law,
+            },
+            claim,
+        }
+    }));
+    measured
+}
+
 /// A part that is wrong somewhere.
 struct PartFinding<'a> {
     part: usize,
     about: &'static str,
     noun: &'static str,
+    /// The samples that it is about; `None` if it is about all of them.
+    side: Option<Literal>,
     wrong: Vec<&'a Sample>,
     good: Vec<&'a Sample>,
 }
 
-impl PartFinding<'_> {
-    fn measured(&self) -> Measurement {
-        let (some, all) = (self.wrong.len(), self.wrong.len() + self.good.len());
-        let about = capital(self.about);
+impl<'a> PartFinding<'a> {
+    /// The strongest claim that holds.
+    fn claim(&self) -> Claim {
+        let part = self.part;
         let rule = rule::find(&self.wrong, &self.good, WhichAnswer::Right);
-        let place = rule.as_ref().map(|rule| {
+        match (self.law(), rule) {
+            (Some((law, share)), rule) => Claim::Part {
+                part,
+                law,
+                share,
+                rule,
+                side: self.side,
+            },
+            (None, Some(rule)) => Claim::Where { part, rule },
+            (None, None) => Claim::Count,
+        }
+    }
+
+    /// Two sentences instead of one, if the part follows a law where a condition holds, and
+    /// another where it doesn't.
+    fn sides(&self, whole: &Claim) -> Option<Vec<Measurement>> {
+        let is_clear = |claim: &Claim| match claim {
+            Claim::Part { law, share, .. } => *share >= ALL && !matches!(law, PartLaw::Length(_)),
+            _ => false,
+        };
+        if is_clear(whole) {
+            return None;
+        }
+        let conditions = self.wrong.first()?.conditions.len();
+        (0..conditions).find_map(|k| {
+            let sides = [true, false].map(|so| self.on(Literal::Holds(WhichAnswer::Right, k, so)));
+            if sides.iter().any(|side| side.wrong.len() < LEAST) {
+                return None;
+            }
+            let claims = sides.each_ref().map(PartFinding::claim);
+            if !claims.iter().all(is_clear) {
+                return None;
+            }
+            let measured = sides.iter().zip(claims).map(|(side, claim)| Measurement {
+                finding: Finding {
+                    about: side.about.into(),
+                    says: side.says(side.about, false, &claim),
+                    is_law: true,
+                },
+                claim,
+            });
+            Some(measured.collect())
+        })
+    }
+
+    /// The same part where this holds.
+    fn on(&self, side: Literal) -> Self {
+        let only = |samples: &[&'a Sample]| -> Vec<&'a Sample> {
+            let met = samples.iter().filter(|sample| side.holds(sample));
+            met.copied().collect()
+        };
+        PartFinding {
+            side: Some(side),
+            wrong: only(&self.wrong),
+            good: only(&self.good),
+            ..*self
+        }
+    }
+
+    /// A claim in words, about a part, or about several that are wrong in the same way.
+    fn says(&self, about: &str, several: bool, claim: &Claim) -> String {
+        let (some, all) = (self.wrong.len(), self.wrong.len() + self.good.len());
+        let about = match self.side {
+            Some(side) => format!("Where {}, {about}", words::literal(&side, self.wrong[0])),
+            None => capital(about),
+        };
+        let (is, it) = if several {
+            ("are", "they")
+        } else {
+            ("is", "it")
+        };
+        let (wrong, excess) = match self.excess() {
+            Some(excess) => ("too large", excess),
+            None => ("wrong", String::new()),
+        };
+        let place = claim.rule().map(|rule| {
             let place = words::rule(rule, self.wrong[0]);
             let nearly = rule.nearly(&self.wrong, &self.good);
-            match rule.exactly {
-                true => format!(", {nearly}exactly where {place}"),
-                false => format!(", in {nearly}each of which {place}"),
+            match rule.scope {
+                Scope::Exactly => format!(", {nearly}exactly where {place}"),
+                Scope::Everywhere => format!(", in {nearly}each of which {place}"),
+                Scope::Partly => among(rule, &self.wrong, true),
             }
         });
+        let where_ = place.unwrap_or_default();
         let of = match some == all {
             true => format!("in all {all} {}", self.noun),
             false => format!("in {some} of {all} {}", self.noun),
         };
-        let where_ = place.unwrap_or_default();
+        match claim {
+            Claim::Part { law, share, .. } => {
+                let said = words::law(law, self.part, self.wrong[0], several);
+                match *share >= ALL {
+                    true if *share == 1.0 => format!("{about} {said}, {of}{where_}."),
+                    true => format!("{about} {said}, {of}{where_}, with few exceptions."),
+                    false => format!(
+                        "{about} {is} wrong {of}{where_}; in about {:.0} % of these {it} {said}.",
+                        (100.0 * share).floor()
+                    ),
+                }
+            }
+            Claim::Count => match self.lost() {
+                0 => format!("{about} {is} {wrong} {of}{excess}."),
+                lost => format!(
+                    "{about} {is} wrong {of}; in {lost} {it} {is} infinite or not a number."
+                ),
+            },
+            _ => format!("{about} {is} {wrong} {of}{where_}{excess}."),
+        }
+    }
+
+    /// How many of the given values are infinite or not a number.
+    fn lost(&self) -> usize {
         let lost = self.wrong.iter().filter(|sample| {
             let given = sample.both(self.part).map_or(&[][..], |(_, given)| given);
             given.iter().any(|value| !value.is_finite())
         });
-        let lost = lost.count();
-        let law = self.law();
-        let (is_wrong, excess) = match self.excess() {
-            Some(excess) => ("is too large", excess),
-            None => ("is wrong", String::new()),
-        };
-        let (says, claim) = match (law, rule) {
-            (Some((law, share)), rule) => {
-                let said = words::law(&law, self.part, self.wrong[0]);
-                let says = match share >= ALL {
-                    true if share == 1.0 => format!("{about} {said}, {of}{where_}."),
-                    true => format!("{about} {said}, {of}{where_}, with few exceptions."),
-                    false => format!(
-                        "{about} is wrong {of}{where_}; in about {:.0} % of these it {said}.",
-                        (100.0 * share).floor()
-                    ),
-                };
-                let part = self.part;
-                (
-                    says,
-                    Claim::Part {
-                        part,
-                        law,
-                        share,
-                        rule,
-                    },
-                )
-            }
-            (None, Some(rule)) => (
-                format!("{about} {is_wrong} {of}{where_}{excess}."),
-                Claim::Where {
-                    part: self.part,
-                    rule,
-                },
-            ),
-            (None, None) if lost > 0 => (
-                format!("{about} is wrong {of}; in {lost} it is infinite or not a number."),
-                Claim::Count,
-            ),
-            (None, None) => (format!("{about} {is_wrong} {of}{excess}."), Claim::Count),
-        };
-        Measurement {
-            finding: Finding {
-                about: self.about.into(),
-                says,
-                is_law: claim != Claim::Count,
-            },
-            claim,
-        }
+        lost.count()
     }
 
     /// How far a part is above its limit at worst, if it has one.

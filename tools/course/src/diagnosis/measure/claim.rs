@@ -1,7 +1,7 @@
 //! The claim of a sentence, which can be tested on other questions.
 
-use super::law::{self, PartLaw};
-use super::rule::Rule;
+use super::law::{self, Law, PartLaw};
+use super::rule::{Literal, Rule, Scope};
 use super::sample::{QuestionsAndAnswers, Sample, samples};
 use super::single;
 
@@ -14,12 +14,14 @@ pub enum Claim {
     Never { misses: bool },
     /// Hits are missed, or invented, where the rule says.
     Decision { misses: bool, rule: Rule },
-    /// The wrong values of a part follow a law: this share of them, and where the rule says.
+    /// The wrong values of a part follow a law: this share of them, and where the rule says. Of
+    /// the samples on this side only, if there is one.
     Part {
         part: usize,
         law: PartLaw,
         share: f64,
         rule: Option<Rule>,
+        side: Option<Literal>,
     },
     /// A part is wrong where the rule says.
     Where { part: usize, rule: Rule },
@@ -27,6 +29,8 @@ pub enum Claim {
     Single { part: usize },
     /// Parts are right.
     Right { parts: Vec<usize> },
+    /// All of these.
+    Several(Vec<Claim>),
 }
 
 impl Claim {
@@ -39,6 +43,49 @@ impl Claim {
             | Claim::Single { .. } => 0,
             Claim::Where { .. } => 1,
             Claim::Count | Claim::Right { .. } => 2,
+            Claim::Several(claims) => claims.iter().map(Claim::rank).min().unwrap_or(2),
+        }
+    }
+
+    /// Where it says that something is wrong.
+    pub fn rule(&self) -> Option<&Rule> {
+        match self {
+            Claim::Part { rule, .. } => rule.as_ref(),
+            Claim::Where { rule, .. } => Some(rule),
+            _ => None,
+        }
+    }
+
+    /// The same claim about another part.
+    pub fn about(&self, part: usize) -> Claim {
+        let mut claim = self.clone();
+        if let Claim::Part { part: own, .. } | Claim::Where { part: own, .. } = &mut claim {
+            *own = part;
+        }
+        claim
+    }
+
+    /// Whether two parts may share a sentence: neither has a law, or both have the values of the
+    /// same other answer.
+    pub fn is_like(&self, other: &Claim) -> bool {
+        match (self, other) {
+            (Claim::Count, Claim::Count) => true,
+            (Claim::Where { rule, .. }, Claim::Where { rule: its, .. }) => rule == its,
+            (
+                Claim::Part {
+                    law, share, rule, ..
+                },
+                Claim::Part {
+                    law: its_law,
+                    share: its_share,
+                    rule: its_rule,
+                    ..
+                },
+            ) => {
+                let is_other = matches!(law, PartLaw::Whole(Law::Other(_)));
+                is_other && law == its_law && rule == its_rule && (share - its_share).abs() < 0.01
+            }
+            _ => false,
         }
     }
 }
@@ -69,7 +116,12 @@ impl Claim {
         let meets = |rule: &Rule, wrong: &[&Sample], good: &[&Sample]| {
             let met = |samples: &[&Sample]| samples.iter().filter(|it| rule.holds(it)).count();
             let few = wrong.len() / 20 + 1;
-            wrong.len() - met(wrong) <= few && (!rule.exactly || met(good) <= few)
+            let (missed, extra) = (wrong.len() - met(wrong), met(good));
+            match rule.scope {
+                Scope::Exactly => missed <= few && extra <= few,
+                Scope::Everywhere => missed <= few,
+                Scope::Partly => extra <= few,
+            }
         };
         match self {
             Claim::Count => true,
@@ -90,8 +142,12 @@ impl Claim {
                 law,
                 share,
                 rule,
+                side,
             } => {
-                let (wrong, good) = split(*part);
+                let (mut wrong, mut good) = split(*part);
+                for samples in [&mut wrong, &mut good] {
+                    samples.retain(|it| side.is_none_or(|side| side.holds(it)));
+                }
                 let follows = share_of(law, *part, wrong.iter().copied());
                 follows.is_none_or(|follows| follows >= share - 0.1)
                     && rule.as_ref().is_none_or(|rule| meets(rule, &wrong, &good))
@@ -100,6 +156,7 @@ impl Claim {
                 let (wrong, good) = split(*part);
                 meets(rule, &wrong, &good)
             }
+            Claim::Several(claims) => claims.iter().all(|claim| claim.holds(films)),
             Claim::Right { parts } => parts.iter().all(|part| split(*part).0.len() <= 2),
         }
     }

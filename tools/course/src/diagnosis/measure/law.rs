@@ -33,10 +33,21 @@ pub enum Law {
 pub enum PartLaw {
     /// All axes follow the same law.
     Whole(Law),
-    /// Each axis follows a law of its own, or is right (`None`).
-    Axes(Vec<Option<Law>>),
+    /// Each axis has a fate of its own.
+    Axes(Vec<AxisLaw>),
     /// Only the length follows a law.
     Length(Law),
+}
+
+/// What is known of one axis of a part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum AxisLaw {
+    /// It is right.
+    Right,
+    /// It follows a law.
+    Follows(Law),
+    /// It is wrong, and no law is known.
+    Unknown,
 }
 
 /// How a sample compares with a law.
@@ -204,11 +215,12 @@ impl PartLaw {
                 all((0..axes).map(|axis| law.stand(sample, part, Place::Axis(axis))))
             }
             PartLaw::Axes(laws) => all(laws.iter().enumerate().map(|(axis, law)| match law {
-                Some(law) => law.stand(sample, part, Place::Axis(axis)),
-                None => match Law::Times(1.0).stand(sample, part, Place::Axis(axis)) {
+                AxisLaw::Follows(law) => law.stand(sample, part, Place::Axis(axis)),
+                AxisLaw::Right => match Law::Times(1.0).stand(sample, part, Place::Axis(axis)) {
                     Fit::Breaks => Fit::Breaks,
                     _ => Fit::Mute,
                 },
+                AxisLaw::Unknown => Fit::Mute,
             })),
         }
     }
@@ -278,8 +290,9 @@ pub fn best(samples: &[&Sample], part: usize) -> Option<PartLaw> {
         }
     }
     if axes > 1 {
-        if let Some(law) = by_axes(samples, part, axes, quantities) {
-            offer(law);
+        let laws = by_axes(samples, part, axes, quantities);
+        if !laws.contains(&AxisLaw::Unknown) {
+            offer(PartLaw::Axes(laws.clone()));
         }
         for law in whole(quantities, 0) {
             for sample in asked() {
@@ -288,13 +301,19 @@ pub fn best(samples: &[&Sample], part: usize) -> Option<PartLaw> {
                 }
             }
         }
+        // An axis of unknown law fits everything, so it must not compete.
+        let follows = |law: &AxisLaw| matches!(law, AxisLaw::Follows(_));
+        let most = best.as_ref().map_or(0, |(most, _)| *most);
+        if 2 * most < samples.len() && laws.iter().any(follows) {
+            return Some(PartLaw::Axes(laws));
+        }
     }
     best.map(|(_, law)| law)
 }
 
-/// A law for each axis that is wrong, if each of them follows one.
-fn by_axes(samples: &[&Sample], part: usize, axes: usize, quantities: usize) -> Option<PartLaw> {
-    let laws = (0..axes).map(|axis| {
+/// The law of each axis.
+fn by_axes(samples: &[&Sample], part: usize, axes: usize, quantities: usize) -> Vec<AxisLaw> {
+    let of_axis = |axis: usize| {
         let place = Place::Axis(axis);
         let follow = |law: Law| {
             let stands = samples.iter().map(|sample| law.stand(sample, part, place));
@@ -302,7 +321,7 @@ fn by_axes(samples: &[&Sample], part: usize, axes: usize, quantities: usize) -> 
         };
         let enough = samples.len() - samples.len() / 20;
         if follow(Law::Times(1.0)) >= enough {
-            return Some(None);
+            return Some(AxisLaw::Right);
         }
         let crossed = (0..axes)
             .filter(|other| *other != axis)
@@ -311,7 +330,7 @@ fn by_axes(samples: &[&Sample], part: usize, axes: usize, quantities: usize) -> 
         let first = *samples.first()?;
         let mut fitted = single.filter_map(|law| law.fitted(first, part, place));
         if let Some(law) = fitted.find(|law| follow(*law) >= enough) {
-            return Some(Some(law));
+            return Some(AxisLaw::Follows(law));
         }
         let pairs = samples[1..].iter().step_by(samples.len().div_ceil(ASKED));
         let mut fitted = pairs.flat_map(|other| {
@@ -319,11 +338,13 @@ fn by_axes(samples: &[&Sample], part: usize, axes: usize, quantities: usize) -> 
             let laws = with_two_constants(quantities).into_iter();
             laws.filter_map(move |law| law.fitted_to_both(both, part, place))
         });
-        fitted.find(|law| follow(*law) >= enough).map(Some)
-    });
-    let laws: Option<Vec<Option<Law>>> = laws.collect();
-    laws.filter(|laws| laws.iter().any(Option::is_some))
-        .map(PartLaw::Axes)
+        fitted
+            .find(|law| follow(*law) >= enough)
+            .map(AxisLaw::Follows)
+    };
+    (0..axes)
+        .map(|axis| of_axis(axis).unwrap_or(AxisLaw::Unknown))
+        .collect()
 }
 
 /// Laws with two constants, which need two samples.

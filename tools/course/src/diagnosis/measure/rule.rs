@@ -30,13 +30,24 @@ pub enum Literal {
 pub struct Rule {
     /// The statements, all of which must hold.
     pub literals: Vec<Literal>,
-    /// Whether they hold only where something is wrong. If not, they hold there and sometimes
-    /// elsewhere.
-    pub exactly: bool,
+    /// Where they hold.
+    pub scope: Scope,
+}
+
+/// Where the statements of a rule hold.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Scope {
+    /// Where something is wrong, and nowhere else.
+    Exactly,
+    /// Wherever something is wrong, and sometimes elsewhere.
+    Everywhere,
+    /// Only where something is wrong, but not wherever it is: there is another reason too.
+    Partly,
 }
 
 impl Literal {
-    fn holds(self, sample: &Sample) -> bool {
+    /// Whether it holds for a sample.
+    pub fn holds(self, sample: &Sample) -> bool {
         match self {
             Literal::Holds(of, k, so) => conditions(sample, of)[k].holds == so,
             Literal::Below(k, bound) => sample.quantities[k].value < bound,
@@ -65,7 +76,11 @@ impl Rule {
         let met = |samples: &[&Sample]| samples.iter().filter(|it| self.holds(it)).count();
         let (missed, extra) = (wrong.len() - met(wrong), met(right));
         let few = wrong.len().max(1) / 100;
-        missed <= few && (!self.exactly || extra <= few)
+        match self.scope {
+            Scope::Exactly => missed <= few && extra <= few,
+            Scope::Everywhere => missed <= few,
+            Scope::Partly => extra == 0 && met(wrong) * LEAST_COVERED >= wrong.len().max(1),
+        }
     }
 }
 
@@ -73,7 +88,7 @@ impl Rule {
     /// "nearly " if there are exceptions, otherwise empty.
     pub fn nearly(&self, wrong: &[&Sample], right: &[&Sample]) -> &'static str {
         let is_kept = wrong.iter().all(|it| self.holds(it))
-            && !(self.exactly && right.iter().any(|it| self.holds(it)));
+            && !(self.scope == Scope::Exactly && right.iter().any(|it| self.holds(it)));
         if is_kept { "" } else { "nearly " }
     }
 }
@@ -84,6 +99,9 @@ const LEAST: usize = 8;
 /// A statement that holds for more than this share of the right samples is useless.
 const TELLING: f64 = 0.34;
 
+/// A rule that holds in a smaller share of the wrong samples than one in so many says too little.
+const LEAST_COVERED: usize = 4;
+
 /// The simplest rule that separates the wrong samples from the right ones. It is found on one
 /// half of the samples and must hold on the other.
 pub fn find(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Option<Rule> {
@@ -93,7 +111,8 @@ pub fn find(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Option<Rul
     }
     let [fit, test] = [true, false].map(|fits| (half(wrong, fits), half(right, fits)));
     let stands = |rule: &Rule| rule.separates(&fit.0, &fit.1) && rule.separates(&test.0, &test.1);
-    let mut literals = literals(&fit.0, &fit.1, of);
+    let all = literals(&fit.0, &fit.1, of);
+    let mut literals = all.clone();
     // Keep the statements that hold wherever something is wrong.
     literals.retain(|literal| {
         fit.0.iter().filter(|it| !literal.holds(it)).count() * 100 <= fit.0.len()
@@ -106,7 +125,7 @@ pub fn find(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Option<Rul
     for literals in single.chain(both) {
         let rule = Rule {
             literals,
-            exactly: true,
+            scope: Scope::Exactly,
         };
         if stands(&rule) {
             return Some(rule);
@@ -116,20 +135,40 @@ pub fn find(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Option<Rul
         let met = fit.1.iter().filter(|it| literal.holds(it)).count();
         met as f64 / fit.1.len().max(1) as f64
     };
-    let best = literals
-        .iter()
-        .min_by(|a, b| share(a).total_cmp(&share(b)))?;
-    let rule = Rule {
+    let best = literals.iter().min_by(|a, b| share(a).total_cmp(&share(b)));
+    let everywhere = best.map(|best| Rule {
         literals: vec![*best],
-        exactly: false,
+        scope: Scope::Everywhere,
+    });
+    let is_telling = |rule: &Rule| {
+        let telling = match rule.literals[0] {
+            Literal::Holds(..) => TELLING,
+            // The bound fits these samples. For all samples, the best bound may be a little
+            // further out.
+            Literal::Below(..) | Literal::Above(..) => 0.5 * TELLING,
+        };
+        share(&rule.literals[0]) <= telling && stands(rule)
     };
-    let telling = match best {
-        Literal::Holds(..) => TELLING,
-        // The bound fits these samples. For all samples, the best bound may be a little further
-        // out.
-        Literal::Below(..) | Literal::Above(..) => 0.5 * TELLING,
-    };
-    (share(best) <= telling && stands(&rule)).then_some(rule)
+    everywhere
+        .filter(is_telling)
+        .or_else(|| partly(&all, &fit.0, &stands))
+}
+
+/// The condition that holds in most of the wrong samples, and in no right one.
+fn partly(literals: &[Literal], wrong: &[&Sample], stands: &dyn Fn(&Rule) -> bool) -> Option<Rule> {
+    let covered = |literal: &Literal| wrong.iter().filter(|it| literal.holds(it)).count();
+    // A bound is drawn where no right sample lies, so it needs no reason.
+    let mut conditions: Vec<Literal> = literals
+        .iter()
+        .filter(|literal| matches!(literal, Literal::Holds(..)))
+        .copied()
+        .collect();
+    conditions.sort_by_key(|literal| std::cmp::Reverse(covered(literal)));
+    let rules = conditions.into_iter().map(|literal| Rule {
+        literals: vec![literal],
+        scope: Scope::Partly,
+    });
+    rules.into_iter().find(|rule| stands(rule))
 }
 
 /// The samples that laws are fitted to, or the others.

@@ -28,19 +28,41 @@ pub fn found(both: &[&Sample]) -> Option<Measurement> {
 }
 
 /// Whether `f32` holds every given value of a part. Short numbers such as 0.5 prove nothing, so
-/// there must be enough others.
+/// there must be enough others. Nor does a vector that is wrong by more than rounding: it may be
+/// one of the question's, such as a plane's stored normal, and questions have single precision.
 pub fn is_single(both: &[&Sample], part: usize) -> bool {
     let is_told = |described: &Part| !described.is_object() && described.unit.is_empty();
     let given = both.iter().filter_map(|sample| sample.given.as_ref());
     let told = given
         .filter_map(|parts| parts.get(part))
         .filter(|it| is_told(it));
+    let is_vector = told.clone().any(|part| part.values.len() > 1);
     let values: Vec<f64> = told.flat_map(|part| part.values.clone()).collect();
     let is_short = |value: &&f64| (**value * SHORT).fract() == 0.0;
     let finite = || values.iter().filter(|value| value.is_finite());
     let long = finite().filter(|value| !is_short(value)).count();
-    long >= LEAST && finite().all(|value| f64::from(*value as f32) == *value)
+    let near = both.iter().filter(|sample| is_near(sample, part)).count();
+    long >= LEAST
+        && (!is_vector || 2 * near > both.len())
+        && finite().all(|value| f64::from(*value as f32) == *value)
+}
+
+/// Whether a part is wrong by no more than rounding.
+fn is_near(sample: &Sample, part: usize) -> bool {
+    let apart = |(right, given): (&[f64], &[f64])| {
+        let pairs = right.iter().zip(given);
+        pairs.fold(0.0_f64, |apart, (right, given)| {
+            apart.max((given - right).abs())
+        })
+    };
+    let size = |values: &[f64]| values.iter().fold(0.0_f64, |size, it| size.max(it.abs()));
+    sample
+        .both(part)
+        .is_some_and(|both| apart(both) <= ROUNDED * size(both.0))
 }
 
 /// A number is short if it is a multiple of 1/`SHORT`.
 const SHORT: f64 = 1024.0;
+
+/// The rounding that a few operations in single precision can add up to, relative to the value.
+const ROUNDED: f64 = 1e-3;

@@ -176,6 +176,78 @@ fn single_precision_is_recognised_by_the_numbers_themselves() {
     assert!(!other[0].contains("f32"), "{other:?}");
 }
 
+#[test]
+fn a_normal_that_is_the_questions_own_is_not_taken_for_rounded() {
+    let said = said(|question, right| {
+        let Shape::Plane(plane) = &question.shape else {
+            return None;
+        };
+        let stored = plane.normal.as_vec3().as_dvec3();
+        let normal = stored * question.ray.origin.z.signum();
+        Some(Intersection { normal, ..right })
+    });
+    assert!(!said.concat().contains("f32"), "{said:?}");
+}
+
+#[test]
+fn one_of_two_reasons_for_misses_is_reported_with_its_count() {
+    let said = said(|question, right| {
+        let is_seen = question.ray.origin.z > 0.0 && question.ray.direction.x.sin() > -0.5;
+        is_seen.then_some(right)
+    });
+    let behind = (0..COUNT).filter(|index| question(*index).ray.origin.z < 0.0);
+    let among = format!(
+        ", among them all {} where d · n > 0 (met from behind).",
+        behind.count()
+    );
+    assert!(
+        said[0].starts_with("You miss ") && said[0].ends_with(&among),
+        "{said:?}"
+    );
+}
+
+#[test]
+fn a_part_with_a_law_on_each_side_of_a_condition_gets_two_sentences() {
+    let said = said(|question, right| {
+        let Shape::Plane(plane) = &question.shape else {
+            return None;
+        };
+        let normal = plane.normal * question.ray.origin.z.signum();
+        Some(Intersection { normal, ..right })
+    });
+    let behind = "Where d · n > 0 (met from behind), the normal is multiplied by −1 · |n|, in all ";
+    assert!(said[0].starts_with(behind), "{said:?}");
+    let front = "Where d · n < 0 (met from the front), the normal is multiplied by |n|, in all ";
+    assert!(said[1].starts_with(front), "{said:?}");
+}
+
+#[test]
+fn parts_that_are_wrong_in_the_same_way_share_a_sentence() {
+    let said = said(|question, right| {
+        let by = question.ray.direction.x.sin() * question.ray.origin.z.cos();
+        let normal = right.normal + DVec3::splat(by);
+        let t = right.t + by;
+        Some(Intersection { t, normal })
+    });
+    assert!(
+        said[0].starts_with("t and the normal are wrong in "),
+        "{said:?}"
+    );
+}
+
+#[test]
+fn an_axis_with_a_law_is_described_beside_one_without() {
+    let said = said(|question, right| {
+        let mut normal = right.normal;
+        normal.x += 0.5;
+        normal.y += question.ray.direction.x.sin() * question.ray.origin.z.cos();
+        Some(Intersection { normal, ..right })
+    });
+    let law = "The normal along x is 0.5 too large, and is right along z, and is wrong in another \
+               way along y, in all 200 hits.";
+    assert_eq!(said[0], law);
+}
+
 /// A tree in which this many triangles are misplaced.
 fn tree_with(misplaced: usize) -> TreeMeasures {
     TreeMeasures {

@@ -2,15 +2,23 @@
 
 use pinhole::words::number;
 
-use super::law::{Law, PartLaw};
+use super::law::{AxisLaw, Law, PartLaw};
 use super::rule::{Literal, Rule, WhichAnswer, conditions};
 use super::sample::Sample;
 
 /// Significant digits of a measured number.
 pub const DIGITS: usize = 4;
 
-/// A part's law, as it follows the part's name: "is divided by |d|".
-pub fn law(law: &PartLaw, part: usize, sample: &Sample) -> String {
+/// A part's law, as it follows the part's name: "is divided by |d|". Several parts can only have
+/// the values of another answer.
+pub fn law(law: &PartLaw, part: usize, sample: &Sample, several: bool) -> String {
+    if let (PartLaw::Whole(Law::Other(k)), true) = (law, several) {
+        let name = sample.others[*k].0;
+        return match name.strip_prefix("that of ") {
+            Some(rest) => format!("are those of {rest}"),
+            None => format!("are {name}"),
+        };
+    }
     let described = sample.right.as_ref().map(|parts| &parts[part]);
     let (unit, axes) = described.map_or(("", &[][..]), |part| (part.unit, part.axes));
     match law {
@@ -24,17 +32,25 @@ pub fn law(law: &PartLaw, part: usize, sample: &Sample) -> String {
         }
         PartLaw::Length(law) => format!("has a length that {}", one(*law, sample, unit, axes)),
         PartLaw::Axes(laws) => {
-            let told = laws.iter().zip(axes).filter_map(|(law, axis)| {
-                let said = one((*law)?, sample, unit, axes);
-                Some(format!("along {axis} {said}"))
+            let follows = laws.iter().zip(axes).filter_map(|(law, axis)| match law {
+                AxisLaw::Follows(law) => {
+                    Some(format!("along {axis} {}", one(*law, sample, unit, axes)))
+                }
+                _ => None,
             });
-            let right = laws.iter().zip(axes).filter(|(law, _)| law.is_none());
-            let right: Vec<&str> = right.map(|(_, axis)| *axis).collect();
-            let told = list(told.collect());
-            match right.is_empty() {
-                true => told,
-                false => format!("{told}, and is right along {}", right.join(" and ")),
+            let mut told = list(follows.collect());
+            let along = |known: AxisLaw| {
+                let which = laws.iter().zip(axes).filter(|(law, _)| **law == known);
+                list(which.map(|(_, axis)| (*axis).to_owned()).collect())
+            };
+            let (right, unknown) = (along(AxisLaw::Right), along(AxisLaw::Unknown));
+            if !right.is_empty() {
+                told += &format!(", and is right along {right}");
             }
+            if !unknown.is_empty() {
+                told += &format!(", and is wrong in another way along {unknown}");
+            }
+            told
         }
     }
 }
@@ -125,7 +141,13 @@ fn times(by: f64, name: &str, power: i32) -> String {
 
 /// A rule, as it follows "where".
 pub fn rule(rule: &Rule, sample: &Sample) -> String {
-    let literal = |literal: &Literal| match literal {
+    let literals = rule.literals.iter().map(|it| literal(it, sample));
+    list(literals.collect())
+}
+
+/// A statement, as it follows "where".
+pub fn literal(literal: &Literal, sample: &Sample) -> String {
+    match literal {
         Literal::Holds(of, k, so) => {
             let condition = conditions(sample, *of)[*k];
             let name = match so {
@@ -139,8 +161,7 @@ pub fn rule(rule: &Rule, sample: &Sample) -> String {
         }
         Literal::Below(k, bound) => bounded(sample, *k, "less", *bound),
         Literal::Above(k, bound) => bounded(sample, *k, "more", *bound),
-    };
-    list(rule.literals.iter().map(literal).collect())
+    }
 }
 
 fn bounded(sample: &Sample, k: usize, than: &str, bound: f64) -> String {
