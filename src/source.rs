@@ -46,10 +46,14 @@ impl Source<'_> {
     /// A vector of any ordinary length.
     pub fn direction(self, key: &str, vector: &Spanned<DVec3>) -> Result<DVec3, Error> {
         let value = self.finite(key, vector)?;
-        if value.try_normalize().is_none() {
+        // If the square underflows, too few digits are left to normalise the vector.
+        if !value.length_squared().is_normal() {
             return Err(self.error(
                 vector.span(),
-                format!("`{key}` has no direction: its length is {}", value.length()),
+                format!(
+                    "`{key}` has no direction: its length is {:?}",
+                    value.length()
+                ),
                 "give a vector of ordinary length; it need not be a unit vector",
             ));
         }

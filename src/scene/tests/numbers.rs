@@ -38,18 +38,20 @@ fn nan_and_infinity_are_refused_in_scenes() {
 }
 
 #[test]
-fn a_vector_of_length_zero_has_no_direction() {
+fn vector_of_nearly_no_length_has_no_direction() {
     for (key, value) in [
         ("view", "[0.0, 0.0, -2.0]"),
         ("up", "[0.0, 3.0, 1.0]"),
         ("normal", "[0.0, 4.0, 0.0]"),
     ] {
-        refused(
-            &format!("{key} = {value}"),
-            &format!("{key} = ▶[0.0, 0.0, 0.0]"),
-            &format!("`{key}` has no direction: its length is 0"),
-            "it need not be a unit vector",
-        );
+        for (bad, length) in [("0.0, 0.0, 0.0", "0"), ("0.0, 1.3e-161, 0.0", "1.")] {
+            refused(
+                &format!("{key} = {value}"),
+                &format!("{key} = ▶[{bad}]"),
+                &format!("`{key}` has no direction: its length is {length}"),
+                "it need not be a unit vector",
+            );
+        }
     }
 }
 
