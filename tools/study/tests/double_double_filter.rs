@@ -53,6 +53,30 @@ fn double_double_decisions_are_true() {
     assert!(decided > 20_000 && open > 10_000, "{decided}, {open}");
 }
 
+/// From a distance of 10^11, corners minus the origin are ten thousand million times as long as
+/// the triangle, and volumes lose twice as many digits.
+#[test]
+fn t_of_a_distant_triangle_is_accurate() {
+    let mut random = Random::new(4, "twice");
+    let (mut decided, mut worst) = (0, 0.0_f64);
+    for exponent in 0..=11 {
+        for _ in 0..1_000 {
+            let corners = [0; 3].map(|_| random.unit());
+            let direction = random.unit();
+            let hair = random.unit() * 10f64.powf(random.within(-16.0, 0.0));
+            let middle = (corners[0] + corners[1]) * 0.5 + hair;
+            let origin = middle - direction * 10f64.powi(exponent);
+            let (triangle, ray) = (Triangle { corners }, Ray { origin, direction });
+            if let Some(Some(t)) = twice_decided(&triangle, &ray, 0.0) {
+                let truth = exact(&triangle, &ray, 0.0).expect("it is hit").rounded();
+                worst = worst.max((t - truth).abs() / truth);
+                decided += 1;
+            }
+        }
+    }
+    assert!(decided > 1_000 && worst < 1e-15, "{decided}, {worst:e}");
+}
+
 /// Small integers times `unit`, of which two are often equal. Many answers then depend on a
 /// last digit, which underflows in products of small units.
 fn in_units_of(random: &mut Random, unit: f64) -> (Triangle<f64>, Ray<f64>) {
