@@ -9,7 +9,8 @@
 //! 3. [`casting`] casts by the plan. Hits whose bounds are too wide are computed [`exactly`].
 //! 4. [`told`] describes the plan in words.
 //!
-//! All of this is proven for every ray. Nothing is sampled or timed, so the same scene has the
+//! All of this is proven for every ray, if t is a normal `f64`; any other t is rounded to the
+//! nearest `f64`, which may be far from it. Nothing is sampled or timed, so the same scene has the
 //! same plan on every machine.
 
 pub mod bounds;
@@ -23,7 +24,6 @@ use serde::Serialize;
 use crate::cast::rays::rays;
 use crate::cast::search::{PRICES, Prices, Search, price_of_all};
 use crate::cast::world::{Primitive, World};
-use crate::number::U;
 use crate::vector::{Vector, around};
 use bounds::{PROVEN_T, normal_of, of_normal};
 use casting::PlannedCaster;
@@ -107,16 +107,19 @@ pub struct Plan {
     pub prices: Prices,
 }
 
-/// Plans a scene, or explains why the request cannot be met.
+/// The finest accuracy that a plan can reach. Even an exact t is rounded once, and a normal again
+/// when it is normalised.
+pub const FINEST: f64 = 2e-15;
+
+/// Plans a scene for an accuracy of [`FINEST`] or coarser. An error if the camera's numbers are
+/// so large that a ray overflows.
 pub fn plan(scene: &Scene, wish: AccuracyTarget) -> Result<(Plan, PlannedCaster), String> {
-    // Even an exact t is rounded once, and a normal again when it is normalised.
-    if !(wish.accuracy >= 16.0 * U) {
-        return Err(format!(
-            "an f64 holds 16 digits: no answer is known to {:e}\n  remedy: ask for 2e-15 or more",
-            wish.accuracy
-        ));
-    }
+    debug_assert!(wish.accuracy >= FINEST, "{wish:?}");
     let (world, rays) = (World::of(&scene.objects), rays(scene));
+    if let Some(index) = rays.iter().position(|ray| !ray.is_finite()) {
+        let pixel = scene.resolution.pixel(index);
+        return Err(format!("the ray of pixel {pixel} overflows"));
+    }
     let origins = around(rays.iter().map(|ray| [ray.origin; 2])).unwrap_or_default();
     let kind = |kind: Kind| {
         let parts: Vec<&Primitive> = world

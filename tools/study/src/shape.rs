@@ -90,6 +90,11 @@ impl Shape for Triangle<f64> {
 }
 
 impl Ray<f64> {
+    /// Whether all its numbers are finite.
+    pub fn is_finite(&self) -> bool {
+        self.origin.is_finite() && self.direction.is_finite()
+    }
+
     /// Applies one function to the origin and another to the direction.
     #[inline(always)]
     pub fn map<G: Real>(&self, length: impl Fn(f64) -> G, direction: impl Fn(f64) -> G) -> Ray<G> {

@@ -71,6 +71,12 @@ impl<F: Real> Vector<F> {
         near_one * (F::ONE / near_one.dot(near_one).sqrt())
     }
 
+    /// Whether no component is infinite or NaN.
+    #[inline(always)]
+    pub fn is_finite(self) -> bool {
+        self.array().into_iter().all(F::is_finite)
+    }
+
     /// The magnitude of its largest component.
     #[inline(always)]
     pub fn largest(self) -> F {

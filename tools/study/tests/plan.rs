@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pinhole::Scene;
+use pinhole::{Camera, Projection, Scene};
 use pinhole_study::cast::rays::rays;
 use pinhole_study::cast::world::World;
 use pinhole_study::film::{EXACT, planned};
@@ -52,8 +52,15 @@ fn every_plan_reaches_the_requested_accuracy_at_every_sampled_pixel() {
 
 #[test]
 fn scenes_that_once_broke_plans_keep_their_promise() {
-    for name in ["five_balls_1e11", "crate", "closed_edge", "slivers"] {
-        keeps_its_promise(&hostile(name), &[1e-2, 1e-6, 1e-9, 1e-12]);
+    for name in [
+        "five_balls_1e11",
+        "crate",
+        "closed_edge",
+        "slivers",
+        "far_edge",
+        "endless_triangle",
+    ] {
+        keeps_its_promise(&hostile(name), &[1e-2, 1e-6, 1e-9, 1e-12, 1e-13]);
     }
 }
 
@@ -68,8 +75,12 @@ fn edges_are_hits() {
 
 #[test]
 fn all_samples_of_a_film_are_finite() {
-    for name in ["slivers", "far_triangle"] {
-        let (film, _) = planned(&hostile(name), EXACT).expect("a film");
+    let names = ["slivers", "far_triangle", "endless_triangle"];
+    for (name, accuracy) in names
+        .into_iter()
+        .flat_map(|name| [(name, 1e-2), (name, 1e-12)])
+    {
+        let (film, _) = planned(&hostile(name), wish(accuracy)).expect("a film");
         for channel in film.channels() {
             let are_finite = channel.samples.iter().all(|sample| sample.is_finite());
             assert!(are_finite, "{name} {}: {:?}", channel.name, channel.samples);
@@ -97,8 +108,19 @@ fn planning_a_scene_twice_gives_the_same_plan() {
     }
 }
 
+/// The image plane is so far away that the directions to its corners overflow.
 #[test]
-fn accuracy_beyond_f64_is_rejected() {
-    let refused = plan(&hostile("crate"), wish(1e-17));
-    assert!(refused.is_err_and(|why| why.contains("remedy")));
+fn rays_that_overflow_are_rejected() {
+    let mut scene = hostile("closed_edge");
+    let view = glam::DVec3::new(1.0, 2.0, -3.0);
+    let focal_length = f64::MAX;
+    let perspective = Projection::Perspective { focal_length };
+    let size = (f64::MAX, f64::MAX);
+    let camera = Camera::new(scene.camera.eye, view, glam::DVec3::Y, size, perspective);
+    scene.camera = camera.expect("up is not parallel to the view");
+    let why = plan(&scene, EXACT).err().unwrap_or_default();
+    assert!(
+        why.starts_with("the ray of pixel (0, 2) overflows"),
+        "{why}"
+    );
 }

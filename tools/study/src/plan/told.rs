@@ -83,8 +83,11 @@ pub fn told(plan: &Plan, scene: &str) -> String {
         "all of the above, for each ray of the camera as rounded to f64",
     );
     line("sampled", "nothing");
-    if wish.accuracy < 6e-8 && (wish.depth || wish.normal) {
-        line("note", "film.exr holds f32: it keeps 7 digits of all this");
+    if wish.depth || wish.normal {
+        line(
+            "note",
+            "film.exr holds f32: it keeps 7 digits of all this, and t from 1e-38 to 3e38",
+        );
     }
     text
 }

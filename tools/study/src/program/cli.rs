@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
 use pinhole::Resolution;
 use pinhole_course::run_options::{AssignmentOption, resolution};
-use pinhole_study::plan::AccuracyTarget;
+use pinhole_study::plan::{AccuracyTarget, FINEST};
 use pinhole_study::record::Kind;
 
 /// The trade-off between speed and accuracy in ray casting.
@@ -77,7 +77,8 @@ pub struct Study {
 /// Find the cheapest way to cast a scene as accurately as you wish, and explain it
 ///
 /// A plan shows the true object at every pixel, and keeps t and normals as accurate as you
-/// wish. This is proven for every ray of the camera, not just tested on a sample. The output
+/// wish. (A t below 2e-308 or above 2e308 is only rounded to the nearest f64.) This is
+/// proven for every ray of the camera, not just tested on a sample. The output
 /// says, for each kind of shape, how accurate f64 is proven to be, which hits are checked and
 /// computed exactly if needed, and whether searching a tree of boxes is worthwhile. The same
 /// scene always gets the same plan. Try: cargo pinhole plan bunny --accuracy 1e-6
@@ -190,8 +191,9 @@ pub enum Output {
 }
 
 fn accuracy(text: &str) -> Result<f64, String> {
-    let accuracy = text.parse().ok().filter(|x| (1e-15..=1.0).contains(x));
-    accuracy.ok_or_else(|| format!("`{text}` is not an accuracy between 1e-15 and 1, like 1e-6"))
+    let accuracy = text.parse().ok().filter(|x| (FINEST..=1.0).contains(x));
+    accuracy
+        .ok_or_else(|| format!("`{text}` is not an accuracy between {FINEST:e} and 1, like 1e-6"))
 }
 
 impl FilmOptions {

@@ -44,5 +44,5 @@ pub fn scene(
 
 /// Turns the study's message into an error.
 pub fn unplannable(problem: String) -> Error {
-    Error::input(problem, "ask for less accuracy, or change the scene")
+    Error::input(problem, "use smaller numbers for the camera")
 }

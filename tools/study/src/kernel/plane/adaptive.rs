@@ -4,7 +4,6 @@ use crate::kernel::{Kernel, Limits, Prepared, Tier, Window};
 use crate::number::{ROOT_OF_UNIT, TINY, U};
 use crate::root::{Root, rounded};
 use crate::shape::{Plane, Ray};
-use crate::vector::Vector;
 
 /// [`super::Shifted`] with a filter. What the filter leaves uncertain is decided exactly, so
 /// hit or miss is never wrong. The relative error of t is at most √u.
@@ -80,9 +79,8 @@ pub fn filtered(
 #[cold]
 #[inline(never)]
 pub fn exact(plane: &Plane<f64>, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
-    let vectors = [plane.normal, plane.point, ray.origin, ray.direction];
-    let finite = |vector: Vector<f64>| vector.array().into_iter().all(f64::is_finite);
-    if !(vectors.into_iter().all(finite) && min_t.is_finite()) {
+    let is_finite = plane.normal.is_finite() && plane.point.is_finite();
+    if !(is_finite && ray.is_finite() && min_t.is_finite()) {
         return None;
     }
     let n = DyadicVector::of(plane.normal);

@@ -4,7 +4,6 @@ use crate::kernel::{Kernel, Limits, Prepared, Tier, Window};
 use crate::number::{ROOT_OF_UNIT, TINY, U};
 use crate::root::{Root, rounded};
 use crate::shape::{Ray, Sphere};
-use crate::vector::Vector;
 
 /// [`super::Haines`] with a filter. What the filter leaves uncertain is decided exactly, so hit
 /// or miss is never wrong. The relative error of t is at most √u, and mostly about an ulp.
@@ -123,9 +122,8 @@ pub fn filtered(
 #[cold]
 #[inline(never)]
 pub fn exact(sphere: &Sphere<f64>, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
-    let finite = |vector: Vector<f64>| vector.array().into_iter().all(f64::is_finite);
-    let points = finite(ray.origin) && finite(ray.direction) && finite(sphere.center);
-    if !(points && sphere.radius.is_finite() && min_t.is_finite()) {
+    let is_finite = sphere.center.is_finite() && sphere.radius.is_finite();
+    if !(is_finite && ray.is_finite() && min_t.is_finite()) {
         return None;
     }
     let f = &DyadicVector::of(ray.origin) - &DyadicVector::of(sphere.center);

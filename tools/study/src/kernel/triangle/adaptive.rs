@@ -139,9 +139,8 @@ pub fn filtered(
 #[cold]
 #[inline(never)]
 pub fn exact(triangle: &Triangle<f64>, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
-    let finite = |vector: Vector<f64>| vector.array().into_iter().all(f64::is_finite);
-    let points = finite(ray.origin) && triangle.corners.into_iter().all(finite);
-    if !(points && finite(ray.direction) && min_t.is_finite()) {
+    let is_finite = triangle.corners.into_iter().all(Vector::is_finite);
+    if !(is_finite && ray.is_finite() && min_t.is_finite()) {
         return None;
     }
     let (e, d) = (
