@@ -18,6 +18,7 @@ use std::marker::PhantomData;
 use crate::kernel::Limits;
 use crate::kernel::triangle::TrianglePacket;
 use crate::shape::Ray;
+use crate::vector::Vector;
 use model::{Model, Query};
 pub use search::Search;
 use tree::Tree;
@@ -53,6 +54,9 @@ impl Tally {
         }
     }
 }
+
+/// What a caster sees: object, t and normal; `None` for a miss.
+pub type Seen = Option<(u32, f64, Vector<f64>)>;
 
 /// The part that a ray meets first, and where.
 #[derive(Clone, Copy, Debug)]

@@ -5,9 +5,8 @@ use std::time::Instant;
 use pinhole::{Film, Hit, Intersection, Scene};
 use serde::Serialize;
 
-use crate::cast::Tally;
 use crate::cast::rays::rays;
-use crate::plan::casting::Seen;
+use crate::cast::{Seen, Tally};
 use crate::plan::{AccuracyTarget, Plan, plan};
 
 /// What it took to cast a film.

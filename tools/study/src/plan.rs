@@ -23,7 +23,7 @@ use serde::Serialize;
 
 use crate::cast::rays::rays;
 use crate::cast::search::{PRICES, Prices, Search, price_of_all};
-use crate::cast::world::{Primitive, World};
+use crate::cast::world::{KINDS, Primitive, World};
 use crate::vector::{Vector, around};
 use bounds::{PROVEN_T, normal_of, of_normal};
 use casting::PlannedCaster;
@@ -39,46 +39,11 @@ pub struct AccuracyTarget {
     pub normal: bool,
 }
 
-/// A kind of shape.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Kind {
-    /// Spheres.
-    Sphere,
-    /// Planes.
-    Plane,
-    /// Single triangles and those of soups.
-    Triangle,
-}
-
-impl Kind {
-    /// All kinds.
-    pub const ALL: [Kind; 3] = [Kind::Sphere, Kind::Plane, Kind::Triangle];
-
-    /// The kind of a shape.
-    pub fn of(shape: &Primitive) -> Kind {
-        match shape {
-            Primitive::Sphere(_) => Kind::Sphere,
-            Primitive::Plane(_) => Kind::Plane,
-            Primitive::Triangle(_) => Kind::Triangle,
-        }
-    }
-
-    /// The kind in words, as a plural.
-    pub fn name(self) -> &'static str {
-        match self {
-            Kind::Sphere => "spheres",
-            Kind::Plane => "planes",
-            Kind::Triangle => "triangles",
-        }
-    }
-}
-
 /// The plan for one kind of shape.
 #[derive(Clone, Debug, Serialize)]
 pub struct KindPlan {
-    /// The kind of shape.
-    pub kind: Kind,
+    /// `sphere`, `plane` or `triangle`.
+    pub kind: &'static str,
     /// The number of parts of this kind.
     pub parts: usize,
     /// Worst relative error of t in `f64`, over all rays.
@@ -121,12 +86,12 @@ pub fn plan(scene: &Scene, wish: AccuracyTarget) -> Result<(Plan, PlannedCaster)
         return Err(format!("the ray of pixel {pixel} overflows"));
     }
     let origins = around(rays.iter().map(|ray| [ray.origin; 2])).unwrap_or_default();
-    let kind = |kind: Kind| {
+    let kind = |kind| {
         let parts: Vec<&Primitive> = world
             .parts
             .iter()
             .map(|part| &part.shape)
-            .filter(|shape| Kind::of(shape) == kind)
+            .filter(|shape| shape.kind() == kind)
             .collect();
         let worst = parts.iter().map(|shape| worst_normal(shape, origins));
         let worst_normal = worst.fold(0.0, f64::max);
@@ -142,7 +107,7 @@ pub fn plan(scene: &Scene, wish: AccuracyTarget) -> Result<(Plan, PlannedCaster)
     let plan = Plan {
         wish,
         pixels: rays.len(),
-        kinds: Kind::ALL.into_iter().filter_map(kind).collect(),
+        kinds: KINDS.into_iter().filter_map(kind).collect(),
         search: Search::cheaper(&world.parts).name(),
         price_of_all: price_of_all(&world.parts),
         prices: PRICES,

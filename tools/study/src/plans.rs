@@ -11,7 +11,7 @@ use crate::cast::model::Plain;
 use crate::cast::rays::rays;
 use crate::cast::world::World;
 use crate::cast::{Caster, Search, Tally};
-use crate::oracle::scene::{HitComparison, TrueHit, sight};
+use crate::oracle::scene::{HitComparison, TrueHit, compared, sight};
 use crate::plan::casting::PlannedCaster;
 use crate::plan::{AccuracyTarget, plan};
 use crate::result::{PlanErrors, PlanTally};
@@ -74,8 +74,7 @@ pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<Plan
     Ok(castings.iter().enumerate().map(tally).collect())
 }
 
-/// Casts rays by a plan, and judges the result by the truth. Only the true first object is
-/// right: edges count as hits, and at the same t the object listed first wins.
+/// Casts rays by a plan, and judges the result by the truth.
 pub fn kept(
     rays: &[Ray<f64>],
     truths: &[TrueHit],
@@ -88,15 +87,16 @@ pub fn kept(
         ..PlanErrors::default()
     };
     for ((ray, truth), seen) in rays.iter().zip(truths).zip(seen) {
-        let first = truth.first.as_ref().map(|(part, _)| part.object);
-        if first != seen.map(|(object, ..)| object) {
-            kept.wrong_ids += 1;
-        } else if let HitComparison::Off { t, normal, .. } = truth.compared(ray, seen) {
-            let t = if wish.depth { t } else { 0.0 };
-            let normal = if wish.normal { normal } else { 0.0 };
-            kept.worst_t = kept.worst_t.max(t);
-            kept.worst_normal = kept.worst_normal.max(normal);
-            kept.violations += u64::from(!(t <= wish.accuracy && normal <= wish.accuracy));
+        match compared(truth, ray, seen) {
+            HitComparison::Miss => (),
+            HitComparison::AnotherObject => kept.wrong_ids += 1,
+            HitComparison::Off { t, normal } => {
+                let t = if wish.depth { t } else { 0.0 };
+                let normal = if wish.normal { normal } else { 0.0 };
+                kept.worst_t = kept.worst_t.max(t);
+                kept.worst_normal = kept.worst_normal.max(normal);
+                kept.violations += u64::from(!(t <= wish.accuracy && normal <= wish.accuracy));
+            }
         }
     }
     (kept, tally)

@@ -164,7 +164,7 @@ fn planned(seed: u64) -> Count {
     let (kept, tally) = kept(&rays, &truths, &casting, &wish);
     Count {
         asked: kept.rays,
-        hits: truths.iter().filter(|truth| truth.first.is_some()).count() as u64,
+        hits: truths.iter().flatten().count() as u64,
         exact: tally.exact_hits,
         wrong: kept.wrong_ids + kept.violations,
         broken: Vec::new(),

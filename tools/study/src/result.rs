@@ -264,7 +264,7 @@ pub struct SceneTally {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Secondary {
-    /// sphere or triangle.
+    /// The shape that they leave: `sphere`.
     pub shape: String,
     /// How the origin is moved.
     pub method: String,

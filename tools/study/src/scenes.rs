@@ -10,11 +10,10 @@ use rayon::prelude::*;
 use crate::cast::model::{Exact, Model, Plain};
 use crate::cast::rays::rays;
 use crate::cast::world::World;
-use crate::cast::{Caster, Search, Tally};
+use crate::cast::{Caster, Search, Seen, Tally};
 use crate::instructions;
 use crate::judge::median_and_worst;
-use crate::oracle::scene::{HitComparison, TrueHit, sight};
-use crate::plan::casting::Seen;
+use crate::oracle::scene::{HitComparison, TrueHit, compared, sight};
 use crate::result::SceneTally;
 use crate::shape::Ray;
 use crate::speed::{Workload, race};
@@ -215,10 +214,10 @@ fn judged(rays: &[Ray<f64>], truths: &[TrueHit], seen: Vec<Seen>) -> SceneTally 
     };
     let mut errors = Vec::new();
     for ((ray, truth), seen) in rays.iter().zip(truths).zip(seen) {
-        match truth.compared(ray, seen) {
-            HitComparison::Alike => (),
+        match compared(truth, ray, seen) {
+            HitComparison::Miss => (),
             HitComparison::AnotherObject => tally.wrong_ids += 1,
-            HitComparison::Off { t, normal, .. } => {
+            HitComparison::Off { t, normal } => {
                 errors.push(t);
                 tally.worst_normal = Some(tally.worst_normal.unwrap_or(0.0).max(normal));
             }

@@ -5,77 +5,31 @@
 
 use rayon::prelude::*;
 
-use crate::contestants::HasKernels;
 use crate::family::HasFamilies;
-use crate::kernel::{Kernel, sphere, triangle};
+use crate::kernel::{Kernel, sphere};
 use crate::number::Real;
-use crate::question::Data;
 use crate::random::Random;
 use crate::result::Secondary;
-use crate::shape::{Ray, Sphere, Triangle};
+use crate::shape::{Ray, Shape, Sphere};
 use crate::vector::Vector;
 
-/// Distance of the nearby surface, in sizes of the shape.
+/// Distance of the nearby surface, in radii.
 const NEAR: f64 = 1e-3;
 
-/// A shape that secondary rays leave.
-trait SecondaryRaySource: HasFamilies {
-    /// Intersects with a careful kernel in `f32`.
-    fn meet(shape: &Self::With<f32>, ray: &Ray<f32>, min_t: f32) -> Option<f32>;
-    /// Given a computed hit: the point as nearly on the surface as `f32` allows, a bound on its
-    /// error in each component, and a unit normal.
-    fn at(shape: &Self::With<f32>, point: Vector<f32>) -> [Vector<f32>; 3];
-    /// A surface slightly further out along a normal.
-    fn near(self, normal: Vector<f64>) -> Self;
+/// Intersects with a careful kernel in `f32`.
+fn meet(sphere: &Sphere<f32>, ray: &Ray<f32>, min_t: f32) -> Option<f32> {
+    sphere::Haines::intersect(sphere, &sphere::Haines::prepare(ray), min_t)
 }
 
-impl SecondaryRaySource for Sphere<f64> {
-    fn meet(shape: &Sphere<f32>, ray: &Ray<f32>, min_t: f32) -> Option<f32> {
-        sphere::Haines::intersect(shape, &sphere::Haines::prepare(ray), min_t)
-    }
-
-    /// pbrt-v4, §6.8.5: γ₅ for the refined point relative to the centre, plus the rounding of
-    /// the sum.
-    fn at(shape: &Sphere<f32>, point: Vector<f32>) -> [Vector<f32>; 3] {
-        let normal = (point - shape.center).unit();
-        let out = normal * shape.radius;
-        let error = out.map(|x| gamma(5.0) * x.abs());
-        let sum = shape.center.map(f32::abs) + out.map(f32::abs);
-        [shape.center + out, error + sum * gamma(1.0), normal]
-    }
-
-    fn near(self, _: Vector<f64>) -> Sphere<f64> {
-        let radius = self.radius * (1.0 + NEAR);
-        Sphere { radius, ..self }
-    }
-}
-
-impl SecondaryRaySource for Triangle<f64> {
-    fn meet(shape: &Triangle<f32>, ray: &Ray<f32>, min_t: f32) -> Option<f32> {
-        triangle::MollerTrumbore::intersect(shape, ray, min_t)
-    }
-
-    /// pbrt-v4, §6.8.4: the point from its barycentric weights, and γ₇ times the weighted
-    /// magnitudes of the corners.
-    fn at(shape: &Triangle<f32>, point: Vector<f32>) -> [Vector<f32>; 3] {
-        let [a, b, c] = shape.corners;
-        let across = (b - a).cross(c - a);
-        let area = across.dot(across);
-        let beta = (point - a).cross(c - a).dot(across) / area;
-        let gamma_weight = (b - a).cross(point - a).dot(across) / area;
-        let weights = [1.0 - beta - gamma_weight, beta, gamma_weight];
-        let weigh = |corners: [Vector<f32>; 3]| {
-            let [p, q, r] = corners;
-            p * weights[0] + q * weights[1] + r * weights[2]
-        };
-        let absolute = weigh(shape.corners.map(|corner| corner.map(f32::abs)));
-        let error = absolute.map(|x| gamma(7.0) * x.abs());
-        [weigh(shape.corners), error, across.unit()]
-    }
-
-    fn near(self, normal: Vector<f64>) -> Triangle<f64> {
-        self.moved(normal * NEAR)
-    }
+/// Given a computed hit: the point as nearly on the surface as `f32` allows, a bound on its error in
+/// each component, and a unit normal. pbrt-v4, §6.8.5: γ₅ for the refined point relative to the
+/// centre, plus the rounding of the sum.
+fn refined(sphere: &Sphere<f32>, point: Vector<f32>) -> [Vector<f32>; 3] {
+    let normal = (point - sphere.center).unit();
+    let out = normal * sphere.radius;
+    let error = out.map(|x| gamma(5.0) * x.abs());
+    let sum = sphere.center.map(f32::abs) + out.map(f32::abs);
+    [sphere.center + out, error + sum * gamma(1.0), normal]
 }
 
 /// γₙ = n u / (1 − n u) (Higham, §3.1).
@@ -128,31 +82,19 @@ fn integers(point: Vector<f32>, normal: Vector<f32>) -> Vector<f32> {
     )
 }
 
-/// Casts `count` rays of each kind from spheres and triangles, with every method.
+/// Casts `count` rays of each kind from spheres, with every method.
 pub fn studied(count: usize, seed: u64) -> Vec<Secondary> {
-    let mut all = of_shape::<Sphere<f64>>(count, seed);
-    all.extend(of_shape::<Triangle<f64>>(count, seed));
-    all
-}
-
-fn of_shape<S: SecondaryRaySource>(count: usize, seed: u64) -> Vec<Secondary> {
     let places = [0.0, 10.0, 1000.0].into_iter();
     let all = places.flat_map(|offset| METHODS.map(|method| (offset, method)));
     let all: Vec<_> = all.collect();
-    let of_method = |(offset, method)| of_method::<S>(method, offset, count, seed);
+    let of_method = |(offset, method)| of_method(method, offset, count, seed);
     all.into_par_iter().map(of_method).collect()
 }
 
-fn of_method<S: SecondaryRaySource>(
-    (name, method): (&str, Method),
-    offset: f64,
-    count: usize,
-    seed: u64,
-) -> Secondary {
-    let purpose = format!("secondary {} {offset}", <S as HasKernels>::NAME);
-    let mut random = Random::new(seed, &purpose);
+fn of_method((name, method): (&str, Method), offset: f64, count: usize, seed: u64) -> Secondary {
+    let mut random = Random::new(seed, &format!("secondary sphere {offset}"));
     let mut tally = Secondary {
-        shape: <S as HasKernels>::NAME.into(),
+        shape: "sphere".into(),
         method: name.into(),
         offset,
         leaving: 0,
@@ -161,20 +103,20 @@ fn of_method<S: SecondaryRaySource>(
         lost: 0,
     };
     while tally.leaving < count as u64 {
-        let (question, place) = (S::plain(&mut random), random.unit() * offset);
-        let shape = question.shape.moved(place);
-        let (narrow, data) = (shape.map(f32::of, f32::of), Data::F32);
+        let (question, place) = (Sphere::plain(&mut random), random.unit() * offset);
+        let sphere = question.shape.moved(place);
+        let narrow = sphere.map(f32::of, f32::of);
         let origin = question.ray.origin + place;
         let ray = Ray {
             origin,
             ..question.ray
         };
         let ray = ray.map(f32::of, f32::of);
-        let Some(t) = S::meet(&narrow, &ray, 0.0) else {
+        let Some(t) = meet(&narrow, &ray, 0.0) else {
             continue;
         };
         let met = ray.origin + ray.direction * t;
-        let mut on = S::at(&narrow, met);
+        let mut on = refined(&narrow, met);
         // Turn the normal towards the first ray's origin.
         if on[2].dot(ray.direction) > 0.0 {
             on[2] = on[2] * -1.0;
@@ -183,17 +125,21 @@ fn of_method<S: SecondaryRaySource>(
         let normal = on[2].map(f32::wide);
         let across = random.unit_across(normal);
         let rise = random.within(0.05, 1.0);
-        let direction = (across + normal * rise).map(|x| f32::of(data.round(x)));
+        let direction = (across + normal * rise).map(f32::of);
         tally.leaving += 1;
         let leaving = Ray { origin, direction };
-        tally.self_hits += u64::from(S::meet(&narrow, &leaving, min_t).is_some());
-        let near = shape.near(normal).map(f32::of, f32::of);
+        tally.self_hits += u64::from(meet(&narrow, &leaving, min_t).is_some());
+        let near = Sphere {
+            radius: sphere.radius * (1.0 + NEAR),
+            ..sphere
+        };
         let towards = Ray {
             origin,
             direction: on[2],
         };
         tally.near += 1;
-        tally.lost += u64::from(S::meet(&near, &towards, min_t).is_none());
+        let near = near.map(f32::of, f32::of);
+        tally.lost += u64::from(meet(&near, &towards, min_t).is_none());
     }
     tally
 }

@@ -41,7 +41,7 @@ fn double_double_decisions_are_true() {
             decided += 1;
             let truth = exact(&triangle, &ray, 0.0).map(|root| root.rounded());
             let is_near = match (answer, truth) {
-                (Some(t), Some(true_t)) => (t - true_t).abs() <= 1e-8 * true_t,
+                (Some(t), Some(true_t)) => (t - true_t).abs() <= 1e-15 * true_t,
                 (answer, truth) => answer == truth,
             };
             assert!(

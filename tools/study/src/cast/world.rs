@@ -121,7 +121,19 @@ impl World {
     }
 }
 
+/// The names of all kinds of primitives.
+pub const KINDS: [&str; 3] = ["sphere", "plane", "triangle"];
+
 impl Primitive {
+    /// Its kind, one of [`KINDS`].
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Primitive::Sphere(_) => KINDS[0],
+            Primitive::Plane(_) => KINDS[1],
+            Primitive::Triangle(_) => KINDS[2],
+        }
+    }
+
     /// The point that kernels subtract from a ray's origin: a sphere's centre, a plane's point
     /// or a triangle's first corner.
     pub fn anchor(&self) -> Vector<f64> {

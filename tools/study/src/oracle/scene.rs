@@ -6,45 +6,25 @@ use std::cmp::Ordering;
 use dashu_ratio::Relaxed;
 
 use super::{Exact, HasTruth, Root, Truth, sign};
+use crate::cast::Seen;
 use crate::cast::world::{Part, Primitive};
 use crate::question::Question;
 use crate::shape::Ray;
 use crate::vector::Vector;
 
-/// What a ray truly hits, with the answers that are accepted.
-#[derive(Clone, Debug)]
-pub struct TrueHit<'a> {
-    /// The part that is hit first, and where; `None` for a miss.
-    pub first: Option<(&'a Part, Truth)>,
-    /// Objects that are also accepted, because the ray only touches them at an edge or tangent,
-    /// before the first hit or at the same t.
-    pub also: Vec<u32>,
-    /// Whether a miss is accepted too, because the ray only touches every object that it meets.
-    pub may_be_nothing: bool,
-}
-
-impl TrueHit<'_> {
-    /// Whether this object, or a miss, is an accepted answer.
-    pub fn allows(&self, object: Option<u32>) -> bool {
-        let first = self.first.as_ref().map(|(part, _)| part.object);
-        match object {
-            None => first.is_none() || self.may_be_nothing,
-            Some(object) => first == Some(object) || self.also.contains(&object),
-        }
-    }
-}
+/// What a ray truly hits first; `None` for a miss. Edges count as hits, and of parts at exactly the
+/// same t the one listed first wins.
+pub type TrueHit<'a> = Option<(&'a Part, Root)>;
 
 /// An answer compared with the true first hit.
-#[derive(Clone, Copy, Debug)]
-pub enum HitComparison<'a> {
-    /// Both miss, or the answer is accepted because an exact equality decides.
-    Alike,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum HitComparison {
+    /// A miss, rightly.
+    Miss,
     /// The wrong object, a miss instead of a hit, or a hit instead of a miss.
     AnotherObject,
     /// The right object.
     Off {
-        /// The part that is truly hit.
-        part: &'a Part,
         /// The error of t, relative to the true one.
         t: f64,
         /// The angle between the normals, in radians.
@@ -52,30 +32,20 @@ pub enum HitComparison<'a> {
     },
 }
 
-impl<'a> TrueHit<'a> {
-    /// Compares an answer (object, t and normal) with the truth.
-    pub fn compared(
-        &self,
-        ray: &Ray<f64>,
-        seen: Option<(u32, f64, Vector<f64>)>,
-    ) -> HitComparison<'a> {
-        if !self.allows(seen.map(|(object, ..)| object)) {
-            return HitComparison::AnotherObject;
+/// Compares an answer with the truth.
+pub fn compared(truth: &TrueHit, ray: &Ray<f64>, seen: Seen) -> HitComparison {
+    match (truth, seen) {
+        (None, None) => HitComparison::Miss,
+        (Some((part, root)), Some((object, t, direction))) if part.object == object => {
+            // Use both sine and cosine, because the sine alone is also small near π.
+            let truth = normal(&part.shape, ray, root);
+            let off = truth.cross(direction);
+            HitComparison::Off {
+                t: root.relative_error(t),
+                normal: off.dot(off).sqrt().atan2(truth.dot(direction)),
+            }
         }
-        let (Some((part, met)), Some((object, t, direction))) = (&self.first, seen) else {
-            return HitComparison::Alike;
-        };
-        let Some(root) = met.t.as_ref().filter(|_| part.object == object) else {
-            return HitComparison::Alike;
-        };
-        // Use both sine and cosine, because the sine alone is also small near π.
-        let truth = normal(&part.shape, ray, root);
-        let off = truth.cross(direction);
-        HitComparison::Off {
-            part,
-            t: root.relative_error(t),
-            normal: off.dot(off).sqrt().atan2(truth.dot(direction)),
-        }
+        _ => HitComparison::AnotherObject,
     }
 }
 
@@ -84,21 +54,8 @@ pub fn sight<'a>(parts: &'a [Part], ray: &Ray<f64>, min_t: f64) -> TrueHit<'a> {
     let near = parts
         .iter()
         .filter(|part| !is_passed_by_far(&part.shape, ray));
-    let mut met: Vec<(&Part, Truth)> = near
-        .map(|part| (part, truth(&part.shape, ray, min_t)))
-        .filter(|(_, truth)| truth.t.is_some())
-        .collect();
-    met.sort_by(|(p, one), (q, other)| order(one, other).then(p.place.cmp(&q.place)));
-    let touched = met.iter().take_while(|(_, truth)| truth.is_tie).count();
-    let last = met.get(touched.min(met.len().saturating_sub(1)));
-    let together = met
-        .iter()
-        .filter(|(_, truth)| last.is_some_and(|(_, last)| order(truth, last) != Ordering::Greater));
-    TrueHit {
-        also: together.map(|(part, _)| part.object).collect(),
-        may_be_nothing: touched == met.len(),
-        first: met.into_iter().next(),
-    }
+    let met = near.filter_map(|part| Some((part, truth(&part.shape, ray, min_t).t?)));
+    met.min_by(|(p, one), (q, other)| order(one, other).then(p.place.cmp(&q.place)))
 }
 
 fn truth(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> Truth {
@@ -152,10 +109,7 @@ pub fn normal(shape: &Primitive, ray: &Ray<f64>, t: &Root) -> Vector<f64> {
 
 /// Orders hits by t. Fractions compare exactly. A sphere's root is known to more than 300 bits,
 /// and two roots that agree in 280 bits count as equal.
-fn order(one: &Truth, other: &Truth) -> Ordering {
-    let (Some(p), Some(q)) = (&one.t, &other.t) else {
-        return one.t.is_none().cmp(&other.t.is_none());
-    };
+fn order(p: &Root, q: &Root) -> Ordering {
     let apart = &p.exact - &q.exact;
     let grain = &p.exact * super::fraction(2f64.powi(-280));
     match sign(&(&apart * &apart - &grain * &grain)) > 0 {

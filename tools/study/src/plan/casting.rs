@@ -7,7 +7,7 @@ use super::bounds::{OF_UNIT, PROVEN_T, normal_of, of_normal, of_t};
 use super::{AccuracyTarget, exactly};
 use crate::cast::model::Exact;
 use crate::cast::world::{Part, Primitive, World};
-use crate::cast::{Caster, Found, Search, Tally};
+use crate::cast::{Caster, Found, Search, Seen, Tally};
 use crate::kernel::sphere::ScaledRay;
 use crate::shape::Ray;
 use crate::vector::Vector;
@@ -19,9 +19,6 @@ pub struct PlannedCaster {
     search: Search,
     caster: Caster,
 }
-
-/// A pixel: object, t and normal. t and normal are 0 if they are not requested.
-pub type Seen = Option<(u32, f64, Vector<f64>)>;
 
 const NO_NORMAL: Vector<f64> = Vector {
     x: 0.0,
@@ -40,7 +37,7 @@ impl PlannedCaster {
         }
     }
 
-    /// Casts one ray.
+    /// Casts one ray. t and normal are 0 if they are not requested.
     #[inline]
     pub fn see(&self, ray: &Ray<f64>, tally: &mut Tally) -> Seen {
         let Found { part, t } = self

@@ -8,8 +8,8 @@ use crate::cast::search::Search;
 /// A number of parts, as a phrase.
 fn count(parts: usize, kind: &str) -> String {
     match parts {
-        1 => format!("1 {}", kind.trim_end_matches('s')),
-        _ => format!("{parts} {kind}"),
+        1 => format!("1 {kind}"),
+        _ => format!("{parts} {kind}s"),
     }
 }
 
@@ -63,7 +63,7 @@ pub fn told(plan: &Plan, scene: &str) -> String {
         "decided exactly: filtered in f64, then in more digits",
     );
     for kind in &plan.kinds {
-        line(&count(kind.parts, kind.kind.name()), &how(kind, wish));
+        line(&count(kind.parts, kind.kind), &how(kind, wish));
     }
     let sign = if plan.search == Search::Boxes.name() {
         ">"
