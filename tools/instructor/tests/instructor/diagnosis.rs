@@ -54,7 +54,7 @@ fn a_belief_in_new_code_is_named_in_its_task_and_in_every_scene_it_spoils() {
     let ran = pinhole(&["check", plain(&folder), "--json"]).expect_code(1);
     let examination = ran.json();
     let faults = crate::grade::faults("outcome.schema.json", &examination);
-    assert!(faults.is_empty(), "{faults:?}");
+    assert!(faults.is_empty(), "{faults}");
     let [sphere] = failing(&examination, "tasks")[..] else {
         panic!("only the sphere is wrong: {examination:#}")
     };

@@ -1,6 +1,8 @@
 //! Imports between packages point one way.
 
+use std::collections::BTreeMap;
 use std::fs;
+use std::process::Command;
 
 use pinhole_testing::root;
 
@@ -47,5 +49,39 @@ fn packages_import_only_those_below_them() {
                 "{folder} imports {name}"
             );
         }
+    }
+}
+
+/// The packages that one of ours is built from, each with its features.
+fn built_from(package: &str) -> BTreeMap<String, String> {
+    let output = Command::new(env!("CARGO"))
+        .args([
+            "tree",
+            "--package",
+            package,
+            "--edges",
+            "normal,no-proc-macro",
+        ])
+        .args(["--prefix", "none", "--no-dedupe", "--format", "{p}|{f}"])
+        .current_dir(root())
+        .output()
+        .expect("cargo starts");
+    let tree = String::from_utf8(output.stdout).expect("it is text");
+    let lines = tree.lines().filter_map(|line| line.split_once('|'));
+    let owned = |(package, features): (&str, &str)| (package.to_owned(), features.to_owned());
+    lines.map(owned).collect()
+}
+
+#[test]
+fn the_harness_is_built_once_for_students_and_instructors() {
+    let (student, instructor) = (built_from("pinhole-cli"), built_from("pinhole-instructor"));
+    let harness = built_from("pinhole");
+    assert!(harness.len() > 10, "{harness:?}");
+    for package in harness.keys() {
+        assert_eq!(
+            student[package], instructor[package],
+            "{package} is built twice, and so is all that needs it: give it the same features in \
+             both programs"
+        );
     }
 }

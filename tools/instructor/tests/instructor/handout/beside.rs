@@ -2,10 +2,11 @@
 
 use std::fs;
 use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
 use super::{files, plain};
+use crate::grade::check_jsonschema;
 use pinhole_testing::{fresh, pinhole, root, trusted};
 
 #[test]
@@ -85,24 +86,6 @@ fn a_question_for_prairielearn_holds_its_grader_and_every_stub() {
     write().expect_code(2).expect_err("is not empty");
 }
 
-/// A validator from the Python package index, with the schema of GitHub's workflows.
-fn check_jsonschema() -> PathBuf {
-    let environment = trusted().join("check-jsonschema");
-    let program = environment.join("bin").join("check-jsonschema");
-    if !program.is_file() {
-        let python = Command::new("python3")
-            .args(["-m", "venv"])
-            .arg(&environment)
-            .status();
-        assert!(python.expect("python3 starts").success());
-        let pip = Command::new(environment.join("bin").join("pip"))
-            .args(["install", "--quiet", "check-jsonschema==0.39.0"])
-            .status();
-        assert!(pip.expect("pip starts").success());
-    }
-    program
-}
-
 #[test]
 fn the_workflow_is_valid_pins_its_actions_and_covers_three_systems() {
     let workflow = root().join("tools/instructor/templates/handout/check.yml");
@@ -118,8 +101,7 @@ fn the_workflow_is_valid_pins_its_actions_and_covers_three_systems() {
     }
     let validate = |file: &Path| {
         let arguments = ["--builtin-schema", "vendor.github-workflows"];
-        let mut command = Command::new(check_jsonschema());
-        command
+        check_jsonschema()
             .args(arguments)
             .arg(file)
             .output()
