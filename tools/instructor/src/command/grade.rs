@@ -151,7 +151,8 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     for entry in roll.entries.iter().filter(|entry| !is_mine(&entry.id)) {
         if arguments.shard.is_none() {
             // Submissions of an earlier run into the same folder.
-            records.extend(standing(&cache.of(&entry.id)).map(|record| (entry.id.clone(), record)));
+            let record = standing(&cache.of(&entry.id));
+            records.extend(record.map(|record| (entry.id.clone(), record.into())));
         }
     }
     let roll = match arguments.shard {

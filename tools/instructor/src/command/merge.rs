@@ -1,6 +1,12 @@
 //! `pinhole merge`: combines the shards of a class, wherever they were graded.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ffi::{OsStr, OsString};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use rayon::prelude::*;
 
 use crate::cli::Merge;
 use crate::grade::cache::{Backlog, ResultCache, link, pretty, standing, write_unflushed};
@@ -8,7 +14,7 @@ use crate::grade::class::{ROLL, Roll};
 use crate::grade::evidence::Evidence;
 use crate::grade::policy::Policy;
 use crate::grade::provenance::GradingInputs;
-use crate::grade::record::Record;
+use crate::grade::record::RecordSummary;
 use crate::grade::views::summary::{ClassOutput, RunSummary};
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};
@@ -22,54 +28,22 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
         roll.find_groups();
     }
     let cache = ResultCache::open(&arguments.out)?;
-    let mut records: BTreeMap<String, Record> = BTreeMap::new();
-    let mut with: Option<GradingInputs> = None;
-    let shards = arguments.shards.iter();
-    let shards = shards.map(|shard| Ok((shard, Backlog::read(shard)?)));
-    let shards: Vec<_> = shards.collect::<Result<_>>()?;
-    for entry in &roll.entries {
-        for (shard, backlog) in &shards {
-            let from = shard.join("submissions").join(&entry.id);
-            let Some(record) = standing(&from) else {
-                continue;
-            };
-            let record = backlog.check(record);
-            if !record.is_graded() {
-                // Keep the reason, unless another shard has a grade.
-                records.entry(entry.id.clone()).or_insert(record);
-                continue;
-            }
-            let made_with = &record.provenance.made_with;
-            let with = with.get_or_insert_with(|| made_with.clone());
-            // Each machine may have built the program itself, so the hash of the program may
-            // differ.
-            if with.goldens != made_with.goldens
-                || with.fresh != made_with.fresh
-                || with.assignment != made_with.assignment
-            {
-                return Err(Error::input(
-                    format!("{} was judged by other goldens", shard.display()),
-                    "grade all shards with the same --golden, --fresh or --seed",
-                ));
-            }
-            let report = from.join("report.html");
-            if !report.is_file() {
-                return Err(Error::input(
-                    format!("there is no report in {}", from.display()),
-                    "grade that shard again",
-                ));
-            }
-            let evidence = Evidence::file(&entry.id);
-            if shard.join(&evidence).is_file() {
-                link(&shard.join(&evidence), &cache.path(&evidence))?;
-            }
-            let to = cache.of(&entry.id);
-            link(&report, &to.join("report.html"))?;
-            write_unflushed(&to.join("result.json"), pretty(&record)?.as_bytes())?;
-            records.insert(entry.id.clone(), record);
-            break;
-        }
+    let is_out =
+        |part: &&PathBuf| fs::canonicalize(part).ok() == fs::canonicalize(&arguments.out).ok();
+    if let Some(part) = arguments.shards.iter().find(is_out) {
+        return Err(Error::input(
+            format!("{} can't be merged into itself", part.display()),
+            "name another folder with --out",
+        ));
     }
+    let parts = arguments.shards.iter();
+    let parts: Vec<Part> = parts.map(|it| Part::read(it)).collect::<Result<_>>()?;
+    let made_with = OnceLock::new();
+    let records = roll.entries.par_iter().filter_map(|entry| {
+        let record = merged(&entry.id, &parts, &cache, &made_with).transpose()?;
+        Some(record.map(|record| (entry.id.clone(), record)))
+    });
+    let records: BTreeMap<String, RecordSummary> = records.collect::<Result<_>>()?;
     cache.write(ROLL, &pretty(&roll)?)?;
     let output = ClassOutput {
         cache: &cache,
@@ -78,6 +52,84 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
         as_json: arguments.json,
     };
     output.write(&roll, &records, &RunSummary::default())
+}
+
+/// One of the folders that are merged.
+struct Part<'a> {
+    folder: &'a Path,
+    backlog: Backlog,
+    /// The submissions that it has files of. Listing them once saves looking for each submission
+    /// in each part, which takes long on a shared file system.
+    ids: BTreeSet<OsString>,
+}
+
+impl Part<'_> {
+    fn read(folder: &Path) -> Result<Part<'_>> {
+        // A part that has not started has no folder of submissions.
+        let submissions = fs::read_dir(folder.join("submissions"));
+        let ids = submissions.into_iter().flatten().flatten();
+        Ok(Part {
+            folder,
+            backlog: Backlog::read(folder)?,
+            ids: ids.map(|entry| entry.file_name()).collect(),
+        })
+    }
+}
+
+/// Puts a submission's result into the merged class: its mark or, if no part has one, why not.
+/// `None` if no part knows it. All marks must be made with the same.
+fn merged(
+    id: &str,
+    parts: &[Part],
+    cache: &ResultCache,
+    made_with: &OnceLock<GradingInputs>,
+) -> Result<Option<RecordSummary>> {
+    let to = cache.of(id);
+    let mut not_graded = None;
+    for part in parts
+        .iter()
+        .filter(|part| part.ids.contains(OsStr::new(id)))
+    {
+        let from = part.folder.join("submissions").join(id);
+        let Some(record) = standing(&from) else {
+            continue;
+        };
+        let record = part.backlog.check(record);
+        if !record.is_graded() {
+            not_graded.get_or_insert(record);
+            continue;
+        }
+        let own = &record.provenance.made_with;
+        let with = made_with.get_or_init(|| own.clone());
+        // Each machine may have built the program itself, so the hash of the program may differ.
+        if with.goldens != own.goldens
+            || with.fresh != own.fresh
+            || with.assignment != own.assignment
+        {
+            return Err(Error::input(
+                format!("{} was judged by other goldens", part.folder.display()),
+                "grade all shards with the same --golden, --fresh or --seed",
+            ));
+        }
+        let report = from.join("report.html");
+        if !report.is_file() {
+            return Err(Error::input(
+                format!("there is no report in {}", from.display()),
+                "grade that shard again",
+            ));
+        }
+        let evidence = Evidence::file(id);
+        if part.folder.join(&evidence).is_file() {
+            link(&part.folder.join(&evidence), &cache.path(&evidence))?;
+        }
+        link(&report, &to.join("report.html"))?;
+        link(&from.join("result.json"), &to.join("result.json"))?;
+        return Ok(Some(record.into()));
+    }
+    if let Some(record) = &not_graded {
+        write_unflushed(&to.join("result.json"), pretty(record)?.as_bytes())?;
+    }
+    Ok(not_graded.map(RecordSummary::from))
 }
 
 /// The roll of the class, on which all shards must agree.

@@ -11,7 +11,7 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use serde::Serialize;
 
 use super::provenance::sha256;
-use super::record::Record;
+use super::record::RecordSummary;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::error::Result;
 use pinhole_course::mistake;
@@ -190,9 +190,14 @@ impl KnownAnswers {
     }
 
     /// Answers of a class that are equal to a known one or to each other, the rarest first.
-    pub fn alike(&self, records: &[&Record]) -> Vec<SharedAnswer> {
+    pub fn alike(&self, records: &[&RecordSummary]) -> Vec<SharedAnswer> {
         let mut same: BTreeMap<(&str, &str), Vec<String>> = BTreeMap::new();
+        let mut right: BTreeMap<&str, usize> = BTreeMap::new();
         for record in records {
+            let tasks = record.tasks.iter().map(|it| &it.task);
+            for task in tasks.filter(|task| task.points == task.possible) {
+                *right.entry(&task.name).or_default() += 1;
+            }
             for (task, hash) in &record.tokens {
                 if !self.stubs.contains(hash) {
                     let who = same.entry((task, hash)).or_default();
@@ -203,8 +208,7 @@ impl KnownAnswers {
         let alike = same.into_iter().filter_map(|((task, hash), who)| {
             let known = self.named.get(&(task.to_owned(), hash.to_owned())).cloned();
             let to = known.or_else(|| (who.len() > 1).then(|| "each other".into()))?;
-            let right = records.iter().filter(|record| is_right(record, task));
-            let of = right.count().max(who.len()) as f64;
+            let of = right.get(task).copied().unwrap_or(0).max(who.len()) as f64;
             Some(SharedAnswer {
                 task: task.into(),
                 to,
@@ -222,32 +226,70 @@ impl KnownAnswers {
     }
 }
 
-fn is_right(record: &Record, task: &str) -> bool {
-    let mut tasks = record.got.tasks.iter();
-    tasks.any(|it| it.name == task && it.points == it.possible)
-}
-
-/// Pairs that share more than one answer, those with the most bits first.
+/// Pairs that share more than one answer, those with the most bits first. `alike` begins with the
+/// rarest answers.
 pub fn pairs(alike: &[SharedAnswer]) -> Vec<SharedPair> {
     /// The most pairs that are listed.
     const MOST: usize = 20;
-    let mut pairs: BTreeMap<[&String; 2], SharedPair> = BTreeMap::new();
+    /// The most pairs of groups that are compared. A class of thousands may have too many for
+    /// all; those with the rarest answers come first.
+    const COMPARED: usize = 100_000;
     // An answer that half of the class has says nothing about a pair.
-    for shared in alike.iter().filter(|shared| shared.bits >= 1.0) {
-        for (k, first) in shared.who.iter().enumerate() {
-            for second in &shared.who[k + 1..] {
-                let pair = pairs.entry([first, second]).or_insert_with(|| SharedPair {
-                    who: [first.clone(), second.clone()],
-                    tasks: Vec::new(),
-                    bits: 0.0,
+    let rare: Vec<&SharedAnswer> = alike.iter().filter(|shared| shared.bits >= 1.0).collect();
+    let mut answers: BTreeMap<&String, Vec<usize>> = BTreeMap::new();
+    for (answer, shared) in rare.iter().enumerate() {
+        for id in &shared.who {
+            answers.entry(id).or_default().push(answer);
+        }
+    }
+    // Pairs are listed by the sum of their bits and then by their ids. So of a group with the
+    // same rare answers, only the first members can be among the first pairs.
+    let mut groups: BTreeMap<&Vec<usize>, Vec<&String>> = BTreeMap::new();
+    for (id, answers) in &answers {
+        let members = groups.entry(answers).or_default();
+        if members.len() <= MOST {
+            members.push(id);
+        }
+    }
+    let groups: Vec<(&Vec<usize>, Vec<&String>)> = groups.into_iter().collect();
+    let mut with_answer = vec![Vec::new(); rare.len()];
+    for (group, (answers, _)) in groups.iter().enumerate() {
+        answers
+            .iter()
+            .for_each(|answer| with_answer[*answer].push(group));
+    }
+    let both = with_answer.iter().flat_map(|groups| {
+        let each = groups.iter().enumerate();
+        each.flat_map(|(k, one)| groups[k..].iter().map(|other| [*one, *other]))
+    });
+    let compared: BTreeSet<[usize; 2]> = both.take(COMPARED).collect();
+    let compared = compared.into_iter().filter_map(|both| {
+        let [own, others] = both.map(|group| groups[group].0);
+        let shared = own.iter().filter(|answer| others.contains(answer));
+        let shared: Vec<&SharedAnswer> = shared.map(|answer| rare[*answer]).collect();
+        let bits: f64 = shared.iter().map(|it| it.bits).sum();
+        (shared.len() > 1).then_some((bits, shared, both))
+    });
+    let mut compared: Vec<_> = compared.collect();
+    compared.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut pairs: Vec<SharedPair> = Vec::new();
+    for (bits, shared, [one, other]) in compared {
+        if pairs.len() >= MOST && pairs[pairs.len() - 1].bits > bits {
+            break;
+        }
+        for (k, first) in groups[one].1.iter().enumerate() {
+            let rest = if one == other { k + 1 } else { 0 };
+            for second in &groups[other].1[rest..] {
+                let mut who = [(*first).clone(), (*second).clone()];
+                who.sort();
+                pairs.push(SharedPair {
+                    who,
+                    tasks: shared.iter().map(|it| it.task.clone()).collect(),
+                    bits,
                 });
-                pair.tasks.push(shared.task.clone());
-                pair.bits += shared.bits;
             }
         }
     }
-    let several = pairs.into_values().filter(|pair| pair.tasks.len() > 1);
-    let mut pairs: Vec<SharedPair> = several.collect();
     pairs.sort_by(|a, b| b.bits.total_cmp(&a.bits).then(a.who.cmp(&b.who)));
     pairs.truncate(MOST);
     pairs
@@ -303,13 +345,38 @@ mod tests {
             }
             record
         };
-        let records: Vec<Record> = (0..16).map(record).collect();
+        let records: Vec<RecordSummary> = (0..16).map(|k| record(k).into()).collect();
         let alike = known.alike(&records.iter().collect::<Vec<_>>());
         let bits: Vec<(&str, f64)> = alike.iter().map(|it| (it.task.as_str(), it.bits)).collect();
         assert_eq!(bits, [("plane", 3.0), ("sphere", 3.0), ("soup", 0.0)]);
         let pairs = pairs(&alike);
         assert_eq!(pairs.len(), 1, "{pairs:?}");
         assert_eq!((pairs[0].bits, pairs[0].tasks.len()), (6.0, 2));
+    }
+
+    #[test]
+    fn a_crowd_with_the_same_answers_does_not_hide_a_rarer_pair() {
+        let shared = |task: &str, who: &[usize], bits| SharedAnswer {
+            task: task.into(),
+            to: "each other".into(),
+            who: who.iter().map(|k| format!("s{k:04}")).collect(),
+            share: 0.0,
+            bits,
+        };
+        let crowd: Vec<usize> = (100..1100).collect();
+        let alike = [
+            shared("plane", &[1, 2], 9.0),
+            shared("sphere", &crowd, 1.5),
+            shared("triangle", &[&[1, 2], &crowd[..]].concat(), 1.4),
+        ];
+        let pairs = pairs(&alike);
+        let first: Vec<String> = pairs
+            .iter()
+            .map(|pair| pair.who.join(" "))
+            .take(3)
+            .collect();
+        assert_eq!(first, ["s0001 s0002", "s0100 s0101", "s0100 s0102"]);
+        assert_eq!((pairs.len(), pairs[0].bits), (20, 10.4));
     }
 
     fn right(task: &str) -> pinhole_course::outcome::TaskOutcome {

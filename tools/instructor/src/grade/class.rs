@@ -3,7 +3,7 @@
 pub mod concern;
 pub mod marks;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
@@ -11,14 +11,13 @@ use serde::{Deserialize, Serialize};
 
 use self::concern::Concern;
 use self::marks::Rows;
-use super::alike::{KnownAnswers, SharedAnswer};
+use super::alike::{self, KnownAnswers, SharedAnswer, SharedPair};
 use super::intake::Entry;
 use super::intake::placement::{self, Placement};
 use super::intake::roster::Person;
 use super::policy::Policy;
 use super::policy::mark::Mark;
-use super::record::Record;
-use pinhole_course::diagnosis::Reading;
+use super::record::{Record, RecordSummary, TaskSummary};
 use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::outcome::Status;
 
@@ -76,11 +75,11 @@ impl Roll {
     pub fn find_groups(&mut self) {
         let mut missing = std::mem::take(&mut self.placed.missing);
         let of = self.placed.of.values();
-        let handed_in: Vec<&str> = of
+        let handed_in: BTreeSet<&str> = of
             .flat_map(|person| self.team_of(person))
             .map(|person| person.id.as_str())
             .collect();
-        missing.retain(|person| !handed_in.contains(&person.id.as_str()));
+        missing.retain(|person| !handed_in.contains(person.id.as_str()));
         self.placed.missing = missing;
     }
 
@@ -109,6 +108,9 @@ pub struct Class<'a> {
     /// What the instructor should look at, the most serious first.
     pub concerns: Vec<Concern>,
     pub alike: Vec<SharedAnswer>,
+    /// Pairs that share several answers.
+    pub pairs: Vec<SharedPair>,
+    records: &'a BTreeMap<String, RecordSummary>,
 }
 
 /// A submission's row, for one person.
@@ -116,7 +118,7 @@ pub struct Class<'a> {
 pub struct Row<'a> {
     pub entry: &'a Entry,
     pub person: Option<&'a Person>,
-    pub record: Option<&'a Record>,
+    pub record: Option<&'a RecordSummary>,
     /// The mark; `None` if there is none, or if another submission counts.
     pub mark: Option<Mark>,
     /// Why another submission counts.
@@ -139,7 +141,7 @@ impl<'a> Class<'a> {
     pub fn new(
         title: &str,
         roll: &'a Roll,
-        records: &'a BTreeMap<String, Record>,
+        records: &'a BTreeMap<String, RecordSummary>,
         known: &KnownAnswers,
     ) -> Class<'a> {
         let Rows {
@@ -150,14 +152,17 @@ impl<'a> Class<'a> {
         // Count only submissions that count, because several attempts of one person are alike
         // anyway.
         let counted = own.iter().filter(|row| row.not_counted.is_none());
-        let all: Vec<&Record> = counted.filter_map(|row| row.record).collect();
+        let all: Vec<&RecordSummary> = counted.filter_map(|row| row.record).collect();
+        let alike = known.alike(&all);
         Class {
             title: title.into(),
             roll,
-            alike: known.alike(&all),
+            pairs: alike::pairs(&alike),
+            alike,
             rows: own,
             shared,
             concerns: concern::sorted([roll.concerns(), concerns].concat()),
+            records,
         }
     }
 
@@ -173,22 +178,20 @@ impl<'a> Class<'a> {
     }
 
     /// The records that have a mark.
-    pub fn graded(&self) -> impl Iterator<Item = &'a Record> {
+    pub fn graded(&self) -> impl Iterator<Item = &'a RecordSummary> {
         let records = self.rows.iter().filter_map(|row| row.record);
         records.filter(|record| record.is_graded())
     }
 
     /// Whether a submission has its mark.
     pub fn is_graded(&self, id: &str) -> bool {
-        self.graded().any(|record| record.id == id)
+        self.records.get(id).is_some_and(RecordSummary::is_graded)
     }
 
     /// What the records were judged on, each listed once.
     pub fn judged_on(&self) -> Vec<&'a str> {
         let all = self.graded();
-        let mut all: Vec<&str> = all
-            .map(|record| record.provenance.made_with.judged_on.as_str())
-            .collect();
+        let mut all: Vec<&str> = all.map(|record| record.judged_on.as_str()).collect();
         all.sort();
         all.dedup();
         all
@@ -217,24 +220,22 @@ impl<'a> Class<'a> {
         outcomes
     }
 
-    /// The mistakes in the submissions, the most common first. A mistake counts only where it can
-    /// be told apart from others that would explain the same.
+    /// The mistakes in the submissions, the most common first.
     pub fn mistakes(&self) -> Vec<SharedBelief> {
         let mut held: BTreeMap<&str, SharedBelief> = BTreeMap::new();
         for record in self.graded() {
-            let tasks = record.got.tasks.iter();
-            for task in tasks.filter(|task| task.diagnosis.reading == Reading::Together) {
-                for belief in &task.diagnosis.beliefs {
-                    let entry = held.entry(&belief.slug).or_insert_with(|| SharedBelief {
-                        mistake: belief.slug.clone(),
-                        belief: belief.mistake.belief.clone(),
+            for TaskSummary { task, mistakes, .. } in &record.tasks {
+                for (mistake, belief) in mistakes {
+                    let entry = held.entry(mistake).or_insert_with(|| SharedBelief {
+                        mistake: mistake.clone(),
+                        belief: belief.clone(),
                         tasks: Vec::new(),
                         who: Vec::new(),
                     });
-                    if !entry.tasks.contains(&task.name) {
-                        entry.tasks.push(task.name.clone());
+                    if entry.tasks.iter().all(|name| **name != *task.name) {
+                        entry.tasks.push(task.name.to_string());
                     }
-                    if !entry.who.contains(&record.id) {
+                    if entry.who.last() != Some(&record.id) {
                         entry.who.push(record.id.clone());
                     }
                 }
@@ -249,7 +250,7 @@ impl<'a> Class<'a> {
     pub fn slowest(&self) -> Vec<(&'a str, f64)> {
         let times = self
             .graded()
-            .map(|record| (record.id.as_str(), record.timings.total));
+            .map(|record| (record.id.as_str(), record.seconds));
         let mut times: Vec<(&str, f64)> = times.collect();
         times.sort_by(|a, b| b.1.total_cmp(&a.1));
         times.truncate(10);

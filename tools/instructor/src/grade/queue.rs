@@ -11,7 +11,7 @@ use super::grader::{Grade, Grader};
 use super::intake::{self, Entry};
 use super::points;
 use super::provenance::{GradingInputs, Provenance};
-use super::record::Record;
+use super::record::{Record, RecordSummary};
 use super::views::progress::GradingProgress;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::error::Result;
@@ -31,7 +31,7 @@ const PAUSE: Duration = Duration::from_secs(10);
 
 /// The result of one submission.
 pub struct QueueResult {
-    pub record: Record,
+    pub record: RecordSummary,
     /// Whether it was graded in this run.
     pub is_new: bool,
     pub change: Option<Change>,
@@ -63,7 +63,7 @@ pub fn valid(
         cache.put_points(&record)?;
     }
     Ok(Some(QueueResult {
-        record,
+        record: record.into(),
         is_new: false,
         change,
         fault: None,
@@ -141,7 +141,7 @@ impl GradeQueue<'_> {
         }
         let change = before.and_then(|before| Change::between(&before, &record));
         Some(QueueResult {
-            record,
+            record: record.into(),
             is_new: true,
             change,
             fault: None,
@@ -158,7 +158,7 @@ impl GradeQueue<'_> {
         let stands = before.filter(|before| before.provenance == record.provenance);
         QueueResult {
             is_new: stands.is_none(),
-            record: stands.unwrap_or(record),
+            record: stands.unwrap_or(record).into(),
             change: None,
             fault,
         }

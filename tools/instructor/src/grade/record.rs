@@ -4,12 +4,16 @@
 //! It is an [`Outcome`] with the additions of grading. `tools/schema/result.schema.json`
 //! describes both.
 
+mod summary;
+
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
 use super::provenance::Provenance;
 use pinhole_course::outcome::{Outcome, SceneOutcome, Status};
+
+pub use self::summary::{PartSummary, RecordSummary, TaskSummary};
 
 /// One graded submission.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]

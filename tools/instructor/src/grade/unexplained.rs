@@ -6,8 +6,7 @@ use std::collections::BTreeMap;
 use pinhole::Fact;
 use serde::Serialize;
 
-use super::record::Record;
-use pinhole_course::outcome::{FilmOutcome, TaskOutcome};
+use super::record::RecordSummary;
 
 /// Answers to one task that are wrong in the same way.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -28,25 +27,23 @@ pub struct UnexplainedGroup {
 /// The unexplained answers of a class, the largest groups first. Two answers belong together if
 /// they fail equally many questions of the same groups and measuring them gives the same
 /// sentences.
-pub fn groups<'a>(records: impl Iterator<Item = &'a Record>) -> Vec<UnexplainedGroup> {
+pub fn groups<'a>(records: impl Iterator<Item = &'a RecordSummary>) -> Vec<UnexplainedGroup> {
     let mut groups: BTreeMap<(String, Vec<String>, Vec<String>), UnexplainedGroup> =
         BTreeMap::new();
     for record in records {
-        let tasks = record.got.tasks.iter();
-        let unexplained = tasks.filter(|task| {
-            task.diagnosis.is_empty() && !task.measured.is_empty() && !task.passes()
-        });
-        for task in unexplained {
-            let failing = failing(task);
-            let measured: Vec<String> = task.measured.iter().map(|it| it.says.clone()).collect();
-            let key = (task.name.clone(), failing.clone(), measured.clone());
+        for task in &record.tasks {
+            let Some(answer) = &task.unexplained else {
+                continue;
+            };
+            let (task, measured) = (task.task.name.to_string(), &answer.measured);
+            let key = (task.clone(), answer.failing.clone(), measured.clone());
             let group = groups.entry(key).or_insert_with(|| UnexplainedGroup {
-                task: task.name.clone(),
                 who: Vec::new(),
-                draft: draft(task, &measured),
-                example: example(task),
-                measured,
-                failing,
+                draft: draft(&task, &answer.chapter, measured),
+                example: answer.example.clone(),
+                measured: measured.clone(),
+                failing: answer.failing.clone(),
+                task,
             });
             group.who.push(record.id.clone());
         }
@@ -56,30 +53,16 @@ pub fn groups<'a>(records: impl Iterator<Item = &'a Record>) -> Vec<UnexplainedG
     groups
 }
 
-fn failing(task: &TaskOutcome) -> Vec<String> {
-    let groups = task.groups.iter().filter(|group| !group.outcome.passes());
-    let in_words = groups.map(|group| match &group.outcome {
-        FilmOutcome::Judged(comparison) => format!("{} ({})", group.name, comparison.failing),
-        other => format!("{} ({})", group.name, other.status().word()),
-    });
-    in_words.collect()
-}
-
-fn example(task: &TaskOutcome) -> Vec<Fact> {
-    let mut shown = task.groups.iter().filter(|group| !group.worst.is_empty());
-    shown.next().map_or(Vec::new(), |group| group.worst.clone())
-}
-
 /// A draft of `mistake.toml`, to be placed beside the wrong answer file.
-fn draft(task: &TaskOutcome, measured: &[String]) -> String {
+fn draft(task: &str, chapter: &str, measured: &[String]) -> String {
     let comments: Vec<String> = measured.iter().map(|says| format!("# {says}")).collect();
     let quoted = |text: &str| toml::Value::from(text).to_string();
     format!(
         "# Measurement in the answers to {}:\n{}\nbelief = \"I …\"\nfails = [{}]\nchapter = {}\n\n\
          [hint]\nlook = \"…\"\nthink = \"…\"\nread = \"a section of the chapter\"\n",
-        task.name,
+        task,
         comments.join("\n"),
-        quoted(&task.name),
-        quoted(&task.chapter),
+        quoted(task),
+        quoted(chapter),
     )
 }

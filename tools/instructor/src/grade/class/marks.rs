@@ -11,7 +11,7 @@ use crate::grade::policy::Policy;
 use crate::grade::policy::mark::{JudgedPoints, Mark};
 use crate::grade::policy::rules::Attempts;
 use crate::grade::policy::times::Lateness;
-use crate::grade::record::Record;
+use crate::grade::record::RecordSummary;
 
 /// A class's rows with their marks.
 #[derive(Default)]
@@ -25,7 +25,7 @@ pub struct Rows<'a> {
 }
 
 /// The rows of a class, before it is graded or after.
-pub fn rows<'a>(roll: &'a Roll, records: &'a BTreeMap<String, Record>) -> Rows<'a> {
+pub fn rows<'a>(roll: &'a Roll, records: &'a BTreeMap<String, RecordSummary>) -> Rows<'a> {
     let row = |entry: &'a Entry| Row {
         entry,
         person: roll.placed.of.get(&entry.id),

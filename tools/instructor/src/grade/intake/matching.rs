@@ -14,6 +14,18 @@ fn folded(text: &str) -> String {
     kept.flat_map(char::to_lowercase).collect()
 }
 
+/// Whether this is what [`folded`] makes of a text. For plain letters it needs no copy, because
+/// every submission is compared with everyone on the roster.
+fn is_folded(folded_text: &str, text: &str) -> bool {
+    let plain = text.bytes().filter(u8::is_ascii_alphanumeric);
+    match text.is_ascii() {
+        true => plain
+            .map(|c| c.to_ascii_lowercase())
+            .eq(folded_text.bytes()),
+        false => folded(text) == folded_text,
+    }
+}
+
 /// The letters and digits of a text in lower case, without accents.
 fn unaccented(text: &str) -> String {
     let letters: String = text.nfkd().filter(|c| !is_combining_mark(*c)).collect();
@@ -70,7 +82,7 @@ fn with_id<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
         let local = whole.clone().filter_map(|login| login.split('@').next());
         let github = other.github.as_deref();
         let mut all = whole.chain(local).chain(github).chain([other.id.as_str()]);
-        !id.is_empty() && all.any(|it| folded(it) == id)
+        !id.is_empty() && all.any(|it| is_folded(&id, it))
     };
     people.iter().filter(is).collect()
 }
@@ -152,14 +164,20 @@ pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) 
         Sign::Login(_) => (Proof::Id, owners().collect()),
         Sign::Account { number, name } => account(number, name, people),
         Sign::Plain(name) => {
-            let found = [
-                (Proof::Id, with_id(name, people)),
-                (Proof::Id, named(name, people)),
-                (Proof::Id, owners().collect()),
-                (Proof::Name, among_words(name, people, RosterKey::Ids)),
-                (Proof::Hint, among_words(name, people, RosterKey::Names)),
+            let by_id = || with_id(name, people);
+            let by_name = || named(name, people);
+            let by_title = || owners().collect();
+            let by_word = || among_words(name, people, RosterKey::Ids);
+            let by_words = || among_words(name, people, RosterKey::Names);
+            let ways: [(Proof, &dyn Fn() -> Vec<&'a Person>); 5] = [
+                (Proof::Id, &by_id),
+                (Proof::Id, &by_name),
+                (Proof::Id, &by_title),
+                (Proof::Name, &by_word),
+                (Proof::Hint, &by_words),
             ];
-            let mut found = found.into_iter().filter(|(_, found)| !found.is_empty());
+            let found = ways.into_iter().map(|(proof, find)| (proof, find()));
+            let mut found = found.filter(|(_, found)| !found.is_empty());
             found.next().unwrap_or((Proof::Hint, Vec::new()))
         }
     }
@@ -182,5 +200,18 @@ fn account<'a>(number: &str, name: &str, people: &'a [Person]) -> (Proof, Vec<&'
     match by_name.iter().copied().filter(agrees).collect::<Vec<_>>() {
         both if both.is_empty() => (Proof::Hint, [by_name, by_id].concat()),
         both => (Proof::Name, both),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_are_compared_as_they_are_folded() {
+        for text in ["Ada.Lovelace@x.org", "a_1", "", "Zoë", "İpek", "e\u{301}"] {
+            assert!(is_folded(&folded(text), text), "{text}");
+            assert!(!is_folded("somebody else", text), "{text}");
+        }
     }
 }

@@ -134,10 +134,9 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
         }
     }
     let in_doubt: Vec<&Person> = placed.in_doubt();
-    let is_missing = |person: &&Person| {
-        let handed_in = placed.of.values().any(|other| other.id == person.id);
-        !handed_in && !in_doubt.contains(person)
-    };
+    let handed_in: BTreeSet<&str> = placed.of.values().map(|it| it.id.as_str()).collect();
+    let is_missing =
+        |person: &&Person| !handed_in.contains(person.id.as_str()) && !in_doubt.contains(person);
     let missing: Vec<Person> = people.iter().filter(is_missing).cloned().collect();
     placed.missing = missing;
     placed

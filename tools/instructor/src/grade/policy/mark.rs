@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::Policy;
 use super::rules::{Direction, LatenessUnit, PercentageBase};
 use super::times::{Lateness, begun, later};
-use crate::grade::record::Record;
+use crate::grade::record::RecordSummary;
 
 /// A mark on its way to the gradebook. All numbers are points of the assignment, and none is
 /// below 0.
@@ -57,20 +57,18 @@ pub struct JudgedPoints {
 
 impl JudgedPoints {
     /// The points of a record; `None` if it has no mark.
-    pub fn of(record: &Record, extra: &[String]) -> Option<JudgedPoints> {
-        let tasks = record
-            .got
-            .tasks
-            .iter()
-            .filter(|task| extra.contains(&task.name));
+    pub fn of(record: &RecordSummary, extra: &[String]) -> Option<JudgedPoints> {
+        let is_extra = |name: &str| extra.iter().any(|part| part == name);
+        let tasks = record.tasks.iter().map(|it| &it.task);
+        let tasks = tasks.filter(|task| is_extra(&task.name));
         let tasks: u32 = tasks.map(|task| task.possible).sum();
-        let scenes = match extra.iter().any(|part| part == "scenes") {
-            true => record.scene_points().1,
+        let scenes = match is_extra("scenes") {
+            true => record.scene_points.1,
             false => 0,
         };
         Some(JudgedPoints {
-            points: record.got.points?.into(),
-            possible: record.got.possible.into(),
+            points: record.points?.into(),
+            possible: record.possible.into(),
             extra: (tasks + scenes).into(),
         })
     }

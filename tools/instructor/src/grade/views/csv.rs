@@ -3,7 +3,7 @@
 
 use crate::grade::class::{Change, Class, Row};
 use crate::grade::policy::mark::{Mark, number};
-use crate::grade::record::Record;
+use crate::grade::record::{PartSummary, RecordSummary, TaskSummary};
 use pinhole_course::assignment::Assignment;
 use pinhole_report::escape::printable;
 
@@ -41,17 +41,18 @@ pub fn grades(class: &Class, assignment: &Assignment) -> String {
         let mut line = vec![person.id, person.name, person.section, entry.name.clone()];
         match record {
             Some(record) if record.is_graded() => {
-                line.push(record.got.points.unwrap_or_default().to_string());
-                line.push(record.got.possible.to_string());
+                line.push(record.points.unwrap_or_default().to_string());
+                line.push(record.possible.to_string());
                 line.push(record.status.word().into());
-                line.push(record.notes());
+                line.push(record.notes.clone());
                 for name in &tasks {
-                    let task = record.got.tasks.iter().find(|task| task.name == *name);
+                    let mut all = record.tasks.iter().map(|it| &it.task);
+                    let task = all.find(|task| *task.name == **name);
                     line.push(task.map(|task| task.points.to_string()).unwrap_or_default());
                 }
-                line.push(record.scene_points().0.to_string());
-                line.push(record.got.flags.len().to_string());
-                line.push(record.provenance.made_with.judged_on.clone());
+                line.push(record.scene_points.0.to_string());
+                line.push(record.flags.to_string());
+                line.push(record.judged_on.clone());
                 line.extend(of_mark(mark.as_ref(), record, not_counted));
             }
             _ => {
@@ -78,9 +79,13 @@ pub fn grades(class: &Class, assignment: &Assignment) -> String {
 }
 
 /// A mark's cells: raw, policy, final, late days, and the reasons for changes.
-fn of_mark(mark: Option<&Mark>, record: &Record, not_counted: &Option<String>) -> [String; 5] {
+fn of_mark(
+    mark: Option<&Mark>,
+    record: &RecordSummary,
+    not_counted: &Option<String>,
+) -> [String; 5] {
     let Some(mark) = mark else {
-        let raw = record.got.points.unwrap_or_default().to_string();
+        let raw = record.points.unwrap_or_default().to_string();
         let why = not_counted.clone().unwrap_or_default();
         return [raw, String::new(), String::new(), String::new(), why];
     };
@@ -107,35 +112,24 @@ pub fn groups(class: &Class) -> String {
             continue;
         };
         let person = row.person.cloned().unwrap_or_default();
-        let mut line = |task: &str, group: &str, points: u32, possible: u32, outcome: &str| {
-            let [points, possible] = [points, possible].map(|points| points.to_string());
+        let mut line = |task: &str, part: &PartSummary| {
+            let [points, possible] = [part.points, part.possible].map(|it| it.to_string());
             let words = [
                 &person.id,
                 &person.name,
-                &record.got.submission,
+                &row.entry.name,
                 task,
-                group,
+                &part.name,
                 &points,
                 &possible,
-                outcome,
+                part.status.word(),
             ];
             table.line(&words.map(str::to_owned));
         };
-        for task in &record.got.tasks {
-            for group in &task.groups {
-                let word = group.outcome.status().word();
-                line(&task.name, &group.name, group.points, group.possible, word);
-            }
+        for TaskSummary { task, groups, .. } in &record.tasks {
+            groups.iter().for_each(|group| line(&task.name, group));
         }
-        for scene in &record.got.scenes {
-            line(
-                "scenes",
-                &scene.name,
-                scene.points,
-                scene.possible,
-                scene.outcome.status().word(),
-            );
-        }
+        record.scenes.iter().for_each(|scene| line("scenes", scene));
     }
     table.text()
 }

@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 use minijinja::{context, value::Serde};
 use serde::Serialize;
 
-use crate::grade::alike::{self, SharedAnswer, SharedPair};
+use crate::grade::alike::{SharedAnswer, SharedPair};
 use crate::grade::class::concern::Concern;
 use crate::grade::class::{Class, Row, SharedBelief};
 use crate::grade::intake::roster::Person;
 use crate::grade::policy::mark::number;
-use crate::grade::record::explained;
+use crate::grade::record::{PartSummary, explained};
 use crate::grade::unexplained::{self, UnexplainedGroup};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::outcome::Status;
@@ -142,14 +142,11 @@ pub fn html(class: &Class, assignment: &Assignment, names: Names) -> String {
 
 fn of<'a>(class: &'a Class<'a>, assignment: &Assignment, names: Names) -> Page<'a> {
     let is_anonymous = names == Names::Hidden;
-    let mut points: Vec<u32> = class
-        .graded()
-        .filter_map(|record| record.got.points)
-        .collect();
+    let mut points: Vec<u32> = class.graded().filter_map(|record| record.points).collect();
     points.sort();
     let possible = class
         .graded()
-        .map(|record| record.got.possible)
+        .map(|record| record.possible)
         .max()
         .unwrap_or(0);
     let bins = bins(&points, possible);
@@ -164,7 +161,6 @@ fn of<'a>(class: &'a Class<'a>, assignment: &Assignment, names: Names) -> Page<'
         ..alike.clone()
     });
     let slowest = class.slowest().into_iter();
-    let pairs = alike::pairs(&class.alike);
     let concerns = class.concerns.iter().map(|concern| Concern {
         which: shown(&concern.which),
         ..concern.clone()
@@ -206,11 +202,12 @@ fn of<'a>(class: &'a Class<'a>, assignment: &Assignment, names: Names) -> Page<'
         mistakes: mistakes.collect(),
         unexplained: unexplained.collect(),
         alike: alike.collect(),
-        pairs: pairs
-            .into_iter()
+        pairs: class
+            .pairs
+            .iter()
             .map(|pair| SharedPair {
-                who: pair.who.map(|id| name(&id)),
-                ..pair
+                who: pair.who.each_ref().map(|id| name(id)),
+                ..pair.clone()
             })
             .collect(),
         sections: sections(class),
@@ -248,7 +245,7 @@ fn line(row: &Row) -> Line {
         name: printable(&row.entry.name),
         person: person.name,
         section: person.section,
-        points: graded.and_then(|record| record.got.points),
+        points: graded.and_then(|record| record.points),
         policy: row
             .mark
             .as_ref()
@@ -265,10 +262,12 @@ fn line(row: &Row) -> Line {
             .record
             .map_or(Status::NotGraded, |record| record.status)
             .word(),
-        notes: row.record.map(|record| record.notes()).unwrap_or_default(),
-        flags: row.record.map_or(0, |record| record.got.flags.len()),
+        notes: row
+            .record
+            .map_or(String::new(), |record| record.notes.clone()),
+        flags: row.record.map_or(0, |record| record.flags),
         seconds: graded
-            .map(|record| format!("{:.1}", record.timings.total))
+            .map(|record| format!("{:.1}", record.seconds))
             .unwrap_or_default(),
         report: graded.map(|record| format!("submissions/{}/report.html", record.id)),
     }
@@ -278,7 +277,7 @@ fn line(row: &Row) -> Line {
 fn sections(class: &Class) -> Vec<SectionRow> {
     let mut sections: BTreeMap<String, Vec<u32>> = BTreeMap::new();
     for row in class.rows.iter().filter(|row| row.not_counted.is_none()) {
-        let points = row.record.and_then(|record| record.got.points);
+        let points = row.record.and_then(|record| record.points);
         if let (Some(person), Some(points)) = (row.person, points) {
             let section = printable(&person.section);
             sections.entry(section).or_default().push(points);
@@ -340,34 +339,31 @@ fn parts(class: &Class, assignment: &Assignment) -> Vec<Part> {
             (100 * failing.count() / all.len().max(1)) as u32
         },
     };
+    let points = |part: &PartSummary| (part.points, part.possible);
     let mut parts = Vec::new();
     for task in &assignment.tasks {
         let of = class.graded().filter_map(|record| {
-            let mut tasks = record.got.tasks.iter();
-            tasks.find(|other| other.name == task.name)
+            let mut tasks = record.tasks.iter();
+            tasks.find(|other| *other.task.name == *task.name)
         });
         let of: Vec<_> = of.collect();
-        let all = of.iter().map(|task| (task.points, task.possible)).collect();
+        let all = of.iter().map(|it| points(&it.task)).collect();
         parts.push(part(&task.name, &task.chapter, false, all));
         for group in &task.points {
             let groups = of.iter().filter_map(|task| {
-                let group = task.groups.iter().find(|other| other.name == group.group)?;
-                Some((group.points, group.possible))
+                let mut groups = task.groups.iter();
+                groups.find(|it| *it.name == *group.group).map(points)
             });
             parts.push(part(&group.group, &group.about, true, groups.collect()));
         }
     }
-    let all = class.graded().map(|record| record.scene_points()).collect();
+    let all = class.graded().map(|record| record.scene_points).collect();
     parts.push(part("scenes", "all answers together", false, all));
-    let names = class.graded().next().map(|record| &record.got.scenes);
+    let names = class.graded().next().map(|record| &record.scenes);
     for scene in names.into_iter().flatten() {
         let scenes = class.graded().filter_map(|record| {
-            let scene = record
-                .got
-                .scenes
-                .iter()
-                .find(|other| other.name == scene.name)?;
-            Some((scene.points, scene.possible))
+            let mut scenes = record.scenes.iter();
+            scenes.find(|it| it.name == scene.name).map(points)
         });
         parts.push(part(&scene.name, "", true, scenes.collect()));
     }

@@ -3,7 +3,7 @@
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::grade::record::Record;
+use crate::grade::record::RecordSummary;
 use pinhole_course::progress::Progress;
 use pinhole_report::escape::printable;
 
@@ -32,13 +32,13 @@ impl GradingProgress<'_> {
 
     /// Reports that a submission is done: it was graded in this run, or its result is still
     /// valid.
-    pub fn graded(&self, record: &Record, is_new: bool) {
+    pub fn graded(&self, record: &RecordSummary, is_new: bool) {
         let count = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         let share = count as f64 / self.of.max(1) as f64;
         self.line.show(&printable(&record.id), share);
         if !std::io::stderr().is_terminal() && is_new {
-            let points = record.got.points.map_or("no mark".into(), |points| {
-                format!("{points} of {}", record.got.possible)
+            let points = record.points.map_or("no mark".into(), |points| {
+                format!("{points} of {}", record.possible)
             });
             let said = format!("{points}, {}", record.status.word());
             anstream::eprintln!("[{count}/{}] {}", self.of, log_line(&record.id, &said));

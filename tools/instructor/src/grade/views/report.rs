@@ -3,7 +3,7 @@
 
 use std::fs;
 
-use crate::grade::cache::ResultCache;
+use crate::grade::cache::{ResultCache, write_unflushed};
 use crate::grade::class::{Class, Row};
 use crate::grade::policy::mark::number;
 use pinhole_course::error::Result;
@@ -11,17 +11,20 @@ use pinhole_report::html::mark::{FinalMark, with_mark};
 
 /// Writes everyone's mark into the report; without a policy, none.
 pub fn write_marks(class: &Class, cache: &ResultCache) -> Result<()> {
+    let is_policy = class.roll.policy.is_some();
+    let marked = |page: &str, row: &Row| match is_policy {
+        true => with_mark_of(page, row),
+        false => with_mark(page, None).unwrap_or_else(|| page.to_owned()),
+    };
     for row in &class.rows {
-        let name = format!("submissions/{}/report.html", row.entry.id);
-        let Ok(page) = fs::read_to_string(cache.path(&name)) else {
+        let path = cache.of(&row.entry.id).join("report.html");
+        let Ok(page) = fs::read_to_string(&path) else {
             continue;
         };
-        let is_policy = class.roll.policy.is_some();
-        let page = match is_policy {
-            true => with_mark_of(&page, row),
-            false => with_mark(&page, None).unwrap_or(page),
-        };
-        cache.write(&name, page)?;
+        let page_with_mark = marked(&page, row);
+        if page_with_mark != page {
+            write_unflushed(&path, page_with_mark.as_bytes())?;
+        }
     }
     Ok(())
 }

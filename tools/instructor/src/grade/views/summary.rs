@@ -11,11 +11,11 @@ use super::formats::Format;
 use super::gradebook;
 use super::page::{self, Names};
 use super::report;
-use crate::grade::alike::{self, KnownAnswers};
-use crate::grade::cache::{ResultCache, pretty};
+use crate::grade::alike::KnownAnswers;
+use crate::grade::cache::{ResultCache, pretty, standing};
 use crate::grade::class::concern::Concern;
 use crate::grade::class::{Change, Class, Roll};
-use crate::grade::record::Record;
+use crate::grade::record::RecordSummary;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::error::Result;
 use pinhole_report::escape::printable;
@@ -46,7 +46,11 @@ pub struct ClassOutput<'a> {
 
 impl ClassOutput<'_> {
     /// Writes the table of marks while others are still graded.
-    pub fn write_so_far(&self, roll: &Roll, records: &BTreeMap<String, Record>) -> Result<()> {
+    pub fn write_so_far(
+        &self,
+        roll: &Roll,
+        records: &BTreeMap<String, RecordSummary>,
+    ) -> Result<()> {
         let known = KnownAnswers::default();
         let class = Class::new(&self.assignment.title, roll, records, &known);
         let table = csv::grades(&class, self.assignment);
@@ -57,7 +61,7 @@ impl ClassOutput<'_> {
     pub fn write(
         &self,
         roll: &Roll,
-        records: &BTreeMap<String, Record>,
+        records: &BTreeMap<String, RecordSummary>,
         run: &RunSummary,
     ) -> Result<Status> {
         let ClassOutput {
@@ -78,8 +82,8 @@ impl ClassOutput<'_> {
                 let Some(file) = format.file_of_each() else {
                     break;
                 };
-                let record = records.get(id).filter(|_| is_asked);
-                let content = record.map(|record| format.of(record)).transpose()?;
+                let record = is_asked.then(|| standing(&cache.of(id))).flatten();
+                let content = record.map(|record| format.of(&record)).transpose()?;
                 let name = format!("submissions/{id}/{file}");
                 cache.write_or_remove(&name, content.flatten())?;
             }
@@ -136,7 +140,7 @@ fn document(class: &Class, run: &RunSummary) -> serde_json::Value {
     let outcomes: BTreeMap<&str, Vec<&str>> =
         outcomes.map(|(kind, who)| (kind.word(), who)).collect();
     let points = class.rows.iter().map(|row| {
-        let points = row.record.and_then(|record| record.got.points);
+        let points = row.record.and_then(|record| record.points);
         (row.entry.id.as_str(), points)
     });
     json!({
@@ -150,7 +154,7 @@ fn document(class: &Class, run: &RunSummary) -> serde_json::Value {
         "outcomes": outcomes,
         "mistakes": class.mistakes(),
         "alike": class.alike,
-        "pairs": alike::pairs(&class.alike),
+        "pairs": class.pairs,
         "changes": run.changes,
         "faults": run.faults,
         "summary": class.roll.headline(&|id| class.is_graded(id), "graded"),

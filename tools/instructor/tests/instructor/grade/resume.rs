@@ -119,6 +119,9 @@ fn shards_merge_to_the_grades_of_one_run() {
         .expect_code(3)
         .expect_err("3-3 has not started: its people are listed as not graded")
         .expect_out("not graded");
+    on_small_assignment(&["merge", &two, &one, "--out", &one])
+        .expect_code(2)
+        .expect_err("can't be merged into itself");
     on_small_assignment(&["merge", &two, &one, "--out", &merged]).expect_code(1);
     assert_eq!(
         class.read("merged/grades.csv"),

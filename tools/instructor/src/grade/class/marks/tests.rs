@@ -59,8 +59,8 @@ fn finals(rows: &Rows) -> Vec<(String, String, f64)> {
     all.collect()
 }
 
-fn records(points: &[(&str, u32)]) -> BTreeMap<String, Record> {
-    let record = |(id, points): &(&str, u32)| ((*id).to_owned(), graded(id, *points, 100));
+fn records(points: &[(&str, u32)]) -> BTreeMap<String, RecordSummary> {
+    let record = |(id, points): &(&str, u32)| ((*id).to_owned(), graded(id, *points, 100).into());
     points.iter().map(record).collect()
 }
 
