@@ -1,6 +1,7 @@
 //! Questions are read as they were written.
 
 use super::*;
+use crate::Hit;
 use crate::tree::{FlatNode, FlatTree};
 
 #[track_caller]
