@@ -4,7 +4,7 @@
 //! wrote, and [`mutants`] those that a program writes ([`mutate`]); [`equivalents`] lists mutants
 //! that are not mistakes, and [`difference`] tests that list by searching for differences.
 //! [`hints`] checks the wording of hints, [`catches`] counts which questions catch which
-//! mistakes, [`sensitivity`] measures how small an error the scenes still detect, and [`table`]
+//! mistakes, [`sensitivity`] measures how small an error the scenes still detect, and `table`
 //! shows the results.
 
 mod catches;

@@ -1,6 +1,6 @@
 //! A question for PrairieLearn: its folder, and the files of the image that grades it.
 //!
-//! Follows https://prairielearn.readthedocs.io/en/latest/externalGrading/. The image holds every
+//! Follows <https://prairielearn.readthedocs.io/en/latest/externalGrading/>. The image holds every
 //! golden and our answers, so it is for instructors only.
 
 use std::fs;

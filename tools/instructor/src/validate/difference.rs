@@ -1,5 +1,5 @@
 //! Searches for questions on which two programs give different answers, compared to the last bit.
-//! It asks all questions of a task and its [ties](super::ties).
+//! It asks all questions of a task and its [ties].
 
 use std::collections::BTreeMap;
 use std::fmt;

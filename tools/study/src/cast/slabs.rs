@@ -4,7 +4,7 @@
 //! A ray crosses a box's side p at t = (p − e) / d, which is computed as p × inverse − offset.
 //! A bound on the rounding errors is added to the offset once per ray, so that near sides are
 //! computed too near and far sides too far. In the scene's own [`Frame`], with u = 2⁻²⁴, |p| ≤
-//! 1.001 and, if the ray meets anything, |e| ≤ [`NEAR`]:
+//! 1.001 and, if the ray meets anything, |e| ≤ `NEAR`:
 //!
 //! 1. e is the origin. A distant origin is first moved along the ray to a little before the
 //!    point nearest to the scene's centre, which leaves it within 6 of the centre. The moved
@@ -15,7 +15,7 @@
 //!    The sum is below u (3.1 + 2.1 |e|) |inverse|. The slack is (4u (1 + |e|) + 2⁻⁴⁷ A)
 //!    |inverse|.
 //! 3. A component of the direction below 2⁻⁶⁰ is replaced by ±2⁻⁶⁰. The ray's way through the
-//!    scene is shorter than [`BEYOND`], so this moves the ray by less than 2⁻⁵⁵, which the
+//!    scene is shorter than `BEYOND`, so this moves the ray by less than 2⁻⁵⁵, which the
 //!    slack covers. Therefore no number here is infinite or NaN.
 //! 4. The start of the search interval is rounded down and its end is rounded up.
 //!

@@ -8,7 +8,7 @@
 //! the error of t.
 //!
 //! These bounds are relative, so they hold only if no number underflows or overflows. This is
-//! checked first, from the sizes of the factors ([`IN_RANGE`]). Outside this range nothing is
+//! checked first, from the sizes of the factors (`IN_RANGE`). Outside this range nothing is
 //! certain, and the hit is computed exactly.
 
 use crate::cast::world::Primitive;

@@ -195,7 +195,7 @@ fn prairielearn(record: &Record) -> Value {
     })
 }
 
-/// Follows https://github.com/foundation50/classroom50/wiki/Advanced-Autograding, “The
+/// Follows <https://github.com/foundation50/classroom50/wiki/Advanced-Autograding>, “The
 /// `result.json` contract”. The runner's environment names the classroom, the assignment and the
 /// submission. `None` without a mark, so that the runner reports an error of its own.
 fn classroom50(record: &Record, runner: &dyn Fn(&str) -> Option<String>) -> Option<Value> {

@@ -5,7 +5,7 @@ use crate::number::{ROOT_OF_UNIT, TINY, U};
 use crate::root::{Root, rounded};
 use crate::shape::{Plane, Ray};
 
-/// [`super::Shifted`] with a filter. What the filter leaves uncertain is decided exactly, so
+/// [`super::ShiftedOrigin`] with a filter. What the filter leaves uncertain is decided exactly, so
 /// hit or miss is never wrong. The relative error of t is at most √u.
 ///
 /// # Why the filter is right
