@@ -3,7 +3,7 @@
 //! The static picture is an ordinary figure in the page, and a script makes it interactive. The
 //! script is TypeScript in `book/interactive`. Its bundle is stored in this package, so that
 //! building the book needs no Node.js. The script computes nothing that an assignment asks for,
-//! but looks everything up in `facts.json`, which [`facts`] writes.
+//! but looks everything up in `facts.json`, which `facts` writes.
 
 mod facts;
 mod slice;
