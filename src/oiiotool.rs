@@ -77,11 +77,11 @@ impl Oiiotool {
         let layout = Film::read(golden).map_err(|error| error.to_string())?;
         // Under plain names, because `#` and `{…}` in a path have a meaning of their own
         // for the tool.
-        let table =
-            Table::lay(golden, film).map_err(|error| format!("cannot copy films: {error}"))?;
+        let copies =
+            FilmCopies::new(golden, film).map_err(|error| format!("cannot copy films: {error}"))?;
         let output = Command::new(&self.binary)
             .args(arguments(&layout))
-            .current_dir(&table.folder)
+            .current_dir(&copies.folder)
             .output()
             .map_err(|error| format!("cannot start {}: {error}", self.binary.display()))?;
         Ok(verdict(&output))
@@ -89,7 +89,7 @@ impl Oiiotool {
 }
 
 /// A folder with copies of the three films, which is deleted when dropped.
-struct Table {
+struct FilmCopies {
     folder: PathBuf,
 }
 
@@ -97,24 +97,24 @@ const FILM: &str = "film.exr";
 const GOLDEN: &str = "golden.exr";
 const TOLERANCE: &str = "tolerance.exr";
 
-impl Table {
-    fn lay(golden: &Path, film: &Path) -> io::Result<Table> {
+impl FilmCopies {
+    fn new(golden: &Path, film: &Path) -> io::Result<FilmCopies> {
         static NEXT: AtomicUsize = AtomicUsize::new(0);
         let turn = NEXT.fetch_add(1, Ordering::Relaxed);
         let name = format!("pinhole-films-{}-{turn}", std::process::id());
-        let table = Table {
+        let copies = FilmCopies {
             folder: env::temp_dir().join(name),
         };
         // Not `create_dir_all`: a folder of this name may belong to another process.
-        fs::create_dir(&table.folder)?;
-        fs::copy(film, table.folder.join(FILM))?;
-        fs::copy(golden, table.folder.join(GOLDEN))?;
-        fs::copy(tolerance_path(golden), table.folder.join(TOLERANCE))?;
-        Ok(table)
+        fs::create_dir(&copies.folder)?;
+        fs::copy(film, copies.folder.join(FILM))?;
+        fs::copy(golden, copies.folder.join(GOLDEN))?;
+        fs::copy(tolerance_path(golden), copies.folder.join(TOLERANCE))?;
+        Ok(copies)
     }
 }
 
-impl Drop for Table {
+impl Drop for FilmCopies {
     fn drop(&mut self) {
         let _never_made = fs::remove_dir_all(&self.folder);
     }

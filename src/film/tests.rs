@@ -5,7 +5,7 @@ use crate::ray::Intersection;
 use crate::testing::{self, Random, grid, row};
 use glam::{DVec3, dvec3};
 
-mod refused;
+mod refusals;
 
 fn read(bytes: impl AsRef<[u8]>) -> Result<Film, Error> {
     let (_folder, path) = testing::file("film.exr", bytes);

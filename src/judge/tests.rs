@@ -2,7 +2,7 @@ use super::*;
 use crate::camera::Resolution;
 use crate::testing::{self, Random, grid, row};
 
-mod refused;
+mod refusals;
 
 /// A golden of hits: ids, ts, and the normals' z (x and y are 0).
 fn golden(ids: &[f32], ts: &[f32], tolerance: f32) -> Golden {

@@ -10,7 +10,7 @@ use crate::testing::{self, row};
 use glam::{DVec3, dvec3};
 
 mod reading;
-mod refused;
+mod refusals;
 mod words;
 
 /// Channels of one pixel each.

@@ -2,12 +2,12 @@
 
 mod headings;
 mod images;
-mod left_over;
 mod links;
 mod pages;
 mod reading;
 mod solutions;
 mod spelling;
+mod stray_directives;
 
 use clap::ValueEnum as _;
 use pinhole_course::checkout::Checkout;
@@ -87,7 +87,7 @@ fn built(built: &BuiltEdition, checkout: &Checkout) -> Result<Vec<Problem>> {
     problems.extend(links::dead(&pages, &built.folder, built.edition));
     problems.extend(links::vague(&pages, built.edition));
     problems.extend(images::silent(&pages));
-    problems.extend(left_over::left_over(&pages));
+    problems.extend(stray_directives::stray_directives(&pages));
     if built.edition == Edition::Student {
         print!("{}", reading::grades(&pages));
         problems.extend(reading::hard(&pages));

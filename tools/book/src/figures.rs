@@ -4,13 +4,13 @@
 mod boxes;
 mod camera;
 mod drawing;
-mod lit;
+mod lamp;
 mod loops;
 mod nine_pixels;
 mod pictures;
 mod shapes;
-mod so_far;
 mod stills;
+mod student_progress;
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -69,12 +69,16 @@ pub fn makers() -> BTreeMap<&'static str, Maker> {
             pictures::projections_side_by_side,
         ),
         ("normal_colours", pictures::normal_colours),
-        ("lit", lit::lit),
-        ("so_far_viewing_rays", |it| so_far::so_far(0, it)),
-        ("so_far_plane", |it| so_far::so_far(1, it)),
-        ("so_far_sphere", |it| so_far::so_far(2, it)),
-        ("so_far_triangle", |it| so_far::so_far(3, it)),
-        ("so_far_soup", |it| so_far::so_far(4, it)),
+        ("lit", lamp::scene_with_lamp),
+        ("so_far_viewing_rays", |it| {
+            student_progress::after_shapes(0, it)
+        }),
+        ("so_far_plane", |it| student_progress::after_shapes(1, it)),
+        ("so_far_sphere", |it| student_progress::after_shapes(2, it)),
+        ("so_far_triangle", |it| {
+            student_progress::after_shapes(3, it)
+        }),
+        ("so_far_soup", |it| student_progress::after_shapes(4, it)),
         ("nine_plane", nine_pixels::nine_plane),
         ("nine_sphere", nine_pixels::nine_sphere),
         ("nine_triangle", nine_pixels::nine_triangle),

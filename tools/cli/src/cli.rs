@@ -253,7 +253,7 @@ pub struct Completions {
 #[cfg(test)]
 mod tests {
     use clap::CommandFactory;
-    use pinhole_testing::documented::assert_all_parse;
+    use pinhole_testing::documented_commands::assert_all_parse;
 
     use super::Cli;
 

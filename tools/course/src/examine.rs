@@ -2,7 +2,7 @@
 
 mod asking;
 mod diagnose;
-mod judged;
+mod judged_film;
 
 use std::time::{Duration, Instant};
 
@@ -33,7 +33,7 @@ use crate::timings::timed;
 pub use asking::{Clock, KnownReplies, run};
 use diagnose::Cast;
 pub use diagnose::asked;
-pub use judged::failure;
+pub use judged_film::failure;
 
 /// The most bytes that are shown of an answer's output for one question.
 const MOST_PRINTED_BY_ONE: usize = 1000;

@@ -20,6 +20,8 @@ mod host_paths;
 #[cfg(target_os = "linux")]
 mod seal;
 #[cfg(target_os = "linux")]
+mod secrets;
+#[cfg(target_os = "linux")]
 mod syscalls;
 #[cfg(target_os = "linux")]
 mod toolchain;
@@ -27,8 +29,6 @@ mod toolchain;
 mod tree;
 #[cfg(target_os = "linux")]
 mod user_id;
-#[cfg(target_os = "linux")]
-mod visible;
 mod watch;
 
 use std::cell::Cell;
@@ -174,7 +174,7 @@ impl Sandbox {
             "install it (Debian: apt-get install bubblewrap); in a container that is used once, \
              pass --sandbox container; or pass --trust if the code is your own",
         )?;
-        visible::refuse_visible(&walls.visible(), checkout, secrets)?;
+        secrets::refuse_visible_secrets(&walls.visible(), checkout, secrets)?;
         Ok(Sandbox::Bubblewrap(walls))
     }
 

@@ -318,7 +318,7 @@ fn shard(text: &str) -> Result<(usize, usize), String> {
 #[cfg(test)]
 mod tests {
     use clap::CommandFactory;
-    use pinhole_testing::documented::assert_all_parse;
+    use pinhole_testing::documented_commands::assert_all_parse;
 
     use super::Cli;
 

@@ -6,10 +6,9 @@
 //! students may not see, [`evidence`] keeps what only the lecturer may see, [`points`] computes
 //! marks again, [`provenance`] says what a record was made from, and [`cache`] stores files.
 //! [`policy`] turns the judged points into a mark for the gradebook, [`class`] holds all records
-//! together, [`alike`] finds equal answers, and [`unexplained`] groups wrong answers that no
-//! known mistake explains. [`views`] writes and prints the results.
+//! together, [`shared_answers`] finds equal answers, and [`unexplained_groups`] groups wrong answers
+//! that no known mistake explains. [`views`] writes and prints the results.
 
-pub mod alike;
 pub mod cache;
 pub mod class;
 pub mod evidence;
@@ -21,5 +20,6 @@ pub mod provenance;
 pub mod queue;
 pub mod record;
 pub mod redact;
-pub mod unexplained;
+pub mod shared_answers;
+pub mod unexplained_groups;
 pub mod views;

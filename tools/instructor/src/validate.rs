@@ -31,7 +31,7 @@ use serde::Serialize;
 use catches::DetectionTable;
 use draws::Draws;
 use mutants::Mutants;
-use naming::{Diagnoses, Names};
+use naming::{Diagnoses, NameCounts};
 use pairs::Pairs;
 use pinhole_course::error::Result;
 use pinhole_course::mistake;
@@ -126,7 +126,7 @@ impl Validation {
             .as_ref()
             .is_some_and(|scenes| !scenes.is_empty());
         let pairs = self.pairs.as_ref().is_some_and(|pairs| {
-            let Names {
+            let NameCounts {
                 right,
                 among,
                 none,

@@ -73,7 +73,7 @@ where
 }
 
 #[inline(never)]
-fn cast<K, S, F>(pairs: &[(S::With<F>, K::Prepared, F)]) -> F
+fn cast<K, S, F>(pairs: &[(S::With<F>, K::PreparedRay, F)]) -> F
 where
     K: Kernel<S::With<F>, F>,
     S: Shape,

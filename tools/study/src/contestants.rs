@@ -1,7 +1,7 @@
 //! The list of all kernels that the study compares.
 
 use crate::contestant::Contestant;
-use crate::kernel::{Kernel, Prepared, Tier, WidenedKernel, plane, sphere, triangle};
+use crate::kernel::{FilterRay, Kernel, Tier, WidenedKernel, plane, sphere, triangle};
 use crate::oracle::HasTruth;
 use crate::question::{Data, Question};
 use crate::shape::{Plane, Sphere, Triangle};
@@ -57,7 +57,7 @@ impl HasKernels for Sphere<f64> {
     }
 
     fn tier(Question { shape, ray, min_t }: &Question<Self>) -> Tier {
-        sphere::decided(shape, &Prepared::new(ray), *min_t).1
+        sphere::decided(shape, &FilterRay::new(ray), *min_t).1
     }
 }
 
@@ -73,7 +73,7 @@ impl HasKernels for Plane<f64> {
     }
 
     fn tier(Question { shape, ray, min_t }: &Question<Self>) -> Tier {
-        plane::decided(shape, &Prepared::new(ray), *min_t).1
+        plane::decided(shape, &FilterRay::new(ray), *min_t).1
     }
 }
 
@@ -91,6 +91,6 @@ impl HasKernels for Triangle<f64> {
     }
 
     fn tier(Question { shape, ray, min_t }: &Question<Self>) -> Tier {
-        triangle::decided(shape, &Prepared::new(ray), *min_t).1
+        triangle::decided(shape, &FilterRay::new(ray), *min_t).1
     }
 }

@@ -5,7 +5,7 @@ pub mod mesh;
 mod plane;
 mod sphere;
 mod triangle;
-mod varied;
+mod variations;
 
 use crate::contestants::HasKernels;
 use crate::question::{Class, Data, Question};

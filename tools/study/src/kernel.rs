@@ -12,10 +12,10 @@ mod filter;
 pub mod plane;
 pub mod sphere;
 pub mod triangle;
-mod widened;
+mod widened_kernel;
 
-pub use filter::{Limits, Prepared, Tier, Window};
-pub use widened::WidenedKernel;
+pub use filter::{FilterRay, Limits, Tier, Window};
+pub use widened_kernel::WidenedKernel;
 
 use crate::number::Real;
 use crate::shape::Ray;
@@ -26,11 +26,11 @@ pub trait Kernel<S, F: Real>: 'static {
     const NAME: &'static str;
 
     /// The ray, with everything that this kernel precomputes from it.
-    type Prepared: Copy;
+    type PreparedRay: Copy;
 
     /// Prepares a ray, once for all shapes.
-    fn prepare(ray: &Ray<F>) -> Self::Prepared;
+    fn prepare(ray: &Ray<F>) -> Self::PreparedRay;
 
     /// The smallest t ≥ `min_t` at which the ray meets the shape.
-    fn intersect(shape: &S, ray: &Self::Prepared, min_t: F) -> Option<F>;
+    fn intersect(shape: &S, ray: &Self::PreparedRay, min_t: F) -> Option<F>;
 }

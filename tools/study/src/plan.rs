@@ -6,8 +6,8 @@
 //! 2. [`bounds`] bounds the errors of a hit's t and normal, from the hit's own numbers. These
 //!    bounds are computed only if [`bounds::PROVEN_T`] does not suffice for the requested
 //!    accuracy.
-//! 3. [`casting`] casts by the plan. Hits whose bounds are too wide are computed [`exactly`].
-//! 4. [`told`] describes the plan in words.
+//! 3. [`casting`] casts by the plan. A hit whose bounds are too wide is computed by [`exact_hit`].
+//! 4. [`description`] describes the plan in words.
 //!
 //! All of this is proven for every ray, if t is a normal `f64`; any other t is rounded to the
 //! nearest `f64`, which may be far from it. Nothing is sampled or timed, so the same scene has the
@@ -15,8 +15,8 @@
 
 pub mod bounds;
 pub mod casting;
-pub mod exactly;
-pub mod told;
+pub mod description;
+pub mod exact_hit;
 
 use pinhole::Scene;
 use serde::Serialize;

@@ -48,7 +48,7 @@ struct FarSide;
 
 impl Kernel<Sphere<f64>, f64> for FarSide {
     const NAME: &'static str = "far side";
-    type Prepared = Ray<f64>;
+    type PreparedRay = Ray<f64>;
     fn prepare(ray: &Ray<f64>) -> Ray<f64> {
         *ray
     }
@@ -63,13 +63,13 @@ struct OneUlpOff;
 
 impl Kernel<Triangle<f64>, f64> for OneUlpOff {
     const NAME: &'static str = "one ulp off";
-    type Prepared = <triangle::Adaptive as Kernel<Triangle<f64>, f64>>::Prepared;
-    fn prepare(ray: &Ray<f64>) -> Self::Prepared {
+    type PreparedRay = <triangle::Adaptive as Kernel<Triangle<f64>, f64>>::PreparedRay;
+    fn prepare(ray: &Ray<f64>) -> Self::PreparedRay {
         let mut ray = *ray;
         ray.direction.x = ray.direction.x.next_up();
         triangle::Adaptive::prepare(&ray)
     }
-    fn intersect(shape: &Triangle<f64>, ray: &Self::Prepared, min_t: f64) -> Option<f64> {
+    fn intersect(shape: &Triangle<f64>, ray: &Self::PreparedRay, min_t: f64) -> Option<f64> {
         triangle::Adaptive::intersect(shape, ray, min_t)
     }
 }
@@ -79,7 +79,7 @@ struct Strict;
 
 impl Kernel<Triangle<f64>, f64> for Strict {
     const NAME: &'static str = "strict";
-    type Prepared = Ray<f64>;
+    type PreparedRay = Ray<f64>;
     fn prepare(ray: &Ray<f64>) -> Ray<f64> {
         *ray
     }

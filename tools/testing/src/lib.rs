@@ -1,6 +1,6 @@
 //! Runs the real programs on the real course, for the tests of every package.
 
-pub mod documented;
+pub mod documented_commands;
 
 use std::collections::BTreeSet;
 use std::fs::{self, File};

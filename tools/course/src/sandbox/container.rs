@@ -19,10 +19,10 @@ use super::Limits;
 use super::budget::Budget;
 use super::confine;
 use super::host_paths::HostPaths;
+use super::secrets::refuse_visible_secrets;
 use super::syscalls::Purpose;
 use super::toolchain::{linker, sysroot};
 use super::user_id::UserId;
-use super::visible::refuse_visible;
 use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
 
@@ -74,7 +74,7 @@ impl Container {
             .map(Path::new)
             .chain([&*walls.sysroot])
             .collect();
-        refuse_visible(&visible, checkout, secrets)?;
+        refuse_visible_secrets(&visible, checkout, secrets)?;
         if !walls.landlocked {
             if !accepts_modes {
                 return Err(Error::environment(

@@ -11,13 +11,13 @@ use serde::{Deserialize, Serialize};
 
 use self::concern::Concern;
 use self::marks::Rows;
-use super::alike::{self, KnownAnswers, SharedAnswer, SharedPair};
 use super::intake::Entry;
 use super::intake::placement::{self, Placement};
 use super::intake::roster::Person;
 use super::policy::Policy;
 use super::policy::mark::Mark;
 use super::record::{Record, RecordSummary, TaskSummary};
+use super::shared_answers::{self, KnownAnswers, SharedAnswer, SharedPair};
 use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::outcome::Status;
 
@@ -153,11 +153,11 @@ impl<'a> Class<'a> {
         // anyway.
         let counted = own.iter().filter(|row| row.not_counted.is_none());
         let all: Vec<&RecordSummary> = counted.filter_map(|row| row.record).collect();
-        let alike = known.alike(&all);
+        let alike = known.shared_answers(&all);
         Class {
             title: title.into(),
             roll,
-            pairs: alike::pairs(&alike),
+            pairs: shared_answers::pairs(&alike),
             alike,
             rows: own,
             shared,

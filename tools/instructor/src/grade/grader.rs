@@ -11,13 +11,13 @@ use std::time::{Duration, Instant};
 
 use self::clock::{Pace, SubmissionClock};
 use self::fresh::{revoke_failing_fresh, worth_asking_fresh};
-use super::alike;
 use super::evidence::Evidence;
 use super::intake::Entry;
 use super::points;
 use super::provenance::{GradingInputs, Provenance};
 use super::record::{Record, SceneNeeds, Timings, explained};
 use super::redact::{Withheld, redact_scene};
+use super::shared_answers;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::compile::{Attempt, Compiler, Program};
 use pinhole_course::error::Result;
@@ -109,7 +109,7 @@ impl Grader<'_> {
         let groups = self.assignment.tasks.iter().flat_map(|task| &task.points);
         let (title, name) = (&self.assignment.title, entry.name.clone());
         let answers = submission.answers.iter().filter_map(|answer| {
-            let hash = alike::tokens(answer.text.as_ref().ok()?)?;
+            let hash = shared_answers::tokens(answer.text.as_ref().ok()?)?;
             Some((answer.task.clone(), hash))
         });
         Record {

@@ -11,7 +11,7 @@ use pinhole_course::outcome::Examination;
 
 /// Diagnoses of wrong films, counted.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Names {
+pub struct NameCounts {
     /// How many films were given the right belief alone or, for a combined mistake, only beliefs
     /// that it has.
     pub right: usize,
@@ -28,16 +28,16 @@ pub struct Names {
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct SubmissionDiagnosisCounts {
     /// Diagnoses of tasks, by their questions.
-    pub tasks: Names,
+    pub tasks: NameCounts,
     /// Diagnoses of scenes, as `check` makes them after the tasks.
-    pub scenes: Names,
+    pub scenes: NameCounts,
     /// Diagnoses of single pictures, as `diff` makes them, with nothing else known.
-    pub pictures: Names,
+    pub pictures: NameCounts,
     /// Films that can't be diagnosed, because the code panicked.
     pub without_film: usize,
 }
 
-impl Names {
+impl NameCounts {
     /// How many films were diagnosed.
     pub fn all(&self) -> usize {
         self.right + self.among + self.none + self.wrong.len()
@@ -61,7 +61,7 @@ impl Names {
     }
 
     /// Adds the counts of others.
-    pub fn add(&mut self, other: &Names) {
+    pub fn add(&mut self, other: &NameCounts) {
         self.right += other.right;
         self.among += other.among;
         self.none += other.none;

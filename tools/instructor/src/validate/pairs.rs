@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
-use super::naming::Names;
+use super::naming::NameCounts;
 use super::sentences::{FEW, Sentences};
 use super::validator::{Base, Validator};
 use pinhole_course::error::{Error, Result, ResultExt};
@@ -49,7 +49,7 @@ pub struct Pairs {
     /// How many there are in the assignment.
     pub all: usize,
     /// Names of one belief or of both.
-    pub names: Names,
+    pub names: NameCounts,
     /// How many had both beliefs named.
     pub both: usize,
     /// Pairs that got no name or a wrong one.
@@ -89,10 +89,10 @@ pub fn judge(validator: &Validator, named: &str, all: bool) -> Result<Option<Pai
     }
     let base = Base::new(reference.clone());
     let judged = validator.all("pairs", &wanted, |pair| pair.judge(validator, &base))?;
-    let mut names = Names::default();
+    let mut names = NameCounts::default();
     let mut pairs = Pairs {
         all: count,
-        names: Names::default(),
+        names: NameCounts::default(),
         both: 0,
         unnamed: Vec::new(),
         passing: Vec::new(),
@@ -116,7 +116,7 @@ pub fn judge(validator: &Validator, named: &str, all: bool) -> Result<Option<Pai
 struct PairResult {
     name: String,
     fails: bool,
-    names: Names,
+    names: NameCounts,
     both: bool,
     sentences: Sentences,
 }
@@ -144,7 +144,7 @@ impl Pair {
         let examined = validator.examine_built(&program, &submission, &selection, wall, None)?;
         let outcome = examined.outcome.tasks.first();
         let failing = outcome.filter(|task| !task.passes());
-        let mut names = Names::default();
+        let mut names = NameCounts::default();
         let mut both = false;
         let mut sentences = Sentences::default();
         if let Some(outcome) = failing {

@@ -4,7 +4,7 @@ use super::world::{Part, Primitive, World};
 use super::{Found, Tally};
 use crate::kernel::sphere::ScaledRay;
 use crate::kernel::triangle::{PacketHits, TrianglePacket};
-use crate::kernel::{Kernel, Limits, Prepared, Tier, Window, plane, sphere, triangle};
+use crate::kernel::{FilterRay, Kernel, Limits, Tier, Window, plane, sphere, triangle};
 use crate::root::Root;
 use crate::shape::Ray;
 
@@ -150,7 +150,7 @@ impl Model for Exact {
 #[inline(never)]
 fn left_open(shape: &Primitive, query: &Query, tally: &mut Tally) -> Option<f64> {
     let (scaled, given, min_t) = (query.scaled, *query.ray, query.min_t);
-    let ray = Prepared { scaled, given };
+    let ray = FilterRay { scaled, given };
     let (answer, tier) = match shape {
         Primitive::Sphere(shape) => sphere::decided(shape, &ray, min_t),
         Primitive::Plane(shape) => plane::decided(shape, &ray, min_t),

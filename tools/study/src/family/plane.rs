@@ -1,7 +1,7 @@
 //! Difficult questions about planes: nearly parallel rays, and normals that are not unit
 //! length.
 
-use super::{Family, HasFamilies, decades, scales, varied};
+use super::{Family, HasFamilies, decades, scales, variations};
 use crate::question::{Question, ten_to};
 use crate::random::Random;
 use crate::shape::Plane;
@@ -18,9 +18,9 @@ impl HasFamilies for Plane<f64> {
                 everyday: 2,
                 ask: |random, x, _| parallel(random, x),
             },
-            varied::direction(),
-            varied::offset(),
-            varied::scale(),
+            variations::direction(),
+            variations::offset(),
+            variations::scale(),
             Family {
                 name: "normal",
                 axis: "length of the stored normal = 10^x",
@@ -29,7 +29,7 @@ impl HasFamilies for Plane<f64> {
                 everyday: 3,
                 ask: |random, x, _| Self::plain(random).map(|l| l, |n| n * ten_to(x), |d| d, |t| t),
             },
-            varied::threshold(
+            variations::threshold(
                 "distance of min_t from t = 10^−x of it",
                 "rays that may begin just before or just behind the plane",
             ),

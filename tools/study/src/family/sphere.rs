@@ -1,7 +1,7 @@
 //! Difficult questions about spheres: far away, very large, barely touched, or with an origin
 //! on the surface.
 
-use super::{Family, HasFamilies, decades, varied};
+use super::{Family, HasFamilies, decades, variations};
 use crate::question::{Question, ten_to};
 use crate::random::Random;
 use crate::shape::Sphere;
@@ -56,10 +56,10 @@ impl HasFamilies for Sphere<f64> {
                     Question::new(Sphere { center, radius }, origin, direction)
                 },
             },
-            varied::direction(),
-            varied::offset(),
-            varied::scale(),
-            varied::threshold(
+            variations::direction(),
+            variations::offset(),
+            variations::scale(),
+            variations::threshold(
                 "distance of min_t from the near root = 10^−x of it",
                 "rays that may begin just before or just behind the near side",
             ),

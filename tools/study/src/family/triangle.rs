@@ -1,6 +1,6 @@
 //! Difficult questions about triangles: far away, thin, seen edge-on, or without area.
 
-use super::{Family, HasFamilies, decades, scales, varied};
+use super::{Family, HasFamilies, decades, scales, variations};
 use crate::question::{Question, ten_to};
 use crate::random::Random;
 use crate::shape::Triangle;
@@ -59,8 +59,8 @@ impl HasFamilies for Triangle<f64> {
                 everyday: -1,
                 ask: |random, x, _| flat(random, x),
             },
-            varied::direction(),
-            varied::offset(),
+            variations::direction(),
+            variations::offset(),
             Family {
                 name: "scale",
                 axis: "size of the scene = 10^x",
@@ -79,7 +79,7 @@ impl HasFamilies for Triangle<f64> {
                     Self::plain(random).map(|l| l * ten_to(-x), |n| n, |d| d, |t| t)
                 },
             },
-            varied::threshold(
+            variations::threshold(
                 "distance of min_t from t = 10^−x of it",
                 "rays that may begin just before or just behind the triangle",
             ),

@@ -109,18 +109,18 @@ impl Window {
 
 /// A ray, both scaled for filters and as it was given for exact decisions.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared {
+pub struct FilterRay {
     /// The scaled ray, for filters.
     pub scaled: ScaledRay<f64>,
     /// The ray as it was given, for exact decisions.
     pub given: Ray<f64>,
 }
 
-impl Prepared {
+impl FilterRay {
     /// Prepares a ray.
     #[inline(always)]
-    pub fn new(ray: &Ray<f64>) -> Prepared {
+    pub fn new(ray: &Ray<f64>) -> FilterRay {
         let (scaled, given) = (ScaledRay::new(ray), *ray);
-        Prepared { scaled, given }
+        FilterRay { scaled, given }
     }
 }

@@ -1,7 +1,7 @@
 //! Planes: (e + t d − p) · n = 0.
 
 mod adaptive;
-mod shifted;
+mod shifted_origin;
 
 pub use adaptive::{Adaptive, decided, exact, filtered, limits};
-pub use shifted::ShiftedOrigin;
+pub use shifted_origin::ShiftedOrigin;

@@ -4,7 +4,7 @@
 use rayon::prelude::*;
 
 use super::bounds::{OF_UNIT, PROVEN_T, normal_of, of_normal, of_t};
-use super::{AccuracyTarget, exactly};
+use super::{AccuracyTarget, exact_hit};
 use crate::cast::model::Exact;
 use crate::cast::world::{Part, Primitive, World};
 use crate::cast::{Caster, Found, Search, Seen, Tally};
@@ -47,7 +47,7 @@ impl PlannedCaster {
             Some(normal) => (t, normal),
             None => {
                 tally.exact_hits += 1;
-                exactly::hit(&part.shape, ray, self.min_t)
+                exact_hit::exact_hit(&part.shape, ray, self.min_t)
             }
         };
         let AccuracyTarget {

@@ -7,8 +7,8 @@ use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};
 use pinhole_report::program::Status;
+use pinhole_study::plan::description::description;
 use pinhole_study::plan::plan;
-use pinhole_study::plan::told::told;
 use pinhole_study::scenes;
 use serde_json::json;
 
@@ -22,7 +22,7 @@ pub fn run(checkout: &Checkout, arguments: &Plan) -> Result<Status> {
         true => anstream::println!("{:#}", json!(plan)),
         false => {
             let name = file.file_stem().unwrap_or_default().to_string_lossy();
-            anstream::print!("{}", told(&plan, &name));
+            anstream::print!("{}", description(&plan, &name));
         }
     }
     Ok(Status::Well)

@@ -33,7 +33,7 @@ const TERMS: [&str; 4] = ["image plane", "image_plane", "disk space", "on a disk
 
 #[test]
 fn no_tool_names_an_assignment_a_task_or_a_shape() {
-    let names = Names::read();
+    let names = ForbiddenNames::read();
     let all = ["src", "tools"].map(|folder| sources(&root().join(folder)));
     let mut wrong = Vec::new();
     let mut looked_at = 0;
@@ -55,7 +55,7 @@ fn no_tool_names_an_assignment_a_task_or_a_shape() {
 
 #[test]
 fn a_name_is_found_in_code_and_strings_but_not_in_comments_and_tests() {
-    let names = Names::read();
+    let names = ForbiddenNames::read();
     for named in [
         "fn f() { sphere_of(x) }",
         "const X: ShapeKind = ShapeKind::Sphere;",
@@ -78,16 +78,16 @@ fn a_name_is_found_in_code_and_strings_but_not_in_comments_and_tests() {
 }
 
 /// What must not be named.
-struct Names {
+struct ForbiddenNames {
     /// In snake case.
     names: BTreeSet<String>,
     /// Names that are also kinds of question. The kind itself may be named, in camel case.
     kinds: BTreeSet<String>,
 }
 
-impl Names {
+impl ForbiddenNames {
     /// The names of all assignments.
-    fn read() -> Names {
+    fn read() -> ForbiddenNames {
         let mut names: BTreeSet<String> = FIELDS.iter().map(|it| it.to_string()).collect();
         let mut kinds = BTreeSet::new();
         for folder in ASSIGNMENTS {
@@ -106,7 +106,7 @@ impl Names {
                 }
             }
         }
-        Names { names, kinds }
+        ForbiddenNames { names, kinds }
     }
 
     /// The words of a source's code and strings that hold a name.

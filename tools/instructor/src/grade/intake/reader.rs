@@ -9,7 +9,7 @@ mod folder;
 mod limits;
 mod tarball;
 mod unpack;
-mod zipped;
+mod zip_file;
 
 use std::collections::BTreeMap;
 use std::fs::File;

@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 use minijinja::{context, value::Serde};
 use serde::Serialize;
 
-use crate::grade::alike::{SharedAnswer, SharedPair};
 use crate::grade::class::concern::Concern;
 use crate::grade::class::{Class, Row, SharedBelief};
 use crate::grade::intake::roster::Person;
 use crate::grade::policy::mark::number;
 use crate::grade::record::{PartSummary, explained};
-use crate::grade::unexplained::{self, UnexplainedGroup};
+use crate::grade::shared_answers::{SharedAnswer, SharedPair};
+use crate::grade::unexplained_groups::{self, UnexplainedGroup};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::outcome::Status;
 use pinhole_report::escape::printable;
@@ -115,23 +115,23 @@ struct Line {
     report: Option<String>,
 }
 
-/// Whether a page shows names.
+/// Who may see a page.
 #[derive(Clone, Copy, Eq, PartialEq)]
-pub enum Names {
-    Shown,
-    /// No names, for showing the page in class.
-    Hidden,
+pub enum Audience {
+    Instructor,
+    /// The page has no names, so that it can be shown in class.
+    Class,
 }
 
 /// The page of a class.
-pub fn html(class: &Class, assignment: &Assignment, names: Names) -> String {
+pub fn html(class: &Class, assignment: &Assignment, audience: Audience) -> String {
     let environment = environment(&TEMPLATES);
     let style = [PAGE_CSS, include_str!("../../../templates/class.css")];
     let style = style.concat().replace('\r', "");
     let script = include_str!("../../../templates/class.js").replace('\r', "");
     let page = environment.get_template("class.html").and_then(|page| {
         page.render(context! {
-            class => Serde(of(class, assignment, names)),
+            class => Serde(of(class, assignment, audience)),
             policy => policy(&style, &script),
             style,
             script,
@@ -140,8 +140,8 @@ pub fn html(class: &Class, assignment: &Assignment, names: Names) -> String {
     page.unwrap_or_else(|error| panic!("the class's template: {error:#}"))
 }
 
-fn of<'a>(class: &'a Class<'a>, assignment: &Assignment, names: Names) -> Page<'a> {
-    let is_anonymous = names == Names::Hidden;
+fn of<'a>(class: &'a Class<'a>, assignment: &Assignment, audience: Audience) -> Page<'a> {
+    let is_anonymous = audience == Audience::Class;
     let mut points: Vec<u32> = class.graded().filter_map(|record| record.points).collect();
     points.sort();
     let possible = class
@@ -170,7 +170,7 @@ fn of<'a>(class: &'a Class<'a>, assignment: &Assignment, names: Names) -> Page<'
         who: shown(&held.who),
         ..held
     });
-    let unexplained = unexplained::groups(class.graded()).into_iter();
+    let unexplained = unexplained_groups::groups(class.graded()).into_iter();
     let unexplained = unexplained.map(|group| UnexplainedGroup {
         who: shown(&group.who),
         ..group

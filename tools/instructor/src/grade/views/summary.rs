@@ -9,13 +9,13 @@ use super::csv;
 use super::feedback;
 use super::formats::Format;
 use super::gradebook;
-use super::page::{self, Names};
+use super::page::{self, Audience};
 use super::report;
-use crate::grade::alike::KnownAnswers;
 use crate::grade::cache::{ResultCache, pretty, standing};
 use crate::grade::class::concern::Concern;
 use crate::grade::class::{Change, Class, Roll};
 use crate::grade::record::RecordSummary;
+use crate::grade::shared_answers::KnownAnswers;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::error::Result;
 use pinhole_report::escape::printable;
@@ -110,11 +110,11 @@ impl ClassOutput<'_> {
         let changes = run.is_regrade.then(|| csv::changes(&run.changes));
         cache.write_or_remove("changes.csv", changes)?;
         cache.write("grades.csv", csv::grades(&class, assignment))?;
-        for (name, names) in [
-            ("class.html", Names::Shown),
-            ("class_without_names.html", Names::Hidden),
+        for (name, audience) in [
+            ("class.html", Audience::Instructor),
+            ("class_without_names.html", Audience::Class),
         ] {
-            cache.write(name, page::html(&class, assignment, names))?;
+            cache.write(name, page::html(&class, assignment, audience))?;
         }
         match self.as_json {
             true => anstream::print!("{}", pretty(&document(&class, run))?),

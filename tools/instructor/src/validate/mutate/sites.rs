@@ -1,11 +1,11 @@
 //! Walks through an answer and collects every change at every place.
 //!
-//! The walk is here; [`names`] knows the answer's variables, [`changes`] the replacements for
+//! The walk is here; [`variables`] knows the answer's variables, [`changes`] the replacements for
 //! each piece of syntax, and [`source`] writes them.
 
 mod changes;
-mod names;
 mod source;
+mod variables;
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -16,15 +16,15 @@ use syn::{Expr, ExprBinary, ExprMethodCall, Member, UnOp};
 
 use super::operators::{is_arithmetic, neighbours, other_numbers};
 use super::{Edit, Operator};
-use names::Names;
+use variables::Variables;
 
 /// Every change of every function in a file.
 pub fn edits(file: &syn::File, text: &str) -> Vec<Edit> {
-    let mut names = Names::default();
-    names.visit_file(file);
+    let mut variables = Variables::default();
+    variables.visit_file(file);
     let mut sites = Sites {
         text,
-        names,
+        variables,
         edits: Vec::new(),
         inside: BTreeSet::new(),
     };
@@ -34,7 +34,7 @@ pub fn edits(file: &syn::File, text: &str) -> Vec<Edit> {
 
 struct Sites<'a> {
     text: &'a str,
-    names: Names,
+    variables: Variables,
     edits: Vec<Edit>,
     /// Places where an expression is part of a tighter-binding one, and so needs parentheses.
     inside: BTreeSet<(usize, usize)>,
@@ -55,7 +55,7 @@ impl<'ast> Visit<'ast> for Sites<'_> {
         match expression {
             Expr::Binary(binary) if is_arithmetic(&binary.op) => self.sign(expression, true),
             Expr::MethodCall(_) | Expr::Field(_) => self.sign(expression, false),
-            Expr::Path(path) if self.names.holds(path) => self.sign(expression, false),
+            Expr::Path(path) if self.variables.holds(path) => self.sign(expression, false),
             _ => {}
         }
         visit::visit_expr(self, expression);
@@ -103,11 +103,11 @@ impl<'ast> Visit<'ast> for Sites<'_> {
         let Some(name) = expression.path.get_ident().map(ToString::to_string) else {
             return;
         };
-        if self.names.numbers.contains(&name) {
+        if self.variables.numbers.contains(&name) {
             self.put(expression, "0.0", Operator::Constant);
             self.put(expression, "1.0", Operator::Constant);
         }
-        let around: Vec<String> = self.names.around(&name).into_iter().cloned().collect();
+        let around: Vec<String> = self.variables.around(&name).into_iter().cloned().collect();
         for other in around {
             self.put(expression, other, Operator::Neighbour);
         }

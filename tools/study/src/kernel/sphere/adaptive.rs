@@ -1,6 +1,6 @@
 use super::haines::ScaledRay;
 use crate::dyadic::{Dyadic, DyadicVector};
-use crate::kernel::{Kernel, Limits, Prepared, Tier, Window};
+use crate::kernel::{FilterRay, Kernel, Limits, Tier, Window};
 use crate::number::{ROOT_OF_UNIT, TINY, U};
 use crate::root::{Root, rounded};
 use crate::shape::{Ray, Sphere};
@@ -35,22 +35,22 @@ pub struct Adaptive;
 
 impl Kernel<Sphere<f64>, f64> for Adaptive {
     const NAME: &'static str = "adaptive exact";
-    type Prepared = Prepared;
+    type PreparedRay = FilterRay;
 
     #[inline(always)]
-    fn prepare(ray: &Ray<f64>) -> Prepared {
-        Prepared::new(ray)
+    fn prepare(ray: &Ray<f64>) -> FilterRay {
+        FilterRay::new(ray)
     }
 
     #[inline(always)]
-    fn intersect(sphere: &Sphere<f64>, ray: &Prepared, min_t: f64) -> Option<f64> {
+    fn intersect(sphere: &Sphere<f64>, ray: &FilterRay, min_t: f64) -> Option<f64> {
         decided(sphere, ray, min_t).0
     }
 }
 
 /// The answer, and the tier that decided it: the semi-static filter or exact arithmetic.
 #[inline(always)]
-pub fn decided(sphere: &Sphere<f64>, ray: &Prepared, min_t: f64) -> (Option<f64>, Tier) {
+pub fn decided(sphere: &Sphere<f64>, ray: &FilterRay, min_t: f64) -> (Option<f64>, Tier) {
     let scaled = &ray.scaled;
     let window = Window::new(scaled.scale(min_t));
     let limits = limits(sphere, (scaled.ray.origin - sphere.center).largest());

@@ -80,7 +80,7 @@ impl<F: Real> ScaledRay<F> {
 
 impl<F: Real> Kernel<Sphere<F>, F> for Haines {
     const NAME: &'static str = "Haines scaled";
-    type Prepared = ScaledRay<F>;
+    type PreparedRay = ScaledRay<F>;
 
     #[inline(always)]
     fn prepare(ray: &Ray<F>) -> ScaledRay<F> {

@@ -12,7 +12,7 @@ pub struct Textbook;
 
 impl<F: Real> Kernel<Sphere<F>, F> for Textbook {
     const NAME: &'static str = "textbook";
-    type Prepared = Ray<F>;
+    type PreparedRay = Ray<F>;
 
     #[inline(always)]
     fn prepare(ray: &Ray<F>) -> Ray<F> {

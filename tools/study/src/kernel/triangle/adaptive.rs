@@ -1,7 +1,7 @@
 use super::double_double_filter;
 use crate::dyadic::{Dyadic, DyadicVector};
 use crate::kernel::sphere::ScaledRay;
-use crate::kernel::{Kernel, Limits, Prepared, Tier, Window};
+use crate::kernel::{FilterRay, Kernel, Limits, Tier, Window};
 use crate::number::{ROOT_OF_UNIT, TINY, U};
 use crate::root::{Root, rounded};
 use crate::shape::{Ray, Triangle};
@@ -38,15 +38,15 @@ pub struct Adaptive;
 
 impl Kernel<Triangle<f64>, f64> for Adaptive {
     const NAME: &'static str = "adaptive exact";
-    type Prepared = Prepared;
+    type PreparedRay = FilterRay;
 
     #[inline(always)]
-    fn prepare(ray: &Ray<f64>) -> Prepared {
-        Prepared::new(ray)
+    fn prepare(ray: &Ray<f64>) -> FilterRay {
+        FilterRay::new(ray)
     }
 
     #[inline(always)]
-    fn intersect(triangle: &Triangle<f64>, ray: &Prepared, min_t: f64) -> Option<f64> {
+    fn intersect(triangle: &Triangle<f64>, ray: &FilterRay, min_t: f64) -> Option<f64> {
         decided(triangle, ray, min_t).0
     }
 }
@@ -54,7 +54,7 @@ impl Kernel<Triangle<f64>, f64> for Adaptive {
 /// The answer, and the tier that decided it: the semi-static filter, double-double or exact
 /// arithmetic.
 #[inline(always)]
-pub fn decided(triangle: &Triangle<f64>, ray: &Prepared, min_t: f64) -> (Option<f64>, Tier) {
+pub fn decided(triangle: &Triangle<f64>, ray: &FilterRay, min_t: f64) -> (Option<f64>, Tier) {
     let scaled = &ray.scaled;
     let window = Window::new(scaled.scale(min_t));
     let limits = limits(

@@ -10,7 +10,7 @@ pub struct MollerTrumbore;
 
 impl<F: Real> Kernel<Triangle<F>, F> for MollerTrumbore {
     const NAME: &'static str = "Möller–Trumbore";
-    type Prepared = Ray<F>;
+    type PreparedRay = Ray<F>;
 
     #[inline(always)]
     fn prepare(ray: &Ray<F>) -> Ray<F> {
@@ -49,7 +49,7 @@ pub struct MollerTrumboreEpsilon;
 
 impl<F: Real> Kernel<Triangle<F>, F> for MollerTrumboreEpsilon {
     const NAME: &'static str = "M–T with epsilon";
-    type Prepared = Ray<F>;
+    type PreparedRay = Ray<F>;
 
     #[inline(always)]
     fn prepare(ray: &Ray<F>) -> Ray<F> {

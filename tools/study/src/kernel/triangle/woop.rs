@@ -54,7 +54,7 @@ impl Axis {
 
 impl<F: Real> Kernel<Triangle<F>, F> for Woop {
     const NAME: &'static str = "Woop, edges owned";
-    type Prepared = ShearedRay<F>;
+    type PreparedRay = ShearedRay<F>;
 
     #[inline(always)]
     fn prepare(ray: &Ray<F>) -> ShearedRay<F> {

@@ -9,7 +9,7 @@ use encoding_rs::{Encoding, UTF_8};
 
 use super::file_names::is_opened;
 use super::limits::{self, LimitedStream, Limits};
-use super::{Content, Reader, tarball, zipped};
+use super::{Content, Reader, tarball, zip_file};
 use pinhole_course::submission::AnswerFileProblem;
 use pinhole_course::submission::text::{self, MOST_BYTES, Text};
 
@@ -116,7 +116,7 @@ impl Reader<'_> {
         if start.starts_with(b"\x1f\x8b") || tarball::begins(&start) {
             return tarball::read(self, file, path, depth);
         }
-        zipped::read(self, file, path, depth)
+        zip_file::read(self, file, path, depth)
     }
 }
 

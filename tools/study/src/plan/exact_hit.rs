@@ -13,7 +13,7 @@ use crate::vector::Vector;
 /// If the ray misses the shape.
 #[cold]
 #[inline(never)]
-pub fn hit(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> (f64, Vector<f64>) {
+pub fn exact_hit(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> (f64, Vector<f64>) {
     let root = exact(shape, ray, min_t).expect("the exact caster found this hit");
     let along = match shape {
         Primitive::Plane(plane) => DyadicVector::of(plane.normal),

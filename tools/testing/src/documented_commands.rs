@@ -35,7 +35,7 @@ pub fn assert_all_parse(program: &clap::Command, others: &[&str], least: usize) 
     let subcommands = program.get_subcommands().map(clap::Command::get_name);
     let subcommands: Vec<&str> = subcommands.collect();
     let mut count = 0;
-    for command in documented(&subcommands) {
+    for command in documented_commands(&subcommands) {
         let words = &command.words;
         let is_own = words[0] == "pinhole" && subcommands.contains(&&*words[1]);
         if !is_own || words.iter().any(|word| others.contains(&&**word)) {
@@ -64,7 +64,7 @@ pub fn assert_all_parse(program: &clap::Command, others: &[&str], least: usize) 
 ///
 /// In sentences, these are pieces of code that begin with `cargo` or `pinhole`, or with one
 /// of `subcommands` and a space.
-pub fn documented(subcommands: &[&str]) -> Vec<DocumentedCommand> {
+pub fn documented_commands(subcommands: &[&str]) -> Vec<DocumentedCommand> {
     let top = [
         "README.md",
         "CONTRIBUTING.md",

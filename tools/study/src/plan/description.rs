@@ -45,7 +45,7 @@ fn how(kind: &KindPlan, wish: AccuracyTarget) -> String {
 }
 
 /// The text of a plan, for a terminal.
-pub fn told(plan: &Plan, scene: &str) -> String {
+pub fn description(plan: &Plan, scene: &str) -> String {
     let mut text = String::new();
     let (wish, prices) = (plan.wish, plan.prices);
     let _ = writeln!(

@@ -11,7 +11,7 @@ pub struct ShiftedOrigin;
 
 impl<F: Real> Kernel<Plane<F>, F> for ShiftedOrigin {
     const NAME: &'static str = "shifted origin";
-    type Prepared = Ray<F>;
+    type PreparedRay = Ray<F>;
 
     #[inline(always)]
     fn prepare(ray: &Ray<F>) -> Ray<F> {

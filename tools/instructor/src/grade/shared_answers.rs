@@ -190,7 +190,7 @@ impl KnownAnswers {
     }
 
     /// Answers of a class that are equal to a known one or to each other, the rarest first.
-    pub fn alike(&self, records: &[&RecordSummary]) -> Vec<SharedAnswer> {
+    pub fn shared_answers(&self, records: &[&RecordSummary]) -> Vec<SharedAnswer> {
         let mut same: BTreeMap<(&str, &str), Vec<String>> = BTreeMap::new();
         let mut right: BTreeMap<&str, usize> = BTreeMap::new();
         for record in records {
@@ -346,7 +346,7 @@ mod tests {
             record
         };
         let records: Vec<RecordSummary> = (0..16).map(|k| record(k).into()).collect();
-        let alike = known.alike(&records.iter().collect::<Vec<_>>());
+        let alike = known.shared_answers(&records.iter().collect::<Vec<_>>());
         let bits: Vec<(&str, f64)> = alike.iter().map(|it| (it.task.as_str(), it.bits)).collect();
         assert_eq!(bits, [("plane", 3.0), ("sphere", 3.0), ("soup", 0.0)]);
         let pairs = pairs(&alike);

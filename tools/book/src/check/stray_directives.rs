@@ -4,7 +4,7 @@ use super::pages::Pages;
 use crate::error::Problem;
 
 /// Directives that were not expanded.
-pub fn left_over(pages: &Pages) -> Vec<Problem> {
+pub fn stray_directives(pages: &Pages) -> Vec<Problem> {
     let mut problems = Vec::new();
     for (path, page) in pages {
         for directive in &page.directives {

@@ -7,7 +7,11 @@ use crate::error::{Error, Result};
 
 /// Refuses a sandbox that would show a secret: the checkout, its goldens and assignments, or one
 /// of `secrets` in a folder that the code may read.
-pub fn refuse_visible(visible: &[&Path], checkout: &Checkout, secrets: &[PathBuf]) -> Result<()> {
+pub fn refuse_visible_secrets(
+    visible: &[&Path],
+    checkout: &Checkout,
+    secrets: &[PathBuf],
+) -> Result<()> {
     let root = checkout.root().to_owned();
     let own = [root.join("golden"), checkout.assignments(), root];
     for secret in own.iter().chain(secrets) {
@@ -51,7 +55,7 @@ mod tests {
         std::os::unix::fs::symlink(&usr, &link).unwrap();
         let refused = |checkout: &Path, secret: &Path| {
             let checkout = Checkout::at(checkout);
-            refuse_visible(&[&usr], &checkout, &[secret.to_owned()]).is_err()
+            refuse_visible_secrets(&[&usr], &checkout, &[secret.to_owned()]).is_err()
         };
         assert!(!refused(&elsewhere, &elsewhere.join("out")));
         assert!(refused(&usr.join("local/pinhole"), &elsewhere));

@@ -25,7 +25,7 @@ const AMBIENT: f64 = 0.2;
 const OFF: f64 = 1e-6;
 
 /// Three pictures: the objects, the same with a lamp, and also with its shadows.
-pub fn lit(checkout: &Checkout) -> Result<FigureFile> {
+pub fn scene_with_lamp(checkout: &Checkout) -> Result<FigureFile> {
     let reference = Reference::build(checkout)?;
     let resolution = Resolution {
         n_x: SIZE,

@@ -4,14 +4,14 @@ use syn::visit::Visit;
 
 /// The variables of an answer.
 #[derive(Default)]
-pub struct Names {
+pub struct Variables {
     /// The variables, in the order they are bound.
     bound: Vec<String>,
     /// Parameters that are numbers.
     pub numbers: Vec<String>,
 }
 
-impl<'ast> Visit<'ast> for Names {
+impl<'ast> Visit<'ast> for Variables {
     fn visit_pat_ident(&mut self, pattern: &'ast syn::PatIdent) {
         self.bound.push(pattern.ident.to_string());
     }
@@ -25,7 +25,7 @@ impl<'ast> Visit<'ast> for Names {
     }
 }
 
-impl Names {
+impl Variables {
     /// Whether this path names one of them.
     pub fn holds(&self, path: &syn::ExprPath) -> bool {
         let name = path.path.get_ident();

@@ -25,7 +25,7 @@ const SHAPES: [ShapeKind; 4] = [
 ];
 
 /// Objects and normals once viewing rays and the first `shapes` shapes are answered.
-pub fn so_far(shapes: usize, checkout: &Checkout) -> Result<FigureFile> {
+pub fn after_shapes(shapes: usize, checkout: &Checkout) -> Result<FigureFile> {
     let reference = Reference::build(checkout)?;
     let assignment = assignment(checkout)?;
     let (scene, _) = assignment.find_scene(SCENE)?;

@@ -10,10 +10,10 @@ macro_rules! widened {
     ($shape:ident, $wide:expr) => {
         impl<K: Kernel<$shape<f64>, f64>> Kernel<$shape<f32>, f32> for WidenedKernel<K> {
             const NAME: &'static str = K::NAME;
-            type Prepared = K::Prepared;
+            type PreparedRay = K::PreparedRay;
 
             #[inline(always)]
-            fn prepare(ray: &Ray<f32>) -> K::Prepared {
+            fn prepare(ray: &Ray<f32>) -> K::PreparedRay {
                 K::prepare(&Ray {
                     origin: ray.origin.map(f32::wide),
                     direction: ray.direction.map(f32::wide),
@@ -21,7 +21,7 @@ macro_rules! widened {
             }
 
             #[inline(always)]
-            fn intersect(shape: &$shape<f32>, ray: &K::Prepared, min_t: f32) -> Option<f32> {
+            fn intersect(shape: &$shape<f32>, ray: &K::PreparedRay, min_t: f32) -> Option<f32> {
                 let wide: fn(&$shape<f32>) -> $shape<f64> = $wide;
                 // Rounding never takes a t ≥ min_t below min_t, because min_t is an `f32`.
                 K::intersect(&wide(shape), ray, min_t.wide()).map(f32::of)
