@@ -29,7 +29,7 @@ pub struct Reply {
     /// How long it took to start: until the first answers came.
     pub start: Duration,
     /// What the student's code printed, standard output and error, cut at
-    /// [`MOST_PRINTED`] bytes each.
+    /// [`MOST_PRINTED`](super::MOST_PRINTED) bytes each.
     pub printed: String,
 }
 

@@ -32,8 +32,8 @@ const OCTAHEDRON: [[usize; 3]; 8] = [
     [0, 3, 5],
 ];
 
-/// An octahedron's faces, each divided into four and projected to the unit sphere. Six faces
-/// meet at most vertices, and four at the others.
+/// An octahedron's faces, each divided into four and projected to the unit sphere. Four faces meet
+/// at the octahedron's own corners, and six at every other vertex.
 fn sphere() -> Vec<[Vector<f64>; 3]> {
     let axis = |x, y, z| Vector::new(x, y, z);
     let corners = [

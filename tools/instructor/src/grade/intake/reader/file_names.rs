@@ -1,6 +1,6 @@
 //! Recognises archives, and files that are left out, by their names.
 
-/// The ends of archives' names; only those in the first list are opened.
+/// The extensions of archives; only those in the first list are opened.
 const OPENED: [&str; 4] = [".zip", ".tar", ".tgz", ".tar.gz"];
 const CLOSED: [&str; 7] = [".rar", ".7z", ".xz", ".txz", ".bz2", ".zst", ".gz"];
 
@@ -19,7 +19,7 @@ pub fn is_archive(name: &str) -> bool {
     is_opened(name) || ends(name, &CLOSED)
 }
 
-/// A name without an archive's end.
+/// A name without an archive's extension.
 pub fn stem(name: &str) -> &str {
     let mut found = OPENED.iter().filter(|end| ends(name, &[*end]));
     let end = found.next_back().map_or(0, |end| end.len());

@@ -1,4 +1,4 @@
-//! Bounds what is read of one submission. Archives may hold far more than their length tells:
+//! Bounds what is read of one submission. Archives may hold far more than their length suggests:
 //! `gzip` packs well, and files in a ZIP file may share their bytes.
 
 use std::cell::Cell;
@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use super::FoundFile;
 
 /// How much of one submission is read, or of a whole archive. Everything that is read counts
-/// for its submission and for the archive around all.
+/// for its submission and for the archive that contains it.
 pub struct Limits {
     /// Bytes of what is kept: answers, and the paths of all that is listed.
     pub kept: Limit,
@@ -74,7 +74,8 @@ impl Limits {
         }
     }
 
-    /// Spends a part of one limit, here and of the archive around; says why, if it can't be.
+    /// Spends a part of a limit, and of the same limit of the archive around it. An error says
+    /// which limit is reached.
     pub fn spend(&self, of: fn(&Limits) -> &Limit, amount: u64) -> Result<(), &'static str> {
         if self.is_late() {
             return Err(TOO_SLOW);
