@@ -156,6 +156,10 @@ fn redact_pictures(section: &mut SceneSection, reveal: Reveal) {
 
 #[cfg(test)]
 mod tests {
+    use pinhole::film::TESTS;
+    use pinhole::judge::Golden;
+    use pinhole::{Film, Resolution};
+    use pinhole_report::html::{Evidence, HeatMaps, SubmittedRays};
     use pinhole_report::terminal;
 
     use super::*;
@@ -166,6 +170,38 @@ mod tests {
         Reveal::Picture,
         Reveal::Full,
     ];
+
+    #[test]
+    fn a_heat_map_shows_as_much_of_a_withheld_scene_as_a_picture() {
+        let resolution = Resolution { n_x: 1, n_y: 1 };
+        let film = Film::of_hits(resolution, &[None]);
+        let golden = Golden::new(film.clone(), film).expect("they belong together");
+        let tests = Film::new(resolution, Vec::new()).with(TESTS, vec![3.0]);
+        for reveal in REVEALS {
+            let evidence = Evidence {
+                name: "cave".into(),
+                passes: false,
+                said: String::new(),
+                attempted: true,
+                points: None,
+                verdict: None,
+                golden: &golden,
+                film: None,
+                heat: HeatMaps::alone(&tests),
+                scene: None,
+                rays: None,
+                own_rays: SubmittedRays::Unknown,
+                beliefs: None,
+                command: String::new(),
+                explain: None,
+            };
+            let mut section = SceneSection::of(0, evidence, 1.0);
+            assert!(section.heat.is_some());
+            redact_pictures(&mut section, reveal);
+            assert_eq!(section.heat.is_some(), section.expected.is_some());
+            assert_eq!(section.heat.is_some(), reveal >= Reveal::Picture);
+        }
+    }
 
     #[test]
     fn student_output_on_withheld_questions_is_removed() {
