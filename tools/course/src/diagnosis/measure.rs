@@ -63,7 +63,7 @@ const MOST_SEARCHED: usize = 160;
 const HITS: &str = "hits";
 
 /// The most sentences that are reported for a task.
-const MOST_SAID: usize = 3;
+const MOST_SAID: usize = 4;
 
 /// What is wrong in the answers to one task.
 pub fn measure(films: &[QuestionsAndAnswers<'_>]) -> Vec<Measurement> {
@@ -313,7 +313,7 @@ impl<'a> PartFinding<'a> {
     /// another where it doesn't.
     fn sides(&self, whole: &Claim) -> Option<Vec<Measurement>> {
         let is_clear = |claim: &Claim| match claim {
-            Claim::Part { law, share, .. } => *share >= ALL && !matches!(law, PartLaw::Length(_)),
+            Claim::Part { law, share, .. } => *share >= ALL && law.is_complete(),
             _ => false,
         };
         if is_clear(whole) {

@@ -206,6 +206,15 @@ fn simple(number: f64) -> Option<f64> {
 }
 
 impl PartLaw {
+    /// Whether it says all values of the part.
+    pub fn is_complete(&self) -> bool {
+        match self {
+            PartLaw::Whole(_) => true,
+            PartLaw::Axes(laws) => !laws.contains(&AxisLaw::Unknown),
+            PartLaw::Length(_) => false,
+        }
+    }
+
     /// How a sample compares with it.
     pub fn stand(&self, sample: &Sample, part: usize) -> Fit {
         match self {

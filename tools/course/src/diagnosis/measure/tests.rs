@@ -215,7 +215,7 @@ fn a_part_with_a_law_on_each_side_of_a_condition_gets_two_sentences() {
         let normal = plane.normal * question.ray.origin.z.signum();
         Some(Intersection { normal, ..right })
     });
-    let behind = "Where d · n > 0 (met from behind), the normal is multiplied by −1 · |n|, in all ";
+    let behind = "Where d · n > 0 (met from behind), the normal is multiplied by −|n|, in all ";
     assert!(said[0].starts_with(behind), "{said:?}");
     let front = "Where d · n < 0 (met from the front), the normal is multiplied by |n|, in all ";
     assert!(said[1].starts_with(front), "{said:?}");
@@ -243,7 +243,7 @@ fn an_axis_with_a_law_is_described_beside_one_without() {
         normal.y += question.ray.direction.x.sin() * question.ray.origin.z.cos();
         Some(Intersection { normal, ..right })
     });
-    let law = "The normal along x is 0.5 too large, and is right along z, and is wrong in another \
+    let law = "The normal along x is 0.5 too large, is right along z, and is wrong in another \
                way along y, in all 200 hits.";
     assert_eq!(said[0], law);
 }

@@ -38,19 +38,20 @@ pub fn law(law: &PartLaw, part: usize, sample: &Sample, several: bool) -> String
                 }
                 _ => None,
             });
-            let mut told = list(follows.collect());
             let along = |known: AxisLaw| {
                 let which = laws.iter().zip(axes).filter(|(law, _)| **law == known);
                 list(which.map(|(_, axis)| (*axis).to_owned()).collect())
             };
+            let told = list(follows.collect());
             let (right, unknown) = (along(AxisLaw::Right), along(AxisLaw::Unknown));
-            if !right.is_empty() {
-                told += &format!(", and is right along {right}");
+            match (right.is_empty(), unknown.is_empty()) {
+                (true, true) => told,
+                (false, true) => format!("{told}, and is right along {right}"),
+                (true, false) => format!("{told}, and is wrong in another way along {unknown}"),
+                (false, false) => format!(
+                    "{told}, is right along {right}, and is wrong in another way along {unknown}"
+                ),
             }
-            if !unknown.is_empty() {
-                told += &format!(", and is wrong in another way along {unknown}");
-            }
-            told
         }
     }
 }
@@ -135,6 +136,7 @@ fn times(by: f64, name: &str, power: i32) -> String {
     };
     match by {
         1.0 => name,
+        -1.0 => format!("−{name}"),
         by => format!("{} · {name}", number(by, DIGITS)),
     }
 }
