@@ -16,6 +16,41 @@ pub enum BoundsQuestion {
     Boxes(BoundingBox, BoundingBox),
 }
 
+/// For each corner of a triangle, that it has the least or the greatest coordinate along some axis,
+/// and the opposite.
+const CORNERS: [[(&str, &str); 2]; 3] = [
+    [
+        (
+            "the first corner has the least x, y or z",
+            "the other two corners have the least x, y and z",
+        ),
+        (
+            "the first corner has the greatest x, y or z",
+            "the other two corners have the greatest x, y and z",
+        ),
+    ],
+    [
+        (
+            "the second corner has the least x, y or z",
+            "the first and the third corner have the least x, y and z",
+        ),
+        (
+            "the second corner has the greatest x, y or z",
+            "the first and the third corner have the greatest x, y and z",
+        ),
+    ],
+    [
+        (
+            "the third corner has the least x, y or z",
+            "the first two corners have the least x, y and z",
+        ),
+        (
+            "the third corner has the greatest x, y or z",
+            "the first two corners have the greatest x, y and z",
+        ),
+    ],
+];
+
 impl BoundsQuestion {
     pub(super) fn read(samples: Samples<'_>) -> Result<BoundsQuestion, String> {
         match samples.count("boxes")? {
@@ -78,7 +113,7 @@ impl Question for BoundsQuestion {
             BoundsQuestion::Boxes(a, b) => vec![a.min, a.max, b.min, b.max],
         };
         let shares = |axis: usize| points.iter().all(|point| point[axis] == points[0][axis]);
-        vec![
+        let mut conditions = vec![
             Condition::new(
                 "two boxes are joined",
                 "a triangle is asked about",
@@ -90,7 +125,23 @@ impl Question for BoundsQuestion {
                 "some coordinate is positive",
                 points.iter().all(|point| point.max_element() < 0.0),
             ),
-        ]
+        ];
+        // Whether a corner alone sticks out to one side of an axis, down (−1) or up.
+        let sticks_out = |corner: usize, side: f64| match self {
+            BoundsQuestion::Boxes(..) => false,
+            BoundsQuestion::Triangle(Triangle { corners }) => (0..3).any(|axis| {
+                let mut others = (0..3).filter(|other| *other != corner);
+                let place = |corner: usize| side * corners[corner][axis];
+                others.all(|other| place(other) < place(corner))
+            }),
+        };
+        let names = CORNERS.iter().enumerate();
+        conditions.extend(names.flat_map(|(corner, [least, greatest])| {
+            [(least, -1.0), (greatest, 1.0)].map(|((name, otherwise), side)| {
+                Condition::new(name, otherwise, sticks_out(corner, side))
+            })
+        }));
+        conditions
     }
 
     fn others(&self, _: &Answer) -> Vec<(&'static str, Answer)> {

@@ -113,6 +113,11 @@ impl Question for BoxQuestion {
             Condition::new("t is above max_t", "t is max_t or less", t > self.max_t),
             Condition::new("t is below 0", "t is 0 or more", t < 0.0),
             Condition::new(
+                "the ray's origin is in the box",
+                "the ray's origin is not in the box",
+                self.is_inside_at(0.0),
+            ),
+            Condition::new(
                 "the ray is in the box at min_t",
                 "the ray is not in the box at min_t",
                 self.is_inside_at(self.min_t),
@@ -146,6 +151,25 @@ impl Question for BoxQuestion {
     }
 
     fn others(&self, _: &Answer) -> Vec<(&'static str, Answer)> {
-        Vec::new()
+        let BoundingBox { min, max } = self.bounds;
+        let crossings = |plane: DVec3| (plane - self.ray.origin) / self.ray.direction;
+        let (a, b) = (crossings(min), crossings(max));
+        let crossed = (0..3).filter(|axis| self.ray.direction[*axis] != 0.0);
+        let entry = crossed.clone().map(|axis| a[axis].min(b[axis]));
+        let exit = crossed.map(|axis| a[axis].max(b[axis]));
+        let at = |t| {
+            let normal = DVec3::ZERO;
+            Answer::alone(Some(Intersection { t, normal }))
+        };
+        vec![
+            (
+                "the smallest of min_t and the three entries",
+                at(entry.fold(self.min_t, f64::min)),
+            ),
+            (
+                "the greatest of min_t and the three exits",
+                at(exit.fold(self.min_t, f64::max)),
+            ),
+        ]
     }
 }

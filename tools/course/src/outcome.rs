@@ -59,8 +59,8 @@ pub enum Picture {
     },
     /// The worst of a group's trees.
     Tree {
-        /// The boxes of the triangles.
-        triangles: Vec<BoundingBox>,
+        /// The boxes of the primitives.
+        primitives: Vec<BoundingBox>,
         /// The upper boxes of a right tree.
         expected: Vec<NodeBox>,
         /// Those of the submission's tree.

@@ -59,6 +59,9 @@ const ALL: f64 = 0.99;
 /// Search at most this many samples for a law.
 const MOST_SEARCHED: usize = 160;
 
+/// From this share on, hits are missed, or invented, nearly everywhere.
+const NEARLY_ALL: f64 = 0.85;
+
 /// What the samples of a part are called if only hits have that part.
 const HITS: &str = "hits";
 
@@ -209,6 +212,15 @@ fn decisions(samples: &[Sample]) -> Vec<Measurement> {
                     (Scope::Partly, _) => format!("{counted}{}.", among(&rule, &wrong, misses)),
                 };
                 decision(says, true, Claim::Decision { misses, rule })
+            }
+            None if some as f64 >= NEARLY_ALL * all as f64 && all >= LEAST => {
+                let says = match misses {
+                    true => format!("You miss nearly all hits: {some} of {all}."),
+                    false => format!(
+                        "You find a hit in nearly all questions where there is none: in {some} of {all}."
+                    ),
+                };
+                decision(says, true, Claim::Nearly { misses })
             }
             None => decision(format!("{counted}."), false, Claim::Count),
         });

@@ -40,7 +40,7 @@ impl JudgedFilm {
         let index = asked.resolution.index(worst.pixel);
         let question = questions.get(index)?;
         Some(Picture::Tree {
-            triangles: question.boxes.clone(),
+            primitives: question.boxes.clone(),
             expected: question.outline(&question.example),
             got: reply.outlines.get(index)?.clone(),
         })

@@ -1,13 +1,12 @@
 //! `pinhole dispute`: everything about one mark, for the lecturer who must explain it.
 
-use std::path::Path;
-
 use serde_json::json;
 
 use crate::cli::Dispute;
 use crate::grade::cache::standing;
 use crate::grade::class::{ROLL, Roll};
 use crate::grade::evidence::Evidence;
+use crate::grade::intake::roster::Person;
 use crate::grade::record::Record;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::outcome::{GroupOutcome, Outcome, TaskOutcome};
@@ -16,7 +15,8 @@ use pinhole_report::program::Status;
 use pinhole_report::terminal::{self, FAIL, QUIET, STRONG};
 
 pub fn run(arguments: &Dispute) -> Result<Status> {
-    let id = id_of(&arguments.id, &arguments.out)?;
+    let roll = Roll::read(&arguments.out.join(ROLL))?;
+    let id = id_of(&arguments.id, &roll)?;
     let record = standing(&arguments.out.join("submissions").join(&id)).ok_or_else(|| {
         Error::input(
             format!("there is no mark of {id} in {}", arguments.out.display()),
@@ -35,20 +35,23 @@ pub fn run(arguments: &Dispute) -> Result<Status> {
     Ok(Status::Well)
 }
 
-/// Finds the submission that the user named by its id, or by its person's id or name.
-fn id_of(named: &str, out: &Path) -> Result<String> {
-    let roll = Roll::read(&out.join(ROLL))?;
+/// Finds the submission that the user named by its id, or by the id or the name of someone whose
+/// mark it decides, or may decide.
+fn id_of(named: &str, roll: &Roll) -> Result<String> {
+    let is_named = |person: &Person| person.id == named || person.name == named;
     let is_meant = |id: &str| {
         let person = roll.placed.of.get(id);
-        id == named || person.is_some_and(|person| person.id == named || person.name == named)
+        let mut team = person.into_iter().flat_map(|person| roll.team_of(person));
+        let mut perhaps = roll.placed.ambiguous.get(id).into_iter().flatten();
+        id == named || team.any(is_named) || perhaps.any(is_named)
     };
     let ids = roll.entries.iter().map(|entry| entry.id.clone());
     let found: Vec<String> = ids.filter(|id| is_meant(id)).collect();
     match &found[..] {
         [id] => Ok(id.clone()),
         [] => Err(Error::input(
-            format!("nobody in {} is called {named}", out.display()),
-            "name an id or a name as in grades.csv",
+            format!("there is no submission by {named}"),
+            "name an id or a name as in grades.csv, of someone with a submission",
         )),
         several => Err(Error::input(
             format!("{named} could be any of {}", several.join(", ")),
@@ -126,4 +129,34 @@ fn failing<'a>(task: &str, evidence: &'a Evidence) -> Vec<(&'static str, &'a Gro
         }
     }
     all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grade::class::marks::tests::{entry, roll};
+
+    const RULES: &str = "time_zone = 'UTC'";
+
+    #[test]
+    fn a_mark_is_found_by_everyone_in_the_group() {
+        let entries = vec![entry("one", "ada", "ada"), entry("two", "eve", "eve")];
+        let roll = roll(entries, RULES, &[("team", &["ada", "bob"])]);
+        for named in ["one", "ada", "Name of ada", "bob", "Name of bob"] {
+            assert_eq!(id_of(named, &roll).expect("it is there"), "one");
+        }
+        let error = id_of("Name of nobody", &roll).expect_err("nobody has this name");
+        assert!(error.to_string().contains("no submission by"), "{error}");
+    }
+
+    #[test]
+    fn a_submission_in_doubt_is_found_by_everyone_whose_it_may_be() {
+        let mut roll = roll(vec![entry("one", "ada", "ada")], RULES, &[]);
+        let ada = roll.placed.of.remove("one").expect("it is hers");
+        let bob = roll.placed.missing[0].clone();
+        roll.placed.ambiguous.insert("one".into(), vec![ada, bob]);
+        for named in ["ada", "Name of bob"] {
+            assert_eq!(id_of(named, &roll).expect("it is there"), "one");
+        }
+    }
 }

@@ -53,7 +53,7 @@ pub struct Entry {
     pub notes: Vec<String>,
     /// Why the instructor should check how it was read.
     pub doubts: Vec<String>,
-    /// The answer files that are missing or refused, and why.
+    /// The answer files that are missing or refused: a text for each problem.
     pub unusable: Vec<String>,
     /// Its answers, or why the machine could not read them.
     #[serde(skip, default = "not_read")]
@@ -189,15 +189,25 @@ fn entry(
     entry
 }
 
-/// The answer files without usable text, and why.
+/// The answer files without usable text, and why. Files with the same problem are named together.
 fn unusable(submission: &Submission, assignment: &Assignment) -> Vec<String> {
-    let why = |(task, answer): (&Task, &Answer)| match &answer.text {
-        Ok(_) => None,
-        Err(AnswerFileProblem::Missing) => Some(format!("{} is missing", task.file())),
-        Err(AnswerFileProblem::Refused(why)) => Some(format!("{} is refused: {why}", task.file())),
+    let mut found: Vec<(&AnswerFileProblem, Vec<String>)> = Vec::new();
+    for (task, answer) in assignment.tasks.iter().zip(&submission.answers) {
+        let Err(problem) = &answer.text else { continue };
+        match found.iter_mut().find(|(other, _)| *other == problem) {
+            Some((_, files)) => files.push(task.file()),
+            None => found.push((problem, vec![task.file()])),
+        }
+    }
+    let in_words = |(problem, files): (&AnswerFileProblem, Vec<String>)| {
+        let verb = if files.len() == 1 { "is" } else { "are" };
+        let files = files.join(", ");
+        match problem {
+            AnswerFileProblem::Missing => format!("{files} {verb} missing"),
+            AnswerFileProblem::Refused(why) => format!("{files} {verb} refused: {why}"),
+        }
     };
-    let answers = assignment.tasks.iter().zip(&submission.answers);
-    answers.filter_map(why).collect()
+    found.into_iter().map(in_words).collect()
 }
 
 /// A path's name, for people to read.

@@ -198,7 +198,7 @@ impl KnownAnswers {
             for task in tasks.filter(|task| task.points == task.possible) {
                 *right.entry(&task.name).or_default() += 1;
             }
-            for (task, hash) in &record.tokens {
+            for (task, hash) in &*record.tokens {
                 if !self.stubs.contains(hash) {
                     let who = same.entry((task, hash)).or_default();
                     who.push(record.id.clone());

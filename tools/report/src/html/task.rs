@@ -102,10 +102,10 @@ fn rows(task: &TaskOutcome, pictures: &[GroupPicture]) -> Vec<GroupRow> {
         let (heat, tree) = match pictures.iter().find(is_its).map(|it| &it.shows) {
             Some(Picture::Tests { golden, film }) => (HeatMaps::beside(golden, film), None),
             Some(Picture::Tree {
-                triangles,
+                primitives,
                 expected,
                 got,
-            }) => (None, TreeDrawings::beside(triangles, expected, got)),
+            }) => (None, TreeDrawings::beside(primitives, expected, got)),
             None => (None, None),
         };
         GroupRow {

@@ -1,11 +1,11 @@
-//! Drawings of a tree: its upper boxes over those of the triangles, expected and yours side by
+//! Drawings of a tree: its upper boxes over those of the primitives, expected and yours side by
 //! side.
 
 use pinhole::tree::DEEPEST_DRAWN;
 use pinhole::{BoundingBox, NodeBox};
 use serde::Serialize;
 
-/// Two trees over the same triangles, as paths of SVG.
+/// Two trees over the same primitives, as paths of SVG.
 #[derive(Debug, Serialize)]
 pub struct TreeDrawings {
     /// The size of both drawings.
@@ -17,8 +17,8 @@ pub struct TreeDrawings {
     pub stretched: bool,
     /// How deep the nodes are that are drawn.
     pub deepest: usize,
-    /// The boxes of the triangles.
-    pub triangles: Vec<String>,
+    /// The boxes of the primitives.
+    pub primitives: Vec<String>,
     /// The boxes of a right tree, from the root down, each with its depth.
     pub expected: Vec<(usize, String)>,
     /// Those of the tree that was answered.
@@ -34,11 +34,11 @@ const HEIGHTS: [f64; 2] = [0.3, 1.0];
 impl TreeDrawings {
     /// Those of two trees; `None` if there is nothing to draw.
     pub fn beside(
-        triangles: &[BoundingBox],
+        primitives: &[BoundingBox],
         expected: &[NodeBox],
         yours: &[NodeBox],
     ) -> Option<TreeDrawings> {
-        let view = View::of(triangles)?;
+        let view = View::of(primitives)?;
         let draw = |boxes: &[NodeBox]| {
             let mut boxes = boxes.to_vec();
             // A tree's list may have any order. Thin lines go over thick ones.
@@ -52,7 +52,7 @@ impl TreeDrawings {
             along: ["x", "y", "z"][view.along],
             stretched: view.stretched,
             deepest: DEEPEST_DRAWN,
-            triangles: triangles.iter().map(|bounds| view.path(bounds)).collect(),
+            primitives: primitives.iter().map(|bounds| view.path(bounds)).collect(),
             expected: draw(expected),
             yours: draw(yours),
         })
@@ -134,12 +134,12 @@ mod tests {
             bounds: low,
         };
         let drawn = TreeDrawings::beside(&[whole, low], &[root], &[child, root]);
-        let drawn = drawn.expect("there are triangles");
+        let drawn = drawn.expect("there are primitives");
         assert_eq!((drawn.along, drawn.stretched), ("y", false));
         assert_eq!((drawn.width, drawn.height), (300, 150));
         let around = "M0.0 150.0H300.0V0.0H0.0Z".to_owned();
         let corner = "M0.0 150.0H75.0V112.5H0.0Z".to_owned();
-        assert_eq!(drawn.triangles, [around.clone(), corner.clone()]);
+        assert_eq!(drawn.primitives, [around.clone(), corner.clone()]);
         assert_eq!(drawn.expected, [(0, around.clone())]);
         assert_eq!(drawn.yours, [(0, around), (1, corner)]);
     }
@@ -147,11 +147,11 @@ mod tests {
     #[test]
     fn long_and_flat_boxes_stay_visible() {
         let long = bounds(DVec3::ZERO, dvec3(100.0, 1.0, 0.0));
-        let drawn = TreeDrawings::beside(&[long], &[], &[]).expect("there is a triangle");
+        let drawn = TreeDrawings::beside(&[long], &[], &[]).expect("there is a primitive");
         assert_eq!((drawn.height, drawn.stretched), (90, true));
         let point = bounds(DVec3::ONE, DVec3::ONE);
-        let drawn = TreeDrawings::beside(&[point], &[], &[]).expect("there is a triangle");
-        assert_eq!(drawn.triangles, ["M150.0 150.0H150.0V150.0H150.0Z"]);
+        let drawn = TreeDrawings::beside(&[point], &[], &[]).expect("there is a primitive");
+        assert_eq!(drawn.primitives, ["M150.0 150.0H150.0V150.0H150.0Z"]);
         assert!(TreeDrawings::beside(&[], &[], &[]).is_none());
     }
 }

@@ -12,6 +12,8 @@ pub enum Claim {
     Count,
     /// There is never a hit, or always one.
     Never { misses: bool },
+    /// There is hardly ever a hit, or nearly always one.
+    Nearly { misses: bool },
     /// Hits are missed, or invented, where the rule says.
     Decision { misses: bool, rule: Rule },
     /// The wrong values of a part follow a law: this share of them, and where the rule says. Of
@@ -38,6 +40,7 @@ impl Claim {
     pub fn rank(&self) -> u8 {
         match self {
             Claim::Never { .. }
+            | Claim::Nearly { .. }
             | Claim::Decision { .. }
             | Claim::Part { .. }
             | Claim::Single { .. } => 0,
@@ -130,6 +133,12 @@ impl Claim {
                 .iter()
                 .filter(|it| it.right.is_some() == *misses)
                 .all(|it| it.given.is_some() != *misses),
+            Claim::Nearly { misses } => {
+                let asked = samples.iter().filter(|it| it.right.is_some() == *misses);
+                let (wrong, good): (Vec<&Sample>, Vec<&Sample>) =
+                    asked.partition(|it| it.given.is_some() != *misses);
+                wrong.len() >= 4 * good.len()
+            }
             Claim::Decision { misses, rule } => {
                 let asked = samples.iter().filter(|it| it.right.is_some() == *misses);
                 let (wrong, good): (Vec<&Sample>, Vec<&Sample>) =

@@ -234,4 +234,4 @@ fn give<'a>(
 }
 
 #[cfg(test)]
-mod tests;
+pub mod tests;

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use super::hand_in::Upload;
 
 use super::reader::Content;
+use super::reader::file_names::first;
 use super::task_names::task_of;
 use pinhole_course::assignment::{Assignment, Task};
 use pinhole_course::submission::text::Text;
@@ -19,17 +20,6 @@ pub struct Choice {
     pub notes: Vec<String>,
     /// Why other answers may be meant. The instructor should look at these.
     pub doubts: Vec<String>,
-}
-
-/// How many files of a kind are named.
-const MOST_NAMED: usize = 5;
-
-/// The first of these names. An archive may hold a hundred thousand.
-fn first(names: &[String]) -> Vec<String> {
-    let mut named = names[..names.len().min(MOST_NAMED)].to_vec();
-    let more = names.len() - named.len();
-    named.extend((more > 0).then(|| format!("{more} more like these")));
-    named
 }
 
 /// A file that may answer a task.

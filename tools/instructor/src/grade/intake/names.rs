@@ -142,7 +142,11 @@ impl PlatformName<'_> {
                 rest,
             })
         };
-        name.match_indices(BETWEEN).find_map(read)
+        let all: Vec<_> = name.match_indices(BETWEEN).filter_map(read).collect();
+        // Somebody's display name may hold an earlier time than the platform's.
+        let handed_in = all.iter().filter_map(|it| it.handed_in).max();
+        let first = all.into_iter().next()?;
+        Some(PlatformName { handed_in, ..first })
     }
 }
 
@@ -224,6 +228,10 @@ mod tests {
             ),
             (&["lovelaceada_11_501_hw1_LATE.zip"], "unknown"),
             (&["ada"], "unknown"),
+            (
+                &["11-23 - Mallory - Nov 1, 2026 1200 AM - Mann - Nov 25, 2026 1100 PM - hw1.zip"],
+                "2026-11-25T23:00:00",
+            ),
             // The uploader's part of a name says no time, and doesn't hide that it is late.
             (
                 &["malletmallory_13_503_x_attempt_2020-01-01-00-00-00_hw.zip"],

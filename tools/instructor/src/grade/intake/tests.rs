@@ -352,13 +352,36 @@ fn files_that_cannot_be_opened_are_listed() {
         (entry.unusable.join("; "), entry.doubts.join("; "))
     };
     assert!(told("ada.rar").0.contains("ask for a ZIP file"));
-    assert!(told("bob.zip").0.contains("not a ZIP file"));
-    assert!(told("empty.zip").0.contains("sphere.rs is missing"));
+    let bob = told("bob.zip").0;
+    assert!(bob.contains("first_hit.rs are refused: "), "{bob}");
+    assert_eq!(bob.matches("not a ZIP file").count(), 1, "{bob}");
+    let all = "viewing_ray.rs, sphere.rs, plane.rs, triangle.rs, triangle_soup.rs, first_hit.rs";
+    assert_eq!(told("empty.zip").0, format!("{all} are missing"));
     assert!(
         told("essay.zip").1.contains("but essay.docx"),
         "{intake:#?}"
     );
-    assert!(told("nothing").0.contains("sphere.rs is missing"));
+    assert_eq!(told("nothing").0, format!("{all} are missing"));
     assert_eq!(intake.ignored, [".hidden/", "notes.txt", "sphere.rs"]);
     assert_eq!(intake.entries.len(), 5);
+}
+
+#[test]
+fn an_empty_archive_in_a_platforms_download_is_somebodys_submission() {
+    let export = Export::new();
+    let empty = |name: &str| (name.to_owned(), zip(&Vec::new()));
+    let mut moodle = answers("Ada Lovelace_2001_assignsubmission_file/", "ada");
+    moodle.push(empty("Bob Bobson_2002_assignsubmission_file/answers.zip"));
+    export.put("CG-hw1-4711.zip", &zip(&moodle));
+    let intake = export.find("CG-hw1-4711.zip");
+    let names = intake.entries.iter().map(|entry| entry.name.as_str());
+    assert_eq!(
+        names.collect::<Vec<_>>(),
+        ["Ada Lovelace_2001", "Bob Bobson_2002"]
+    );
+    assert_eq!(intake.entries[0].doubts, [""; 0]);
+    assert_eq!(
+        intake.entries[1].doubts,
+        ["no answer file was handed in, but answers.zip"]
+    );
 }

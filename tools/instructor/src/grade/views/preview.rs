@@ -40,9 +40,12 @@ pub fn print(roll: &Roll, assignment: &Assignment, as_json: bool) -> Result<Stat
             (None, Some(_)) => "?".into(),
             (None, None) => "no roster".into(),
         };
-        let (of, unusable) = (assignment.tasks.len(), entry.unusable.len());
         let found = match &entry.submission {
-            Ok(_) => format!("{} of {of} answer files", of - unusable),
+            Ok(submission) => {
+                let usable = submission.answers.iter().filter(|it| it.text.is_ok());
+                let of = assignment.tasks.len();
+                format!("{} of {of} answer files", usable.count())
+            }
             Err(why) => format!("cannot be graded: {why}"),
         };
         let line = format!("{}: {person}: {found}", entry.id);

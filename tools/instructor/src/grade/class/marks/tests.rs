@@ -13,7 +13,7 @@ fn person(id: &str) -> Person {
     }
 }
 
-fn entry(id: &str, person: &str, given: &str) -> Entry {
+pub fn entry(id: &str, person: &str, given: &str) -> Entry {
     Entry {
         id: id.into(),
         name: id.into(),
@@ -27,7 +27,7 @@ fn entry(id: &str, person: &str, given: &str) -> Entry {
     }
 }
 
-fn roll(entries: Vec<Entry>, rules: &str, groups: &[(&str, &[&str])]) -> Roll {
+pub fn roll(entries: Vec<Entry>, rules: &str, groups: &[(&str, &[&str])]) -> Roll {
     let rules: Rules = toml::from_str(rules).expect("they are rules");
     let mut policy = Policy::of(rules).expect("they make sense");
     policy.groups = groups

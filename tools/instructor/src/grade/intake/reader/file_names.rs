@@ -1,4 +1,4 @@
-//! Recognises archives, and files that are left out, by their names.
+//! Recognises archives, and files that are left out, by their names. Shortens lists of names.
 
 /// The extensions of archives; only those in the first list are opened.
 const OPENED: [&str; 4] = [".zip", ".tar", ".tgz", ".tar.gz"];
@@ -39,4 +39,15 @@ pub fn is_skipped(path: &[String], from: usize) -> bool {
 fn is_litter(name: &str) -> bool {
     let litter = ["__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini"];
     litter.contains(&name) || name.starts_with("._")
+}
+
+/// How many names of a list are shown.
+const MOST_SHOWN: usize = 5;
+
+/// The first of these names. An archive may hold a hundred thousand.
+pub fn first(names: &[String]) -> Vec<String> {
+    let mut shown = names[..names.len().min(MOST_SHOWN)].to_vec();
+    let more = names.len() - shown.len();
+    shown.extend((more > 0).then(|| format!("{more} more like these")));
+    shown
 }

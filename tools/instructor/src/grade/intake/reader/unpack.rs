@@ -79,8 +79,10 @@ impl Reader<'_> {
                 file
             }
         };
-        if path.len() == 1 {
-            self.keep(path, Content::Folder);
+        // It is listed in any case, because it may be empty.
+        match path.len() {
+            1 => self.keep(path, Content::Folder),
+            _ => self.pass(path, true),
         }
         self.archive(file, path, depth + 1);
         Ok(())

@@ -295,6 +295,14 @@ fn thousands_of_files_for_one_answer_make_a_short_message() {
     assert!(told.contains("there are 2000 files"), "{told}");
     assert!(told.contains("was taken as `sphere.rs`, and not"), "{told}");
     assert!(told.len() < 4000, "{} bytes", told.len());
+    files.push(("plane.rs".into(), b"mine".to_vec()));
+    export.put("mallory.zip", &zip(&files));
+    let doubts = export.find("mallory.zip").entries[0].doubts.join("; ");
+    assert!(
+        doubts.contains("other submissions may be in it"),
+        "{doubts}"
+    );
+    assert!(doubts.len() < 4000, "{} bytes", doubts.len());
 }
 
 #[test]
