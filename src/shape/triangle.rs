@@ -74,7 +74,7 @@ impl Notation for Triangle {
     }
 
     fn conditions(&self, _: &Ray, point: DVec3) -> Vec<Condition> {
-        // Beyond an edge is where the corner opposite to it is not.
+        // A point is beyond an edge if the edge's line separates it from the opposite corner.
         let is_beyond = |[from, to, opposite]: [usize; 3]| {
             let [from, to, opposite] = [from, to, opposite].map(|k| self.corners[k]);
             let away = (opposite - from).reject_from(to - from);

@@ -93,7 +93,7 @@ pub enum Choice {
     Auto,
     /// Linux namespaces, made by bubblewrap
     Bubblewrap,
-    /// Another user id and Landlock; for root, in a container that is used once
+    /// Another user id and Landlock; needs root, in a container that is used only once
     Container,
     /// Like `container`, but for kernels without Landlock; weaker, because only file modes
     /// guard the container's files
@@ -218,7 +218,7 @@ impl Sandbox {
     }
 
     /// What a compiled program depends on besides its sources. A program that was compiled where
-    /// more files are readable must not be used in another sandbox.
+    /// more files were readable must not be reused in a sandbox that hides them.
     pub fn fingerprint(&self) -> String {
         match self {
             Sandbox::Trusted => "none".into(),

@@ -60,16 +60,16 @@ impl Command {
 ///
 /// You can stop this at any time and run it again. It continues where it stopped, and grades
 /// again only what has changed. If the grader itself fails on a submission, that submission is
-/// listed first and gets no mark instead of a zero, and the exit code is 3.
+/// listed first and gets no mark, not a zero, and the exit code is 3.
 ///
 /// The end of the output and the top of class.html list every submission that is not on the
 /// roster, lacks files or could belong to several people, and every file that belongs to no
 /// submission. If there are any, the exit code is 1.
 ///
-/// If Mitsuba is installed, the whole class is also asked fresh questions, drawn from a new seed.
-/// A group of questions then earns its points only if it passes both the public and the fresh
-/// questions. A scene earns no more than the smallest share of points among the tasks that it
-/// needs, unless fresh scenes that need the same tasks earn more.
+/// If Mitsuba is installed, the whole class is also asked fresh questions, drawn from a new seed. A
+/// group of questions then earns its points only if it passes both the public and the fresh
+/// questions. A scene earns no larger share of its points than the weakest of the tasks that it
+/// needs, unless fresh scenes that need the same tasks earn a larger share.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions
@@ -202,7 +202,7 @@ pub struct Merge {
 ///
 /// With --out, this writes a repository around the stubs: the harness, the student's commands, the
 /// public scenes and their goldens, tests, a README and a workflow for GitHub. It needs only Rust.
-/// It contains none of our answers, no source of a mistake or a variant, and nothing about any
+/// It contains none of our answers, no source code of mistakes or variants, and nothing about any
 /// scene with `public = false`.
 #[derive(Args)]
 #[command(group = ArgGroup::new("autograder").args(["gradescope", "prairielearn"]).multiple(true))]
@@ -234,7 +234,7 @@ pub struct Handout {
     #[arg(long, value_name = "FILE.zip")]
     pub gradescope: Option<PathBuf>,
     /// Write a question for PrairieLearn, and the files of its grader's image, to this folder, which
-    /// must be new or empty. Keep it to yourself, too
+    /// must be new or empty. Keep this to yourself, too
     #[arg(long, value_name = "DIR")]
     pub prairielearn: Option<PathBuf>,
     /// Put the fresh questions in this folder into the autograder, because public goldens can

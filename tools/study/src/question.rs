@@ -19,8 +19,8 @@ pub struct Question<S> {
     pub min_t: f64,
 }
 
-/// How unusual a question is. Results of different classes are never added up, because no real
-/// scene is a mixture of a teapot and a galaxy.
+/// How unusual a question is. Results of different classes are never added together, because no
+/// real scene is a mixture of a teapot and a galaxy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]

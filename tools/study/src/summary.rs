@@ -16,7 +16,7 @@ pub fn terminal(study: &Study) -> String {
     for target in &study.targets {
         let (mark, verdict) = match target.met {
             true => ("✓", "pass"),
-            false => ("✗", "fall short"),
+            false => ("✗", "falls short"),
         };
         let (about, expected, measured) = (&target.about, &target.expected, &target.measured);
         let _ = writeln!(
@@ -38,23 +38,28 @@ pub fn summary(study: &Study, plots: &[String]) -> String {
          paper, but a computer rounds. A **wrong decision** calls a hit a miss or a miss a hit. \
          An **error of t** is counted in *ulp*, steps from one number of the type to the next. The \
          judge computes with fractions and is never wrong.\n\n\
-         Questions come in three classes, which are never added up. **Everyday** questions are \
-         about things within a thousand sizes of each other. **Hard** ones graze, lie edge-on, \
-         or look at a planet from a metre above it. **Absurd** ones have lengths beyond 1e18 or \
-         below 1e-18.\n\n\
-         Made by `{}` on {} ({}; {}; commit {}; seed {}; {} mode). Instructions repeat; \
-         nanoseconds belong to that machine and to what else it did.\n\n",
+         Questions come in three classes, whose results are never added together. **Everyday** \
+         questions are about things that are at most a thousand times their own size away. **Hard** \
+         ones have grazing rays, surfaces seen edge-on, or a planet seen from a metre above it. \
+         **Absurd** ones have lengths beyond 1e18 or below 1e-18.\n\n\
+         Made by `{}` on {} ({}; {}; commit {}; seed {}; {} mode). Instruction \
+         counts are reproducible; times in nanoseconds depend on that machine and on what else it \
+         was doing.\n\n",
         p.command, p.machine, p.date, p.features, p.commit, p.seed, p.mode
     );
     let trades = ["sphere", "plane", "triangle"].map(|shape| trades(findings, shape));
     let caption = |name: &str| match name {
-        "conditioning.svg" => "Errors of t against how sensitive the question is",
+        "conditioning.svg" => "Error of t against the sensitivity of the question",
         "mesh.svg" => "Rays from inside closed meshes, aimed at edges and corners",
         _ => "Wrong decisions, and the error of t",
     };
     let images = plots.iter().filter(|name| !name.starts_with("trade-"));
     let promises = study.targets.iter().map(|target| {
-        let verdict = if target.met { "pass" } else { "**fall short**" };
+        let verdict = if target.met {
+            "pass"
+        } else {
+            "**falls short**"
+        };
         let (about, expected, measured) = (&target.about, &target.expected, &target.measured);
         [about, expected, measured, verdict].map(|cell| cell.to_string())
     });

@@ -126,7 +126,7 @@ impl RunResult {
         self
     }
 
-    /// Checks that standard output holds a text.
+    /// Checks that standard output contains `text`.
     #[track_caller]
     pub fn expect_out(self, text: &str) -> RunResult {
         assert!(
@@ -138,7 +138,7 @@ impl RunResult {
         self
     }
 
-    /// Checks that standard error holds a text.
+    /// Checks that standard error contains `text`.
     #[track_caller]
     pub fn expect_err(self, text: &str) -> RunResult {
         assert!(

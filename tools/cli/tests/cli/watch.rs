@@ -50,7 +50,7 @@ fn watch(folder: &Path, more: &[&str]) -> PipedWatch {
 }
 
 impl PipedWatch {
-    /// All lines up to the first that holds a text.
+    /// All lines up to the first that contains `text`.
     #[track_caller]
     fn read_to(&self, text: &str) -> Vec<String> {
         let end = Instant::now() + LONG;

@@ -174,7 +174,7 @@ fn decisions(samples: &[Sample]) -> Vec<Measurement> {
         let (some, all) = (wrong.len(), asked.len());
         if good.is_empty() && all >= LEAST {
             let says = match misses {
-                true => format!("You find no hit at all: {all} are missed."),
+                true => format!("You find no hit at all: you miss all {all}."),
                 false => format!("You find a hit in all {all} questions where there is none."),
             };
             found.push(decision(says, true, Claim::Never { misses }));

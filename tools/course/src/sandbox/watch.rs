@@ -1,5 +1,5 @@
 //! Watchdog: kills a process tree that exceeds its limits. It is needed because the kernel limits
-//! each process by itself.
+//! each process separately.
 
 use std::fmt;
 use std::sync::mpsc::Sender;
@@ -66,7 +66,7 @@ mod looking {
     /// How long a tree has been idle.
     struct Idleness {
         since: Instant,
-        /// How often we looked in that time. If we look too seldom, the time alone proves
+        /// How many times we looked in that time. If we look too seldom, the time alone proves
         /// nothing.
         looks: u32,
         cpu: Duration,
@@ -81,8 +81,8 @@ mod looking {
             }
         }
 
-        /// Whether the tree has been idle for too long. At least half of the usual number of
-        /// looks in that time must have seen it.
+        /// Whether the tree has been idle for too long. At least half of the usual number of looks
+        /// in that time must have found it idle.
         fn exceeds(&mut self, most: Duration, used: &tree::ResourceUsage) -> bool {
             match used.is_busy || used.cpu != self.cpu {
                 true => *self = Idleness::new(used.cpu),

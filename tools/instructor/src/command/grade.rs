@@ -58,7 +58,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
             let questions = fresh::Questions {
                 folder,
                 seed: arguments.seed,
-                anew: arguments.regrade,
+                redraw: arguments.regrade,
             };
             questions.find_or_make(&assignment, checkout)?
         }

@@ -26,7 +26,7 @@ pub struct TaskSection {
     pub said: String,
     /// Whether anything was answered. If not, there is no more to say.
     pub attempted: bool,
-    /// Whether its stub was judged instead.
+    /// Whether the stub was judged instead of it.
     pub replaced: bool,
     pub groups: Vec<GroupRow>,
     /// The compiler's messages about its file: errors, or else warnings.
@@ -46,11 +46,11 @@ pub struct GroupRow {
     pub passes: bool,
     pub worth: u32,
     pub said: String,
-    /// Whether it has answers, so that there is a worst one.
+    /// Whether it has answers, and therefore a worst one.
     pub judged: bool,
     /// The worst question, or the one at which the code panicked, fact by fact.
     pub worst: Vec<Fact>,
-    /// The tests of its questions, if they are counted.
+    /// Heat maps of how many tests each question took, if they are counted.
     pub heat: Option<HeatMaps>,
     /// The worst of its trees, if it asks for trees.
     pub tree: Option<TreeDrawings>,
@@ -90,7 +90,8 @@ fn shows_again(task: &TaskOutcome) -> bool {
     failing.any(|group| !group.fails_fresh)
 }
 
-/// The groups of a task; a panic in every group is one panic.
+/// The rows of a task's groups. A row that would repeat an earlier failure word for word says "the
+/// same".
 fn rows(task: &TaskOutcome, pictures: &[GroupPicture]) -> Vec<GroupRow> {
     let mut told: Vec<String> = Vec::new();
     let row = |group: &GroupOutcome| {

@@ -101,7 +101,7 @@ pub fn outcome_of(outcome: &FilmOutcome, what: &str) -> String {
             format!("not answered in the {seconds:.0} s that the whole submission may take")
         }
         FilmOutcome::OutOfMemory { most } => {
-            format!("your program took more than {} MiB of memory", most >> 20)
+            format!("your program used more than {} MiB of memory", most >> 20)
         }
         FilmOutcome::Died { how } => format!("your program did not finish: {}", printable(how)),
         FilmOutcome::Garbled { why } => {
@@ -113,9 +113,9 @@ pub fn outcome_of(outcome: &FilmOutcome, what: &str) -> String {
             points_only: true, ..
         } => "does not pass; what was asked is withheld".into(),
         FilmOutcome::Withheld { ended, .. } => match ended {
-            Status::Graded => "is wrong; how much of it is withheld",
-            Status::Panicked => "your code panicked; where is withheld",
-            Status::Killed => "your program did not finish; how is withheld",
+            Status::Graded => "is wrong; details are withheld",
+            Status::Panicked => "your code panicked; details are withheld",
+            Status::Killed => "your program did not finish; details are withheld",
             Status::TimedOut => "gave no answer in time",
             Status::OutOfMemory => "asked for too much memory",
             _ => "your program's answers could not be read",

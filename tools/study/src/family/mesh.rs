@@ -9,7 +9,7 @@ use crate::vector::Vector;
 /// Where a ray is aimed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Aim {
-    /// At a random point of an edge, as nearly as rounding allows.
+    /// At a random point on an edge, as nearly as rounding allows.
     Edge,
     /// At a corner: the direction is the corner minus the origin, rounded.
     Vertex,
@@ -20,7 +20,7 @@ impl Aim {
     pub const BOTH: [Aim; 2] = [Aim::Edge, Aim::Vertex];
 }
 
-/// The faces of an octahedron over its corners ±x, ±y, ±z.
+/// The faces of an octahedron, as indices of its corners +x, −x, +y, −y, +z, −z.
 const OCTAHEDRON: [[usize; 3]; 8] = [
     [0, 2, 4],
     [2, 1, 4],

@@ -160,23 +160,10 @@ pub struct Record {
 /// What a planned film should hold.
 #[derive(Args)]
 pub struct FilmOptions {
-    /// For a plan: which object each pixel shows. This changes nothing, because plans always
-    /// show the true object
-    #[arg(long, value_enum, value_name = "IDS")]
-    pub ids: Option<Ids>,
     /// For a plan: what to compute for each pixel; everything else is 0 in the film [default:
     /// id,depth,normal]
     #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',')]
     pub outputs: Vec<Output>,
-}
-
-/// Which objects a planned film shows.
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-pub enum Ids {
-    /// The objects that rounded arithmetic finds
-    Rounded,
-    /// The true objects
-    Exact,
 }
 
 /// What is computed for a pixel.
@@ -192,16 +179,12 @@ pub enum Output {
 
 fn accuracy(text: &str) -> Result<f64, String> {
     let accuracy = text.parse().ok().filter(|x| (FINEST..=1.0).contains(x));
-    accuracy
-        .ok_or_else(|| format!("`{text}` is not an accuracy between {FINEST:e} and 1, like 1e-6"))
+    accuracy.ok_or_else(|| {
+        format!("`{text}` is not an accuracy between {FINEST:e} and 1, such as 1e-6")
+    })
 }
 
 impl FilmOptions {
-    /// Whether the user gave none of these options.
-    pub fn is_empty(&self) -> bool {
-        self.ids.is_none() && self.outputs.is_empty()
-    }
-
     /// What the user wants from a plan: everything, unless they say otherwise.
     pub fn wish(&self, accuracy: f64) -> AccuracyTarget {
         let wants = |output| self.outputs.is_empty() || self.outputs.contains(&output);

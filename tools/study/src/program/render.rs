@@ -12,9 +12,9 @@ use super::plan::{scene, unplannable};
 use crate::cli::Render;
 
 pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
-    if arguments.plan.is_none() && !arguments.wanted.is_empty() {
+    if arguments.plan.is_none() && !arguments.wanted.outputs.is_empty() {
         return Err(Error::input(
-            "--ids and --outputs need a plan",
+            "--outputs needs a plan",
             "give the accuracy of the plan with --plan X",
         ));
     }

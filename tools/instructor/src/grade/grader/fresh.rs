@@ -1,4 +1,4 @@
-//! Fresh questions, the same for the whole class, and the points that they take away.
+//! Fresh questions, the same for the whole class, and the points lost to them.
 //!
 //! A student who has the public goldens could write them into the answer files. Questions and
 //! scenes from a fresh seed cannot be known in advance.
@@ -25,9 +25,9 @@ pub struct Questions {
     pub folder: PathBuf,
     /// The seed to draw them from, if the user chose one.
     pub seed: Option<Seed>,
-    /// Whether the questions in that folder were used before, so that students know from their
-    /// results which of them they failed.
-    pub anew: bool,
+    /// Whether to draw new questions even if the folder already has some. Students know from their
+    /// results which of the old ones they failed.
+    pub redraw: bool,
 }
 
 impl Questions {
@@ -35,12 +35,12 @@ impl Questions {
     fn serve(&self, kept: Option<Seed>) -> bool {
         match self.seed {
             Some(_) => kept == self.seed,
-            None => kept.is_some() && !self.anew,
+            None => kept.is_some() && !self.redraw,
         }
     }
 
     /// Finds the goldens of the fresh questions, or makes them. Returns them with their seed, or
-    /// `None` if Mitsuba is not there to make them.
+    /// `None` if Mitsuba is not installed.
     pub fn find_or_make(
         &self,
         assignment: &Assignment,
@@ -55,7 +55,7 @@ impl Questions {
         if !mitsuba::is_there(checkout) {
             return match self.seed.or(kept) {
                 Some(_) => Err(Error::environment(
-                    "there is no Mitsuba here to make fresh questions with",
+                    "Mitsuba is needed to make fresh questions, but is not installed",
                     "make its environment: cargo pinhole golden setup, or pass --fresh DIR or \
                      --no-fresh",
                 )),
@@ -100,11 +100,11 @@ impl Questions {
     }
 }
 
-/// What the fresh questions in a folder are for. A student who may hand in often learns the
-/// questions that feedback is based on, so the mark needs others.
+/// What the fresh questions in a folder are for. A student who may submit many times gets to know
+/// the questions behind the feedback, so the mark needs different ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Purpose {
-    /// Feedback by an autograder, which students use again and again.
+    /// Feedback from an autograder, to which students may submit again and again.
     Feedback,
     /// A mark.
     Grading,
@@ -196,11 +196,11 @@ mod tests {
 
     #[test]
     fn regrade_draws_new_questions_and_a_resumed_run_keeps_them() {
-        let serve = |seed: Option<u128>, anew, kept: Option<u128>| {
+        let serve = |seed: Option<u128>, redraw, kept: Option<u128>| {
             let questions = Questions {
                 folder: PathBuf::new(),
                 seed: seed.map(Seed),
-                anew,
+                redraw,
             };
             questions.serve(kept.map(Seed))
         };

@@ -182,18 +182,23 @@ impl Rules {
         }
         if self.late_days.is_some() && self.late.is_none() {
             return Err(
-                "it has `late_days`, but no `late` from which they could exempt anybody".into(),
+                "it has `late_days`, but no `late`, so late days would have no effect".into(),
             );
         }
         if let Some(rounding) = &self.rounding
             && !(rounding.to > 0.0 && rounding.to.is_finite())
         {
-            return Err(format!("rounding.to is {}, not above 0", rounding.to));
+            return Err(format!(
+                "rounding.to is {}, which is not a finite number above 0",
+                rounding.to
+            ));
         }
         if let Some(at_most) = self.extra_credit.as_ref().and_then(|it| it.at_most)
             && !(at_most >= 0.0 && at_most.is_finite())
         {
-            return Err(format!("extra_credit.at_most is {at_most}"));
+            return Err(format!(
+                "extra_credit.at_most is {at_most}, which is not a finite number from 0 up"
+            ));
         }
         for by_hand in &self.adjust {
             if !by_hand.points.is_finite() || by_hand.reason.trim().is_empty() {
