@@ -5,8 +5,9 @@ The tree is ours, and the question says what each test of a box or a triangle wo
 answer, so that a wrong box or tree cannot spoil a right search. Where the ray meets the
 triangles, and which is first, is Mitsuba's cast.
 
-Subtrees whose box the ray misses are cut down to a leaf, because no right search enters
-them: even a mesh of thousands of triangles leaves a question that a pixel can hold.
+No right search enters a subtree whose box the ray misses. So a tree that is too large for a pixel
+loses the lower levels of these subtrees, and the leaves that are left are no larger than others:
+a search can't tell by the shape of the tree what it need not enter.
 """
 
 from dataclasses import dataclass
@@ -27,9 +28,6 @@ NODES = 192
 
 HITS = 12
 """A question has room for this many triangles that the ray meets."""
-
-LARGEST_STUB = 12
-"""How many triangles are kept of a subtree that the ray misses."""
 
 WORK = 0.45
 """How many tests are allowed beyond those of a search that knows the answer in advance, as a
@@ -120,9 +118,13 @@ def ask(rng, corners, origin, direction, min_t, largest):
     direction, min_t = as_f32(direction), float(as_f32(min_t))
     corners = as_f32(corners - origin)
     boxes = np.stack([corners.min(axis=1), corners.max(axis=1)], axis=1)
-    nodes = []
-    flatten(nodes, split(boxes, largest, below_middle), boxes, direction)
-    if len(nodes) > NODES:
+    tree = split(boxes, largest, below_middle)
+    for kept in (np.inf, 2, 1, 0):
+        nodes = []
+        flatten(nodes, tree, boxes, direction, kept, largest)
+        if len(nodes) <= NODES:
+            break
+    else:
         return None
     leaves = [node for node in nodes if not node.second]
     names, first = [], 0
@@ -172,19 +174,19 @@ def is_fair(met, min_t):
     return all(far - near >= NEAR_TIE * far for near, far in zip(marks, marks[1:]))
 
 
-def flatten(nodes, tree, boxes, direction):
-    """Append the nodes of a tree to the list: a branch, its first child, its second."""
+def flatten(nodes, tree, boxes, direction, kept, largest):
+    """Append the nodes of a tree to the list: a branch, its first child, its second. Where the ray
+    misses a box, `kept` levels are kept below it, and at most `largest` triangles in a leaf."""
     members = members_of(tree)
     near, far = interval(boxes[members, 0].min(axis=0), boxes[members, 1].max(axis=0), direction)
-    node = Node(0, members, near, far)
+    node = Node(0, members[:largest], near, far)
     nodes.append(node)
-    if near > far:
-        node.members = members[:LARGEST_STUB]
-    elif isinstance(tree, tuple):
+    below = kept - 1 if near > far else kept
+    if isinstance(tree, tuple) and below >= 0:
         node.members = members[:0]
-        flatten(nodes, tree[0], boxes, direction)
+        flatten(nodes, tree[0], boxes, direction, below, largest)
         node.second = len(nodes)
-        flatten(nodes, tree[1], boxes, direction)
+        flatten(nodes, tree[1], boxes, direction, below, largest)
 
 
 def interval(low, high, direction):

@@ -149,6 +149,19 @@ def test_the_least_number_of_tests_counts_what_every_search_must_test():
         assert golden[5] == 1 + (len(root.members) if meets else 0)
 
 
+WITHOUT_BOXES = {"one_leaf", "few", "overlapping"}
+"""Groups in which boxes save little, so that a search may do without them."""
+
+
+@pytest.mark.parametrize("group", groups("nearest_hit"))
+def test_a_search_without_boxes_takes_too_many_tests_where_boxes_help(group):
+    tests = limit = 0
+    for question, golden, tolerance in drawn("nearest_hit", group):
+        tests += sum(len(node.members) for node in question.nodes)
+        limit += golden[5] + tolerance[5]
+    assert (tests > 1.5 * limit) == (group not in WITHOUT_BOXES)
+
+
 @pytest.mark.parametrize("task", ["triangle_box", "ray_box", "build_tree", "nearest_hit"])
 def test_fresh_questions_can_be_drawn(task):
     for group, draw_question in groups(task).items():
