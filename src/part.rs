@@ -33,6 +33,8 @@ pub struct Quantity {
     pub name: &'static str,
     /// Not finite where the question has no such number.
     pub value: f64,
+    /// Whether it counts something, so that it is whole.
+    pub is_count: bool,
 }
 
 /// A condition on a question and an answer to it.
@@ -65,7 +67,20 @@ impl Condition {
 
 impl Quantity {
     pub(crate) fn new(name: &'static str, value: f64) -> Quantity {
-        Quantity { name, value }
+        Quantity {
+            name,
+            value,
+            is_count: false,
+        }
+    }
+
+    /// A number of things.
+    pub(crate) fn count(name: &'static str, count: usize) -> Quantity {
+        Quantity {
+            name,
+            value: count as f64,
+            is_count: true,
+        }
     }
 
     /// The quantities of every ray with a `min_t`.

@@ -19,8 +19,8 @@ pub enum Tree {
 // ANCHOR_END: tree
 
 // ANCHOR: ray_tree
-/// A tree as one ray sees it. These tests are the only way to find out what the ray meets, and the
-/// harness counts them: a search that needs fewer is faster.
+/// A tree as one ray sees it. Its tests are the only way to find out what the ray meets.
+/// The harness counts them, because a search that needs fewer is faster.
 pub trait RayTree {
     /// What is in a node. The root is node 0.
     fn node(&self, node: usize) -> Node<'_>;

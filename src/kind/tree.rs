@@ -23,6 +23,9 @@ pub struct TreeQuestion {
 /// A pixel of a question film can hold at most this many boxes.
 const MOST_BOXES: usize = 64;
 
+/// Of a long list of boxes, this many lines are shown. The report draws them all.
+const MOST_SHOWN: usize = 6;
+
 /// An answer has at most this many nodes and places in leaves, ten times what it needs.
 const MOST_PLACES: usize = 32 * MOST_BOXES;
 
@@ -87,9 +90,13 @@ impl Question for TreeQuestion {
 
     fn describe(&self, _: &str, digits: usize) -> Vec<Fact> {
         let all = self.boxes.iter().enumerate();
-        let lines: Vec<String> = all
+        let mut lines: Vec<String> = all
             .map(|(index, bounds)| format!("{index}: {}", bounds.words(digits)))
             .collect();
+        if lines.len() > MOST_SHOWN {
+            let more = lines.split_off(MOST_SHOWN - 1).len();
+            lines.push(format!("and {more} more"));
+        }
         vec![Fact::new("boxes", lines.join("\n"))]
     }
 
@@ -101,10 +108,7 @@ impl Question for TreeQuestion {
     }
 
     fn quantities(&self, _: &Answer) -> Vec<Quantity> {
-        vec![Quantity::new(
-            "the number of triangles",
-            self.boxes.len() as f64,
-        )]
+        vec![Quantity::count("the number of triangles", self.boxes.len())]
     }
 
     fn conditions(&self, _: &Answer) -> Vec<Condition> {
@@ -130,27 +134,30 @@ impl Question for TreeQuestion {
 }
 
 impl TreeMeasures {
-    /// "a tree with 0 triangles misplaced, depth 5, at most 4 triangles in a leaf, and an
-    /// expected 12.3 tests for a ray".
+    /// "a tree with depth 5, at most 4 triangles in a leaf, and an expected 12.3 tests for a ray".
     ///
     /// A golden's own measures are all 0, which no tree has.
     pub(super) fn words(&self, digits: usize) -> String {
-        if self.largest_leaf == 0 && self.misplaced == 0 {
-            return "a tree with 0 triangles misplaced, and with depth, largest leaf and expected \
-                    tests as near to 0 as is allowed"
-                .into();
-        }
         let TreeMeasures {
             misplaced,
             depth,
             largest_leaf,
             cost,
         } = *self;
-        let cost = number(cost, digits);
-        format!(
-            "a tree with {misplaced} triangles misplaced, depth {depth}, at most {largest_leaf} \
-             triangles in a leaf, and an expected {cost} tests for a ray"
-        )
+        if largest_leaf == 0 && misplaced == 0 {
+            return "a tree with each triangle in exactly one leaf, within its limits".into();
+        }
+        let shape = format!("depth {depth}, at most {largest_leaf} triangles in a leaf");
+        match misplaced {
+            0 => format!(
+                "a tree with {shape}, and an expected {} tests for a ray",
+                number(cost, digits)
+            ),
+            1 => format!("a tree with {shape}, and 1 triangle missing, repeated or unknown"),
+            some => {
+                format!("a tree with {shape}, and {some} triangles missing, repeated or unknown")
+            }
+        }
     }
 
     /// What can be right or wrong in a tree. One with misplaced triangles has no expected
@@ -167,7 +174,7 @@ impl TreeMeasures {
         };
         let mut parts = vec![
             part(
-                "the number of misplaced triangles",
+                "the number of missing, repeated or unknown triangles",
                 self.misplaced as f64,
                 &["misplaced"],
             ),

@@ -170,7 +170,10 @@ impl MeshTree {
             }
             match self.tree.node(node) {
                 Node::Branch([a, b]) => {
-                    let mut entered: Vec<(usize, f64)> = [b, a]
+                    // What is pushed last is opened first: where the ray enters both boxes at the
+                    // same t, the second, as in our answer.
+                    let children = if how.nearer_first { [a, b] } else { [b, a] };
+                    let mut entered: Vec<(usize, f64)> = children
                         .into_iter()
                         .filter_map(|child| enter(child, nearest, &mut see))
                         .collect();

@@ -39,8 +39,15 @@ pub fn worst(verdict: &Verdict, asked: &QuestionFilm, reply: &Reply) -> Vec<Fact
     facts.extend([Fact::new("expected", expected), Fact::new("got", got)]);
     // An object is right or wrong. For all other channels, show the tolerance too.
     if channel.name != "id" {
+        let parts = questions.parts(index, &questions.expected(asked.golden.film(), index));
+        let mut limits = parts.iter().flatten().filter(|part| part.is_limit);
+        let limit = limits.find(|part| part.channels.contains(&channel.name.as_str()));
         let allowed = number(f64::from(mismatch.allowed), 2);
-        let allowed = format!("{} ± {allowed}", channel.name);
+        let allowed = match limit {
+            Some(part) => format!("at most {allowed} for {}", part.name),
+            None if mismatch.allowed == 0.0 => format!("{}: exactly this number", channel.name),
+            None => format!("{} ± {allowed}", channel.name),
+        };
         facts.push(Fact::new("allowed", allowed));
     }
     facts
@@ -49,11 +56,18 @@ pub fn worst(verdict: &Verdict, asked: &QuestionFilm, reply: &Reply) -> Vec<Fact
 /// How many tests were counted, for one question and for all together.
 fn work(mismatch: Mismatch, asked: &QuestionFilm, reply: &Reply) -> String {
     let golden = &asked.golden;
-    let most = sum(golden.film()) + sum(golden.tolerance());
-    let all: u64 = reply.tests.iter().map(|&count| u64::from(count)).sum();
+    let least = golden.film().channel(TESTS).unwrap_or_default().iter();
+    let counts = reply.tests.iter().map(|&count| f64::from(count));
+    let apart: f64 = counts
+        .zip(least)
+        .map(|(count, &least)| (count - f64::from(least)).abs())
+        .sum();
     format!(
-        "{} for one ray, where {} are enough; {all} for all rays, and at most {most:.0} are allowed",
-        mismatch.got, mismatch.expected
+        "{} for one ray, where {} would do; all rays together are {apart:.0} tests away from what \
+         would do, and at most {:.0} are allowed",
+        mismatch.got,
+        mismatch.expected,
+        sum(golden.tolerance())
     )
 }
 

@@ -8,9 +8,9 @@ use image::imageops::thumbnail;
 use pinhole::false_colour;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::outcome::Examination;
-use pinhole_course::shell::PINHOLE;
 
 use crate::escape::printable;
+use crate::html::RepeatCommands;
 use crate::passage::Passage;
 use crate::pictures;
 use pinhole_course::error::Result;
@@ -24,13 +24,19 @@ pub struct Finish {
     pub scene: String,
     /// The normals that the student's own code saw in it.
     pub picture: RgbImage,
+    /// The command that packs the answers to hand in.
+    pub pack: String,
     /// What to read next.
     pub next: Passage,
 }
 
 impl Finish {
     /// `None` unless everything was asked and passes.
-    pub fn of(examination: &Examination, assignment: &Assignment) -> Option<Finish> {
+    pub fn of(
+        examination: &Examination,
+        assignment: &Assignment,
+        again: &RepeatCommands,
+    ) -> Option<Finish> {
         let Examination { outcome, films, .. } = examination;
         let finish = assignment.finish.as_ref()?;
         let is_all = outcome.tasks.len() == assignment.tasks.len()
@@ -44,6 +50,7 @@ impl Finish {
             points: outcome.possible,
             scene: finish.scene.clone(),
             picture: false_colour::normal(film.film.as_ref()?),
+            pack: format!("{} --pack answers.zip", again.part),
             next: Passage::chapter(&finish.chapter),
         })
     }
@@ -55,10 +62,12 @@ impl Finish {
 
     /// What it means and what to do next, in three lines.
     pub fn words(&self) -> String {
-        let Finish { points, next, .. } = self;
+        let Finish {
+            points, pack, next, ..
+        } = self;
         format!(
             "All {points} points: every answer agrees with Mitsuba's.\n\
-             submit: {PINHOLE} check --pack answers.zip\n\
+             submit: {pack}\n\
              read next: {next}\n"
         )
     }
@@ -106,6 +115,7 @@ mod tests {
             points: 1,
             scene: "any".into(),
             picture: RgbImage::from_pixel(64, 32, image::Rgb([255, 0, 128])),
+            pack: String::new(),
             next: Passage::chapter("Any"),
         };
         let text = finish.in_blocks(8);

@@ -6,9 +6,10 @@ use pinhole::{BoundingBox, Tree};
 /// A leaf holds at most 8 triangles, by their places in that list, counted from 0. Each
 /// triangle is in exactly one leaf.
 ///
-/// Split a list at the middle of the longest axis of its boxes' centres: one child gets the
-/// triangles whose centre lies on one side of it, the other child gets the rest. If that
-/// leaves one child without a triangle, halve the list instead. `boxes` is never empty.
+/// To split a list, find the axis along which its boxes' centres spread most, and cut in the
+/// middle between the least and the greatest centre: one child gets the triangles whose
+/// centre lies on one side of the cut, the other child gets the rest. If that leaves one
+/// child without a triangle, halve the list instead. `boxes` is never empty.
 ///
 /// Book: Building the tree.
 pub fn build_tree(boxes: &[BoundingBox]) -> Tree {

@@ -17,6 +17,7 @@ use pinhole_course::error::Error;
 use pinhole_course::outcome::{Examination, Outcome, TaskOutcome};
 use pinhole_course::submission::Submission;
 use pinhole_report::finish::Finish;
+use pinhole_report::html::RepeatCommands;
 
 /// The whole watch.
 pub struct State {
@@ -58,6 +59,7 @@ pub struct State {
     /// All points that can be earned.
     possible: u32,
     assignment: Assignment,
+    again: RepeatCommands,
 }
 
 /// What goes with a verdict.
@@ -120,6 +122,7 @@ impl State {
             scenes: course.goldens.scenes.len(),
             possible: possible(course),
             assignment: course.assignment.clone(),
+            again: course.again.clone(),
         }
     }
 
@@ -238,7 +241,7 @@ impl State {
 
     /// What to show if everything is right.
     pub fn finish(&self) -> Option<Finish> {
-        Finish::of(&self.known, &self.assignment)
+        Finish::of(&self.known, &self.assignment, &self.again)
     }
 
     /// Points earned, of all that can be earned.

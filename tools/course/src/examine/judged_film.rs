@@ -4,6 +4,7 @@ use std::path::Path;
 
 use pinhole::Film;
 use pinhole::ask::{Ending, Reply};
+use pinhole::film::TESTS;
 use pinhole::job::Panic;
 use pinhole::judge::{Verdict, judge};
 use pinhole::kind::Questions;
@@ -27,7 +28,9 @@ impl JudgedFilm {
     /// What can be drawn of the answers.
     pub fn picture(&self, asked: &QuestionFilm, reply: &Reply) -> Option<Picture> {
         let film = self.film.as_ref()?;
-        if asked.job.is_counted() {
+        let (channel, worst) = describe::worst_of(self.verdict.as_ref()?)?;
+        // Wrong hits come first. Tests of a wrong search show nothing.
+        if channel.name == TESTS {
             return Some(Picture::Tests {
                 golden: asked.golden.film().clone(),
                 film: film.clone(),
@@ -36,7 +39,6 @@ impl JudgedFilm {
         let Questions::Tree(questions) = asked.job.questions()? else {
             return None;
         };
-        let (_, worst) = describe::worst_of(self.verdict.as_ref()?)?;
         let index = asked.resolution.index(worst.pixel);
         let question = questions.get(index)?;
         Some(Picture::Tree {

@@ -48,6 +48,11 @@ pub fn adapt(files: &mut Files, assignment: &Assignment, checkout: &Checkout) ->
     let course = course.unwrap_or_default().replace("\r\n", "\n");
     let formats = read_text(&checkout.root().join(FORMATS))?;
     let sources = [&own, &course, &formats];
+    let golden = |name: &str| format!("golden/{name}/");
+    let (others, its) = (
+        golden(&checkout.default_assignment()?),
+        golden(&assignment.name),
+    );
     let mut missing = None;
     let mut text = String::new();
     for line in TEMPLATE.lines() {
@@ -62,7 +67,9 @@ pub fn adapt(files: &mut Files, assignment: &Assignment, checkout: &Checkout) ->
             .and_then(|rest| rest.strip_suffix(" -->"));
         let quoted = |heading| sources.iter().find_map(|text| section(text, heading));
         match heading.map(|heading| (heading, quoted(heading))) {
-            Some((_, Some(section))) => text.push_str(section.trim_end()),
+            Some((_, Some(section))) => {
+                text.push_str(&section.trim_end().replace(&others, &its));
+            }
             Some((heading, None)) => missing = Some(heading),
             None => text.push_str(&fill(line)),
         }

@@ -1,6 +1,6 @@
 //! Simple laws by which a part of an answer can be wrong.
 
-use super::sample::Sample;
+use super::sample::{SAME, Sample};
 
 /// How the wrong value of a part follows from the right one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -184,7 +184,12 @@ impl Law {
         };
         let size = Place::Length.of(given);
         let size = if size.is_finite() { size } else { 0.0 };
-        let allowed = sample.allowed(part, says.abs().max(size), stretch);
+        let size = says.abs().max(size);
+        // The tolerance of a limit is the limit, and not how far a value may be from a law.
+        let allowed = match sample.is_limited(part) {
+            true => SAME * size,
+            false => sample.allowed(part, size, stretch),
+        };
         // Written this way so that NaN breaks the law.
         let is_said = (place.of(given) - says).abs() <= allowed;
         if !is_said {

@@ -195,6 +195,11 @@ fn literals(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Vec<Litera
         if wrong.iter().chain(&right).any(|value| !value.is_finite()) {
             continue;
         }
+        // A count's bound is next to the wrong samples, where it is sure.
+        let bound = |wrong: f64, right: f64| match first.quantities[k].is_count {
+            true => wrong + 0.5 * (right - wrong).signum(),
+            false => between(wrong, right),
+        };
         let largest = wrong.iter().copied().fold(f64::MIN, f64::max);
         let smallest = wrong.iter().copied().fold(f64::MAX, f64::min);
         let above = right.iter().copied().filter(|it| *it > largest);
@@ -204,17 +209,18 @@ fn literals(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Vec<Litera
             below.fold(f64::MIN, f64::max),
         );
         if next < f64::MAX {
-            literals.push(Literal::Below(k, between(largest, next)));
+            literals.push(Literal::Below(k, bound(largest, next)));
         }
         if last > f64::MIN {
-            literals.push(Literal::Above(k, between(last, smallest)));
+            literals.push(Literal::Above(k, bound(smallest, last)));
         }
     }
     literals
 }
 
 /// The roundest number between these two.
-fn between(low: f64, high: f64) -> f64 {
+fn between(one: f64, other: f64) -> f64 {
+    let (low, high) = (one.min(other), one.max(other));
     let middle = 0.5 * (low + high);
     let rounded = (0..9).map(|digits| {
         let text = format!("{middle:.digits$e}");

@@ -37,7 +37,7 @@ pub struct Sample {
 
 /// Values that differ by at most this share of themselves count as the same: computed in
 /// another order, or rounded to 32 bits.
-const SAME: f64 = 2e-5;
+pub const SAME: f64 = 2e-5;
 
 /// All questions of these films that were answered and are not exempt.
 pub fn samples(films: &[QuestionsAndAnswers<'_>]) -> Vec<Sample> {
@@ -101,11 +101,17 @@ impl Sample {
         self.slack[part] * stretch.abs().max(1.0) + SAME * value.abs()
     }
 
+    /// Whether a golden only limits a part.
+    pub fn is_limited(&self, part: usize) -> bool {
+        let right = self.right.as_ref().and_then(|parts| parts.get(part));
+        right.is_some_and(|it| it.is_limit)
+    }
+
     /// How large a part is, and how large it may be, if a golden limits it.
     pub fn limited(&self, part: usize) -> Option<(f64, f64)> {
-        let right = self.right.as_ref()?.get(part)?;
         let (_, given) = self.both(part)?;
-        (right.is_limit).then_some((*given.first()?, self.slack[part]))
+        let limit = (*given.first()?, self.slack[part]);
+        self.is_limited(part).then_some(limit)
     }
 
     /// Whether both answers have this part and it is right.

@@ -167,8 +167,13 @@ pub fn literal(literal: &Literal, sample: &Sample) -> String {
 }
 
 fn bounded(sample: &Sample, k: usize, than: &str, bound: f64) -> String {
-    let name = sample.quantities[k].name;
-    format!("{name} is {than} than {}", number(bound, DIGITS))
+    let quantity = sample.quantities[k];
+    let name = quantity.name;
+    match quantity.is_count {
+        true if than == "more" => format!("{name} is {} or more", bound.ceil()),
+        true => format!("{name} is {} or less", bound.floor()),
+        false => format!("{name} is {than} than {}", number(bound, DIGITS)),
+    }
 }
 
 /// "a, b and c".
