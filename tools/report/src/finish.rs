@@ -10,7 +10,6 @@ use pinhole_course::assignment::Assignment;
 use pinhole_course::outcome::Examination;
 
 use crate::escape::printable;
-use crate::html::RepeatCommands;
 use crate::passage::Passage;
 use crate::pictures;
 use pinhole_course::error::Result;
@@ -31,12 +30,8 @@ pub struct Finish {
 }
 
 impl Finish {
-    /// `None` unless everything was asked and passes.
-    pub fn of(
-        examination: &Examination,
-        assignment: &Assignment,
-        again: &RepeatCommands,
-    ) -> Option<Finish> {
+    /// `None` unless everything was asked and passes. `check` is the command that checks it all.
+    pub fn of(examination: &Examination, assignment: &Assignment, check: &str) -> Option<Finish> {
         let Examination { outcome, films, .. } = examination;
         let finish = assignment.finish.as_ref()?;
         let is_all = outcome.tasks.len() == assignment.tasks.len()
@@ -50,7 +45,7 @@ impl Finish {
             points: outcome.possible,
             scene: finish.scene.clone(),
             picture: false_colour::normal(film.film.as_ref()?),
-            pack: format!("{} --pack answers.zip", again.part),
+            pack: format!("{check} --pack answers.zip"),
             next: Passage::chapter(&finish.chapter),
         })
     }

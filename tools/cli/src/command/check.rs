@@ -104,8 +104,8 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
             let mut report =
                 Report::of_examination(&examination, &goldens.folder, &again(arguments))?;
             report.book = passage::built(checkout.root());
-            report.finish =
-                Finish::of(&examination, &assignment, &again(arguments)).map(FinishSection::of);
+            report.finish = Finish::of(&examination, &assignment, &again(arguments).part)
+                .map(FinishSection::of);
             report.write(&path).map(|()| path)
         })
     });
@@ -133,7 +133,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
             let path = from_here(path).display().to_string();
             anstream::println!("\nreport: {}", printable(&path));
         }
-        match Finish::of(&examination, &assignment, &again(arguments)) {
+        match Finish::of(&examination, &assignment, &again(arguments).part) {
             Some(finish) => show_finish(&finish, &checkout.scratch())?,
             None => show_next(&assignment, &submission, outcome),
         }

@@ -23,7 +23,8 @@ pub fn show(course: &Course, known: &Examination) -> String {
 fn write(course: &Course, known: &Examination) -> Result<()> {
     let mut report = Report::of_examination(known, &course.goldens.folder, &course.again)?;
     report.book = passage::built(course.checkout.root());
-    report.finish = Finish::of(known, &course.assignment, &course.again).map(FinishSection::of);
+    report.finish =
+        Finish::of(known, &course.assignment, &course.again.part).map(FinishSection::of);
     report.write(&course.report)
 }
 

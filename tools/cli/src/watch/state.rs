@@ -241,7 +241,7 @@ impl State {
 
     /// What to show if everything is right.
     pub fn finish(&self) -> Option<Finish> {
-        Finish::of(&self.known, &self.assignment, &self.again)
+        Finish::of(&self.known, &self.assignment, &self.again.part)
     }
 
     /// Points earned, of all that can be earned.

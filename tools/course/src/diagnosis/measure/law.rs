@@ -178,6 +178,11 @@ impl Law {
 
     /// How one value of a sample compares with it.
     fn stand(self, sample: &Sample, part: usize, place: Place) -> Fit {
+        // There is no right value below a limit that another could follow from.
+        let is_limited = sample.is_limited(part);
+        if is_limited && !matches!(self, Law::Quantity(..) | Law::Other(..)) {
+            return Fit::Breaks;
+        }
         let told = self.says(sample, part, place).zip(sample.both(part));
         let Some(((says, stretch), (right, given))) = told else {
             return Fit::Breaks;
@@ -186,7 +191,7 @@ impl Law {
         let size = if size.is_finite() { size } else { 0.0 };
         let size = says.abs().max(size);
         // The tolerance of a limit is the limit, and not how far a value may be from a law.
-        let allowed = match sample.is_limited(part) {
+        let allowed = match is_limited {
             true => SAME * size,
             false => sample.allowed(part, size, stretch),
         };

@@ -319,6 +319,7 @@ fn a_part_above_its_limit_is_told_with_the_limit() {
     let leaf = format!("The largest leaf is too large in {half} of {COUNT} questions: {worst}.");
     assert_eq!(said[0], leaf);
     // Nothing else is above its limit.
-    let rest = "The number of misplaced triangles, the depth and the expected number of tests are";
+    let rest = "The number of missing, repeated or unknown triangles, the depth and the expected \
+                number of tests are";
     assert_eq!(said[1..], [format!("{rest} right everywhere.")]);
 }
