@@ -44,7 +44,7 @@ pub fn worst(verdict: &Verdict, asked: &QuestionFilm, reply: &Reply) -> Vec<Fact
         let limit = limits.find(|part| part.channels.contains(&channel.name.as_str()));
         let allowed = number(f64::from(mismatch.allowed), 2);
         let allowed = match limit {
-            Some(part) => format!("at most {allowed} for {}", part.name),
+            Some(part) => format!("{}: at most {allowed}", part.name),
             None if mismatch.allowed == 0.0 => format!("{}: exactly this number", channel.name),
             None => format!("{} ± {allowed}", channel.name),
         };

@@ -180,7 +180,7 @@ impl Law {
     fn stand(self, sample: &Sample, part: usize, place: Place) -> Fit {
         // There is no right value below a limit that another could follow from.
         let is_limited = sample.is_limited(part);
-        if is_limited && !matches!(self, Law::Quantity(..) | Law::Other(..)) {
+        if is_limited && !matches!(self, Law::Quantity(1.0, _) | Law::Other(_)) {
             return Fit::Breaks;
         }
         let told = self.says(sample, part, place).zip(sample.both(part));
