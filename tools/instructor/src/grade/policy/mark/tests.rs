@@ -149,7 +149,7 @@ fn rules_that_make_no_sense_are_refused_with_a_reason() {
             "not between 0 and 100",
         ),
         ("deadline = 'x'\ngrace = 'soon'\n", "not a time like"),
-        ("[rounding]\nto = 0\n", "not above 0"),
+        ("[rounding]\nto = 0\n", "not a finite number above 0"),
         (
             "[[adjust]]\nid = 'a'\npoints = 1\nreason = ' '\n",
             "a reason",
