@@ -66,10 +66,14 @@ pub fn rows(text: &mut String, task: &TaskOutcome, width: usize, extent: Extent)
     }
 }
 
-/// Failing groups, with a question that shows the failure. If a belief explains it, only the
-/// first group.
+/// Without an explanation, a question is shown for this many failing groups. With one, for the
+/// first.
+const MOST_SHOWN: usize = 3;
+
+/// Failing groups, the first of them with a question that shows the failure.
 fn group_rows(text: &mut String, failing: &[&GroupOutcome], is_explained: bool) {
     let mut told: Vec<String> = Vec::new();
+    let mut left = if is_explained { 1 } else { MOST_SHOWN };
     for group in failing {
         let said = group_in_words(group);
         // A panic in every group is reported once.
@@ -77,8 +81,9 @@ fn group_rows(text: &mut String, failing: &[&GroupOutcome], is_explained: bool) 
         let again = !is_judged && told.contains(&said);
         let said = if again { "the same".into() } else { said };
         line(text, format!("    {FAIL}{:<18}{FAIL:#}{said}", group.name));
-        if !again && (!is_explained || told.is_empty()) {
+        if !again && left > 0 {
             indent(text, &facts(&group.worst));
+            left -= 1;
         }
         told.push(said);
     }
