@@ -88,7 +88,7 @@ def say(line):
 
 
 def question_items(arguments):
-    """One item for each group of the committed questions; a kind may want another number
+    """One item for each group of the committed questions; a kind may set a different number
     of them than most."""
     from question_films import QUESTIONS
 

@@ -59,7 +59,7 @@ def overlapping(rng):
 
 
 def min_t(rng):
-    """Triangles before min_t and after it: many layers, in half of the questions, of which
+    """Triangles before min_t and after it. Half of the questions have many layers, of which
     some or all lie before min_t."""
     if rng.uniform() < 0.5:
         return layers(rng, min_t=rng.choice([rng.uniform(0.8, 1.3), 2]))

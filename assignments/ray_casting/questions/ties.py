@@ -11,7 +11,7 @@ from shapes.triangle import Triangles
 from whole_numbers import Ray, not_zero, vector, whole
 
 NORMALS = (*np.eye(3), *-np.eye(3))
-"""A normal for each object that a question has room for. The answer's normal tells which
+"""A normal for each object that a question has room for. The answer's normal shows which
 object was hit, and float32 holds it exactly."""
 
 

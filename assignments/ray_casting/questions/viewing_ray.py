@@ -1,6 +1,6 @@
 """Questions about the ray of one pixel of one camera, a new camera every time.
 
-Width and height are a pixel's size, of ten binary digits, times the resolution:
+Width and height are a pixel's size, of ten binary digits, times the resolution,
 so they are float32 values of exactly square pixels, and Mitsuba's own sensor
 can answer. The half width stays below 1.5 focal lengths, because the sensor
 keeps its field of view as a float32 angle.
@@ -59,7 +59,7 @@ def _view_and_up(rng):
 
 
 def _pixel(rng, group, resolution):
-    """A pixel (i, j); in `corners` on the frame, every second time in its corner."""
+    """A pixel (i, j). In the group `corners` it is on the border, every second time in a corner."""
     i, j = (int(rng.integers(n)) for n in resolution)
     if group != "corners":
         return i, j

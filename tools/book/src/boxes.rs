@@ -133,7 +133,8 @@ impl MeshTree {
         &self.boxes
     }
 
-    /// Which triangle a ray meets first, from `min_t` on, at which t, and the tests it took.
+    /// The triangle that a ray meets first from `min_t` on, its t, and how many tests the search
+    /// took.
     pub fn search(&self, ray: &Ray, min_t: f64, how: Search) -> (Option<(usize, f64)>, Tests) {
         let mut tests = Tests::default();
         let nearest = self.walk(ray, min_t, how, |step| match step {
@@ -144,7 +145,7 @@ impl MeshTree {
         (nearest, tests)
     }
 
-    /// The same, step by step.
+    /// Searches like [`MeshTree::search`], and passes each step to `see`.
     pub fn walk(
         &self,
         ray: &Ray,
@@ -170,8 +171,8 @@ impl MeshTree {
             }
             match self.tree.node(node) {
                 Node::Branch([a, b]) => {
-                    // What is pushed last is opened first: where the ray enters both boxes at the
-                    // same t, the second, as in our answer.
+                    // What is pushed last is opened first. If the ray enters both boxes at the same
+                    // t, that is the second, as in our answer.
                     let children = if how.nearer_first { [a, b] } else { [b, a] };
                     let mut entered: Vec<(usize, f64)> = children
                         .into_iter()
@@ -227,7 +228,8 @@ fn split(mut places: Vec<usize>, own: &[BoundingBox], largest: usize) -> Tree {
     ]))
 }
 
-/// Where a ray is between the two faces of a box across an axis; `None` if it never is.
+/// The interval of t in which a ray is between the two faces of a box across an axis; `None` if it
+/// never is.
 pub fn slab(bounds: &BoundingBox, ray: &Ray, axis: usize) -> Option<[f64; 2]> {
     let faces = [bounds.min[axis], bounds.max[axis]].map(|face| face - ray.origin[axis]);
     match ray.direction[axis] {
@@ -241,7 +243,8 @@ pub fn slab(bounds: &BoundingBox, ray: &Ray, axis: usize) -> Option<[f64; 2]> {
     }
 }
 
-/// Where a ray is in a box, from `min_t` to `max_t`: three slabs (Kay & Kajiya 1986).
+/// The interval of t in which a ray is in a box, from `min_t` to `max_t`: three slabs (Kay & Kajiya
+/// 1986).
 pub fn inside(bounds: &BoundingBox, ray: &Ray, min_t: f64, max_t: f64) -> Option<[f64; 2]> {
     let mut inside = [min_t, max_t];
     for axis in 0..3 {

@@ -167,7 +167,7 @@ impl Expand {
                 })?;
                 let output = fs::read_to_string(run::captured(&id, checkout)).map_err(|_| {
                     let remedy = format!("cargo pinhole book capture {id}");
-                    (format!("what `{id}` prints was never captured"), remedy)
+                    (format!("the output of `{id}` was never captured"), remedy)
                 })?;
                 Ok(run.shown(&output))
             }
@@ -184,7 +184,7 @@ impl Expand {
                     Some(assignment) => gallery::shown(&task, to_root, assignment, checkout),
                     None => Err((
                         format!("there is no task `{task}`"),
-                        "name one of an assignment.toml".into(),
+                        "name a task of an assignment.toml".into(),
                     )),
                 }
             }

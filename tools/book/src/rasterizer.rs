@@ -107,7 +107,7 @@ fn nearness_at(place: DVec2, corners: [Corner; 3]) -> Option<f64> {
     (covers && whole != 0.0).then(|| sum / whole)
 }
 
-/// Where the triangles of [`strewn`] are seen from.
+/// The camera that sees the triangles of [`strewn`].
 pub fn camera() -> Camera {
     let projection = Projection::Perspective { focal_length: 1.0 };
     let size = (1.6, 0.9);

@@ -127,8 +127,8 @@ struct Plan {
     wrong_ids: u64,
 }
 
-/// Adds the record's numbers; without a record there are none, and a page that wants one
-/// is told so.
+/// Adds the record's numbers. Without a record there are none, and a page that uses one gets an
+/// error.
 pub fn add(values: &mut Values, checkout: &Checkout) -> Result<()> {
     let file = format!("{RECORD}/study.json");
     if !checkout.root().join(&file).is_file() {
@@ -282,12 +282,12 @@ fn share(part: u64, all: u64) -> String {
     }
 }
 
-/// A cost, or that it was not counted.
+/// A cost, or a dash if it was not counted.
 fn count(number: Option<f64>) -> String {
     number.map_or("–".into(), |number| grouped(number.round() as u64))
 }
 
-/// A whole number with its thousands set apart.
+/// A whole number with commas between its thousands.
 pub fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();
@@ -300,7 +300,7 @@ pub fn grouped(number: u64) -> String {
     text
 }
 
-/// An error: all digits that tell something.
+/// An error in ulp, rounded to the digits that mean something.
 fn ulps(error: f64) -> String {
     match error {
         1e8.. => decade(error.log10().round() as i32),

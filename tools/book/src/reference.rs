@@ -168,5 +168,5 @@ impl Reference {
 }
 
 fn odd() -> Error {
-    Error::environment("the reference answers another question", "report this")
+    Error::environment("the reference gives an answer of another kind", "report this")
 }

@@ -23,7 +23,7 @@ pub struct Run {
     /// As a reader types it; `pinhole` stands for this program.
     pub command: String,
     /// Whose answers to put into the handout's folder: `handout`, `reference`, or
-    /// `mistakes/SLUG`, which is the reference with that mistake's files over it.
+    /// `mistakes/SLUG`, which is the reference with some files replaced by that mistake's.
     #[serde(default = "handout")]
     pub answers: String,
     /// The first and the last line to show, from 1.
@@ -129,7 +129,7 @@ impl<'a> Runner<'a> {
         let mut words = run.command.split_whitespace();
         if words.next() != Some("pinhole") {
             let remedy = "let the command begin with `pinhole`";
-            return Err(wrong(format!("`{}` is not ours", run.command), remedy).into());
+            return Err(wrong(format!("`{}` is not a command of ours", run.command), remedy).into());
         }
         let assignment = self.assignment(run)?;
         let answers = self.answers(&assignment, &run.answers)?;

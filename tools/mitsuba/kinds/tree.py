@@ -4,7 +4,7 @@ Many trees are right, so the harness measures the submission's: triangles that a
 exactly one leaf, depth, the largest leaf, and the expected number of tests by the surface
 area heuristic. The golden is 0 everywhere; the tolerance is how much of each is allowed.
 Depth and tests are compared with trees that are split at the middle of the longest axis, and
-with trees that are halved there.
+with trees whose lists are halved along it.
 """
 
 from dataclasses import dataclass
@@ -21,12 +21,12 @@ LARGEST_LEAF = 8
 """How many triangles a leaf may have."""
 
 COST = 1.1
-"""How many times the expected tests of the costliest of our trees are allowed. Measured:
+"""The expected tests that are allowed, as a multiple of those of our costliest tree. Measured:
 splits by the surface area heuristic need 0.4 to 1.5 times those of the costliest middle split,
 and triangles that are halved in the order of the list up to 4.6 times."""
 
 SHOWN_LEAF = 4
-"""How many triangles a leaf of the tree has that a wrong one is shown beside."""
+"""The most triangles in a leaf of the right tree that is shown beside a wrong one."""
 
 ANY_COST = 1e6
 """More expected tests than any tree over so few triangles needs."""
@@ -51,7 +51,7 @@ class Question:
     def values(self):
         """The pixel of the question's film: the boxes, and a right tree for pictures. Of each
         triangle it says in which of the leaves it is, and how deep that leaf is. The depths of
-        all leaves, from the first to the last, fit one binary tree alone."""
+        all leaves, from the first to the last, determine the tree."""
         values = np.zeros(len(self.channels))
         values[0] = len(self.boxes)
         values[1 : 1 + self.boxes.size] = self.boxes.ravel()

@@ -41,7 +41,7 @@ ROUNDING = 1e-5
 Mitsuba's float32 may cost."""
 
 QUESTIONS = 160
-"""How many questions a group has: every test of a box or a triangle is a message."""
+"""How many questions a group has: few, because each test of a box or a triangle is a message."""
 
 FRESH = 256
 """How many fresh questions a group has."""

@@ -38,7 +38,7 @@ normal = [0.0, 1.0, 0.0]
 
 
 def scene(folder, objects, *, x=0.0, height=0.0, slope=0.0, n=31):
-    """A scene file whose middle column of pixels, if n is odd, has x for its plane."""
+    """A scene file. If n is odd, the middle column of pixels looks along the plane of this x."""
     (folder / "quad.obj").write_text(
         "v -1 -1 0\nv 0 -1 0\nv 1 -1 0\nv 1 1 0\nv 0 1 0\nv -1 1 0\nf 1 2 5 6\nf 2 3 4 5\n"
     )

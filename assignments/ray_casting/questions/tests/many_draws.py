@@ -70,7 +70,7 @@ def first_hits(shapes, starts, directions):
 
 
 def intersect_answers(questions):
-    """As `intersect.Question.answer`, of all questions at once: golden, tolerance, is fair."""
+    """Like `intersect.Question.answer`, for all questions at once: golden, tolerance, is fair."""
     shapes = [question.shape for question in questions]
     origin = np.array([question.origin - question.shape.point for question in questions])
     direction = np.array([question.direction for question in questions])
@@ -106,7 +106,7 @@ def intersect_answers(questions):
 
 
 def intersections(thing, direction):
-    """As `first_hit.intersections`."""
+    """Like `first_hit.intersections`."""
     point = thing.point
     start, ray = -point[None, None], direction[None, None]
     found, least = [], 0.0
@@ -119,7 +119,7 @@ def intersections(thing, direction):
 
 
 def nearest(question):
-    """As `first_hit.Question.answer`, or None."""
+    """Like `first_hit.Question.answer`; None if the question is not fair."""
     hits = [
         (t, k, normal) for k, found in enumerate(question.intersections) for t, normal in found
         if t >= question.min_t

@@ -15,7 +15,7 @@ TASKS = tie_films.tasks(ASSIGNMENT)
 
 @pytest.fixture(scope="module")
 def films(tmp_path_factory):
-    """{task: the questions of its committed tie film, {channel: value} each}"""
+    """{task: the questions of its tie film, each as {channel: value}}"""
     folder = tmp_path_factory.mktemp("ties")
     films = {}
     for task in TASKS:

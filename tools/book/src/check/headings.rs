@@ -17,7 +17,7 @@ pub fn missing(
     let mut problems = Vec::new();
     for task in &assignment.tasks {
         if chapter(pages, &task.chapter).is_none() {
-            let problem = format!("task {} names a chapter `{}`", task.name, task.chapter);
+            let problem = format!("task {} names a missing chapter `{}`", task.name, task.chapter);
             let file = checkout.inside(&assignment.folder.join("assignment.toml"));
             problems.push(Problem::of(file, problem, "write it, or correct the name"));
         }
@@ -83,7 +83,7 @@ mod tests {
             .map(|problem| problem.problem)
             .collect();
         let expected = [
-            "task plane names a chapter `Plane`",
+            "task plane names a missing chapter `Plane`",
             "`Sphere` has no section `Which roots count`",
             "there is no chapter `Cone`",
         ];

@@ -1,4 +1,4 @@
-//! Finds images without a text for readers who can't see them.
+//! Finds images without an alternative text for readers who can't see them.
 
 use super::pages::Pages;
 use crate::error::Problem;

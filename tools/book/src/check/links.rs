@@ -28,8 +28,8 @@ pub fn dead(pages: &Pages, folder: &Path, edition: Edition) -> Vec<Problem> {
 /// Words after a link by which the text promises something about the linked page.
 const PROMISES: [&str; 6] = ["says", "shows", "measures", "counts", "explains", "warns"];
 
-/// Links to a whole page of which the text says that it shows something. Readers would have to
-/// search the page for it.
+/// Links to a whole page, where the text promises that the page shows something. Readers would have
+/// to search the page for it.
 pub fn vague(pages: &Pages, edition: Edition) -> Vec<Problem> {
     let mut problems = Vec::new();
     for (path, page) in pages {

@@ -123,7 +123,7 @@ mod tests {
         let lines = answers(&assignment, &checkout).unwrap();
         assert!(
             lines.len() > 20,
-            "only {} lines tell something",
+            "only {} lines give something away",
             lines.len()
         );
         let folder = tempfile::tempdir().unwrap();

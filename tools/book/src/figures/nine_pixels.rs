@@ -19,12 +19,12 @@ pub fn nine_plane(checkout: &Checkout) -> Result<FigureFile> {
     nine(1, checkout)
 }
 
-/// With the sphere.
+/// The plane and the sphere.
 pub fn nine_sphere(checkout: &Checkout) -> Result<FigureFile> {
     nine(2, checkout)
 }
 
-/// With the triangle, too.
+/// The plane, the sphere and the triangle.
 pub fn nine_triangle(checkout: &Checkout) -> Result<FigureFile> {
     nine(3, checkout)
 }

@@ -117,7 +117,7 @@ pub fn sphere_from_afar(_: &Checkout) -> Result<FigureFile> {
     from_afar([textbook, foot])
 }
 
-/// The same by the textbook's discriminant alone: in `f32` above, in `f64` below.
+/// The same sphere by the textbook's discriminant alone: in `f32` above, in `f64` below.
 pub fn sphere_in_f32(_: &Checkout) -> Result<FigureFile> {
     let [(_, single), (_, double), _] = WAYS;
     from_afar([single, double])

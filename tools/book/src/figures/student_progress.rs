@@ -13,7 +13,7 @@ use crate::error::Result;
 use crate::png::{beside, enlarged};
 use crate::reference::Reference;
 
-/// It has every shape.
+/// The scene, which has every shape.
 pub const SCENE: &str = "tilted_camera";
 
 /// The shapes in the order of their chapters.

@@ -47,7 +47,7 @@ impl<'a> Caster<'a> {
                 return Ok(reply.film(scene.scene.resolution));
             }
             let problem = format!("it casts no film of {}: {:?}", scene.name, reply.ending);
-            let remedy = "make what is known again: cargo pinhole golden mistakes";
+            let remedy = "store the mistakes' films again: cargo pinhole golden mistakes";
             Err(Problem::of(self.checkout.inside(&mistake.folder), problem, remedy).into())
         };
         scenes.iter().map(film).collect()

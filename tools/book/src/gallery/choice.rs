@@ -19,8 +19,8 @@ pub struct Shot {
     pub picture: RgbImage,
 }
 
-/// Whether readers see that two pictures are not the same: a pixel in five hundred differs, by
-/// more than a shade.
+/// Whether readers see that two pictures are not the same: at least one pixel in five hundred
+/// differs by more than a shade.
 pub fn is_seen(one: &RgbImage, other: &RgbImage) -> bool {
     let pixels = one.pixels().zip(other.pixels());
     let apart = |a: &[u8; 3], b: &[u8; 3]| (0..3).any(|k| a[k].abs_diff(b[k]) > 8);

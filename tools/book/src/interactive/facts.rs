@@ -71,7 +71,7 @@ fn pixel_to_ray(checkout: &Checkout) -> Result<Value> {
     }))
 }
 
-/// How many steps the worked ray is away from the centre, and how far it goes.
+/// How many steps the worked ray is away from the centre, and how many it can be away at most.
 const STEPS: (i32, i32) = (30, 42);
 
 /// The worked ray moved across its sphere: the coefficients and roots at each distance.
