@@ -9,7 +9,7 @@ use crate::words::vector;
 /// A solid box whose faces are parallel to the axes: all points p with
 /// `min` ≤ p ≤ `max` in x, y and z. World space, scene units.
 ///
-/// It may be flat: where `min` and `max` are equal in one axis, or in several.
+/// It may be flat: `min` and `max` may be equal along one axis or several.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BoundingBox {
     /// The corner with the smallest x, y and z.

@@ -12,9 +12,9 @@ use serde::{Deserialize, Serialize};
 pub struct Camera {
     /// The camera's position; world space, scene units.
     pub eye: DVec3,
-    /// Unit vector to the right of the picture, world space.
+    /// Unit vector towards the right of the picture, world space.
     pub u: DVec3,
-    /// Unit vector to the top of the picture, world space.
+    /// Unit vector towards the top of the picture, world space.
     pub v: DVec3,
     /// Unit vector *against* the viewing direction, world space.
     pub w: DVec3,

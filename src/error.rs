@@ -50,7 +50,7 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// The text of a regular file: a pipe or a device could be read for ever.
+/// The text of a file. Refuses pipes and devices, because reading one might never end.
 pub(crate) fn read_text(path: &Path) -> io::Result<String> {
     if fs::metadata(path)?.is_file() {
         fs::read_to_string(path)

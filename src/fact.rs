@@ -12,7 +12,7 @@ pub struct Fact {
 }
 
 impl Fact {
-    /// A fact.
+    /// A fact with this label and text.
     pub fn new(label: impl Into<String>, text: impl Into<String>) -> Fact {
         Fact {
             label: label.into(),

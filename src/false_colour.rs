@@ -65,11 +65,12 @@ pub fn normal(film: &Film) -> RgbImage {
 }
 
 /// The depths a picture of this film should span, in scene units: from the nearest hit to the 95th
-/// percentile, since a plane's horizon has no end. They differ by at least a thousandth of the
-/// nearest. Otherwise, the picture of a wall that faces the camera would show rounding errors.
+/// percentile, because a plane that reaches the horizon has no greatest depth. The two ends differ
+/// by at least a thousandth of the nearest depth. Otherwise, the picture of a wall that faces the
+/// camera would show rounding errors.
 ///
-/// Take it from the golden where there is one, for film and golden alike: with a
-/// range of its own, a film whose depths are all twice too large would look right.
+/// Take it from the golden where there is one, for film and golden alike: with a range of its own,
+/// a film whose depths are all doubled would look right.
 pub fn depth_range(film: &Film, depth_per_t: f64) -> Range<f64> {
     let samples = film
         .channel("id")

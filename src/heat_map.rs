@@ -18,7 +18,7 @@ pub struct HeatScale {
     most: f64,
 }
 
-/// The colours of quarters of the scale in words.
+/// The colours at the quarters of the scale, in words.
 const COLOURS: [&str; 5] = ["black", "purple", "red", "orange", "pale yellow"];
 
 impl HeatScale {
@@ -37,8 +37,8 @@ impl HeatScale {
         })
     }
 
-    /// Black for no tests, over purple, red and orange to pale yellow for the most. A pixel without
-    /// a finite number of tests gets the colour of a miss.
+    /// From black for no tests through purple, red and orange to pale yellow for the most. A pixel
+    /// without a finite number of tests gets the colour of a miss.
     pub fn picture(&self, film: &Film) -> RgbImage {
         let resolution = film.resolution();
         let tests = film.channel(TESTS).unwrap_or_default();

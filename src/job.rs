@@ -26,7 +26,7 @@ pub enum Job {
     Ask(Questions),
     /// The first hit of one ray among real shapes: a single answer.
     Cast(Ray, f64, Vec<Shape>),
-    /// Where each of these rays meets the object of the scene at this place in its list.
+    /// Where each of these rays meets one of the scene's objects, given by its place in the list.
     Meet(Scene, Vec<(Ray, usize)>),
 }
 

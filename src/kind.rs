@@ -4,10 +4,9 @@
 //! question holds, how it is read from a question film, which of the submission's
 //! functions answers it, and how question and answer are put into words.
 //!
-//! A scene needs every answer at once; a question asks for one answer alone. Each pixel
-//! of a question film is a question, and the golden film of the same name holds
-//! Mitsuba's answers. All values are exact in 32-bit floats, so that Mitsuba and a
-//! submission are asked the same.
+//! A scene needs every answer at once; a question asks for one answer alone. Each pixel of a
+//! question film is a question, and the golden film of the same name holds Mitsuba's answers. All
+//! values are exact in 32-bit floats, so that Mitsuba and a submission are asked the same question.
 
 mod answer;
 mod bounds;
@@ -54,7 +53,7 @@ pub enum Kind {
     Intersect,
     /// The nearest of several objects along a ray.
     FirstHit,
-    /// A ray and a triangle soup, apart from the triangle.
+    /// A ray and a triangle soup, judged without the student's triangle.
     Soup,
     /// The smallest box around a triangle, or around two boxes.
     Bounds,

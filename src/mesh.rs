@@ -77,10 +77,9 @@ fn parse(text: &str, path: &Path) -> Result<Vec<Corners>, Error> {
     Ok(triangles)
 }
 
-/// Keeps only vertex positions and the vertex indices of faces. tobj would also make triangles
-/// of polylines, divide by a vertex's w, and reject comments behind values and texture
-/// coordinates that it cannot find. The goldens' reader (tools/mitsuba/mesh.py) does none of
-/// that.
+/// Keeps only vertex positions and the vertex indices of faces. tobj would also make triangles of
+/// polylines, divide by a vertex's w, and reject comments after values and texture coordinates that
+/// it cannot find. The goldens' reader (tools/mitsuba/mesh.py) does none of that.
 fn corners_and_faces(text: &str) -> String {
     let mut kept = String::with_capacity(text.len());
     for line in text.lines() {
@@ -147,7 +146,7 @@ fn not_finite(text: &str, path: &Path) -> Error {
     let error = Error::new(
         path,
         "a vertex is not finite",
-        "replace nan or inf by a number",
+        "replace nan or inf with a number",
     );
     match text.lines().position(is_bad) {
         Some(index) => error.at(index + 1, 1),

@@ -31,7 +31,7 @@ pub struct SecondVerdict {
     pub said: String,
 }
 
-/// Names another binary than the one that would be found.
+/// The environment variable that names a binary to use instead of the one that would be found.
 pub const BINARY_VARIABLE: &str = "PINHOLE_OIIOTOOL";
 
 impl Oiiotool {
@@ -75,8 +75,8 @@ impl Oiiotool {
     /// If the golden cannot be read, or the tool cannot be started.
     pub fn judge(&self, golden: &Path, film: &Path) -> Result<SecondVerdict, String> {
         let layout = Film::read(golden).map_err(|error| error.to_string())?;
-        // Under plain names, because `#` and `{…}` in a path have a meaning of their own
-        // for the tool.
+        // Copy the films to plain names, because `#` and `{…}` in a path have a special meaning for
+        // the tool.
         let copies =
             FilmCopies::new(golden, film).map_err(|error| format!("cannot copy films: {error}"))?;
         let output = Command::new(&self.binary)

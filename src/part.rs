@@ -19,10 +19,10 @@ pub struct Part {
     pub unit: &'static str,
     /// The film channels it is made of.
     pub channels: &'static [&'static str],
-    /// How many of the channels' units make one of its own.
+    /// How many of the channels' units make up one of its own units.
     pub scale: f64,
-    /// Whether a golden limits it: then the golden is 0, and its tolerance the greatest value that
-    /// is right.
+    /// Whether the golden only limits it. If so, the golden is 0, and its tolerance is the greatest
+    /// right value.
     pub is_limit: bool,
 }
 
@@ -33,7 +33,7 @@ pub struct Quantity {
     pub name: &'static str,
     /// Not finite where the question has no such number.
     pub value: f64,
-    /// Whether it counts something, so that it is whole.
+    /// Whether it counts something and is therefore a whole number.
     pub is_count: bool,
 }
 

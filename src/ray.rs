@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 // ANCHOR: ray
 /// A ray p(t) = e + t **d**, in world space (Marschner & Shirley, 4th ed., §4.2).
 ///
-/// The direction is **not** unit length: a perspective camera's rays have
-/// **d** = s − e with s on the image plane, so that t = 1 lies on that plane and
+/// The direction is **not** a unit vector: a perspective camera's rays have
+/// **d** = s − e with s on the image plane, so t = 1 lies on that plane and
 /// t counts in multiples of |**d**|.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ray {

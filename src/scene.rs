@@ -49,8 +49,8 @@ impl Scene {
         Document::parse(&text, path)?.into_scene()
     }
 
-    /// The files, such as meshes, that the scene file at `path` names. None if it is not a
-    /// scene; [`Scene::read`] reports that.
+    /// The files, such as meshes, that the scene file at `path` names. The list is empty if it is
+    /// not a scene; [`Scene::read`] reports that.
     pub fn files(path: &Path) -> Vec<PathBuf> {
         let text = read_text(path).unwrap_or_default();
         let file: Table = text.parse().unwrap_or_default();

@@ -62,7 +62,7 @@ fn hand_on() -> ExitCode {
         return ExitCode::from(code.unwrap_or(3));
     }
     eprintln!(
-        "This program answers questions of the `pinhole` command. To see what your answers\n\
+        "This program answers questions from the `pinhole` command. To see what your answers\n\
          make of a scene, run:\n\n    cargo pinhole check"
     );
     ExitCode::from(2)

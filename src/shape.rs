@@ -1,4 +1,4 @@
-//! The shapes a ray can meet. Students write how it meets them.
+//! The shapes that a ray can meet. Students write their intersections.
 //!
 //! A shape is one file of this folder: its data, how it is read from a scene file and
 //! from a question film, and how it is put into words. The table below lists them all.
@@ -172,7 +172,7 @@ shapes! {
 }
 
 impl Shape {
-    /// The shape as its scene file would have it: "sphere c = (0, 1, −1), r = 0.75".
+    /// The shape in words: "sphere c = (0, 1, −1), r = 0.75".
     pub fn describe(&self, digits: usize) -> String {
         format!("{} {}", self.kind(), self.words(digits))
     }

@@ -83,12 +83,12 @@ impl Source<'_> {
         Ok(value)
     }
 
-    /// The error that a value is NaN or infinite.
+    /// The error for a value that is NaN or infinite.
     pub fn not_finite(self, key: &str, span: Range<usize>) -> Error {
         self.error(
             span,
             format!("`{key}` is not a finite number"),
-            "replace nan or inf by a number",
+            "replace nan or inf with a number",
         )
     }
 
@@ -123,7 +123,7 @@ impl Source<'_> {
         }
     }
 
-    /// The error that a table has a key which belongs to none of its kind.
+    /// The error for a key that no table of this kind has.
     pub fn unknown_key(self, key: &Spanned<impl AsRef<str>>, known: &[&str]) -> Error {
         let name = key.get_ref().as_ref();
         let message = format!(

@@ -97,7 +97,7 @@ impl FlatTree {
     /// The tree whose leaves, from the first to the last, have these depths and members; `None`
     /// if there is none. The depths alone determine the branches.
     pub(crate) fn of_leaves(leaves: Vec<(usize, Vec<usize>)>) -> Option<FlatTree> {
-        // Trees in their order, each with its depth. Two neighbours of one depth are children of
+        // Trees in their order, each with its depth. Two neighbours of equal depth are children of
         // one branch.
         let mut whole: Vec<(usize, Tree)> = Vec::new();
         for (depth, members) in leaves {
@@ -183,7 +183,7 @@ impl FlatTree {
         depths
     }
 
-    /// The boxes of its upper nodes, as a tree over triangles with these boxes. They are at most
+    /// The boxes of its upper nodes, as a tree over triangles with these boxes. There are at most
     /// 15, however large the tree is. A node without any of the triangles has no box.
     pub(crate) fn outline(&self, triangles: &[BoundingBox]) -> Vec<NodeBox> {
         let leaf = |members: &[usize]| {
@@ -229,10 +229,10 @@ impl FlatTree {
         }
     }
 
-    /// How many tests a ray that meets the root's box is expected to need if nothing stops
-    /// it, by the surface area heuristic (Goldsmith and Salmon 1987; MacDonald and Booth
-    /// 1990): a box inside a convex box is met with a probability of the ratio of their
-    /// surfaces. A box's test counts as much as a triangle's.
+    /// How many tests a ray that meets the root's box is expected to need if no hit ends its search
+    /// early, by the surface area heuristic (Goldsmith and Salmon 1987; MacDonald and Booth 1990):
+    /// a ray that meets a box also meets a box inside it with a probability equal to the ratio of
+    /// their surface areas. A box's test counts as much as a triangle's.
     fn cost(&self, triangles: &[BoundingBox]) -> f64 {
         let leaf = |members: &[usize]| around(members.iter().map(|&index| triangles[index]));
         let boxes = self.boxes(leaf, |a, b| around([*a, *b]));
@@ -271,7 +271,7 @@ pub struct NodeBox {
     pub bounds: BoundingBox,
 }
 
-/// What is judged of a tree.
+/// The measures by which a tree is judged.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TreeMeasures {
     /// How many triangles are not in exactly one leaf, plus how many places in leaves name no
@@ -281,8 +281,8 @@ pub struct TreeMeasures {
     pub depth: usize,
     /// How many triangles the largest leaf has.
     pub largest_leaf: usize,
-    /// How many tests a ray that meets the root's box needs, as expected from the surfaces
-    /// of the boxes; 0 if a triangle is misplaced.
+    /// How many tests a ray that meets the root's box needs, as expected from the surface areas of
+    /// the boxes; 0 if a triangle is misplaced.
     pub cost: f64,
 }
 

@@ -17,7 +17,8 @@ pub enum Ending {
     Unregistered(Unregistered),
     /// Time was up before every question was answered.
     TimedOut(Duration),
-    /// The whole submission had taken so long that this was not asked, or not completely.
+    /// The submission's overall time was up before this was asked, or before all of it was
+    /// answered.
     OutOfTime(Duration),
     /// The process took more memory than its limit, which is given in bytes.
     OutOfMemory(u64),
@@ -28,7 +29,7 @@ pub enum Ending {
 }
 
 impl Ending {
-    /// How a process died, told by its exit status and what it printed.
+    /// How a process died, judging by its exit status and what it printed.
     pub(super) fn died(status: Option<ExitStatus>, printed: &str) -> Ending {
         Ending::Died(Death::of(status, printed))
     }
@@ -68,7 +69,7 @@ impl Death {
                 Death::StackOverflow
             }
             (Some(signal), _) => Death::Signal(signal),
-            // As a shell, and bubblewrap, report a signal.
+            // This is how a shell and bubblewrap report a signal.
             (None, Some(code @ 129..=159)) => Death::Signal(code - 128),
             (None, Some(code)) => Death::Exit(code),
             (None, None) => Death::Lost,

@@ -34,7 +34,7 @@ pub struct Reply {
 }
 
 impl Reply {
-    /// The reply to a job before anything came.
+    /// The reply to a job before anything has come.
     pub(crate) fn before(job: &Job) -> Reply {
         Reply {
             answers: vec![None; job.len()],
@@ -118,7 +118,8 @@ impl Reply {
         counts.map(|counts| film.with(TESTS, as_samples(counts)))
     }
 
-    /// What `pick` picks of every answer, if all are there and have it.
+    /// What `pick` returns for each answer; `None` if an answer is missing or `pick` returns
+    /// `None`.
     fn all<T>(&self, pick: impl Fn(&Answer) -> Option<T>) -> Option<Vec<T>> {
         let answers = self.answers.iter();
         answers.map(|answer| pick(answer.as_ref()?)).collect()
@@ -150,11 +151,11 @@ impl Reply {
                 printed: String::new(),
             });
         }
-        assert!(self.answers.is_empty(), "the parts leave answers over");
+        assert!(self.answers.is_empty(), "some answers are left over");
         parts
     }
 
-    /// Keeps what is drawn of an answer, but not judged.
+    /// Keeps the parts of an answer that are drawn but not judged.
     fn keep_for_pictures(&mut self, job: &Job, index: usize, sent: &WireAnswer) {
         match (sent, job.questions()) {
             (WireAnswer::Counted(_, tests), _) => {
@@ -174,7 +175,7 @@ impl Reply {
         match message {
             Message::Test(index, test) => {
                 let questions = job.questions().filter(|_| index < self.tests.len());
-                let questions = questions.ok_or("it asked for a test of no question")?;
+                let questions = questions.ok_or("it asked for a test of a missing question")?;
                 self.tests[index] += 1;
                 if self.tests[index] as usize > questions.most_tests(index) {
                     return Err("it asked for ten times as many tests as there are".into());

@@ -63,7 +63,7 @@ fn answers(first: usize, answers: &[Answer]) -> Message {
     Message::Answers { first, answers }
 }
 
-/// Sends these messages and expects the last one alone to be refused.
+/// Sends these messages and expects only the last one to be refused.
 #[track_caller]
 fn refused(job: &Job, messages: &[Message], why: &str) -> Reply {
     let mut reply = Reply::before(job);
@@ -229,7 +229,7 @@ mod message {
                 max_t: 1.0,
             },
         );
-        refused(&hits(1), &[test], "no question");
+        refused(&hits(1), &[test], "missing question");
     }
 
     /// A search knows a question only by tests of it, and each of these is counted, whatever a
@@ -401,7 +401,7 @@ mod reply {
     }
 
     #[test]
-    #[should_panic = "leave answers over"]
+    #[should_panic = "some answers are left over"]
     fn a_reply_is_split_without_rest() {
         complete(&[hit(0), hit(1)]).split([1].into_iter());
     }

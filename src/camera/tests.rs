@@ -8,7 +8,7 @@ fn camera(view: DVec3, up: DVec3) -> Option<Camera> {
     Camera::new(DVec3::new(1.0, 2.0, 3.0), view, up, SIZE, PERSPECTIVE)
 }
 
-/// Checks every promise of a frame, to rounding of `tolerance`.
+/// Checks everything that a frame promises, within `tolerance` for rounding.
 #[track_caller]
 fn is_a_right_handed_frame(camera: &Camera, tolerance: f64) {
     let Camera { u, v, w, .. } = *camera;

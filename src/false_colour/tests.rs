@@ -229,7 +229,7 @@ fn a_film_of_other_channels_is_all_background() {
     assert_eq!(film.resolution(), Resolution { n_x: 2, n_y: 1 });
 }
 
-/// A golden that allows nothing.
+/// A golden whose tolerance is 0 everywhere.
 fn golden(film: Film) -> Golden {
     let nothing = film.channels().iter().map(|channel| crate::film::Channel {
         name: channel.name.clone(),

@@ -17,7 +17,7 @@ use super::{Channel, Film};
 use crate::camera::Resolution;
 use crate::error::Error;
 
-/// The most samples that a film may have over all channels. They fill 1 GiB.
+/// The most samples that a film may have in all its channels together. They fill 1 GiB.
 const MOST_SAMPLES: usize = 1 << 28;
 
 /// Deflate can't compress data further than this, so a file that claims to hold more is
@@ -29,7 +29,7 @@ pub(super) fn read(path: &Path) -> Result<Film, Error> {
         "write an OpenEXR file of 32-bit float channels; see \"Scene and film files\" in the book";
     let refuse = |problem: String| Error::new(path, problem, remedy);
 
-    // A pipe or a device could be read for ever.
+    // Reading a pipe or a device might never end.
     if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
         return Err(refuse(
             "cannot read this film: it is not a regular file".into(),
@@ -78,7 +78,9 @@ pub(super) fn read(path: &Path) -> Result<Film, Error> {
             )));
         }
         let FlatSamples::F32(samples) = channel.sample_data else {
-            return Err(refuse(format!("channel `{name}` is not of 32-bit floats")));
+            return Err(refuse(format!(
+                "channel `{name}` does not hold 32-bit floats"
+            )));
         };
         channels.push(Channel { name, samples });
     }
@@ -90,7 +92,7 @@ fn decode(bytes: &[u8]) -> Result<OneLayer, String> {
     let meta = MetaData::read_from_buffered(Cursor::new(bytes), false).map_err(said)?;
     let [header] = meta.headers.as_slice() else {
         return Err(format!(
-            "the file holds {} images; a film is one",
+            "the file holds {} images; a film has only one",
             meta.headers.len()
         ));
     };

@@ -56,7 +56,7 @@ fn a_film_passes_at_its_tolerance_and_fails_one_step_beyond() {
     for _ in 0..1000 {
         let expected = 100.0 * random.coordinate() as f32;
         let got = expected + random.coordinate() as f32;
-        // What the rule computes, rounded as it rounds.
+        // The distance as the rule computes it, with the same rounding.
         let distance = (got - expected).abs();
         let passes = |allowed: f32| {
             let golden = one_channel(&[expected], &[allowed]);
@@ -131,7 +131,7 @@ fn where_the_golden_hits_nothing_any_t_and_normal_pass_but_no_id() {
 
 #[test]
 fn the_worst_pixel_is_the_one_most_tolerances_away() {
-    // The second is farther in t, but was allowed to be.
+    // The second pixel's t is farther off, but its tolerance allows that.
     let golden = one_channel(&[1.0, 1.0, 1.0], &[0.01, 1.0, 0.01]);
     let film = row(&[("t", &[1.05, 3.0, 1.02])]);
     let verdict = judge(&golden, &film).unwrap();

@@ -83,11 +83,11 @@ pub struct ChannelVerdict {
     pub name: String,
     /// How many pixels miss the golden by more than the tolerance.
     pub failing: usize,
-    /// How many of them show the right object, so that the difference is this
-    /// channel's own. All of them, for the id itself.
+    /// How many of them show the right object, which means that this channel itself is wrong. For
+    /// the id, all of them count.
     pub own: usize,
     /// The one that misses it by the most tolerances; pixels that show the right
-    /// object come first, because there the difference is this channel's own.
+    /// object come first, because there this channel itself is wrong.
     pub worst: Option<Mismatch>,
     /// The smallest rectangle of pixels around all that fail.
     pub bounds: Option<Bounds>,

@@ -1,4 +1,4 @@
-//! The functions that a submission registers, and what they give.
+//! The functions that a submission registers, and what they return.
 
 use std::fmt;
 
@@ -26,9 +26,9 @@ pub enum AnswerFn {
     Intersect(fn(&Shape, &Ray, f64) -> Option<Intersection>),
     /// The nearest object along a ray, from `min_t` on.
     FirstHit {
-        /// For real shapes: this casts a film.
+        /// For real shapes, when a film is cast.
         shapes: fn(&Ray, f64, &[Shape]) -> Option<Hit>,
-        /// For canned objects: this is judged alone.
+        /// For canned objects, when this function is judged alone.
         canned: fn(&Ray, f64, &[Canned]) -> Option<Hit>,
     },
     /// Where a ray first meets a soup of canned objects, from `min_t` on.
@@ -63,13 +63,13 @@ impl AnswerFn {
 /// One answer to one question.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Answer {
-    /// What a ray hit, if anything. A shape asked alone counts as object 0.
+    /// What a ray hit, if anything. A shape that is asked about alone counts as object 0.
     Hit(Option<Hit>),
     /// A viewing ray.
     Ray(Ray),
     /// A box.
     Box(BoundingBox),
-    /// What is judged of a tree.
+    /// The measures by which a tree is judged.
     Tree(TreeMeasures),
 }
 

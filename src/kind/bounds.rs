@@ -16,8 +16,8 @@ pub enum BoundsQuestion {
     Boxes(BoundingBox, BoundingBox),
 }
 
-/// For each corner of a triangle, that it has the least or the greatest coordinate along some axis,
-/// and the opposite.
+/// Conditions for each corner of a triangle: it has the least coordinate along some axis, or the
+/// greatest. Each comes with its opposite.
 const CORNERS: [[(&str, &str); 2]; 3] = [
     [
         (
@@ -116,13 +116,13 @@ impl Question for BoundsQuestion {
         let mut conditions = vec![
             Condition::new(
                 "two boxes are joined",
-                "a triangle is asked about",
+                "the question is about a triangle",
                 matches!(self, BoundsQuestion::Boxes(..)),
             ),
             Condition::new("the box is flat", "the box is not flat", (0..3).any(shares)),
             Condition::new(
                 "all coordinates are negative",
-                "some coordinate is positive",
+                "not all coordinates are negative",
                 points.iter().all(|point| point.max_element() < 0.0),
             ),
         ];

@@ -87,34 +87,34 @@ pub(super) fn conditions(objects: &[Canned], min_t: f64, answer: &Answer) -> Vec
             objects.is_empty(),
         ),
         Condition::new(
-            "only one of the list is met",
+            "only one in the list is met",
             "several or none are met",
             hits == 1,
         ),
         Condition::new(
-            "the first of the list is met",
-            "the first of the list is not met",
+            "the first in the list is met",
+            "the first in the list is not met",
             is(found.first()),
         ),
         Condition::new(
-            "the last of the list is met",
-            "the last of the list is not met",
+            "the last in the list is met",
+            "the last in the list is not met",
             is(found.last()),
         ),
         Condition::new(
-            "one of the list is not met",
-            "all of the list are met",
+            "one in the list is not met",
+            "all in the list are met",
             hits < objects.len(),
         ),
         Condition::new(
-            "one of the list is met before min_t",
-            "none of the list is met before min_t",
+            "one in the list is met before min_t",
+            "none in the list is met before min_t",
             objects.iter().any(before),
         ),
     ]
 }
 
-/// The answers of a search that looks for something else in the list.
+/// The answers of searches that look for something else in the list.
 pub(super) fn others(objects: &[Canned], min_t: f64) -> Vec<(&'static str, Answer)> {
     let from = |min_t: f64| -> Vec<Hit> {
         let hit = |(object, canned): (usize, &Canned)| {
@@ -133,8 +133,8 @@ pub(super) fn others(objects: &[Canned], min_t: f64) -> Vec<(&'static str, Answe
     sorted.sort_by(by_t);
     let farthest = sorted.last().copied();
     let all = [
-        ("that of the first of the list that is met", met.first()),
-        ("that of the last of the list that is met", met.last()),
+        ("that of the first one met in the list", met.first()),
+        ("that of the last one met in the list", met.last()),
         ("that of the farthest", farthest),
         ("that of the second nearest", sorted.get(1).copied()),
         (

@@ -50,7 +50,7 @@ impl TreeQuestion {
     }
 }
 
-/// A tree over this many triangles. The film says of each in which of the leaves it is, and how
+/// A tree over this many triangles. For each of them, the film says which leaf it is in and how
 /// deep that leaf is.
 fn example(samples: Samples<'_>, count: usize) -> Result<FlatTree, String> {
     let mut leaves: BTreeMap<usize, (usize, Vec<usize>)> = BTreeMap::new();
@@ -72,7 +72,7 @@ impl Question for TreeQuestion {
         let tree = FlatTree::from(build(&self.boxes));
         assert!(
             tree.size() <= MOST_PLACES,
-            "a tree over {} triangles must not have {} nodes and places in leaves",
+            "a tree over {} triangles must not have {} nodes and leaf entries",
             self.boxes.len(),
             tree.size()
         );

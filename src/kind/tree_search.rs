@@ -301,10 +301,10 @@ impl Question for SearchQuestion {
 /// Asks for a test of the question at this place in the job.
 type AskTest = Box<dyn Fn(usize, Test) -> TestResult + Send + Sync>;
 
-/// How this process asks for tests, if it serves.
+/// How this process asks for tests, if it is a submission.
 static ASK_TEST: OnceLock<AskTest> = OnceLock::new();
 
-/// Says how this process asks for tests. The first call counts.
+/// Says how this process asks for tests. Only the first call counts.
 pub(crate) fn ask_tests_with(ask: impl Fn(usize, Test) -> TestResult + Send + Sync + 'static) {
     let _already = ASK_TEST.set(Box::new(ask));
 }

@@ -1,4 +1,4 @@
-//! Scene files: what is read of a good one, and how a bad one is refused.
+//! Scene files: what is read from a good one, and how a bad one is refused.
 
 use super::*;
 use crate::camera::Projection;
@@ -52,7 +52,7 @@ fn with(passage: &str, replacement: &str) -> String {
     assert_eq!(
         GOOD.matches(passage).count(),
         1,
-        "`{passage}` is not once in the good scene"
+        "`{passage}` does not occur exactly once in the good scene"
     );
     GOOD.replace(passage, replacement)
 }

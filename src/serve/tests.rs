@@ -85,7 +85,7 @@ fn started_as_a_submission_it_answers() {
     serve_through_stdin(registered).expect("an asker at the other end");
 }
 
-/// A ray that tells which pixel it belongs to.
+/// A ray that says which pixel it belongs to.
 fn pixel_as_origin(_: &Camera, pixel: Pixel, _: Resolution) -> Ray {
     Ray {
         origin: dvec3(pixel.i as f64, pixel.j as f64, 0.0),
@@ -93,7 +93,7 @@ fn pixel_as_origin(_: &Camera, pixel: Pixel, _: Resolution) -> Ray {
     }
 }
 
-/// A hit that tells which ray, `min_t` and number of objects it was asked about.
+/// A hit that says which ray, `min_t` and number of objects the question had.
 fn nearest(ray: &Ray, min_t: f64, objects: usize) -> Option<Hit> {
     let met = |intersection| Hit {
         object: objects,
@@ -109,7 +109,8 @@ fn met_at(t: f64) -> Option<Intersection> {
     Some(Intersection { t, normal })
 }
 
-/// A tree in which each branch has a leaf of one triangle, and all the rest.
+/// A tree in which one child of each branch is a leaf of one triangle, and the other child holds
+/// the rest.
 fn chain(first: usize, end: usize) -> Tree {
     match end - first {
         1 => Tree::Leaf(vec![first]),

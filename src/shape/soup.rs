@@ -8,7 +8,7 @@ use crate::mesh;
 
 /// Triangles that together are one object.
 ///
-/// Generic over what it holds so that a soup can be judged apart from the triangle:
+/// Generic over what it holds so that a soup can be judged separately from the triangle:
 /// question films fill it with [`Canned`](crate::Canned) objects.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TriangleSoup<T = Triangle> {

@@ -61,7 +61,7 @@ impl Notation for Sphere {
         ]
     }
 
-    /// Both points lie at the same distance from the one nearest to the centre.
+    /// Both points lie equally far from the point of the ray that is nearest to the centre.
     fn other(&self, ray: &Ray, there: Intersection) -> Option<(&'static str, Intersection)> {
         let to_center = self.center - ray.at(there.t);
         let step = 2.0 * to_center.dot(ray.direction) / ray.direction.dot(ray.direction);

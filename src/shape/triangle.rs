@@ -83,7 +83,8 @@ impl Notation for Triangle {
         let beyond = [[0, 1, 2], [1, 2, 0], [2, 0, 1]].map(is_beyond);
         let beside = beyond.contains(&true);
         let [ab, bc, ca] = beyond;
-        // Each edge comes before all three, because it says which condition is missing.
+        // Single edges come before all three together, because an edge says which condition is
+        // missing.
         vec![
             Condition::new(
                 "the point lies beyond edge ab",

@@ -97,8 +97,8 @@ fn spoilt(random: &mut Random, seeds: &[Vec<u8>], words: &[&[u8]]) -> Vec<u8> {
     bytes
 }
 
-/// The most memory that this process has used so far, in bytes; 0 where the system
-/// doesn't tell.
+/// The most memory that this process has used so far, in bytes; 0 where the system doesn't report
+/// it.
 fn peak_memory() -> u64 {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));

@@ -173,7 +173,8 @@ fn a_tree_that_separates_what_lies_apart_costs_less() {
     let in_order = branch(leaf(&[0, 1]), leaf(&[2, 3]));
     let mixed = branch(leaf(&[0, 2]), leaf(&[1, 3]));
     let cost = |tree| measured(tree, 4).cost;
-    // The whole is 7 long and has half a surface of 15, two cubes 3 and 7, three 5 and 11.
+    // The box of all cubes is 7 long with a half surface of 15, that of two is 3 long with 7, and
+    // that of three is 5 long with 11.
     assert_eq!(cost(in_order), 2.0 + (7.0 + 7.0) * 2.0 / 15.0);
     assert_eq!(cost(mixed), 2.0 + (11.0 + 11.0) * 2.0 / 15.0);
     assert_eq!(cost(leaf(&[0, 1, 2, 3])), 4.0);

@@ -28,8 +28,8 @@ fn ends(script: &str, ending: Ending) {
     assert_eq!(asked(script, &hits(1), SOON).ending, ending);
 }
 
-/// A script that takes its job before it does anything else, so that we are not
-/// still writing when it ends.
+/// A script that begins to read its job before it does anything else, so that we are not still
+/// writing when it ends.
 fn after_the_job(script: &str) -> String {
     format!("head -c 4 >/dev/null; {script}")
 }

@@ -1,4 +1,4 @@
-//! Files that hold no film, or claim to hold more than they do.
+//! Files that are not films, or that claim to hold more than they do.
 
 use super::*;
 
@@ -88,7 +88,7 @@ fn film_that_claims_more_pixels_than_it_holds_is_refused() {
 
 #[test]
 fn a_film_that_claims_more_than_memory_holds_is_refused() {
-    // The file is so long that the size it claims is possible by compression.
+    // The file is long enough that compression could explain the size it claims.
     let padding = vec![0; 4 << 20];
     let bytes = [claiming(&small(), 1 << 14, 1 << 14), padding].concat();
     refused(bytes, "claims 16384×16384 pixels");
@@ -120,7 +120,7 @@ fn half_floats_are_refused() {
     image.write().to_file(&path).unwrap();
     refused(
         fs::read(path).unwrap(),
-        "channel `t` is not of 32-bit floats",
+        "channel `t` does not hold 32-bit floats",
     );
 }
 

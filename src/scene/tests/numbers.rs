@@ -1,10 +1,10 @@
-//! Numbers that no scene can be made of.
+//! Numbers that no scene may contain.
 
 use super::*;
 
 #[test]
 fn nan_and_infinity_are_refused_in_scenes() {
-    let remedy = "replace nan or inf by a number";
+    let remedy = "replace nan or inf with a number";
     refused(
         "radius = 0.75",
         "radius = ▶nan",

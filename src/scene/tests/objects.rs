@@ -59,7 +59,7 @@ fn corners_on_one_line_are_refused() {
         "[[0, 0, 0], [1, 1, 1], [3, 3, 3]]",
         "[[1, 2, 3], [1, 2, 3], [4, 4, 5]]",
         "[[1, 2, 3], [4, 4, 5], [4, 4, 5]]",
-        // Rounded to binary these are on no line.
+        // Rounded to binary, these points are not on one line.
         "[[0.1, 0.2, 0.3], [0.2, 0.4, 0.6], [0.3, 0.6, 0.9]]",
     ] {
         refused(

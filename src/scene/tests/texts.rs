@@ -1,4 +1,4 @@
-//! Texts and files that hold no scene.
+//! Texts and files that are not scenes.
 
 use std::fs;
 

@@ -328,7 +328,8 @@ fn a_tree_is_measured_by_the_asker() {
         misplaced: 0,
         depth: 2,
         largest_leaf: 1,
-        // The first leaf has 3 of 11 of the whole's half surface, the branch beside it 7.
+        // The half surface of the whole is 11, that of the first leaf 3, and that of the branch
+        // beside it 7.
         cost: (2.0 * 11.0 + 2.0 * 7.0 + 3.0 * 3.0) / 11.0,
     };
     for answer in answered(&job) {

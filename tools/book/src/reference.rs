@@ -168,5 +168,8 @@ impl Reference {
 }
 
 fn odd() -> Error {
-    Error::environment("the reference gives an answer of another kind", "report this")
+    Error::environment(
+        "the reference gives an answer of another kind",
+        "report this",
+    )
 }

@@ -129,7 +129,11 @@ impl<'a> Runner<'a> {
         let mut words = run.command.split_whitespace();
         if words.next() != Some("pinhole") {
             let remedy = "let the command begin with `pinhole`";
-            return Err(wrong(format!("`{}` is not a command of ours", run.command), remedy).into());
+            return Err(wrong(
+                format!("`{}` is not a command of ours", run.command),
+                remedy,
+            )
+            .into());
         }
         let assignment = self.assignment(run)?;
         let answers = self.answers(&assignment, &run.answers)?;

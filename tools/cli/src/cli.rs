@@ -84,7 +84,7 @@ pub struct Check {
     /// Judge only this scene (repeatable)
     #[arg(long, value_name = "SCENE")]
     pub scene: Vec<String>,
-    /// Judge by the golden films in this folder
+    /// Judge against the golden films in this folder
     #[arg(long, value_name = "DIR")]
     pub golden: Option<PathBuf>,
     /// Let oiiotool, the second judge, compare every film as well
@@ -209,7 +209,7 @@ pub struct Diff {
     pub json: bool,
 }
 
-/// Replace an answer by the stub that was handed out
+/// Replace an answer with the stub that was handed out
 ///
 /// Your text is kept in a file with the ending .old, or .old2 the next time, and so on.
 #[derive(Args)]

@@ -73,7 +73,7 @@ impl Checkout {
         name.map(str::to_owned).ok_or_else(|| {
             Error::environment(
                 format!("{} names no default assignment", path.display()),
-                "say which is meant with --assignment, or restore the file",
+                "name one with --assignment, or restore the file",
             )
         })
     }
@@ -130,7 +130,8 @@ mod tests {
         let gone = folder.path().join("gone");
         let found = Checkout::of(&gone, &own.join("target/release/pinhole")).unwrap();
         assert_eq!(found.root(), own);
-        // Tests run in a checkout, as a student's folder may be one.
+        // The current folder is a checkout, too, but must not be found, because it could be a
+        // student's.
         assert!(Checkout::of(&gone, &folder.path().join("pinhole")).is_none());
     }
 }

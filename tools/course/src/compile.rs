@@ -38,7 +38,7 @@ pub struct Program {
     pub executable: PathBuf,
     /// Answers that were replaced by their stubs, and why.
     pub replaced: Replacements,
-    /// What the compiler warned of, by task.
+    /// What the compiler warned about, by task.
     pub warnings: BTreeMap<String, String>,
     /// Raised when its answers are no longer wanted.
     pub stop: Stop,
@@ -138,8 +138,8 @@ impl Compiler {
         }
     }
 
-    /// Compiles a submission, replacing by its stub each answer that is missing or does
-    /// not compile, so that one bad file costs one task.
+    /// Compiles a submission. Each answer that is missing or does not compile is replaced with its
+    /// stub, so that one bad file costs only one task.
     ///
     /// # Errors
     /// If even the stubs do not compile, or the compiler cannot be run.
@@ -188,7 +188,7 @@ impl Compiler {
             if enough(&replaced) {
                 return Ok(Attempt::Enough);
             }
-            // Each round may take nearly as long as one run of the compiler may.
+            // Each round may take nearly as long as the limit for one run of the compiler.
             if self.sandbox.is_done_compiling() {
                 if self.stops_when_late {
                     return Ok(Attempt::Late);

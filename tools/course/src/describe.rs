@@ -63,8 +63,8 @@ fn work(mismatch: Mismatch, asked: &QuestionFilm, reply: &Reply) -> String {
         .map(|(count, &least)| (count - f64::from(least)).abs())
         .sum();
     format!(
-        "{} for one ray, where {} would do; all rays together are {apart:.0} tests away from what \
-         would do, and at most {:.0} are allowed",
+        "{} for one ray, where {} would do; all rays together differ by {apart:.0} from what \
+         would do, and may differ by at most {:.0}",
         mismatch.got,
         mismatch.expected,
         sum(golden.tolerance())

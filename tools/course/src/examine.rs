@@ -99,8 +99,8 @@ impl Selection {
 impl Examiner<'_> {
     /// Asks everything that is selected.
     ///
-    /// If a golden or a scene cannot be read, or the program cannot be started. The examination
-    /// reports anything that the submission does wrong.
+    /// Fails if a golden or a scene cannot be read, or the program cannot be started. The
+    /// examination reports anything that the submission does wrong.
     pub fn examine(&self, submission: &Submission, selection: &Selection) -> Result<Examination> {
         let tasks = self.assignment.tasks.iter();
         let tasks: Vec<&Task> = tasks
@@ -313,7 +313,7 @@ impl Examiner<'_> {
         })
     }
 
-    /// What the answer prints when it is asked the worst question of a verdict alone.
+    /// What the answer prints when it is asked only the worst question of a verdict.
     fn printed_by_worst(
         &self,
         task: &Task,

@@ -178,7 +178,7 @@ impl Goldens {
     }
 }
 
-/// Where the film lies that says how many tests the reference took for each pixel of a golden's
+/// The path of the film that says how many tests the reference took for each pixel of a golden's
 /// scene. Only assignments that count tests have one.
 pub fn tests_beside(golden: &Path) -> PathBuf {
     golden.with_extension("tests.exr")

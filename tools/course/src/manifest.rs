@@ -101,7 +101,7 @@ impl Manifest {
         mitsuba::fingerprints(checkout, &scenes, drawn)
     }
 
-    /// Whether questions and scenes were drawn for this folder. Then it holds its scenes.
+    /// Whether questions and scenes were drawn for this folder. If so, it also holds its scenes.
     fn is_fresh(&self) -> bool {
         let mut sources = self.sources.keys();
         sources.any(|source| source.starts_with("scenes/"))

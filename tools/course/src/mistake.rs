@@ -25,11 +25,11 @@ pub struct Mistake {
     /// The single mistakes that it consists of, if it combines several.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub beliefs: Vec<String>,
-    /// Help in three depths.
+    /// Help at three levels.
     pub hint: Hint,
 }
 
-/// Help in three depths, none of which gives the answer away: `look`, `think`, and
+/// Help at three levels, none of which gives the answer away: `look`, `think`, and
 /// `example` together with `read`.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]

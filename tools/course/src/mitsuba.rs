@@ -212,7 +212,7 @@ pub fn render(
     let refusal = (status.code() == Some(2)).then(|| {
         Error::input(
             format!("Mitsuba refused:\n{}", said.trim_end()),
-            "change the scene as it says; goldens that were made stay",
+            "change the scene as it says; goldens that are already made are kept",
         )
     });
     match renderer {

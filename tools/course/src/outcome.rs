@@ -54,7 +54,7 @@ pub enum Picture {
     Tests {
         /// How many are enough, as Mitsuba's film says.
         golden: Film,
-        /// What the submission answered, and with how many.
+        /// What the submission answered, and how many tests it took.
         film: Film,
     },
     /// The worst of a group's trees.

@@ -69,7 +69,7 @@ pub fn patiently<T>(what: &str, record: &Path, work: impl FnOnce() -> T) -> T {
     let _ended = teller.join();
     let took = start.elapsed();
     if took > MOST_SILENCE {
-        // Without a record, the next message says no duration.
+        // Without a record, the next message can't say how long it took last time.
         let folder = record.parent().map_or(Ok(()), fs::create_dir_all);
         let _kept = folder.and_then(|()| fs::write(record, took.as_secs().to_string()));
     }

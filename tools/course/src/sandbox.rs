@@ -64,8 +64,8 @@ pub fn become_confined() -> Option<std::process::ExitCode> {
     None
 }
 
-/// A clock that stands still while a process and its descendants are ready to run but don't,
-/// where the system tells.
+/// A clock that stands still while a process and its descendants are ready to run but get no
+/// processor, if the system reports that.
 fn own_clock(pid: u32) -> Clock {
     #[cfg(target_os = "linux")]
     return tree::own_clock(pid);
@@ -76,8 +76,8 @@ fn own_clock(pid: u32) -> Clock {
     }
 }
 
-/// Processor time of all processes that this one has started and seen end, where the
-/// system tells.
+/// Processor time of all processes that this one has started and seen end, if the system reports
+/// it.
 pub fn time_of_children() -> Option<Duration> {
     #[cfg(target_os = "linux")]
     return tree::time_of_children();
@@ -120,7 +120,7 @@ impl Sandbox {
     /// read the folders of `secrets`, nor the goldens and answers of the checkout.
     ///
     /// # Errors
-    /// If this machine can't provide that sandbox. Code never runs without it instead.
+    /// If this machine can't provide that sandbox. Code never runs unprotected instead.
     pub fn around(
         folder: &Path,
         checkout: &Checkout,
@@ -413,7 +413,7 @@ impl Sandbox {
         }
     }
 
-    /// Whether compiling has taken its share of the submission's time.
+    /// Whether compiling has used up its share of the submission's time.
     pub fn is_done_compiling(&self) -> bool {
         self.budget().is_some_and(Budget::is_done_compiling)
     }

@@ -78,7 +78,7 @@ impl SecondJudge {
                 word(second.passes),
                 second.said
             ),
-            "this is a fault of Pinhole's, not of the submission: report it",
+            "this is a bug in Pinhole, not in the submission: report it",
         ))
     }
 }

@@ -5,8 +5,8 @@ use std::path::{Component, Path, PathBuf};
 /// How this command is run from its checkout.
 pub const PINHOLE: &str = "cargo pinhole";
 
-/// Quotes one word of a command line if the shell would split or expand it. The text stays
-/// untrusted.
+/// Quotes one word of a command line if the shell would split or expand it. The result is still
+/// untrusted text.
 pub fn in_shell(word: &str) -> String {
     let plain = |c: char| c.is_alphanumeric() || "/._-+:\\".contains(c);
     match word.chars().all(plain) {

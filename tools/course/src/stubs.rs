@@ -28,7 +28,7 @@ pub fn generate(assignment: &Assignment) -> Result<Package> {
         let path = reference.join("src").join(task.file());
         let stub = stub(&read(&path)?, &task.name).or_environment(
             format_args!("{}", path.display()),
-            format!("enclose each answer's whole body by `{ANSWER}` and `{ANSWER_END}`"),
+            format!("put each answer's whole body between `{ANSWER}` and `{ANSWER_END}`"),
         )?;
         package.insert(Path::new("src").join(task.file()), stub);
     }
@@ -44,7 +44,7 @@ pub fn pristine(assignment: &Assignment, checkout: &Checkout) -> Result<Package>
     }
 }
 
-/// Replaces each answer between its anchors by `todo!`.
+/// Replaces each answer between its anchors with `todo!`.
 fn stub(text: &str, task: &str) -> std::result::Result<String, String> {
     let mut stub = String::new();
     let mut inside = false;

@@ -14,7 +14,7 @@ use serde::Serialize;
 pub struct Stage {
     /// What was done.
     pub name: String,
-    /// How often it ran.
+    /// How many times it ran.
     pub times: usize,
     /// Seconds on the clock, summed. Stages run at the same time, so their sum may exceed the
     /// time of the whole run.
@@ -23,7 +23,7 @@ pub struct Stage {
 
 static STAGES: Mutex<Vec<Stage>> = Mutex::new(Vec::new());
 
-/// Does some work and counts its time to a stage.
+/// Does some work and adds its time to a stage.
 pub fn timed<T>(stage: &str, work: impl FnOnce() -> T) -> T {
     let start = Instant::now();
     let done = work();
@@ -31,7 +31,7 @@ pub fn timed<T>(stage: &str, work: impl FnOnce() -> T) -> T {
     done
 }
 
-/// Counts a time to a stage.
+/// Adds a time to a stage.
 pub fn add(stage: &str, time: Duration) {
     let mut stages = STAGES.lock().unwrap_or_else(PoisonError::into_inner);
     let seconds = time.as_secs_f64();

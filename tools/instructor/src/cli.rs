@@ -86,15 +86,15 @@ pub struct Grade {
     /// Grade this many submissions at a time [default: one for each core]
     #[arg(long, value_name = "N")]
     pub jobs: Option<usize>,
-    /// Judge by the golden films in this folder instead, and withhold them from students; `golden
+    /// Judge against the golden films in this folder, and withhold them from students; `golden
     /// render my.toml --out DIR` makes them
     #[arg(long, value_name = "DIR")]
     pub golden: Option<PathBuf>,
     /// How much results and reports show about withheld and fresh questions
     #[arg(long, value_enum, default_value_t)]
     pub reveal: Reveal,
-    /// Draw fresh questions from this seed [default: that of DIR/fresh, or a random one of 128
-    /// bits if there is none or with --regrade]
+    /// Draw fresh questions from this seed [default: the seed of DIR/fresh; if there is none, or
+    /// with --regrade, a random one of 128 bits]
     #[arg(long, value_name = "N")]
     pub seed: Option<Seed>,
     /// Ask the fresh questions in this folder; `golden render --seed random --out DIR` makes them
@@ -122,7 +122,7 @@ pub struct Grade {
     #[arg(long, value_name = "K/N", value_parser = shard)]
     pub shard: Option<(usize, usize)>,
     /// Give each task and scene at least this many seconds of processor time, and at least a
-    /// hundred times what the reference takes. A late answer is asked again with nothing else
+    /// hundred times what the reference takes. A late submission is graded again with nothing else
     /// running before it counts as late
     #[arg(long, value_name = "SECONDS", default_value_t = 4,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
@@ -253,7 +253,7 @@ pub struct Handout {
 ///
 /// Judges everything whose verdict is known, in the same way as a student's answers:
 ///
-/// - the stub must be unanswered, and the reference and every variant must pass;
+/// - the stub must count as unanswered, and the reference and every variant must pass;
 ///
 /// - every known mistake must fail in exactly the tasks that it declares, and so must its
 ///   rewrite, which uses another algorithm;
@@ -306,7 +306,7 @@ pub struct Validate {
     pub json: bool,
 }
 
-/// Part K of N, from 1.
+/// Part K of N, counted from 1.
 fn shard(text: &str) -> Result<(usize, usize), String> {
     let parts = text.split_once('/');
     let parts = parts.and_then(|(k, n)| Some((k.parse().ok()?, n.parse().ok()?)));

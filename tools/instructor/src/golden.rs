@@ -116,11 +116,11 @@ fn refuse_unforced(assignment: &Assignment, arguments: &GoldenRender) -> Result<
     }
     Err(Error::input(
         format!(
-            "{} holds {} films already that this would replace",
+            "{} already contains {} films that this would replace",
             folder.display(),
             replaced.len()
         ),
-        "if they should change, say --force; to only look at others, say --out DIR",
+        "to replace them, say --force; to write to another folder, say --out DIR",
     ))
 }
 
@@ -154,7 +154,7 @@ pub fn make(
     let staging = folder.join(".rendering");
     let _left_by_a_run_that_was_stopped = fs::remove_dir_all(&staging);
     fs::create_dir_all(&staging).or_fail(&Error::file(&staging))?;
-    // If all of the assignment's films are made, remove the old ones.
+    // If all of the assignment's films are made again, none of the old ones stays in the manifest.
     let whole = arguments.scenes.is_empty() && arguments.seed.is_none();
     let mut manifest = if whole {
         Manifest::default()
@@ -276,7 +276,7 @@ fn scenes(arguments: &GoldenRender, assignment: &Assignment) -> Result<Vec<PathB
     arguments.scenes.iter().map(find).collect()
 }
 
-/// The arguments with which the scripts draw something of the assignment from a seed.
+/// The arguments that make the scripts draw scenes, questions or ties from a seed.
 fn drawn(what: &str, assignment: &Assignment, seed: Seed) -> Vec<OsString> {
     let folder = assignment.folder.clone().into();
     let seed = seed.to_string().into();
@@ -303,7 +303,7 @@ fn enter(manifest: &mut Manifest, rendered: &RenderResult, folder: &Path) -> Res
         .try_for_each(|film| manifest.add_film(film, folder))
 }
 
-/// Whether two spellings of a path lead to the same folder.
+/// Whether a path is inside a folder, however both are spelt.
 fn inside(path: &Path, folder: &Path) -> bool {
     let real = |path: &Path| path.canonicalize().unwrap_or(path.into());
     real(path).starts_with(real(folder))

@@ -1,13 +1,13 @@
 //! Grades a class. Each submission is graded by itself, so that no grade is lost and every mark
 //! can be reproduced.
 //!
-//! Reading order: [`intake`] reads what was handed in, and by whom. [`queue`] decides what to
-//! grade when. [`grader`] grades one submission into a [`record`]. [`redact`] removes what
-//! students may not see, [`evidence`] keeps what only the lecturer may see, [`points`] computes
-//! marks again, [`provenance`] says what a record was made from, and [`cache`] stores files.
-//! [`policy`] turns the judged points into a mark for the gradebook, [`class`] holds all records
-//! together, [`shared_answers`] finds equal answers, and [`unexplained_groups`] groups wrong answers
-//! that no known mistake explains. [`views`] writes and prints the results.
+//! Reading order: [`intake`] reads what was handed in, and by whom. [`queue`] decides what to grade
+//! when. [`grader`] grades one submission into a [`record`]. [`redact`] removes what students may
+//! not see, [`evidence`] keeps what only the lecturer may see, [`points`] computes marks again,
+//! [`provenance`] says what a record was made from, and [`cache`] stores files. [`policy`] turns
+//! the judged points into a mark for the gradebook, [`class`] collects all records,
+//! [`shared_answers`] finds equal answers, and [`unexplained_groups`] groups wrong answers that no
+//! known mistake explains. [`views`] writes and prints the results.
 
 pub mod cache;
 pub mod class;

@@ -56,7 +56,7 @@ const CARGO_CONFIG: &str = ".cargo/config.toml";
 
 /// The settings that `cargo vendor` asks for.
 const VENDORED: &str = r#"
-# All dependencies lie in this repository: it builds without a network.
+# All dependencies are in this repository, so it builds without a network.
 [source.crates-io]
 replace-with = "vendored-sources"
 
@@ -64,8 +64,8 @@ replace-with = "vendored-sources"
 directory = "vendor"
 "#;
 
-/// Adds the sources of all dependencies to a repository that has been written. Downloads those of
-/// which cargo has no copy.
+/// Adds the sources of all dependencies to a repository that has been written. Downloads those that
+/// cargo has no copy of.
 pub fn vendor(repository: &Path) -> Result<()> {
     let output = rust_tool("cargo", repository)
         .args(["vendor", "--quiet", "--locked", "vendor"])
@@ -83,7 +83,8 @@ pub fn vendor(repository: &Path) -> Result<()> {
 /// The contents of files, by path from the top of a repository, with `/` on every system.
 pub type Files = BTreeMap<String, Vec<u8>>;
 
-/// An assignment's folder in the handed-out repository, wherever it is here.
+/// An assignment's folder in the handed-out repository, wherever the assignment is in this
+/// checkout.
 fn place_of(assignment: &Assignment) -> String {
     format!("assignments/{}", assignment.name)
 }
@@ -102,7 +103,7 @@ impl Repository {
     /// `book` is a folder with the book that was built for students.
     ///
     /// # Errors
-    /// If a file holds something that must not be handed out.
+    /// If a file contains something that must not be handed out.
     pub fn of(
         assignment: &Assignment,
         checkout: &Checkout,

@@ -34,7 +34,7 @@ pub fn most_for_scenes(
     (capped.sum::<f64>() - 1e-9).ceil() as u32
 }
 
-/// Earned points over possible ones.
+/// Earned points divided by possible ones.
 fn share(points: impl IntoIterator<Item = (u32, u32)>) -> f64 {
     let (earned, possible) = points
         .into_iter()

@@ -1,4 +1,4 @@
-//! Tests the grading: judges submissions whose verdict is known, and compares.
+//! Tests the grading: judges submissions whose verdict is known, and compares the verdicts.
 //!
 //! Reading order: [`validator`] judges one submission. [`submissions`] judges those that people
 //! wrote, and [`mutants`] those that a program writes ([`mutate`]); [`equivalents`] lists mutants

@@ -56,9 +56,9 @@ impl Cast {
         self.exact.is_none() && self.planned.is_none()
     }
 
-    /// Writes film.exr and its pictures into `out`, and prints a summary. Depths are in scene
-    /// units, `depth_per_t` of them for each t. The picture of depths spans those of `golden`, if
-    /// there is one.
+    /// Writes film.exr and its pictures into `out`, and prints a summary. Depths are t times
+    /// `depth_per_t`, in scene units. The picture of depths spans those of `golden`, if there is
+    /// one.
     pub fn deliver(
         &self,
         out: &Path,
@@ -69,7 +69,7 @@ impl Cast {
         let path = out.join("film.exr");
         fs::create_dir_all(out).or_input(
             format_args!("cannot write to {}", out.display()),
-            "name a folder you may write to with --out",
+            "name another folder with --out",
         )?;
         self.film.write(&path)?;
         let range = match &golden {
@@ -148,12 +148,12 @@ impl Cast {
             anstream::println!("depth.png spans {near} (bright) to {far} (dark) scene units");
             if let (Some(film), Some(scale)) = (&self.tests, scale) {
                 anstream::println!(
-                    "tests.png: {scale} for a pixel, {} in all",
+                    "tests.png: {scale} for a pixel, {} in total",
                     number(heat_map::sum(film), 9)
                 );
                 if let Some(expected) = &self.expected_tests {
                     let sum = number(heat_map::sum(expected), 9);
-                    anstream::println!("expected-tests.png: by our answers, {sum} in all");
+                    anstream::println!("expected-tests.png: by our answers, {sum} in total");
                 }
             }
             for file in written {
@@ -183,6 +183,6 @@ impl fmt::Display for Shares {
             false => writeln!(f, "yours: {}", self.yours.join(", "))?,
         }
         let golden = self.golden.join(", ");
-        write!(f, "from Mitsuba's film, copied pixels faded: {golden}")
+        write!(f, "from Mitsuba's film (copied pixels are faded): {golden}")
     }
 }

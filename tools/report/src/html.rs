@@ -188,7 +188,7 @@ impl Report {
     pub fn write(&self, path: &Path) -> Result<()> {
         page::write(path, &self.html()).or_input(
             format_args!("cannot write the report {}", path.display()),
-            "name a file you may write with --report, or pass --no-report",
+            "name another file with --report, or pass --no-report",
         )
     }
 }

@@ -48,7 +48,7 @@ fn in_words(error: &Error) -> String {
     printable_coloured(&format!("pinhole: {error}"))
 }
 
-/// Prints what to do after a panic, which is always a bug of Pinhole's.
+/// Prints what to do after a panic, which is always a bug in Pinhole.
 fn report_panic(info: &PanicHookInfo<'_>) {
     let what = info.payload_as_str().unwrap_or("(no message)");
     // The reader of our output may stop reading, as `head` does.

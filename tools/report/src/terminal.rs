@@ -107,7 +107,7 @@ pub fn printed(printed: &str) -> String {
         if lines.len() > MOST_PRINTED_LINES {
             line(
                 &mut text,
-                format!("  … and {} lines more", lines.len() - MOST_PRINTED_LINES),
+                format!("  … and {} more lines", lines.len() - MOST_PRINTED_LINES),
             );
         }
     }

@@ -1,4 +1,4 @@
-// Numbers as `report.rs` of the harness writes them: this many significant digits, no
+// Numbers as `words.rs` of the harness writes them: this many significant digits, no
 // trailing zeros, a real minus sign.
 function number(value, digits) {
   if (value === 0) return "0";

@@ -1,5 +1,5 @@
-//! Families of questions. Each sweeps an exponent towards an extreme, until every kernel breaks
-//! or the type of numbers ends.
+//! Families of questions. Each sweeps an exponent towards an extreme, until every kernel breaks or
+//! the range of the type ends.
 
 pub mod mesh;
 mod plane;

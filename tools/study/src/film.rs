@@ -18,7 +18,7 @@ pub struct Report {
     pub planning_seconds: f64,
     /// Tests of a ray against a sphere, plane or triangle.
     pub tests: u64,
-    /// Tests that no filter could decide, so that they were decided exactly.
+    /// Tests that no filter could decide and that were therefore decided exactly.
     pub fallbacks: u64,
     /// Comparisons of two t that were decided exactly.
     pub close_calls: u64,

@@ -20,7 +20,7 @@ pub struct Question<S> {
 }
 
 /// How unusual a question is. Results of different classes are never added together, because no
-/// real scene is a mixture of a teapot and a galaxy.
+/// real scene asks such a mixture of questions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]

@@ -50,8 +50,8 @@ pub struct Count {
     pub asked: u64,
     /// Those that truly hit something; 0 for closed meshes, where all do.
     pub hits: u64,
-    /// Tests that were decided exactly at meshes; for plans, hits that were computed exactly. 0
-    /// for questions.
+    /// For closed meshes, tests that were decided exactly; for plans, hits that were computed
+    /// exactly; for questions, 0.
     pub exact: u64,
     /// Wrong decisions, leaks, and pixels that violate a plan.
     pub wrong: u64,

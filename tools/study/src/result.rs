@@ -155,7 +155,7 @@ pub struct Trade {
     pub worst_ulp: Option<f64>,
     /// CPU time for one ray and one shape, in the median round.
     pub nanoseconds: Option<f64>,
-    /// Half the width of the median's 95 % confidence interval, over the median.
+    /// Half the width of the median's 95 % confidence interval, divided by the median.
     pub spread: Option<f64>,
     /// Instructions for one ray and one shape, by callgrind.
     pub instructions: Option<f64>,
@@ -217,7 +217,7 @@ pub struct BreakingPoint {
     pub numbers: String,
     /// The first exponent above the easiest one at which the kernel is broken.
     pub above: Option<i32>,
-    /// The first exponent below it at which the kernel is broken.
+    /// The first exponent below the easiest one at which the kernel is broken.
     pub below: Option<i32>,
 }
 

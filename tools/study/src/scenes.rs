@@ -1,5 +1,5 @@
 //! Casts whole scenes in plain `f64` and exactly, by brute force and with boxes, on each
-//! scene's own rays. Judges every pixel, and times all ways in turns.
+//! scene's own rays. Judges every pixel, and times all ways in turn.
 
 use std::hint::black_box;
 use std::path::{Path, PathBuf};

@@ -3,7 +3,7 @@
 use crate::number::{Real, exponent};
 use crate::vector::Vector;
 
-/// p(t) = origin + t direction; the direction is not unit length.
+/// p(t) = origin + t direction; the direction need not be unit length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray<F> {
     /// The point at t = 0.
@@ -26,7 +26,7 @@ pub struct Sphere<F> {
 pub struct Plane<F> {
     /// Any point of the plane.
     pub point: Vector<F>,
-    /// A normal; not unit length.
+    /// A normal; it need not be unit length.
     pub normal: Vector<F>,
 }
 

@@ -18,7 +18,7 @@ pub const PAIRS: usize = 2048;
 pub struct Time {
     /// Median over all rounds, for one pair.
     pub nanoseconds: f64,
-    /// Half the width of the median's 95 % confidence interval, over the median.
+    /// Half the width of the median's 95 % confidence interval, divided by the median.
     pub spread: f64,
 }
 
@@ -59,7 +59,7 @@ pub fn pool<S: HasFamilies>(class: Class, data: Data, count: usize, seed: u64) -
         .collect()
 }
 
-/// Times workloads of `pairs` pairs each, in turns. Each gets `seconds` seconds, but at least
+/// Times workloads of `pairs` pairs each, in turn. Each gets `seconds` seconds, but at least
 /// nine rounds. The results are for one pair.
 pub fn race(mut workloads: Vec<Workload>, pairs: usize, seconds: f64) -> Vec<Time> {
     let mut times = vec![Vec::new(); workloads.len()];

@@ -64,13 +64,13 @@ const PROMISES: [Promise; 13] = [
         )
     }),
     Promise {
-        about: "exact casting: instructions a ray more than f64",
+        about: "exact casting: extra instructions per ray, against f64",
         expected: "median ≤ 25, worst ≤ 50",
         measured: |it| added(&it.scenes),
         is_time: true,
     },
     Promise {
-        about: "plans: time over exact objects alone",
+        about: "plans: time ÷ that of exact objects alone",
         expected: "worst ≤ 1.00",
         measured: |it| {
             ratios(
@@ -82,7 +82,7 @@ const PROMISES: [Promise; 13] = [
         is_time: true,
     },
     Promise {
-        about: "plans: time over plain f64",
+        about: "plans: time ÷ that of plain f64",
         expected: "median ≤ 1.00",
         measured: |it| {
             ratios(
@@ -152,7 +152,7 @@ fn leaks(meshes: &[MeshTally], kernel: &str) -> Measured {
     none_of(of_it().map(|mesh| mesh.leaks).sum(), rays)
 }
 
-/// Additional instructions of exact casting over `f64`, both with boxes, which is the only
+/// Additional instructions of exact casting compared with `f64`, both with boxes, which is the only
 /// search whose instructions are counted.
 fn added(scenes: &[SceneTally]) -> Measured {
     let of = |model: &'static str| {

@@ -17,7 +17,10 @@ pub fn missing(
     let mut problems = Vec::new();
     for task in &assignment.tasks {
         if chapter(pages, &task.chapter).is_none() {
-            let problem = format!("task {} names a missing chapter `{}`", task.name, task.chapter);
+            let problem = format!(
+                "task {} names a missing chapter `{}`",
+                task.name, task.chapter
+            );
             let file = checkout.inside(&assignment.folder.join("assignment.toml"));
             problems.push(Problem::of(file, problem, "write it, or correct the name"));
         }

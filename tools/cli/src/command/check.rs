@@ -178,7 +178,7 @@ fn show_finish(finish: &Finish, folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// No terminal has fewer columns.
+/// Narrow enough for any usual terminal.
 const MOST_COLUMNS: usize = 72;
 
 /// The passage of the book about the first task or scene that fails.

@@ -258,6 +258,6 @@ fn disagreement(passes: bool, second: &SecondVerdict) -> Error {
             word(second.passes),
             said(second)
         ),
-        "this is a fault of Pinhole's, not of the film: report it with both films",
+        "this is a bug in Pinhole, not a fault of the film: report it with both films",
     )
 }

@@ -23,7 +23,7 @@ use pinhole_report::terminal::{self, FAIL, QUIET};
 /// Enough digits to follow a computation by hand.
 const DIGITS: usize = 6;
 
-/// Leave objects that the ray misses out of a list longer than this.
+/// If a list is longer than this, leave out the objects that the ray misses.
 const MOST_MISSES: usize = 12;
 
 pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Status> {

@@ -24,7 +24,7 @@ fn is_wanted() -> bool {
     if !stdin().is_terminal() || !stderr().is_terminal() {
         return false;
     }
-    eprint!("\nThe book is not built yet, which takes a minute or two. Build it now? [Y/n] ");
+    eprint!("\nThe book is not built yet. Building it takes a minute or two. Build it now? [Y/n] ");
     let mut answer = String::new();
     let asked = stderr()
         .flush()

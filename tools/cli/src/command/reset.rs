@@ -1,4 +1,4 @@
-//! `pinhole reset`: replaces an answer by its stub and keeps the old text.
+//! `pinhole reset`: replaces an answer with its stub and keeps the old text.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -7,7 +7,7 @@ use pinhole_course::mistake::Mistake;
 use pinhole_course::outcome::{AnswerFile, TaskOutcome};
 use pinhole_report::passage::Passage;
 
-/// The hints for what is shown, each stronger than the one before. None if nothing is wrong.
+/// The hints for what is shown, each stronger than the one before. Empty if nothing is wrong.
 pub fn of(state: &State) -> Vec<String> {
     match state.item() {
         Some(Item::Task(_)) => state
@@ -59,7 +59,7 @@ fn on_scenes(state: &State) -> Vec<String> {
     }
 }
 
-/// The hints of the mistakes behind a diagnosis, depth by depth.
+/// The hints of the mistakes behind a diagnosis, level by level.
 fn known(diagnosis: &Diagnosis) -> Vec<String> {
     let beliefs = diagnosis.beliefs.iter().map(|belief| &belief.mistake);
     let depth = |tell: fn(&Mistake) -> String| {

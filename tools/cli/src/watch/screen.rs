@@ -33,7 +33,8 @@ pub fn frame(state: &State, columns: usize, rows: usize) -> Frame {
     let below = body.len().saturating_sub(scroll + room);
     let mut lines: Vec<String> = body.into_iter().skip(scroll).take(room).collect();
     lines.resize(room, String::new());
-    // A blank line between verdict and foot, or what is beyond the arrows.
+    // A blank line between verdict and foot, or an arrow with the number of lines beyond the
+    // screen.
     lines.push(match (scroll, below) {
         (_, 1..) => cut(format!("{QUIET}↓ {below} more{QUIET:#}"), columns),
         (1.., _) => cut(format!("{QUIET}↑ {scroll} more{QUIET:#}"), columns),
@@ -135,7 +136,7 @@ fn happened(state: &State) -> String {
     let judged = match state.item() {
         Some(item) if state.has_verdict(item) => state.after_save(item).map(|after| {
             let next = match state.is_full(item) {
-                true => "; n goes on",
+                true => "; press n to go on",
                 false => "",
             };
             format!("judged {:.2} s after you saved{next}", after.as_secs_f64())

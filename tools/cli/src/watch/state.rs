@@ -32,7 +32,7 @@ pub struct State {
     /// When the saved answers began to wait for their verdict.
     saved: BTreeMap<Item, Instant>,
     pub submission: Arc<Submission>,
-    /// How often the answers have changed.
+    /// How many times the answers have changed.
     generation: u64,
     /// What the judge is working on.
     order: Option<Order>,

@@ -130,7 +130,7 @@ fn films_with_other_channels_are_refused() {
     assert_refused_by_both("missing", "no channel `N.Z`");
     assert_refused_by_both("extra", "channel `A`");
     assert_refused_by_both("renamed", "no channel `N.Z`");
-    assert_refused_by_both("half", "not of 32-bit floats");
+    assert_refused_by_both("half", "does not hold 32-bit floats");
 }
 
 #[test]

@@ -136,7 +136,7 @@ fn render_draws_the_tests_of_each_pixel_where_they_are_counted() {
     render("bounding_volumes")
         .expect_out("tests.png: black 0, ")
         .expect_out("tests.png\n");
-    // These are our own answers, so they take what is recorded of them.
+    // These are our own answers, so they take exactly the tests that are recorded for them.
     let reference = "assignments/bounding_volumes/reference";
     let line = ["render", "bunny", "--submission", reference, "--json"];
     let sums = pinhole(&[&line[..], &["--out", out_name]].concat());
@@ -152,7 +152,7 @@ fn render_draws_the_tests_of_each_pixel_where_they_are_counted() {
     let brightness = |x, y| picture.get_pixel(x, y).0.map(u32::from).iter().sum::<u32>();
     let (middle, corner) = (brightness(80, 45), brightness(0, 0));
     assert!(middle > corner + 100, "{middle} and {corner}");
-    // Counts of a submission's own are not in the film, which is judged.
+    // Tests that a submission counts itself are not in the film, because the film is judged.
     let film = out.join("film.exr");
     let golden = "golden/bounding_volumes/bunny.exr";
     pinhole(&["diff", golden, film.to_str().expect("plain")]).expect_code(0);

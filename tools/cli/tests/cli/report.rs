@@ -179,7 +179,7 @@ fn diff_writes_a_report_beside_its_pictures() {
     browser.expect_quiet();
 }
 
-/// A submission about bounding volumes that is right but for this answer of a mistake.
+/// A submission about bounding volumes that is right except for this answer, which a mistake gives.
 fn with_mistake(name: &str, mistake: &str, file: &str) -> PathBuf {
     let assignment = root().join("assignments/bounding_volumes");
     let folder = fresh(&trusted(), name);
@@ -214,7 +214,7 @@ fn the_worst_tree_of_a_group_is_drawn_beside_a_right_one() {
         "two for each wrong group: {drawn}"
     );
     assert_eq!(shown("figure:first-child .depth-0"), drawn / 2);
-    // A right tree is split where leaves of up to 16 are not.
+    // A right tree has more boxes, because this mistake leaves up to 16 triangles in a leaf.
     let boxes = |figure: &str| shown(&format!("figure:{figure}-child [class^=depth]")).as_u64();
     assert!(boxes("first") > boxes("last"), "{:?}", boxes("last"));
     let outside = "[...document.querySelectorAll('.tree figure path')].every((it) => {

@@ -50,7 +50,7 @@ impl Assignment {
     }
 
     fn named(checkout: &Checkout, name: &str) -> Result<Assignment> {
-        // An absolute path, because the goldens are found from the parent folder's place.
+        // The path must be absolute, because the goldens are found relative to a folder above it.
         let folder = Path::new(name).canonicalize().ok();
         let folder = folder.filter(|folder| folder.join("assignment.toml").is_file());
         match folder

@@ -34,7 +34,7 @@ pub type Sources = BTreeMap<String, String>;
 pub enum BuildResult {
     Program {
         executable: PathBuf,
-        /// What the compiler warned of.
+        /// What the compiler warned about.
         warnings: Vec<Diagnostic>,
     },
     Refused {

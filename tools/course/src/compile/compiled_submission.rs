@@ -27,7 +27,7 @@ impl CompiledSubmission {
     /// else the handout.
     ///
     /// # Errors
-    /// Also if one of its files does not compile.
+    /// If it can't be found or built, or one of its files does not compile.
     pub fn build(
         checkout: &Checkout,
         assignment: &Assignment,

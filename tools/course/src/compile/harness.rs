@@ -42,7 +42,8 @@ struct Target {
 
 impl Harness {
     /// The libraries of this program's own build, in `scratch`. Asking cargo takes 0.2 s, so an
-    /// earlier result is used again: anything that changes the harness changes this program too.
+    /// earlier result is used again. That is safe, because anything that changes the harness
+    /// changes this program too.
     pub fn find(checkout: &Checkout, scratch: &Path) -> Result<Harness> {
         let record = record_of_this_program(&scratch.join("harness"));
         let known = record.as_deref().and_then(Harness::read);

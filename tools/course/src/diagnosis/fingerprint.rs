@@ -28,8 +28,8 @@ pub struct Witness {
     pub values: Vec<f32>,
 }
 
-/// Sampled pixels per mistake and film. A share that is estimated from this many is off by at most
-/// about 5 %.
+/// Sampled pixels per mistake and film. The standard error of a share that is estimated from this
+/// many is at most about 5 %.
 pub const MOST_SAMPLED: usize = 96;
 
 /// Telling pixels per mistake and film, and per pair of similar mistakes.
@@ -113,7 +113,7 @@ impl<'a> FilmComparison<'a> {
         self.wrong.len()
     }
 
-    /// Whether any pixel has more to compare than that its ray hits nothing.
+    /// Whether any pixel has values to compare, because its ray hits something.
     pub fn has_values(&self) -> bool {
         let mut ids = self
             .quantities

@@ -110,7 +110,7 @@ impl KnownMistakes {
         Ok(Some(file))
     }
 
-    /// The mistakes that panic over a film.
+    /// The mistakes that panic while casting a film.
     pub fn panicking(&self, film: &str) -> impl Iterator<Item = &String> {
         self.panics.get(film).into_iter().flatten()
     }

@@ -228,13 +228,13 @@ fn decisions(samples: &[Sample]) -> Vec<Measurement> {
     found
 }
 
-/// How many of the wrong samples a rule is about that does not explain the others.
+/// Says in how many of the wrong samples a rule holds, if it does not hold in all of them.
 fn among(rule: &Rule, wrong: &[&Sample], all: bool) -> String {
     let place = words::rule(rule, wrong[0]);
     let count = wrong.iter().filter(|it| rule.holds(it)).count();
     match all {
         true => format!(", among them all {count} where {place}"),
-        // Where nothing is to be found, nobody knows where else the condition holds.
+        // A condition on a wrong hit can't be tested where no hit was found, so don't claim "all".
         false => format!("; in {count} of them {place}"),
     }
 }
@@ -321,8 +321,8 @@ impl<'a> PartFinding<'a> {
         }
     }
 
-    /// Two sentences instead of one, if the part follows a law where a condition holds, and
-    /// another where it doesn't.
+    /// Two sentences instead of one, if the part follows a law where a condition holds, and another
+    /// law where it doesn't.
     fn sides(&self, whole: &Claim) -> Option<Vec<Measurement>> {
         let is_clear = |claim: &Claim| match claim {
             Claim::Part { law, share, .. } => *share >= ALL && law.is_complete(),

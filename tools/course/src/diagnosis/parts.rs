@@ -16,7 +16,7 @@ pub struct PartAgreement {
 }
 
 impl PartAgreement {
-    /// Part by part, as the film has them.
+    /// The agreement of each part, in the film's order of parts.
     pub fn of(film: &FilmComparison<'_>, print: &Fingerprint) -> Vec<PartAgreement> {
         let weight = print.failing as f64 / print.sample.len().max(1) as f64;
         let of_part = |part: usize| {

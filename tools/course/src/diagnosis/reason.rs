@@ -25,7 +25,7 @@ const FEW: f64 = 0.01;
 const MOST_ALIKE: usize = 3;
 
 impl KnownMistakes {
-    /// The belief that explains these films, which are all films of one task, or one of a scene.
+    /// The belief that explains these films, which belong to one task or show scenes.
     ///
     /// `is_candidate` tells which mistakes to consider.
     pub fn explain(&self, films: &[Evidence], is_candidate: &dyn Fn(&str) -> bool) -> Diagnosis {

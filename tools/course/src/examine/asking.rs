@@ -86,7 +86,7 @@ impl Examiner<'_> {
             return films.map(ask).collect();
         }
         let ask = &ask;
-        // Ask about all films at once: a late film waits for the clock, not for the processor.
+        // Ask about all films at once, so that late ones use up their time limits together.
         thread::scope(|scope| {
             let asked = films.map(|(film, part)| scope.spawn(move || ask(film, part)));
             let asked: Vec<_> = asked.collect();
@@ -98,9 +98,9 @@ impl Examiner<'_> {
     }
 
     /// Asks about all films of a task in one process. `None` if some answer fails in a way that
-    /// could hide the others; then ask about each film alone, so that the failing answer costs
-    /// its own group only. If someone waits for the result, films that were complete before an
-    /// answer was late are kept.
+    /// could hide the others; then ask about each film alone, so that the failing answer costs only
+    /// its own group. If someone waits for the result, films that were complete before an answer
+    /// was late are kept.
     fn ask_together(
         &self,
         task: &Task,
@@ -149,7 +149,7 @@ impl Examiner<'_> {
                 (self.progress)(what, done as f64 / job.len().max(1) as f64);
             })
         })?;
-        timings::add("start programs, of asking", reply.start);
+        timings::add("start programs (part of asking)", reply.start);
         if let Some(clock) = self.clock {
             clock.check(&reply)?;
         }

@@ -29,7 +29,7 @@ impl JudgedFilm {
     pub fn picture(&self, asked: &QuestionFilm, reply: &Reply) -> Option<Picture> {
         let film = self.film.as_ref()?;
         let (channel, worst) = describe::worst_of(self.verdict.as_ref()?)?;
-        // Wrong hits come first. Tests of a wrong search show nothing.
+        // Here, all hits are right. The tests of a search with wrong hits would mean nothing.
         if channel.name == TESTS {
             return Some(Picture::Tests {
                 golden: asked.golden.film().clone(),

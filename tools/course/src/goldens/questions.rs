@@ -18,13 +18,13 @@ use crate::timings::timed;
 #[derive(Debug)]
 pub struct Questions {
     pub groups: Vec<Group>,
-    /// The groups in turn, as many at a time as one process is asked about.
+    /// The groups in order, split into batches. One process is asked about each batch.
     pub batches: Vec<Batch>,
 }
 
 /// Groups that one process is asked about. A process that sees pixels of scenes, which may be
-/// withheld, is asked about nothing else: a public question can be answered with what it has seen,
-/// and results show wrong answers to public questions.
+/// withheld, is asked about nothing else. Otherwise, it could answer a public question with what it
+/// has seen, and results show wrong answers to public questions.
 #[derive(Debug)]
 pub struct Batch {
     /// How many groups.

@@ -44,7 +44,7 @@ pub struct ChannelSchema {
     name: String,
     /// How many pixels miss the golden by more than the tolerance.
     failing: usize,
-    /// How many of them show the right object, so that the difference is the channel's own.
+    /// How many of them show the right object, which means that this channel itself is wrong.
     own: usize,
     /// The pixel that misses it by the most tolerances.
     worst: Option<MismatchSchema>,

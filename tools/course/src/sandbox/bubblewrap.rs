@@ -42,7 +42,7 @@ const BWRAP: &str = "/usr/bin/bwrap";
 /// The path of this program inside.
 const PINHOLE_INSIDE: &str = "/pinhole";
 
-/// More processes than any user can own, so that this limit never applies.
+/// More processes than any user can own, so this limit never applies.
 const UNCOUNTED: u64 = 1 << 20;
 
 impl Bubblewrap {
@@ -191,8 +191,8 @@ impl Bubblewrap {
 /// The path of a built program inside.
 const PROGRAM_INSIDE: &str = "/submission";
 
-/// Since Linux 5.14, a namespace's processes are counted apart from the user's processes outside,
-/// which may already exceed the limit.
+/// Since Linux 5.14, a namespace's processes are counted separately from the user's processes
+/// outside, which may already exceed the limit.
 fn counts_by_namespace() -> bool {
     let release = std::fs::read_to_string("/proc/sys/kernel/osrelease").unwrap_or_default();
     let mut numbers = release

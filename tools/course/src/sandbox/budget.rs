@@ -9,25 +9,26 @@ use std::time::{Duration, Instant};
 
 use super::Limits;
 
-/// What one submission may still take; clones count together.
+/// What one submission may still use; clones share one count.
 #[derive(Clone, Debug, Default)]
 pub struct Budget {
     /// How many limits it has run into so far.
     lost: Arc<AtomicU32>,
-    /// When it began, and how long it may take in all on the clock; `None` if no class waits.
+    /// When it began, and how long it may take in total on the clock; `None` unless a class is
+    /// being graded.
     whole: Option<(Instant, Duration)>,
     /// How long other programs kept it from running.
     starved: Arc<Mutex<Duration>>,
 }
 
-/// After this many, everything else gets only its shortest time.
+/// After this many exceeded limits, everything else gets only its shortest time.
 const MOST_LOST: u32 = 2;
 
 /// Compiling may take the whole time divided by this. Right answers take a hundredth.
 const COMPILING: u32 = 4;
 
 impl Budget {
-    /// For a submission that begins now and may take so long in all.
+    /// For a submission that begins now and may take `whole` in total.
     pub fn of(whole: Duration) -> Budget {
         Budget {
             whole: Some((Instant::now(), whole)),
@@ -35,7 +36,7 @@ impl Budget {
         }
     }
 
-    /// The time that is left on the clock; if there is none, how much there was in all. The time
+    /// The time that is left on the clock; if there is none, how much there was in total. The time
     /// in which it was kept from running doesn't count, up to as much again.
     pub fn left(&self) -> Result<Duration, Duration> {
         let Some((begun, whole)) = self.whole else {
@@ -48,13 +49,13 @@ impl Budget {
         }
     }
 
-    /// Whether compiling has taken its share of the time.
+    /// Whether compiling has used up its share of the time.
     pub fn is_done_compiling(&self) -> bool {
         let spent = |(begun, whole): (Instant, Duration)| begun.elapsed() >= whole / COMPILING;
         self.whole.is_some_and(spent)
     }
 
-    /// Shorter limits, if too many have been lost already.
+    /// Shortens limits, if too many have been exceeded already.
     pub fn bound(&self, limits: Limits) -> Limits {
         match self.lost.load(Ordering::Relaxed) >= MOST_LOST {
             true => limits.shortened(),

@@ -115,8 +115,8 @@ fn give_up(confine: &Confine) -> Result<(), String> {
         step("group", thread::set_thread_res_gid(group, group, group))?;
         step("user", thread::set_thread_res_uid(user, user, user))?;
     }
-    // Otherwise, the code could write to the terminal of whoever grades. Bubblewrap's processes
-    // are in a session of their own already, and then this fails.
+    // Otherwise, the code could write to the terminal of the person who grades. Bubblewrap's
+    // processes are in a session of their own already, and then this fails.
     let _alone = rustix::process::setsid();
     // This comes after changing the user, which would undo it.
     let end_with_parent = rustix::process::set_parent_process_death_signal(Some(Signal::KILL));

@@ -43,8 +43,8 @@ pub struct Container {
 }
 
 impl Container {
-    /// Checks that this sandbox works here. A missing Landlock is an error unless the user
-    /// `accepts_modes` alone.
+    /// Checks that this sandbox works here. A missing Landlock is an error unless the user accepts
+    /// file modes alone (`accepts_modes`).
     pub fn new(checkout: &Checkout, secrets: &[PathBuf], accepts_modes: bool) -> Result<Container> {
         if !rustix::process::getuid().is_root() {
             return Err(Error::environment(

@@ -18,7 +18,7 @@ pub struct Limits {
     /// Time on the clock between two answers, at most `wall`.
     pub silence: Duration,
     /// Time on the clock in which no thread of the tree runs or is ready to run, because it
-    /// sleeps or waits. A busy machine makes no tree idle.
+    /// sleeps or waits. A tree is not idle just because the machine is busy.
     pub idle: Duration,
     /// Bytes: the address space of each process, and the memory in use of all together.
     pub memory: u64,
@@ -48,7 +48,7 @@ const IDLE: Duration = Duration::from_secs(1);
 /// The compiler waits for files, and on some file systems that looks like sleeping.
 const IDLE_COMPILER: Duration = Duration::from_secs(5);
 
-/// The shortest silence after which an answer is given up while its author waits.
+/// The shortest silence after which we give up on an answer while its author waits.
 const LEAST_SILENCE: Duration = Duration::from_secs(2);
 
 /// How many threads the code may have besides those that answer on all cores.
@@ -71,7 +71,7 @@ impl Limits {
     }
 
     /// Limits for a built program that may answer for this long. It gets every core for the whole
-    /// time, so that the clock is what ends a long answer.
+    /// time, so only the clock ends a long answer.
     pub fn of_answers(wall: Duration) -> Limits {
         Limits {
             cpu: wall * cores() as u32 + Duration::from_secs(2),

@@ -126,7 +126,7 @@ const OLD_NAMES: [libc::c_long; 15] = [
     libc::SYS_futimesat,
 ];
 
-/// What makes `open` make a file: with a name, and without one.
+/// The flags that make `open` create a file: one with a name, and one without.
 const MAKES_FILE: [libc::c_int; 2] = [libc::O_CREAT, libc::O_TMPFILE & !libc::O_DIRECTORY];
 
 /// The calls of Landlock itself.
@@ -174,8 +174,8 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
             rules.extend(OLD_NAMES.map(|call| (call, Vec::new())));
             rules.insert(libc::SYS_open, making(1)?);
         }
-        // Pages of a shared mapping stay in memory until its last page is unmapped, but don't count
-        // as the process's own any more once they are.
+        // Unmapped pages of a shared mapping no longer count as the process's own, but stay in
+        // memory until the last page of the mapping is unmapped.
         rules.insert(libc::SYS_mmap, vec![with_flag(3, libc::MAP_SHARED, true)?]);
         let notifies = SeccompCondition::new(1, Dword, Eq, F_NOTIFY)?;
         rules.insert(libc::SYS_fcntl, vec![SeccompRule::new(vec![notifies])?]);
@@ -195,7 +195,7 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
     SeccompFilter::new(rules, SeccompAction::Allow, unheard_of, arch)?.try_into()
 }
 
-/// A call in an argument of which this flag is set, or is not.
+/// A call that has this flag set, or not set, in one of its arguments.
 fn with_flag(
     argument: u8,
     flag: libc::c_int,

@@ -19,7 +19,8 @@ pub struct ResourceUsage {
     pub is_busy: bool,
 }
 
-/// The current use of `pid` and its descendants. A process that ends meanwhile counts as nothing.
+/// The time and memory that `pid` and its descendants use now. A process that ends meanwhile counts
+/// as nothing.
 pub fn used_by(pid: u32) -> ResourceUsage {
     let mut used = ResourceUsage::default();
     let mut ticks = 0;
@@ -34,8 +35,8 @@ pub fn used_by(pid: u32) -> ResourceUsage {
     used
 }
 
-/// A clock for `pid` and its descendants. It counts the time in which they sleep, and of the rest
-/// the processor time that they get, but runs no faster than the wall clock.
+/// A clock for `pid` and its descendants. It counts the time in which they sleep and the processor
+/// time that they get, but runs no faster than the wall clock.
 pub fn own_clock(pid: u32) -> Clock {
     let mut had = Duration::ZERO;
     let mut last = (Instant::now(), Duration::ZERO);

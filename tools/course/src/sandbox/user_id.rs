@@ -44,7 +44,7 @@ impl UserId {
     fn reserve_in(locks: &Path, mut ids: impl Iterator<Item = u32>) -> Result<UserId> {
         let failed = Error::environment(
             format!("cannot reserve a user id in {}", locks.display()),
-            "let root write there: foreign code gets a user id of its own",
+            "let root write there, because foreign code needs a user id of its own",
         );
         let mut folder = DirBuilder::new();
         folder
@@ -72,7 +72,7 @@ impl UserId {
 
 /// Locks an id; `None` if another process has it.
 fn lock(locks: &Path, number: u32) -> io::Result<Option<UserId>> {
-    // The file is closed in programs that we start, because they would hold the lock too.
+    // The file is closed in programs that we start, because otherwise they would hold the lock too.
     let mut options = OpenOptions::new();
     options.write(true).create(true).truncate(false).mode(0o600);
     let file = options.open(locks.join(number.to_string()))?;

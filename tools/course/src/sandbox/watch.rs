@@ -98,8 +98,7 @@ mod looking {
             let (enough, told) = mpsc::channel::<()>();
             let thread = std::thread::spawn(move || {
                 let first = Pid::from_raw(i32::try_from(pid).ok()?)?;
-                // Opened at the start, so that it can't mean a later process with the
-                // same id.
+                // Opened at the start, so that it can't refer to a later process with the same id.
                 let handle = pidfd_open(first, PidfdFlags::empty()).ok()?;
                 let mut idleness = Idleness::new(Duration::ZERO);
                 loop {

@@ -89,8 +89,8 @@ pub fn open(path: &Path) -> Result<Archive<Cursor<Vec<u8>>>> {
 impl<R: Read + Seek> Archive<R> {
     /// Reads the list of contents.
     ///
-    /// If it is refused; the text says why. It may not be a ZIP file, hold too much, or put a
-    /// file outside its own folder.
+    /// Fails if the archive is not a ZIP file, holds too much, or would put a file outside its own
+    /// folder. The text says why.
     pub fn new(inner: R) -> std::result::Result<Archive<R>, String> {
         let left = Rc::new(Cell::new(MOST_READ));
         let metered = LimitedReader {
@@ -142,7 +142,7 @@ impl<R: Read + Seek> Archive<R> {
         places
     }
 
-    /// Whether there is a file of this path.
+    /// Whether there is a file with this path.
     pub fn holds(&self, path: &str) -> bool {
         self.files.contains_key(path)
     }

@@ -19,7 +19,7 @@ pub fn run(arguments: &Dispute) -> Result<Status> {
     let id = id_of(&arguments.id, &roll)?;
     let record = standing(&arguments.out.join("submissions").join(&id)).ok_or_else(|| {
         Error::input(
-            format!("there is no mark of {id} in {}", arguments.out.display()),
+            format!("there is no mark for {id} in {}", arguments.out.display()),
             "grade it first: cargo pinhole grade … --out DIR",
         )
     })?;
@@ -51,7 +51,7 @@ fn id_of(named: &str, roll: &Roll) -> Result<String> {
         [id] => Ok(id.clone()),
         [] => Err(Error::input(
             format!("there is no submission by {named}"),
-            "name an id or a name as in grades.csv, of someone with a submission",
+            "name an id or a name from grades.csv, of someone who has a submission",
         )),
         several => Err(Error::input(
             format!("{named} could be any of {}", several.join(", ")),
@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn a_submission_in_doubt_is_found_by_everyone_whose_it_may_be() {
+    fn a_submission_in_doubt_is_found_by_everyone_it_may_belong_to() {
         let mut roll = roll(vec![entry("one", "ada", "ada")], RULES, &[]);
         let ada = roll.placed.of.remove("one").expect("it is hers");
         let bob = roll.placed.missing[0].clone();

@@ -240,8 +240,8 @@ fn jobs(arguments: &Grade) -> usize {
     arguments.jobs.unwrap_or(cores)
 }
 
-/// The folder for this class's programs. Deletes programs that a killed run may have left. It
-/// isn't in `--out`, because the code's user may have no access there.
+/// The folder for this class's programs. Deletes programs that a killed run may have left. The
+/// folder isn't in `--out`, because the user that runs the students' code may have no access there.
 fn programs(scratch: &Path, cache: &ResultCache) -> PathBuf {
     let out = cache.path("");
     let out = out.canonicalize().unwrap_or(out);

@@ -67,7 +67,7 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
         let path = file.display().to_string();
         document["gradescope"] = sizes(&path, &written);
         words.push_str(&format!(
-            "wrote {path}: {}\n\nit holds every golden and our answers: upload it to Gradescope \
+            "wrote {path}: {}\n\nit contains every golden and our answers: upload it to Gradescope \
              (Configure Autograder), and don't share it\n",
             in_words(&written)
         ));
@@ -78,7 +78,7 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
         let path = folder.display().to_string();
         document["prairielearn"] = sizes(&path, &written);
         words.push_str(&format!(
-            "wrote {path}: {}\n\nits README says how to make the image; the image holds every \
+            "wrote {path}: {}\n\nits README says how to make the image; the image contains every \
              golden and our answers, so don't share it\n",
             in_words(&written)
         ));
@@ -100,7 +100,7 @@ fn in_words(written: &HandoutSize) -> String {
     format!("{} files, {megabytes:.1} MB", written.files)
 }
 
-/// A file that differs from what we would write may hold someone's answer.
+/// A file that differs from what we would write may contain someone's answer.
 fn refuse_unforced(stale: &[PathBuf], assignment: &Assignment, arguments: &Handout) -> Result<()> {
     let there = stale
         .iter()
@@ -115,7 +115,7 @@ fn refuse_unforced(stale: &[PathBuf], assignment: &Assignment, arguments: &Hando
             there.join(", "),
             assignment.handout().display()
         ),
-        "look at what they hold; if it may go, say --force",
+        "look at what they contain; if you don't need it, say --force",
     ))
 }
 
@@ -147,7 +147,7 @@ fn stubs_in_place(assignment: &Assignment, arguments: &Handout) -> Result<Status
             anstream::println!("out of step with the reference: {}", path.display());
         }
         anstream::println!(
-            "if they hold no work of yours, generate it again: cargo pinhole handout {} --force",
+            "if none of your work is in them, make them again: cargo pinhole handout {} --force",
             assignment.name
         );
     }

@@ -58,8 +58,8 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
 struct Part<'a> {
     folder: &'a Path,
     backlog: Backlog,
-    /// The submissions that it has files of. Listing them once saves looking for each submission
-    /// in each part, which takes long on a shared file system.
+    /// The submissions that it has files of. They are listed once, because looking for each
+    /// submission in each part is slow on a shared file system.
     ids: BTreeSet<OsString>,
 }
 
@@ -76,8 +76,9 @@ impl Part<'_> {
     }
 }
 
-/// Puts a submission's result into the merged class: its mark or, if no part has one, why not.
-/// `None` if no part knows it. All marks must be made with the same.
+/// Puts a submission's result into the merged class: its mark or, if no part has a mark, the
+/// reason. `None` if no part has the submission. All marks must be made with the same goldens,
+/// fresh questions and assignment.
 fn merged(
     id: &str,
     parts: &[Part],
@@ -107,7 +108,7 @@ fn merged(
             || with.assignment != own.assignment
         {
             return Err(Error::input(
-                format!("{} was judged by other goldens", part.folder.display()),
+                format!("{} was judged against other goldens", part.folder.display()),
                 "grade all shards with the same --golden, --fresh or --seed",
             ));
         }

@@ -17,11 +17,11 @@ pub enum Golden {
 
 /// Render goldens with Mitsuba
 ///
-/// Makes a film and a tolerance film for each scene, the same for its viewing rays, and a
-/// manifest of what they were made from. Then the known mistakes cast the same films, and what
-/// each mistake does to each film is stored for diagnoses.
+/// Makes a film and a tolerance film for each scene, the same for its viewing rays, and a manifest
+/// of what they were made from. Then each known mistake casts the same films, and its effect on
+/// each film is stored for diagnoses.
 ///
-/// Without a named scene, this makes everything that the assignment has in `golden/`: its scenes,
+/// If you name no scene, this makes everything that the assignment has in `golden/`: its scenes,
 /// its question films, and the exact ties that `validate --mutants` asks about.
 ///
 /// A scene is refused if an edge passes through a pixel's centre, or if a ray meets a plane
@@ -48,11 +48,10 @@ pub struct GoldenRender {
     pub no_mistakes: bool,
 }
 
-/// Render again what each known mistake does to the existing goldens, without Mitsuba
+/// Cast the films of the known mistakes again for the existing goldens, without Mitsuba
 ///
 /// Stores beside each golden what each mistake does to the film, so that `check` and `diff` can
 /// recognise it. `golden render` does this too; use this command when only a mistake has changed.
-/// It doesn't need Mitsuba.
 #[derive(Args)]
 pub struct GoldenMistakes {
     #[command(flatten)]

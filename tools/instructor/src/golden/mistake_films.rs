@@ -24,7 +24,7 @@ use pinhole_course::sandbox::{Limits, Sandbox};
 /// How long a program may take for a film.
 const TIME_LIMIT: Duration = Duration::from_secs(60);
 
-/// Films to fingerprint, each with the task that it tests alone, if it tests one.
+/// Films to fingerprint, each with its task, if it tests only one.
 type FilmsToCast = Vec<(Option<String>, QuestionFilm)>;
 
 /// Fingerprints the mistakes on scenes and, with `probes`, on every group of questions. Keeps
@@ -104,7 +104,7 @@ fn films_to_cast(assignment: &Assignment, goldens: &Goldens, probes: bool) -> Re
     Ok(films_to_cast)
 }
 
-/// A program's reply to what a film asks.
+/// A program's reply to a film's questions.
 pub fn ask(program: &Program, film: &QuestionFilm) -> Result<Reply> {
     let limits = Limits::of_answers(TIME_LIMIT);
     examine::run(program, &Sandbox::Trusted, &limits, &film.job, &mut |_| {})

@@ -1,5 +1,5 @@
-//! Stores how many tests the reference takes for each pixel of a scene. Nothing is judged by that:
-//! it is shown beside a submission's own counts.
+//! Stores how many tests the reference takes for each pixel of a scene. These counts are not
+//! judged. They are shown beside a submission's own.
 
 use std::path::PathBuf;
 

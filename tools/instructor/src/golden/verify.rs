@@ -54,7 +54,7 @@ pub fn verify(
     })
 }
 
-/// Goldens that can't be used: unreadable, without a fitting tolerance film, or with too many
+/// Goldens that can't be used: unreadable, without a matching tolerance film, or with too many
 /// exempt pixels.
 fn unusable(manifest: &Manifest, folder: &Path) -> Vec<String> {
     let others = [

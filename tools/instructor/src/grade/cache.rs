@@ -73,7 +73,7 @@ impl ResultCache {
         Ok(())
     }
 
-    /// Stores a grade of which only the points have changed, and adds a note to the end of its
+    /// Stores a grade in which only the points have changed, and adds a note to the end of its
     /// report.
     pub fn put_points(&self, record: &Record) -> Result<()> {
         let folder = self.of(&record.id);
@@ -132,7 +132,7 @@ pub fn standing(folder: &Path) -> Option<Record> {
     result
 }
 
-/// A record; `None` if there is none, or it has another version.
+/// A record; `None` if there is none, or if it has another version.
 fn read(path: &Path) -> Option<Record> {
     let record: Record = serde_json::from_str(&fs::read_to_string(path).ok()?).ok()?;
     (record.got.schema == SCHEMA).then_some(record)
@@ -188,8 +188,8 @@ impl Backlog {
         )
     }
 
-    /// Returns the record, but marks it as not graded if it is about other answers than the run
-    /// was to grade.
+    /// Returns the record, but marks it as not graded if it is about answers other than those that
+    /// the run was to grade.
     pub fn check(&self, record: Record) -> Record {
         match self.0.get(&record.id) {
             Some(wanted) if *wanted != record.provenance.answers => record.not_graded(
@@ -262,7 +262,7 @@ pub fn link(from: &Path, to: &Path) -> Result<()> {
         .or_fail(&cannot_write(to))
 }
 
-/// Lets `make` make a file beside its place, and then renames it.
+/// Lets `make` write a file beside its final place, and then renames it.
 fn put(path: &Path, make: impl FnOnce(&Path) -> std::io::Result<()>) -> Result<()> {
     let mut beside = path.as_os_str().to_owned();
     beside.push(".new");

@@ -24,7 +24,7 @@ use pinhole_course::outcome::Status;
 /// The roll's file in the folder of a graded class. Merges read it.
 pub const ROLL: &str = "roll.json";
 
-/// What was handed in, and by whom. Every shard has the same.
+/// What was handed in, and by whom. Every shard has the same roll.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Roll {
     /// Everything that is graded, by id.
@@ -46,7 +46,7 @@ impl Roll {
     pub fn read(path: &Path) -> Result<Roll> {
         let text = fs::read_to_string(path).or_input(
             format_args!("cannot read {}", path.display()),
-            "name a folder into which `pinhole grade` has graded",
+            "name a folder that `pinhole grade` has written",
         )?;
         serde_json::from_str(&text).or_input(
             format_args!("{}", path.display()),
@@ -71,7 +71,7 @@ impl Roll {
         class
     }
 
-    /// Removes people whose group has handed in from the missing ones.
+    /// Removes from the list of missing people those whose group has handed something in.
     pub fn find_groups(&mut self) {
         let mut missing = std::mem::take(&mut self.placed.missing);
         let of = self.placed.of.values();
@@ -83,7 +83,7 @@ impl Roll {
         self.placed.missing = missing;
     }
 
-    /// Everyone who gets the mark of what a person hands in: the person alone, or the person's
+    /// Everyone who gets the mark for what a person hands in: the person alone, or the person's
     /// group.
     pub fn team_of<'a>(&'a self, person: &'a Person) -> Vec<&'a Person> {
         let policy = self.policy.as_ref();
@@ -103,7 +103,7 @@ pub struct Class<'a> {
     pub roll: &'a Roll,
     /// The rows, in the order of the roll.
     pub rows: Vec<Row<'a>>,
-    /// Additional rows of people whose group handed in for them.
+    /// Additional rows, for people whose group handed something in for them.
     pub shared: Vec<Row<'a>>,
     /// What the instructor should look at, the most serious first.
     pub concerns: Vec<Concern>,
@@ -123,7 +123,7 @@ pub struct Row<'a> {
     pub mark: Option<Mark>,
     /// Why another submission counts.
     pub not_counted: Option<String>,
-    /// Whether others of the person's group handed it in.
+    /// Whether another member of the person's group handed it in.
     pub is_shared: bool,
 }
 
@@ -149,7 +149,7 @@ impl<'a> Class<'a> {
             shared,
             concerns,
         } = marks::rows(roll, records);
-        // Count only submissions that count, because several attempts of one person are alike
+        // Compare only submissions that count, because several attempts by one person are alike
         // anyway.
         let counted = own.iter().filter(|row| row.not_counted.is_none());
         let all: Vec<&RecordSummary> = counted.filter_map(|row| row.record).collect();
@@ -183,7 +183,7 @@ impl<'a> Class<'a> {
         records.filter(|record| record.is_graded())
     }
 
-    /// Whether a submission has its mark.
+    /// Whether a submission has a mark.
     pub fn is_graded(&self, id: &str) -> bool {
         self.records.get(id).is_some_and(RecordSummary::is_graded)
     }
@@ -210,7 +210,7 @@ impl<'a> Class<'a> {
         without.collect()
     }
 
-    /// The submissions by how they ended.
+    /// The submissions, by status.
     pub fn outcomes(&self) -> BTreeMap<Status, Vec<&'a str>> {
         let mut outcomes: BTreeMap<Status, Vec<&str>> = BTreeMap::new();
         for row in &self.rows {

@@ -1,5 +1,5 @@
-//! The evidence for a mark, for the lecturer alone. It holds everything that was asked, expected
-//! and answered, even where the student learns only that it does not pass.
+//! The evidence for a mark, for the lecturer alone. It contains everything that was asked, expected
+//! and answered, even for groups of which the student learns only that they fail.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -10,7 +10,7 @@ use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::outcome::Outcome;
 use pinhole_course::submission::Submission;
 
-/// The folder with all evidence, in the folder of a graded class. It holds nothing for students.
+/// The folder with all evidence, in the folder of a graded class. Nothing in it is for students.
 const FOLDER: &str = "evidence";
 
 /// The evidence for one mark.

@@ -277,7 +277,7 @@ impl Grader<'_> {
                 > most
         {
             report.said.push_str(&format!(
-                " The scenes earn at most {most} points: a scene earns no larger a share of its \
+                " The scenes earn at most {most} points: a scene earns no larger share of its \
                  points than the tasks it needs, whose fresh questions count too."
             ));
         }

@@ -1,7 +1,7 @@
 //! The submissions, and the people who handed them in.
 //!
-//! Reading order: [`reader`] reads folders and archives; [`source`] decides which of them hold
-//! a class; [`hand_in`] collects each person's files, by the [`names`] that platforms give;
+//! Reading order: [`reader`] reads folders and archives; [`source`] decides which of them contain a
+//! class; [`hand_in`] collects each person's files, by the [`names`] that platforms give;
 //! [`answers`] finds each person's answers, by [`task_names`]; [`roster`] reads the list of a
 //! course's people, which is a [`table`]; [`matching`] compares names with people; and
 //! [`placement`] finds each submission's person on the roster.
@@ -53,7 +53,7 @@ pub struct Entry {
     pub notes: Vec<String>,
     /// Why the instructor should check how it was read.
     pub doubts: Vec<String>,
-    /// The answer files that are missing or refused: a text for each problem.
+    /// The answer files that are missing or refused: one message for each problem.
     pub unusable: Vec<String>,
     /// Its answers, or why the machine could not read them.
     #[serde(skip, default = "not_read")]
@@ -84,7 +84,7 @@ impl PartialEq for Entry {
 pub struct Intake {
     /// The submissions, by id.
     pub entries: Vec<Entry>,
-    /// Files among the submissions that belong to no submission. They are listed and not silently
+    /// Files among the submissions that belong to no submission. They are listed, not silently
     /// dropped.
     pub ignored: Vec<String>,
     /// Uploads that are not graded, and the entry with a later upload.
@@ -131,7 +131,7 @@ pub fn find(
     if handed_in.is_empty() {
         return Err(Error::input(
             "there is no submission in what you named",
-            "name folders that hold the answer files, or a folder of such folders",
+            "name folders that contain the answer files, or a folder of such folders",
         ));
     }
     let mut taken = BTreeSet::new();

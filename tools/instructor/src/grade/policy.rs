@@ -103,7 +103,7 @@ impl Policy {
         zone.ok().flatten().unwrap_or(TimeZone::UTC)
     }
 
-    /// The group of people who get the mark of what this person hands in.
+    /// The group of people who get the mark for what this person hands in.
     pub fn group_of(&self, id: &str) -> Option<&Group> {
         let mut groups = self.groups.iter();
         groups.find(|group| group.members.iter().any(|member| member == id))

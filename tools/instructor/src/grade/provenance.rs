@@ -43,7 +43,7 @@ pub struct GradingInputs {
     /// The seed that the fresh questions were drawn from. Not for students.
     #[cfg_attr(test, schemars(with = "Option<SeedInJson>"))]
     pub seed: Option<Seed>,
-    /// The hash of the goldens' manifest, which holds every film's hash.
+    /// The hash of the goldens' manifest, which contains every film's hash.
     pub goldens: String,
     /// The hash of the fresh goldens' manifest.
     pub fresh: Option<String>,

@@ -22,7 +22,8 @@ pub struct GradeQueue<'a> {
     pub grader: &'a Grader<'a>,
     pub cache: &'a ResultCache,
     pub progress: GradingProgress<'a>,
-    /// Called with what is graded so far, now and then and before the late ones are graded again.
+    /// Called with the results so far, from time to time and before late submissions are graded
+    /// again.
     pub so_far: &'a (dyn Fn(&[QueueResult]) + Sync),
 }
 

@@ -71,8 +71,8 @@ pub struct Timings {
     pub asking: f64,
     /// Writing the report.
     pub report: f64,
-    /// 1 if an answer was late while other submissions were graded, so that this one was graded
-    /// again, alone.
+    /// 1 if an answer was late while other submissions were graded, and this one was therefore
+    /// graded again, alone.
     pub second_runs: u32,
 }
 
@@ -98,7 +98,7 @@ impl Record {
         (earned.min(most), scenes.map(|scene| scene.possible).sum())
     }
 
-    /// Which tasks ended in which way, except judged ones, and how files were read: "panicked:
+    /// How each task ended, except those that were judged, and how files were read: "panicked:
     /// sphere, plane".
     pub fn notes(&self) -> String {
         let of = |status: Status| {
@@ -118,8 +118,8 @@ impl Record {
 pub fn explained(status: Status) -> &'static str {
     match status {
         Status::NotGraded => {
-            "Grading failed for a reason that is not yours, so there is no mark. Nothing is \
-             lost: your instructor grades it again."
+            "Grading failed through no fault of yours, so there is no mark. Nothing is \
+             lost: your instructor will grade it again."
         }
         Status::RefusedFile => {
             "A file was not accepted. An answer is one regular UTF-8 text file of at most 256 \
@@ -134,8 +134,8 @@ pub fn explained(status: Status) -> &'static str {
              judged. The compiler's message is below; `check` shows the same."
         }
         Status::OutOfMemory => {
-            "An answer asked for more memory than it may have, and was stopped. It does not \
-             need a collection that grows with every call."
+            "An answer asked for more memory than it may have, and was stopped. No task \
+             needs a collection that grows with every call."
         }
         Status::Killed => {
             "The program ended before it had answered: it exited, crashed, or was stopped because \
@@ -147,7 +147,7 @@ pub fn explained(status: Status) -> &'static str {
         }
         Status::Panicked => {
             "An answer panicked. The message and its line are below; the usual ones are an \
-             index out of bounds, an `unwrap` of nothing, and an integer that overflows."
+             index out of bounds, an `unwrap` of `None`, and an integer that overflows."
         }
         Status::Unreadable => {
             "The program sent back something that is not a valid answer, such as NaN, or an \

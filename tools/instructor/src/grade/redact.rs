@@ -75,7 +75,7 @@ impl Withheld {
             if self.probes && self.reveal == Reveal::Points {
                 task.diagnosis = Diagnosis::default();
             }
-            // Its numbers could be a message from the student's code.
+            // The measured numbers could be a message from the student's code.
             if self.probes && self.reveal < Reveal::Full {
                 task.measured.clear();
             }
@@ -260,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn one_withheld_scene_withholds_itself_and_what_is_asked_of_pixels() {
+    fn one_withheld_scene_also_withholds_the_questions_about_pixels() {
         let withheld = |scenes: &[&str]| Withheld {
             scenes: scenes.iter().map(|name| (*name).to_owned()).collect(),
             scene_groups: vec![("viewing_ray".into(), "scenes".into())],

@@ -44,7 +44,8 @@ pub struct SharedPair {
 /// own names. `None` if the text can't be split into tokens.
 pub fn tokens(text: &str) -> Option<String> {
     let words = text.parse().map(words);
-    // The library would keep every text, for the places of tokens, until this thread ends.
+    // Otherwise, the library would keep every text until this thread ends, because tokens refer to
+    // places in it.
     proc_macro2::extra::invalidate_current_thread_spans();
     let words = words.ok()?;
     let own = own_names(&words);

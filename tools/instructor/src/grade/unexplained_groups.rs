@@ -16,7 +16,7 @@ pub struct UnexplainedGroup {
     pub who: Vec<String>,
     /// What is measurably wrong in them.
     pub measured: Vec<String>,
-    /// The groups of questions that fail, and how many of each.
+    /// The groups of questions that fail, each with its number of failing questions.
     pub failing: Vec<String>,
     /// One question that shows it: what was asked, expected and given.
     pub example: Vec<Fact>,
@@ -58,7 +58,7 @@ fn draft(task: &str, chapter: &str, measured: &[String]) -> String {
     let comments: Vec<String> = measured.iter().map(|says| format!("# {says}")).collect();
     let quoted = |text: &str| toml::Value::from(text).to_string();
     format!(
-        "# Measurement in the answers to {}:\n{}\nbelief = \"I …\"\nfails = [{}]\nchapter = {}\n\n\
+        "# Measured in the answers to {}:\n{}\nbelief = \"I …\"\nfails = [{}]\nchapter = {}\n\n\
          [hint]\nlook = \"…\"\nthink = \"…\"\nread = \"a section of the chapter\"\n",
         task,
         comments.join("\n"),

@@ -1,4 +1,4 @@
-//! The views of a graded class. Records hold text as students wrote it, and each view escapes it
+//! The views of a graded class. Records contain text as students wrote it, and each view escapes it
 //! for its own format.
 
 pub mod csv;

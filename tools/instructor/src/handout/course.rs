@@ -39,7 +39,7 @@ pub fn files(assignment: &Assignment) -> Result<Files> {
     Ok(files)
 }
 
-/// `assignment.toml` with the points of withheld scenes instead of the scenes.
+/// `assignment.toml` with the sum of the withheld scenes' points instead of those scenes.
 fn without_withheld(text: &str, assignment: &Assignment) -> Result<String> {
     let withheld: u32 = assignment.withheld_scenes().map(|scene| scene.points).sum();
     if assignment.withheld_scenes().next().is_none() {
@@ -99,7 +99,7 @@ fn add_scenes(files: &mut Files, assignment: &Assignment, folder: &str) -> Resul
     }
 }
 
-/// The snapshot tests, if there are any, and the snapshots of what is public.
+/// The snapshot tests, if there are any, and the snapshots of the tasks and of the public scenes.
 fn add_tests(files: &mut Files, assignment: &Assignment, folder: &str) -> Result<()> {
     let snapshots = assignment.folder.join("tests/snapshots");
     if !snapshots.is_dir() {

@@ -1,6 +1,6 @@
 //! An autograder for Gradescope: the course, and the two scripts that Gradescope runs.
 //!
-//! It holds every golden and our answers, so it is for instructors only and never part of a
+//! It contains every golden and our answers, so it is for instructors only and never part of a
 //! student's repository.
 
 use std::fs::File;
@@ -92,8 +92,9 @@ const LIMIT: Duration = Duration::from_secs(4 * 2 + 2);
 /// is a hundred times what the reference takes for the questions of most tasks.
 const SHORTEST: Duration = Duration::from_secs(4);
 
-/// How long a submission takes if no answer ever ends, on public and on fresh questions: once
-/// beside others, once again, and then three groups of each task alone.
+/// How long a submission takes if no answer ever ends: one process at the full limit beside other
+/// submissions, two more alone, and then, at the shortest limit and for both public and fresh
+/// questions, one process for each task and for up to three of its groups.
 fn worst_case(assignment: &Assignment) -> Duration {
     let groups = assignment.tasks.iter().map(|task| task.points.len().min(3));
     let processes = groups.sum::<usize>() + assignment.tasks.len();
@@ -113,7 +114,7 @@ pub fn course(
     let word = word.map_or(String::new(), |word| word.get_name().to_owned());
     files.insert("reveal".into(), word.into_bytes());
     if let Some(folder) = fresh {
-        // Read the manifest first, to refuse a folder that does not hold goldens.
+        // Read the manifest first, to refuse a folder without goldens.
         Manifest::read(folder)?;
         reserve(folder, Purpose::Feedback)?;
         add_folder_as(&mut files, folder, "fresh", &[])?;

@@ -21,7 +21,7 @@ use pinhole_course::{manifest, stubs};
 /// Shorter lines of an answer, such as `return None;`, give nothing away.
 const LEAST_LINE: usize = 24;
 
-/// Refuses files that hold a line of one of our answers, or anything of a withheld scene.
+/// Refuses files that contain a line of one of our answers, or anything of a withheld scene.
 pub fn refuse(files: &Files, assignment: &Assignment) -> Result<()> {
     let answers = Search::new(answer_lines(assignment)?);
     let withheld = WithheldScenes::of(assignment)?;
@@ -29,7 +29,7 @@ pub fn refuse(files: &Files, assignment: &Assignment) -> Result<()> {
         if let Some(line) = answers.first_in(bytes) {
             return Err(Error::input(
                 format!("{path} would give away a line of the reference: `{line}`"),
-                "write it in another way there",
+                "write it differently there",
             ));
         }
         if let Some(what) = withheld.shown_by(path, bytes) {
@@ -126,7 +126,7 @@ impl WithheldScenes {
     }
 }
 
-/// Whether a file, of any kind, holds this word.
+/// Whether a file of any kind contains this word.
 pub fn holds_word(bytes: &[u8], word: &str) -> bool {
     let mut words = bytes.split(|byte| !byte.is_ascii_alphanumeric() && *byte != b'_');
     words.any(|found| found == word.as_bytes())

@@ -14,11 +14,12 @@ use pinhole_course::rust_tool::rust_tool;
 pub struct HandoutSize {
     /// How many files it has.
     pub files: usize,
-    /// Their size together, in bytes.
+    /// Their total size, in bytes.
     pub bytes: u64,
 }
 
-/// The largest repository that is allowed, because students fetch it again and again.
+/// The largest size of a repository, in bytes. There is a limit because students fetch the
+/// repository again and again.
 const MOST_BYTES: u64 = 20_000_000;
 
 /// How many files an error names.
@@ -30,7 +31,7 @@ pub fn write(repository: Repository, out: &Path, force: bool) -> Result<HandoutS
         .file_name()
         .map(|name| name.to_string_lossy().into_owned());
     let name = name.ok_or_else(|| {
-        let problem = format!("{} names no folder that can be made", out.display());
+        let problem = format!("{} cannot be the name of a new folder", out.display());
         Error::input(problem, "name a new folder with --out")
     })?;
     let old = before(out, &repository.assignment, force)?;
@@ -50,8 +51,8 @@ pub fn write(repository: Repository, out: &Path, force: bool) -> Result<HandoutS
         fs::read(&lock).or_fail(&cannot(&lock))?,
     );
     if vendored {
-        // Only now, because the folder that they name is not there yet, and cargo would look for
-        // it.
+        // Add these settings only now: they name a folder that is not there yet, and cargo would
+        // have looked for it.
         let settings = files.entry(CARGO_CONFIG.into()).or_default();
         settings.extend_from_slice(VENDORED.as_bytes());
         put(&fresh.0.join(CARGO_CONFIG), settings)?;
@@ -98,15 +99,15 @@ fn before(out: &Path, assignment: &str, force: bool) -> Result<Option<HandoutRec
     };
     if !force {
         return taken(
-            "is there already and not empty",
+            "already exists and is not empty",
             "name a new folder, or pass --force to replace what an earlier handout wrote there",
         );
     }
     match HandoutRecord::read(out)? {
         Some(record) if record.assignment == assignment => Ok(Some(record)),
         _ => taken(
-            "holds files that no handout of this assignment wrote",
-            "name a new folder: --force replaces an earlier handout only",
+            "contains files that no handout of this assignment wrote",
+            "name a new folder; --force replaces only an earlier handout",
         ),
     }
 }

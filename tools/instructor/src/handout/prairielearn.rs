@@ -1,7 +1,7 @@
 //! A question for PrairieLearn: its folder, and the files of the image that grades it.
 //!
-//! Follows <https://prairielearn.readthedocs.io/en/latest/externalGrading/>. The image holds every
-//! golden and our answers, so it is for instructors only.
+//! Follows <https://prairielearn.readthedocs.io/en/latest/externalGrading/>. The image contains
+//! every golden and our answers, so it is for instructors only.
 
 use std::fs;
 use std::path::Path;

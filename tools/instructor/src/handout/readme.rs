@@ -21,7 +21,7 @@ const ONLY_WITH: [(&str, &str); 2] = [
     ("<!-- meshes -->", "<!-- folder -->/scenes/meshes/README.md"),
 ];
 
-/// Replaces the course's README by a student's. A section is quoted from the first of these that
+/// Replaces the course's README with a student's. A section is quoted from the first of these that
 /// has it: the assignment's own README, the course's, the page about formats.
 pub fn adapt(files: &mut Files, assignment: &Assignment, checkout: &Checkout) -> Result<()> {
     let folder = place_of(assignment);
@@ -85,7 +85,7 @@ pub fn adapt(files: &mut Files, assignment: &Assignment, checkout: &Checkout) ->
     }
 }
 
-/// What each task is worth, and all scenes, as a table.
+/// A table of the points of each task and of all scenes.
 fn points(assignment: &Assignment) -> String {
     let mut table = "| answer | points |\n| --- | --- |\n".to_owned();
     for task in &assignment.tasks {

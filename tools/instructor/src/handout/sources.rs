@@ -66,12 +66,12 @@ pub fn add_folder_as(files: &mut Files, path: &Path, folder: &str, kinds: &[&str
     Ok(())
 }
 
-/// What a file holds.
+/// The content of a file.
 pub fn read(path: &Path) -> Result<Vec<u8>> {
     fs::read(path).or_fail(&unreadable(path))
 }
 
-/// What a text file holds, with `\n` line ends.
+/// The content of a text file, with `\n` line ends.
 pub fn read_text(path: &Path) -> Result<String> {
     match String::from_utf8(read(path)?) {
         Ok(text) => Ok(text.replace("\r\n", "\n")),

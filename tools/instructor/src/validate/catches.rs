@@ -41,7 +41,7 @@ pub struct DetectionRow {
 }
 
 impl DetectionTable {
-    /// Counts over single mistakes and mutants.
+    /// Counts single mistakes and mutants.
     pub fn count(
         validator: &Validator,
         judged: &[SubmissionVerdict],

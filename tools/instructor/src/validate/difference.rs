@@ -47,7 +47,7 @@ impl fmt::Display for Difference {
         }
         write!(
             f,
-            "answers otherwise: {} of {} questions, and {} of {} exact ties",
+            "answers differ on {} of {} questions and on {} of {} exact ties",
             self.elsewhere, self.asked, self.on_ties, self.ties
         )?;
         match &self.example {

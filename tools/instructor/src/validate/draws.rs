@@ -46,7 +46,7 @@ pub struct DrawnGroup {
     pub name: String,
     /// The group, as `task.group`.
     pub group: String,
-    /// The share of questions that are wrong, of all seeds together.
+    /// The share of questions that are answered wrongly, for all seeds together.
     pub rate: f64,
     /// The number of seeds that were asked.
     pub seeds: usize,
@@ -213,7 +213,7 @@ fn wrong_answers(validator: &Validator, task: &Task, named: &str) -> Result<Vec<
 fn folders(folder: &Path) -> Result<Vec<PathBuf>> {
     let entries = fs::read_dir(folder).or_input(
         format_args!("cannot read {}", folder.display()),
-        "name a folder of folders of fresh questions",
+        "name a folder that contains folders of fresh questions",
     )?;
     let is_draw = |path: &PathBuf| path.join("probes").is_dir();
     let paths = entries.flatten().map(|entry| entry.path());
@@ -222,7 +222,7 @@ fn folders(folder: &Path) -> Result<Vec<PathBuf>> {
     match folders.is_empty() {
         false => Ok(folders),
         true => Err(Error::input(
-            format!("{} holds no folder of fresh questions", folder.display()),
+            format!("{} contains no folder of fresh questions", folder.display()),
             "make some: cargo pinhole golden render --seed N --out DIR/N",
         )),
     }

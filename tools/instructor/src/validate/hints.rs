@@ -1,4 +1,4 @@
-//! Checks that the hints of known mistakes are short and easy to read, and have a case in
+//! Checks that the hints of known mistakes are short and easy to read, and have an example in
 //! numbers.
 
 use pinhole_course::mistake::{Hint, MistakeFolder};

@@ -222,7 +222,7 @@ impl MutantVerdict {
                 difference,
             } => {
                 let word = if is_listed {
-                    "listed, but its claim does not agree"
+                    "listed, but the search disagrees"
                 } else {
                     "missed"
                 };

@@ -7,8 +7,7 @@
 //! Rust, and those of this subject: a component or vector mistaken for its neighbour, a reversed
 //! cross product, a length left squared.
 //!
-//! Only the text of the change is replaced, so that the rest of a mutant reads like the
-//! reference.
+//! Only the changed text is replaced, so the rest of a mutant reads like the reference.
 
 mod operators;
 mod sites;
@@ -48,7 +47,7 @@ pub enum Operator {
     Arithmetic,
     /// `&&` for `||`, `||` for `&&`, or one side alone (LCR).
     Logical,
-    /// Another comparison, or always, or never (ROR).
+    /// Another comparison, or `true`, or `false` (ROR).
     Relation,
     /// A sign or a `!` inserted or left out (UOI).
     Unary,

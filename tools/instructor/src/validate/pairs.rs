@@ -210,7 +210,7 @@ impl Belief {
             match (found.next(), found.next()) {
                 (Some((start, _)), None) => Ok(start..start + was.len()),
                 _ => Err(Error::input(
-                    format!("{FILE}: the reference does not have this once: {was}"),
+                    format!("{FILE}: the reference does not contain this exactly once: {was}"),
                     "follow the reference there",
                 )),
             }
@@ -230,7 +230,7 @@ impl Pairs {
         let (judged, named) = (self.names.all(), self.names.right + self.names.among);
         if judged >= FEW && (named as f64) < ENOUGH * judged as f64 {
             faults.push(format!(
-                "of {judged} pairs of beliefs only {named} get a right name"
+                "of {judged} pairs of beliefs, only {named} get a right name"
             ));
         }
         faults.extend(self.sentences.faults("pairs"));

@@ -53,7 +53,7 @@ impl Kind {
         Kind::NormalTilt,
     ];
 
-    /// The largest step that is tried: 32 pixels, ten times, 1.3 radians.
+    /// The largest step that is tried: 32 pixels, a share of 10, 1.3 radians.
     fn last_step(self) -> i32 {
         match self {
             Kind::CameraShift => 15,

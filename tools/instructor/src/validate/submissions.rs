@@ -64,7 +64,7 @@ pub struct SubmissionVerdict {
     pub naming: SubmissionDiagnosisCounts,
 }
 
-/// Judges the stub and the reference by everything.
+/// Judges the stub and the reference on everything.
 pub fn pristine(validator: &Validator) -> Result<PristineVerdicts> {
     let all = [stub(validator)?, overlay::reference(validator.assignment)?];
     let examined = validator.all("stub and reference", &all, |submission| {
@@ -78,7 +78,7 @@ pub fn pristine(validator: &Validator) -> Result<PristineVerdicts> {
         |film: &FilmOutcome| matches!(film, FilmOutcome::Unanswered | FilmOutcome::Blocked { .. });
     let (stub, reference) = (&stub.outcome, &reference.outcome);
     let answered = films(stub).filter(|(_, film)| !is_empty(film));
-    faults.extend(answered.map(|(name, _)| format!("the stub is not unanswered in {name}")));
+    faults.extend(answered.map(|(name, _)| format!("the stub counts as answered in {name}")));
     let wrong = films(reference).filter(|(_, film)| !film.passes());
     faults.extend(wrong.map(|(name, _)| format!("false fail: the reference fails {name}")));
     Ok(PristineVerdicts {
@@ -197,9 +197,9 @@ fn judge_all(
         };
         if let Some(folder) = overlay.folders.iter().find(is_empty) {
             return Err(Error::input(
-                format!("{} holds no answer file", folder.display()),
-                "put the file that differs from the reference there, or remove the folder and \
-                 what names it",
+                format!("{} contains no answer file", folder.display()),
+                "put the file that differs from the reference there, or remove the folder and the \
+                 entries that name it",
             ));
         }
         let base = bases.of(overlay.under);

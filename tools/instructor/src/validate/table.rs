@@ -82,7 +82,7 @@ fn submissions(validation: &Validation) -> String {
     text += &row(points == possible, "reference", reference);
     if let Some(mistakes) = &validation.mistakes {
         let compound = mistakes.judged.iter().filter(|judged| !judged.single);
-        let both = format!("; {} of them hold two beliefs", compound.count());
+        let both = format!("; {} of them combine two beliefs", compound.count());
         text += &failing("mistakes", mistakes, &both);
         text += &capped(mistakes);
     }

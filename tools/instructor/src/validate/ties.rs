@@ -1,8 +1,8 @@
 //! Questions of which many are exact ties, drawn by the assignment's Python.
 //!
-//! A tie is a question whose answer depends on comparing two equal numbers: t exactly `min_t`,
-//! a ray exactly through an edge, two objects at the same t. Goldens in 32-bit floats cannot
-//! judge ties, so they hold none.
+//! A tie is a question whose answer depends on comparing two equal numbers: t exactly `min_t`, a
+//! ray exactly through an edge, two objects at the same t. Goldens in 32-bit floats cannot judge
+//! ties, so they contain none.
 
 use pinhole::Film;
 use pinhole::kind::Questions;

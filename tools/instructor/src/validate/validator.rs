@@ -72,7 +72,7 @@ impl Validator<'_> {
     }
 
     /// Asks a submission everything, but reuses replies that depend only on files of `base`.
-    /// These are asked of one submission only.
+    /// The questions behind those replies are asked only once.
     pub fn examine_over(&self, submission: &Submission, base: &Base) -> Result<Examination> {
         let program = self.compiler.compile(submission)?;
         let known = base.replies_for(submission, self)?;

@@ -197,8 +197,8 @@ fn a_class_gets_the_same_grades_with_any_number_of_jobs_and_a_full_report() {
     }
 }
 
-/// A validator from the Python package index, with the schema of GitHub's workflows. A validator
-/// in Rust would have its dependencies built with other features, and so ours built twice.
+/// A validator from the Python package index, with the schema of GitHub's workflows. A validator in
+/// Rust would need some of our dependencies with other features, so cargo would build them twice.
 pub fn check_jsonschema() -> Command {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
     Command::new(PROGRAM.get_or_init(|| {

@@ -111,7 +111,7 @@ fn a_rewrite_of_a_mistake_must_fail_as_well() {
 #[test]
 fn a_compound_is_composed_of_its_beliefs_answers_and_of_their_rewrites() {
     let out = &wrong_verdicts().out;
-    assert!(out.contains("; 1 of them hold two beliefs"), "{out}");
+    assert!(out.contains("; 1 of them combine two beliefs"), "{out}");
     let table = out.split("two beliefs at once").nth(1).expect("it counts");
     let tasks = table.lines().nth(1).expect("a row for tasks");
     let words: Vec<&str> = tasks.split_whitespace().collect();
@@ -188,13 +188,13 @@ fn escaped_mutant_is_a_fault_unless_listed_as_equivalent() {
     write(&course, "equivalent.toml", &never);
     let ran = validate(&course, &only_these).expect_code(1);
     let ran = ran.expect_out("  - if discriminant < 0.0 {\n  + if discriminant <= 0.0 {\n");
-    let ran = ran.expect_out("answers otherwise: 0 of ");
+    let ran = ran.expect_out("answers differ on 0 of ");
     ran.expect_out("2 targets are missed");
 
     let wrongly = listed("if discriminant == 0.0 {", "nowhere");
     write(&course, "equivalent.toml", &[never, ties, wrongly].concat());
     let ran = validate(&course, &only_these).expect_code(1);
-    let ran = ran.expect_out("✗ listed, but its claim does not agree: sphere.rs:");
+    let ran = ran.expect_out("✗ listed, but the search disagrees: sphere.rs:");
     ran.expect_out("1 target is missed");
 }
 
@@ -244,7 +244,11 @@ fn two_beliefs_in_one_answer_are_both_named_and_their_edits_must_fit() {
     let gone = edit("plane_tests_zero", "(t >= maximum)", "(t >= 0.0)");
     write(&course, "pairs.toml", &[long, gone].concat());
     let ran = validate(&course, &only_these).expect_code(2);
-    assert!(ran.out.contains("does not have this once"), "{}", ran.out);
+    assert!(
+        ran.out.contains("does not contain this exactly once"),
+        "{}",
+        ran.out
+    );
 }
 
 #[test]

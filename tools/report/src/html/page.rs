@@ -137,7 +137,7 @@ pub fn write(path: &Path, page: &str) -> std::io::Result<()> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder)?;
     }
-    // Never replace a pipe or a device by a file.
+    // Never replace a pipe or a device with a file.
     if path.metadata().is_ok_and(|metadata| !metadata.is_file()) {
         return std::fs::write(path, page);
     }

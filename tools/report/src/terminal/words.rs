@@ -166,9 +166,9 @@ pub fn diagnosis(diagnosis: &Diagnosis) -> String {
 }
 
 /// How much one belief of a diagnosis explains: “98 % of”, “part of”. If several beliefs explain
-/// something together, no shares are given: what two of them spoil together is in neither share,
-/// so it would look as if a third were missing. Nor is a small share given: the belief was named
-/// for a part of the answers, such as t, and an answer counts only if all its parts agree.
+/// something together, no shares are given: what two of them spoil together is in neither share, so
+/// it would look as if a third belief were missing. Nor is a small share given: the belief was
+/// named for a part of the answers, such as t, and an answer counts only if all its parts agree.
 pub fn share(explained: f64, diagnosis: &Diagnosis) -> String {
     match (diagnosis.beliefs.len(), diagnosis.reading) {
         (2.., Reading::Together) => "part of".into(),
@@ -177,7 +177,7 @@ pub fn share(explained: f64, diagnosis: &Diagnosis) -> String {
     }
 }
 
-/// A share in words; “all” and “none” only if nothing is left to round.
+/// A share in words; “all” and “none” only if the share is exactly that.
 pub fn percent(share: f64) -> String {
     match share {
         share if share >= 1.0 => "all".into(),

@@ -18,9 +18,10 @@ use mesh::{Mesh, ball, of_assignment};
 use pinhole_study::speed::{Workload, race};
 use rays::Ray;
 
-/// Targets: our time over Embree's should be at most this, for primary and for incoherent rays.
+/// Targets: our time divided by Embree's should be at most this, for primary and for incoherent
+/// rays.
 const OVER_EMBREE: [f64; 2] = [1.5, 2.5];
-/// Target: the time of parry3d in `f64` over ours should be at least this.
+/// Target: the time of parry3d in `f64`, divided by ours, should be at least this.
 const OVER_PARRY: f64 = 2.0;
 
 /// Largest difference of two t that agree: a hundred unit roundoffs of `f32`. The rounded
@@ -91,11 +92,11 @@ fn compare(mesh: &Mesh, kind: &str, rays: &[Ray], over_embree: f64, seconds: f64
         println!("{what} {target:.1}: {measured:.2}, {verdict}");
     };
     if let Some(over) = robust.map(|robust| exact / robust) {
-        let what = "ours, exact, over Embree robust, at most";
+        let what = "our exact time divided by that of Embree robust, at most";
         tell(what, over_embree, over, over <= over_embree);
     }
     if let Some(over) = time(peer::PARRY).map(|parry| parry / exact) {
-        let what = "parry3d-f64 over ours, exact, at least";
+        let what = "time of parry3d-f64 divided by ours, exact, at least";
         tell(what, OVER_PARRY, over, over >= OVER_PARRY);
     }
 }

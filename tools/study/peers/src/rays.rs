@@ -6,7 +6,7 @@ use pinhole_study::random::Random;
 use crate::mesh::Mesh;
 use crate::peer::ours;
 
-/// A ray in `f32`; the direction is not unit length.
+/// A ray in `f32`; the direction need not be unit length.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
     /// The point at t = 0.

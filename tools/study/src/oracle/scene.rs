@@ -13,13 +13,13 @@ use crate::shape::Ray;
 use crate::vector::Vector;
 
 /// What a ray truly hits first; `None` for a miss. Edges count as hits, and of parts at exactly the
-/// same t the one listed first wins.
+/// same t, the one listed first wins.
 pub type TrueHit<'a> = Option<(&'a Part, Root)>;
 
 /// An answer compared with the true first hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HitComparison {
-    /// A miss, rightly.
+    /// A miss, correctly.
     Miss,
     /// The wrong object, a miss instead of a hit, or a hit instead of a miss.
     AnotherObject,

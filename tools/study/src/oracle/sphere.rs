@@ -6,8 +6,8 @@ use super::{Exact, HasTruth, Root, Truth, fraction, sign};
 use crate::question::Question;
 use crate::shape::Sphere;
 
-/// Bits of a computed square root. The roots of the quadratic are formed without cancellation,
-/// so that they keep all but a few of these.
+/// Bits of a computed square root. The roots of the quadratic are formed without cancellation, so
+/// they keep all but a few of these.
 pub const BITS: usize = 340;
 
 impl HasTruth for Sphere<f64> {

@@ -14,7 +14,7 @@ pub struct Truth {
     /// A sphere's other root, which a kernel may return by mistake.
     pub other: Option<Root>,
     /// Whether an exact equality decides: a tangent ray, a hit on an edge, t = `min_t`. Such a
-    /// question has a true answer, but a kernel is not blamed for another.
+    /// question has a true answer, but a kernel is not blamed for giving another.
     pub is_tie: bool,
 }
 

@@ -1,10 +1,10 @@
 //! Bounds on the rounding errors of a hit by the exact caster.
 //!
-//! The exact caster never gets the part wrong, nor which part is first. For every ray and every
-//! scene, its t is proven to [`PROVEN_T`] without any bound of this file. For more accuracy,
-//! [`of_t`] computes a forward error bound of one hit, in the manner of Higham, *Accuracy and
-//! Stability of Numerical Algorithms*, 2nd ed., §§2–3. It counts first-order terms, with
-//! constants rounded up to cover the rest. [`of_normal`] bounds the error of a normal, given
+//! The exact caster is never wrong about which parts a ray hits, or which of them comes first. For
+//! every ray and every scene, its t is proven to [`PROVEN_T`] without any bound of this file. For
+//! more accuracy, [`of_t`] computes a forward error bound of one hit, in the manner of Higham,
+//! *Accuracy and Stability of Numerical Algorithms*, 2nd ed., §§2–3. It counts first-order terms,
+//! with constants rounded up to cover the rest. [`of_normal`] bounds the error of a normal, given
 //! the error of t.
 //!
 //! These bounds are relative, so they hold only if no number underflows or overflows. This is
@@ -61,7 +61,7 @@ pub fn of_t(shape: &Primitive, ray: &ScaledRay<f64>) -> f64 {
 ///
 /// 1. The error of l is at most λ = 16u|f|, of which [`crate::kernel::sphere::Adaptive`] counts
 ///    12u|f|.
-/// 2. The error of s² = r² − |l|² is at most ω = 2(r + λ)λ + λ² + 8u(r + λ)², so that of s is
+/// 2. The error of s² = r² − |l|² is at most ω = 2(r + λ)λ + λ² + 8u(r + λ)², and the error of s is
 ///    at most σ = ω/(s + ŝ) ≤ ω/s. It is also at most √ω, even for a grazing ray.
 /// 3. t|d| is q or c/q with q = |h|/|d| + s. The error of q is at most λ + σ plus six
 ///    roundings, and that of c = |f|² − r² at most χ = 8u|f|² + 3ur². Always q ≥ √|c|, because

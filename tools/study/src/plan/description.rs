@@ -17,9 +17,9 @@ fn count(parts: usize, kind: &str) -> String {
 fn outputs(wish: AccuracyTarget) -> &'static str {
     match (wish.depth, wish.normal) {
         (true, true) => "t and normals",
-        (true, false) => "t (normals are not asked for; the film has 0)",
-        (false, true) => "normals (t is not asked for; the film has 0)",
-        (false, false) => "neither t nor normals, which the film has as 0",
+        (true, false) => "t (normals are not asked for, and are 0 in the film)",
+        (false, true) => "normals (t is not asked for, and is 0 in the film)",
+        (false, false) => "neither t nor normals (both are 0 in the film)",
     }
 }
 
@@ -38,7 +38,7 @@ fn how(kind: &KindPlan, wish: AccuracyTarget) -> String {
     match kind.watched {
         false => format!("f64; proven for every ray: {proven}"),
         true => format!(
-            "f64 with an error bound for each hit, and exactly where it exceeds X; proven for every \
+            "f64 with a bound for each hit; exact where that exceeds X; proven for every \
              ray: {proven}"
         ),
     }
@@ -86,7 +86,7 @@ pub fn description(plan: &Plan, scene: &str) -> String {
     if wish.depth || wish.normal {
         line(
             "note",
-            "film.exr holds f32: it keeps 7 digits of all this, and t from 1e-38 to 3e38",
+            "film.exr stores f32 numbers: 7 digits of all this, and t from 1e-38 to 3e38",
         );
     }
     text

@@ -6,7 +6,7 @@ use crate::result::{ConditioningErrors, Findings};
 /// Draws a panel for each shape.
 pub fn svg(findings: &Findings) -> String {
     let mut paper = Paper::default();
-    let note = "whole lines: f64; dashes: f32; thin: what half an ulp";
+    let note = "solid lines: f64; dashes: f32; thin: what half an ulp";
     paper.word((14.0, 14.0), Anchor::Start, note);
     let note = "in each number of the question can do to t";
     paper.word((14.0, 34.0), Anchor::Start, note);

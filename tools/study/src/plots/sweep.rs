@@ -12,7 +12,7 @@ pub fn svg(sweeps: &[&Sweep]) -> String {
     let names = names(judged().map(|judged| judged.kernel.as_str()));
     let mut paper = Paper::default();
     let next = legend(&mut paper, 14.0, &names);
-    let note = "whole lines: f64; dashes: f32";
+    let note = "solid lines: f64; dashes: f32";
     paper.word((20.0, next), Anchor::Start, note);
 
     let exponents = || points().map(|point| f64::from(point.exponent));
@@ -59,7 +59,7 @@ pub fn svg(sweeps: &[&Sweep]) -> String {
 fn unit_of(rest: &str) -> String {
     match rest.trim() {
         "" => String::new(),
-        "of it" => ", over it".into(),
+        "of it" => ", divided by it".into(),
         unit => format!(", in {unit}"),
     }
 }

@@ -1,4 +1,4 @@
-//! The command line of the study's program, and the texts of its `--help`.
+//! The command line of the study's program, and the text of its `--help`.
 
 use std::path::PathBuf;
 
@@ -114,9 +114,9 @@ pub struct Render {
     pub scene: String,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Cast with the exact caster, which never shows a wrong object and keeps t and normals to
-    /// 1e-12: what rounding leaves undecided is decided by exact arithmetic, and counted. Edges
-    /// are part of a triangle. The rays themselves are rounded to f64 first
+    /// Cast with the exact caster, which never shows a wrong object and keeps t and normals
+    /// accurate to 1e-12. What rounding leaves undecided is decided by exact arithmetic, and
+    /// counted. Edges are part of a triangle. The rays themselves are rounded to f64 first
     #[arg(long)]
     pub exact: bool,
     /// Cast in the cheapest way that keeps t and normals this accurate, which `pinhole plan`
@@ -157,7 +157,7 @@ pub struct Record {
     pub seed: u64,
 }
 
-/// What a planned film should hold.
+/// What a planned film should contain.
 #[derive(Args)]
 pub struct FilmOptions {
     /// For a plan: what to compute for each pixel; everything else is 0 in the film [default:

@@ -17,7 +17,7 @@ pub fn run(arguments: &Record) -> Status {
     let end = from + rounds;
     let (mut from, mut is_well) = (from, true);
     while from < end {
-        // Report every thousand rounds, so that a crash loses no more than these.
+        // Report every thousand rounds, so that a crash loses at most those.
         let to = end.min(from + 1_000);
         let Count {
             asked,

@@ -102,7 +102,7 @@ fn a_verdict_says_how_long_it_took() {
     watch.judge("sphere", true);
     let judged = text(&frame(&watch.state, 80, 24));
     assert!(
-        judged.contains("judged 1.00 s after you saved; n goes on"),
+        judged.contains("judged 1.00 s after you saved; press n to go on"),
         "{judged}"
     );
 }

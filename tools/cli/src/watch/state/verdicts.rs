@@ -35,7 +35,7 @@ impl State {
             && !self.item().is_some_and(is_saved)
         {
             self.go_to(first.clone());
-            self.say(format!("you saved {0}.rs, so this is {0}", first.name()));
+            self.say(format!("you saved {0}.rs; now showing {0}", first.name()));
         }
         if !saved.is_empty() {
             self.report_wanted = false;

@@ -135,8 +135,8 @@ const CALL: &str = "
 
 /// Attacks by system calls: name, and an expression that is true if one of them works.
 const CALLS: [(&str, &str); 6] = [
-    // Once most of a shared mapping is unmapped, its memory counts for nobody. The other call
-    // takes from a pool of the whole machine.
+    // Once most of a shared mapping is unmapped, its memory is counted for no process. The other
+    // call takes from a pool that the whole machine shares.
     (
         "memory-of-nobody",
         "call(9, 0, 1 << 20, 3, 0x21, usize::MAX) > 0 || { let id = 0_u64; call(206, 1, &raw const id as usize, 0, 0, 0) == 0 }",
@@ -153,7 +153,7 @@ const CALLS: [(&str, &str); 6] = [
         "watches-a-folder",
         "call(253, 0, 0, 0, 0, 0) >= 0 || { let folder = call(2, b\"/usr/lib\\0\".as_ptr() as usize, 0o200000, 0, 0, 0); folder >= 0 && call(72, folder as usize, 1026, 1, 0, 0) == 0 }",
     ),
-    // The second call is as new as Linux 6.15.
+    // The second call exists only since Linux 6.15.
     (
         "opens-a-mount",
         "[428, 467].into_iter().any(|n| call(n, here, b\"/\\0\".as_ptr() as usize, 1, 0, 0) != -38)",
@@ -249,7 +249,7 @@ fn attacks_at_run_time_cost_only_their_own_task() {
             Outcome("died"),
             "eprintln!(\"pinhole: the sandbox could not be set up\"); std::process::exit(125);",
         ),
-        // As a shell reports that a limit of the kernel ended a process.
+        // This is how a shell reports that a limit of the kernel ended a process.
         attack(
             "exit-like-a-limit",
             Outcome("died"),

@@ -8,7 +8,7 @@ use pinhole_testing::{pinhole, root, submission};
 
 const EVIL: &str = "<script>alert(1)</script><img src=x onerror=alert(2)>\u{1b}[2J\u{1b}]0;owned\u{7}\u{202e}\r\n=HYPERLINK(1)";
 
-/// Checks that a text holds nothing that a terminal or a browser would obey.
+/// Checks that `text` contains nothing that a terminal or a browser would obey.
 #[track_caller]
 fn is_tame(text: &str, what: &str) {
     for order in ["\u{1b}[2J", "\u{1b}]0;", "\u{7}", "\u{202e}"] {

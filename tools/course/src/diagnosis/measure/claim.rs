@@ -16,8 +16,8 @@ pub enum Claim {
     Nearly { misses: bool },
     /// Hits are missed, or invented, where the rule says.
     Decision { misses: bool, rule: Rule },
-    /// The wrong values of a part follow a law: this share of them, and where the rule says. Of
-    /// the samples on this side only, if there is one.
+    /// This share of the wrong values of a part follow a law, where the rule says so. If there is a
+    /// side, only the samples on that side count.
     Part {
         part: usize,
         law: PartLaw,

@@ -33,7 +33,7 @@ pub enum Law {
 pub enum PartLaw {
     /// All axes follow the same law.
     Whole(Law),
-    /// Each axis has a fate of its own.
+    /// Each axis is right or wrong in its own way.
     Axes(Vec<AxisLaw>),
     /// Only the length follows a law.
     Length(Law),
@@ -178,7 +178,7 @@ impl Law {
 
     /// How one value of a sample compares with it.
     fn stand(self, sample: &Sample, part: usize, place: Place) -> Fit {
-        // There is no right value below a limit that another could follow from.
+        // A part that only has a limit has no right value that a wrong one could follow from.
         let is_limited = sample.is_limited(part);
         if is_limited && !matches!(self, Law::Quantity(1.0, _) | Law::Other(_)) {
             return Fit::Breaks;
@@ -216,7 +216,7 @@ fn simple(number: f64) -> Option<f64> {
 }
 
 impl PartLaw {
-    /// Whether it says all values of the part.
+    /// Whether it determines all values of the part.
     pub fn is_complete(&self) -> bool {
         match self {
             PartLaw::Whole(_) => true,

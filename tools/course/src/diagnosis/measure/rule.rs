@@ -99,7 +99,7 @@ const LEAST: usize = 8;
 /// A statement that holds for more than this share of the right samples is useless.
 const TELLING: f64 = 0.34;
 
-/// A rule that holds in a smaller share of the wrong samples than one in so many says too little.
+/// A rule that holds in less than one in this many of the wrong samples says too little.
 const LEAST_COVERED: usize = 4;
 
 /// The simplest rule that separates the wrong samples from the right ones. It is found on one
@@ -157,7 +157,7 @@ pub fn find(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Option<Rul
 /// The condition that holds in most of the wrong samples, and in no right one.
 fn partly(literals: &[Literal], wrong: &[&Sample], stands: &dyn Fn(&Rule) -> bool) -> Option<Rule> {
     let covered = |literal: &Literal| wrong.iter().filter(|it| literal.holds(it)).count();
-    // A bound is drawn where no right sample lies, so it needs no reason.
+    // Don't try bounds: each is chosen to separate these samples, so it proves nothing.
     let mut conditions: Vec<Literal> = literals
         .iter()
         .filter(|literal| matches!(literal, Literal::Holds(..)))
@@ -195,7 +195,7 @@ fn literals(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Vec<Litera
         if wrong.iter().chain(&right).any(|value| !value.is_finite()) {
             continue;
         }
-        // A count's bound is next to the wrong samples, where it is sure.
+        // A count's bound is right next to the wrong samples, where we are sure of it.
         let bound = |wrong: f64, right: f64| match first.quantities[k].is_count {
             true => wrong + 0.5 * (right - wrong).signum(),
             false => between(wrong, right),

@@ -35,8 +35,8 @@ pub struct Sample {
     pub fits: bool,
 }
 
-/// Values that differ by at most this share of themselves count as the same: computed in
-/// another order, or rounded to 32 bits.
+/// Values that differ by at most this share of themselves count as the same, because they may be
+/// computed in another order or rounded to 32 bits.
 pub const SAME: f64 = 2e-5;
 
 /// All questions of these films that were answered and are not exempt.
@@ -129,14 +129,14 @@ impl Sample {
         })
     }
 
-    /// Whether a part can be compared: both answers have it. All but the object is compared
-    /// only where the object is right.
+    /// Whether a part can be compared: both answers have it. All parts except the object are
+    /// compared only where the object is right.
     pub fn is_comparable(&self, part: usize) -> bool {
         self.both(part).is_some() && (part == 0 || self.is_same_object())
     }
 
-    /// Whether both answers hit the same object. If they don't, comparing other parts would
-    /// tell nothing.
+    /// Whether both answers hit the same object. If they don't, comparing other parts would tell us
+    /// nothing.
     pub fn is_same_object(&self) -> bool {
         let parts = self.right.iter().flatten().enumerate();
         let mut objects = parts.filter(|(_, part)| part.is_object());

@@ -258,7 +258,8 @@ fn tree_with(misplaced: usize) -> TreeMeasures {
     }
 }
 
-/// What is said about trees with these measures, where all but misplaced triangles may be up to 8.
+/// What is said about trees with these measures. All measures except misplaced triangles may be up
+/// to 8.
 fn said_of_trees(measures: impl Fn(usize) -> TreeMeasures) -> Vec<String> {
     let question = || TreeQuestion {
         boxes: vec![

@@ -184,8 +184,8 @@ fn file_that_is_not_an_archive_is_refused_with_a_reason() {
     assert!(refusal.contains("more than 50000"), "{refusal}");
 }
 
-/// A list of contents alone: one local entry, and as many entries as `names` that all point at
-/// it.
+/// An archive with nothing but a list of contents: one local entry, and an entry for each of
+/// `names` that points at it.
 fn listing(names: impl Iterator<Item = Vec<u8>>) -> Vec<u8> {
     let (mut bytes, mut list, mut count) = (Vec::new(), Vec::new(), 0_u16);
     for name in names {
@@ -217,7 +217,7 @@ fn listing(names: impl Iterator<Item = Vec<u8>>) -> Vec<u8> {
 /// The most memory that this process has used so far, in KiB.
 #[cfg(target_os = "linux")]
 fn peak_memory() -> u64 {
-    let status = fs::read_to_string("/proc/self/status").expect("Linux tells");
+    let status = fs::read_to_string("/proc/self/status").expect("Linux has it");
     let line = status.lines().find(|line| line.starts_with("VmHWM"));
     let number = line.and_then(|line| line.split_whitespace().nth(1));
     number.and_then(|text| text.parse().ok()).expect("a number")

@@ -11,7 +11,7 @@ use crate::grade::intake::roster::Person;
 pub struct Concern {
     pub what: &'static str,
     pub which: Vec<String>,
-    /// Whether someone may have lost points because of it. Then the exit code is 1.
+    /// Whether someone may have lost points because of it. If so, the exit code is 1.
     pub is_grave: bool,
 }
 
@@ -37,8 +37,12 @@ impl Roll {
                 true,
                 entries(&|it| &it.unusable),
             ),
-            ("other files may be meant", true, entries(&|it| &it.doubts)),
-            ("not certain whose it is", true, ambiguous.collect()),
+            (
+                "whose files you should check",
+                true,
+                entries(&|it| &it.doubts),
+            ),
+            ("whose owner is uncertain", true, ambiguous.collect()),
             ("not on the roster", true, self.names(&placed.unknown)),
             (
                 "matched by a name or login that people may choose: add the platform's \
@@ -53,7 +57,7 @@ impl Roll {
             ),
             ("nothing handed in", false, people(&placed.missing)),
             (
-                "read in spite of another name or encoding",
+                "read in spite of an unexpected name or encoding",
                 false,
                 entries(&|it| &it.notes),
             ),

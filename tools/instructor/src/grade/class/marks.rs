@@ -18,7 +18,7 @@ use crate::grade::record::RecordSummary;
 pub struct Rows<'a> {
     /// One for each submission.
     pub own: Vec<Row<'a>>,
-    /// For people whose group has handed in for them.
+    /// For people whose group has handed something in for them.
     pub shared: Vec<Row<'a>>,
     /// What the policy could not decide.
     pub concerns: Vec<Concern>,
@@ -38,7 +38,8 @@ pub fn rows<'a>(roll: &'a Roll, records: &'a BTreeMap<String, RecordSummary>) ->
         own: roll.entries.iter().map(row).collect(),
         ..Rows::default()
     };
-    // Without a policy, nothing is taken off, but still one submission counts for a person.
+    // Without a policy, no points are taken off, but only one submission still counts for each
+    // person.
     let nothing = Policy::default();
     apply(roll.policy.as_ref().unwrap_or(&nothing), roll, &mut rows);
     rows
@@ -96,7 +97,7 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
             open.late_sometime,
         ),
         (
-            "nothing says when it was handed in: taken as in time; give a table of times",
+            "nothing says when it was handed in: counted as on time; give a table of times",
             true,
             open.unknown,
         ),

@@ -25,8 +25,8 @@ use pinhole_course::sandbox::{Limits, Sandbox, time_of_children};
 /// An answer may take this many times the reference's own time.
 const TIMES: u32 = 100;
 
-/// How much too short a measured time may be: the user's and the system's clock may each lag by a
-/// tick.
+/// By how much a measured time may be too short: the counts of user time and of system time may
+/// each lag by a tick.
 const TICKS: Duration = Duration::from_millis(20);
 
 /// The reference's own limit.
@@ -37,7 +37,7 @@ pub struct Pace {
     /// The shortest limit.
     least: Duration,
     took: BTreeMap<String, Duration>,
-    /// How long it takes for everything.
+    /// How long the reference takes for everything.
     all: Duration,
 }
 
@@ -106,8 +106,8 @@ impl Pace {
         })
     }
 
-    /// How long a whole submission may take on the clock: also a hundred times what the reference
-    /// takes. It ends code that stays just below every other limit.
+    /// How long a whole submission may take by the wall clock: also a hundred times what the
+    /// reference takes. This limit ends code that stays just below every other limit.
     pub fn whole(&self) -> Duration {
         (self.least * WHOLE).max(rounded(self.all * TIMES))
     }
@@ -163,7 +163,7 @@ impl<'a> SubmissionClock<'a> {
         )
     }
 
-    /// Whether something was late, so that the submission must be graded again, alone.
+    /// Whether something was late. If so, the submission must be graded again, alone.
     pub fn was_late(&self) -> bool {
         self.late.load(Ordering::Relaxed)
     }

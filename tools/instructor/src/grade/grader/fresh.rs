@@ -21,7 +21,7 @@ use pinhole_course::seed::Seed;
 
 /// The fresh questions of a class.
 pub struct Questions {
-    /// The folder that holds them, or will hold them.
+    /// The folder that contains them, or will contain them.
     pub folder: PathBuf,
     /// The seed to draw them from, if the user chose one.
     pub seed: Option<Seed>,
@@ -233,7 +233,7 @@ mod tests {
         let seeds: Vec<u128> = (0..64).map(|_| random_seed().expect("random").0).collect();
         let any = seeds.iter().fold(0, |any, seed| any | seed);
         let all = seeds.iter().fold(u128::MAX, |all, seed| all & seed);
-        // With random bits, one in 2^57 tries fails.
+        // With random bits, one in 2^56 tries fails.
         assert_eq!((any, all), (u128::MAX, 0));
     }
 }

@@ -12,7 +12,7 @@ use pinhole_course::assignment::{Assignment, Task};
 use pinhole_course::submission::text::Text;
 use pinhole_course::submission::{Answer, AnswerFileProblem, Submission};
 
-/// The answers that were found, and notes on how.
+/// The answers that were found, and notes on how they were read.
 #[derive(Clone, Debug)]
 pub struct Choice {
     pub submission: Submission,
@@ -35,14 +35,14 @@ impl Candidate<'_> {
         self.upload.path.join("/")
     }
 
-    /// How deep the folder is that holds the file, or the package with the file.
+    /// The depth of the folder that contains the file, or of its package if the file is in `src`.
     fn depth(&self) -> usize {
         let folders = &self.upload.path[..self.upload.path.len() - 1];
         folders.len() - usize::from(folders.last().is_some_and(|last| last == "src"))
     }
 
-    /// The folder that holds the course's repository, if the file lies where the repository
-    /// keeps a student's answers.
+    /// The folder of the course's repository, if the file is where the repository keeps a student's
+    /// answers.
     fn repository(&self) -> Option<&[String]> {
         match &self.upload.path[..] {
             [root @ .., assignments, _, handout, src, _]
@@ -84,7 +84,7 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
             Content::Folder => {}
         }
     }
-    // A copy of the course's repository holds files of the same names elsewhere too.
+    // A copy of the course's repository contains files of the same names elsewhere too.
     let roots = candidates.iter().filter_map(|(_, one)| one.repository());
     let roots: BTreeSet<Vec<String>> = roots.map(<[String]>::to_vec).collect();
     let mut outside = Vec::new();
@@ -120,7 +120,7 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
     }
     if !outside.is_empty() {
         let doubt = format!(
-            "what lies in `handout/src` was taken, and not {}",
+            "the files in `handout/src` were taken, and not {}",
             first(&outside).join(", ")
         );
         choice.doubts.push(doubt);
@@ -183,7 +183,7 @@ impl Choice {
     }
 }
 
-/// The part of a path that distinguishes two files.
+/// What distinguishes two files: their texts or, if they were refused, the reasons.
 fn said(text: &Text) -> &str {
     match text {
         Ok(text) => text,

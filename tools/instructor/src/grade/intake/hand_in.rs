@@ -47,7 +47,7 @@ impl Upload {
 /// The names at the top of a source, and everything below each.
 pub type Tops = BTreeMap<String, Vec<FoundFile>>;
 
-/// Sorts files by the names at the top.
+/// Groups files by the first part of their paths.
 pub fn tops(found: Vec<FoundFile>) -> Tops {
     let mut tops = Tops::new();
     for found in found {
@@ -63,8 +63,8 @@ pub fn account(name: &str) -> String {
     names::platform(name).map_or(name.into(), |it| it.submission)
 }
 
-/// The possible meanings of a name, which are several if it fits several platforms, and how
-/// much they prove at most. The name of an archive may be its author's choice.
+/// The possible meanings of a name (several if it fits several platforms), and the most that they
+/// can prove. The name of an archive may be its author's choice.
 pub fn signs(name: &str) -> (Vec<Sign>, Proof) {
     let platforms = names::platforms(name);
     match platforms.is_empty() {

@@ -14,8 +14,8 @@ fn folded(text: &str) -> String {
     kept.flat_map(char::to_lowercase).collect()
 }
 
-/// Whether this is what [`folded`] makes of a text. For plain letters it needs no copy, because
-/// every submission is compared with everyone on the roster.
+/// Whether this is what [`folded`] makes of a text. It makes no copy of ASCII text, because every
+/// submission is compared with everyone on the roster.
 fn is_folded(folded_text: &str, text: &str) -> bool {
     let plain = text.bytes().filter(u8::is_ascii_alphanumeric);
     match text.is_ascii() {
@@ -43,7 +43,7 @@ fn turned(name: &str, fold: &dyn Fn(&str) -> String) -> Vec<String> {
     (0..words.len()).map(turned).collect()
 }
 
-/// The people of this name. Platforms keep accents, drop them, or drop letters that have one.
+/// The people with this name. Platforms keep accents, drop them, or drop letters that have one.
 fn named<'a>(name: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let ascii = |text: &str| -> String { folded(text).chars().filter(char::is_ascii).collect() };
     let folds: [&dyn Fn(&str) -> String; 3] = [&folded, &unaccented, &ascii];
@@ -61,11 +61,11 @@ fn named<'a>(name: &str, people: &'a [Person]) -> Vec<&'a Person> {
         .unwrap_or_default()
 }
 
-/// How strong the evidence is that says whose a submission is.
+/// How well a sign proves who handed something in.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Proof {
-    /// It may be somebody's.
+    /// It only suggests a person.
     Hint,
     /// A name or a login that people may have chosen themselves.
     Name,
@@ -92,7 +92,7 @@ pub fn is_somebody(name: &str, people: &[Person]) -> bool {
     !meant(&Sign::Plain(name.into()), people).1.is_empty()
 }
 
-/// The people of a text that ends with a title and a login, and the title. Whether the title
+/// The people whose login ends a text, each with the title before the login. Whether the title
 /// is the assignment's is not known here.
 pub fn titled<'a, 't>(sign: &'t Sign, people: &'a [Person]) -> Vec<(&'t str, &'a Person)> {
     let (text, between, is) = match sign {
@@ -120,8 +120,8 @@ fn has_github(person: &Person, login: &str) -> bool {
     own.is_some_and(|own| own.eq_ignore_ascii_case(login))
 }
 
-/// The people whose name is among a text's words, as in `homework1-adalovelace`, or who have
-/// one of the words as id.
+/// The people whose name is among a text's words, as in `homework1-adalovelace`, or whose id is one
+/// of the words.
 fn among_words<'a>(text: &str, people: &'a [Person], is: RosterKey) -> Vec<&'a Person> {
     let words: Vec<String> = text
         .split(|c: char| !c.is_alphanumeric() && !is_combining_mark(c))
@@ -157,7 +157,7 @@ enum RosterKey {
     Names,
 }
 
-/// The people that a sign may mean, and how much it proves if it is one.
+/// The people that a sign may mean, and how much it proves if it means only one.
 pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) {
     let owners = || titled(sign, people).into_iter().map(|(_, person)| person);
     match sign {

@@ -2,8 +2,8 @@
 //!
 //! - Canvas: `lastfirst_USER_FILE_name.zip` or `lastfirst_LATE_USER_FILE_name.zip`; a later
 //!   upload has a greater FILE.
-//! - Moodle: `First Last_NUMBER_assignsubmission_file`, a folder with what was handed in or the
-//!   beginning of a file's name.
+//! - Moodle: `First Last_NUMBER_assignsubmission_file`, which names a folder or begins a file's
+//!   name.
 //! - Blackboard: `TITLE_LOGIN_attempt_2026-11-20-23-59-01_name.zip`.
 //! - Brightspace: `NUMBER-NUMBER - First Last - Nov 20, 2026 1159 PM - name.zip`.
 //!
@@ -12,7 +12,7 @@
 use jiff::civil::DateTime;
 use serde::{Deserialize, Serialize};
 
-/// What the name of an upload tells about the person.
+/// What the name of an upload says about the person.
 #[derive(Clone, Debug, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Sign {
@@ -143,7 +143,7 @@ impl PlatformName<'_> {
             })
         };
         let all: Vec<_> = name.match_indices(BETWEEN).filter_map(read).collect();
-        // Somebody's display name may hold an earlier time than the platform's.
+        // Somebody's display name may contain an earlier time than the platform's.
         let handed_in = all.iter().filter_map(|it| it.handed_in).max();
         let first = all.into_iter().next()?;
         Some(PlatformName { handed_in, ..first })
@@ -174,7 +174,7 @@ pub fn platform(name: &str) -> Option<PlatformName<'_>> {
     all.pop().filter(|_| all.is_empty())
 }
 
-/// When something was handed in, as names say it.
+/// When something was handed in, according to its names.
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
 pub enum HandInTime<Time> {
     At(Time),
@@ -182,8 +182,8 @@ pub enum HandInTime<Time> {
     Late,
 }
 
-/// When these files were handed in, by their names. The last of them counts, and one that is
-/// late makes all late. A name that two platforms may have given says no time.
+/// When these files were handed in, according to their names. The latest time counts, and one late
+/// file makes all of them late. A name that two platforms may have given gives no time.
 pub fn handed_in(given: &[String]) -> Option<HandInTime<DateTime>> {
     let time_in = |name: &String| match platform(name) {
         Some(name) => name.handed_in,
@@ -232,7 +232,8 @@ mod tests {
                 &["11-23 - Mallory - Nov 1, 2026 1200 AM - Mann - Nov 25, 2026 1100 PM - hw1.zip"],
                 "2026-11-25T23:00:00",
             ),
-            // The uploader's part of a name says no time, and doesn't hide that it is late.
+            // The uploader's part of a name gives no time, and doesn't hide that the upload is
+            // late.
             (
                 &["malletmallory_13_503_x_attempt_2020-01-01-00-00-00_hw.zip"],
                 "unknown",

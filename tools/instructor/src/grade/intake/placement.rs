@@ -1,6 +1,7 @@
-//! Finds each submission's person on the roster. It never guesses: a submission that could
-//! belong to several people, or contradicts itself, is listed, and belongs to nobody until the
-//! roster says so. What only a name says is believed if nothing contradicts it, and listed.
+//! Finds each submission's person on the roster. It never guesses: a submission that could belong
+//! to several people, or contradicts itself, is listed, and belongs to nobody until the roster says
+//! so. A person found only by a name is believed if nothing contradicts it, and the submission is
+//! listed.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -49,7 +50,7 @@ impl Placement {
     }
 }
 
-/// The people that an entry may belong to, each once, and how much says so.
+/// The people that an entry may belong to, each once, and how well that is proved.
 fn owners<'a>(entry: &Entry, people: &'a [Person]) -> (Proof, Vec<&'a Person>) {
     let all: Vec<_> = entry.signs.iter().map(|sign| meant(sign, people)).collect();
     let mut found: Vec<&Person> = Vec::new();
@@ -67,14 +68,14 @@ fn owners<'a>(entry: &Entry, people: &'a [Person]) -> (Proof, Vec<&'a Person>) {
     (proof.min(entry.at_most), found)
 }
 
-/// Whether a longer title than others' shows that the login is only the end of a longer one:
-/// beside `HW1_ada`, the login in `HW1_x_bob` is not `bob`.
+/// Whether a title begins with another title, which shows that the login after it is only the end
+/// of a longer login: beside `HW1_ada`, the login in `HW1_x_bob` is not `bob`.
 fn is_overlong(title: &str, titles: &BTreeSet<&str>) -> bool {
     let mut others = titles.iter();
     others.any(|other| *other != title && title.starts_with(other))
 }
 
-/// Finds the person of each submission. Without a roster, there are none.
+/// Finds the person of each submission. Without a roster, it finds nobody.
 pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
     let mut placed = Placement {
         people: people.map(<[Person]>::len),
@@ -107,8 +108,8 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
         }
     }
     for (_, mut all) in of {
-        // What a platform or the instructor says outweighs a name, and two accounts of one
-        // name belong to two people.
+        // What a platform or the instructor says outweighs a name, and two accounts with one name
+        // belong to two people.
         let best = all.iter().map(|(proof, ..)| *proof).max();
         let strongest = all.iter().filter(|(proof, ..)| Some(*proof) == best);
         let accounts = strongest.filter_map(|(proof, entry, _)| match &entry.signs[0] {

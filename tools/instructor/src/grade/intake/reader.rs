@@ -1,8 +1,8 @@
 //! Reads a folder or an archive: the text of every file whose name may be an answer's, and the
 //! names of all other files. Archives inside count as folders.
 //!
-//! Everything is read once, before anything is judged. So a submission can't change any more,
-//! and all files are known when they are matched with people.
+//! Everything is read once, before anything is judged. So a submission can't change afterwards, and
+//! all files are known when they are matched with people.
 
 pub mod file_names;
 mod folder;
@@ -47,7 +47,7 @@ pub enum Content {
     Other,
 }
 
-/// How many other files are named.
+/// How many other files are listed.
 const MOST_OTHERS: usize = 20;
 
 /// How deep folders may be nested in folders.
@@ -57,7 +57,7 @@ const MOST_FOLDERS: usize = 40;
 const MOST_NAME: usize = 4096;
 const MOST_PARTS: usize = 100;
 
-/// Reads everything in a folder or an archive. `is_answer` knows the names of answers' files.
+/// Reads everything in a folder or an archive. `is_answer` recognises the names of answer files.
 ///
 /// # Errors
 /// If there is nothing at that path.
@@ -101,7 +101,8 @@ struct SubmissionReadBudget {
 
 impl Reader<'_> {
     /// How many parts of a path distinguish submissions. In an archive, there may be a folder
-    /// around everything; but what is in an archive inside it belongs to one submission.
+    /// around everything. But everything in an archive inside the archive belongs to one
+    /// submission.
     fn length_of_own(&self, path: &[String]) -> usize {
         match path {
             [first, _, ..] if self.whole.is_some() && !is_archive(first) => 2,
@@ -164,7 +165,7 @@ impl Reader<'_> {
         if path.len() > MOST_PARTS || name.len() > MOST_NAME {
             self.stop(
                 &path,
-                "it holds files in too many folders, or with too long names",
+                "it contains files in too many folders, or with names that are too long",
             );
             return None;
         }

@@ -70,7 +70,7 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
         return Err(format!("{said}, which has no column `name`"));
     }
     let [section, number] = [of(&SECTION), of(&NUMBER)];
-    // In Canvas's gradebook `ID` is Canvas's own number, beside the student's.
+    // In Canvas's gradebook, `ID` is Canvas's own number, beside the student's.
     let number = number.or(of(&["id"]).filter(|own| *own != id && table.name(id) == "sisuserid"));
     let github = of(&GITHUB);
     let logins: Vec<usize> = LOGIN.iter().filter_map(|name| of(&[name])).collect();

@@ -17,12 +17,12 @@ pub struct Source<'a> {
     pub is_on_roster: &'a dyn Fn(&str) -> bool,
 }
 
-/// The folders at the top of the course's repository. They are not people's.
+/// The folders at the top of the course's repository. They are not submissions.
 const REPOSITORY: [&str; 6] = ["assignments", "book", "golden", "handout", "src", "tools"];
 
 impl Source<'_> {
     /// Divides the files of a class among its people. Also returns the names of files that
-    /// belong to nobody. `is_alone` says whether the other paths are classes too. If not, an
+    /// belong to nobody. `is_alone` says whether all other paths are classes too. If not, an
     /// archive may be one person's upload, with names of other people inside.
     pub fn of_class(self, is_alone: bool) -> (Vec<HandIn>, Vec<String>) {
         let (mut all, ignored) = hand_in::of_class(tops(self.found));
@@ -31,7 +31,7 @@ impl Source<'_> {
             if !is_alone {
                 hand_in.at_most = Proof::Hint;
                 hand_in.doubts.push(format!(
-                    "`{}` holds names of people, but was named beside single submissions: name \
+                    "`{}` contains names of people, but was named beside single submissions: name \
                      it alone if it is a class",
                     self.name
                 ));
@@ -66,7 +66,7 @@ impl Source<'_> {
         tops.all(|top| self.is_person(top))
     }
 
-    /// Whether this is a folder of submissions, and not one.
+    /// Whether this is a folder of submissions, and not a single submission.
     pub fn is_class(&self) -> bool {
         if self.found.iter().any(|found| found.path.is_empty()) {
             return false;

@@ -17,7 +17,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// Reads a file that should hold `what`.
+    /// Reads a file that should be a `what`, such as a roster.
     pub fn read<T>(
         path: &Path,
         what: &str,
@@ -34,7 +34,7 @@ impl Table {
     /// The table in a file's bytes, or a message that says what is wrong.
     pub fn of(bytes: &[u8]) -> std::result::Result<Table, String> {
         if bytes.starts_with(b"PK\x03\x04") {
-            return Err("it is a spreadsheet's own file; export it as CSV".into());
+            return Err("it is in a spreadsheet's own format; export it as CSV".into());
         }
         let text = decoded(bytes);
         // A spreadsheet may name the separator in an extra first line.

@@ -70,7 +70,8 @@ impl Export {
         find(&[self.path(name)], &assignment(), None).expect("it can be read")
     }
 
-    /// Checks whose submissions were found, and that each holds all answers of that person alone.
+    /// Checks whose submissions were found, and that each contains all answers of that person and
+    /// nobody else's.
     #[track_caller]
     fn is_of(&self, name: &str, who: &[&str]) -> Intake {
         let intake = self.find(name);

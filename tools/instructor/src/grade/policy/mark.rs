@@ -137,7 +137,10 @@ impl Policy {
         let (count, unit) = (begun(&from, at, late.per), late.per);
         if mark.late_days > 0 {
             let spent = counted(mark.late_days, LatenessUnit::Day);
-            mark.add(0.0, format!("{when}: {spent} of the late days spent"));
+            mark.add(
+                0.0,
+                format!("{when}: {spent} spent from the budget of late days"),
+            );
         }
         if count == 0 {
             return;

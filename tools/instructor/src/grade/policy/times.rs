@@ -161,7 +161,7 @@ pub fn begun(due: &Zoned, at: &Zoned, per: LatenessUnit) -> u32 {
     u32::try_from(whole + i64::from(is_more)).unwrap_or(u32::MAX)
 }
 
-/// A number of hours or days after a deadline.
+/// The time that is a number of hours or days after a deadline.
 pub fn later(due: &Zoned, count: i64, per: LatenessUnit) -> Option<Zoned> {
     let span = match per {
         LatenessUnit::Hour => Span::new().try_hours(count),

@@ -1,5 +1,5 @@
-//! What the tables and pages of a class need of a record. It is a small part of it, so a class of
-//! many thousands fits into memory.
+//! The small part of a record that the tables and pages of a class need. Without the rest, a class
+//! of many thousands fits into memory.
 
 use pinhole::Fact;
 
@@ -7,7 +7,7 @@ use super::Record;
 use pinhole_course::diagnosis::Reading;
 use pinhole_course::outcome::{FilmOutcome, Status, TaskOutcome};
 
-/// A record without what only its own student reads.
+/// A record without the parts that only its own student reads.
 #[derive(Clone, Debug)]
 pub struct RecordSummary {
     pub id: String,
@@ -44,8 +44,8 @@ pub struct PartSummary {
 pub struct TaskSummary {
     pub task: PartSummary,
     pub groups: Box<[PartSummary]>,
-    /// The mistakes behind it, with the belief of each. Only mistakes that can be told apart from
-    /// others that would explain the same.
+    /// The mistakes behind it, with the belief of each. Lists only mistakes that can be told apart
+    /// from others that would explain the same errors.
     pub mistakes: Vec<(String, String)>,
     pub unexplained: Option<Box<UnexplainedAnswer>>,
 }
@@ -56,7 +56,7 @@ pub struct UnexplainedAnswer {
     pub chapter: String,
     /// What is measurably wrong in it.
     pub measured: Vec<String>,
-    /// The groups of questions that fail, and how many of each.
+    /// The groups of questions that fail, each with its number of failing questions.
     pub failing: Vec<String>,
     /// One question that shows it: what was asked, expected and given.
     pub example: Vec<Fact>,

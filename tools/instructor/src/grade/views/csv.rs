@@ -1,4 +1,4 @@
-//! `grades.csv`, `groups.csv` and `changes.csv`. They hold no times, so equal marks give equal
+//! `grades.csv`, `groups.csv` and `changes.csv`. They contain no times, so equal marks give equal
 //! files, byte for byte.
 
 use crate::grade::class::{Change, Class, Row};

@@ -49,8 +49,8 @@ fn for_moodle(row: &Row) -> Option<String> {
     Some(format!("{folder}_assignsubmission_file/report.html"))
 }
 
-/// For sending in other ways: the report is named by the person's id. With a roster, what
-/// belongs to nobody is left out, because it may be called by somebody's id.
+/// For sending in other ways: the report is named by the person's id. With a roster, submissions
+/// that belong to nobody are left out, because their names may be somebody's ids.
 fn for_others(row: &Row, has_roster: bool) -> Option<String> {
     let name = match row.person {
         Some(person) => &person.id,
@@ -97,7 +97,7 @@ mod tests {
     use crate::grade::intake::roster::Person;
 
     #[test]
-    fn an_upload_called_by_somebodys_id_does_not_get_their_report() {
+    fn an_upload_named_like_somebodys_id_does_not_get_their_report() {
         let entry = Entry {
             id: "7".into(),
             name: "7.zip".into(),

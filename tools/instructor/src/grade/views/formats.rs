@@ -103,8 +103,8 @@ fn parts(record: &Record) -> Vec<Part> {
             },
         })
     });
-    // Points that the fresh questions cost are taken from the scenes one by one, from the last
-    // on, so that the parts add up to the mark.
+    // Points that the fresh questions cost are taken from the scenes one by one, beginning with the
+    // last, so that the parts add up to the mark.
     let mut left = record.scene_points().0;
     let scenes = record.got.scenes.iter().map(|scene| {
         let points = scene.points.min(left);
@@ -290,7 +290,7 @@ fn junit(record: &Record) -> String {
     page.unwrap_or_else(|error| panic!("junit.xml's template: {error:#}"))
 }
 
-/// The text about a part. We don't know how other graders show it, so it holds no control
+/// The text about a part. We don't know how other graders show it, so it contains no control
 /// characters for terminals.
 fn text(part: &Part) -> String {
     let mut lines = vec![part.said.as_str()];
@@ -304,7 +304,7 @@ fn printable_lines(text: &str) -> String {
     text.lines().map(printable).collect::<Vec<_>>().join("\n")
 }
 
-/// Text without the characters that XML cannot hold. The template escapes the rest.
+/// Text without the characters that XML cannot contain. The template escapes the rest.
 fn xml_text(text: &str) -> String {
     let cannot = |c: char| c != '\n' && (c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'));
     text.replace(cannot, "\u{fffd}")

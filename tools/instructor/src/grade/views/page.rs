@@ -47,7 +47,7 @@ struct Page<'a> {
     sections: Vec<SectionRow>,
     /// Whether there is a policy, which may change marks.
     has_policy: bool,
-    /// Whether the page is for showing to the class, without names and without rows for single
+    /// Whether the page is to be shown to the class, without names and without rows for single
     /// people.
     is_anonymous: bool,
     slowest: Vec<(String, String)>,
@@ -73,7 +73,7 @@ struct StatusRow {
     who: Vec<String>,
 }
 
-/// A task or a scene, over the class.
+/// A task, a group of questions or a scene, with the results of the whole class.
 #[derive(Serialize)]
 struct Part {
     name: String,

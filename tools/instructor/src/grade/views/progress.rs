@@ -10,7 +10,7 @@ use pinhole_report::escape::printable;
 /// Progress through a class, shared by the threads that grade.
 pub struct GradingProgress<'a> {
     line: &'a Progress,
-    /// How many submissions there are in all.
+    /// How many submissions there are in total.
     of: usize,
     done: AtomicUsize,
 }

@@ -24,7 +24,7 @@ use pinhole_report::program::Status;
 /// What this run has done.
 #[derive(Default)]
 pub struct RunSummary {
-    /// How many submissions were graded, without those whose result was still valid.
+    /// How many submissions were graded, not counting those whose result was still valid.
     pub graded: usize,
     pub seconds: f64,
     pub changes: Vec<Change>,
@@ -126,7 +126,7 @@ impl ClassOutput<'_> {
         }
         anstream::eprintln!(
             "pinhole: {} of {} submissions have no mark, and grading failed for {}\n  remedy: \
-             see why above; run the same command again, and it grades these alone",
+             see the reasons above; run the same command again, and it grades only these",
             not_graded.len(),
             class.rows.len(),
             run.faults.len()
@@ -169,7 +169,7 @@ fn document(class: &Class, run: &RunSummary) -> serde_json::Value {
     })
 }
 
-/// Whether anyone may have lost points by how files were handed in.
+/// Whether anyone may have lost points because of how files were handed in.
 pub fn status(concerns: &[Concern]) -> Status {
     match concerns.iter().any(|concern| concern.is_grave) {
         true => Status::JudgedWrong,
@@ -207,7 +207,7 @@ fn words(class: &Class, run: &RunSummary, cache: &ResultCache) -> String {
     let stands = |id: &String| !class.not_graded().iter().any(|(other, _)| other == id);
     for (id, why) in run.faults.iter().filter(|(id, _)| stands(id)) {
         line(format!(
-            "not graded again, the old mark remains: {}: {}",
+            "not graded again; the old mark remains: {}: {}",
             printable(id),
             printable(why)
         ));

@@ -1,4 +1,4 @@
-//! Searches any file for many texts at once. Even pictures are searched, because they may hold
+//! Searches any file for many texts at once. Even pictures are searched, because they may contain
 //! source text too.
 
 use std::collections::HashMap;

@@ -2,7 +2,7 @@
 
 use syn::BinOp;
 
-/// The other arithmetic operators, and those that compare.
+/// The operators that may replace this one.
 pub fn others(operator: &BinOp) -> &'static [&'static str] {
     match operator {
         BinOp::Add(_) => &["-", "*", "/"],

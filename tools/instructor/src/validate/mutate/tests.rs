@@ -49,7 +49,7 @@ fn offutts_five_operators_are_there() {
 }
 
 #[test]
-fn another_operator_changes_only_itself_and_not_what_binds_first() {
+fn another_operator_does_not_change_what_binds_first() {
     holds(
         "Some(a - b * c)",
         &["Some(a - (b + c))", "Some(a * (b * c))"],

@@ -9,8 +9,8 @@ const MOST_NAMED: usize = 3;
 /// A row for each group and each scene.
 pub fn table(catches: &DetectionTable) -> String {
     let mut text = format!(
-        "\nOf {} single mistakes, how many fail here; how many of them in no other group (or in\n\
-         no other scene); how many nowhere else at all, and which.",
+        "\nOf {} single mistakes: how many fail here, how many fail in no other group (or in\n\
+         no other scene), and how many, and which, fail nowhere else at all.",
         catches.mistakes
     );
     if let Some(mutants) = catches.mutants {

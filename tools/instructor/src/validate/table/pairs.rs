@@ -8,7 +8,7 @@ use crate::validate::sentences::Sentences;
 pub fn table(pairs: &Pairs) -> String {
     let names = &pairs.names;
     let said = format!(
-        "{} of {} failing pairs get a right name, {} of them both; {} false names ({} pairs in all)",
+        "{} of {} failing pairs get a right name, {} of them both; {} false names ({} pairs exist)",
         names.right + names.among,
         names.all(),
         pairs.both,

@@ -23,7 +23,7 @@ pub struct Base {
     replies: Mutex<BTreeMap<(String, usize), Reply>>,
 }
 
-/// The replies of a base that also hold for a submission over it.
+/// The replies of a base that also apply to a submission laid over it.
 pub struct RepliesInCommon<'a> {
     base: &'a Base,
     /// The tasks and scenes that are answered by files of the base alone.
@@ -39,7 +39,7 @@ impl Base {
         }
     }
 
-    /// What this base and a submission over it have in common.
+    /// What this base and a submission laid over it have in common.
     pub fn replies_for(
         &self,
         submission: &Submission,

@@ -94,8 +94,8 @@ fn wrong_answers_to_public_questions_show_nothing_of_a_withheld_scene() {
     let class = Class::new("withheld-camera");
     let mine = goldens_of_one_scene(&class, "inside_a_sphere");
     let reference = fs::read_to_string(answers().join("viewing_ray.rs")).expect("it is there");
-    // A scene asks many more pixels of one camera than any public question. The answers to these
-    // wait until one was seen.
+    // A scene asks about many more pixels of one camera than any public question. The answers to
+    // public questions wait until a scene has been seen.
     let told = reference.replacen(
         "// ANCHOR: answer\n",
         "use std::sync::Mutex;

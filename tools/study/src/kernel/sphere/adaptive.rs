@@ -61,7 +61,7 @@ pub fn decided(sphere: &Sphere<f64>, ray: &FilterRay, min_t: f64) -> (Option<f64
 }
 
 /// The filter's limits for rays whose origin is up to `away` from the centre in each component,
-/// so that |f| ≤ 1.74 `away`.
+/// which means |f| ≤ 1.74 `away`.
 #[inline(always)]
 pub fn limits(sphere: &Sphere<f64>, away: f64) -> Limits {
     let (size, r) = (1.74 * away, sphere.radius.abs());

@@ -12,7 +12,7 @@ use crate::shape::Triangle;
 /// # Why the filter is right
 ///
 /// Let u be the unit roundoff and |d|∞ < 2. Let a, b, c be the corners minus the origin, which
-/// double-doubles hold exactly, and B their largest component:
+/// double-doubles represent exactly, and B their largest component:
 ///
 /// 1. The relative error of a double-double sum is at most 3u² + 13u³, and that of a product at
 ///    most 7u² (Joldes, Muller & Popescu, *ACM TOMS* 44(2), 2017, algorithms 6 and 10, which
@@ -63,7 +63,7 @@ pub fn double_double_filter(
     let upright = |number: f64| if is_negative[0] { -number } else { number };
     let determinant = upright((u + v + w).high);
     let volume = upright(a.dot(b_cross_c).high);
-    // The relative errors of dividend and divisor are at most u, so that of t is at most 3u.
+    // The relative errors of dividend and divisor are at most u, so the error of t is at most 3u.
     match U * determinant > bound && U * volume.abs() > bound_of_volume {
         true => window.answer(volume / determinant, scaled),
         false => None,

@@ -14,7 +14,7 @@ use crate::vector::Vector;
 pub struct TrianglePacket {
     corner: Vector<f64x4>,
     edges: [Vector<f64x4>; 2],
-    /// A bit for each lane that holds a triangle.
+    /// A bit for each lane that contains a triangle.
     all: u32,
 }
 

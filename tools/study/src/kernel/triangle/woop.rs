@@ -10,8 +10,8 @@ use crate::vector::Vector;
 /// A sheared corner is the same in all triangles that share it, and a difference of two rounded
 /// products has the right sign or is 0. If it is 0, the paper recomputes it in `double`. This
 /// kernel differs in two ways: fused multiply-adds recover the sign (Kahan's difference of
-/// products), which works for `f64` too; and both orientations count, so that x and y need not
-/// be swapped. As a result, nothing leaks.
+/// products), which works for `f64` too; and both orientations count, so x and y need not be
+/// swapped. As a result, nothing leaks.
 ///
 /// A ray exactly through a sheared vertex would hit all triangles around it. Therefore each
 /// edge belongs to one triangle, as in the top-left rule of rasterizers: of two triangles that

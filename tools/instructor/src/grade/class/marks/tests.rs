@@ -70,7 +70,7 @@ const EARLY: &str = "x_attempt_2026-11-20-11-00-00_a.zip";
 const LATE: &str = "x_attempt_2026-11-20-13-00-00_a.zip";
 
 #[test]
-fn the_last_attempt_counts_or_the_best_and_each_person_has_one_mark() {
+fn the_last_or_the_best_attempt_counts_and_each_person_has_one_mark() {
     let entries = || vec![entry("one", "ada", EARLY), entry("two", "ada", LATE)];
     let records = records(&[("one", 60), ("two", 65)]);
     let last = roll(entries(), RULES, &[]);
@@ -150,6 +150,6 @@ fn unknown_lateness_and_unknown_ids_are_listed() {
     };
     assert_eq!(of("not on the roster"), ["adda"]);
     assert_eq!(of("nothing says when: no points"), ["one"]);
-    assert_eq!(of("taken as in time"), ["two"]);
+    assert_eq!(of("counted as on time"), ["two"]);
     assert_eq!(concerns.len(), 3);
 }

@@ -56,7 +56,7 @@ fn is(name: &str, id: &str) {
 }
 
 #[test]
-fn names_of_platforms_and_plain_ones_find_their_people() {
+fn platform_names_and_plain_names_find_their_people() {
     is("lovelaceada_12345_67890_answers.zip", "s1");
     is("hoppergrace_LATE_12345_67890_src-2.zip", "s2");
     is("mllerzo_1_2_a.zip", "s3");
@@ -76,7 +76,7 @@ fn accents_find_their_people_however_they_are_written() {
     is("mu\u{308}llerzoe\u{308}_1_2_a.zip", "s3");
     is("Zoe\u{308} Mu\u{308}ller", "s3");
     is("mullerzoe_1_2_a.zip", "s3");
-    // Two people whose names differ only in accents stay two.
+    // Two people whose names differ only in accents are kept apart.
     let people = [person("1", "Zoë Müller"), person("2", "Zoe Muller")];
     for (name, id) in [("Zoe Muller", "2"), ("Zoe\u{308} Mu\u{308}ller", "1")] {
         assert_eq!(place(&entries(&[name]), Some(&people)).of[name].id, id);

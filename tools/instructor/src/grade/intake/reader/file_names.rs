@@ -27,7 +27,7 @@ pub fn stem(name: &str) -> &str {
 }
 
 /// Whether a path, after its first `from` parts, goes through a folder made by a program: by
-/// version control, a build, or the operating system. Such a folder holds no answers.
+/// version control, a build, or the operating system. Such a folder contains no answers.
 pub fn is_skipped(path: &[String], from: usize) -> bool {
     let is_inside = path.len() > 1;
     path[from.min(path.len())..]
@@ -44,7 +44,7 @@ fn is_litter(name: &str) -> bool {
 /// How many names of a list are shown.
 const MOST_SHOWN: usize = 5;
 
-/// The first of these names. An archive may hold a hundred thousand.
+/// The first of these names. An archive may contain a hundred thousand files.
 pub fn first(names: &[String]) -> Vec<String> {
     let mut shown = names[..names.len().min(MOST_SHOWN)].to_vec();
     let more = names.len() - shown.len();

@@ -1,4 +1,4 @@
-//! Reads a folder's files. A student may replace a folder by a link while we read it. So we open
+//! Reads a folder's files. A student may replace a folder with a link while we read it. So we open
 //! each folder from its parent, which we hold open, and never follow a link.
 
 use std::fs::File;

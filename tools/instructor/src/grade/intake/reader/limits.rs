@@ -1,5 +1,5 @@
-//! Bounds what is read of one submission. Archives may hold far more than their length suggests:
-//! `gzip` packs well, and files in a ZIP file may share their bytes.
+//! Bounds what is read of one submission. Archives may contain far more than their length suggests:
+//! `gzip` compresses well, and files in a ZIP file may share their bytes.
 
 use std::cell::Cell;
 use std::io::{self, Read, Seek, SeekFrom, Write};
@@ -48,13 +48,22 @@ const MOST_TIME: Duration = Duration::from_secs(60);
 pub const TOO_SLOW: &str = "reading it takes longer than a minute";
 
 impl Limits {
-    /// The limits of an archive of this length that may hold a whole class.
+    /// The limits of an archive of this length that may contain a whole class.
     pub fn of_archive(length: u64) -> Limits {
         let more = length.saturating_mul(20);
         Limits {
-            kept: Limit::new((64 << 20) + more, "it holds more answer files than a class"),
-            unpacked: Limit::new((1 << 30) + more, "it unpacks to 20 times its length"),
-            passed: Limit::new((4 << 30) + more, "it unpacks to 20 times its length"),
+            kept: Limit::new(
+                (64 << 20) + more,
+                "it contains more answer files than a class",
+            ),
+            unpacked: Limit::new(
+                (1 << 30) + more,
+                "it unpacks to more than 20 times its length",
+            ),
+            passed: Limit::new(
+                (4 << 30) + more,
+                "it unpacks to more than 20 times its length",
+            ),
             files: Limit::new(u64::MAX, ""),
             until: None,
             whole: None,
@@ -63,19 +72,19 @@ impl Limits {
 
     /// The limits of one submission, in an archive or not.
     pub fn of_one(whole: Option<Rc<Limits>>) -> Limits {
-        let answers = "it holds more answer files than anybody needs";
+        let answers = "it contains more answer files than anybody needs";
         Limits {
             kept: Limit::new(16 << 20, answers),
             unpacked: Limit::new(1 << 30, "it unpacks to more than 1 GiB"),
-            passed: Limit::new(4 << 30, "it holds more than 4 GiB to read through"),
-            files: Limit::new(100_000, "it holds more than 100000 files"),
+            passed: Limit::new(4 << 30, "it contains more than 4 GiB to read through"),
+            files: Limit::new(100_000, "it contains more than 100000 files"),
             until: Some(Instant::now() + MOST_TIME),
             whole,
         }
     }
 
     /// Spends a part of a limit, and of the same limit of the archive around it. An error says
-    /// which limit is reached.
+    /// which limit is exceeded.
     pub fn spend(&self, of: fn(&Limits) -> &Limit, amount: u64) -> Result<(), &'static str> {
         if self.is_late() {
             return Err(TOO_SLOW);

@@ -1,4 +1,4 @@
-//! A `tar` archive, packed by `gzip` or not, read from front to back.
+//! A `tar` archive, compressed by `gzip` or not, read from front to back.
 
 use std::fs::File;
 use std::io::{self, BufReader, Read, Write};

@@ -119,7 +119,7 @@ fn every_submission_is_in_exactly_one_shard() {
     assert_eq!(shared, all);
 }
 
-/// What was found at these paths, and whose it is by this roster.
+/// What was found at these paths, and whose it is according to this roster.
 fn placed(export: &Export, names: &[&str], list: &str) -> (Intake, Placement) {
     export.put("roster.csv", list.as_bytes());
     let people = roster::read(&export.path("roster.csv")).expect("it is a roster");
@@ -144,7 +144,7 @@ fn all_of(found: &(Intake, Placement), id: &str) -> Vec<String> {
 }
 
 #[test]
-fn blackboard_names_the_person_before_the_attempt_and_the_uploader_what_follows() {
+fn blackboard_names_the_person_before_the_attempt_and_the_uploader_names_the_rest() {
     let export = Export::new();
     let ada = zip(&answers("", "ada"));
     export.put("class/HW1_al1_attempt_2026-11-20-20-00-00_hw.zip", &ada);
@@ -160,13 +160,13 @@ fn blackboard_names_the_person_before_the_attempt_and_the_uploader_what_follows(
     );
     let found = placed(&export, &["class"], "id,name,login\n1,Ada Lovelace,al1\n");
     assert_eq!(all_of(&found, "1"), ["// sphere by ada"], "{:#?}", found.1);
-    // Without logins on the roster, nobody is guessed.
+    // Without logins on the roster, no submission is guessed to be anybody's.
     let found = placed(&export, &["class"], "id,name\n1,Ada Lovelace\n");
     assert!(found.1.of.is_empty(), "{:#?}", found.1);
 }
 
 #[test]
-fn brightspace_names_the_person_before_the_date_and_the_uploader_what_follows() {
+fn brightspace_names_the_person_before_the_date_and_the_uploader_names_the_rest() {
     let export = Export::new();
     let ada = "class/11-22 - Ada Lovelace - Nov 20, 2026 1207 AM - hw1.zip";
     export.put(ada, &zip(&answers("", "ada")));
@@ -214,7 +214,7 @@ fn a_class_never_becomes_one_submission_silently() {
         };
         assert_eq!(text(&intake, ada, "sphere"), "// sphere by ada");
         assert_eq!(text(&intake, bob, "sphere"), "// sphere by bob");
-        // With one other folder, it may as well be somebody's own copy.
+        // If there is only one other folder, it may also be the student's own copy.
         fs::remove_file(export.path(&format!("{class}/bob.zip"))).expect("it was there");
         let intake = export.find(class);
         let told = intake.entries.iter().any(|entry| !entry.doubts.is_empty());
@@ -246,7 +246,7 @@ fn an_upload_among_others_does_not_bring_other_peoples_submissions() {
 }
 
 #[test]
-fn a_short_title_of_an_uploaders_choice_moves_nobodys_mark() {
+fn a_short_title_chosen_by_an_uploader_moves_nobodys_mark() {
     let export = Export::new();
     for (name, whose) in [
         ("class/cs-hw1-countess.zip", "ada"),
@@ -263,7 +263,7 @@ fn a_short_title_of_an_uploaders_choice_moves_nobodys_mark() {
 }
 
 #[test]
-fn a_name_of_thousands_of_words_is_soon_compared() {
+fn a_name_of_thousands_of_words_is_compared_quickly() {
     let export = Export::new();
     let words = vec!["a"; 2000].join("-");
     export.put(
@@ -323,7 +323,7 @@ fn long_names_in_an_archive_take_little_memory() {
         assert_eq!(intake.entries.len(), 1);
         let one = &intake.entries[0];
         let told = [&one.unusable[..], &one.doubts].concat().join("; ");
-        assert!(told.contains("it holds"), "{told}");
+        assert!(told.contains("it contains"), "{told}");
     }
 }
 

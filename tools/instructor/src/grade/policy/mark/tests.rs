@@ -48,7 +48,7 @@ fn a_policy_changes_marks_as_it_says() {
     let halves = "[rounding]\nto = 0.5\n";
     let up = "[rounding]\nto = 1\ndirection = 'up'\n";
     let capped = "[extra_credit]\nparts = ['x']\nat_most = 80\n";
-    // Rules, points, minutes late, id, and the mark as policy and final.
+    // Rules, points, minutes late, id, the mark after the policy, and the final mark.
     for (rules, points, minutes, id, policy_points, last) in [
         ("", 83.0, 0, "ada", 83.0, 83.0),
         ("", 83.0, DAY, "ada", 83.0, 83.0),
@@ -119,7 +119,7 @@ fn no_mark_is_below_zero_and_none_rises_with_lateness() {
 
 #[test]
 fn a_day_late_is_the_same_time_tomorrow_even_when_clocks_change() {
-    // On 25 October 2026 the day in Berlin has 25 hours.
+    // In Berlin, 25 October 2026 has 25 hours.
     let due: Zoned = "2026-10-24 23:59[Europe/Berlin]".parse().expect("a time");
     let next: Zoned = "2026-10-25 23:59[Europe/Berlin]".parse().expect("a time");
     assert_eq!(begun(&due, &next, LatenessUnit::Hour), 25);

@@ -49,8 +49,8 @@ impl Sites<'_> {
         self.replace(a.start..b.end, text, Operator::Swap);
     }
 
-    /// Another operator. For a logical one, also each side alone; for a comparison, also always
-    /// and never.
+    /// Another operator. For a logical one, also each side alone; for a comparison, also `true`,
+    /// `false` and the negation.
     pub fn binary(&mut self, expression: &ExprBinary) {
         let ExprBinary {
             left, op, right, ..
