@@ -253,20 +253,21 @@ pub struct Handout {
 ///
 /// Judges everything whose verdict is known, in the same way as a student's answers:
 ///
-/// - the stub must count as unanswered, and the reference and every variant must pass;
+/// - the stub must count as unanswered, and the reference and every variant (another right answer)
+///   must pass;
 ///
-/// - every known mistake must fail in exactly the tasks that it declares, and so must its
-///   rewrite, which uses another algorithm;
+/// - every known mistake must fail in exactly the tasks that it declares, and so must its rewrite
+///   with another algorithm, if it has one;
 ///
 /// - the hint of every mistake must be short and easy to read, and have an example in numbers;
 ///
 /// - with --mutants, every copy of the reference with one small fault (a sign, a comparison, a
 ///   constant, …) must fail if it compiles, unless equivalent.toml lists it and a search for
-///   differences agrees.
+///   differences confirms the entry.
 ///
-/// The tables say how many mistakes each group of questions and each scene catches, how many
-/// of them nothing else catches, and how small an error each scene detects. The exit code is
-/// 0 if every target is met; otherwise it is 1, and the misses come first.
+/// The tables say how many mistakes each group of questions and each scene catches, how many of
+/// them nothing else catches, and how small an error each scene detects. The exit code is 0 if
+/// every target is met; otherwise it is 1, and the missed targets are listed first.
 #[derive(Args)]
 pub struct Validate {
     /// The assignment, by name or folder
@@ -274,17 +275,17 @@ pub struct Validate {
     pub positional: Option<String>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Judge mutants of the reference too: about 600 of them, which takes some minutes
+    /// Judge several hundred mutants of the reference too, which takes about ten minutes
     #[arg(long)]
     pub mutants: bool,
-    /// Judge all pairs of beliefs in pairs.toml, not only a few for each task
+    /// Judge all pairs of mistakes in pairs.toml, not only a few for each task
     #[arg(long)]
     pub pairs: bool,
     /// Also check on the questions in this folder that each sentence of a diagnosis (such as
     /// “exactly those where d · n > 0”) is true; `golden render --seed N --out DIR` makes them
     #[arg(long, value_name = "DIR")]
     pub fresh: Option<PathBuf>,
-    /// Ask every mistake and mutant the fresh questions in each subfolder of this one, and list
+    /// Ask every mistake and mutant the fresh questions in each subfolder (a draw) of DIR, and list
     /// the marks that depend on the draw; without --only, nothing else is judged
     #[arg(long, value_name = "DIR")]
     pub draws: Option<PathBuf>,

@@ -17,15 +17,15 @@ pub enum Golden {
 
 /// Render goldens with Mitsuba
 ///
-/// Makes a film and a tolerance film for each scene, the same for its viewing rays, and a manifest
-/// of what they were made from. Then each known mistake casts the same films, and its effect on
-/// each film is stored for diagnoses.
+/// Makes a film and a tolerance film for each scene, two more for its viewing rays, and a manifest
+/// of what they were made from. Then casts the same films with each known mistake, and stores its
+/// effect on each, for diagnoses.
 ///
 /// If you name no scene, this makes everything that the assignment has in `golden/`: its scenes,
-/// its question films, and the exact ties that `validate --mutants` asks about.
+/// its question films, and the questions about equal numbers for `validate --mutants`.
 ///
-/// A scene is refused if an edge passes through a pixel's centre, or if a ray meets a plane
-/// too far away. Shift its camera a little.
+/// A scene is refused if an edge passes through a pixel's centre, or if a pixel shows a plane at
+/// its horizon. To avoid this, shift the camera a little.
 #[derive(Args)]
 pub struct GoldenRender {
     #[command(flatten)]
@@ -36,8 +36,8 @@ pub struct GoldenRender {
     /// scenes]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Draw fresh questions and random scenes from this seed instead; `random` draws a seed that
-    /// nobody can guess. Needs --out
+    /// Make fresh questions and random scenes from this seed, instead of the assignment's own;
+    /// `random` draws a seed that nobody can guess. Needs --out
     #[arg(long, value_name = "N", value_parser = seed, conflicts_with = "scenes", requires = "out")]
     pub seed: Option<Seed>,
     /// Replace the assignment's own films, on which every mark depends

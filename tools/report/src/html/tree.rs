@@ -1,5 +1,5 @@
-//! Drawings of a tree: its upper boxes over those of the primitives, expected and yours side by
-//! side.
+//! Drawings of the expected tree and the student's, side by side: the boxes of their upper nodes
+//! over those of the primitives.
 
 use pinhole::tree::DEEPEST_DRAWN;
 use pinhole::{BoundingBox, NodeBox};
@@ -15,13 +15,13 @@ pub struct TreeDrawings {
     pub along: &'static str,
     /// Whether the two visible axes have different scales.
     pub stretched: bool,
-    /// How deep the nodes are that are drawn.
+    /// The depth of the deepest nodes that are drawn.
     pub deepest: usize,
     /// The boxes of the primitives.
     pub primitives: Vec<String>,
-    /// The boxes of a right tree, from the root down, each with its depth.
+    /// The boxes of a correct tree, from the root down, each with its depth.
     pub expected: Vec<(usize, String)>,
-    /// Those of the tree that was answered.
+    /// The boxes of the student's tree.
     pub yours: Vec<(usize, String)>,
 }
 
@@ -32,7 +32,7 @@ const WIDTH: f64 = 300.0;
 const HEIGHTS: [f64; 2] = [0.3, 1.0];
 
 impl TreeDrawings {
-    /// Those of two trees; `None` if there is nothing to draw.
+    /// Draws two trees over the same primitives; `None` if there are no primitives.
     pub fn beside(
         primitives: &[BoundingBox],
         expected: &[NodeBox],
@@ -41,7 +41,7 @@ impl TreeDrawings {
         let view = View::of(primitives)?;
         let draw = |boxes: &[NodeBox]| {
             let mut boxes = boxes.to_vec();
-            // A tree's list may have any order. Thin lines go over thick ones.
+            // The nodes come in no order of depth. Draw the deeper, thinner ones last.
             boxes.sort_by_key(|node| node.depth);
             let path = |node: &NodeBox| (node.depth, view.path(&node.bounds));
             boxes.iter().map(path).collect()
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn boxes_are_seen_along_the_axis_of_the_least_extent_and_y_points_up() {
+    fn boxes_are_seen_along_the_shortest_axis_and_the_last_axis_points_up() {
         let whole = bounds(dvec3(0.0, 1.0, 0.0), dvec3(4.0, 2.0, 2.0));
         let low = bounds(dvec3(0.0, 1.0, 0.0), dvec3(1.0, 2.0, 0.5));
         let root = NodeBox {

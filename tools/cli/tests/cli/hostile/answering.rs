@@ -295,7 +295,7 @@ fn attacks_at_run_time_cost_only_their_own_task() {
         attack(
             "panic-with-a-flood",
             Outcome("panicked"),
-            "panic!(\"{}\", \"x\".repeat(50_000_000));",
+            "panic!(\"{}\", \"x\".repeat(5_000_000));",
         ),
         attack(
             "panic-of-no-text",

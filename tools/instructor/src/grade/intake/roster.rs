@@ -18,7 +18,7 @@ pub struct Person {
     /// The learning platform's number for the person, if the roster has it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub number: Option<String>,
-    /// Logins and e-mail addresses that the university gave.
+    /// Logins and e-mail addresses assigned by the university.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub logins: Vec<String>,
     /// The login on GitHub, which people choose themselves.
@@ -70,7 +70,7 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
         return Err(format!("{said}, which has no column `name`"));
     }
     let [section, number] = [of(&SECTION), of(&NUMBER)];
-    // In Canvas's gradebook, `ID` is Canvas's own number, beside the student's.
+    // In Canvas's gradebook, `ID` is Canvas's own number; `SIS User ID` is the student's.
     let number = number.or(of(&["id"]).filter(|own| *own != id && table.name(id) == "sisuserid"));
     let github = of(&GITHUB);
     let logins: Vec<usize> = LOGIN.iter().filter_map(|name| of(&[name])).collect();
@@ -88,7 +88,10 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
             continue;
         }
         if own.is_empty() {
-            return Err(format!("line {line} (`{name}`) has no {}", table.name(id)));
+            let column = table.name(id);
+            return Err(format!(
+                "line {line} (`{name}`) is empty in the column `{column}`"
+            ));
         }
         if let Some(other) = people.iter().find(|other| other.id == own) {
             return Err(format!("{} and {name} have the same id, {own}", other.name));
@@ -150,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn lists_of_platforms_are_rosters() {
+    fn lists_from_platforms_are_rosters() {
         let canvas = "Student,ID,SIS User ID,SIS Login ID,Section,Homework 1 (22)\n\
             Points Possible,,,,,100\n\
             \"Lovelace, Ada\",11,20231234,al123,L1,\n";
@@ -184,7 +187,10 @@ mod tests {
             ),
             ("id,who\n1,Ada\n", "no column `name`"),
             ("id,name\n1,Ada\n1,Bob\n", "Ada and Bob have the same id, 1"),
-            ("id,name\n1,Ada\n,Bob\n", "line 3 (`Bob`) has no id"),
+            (
+                "id,name\n1,Ada\n,Bob\n",
+                "line 3 (`Bob`) is empty in the column `id`",
+            ),
             ("id,name\n", "nobody"),
             ("PK\u{3}\u{4}", "export it as CSV"),
         ] {
