@@ -57,8 +57,8 @@ impl Question for ShapeQuestion {
             Condition::new("t is below min_t", "t is min_t or more", t < self.min_t),
             Condition::new("t is below 1", "t is 1 or more", t < 1.0),
             Condition::new(
-                "d · n > 0 (met from behind)",
-                "d · n < 0 (met from the front)",
+                "d · n > 0 (the surface is met from behind)",
+                "d · n < 0 (the surface is met from the front)",
                 leaves,
             ),
         ];

@@ -181,10 +181,10 @@ pub struct Explain {
 
 /// Compare any renderer's film with a golden film
 ///
-/// The rule: both films have the same size and channels, all values are finite, and at every
-/// pixel |film − golden| ≤ tolerance in every channel. The tolerance film NAME.tol.exr must be in
-/// the golden's folder. If oiiotool is installed, it compares the films too. If the two judges
-/// disagree, Pinhole has a bug, and `diff` says so.
+/// The rule: both films have the same size and channels, all values are finite, and at every pixel
+/// |film − golden| ≤ tolerance in every channel (except that `tests` is judged by its sum). The
+/// tolerance film NAME.tol.exr must be in the golden's folder. If oiiotool is installed, it judges
+/// the film too. If the two judges disagree, Pinhole has a bug, and `diff` says so.
 #[derive(Args)]
 pub struct Diff {
     /// The golden film: NAME.exr, with NAME.tol.exr beside it
@@ -193,8 +193,8 @@ pub struct Diff {
     pub film: PathBuf,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Write pictures of both films and of their difference to this folder, and report.html,
-    /// which shows both films pixel by pixel
+    /// Write to this folder: pictures of both films and of their difference, and report.html, which
+    /// shows both films pixel by pixel
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Write the report to this file [default: report.html in the folder of --out]

@@ -16,8 +16,8 @@ use crate::sandbox::Choice;
 /// The option that names an assignment.
 #[derive(Args, Default)]
 pub struct AssignmentOption {
-    /// The assignment, by name or folder [default: the one that contains the submission, golden or
-    /// current folder, else the checkout's default]
+    /// The assignment, by name or folder [default: the one that contains the submission or golden,
+    /// or else the current folder, or else the checkout's default]
     #[arg(long = "assignment", value_name = "NAME")]
     pub name: Option<String>,
 }

@@ -141,7 +141,7 @@ fn right_parts(parts: &[(&str, usize)], noun: &str, objects: bool) -> Measuremen
     let names = words::list(names);
     let are = if parts.len() == 1 { "is" } else { "are" };
     let place = match (noun, objects) {
-        (HITS, true) => "in every hit",
+        (HITS, true) => "in every hit that you find",
         (HITS, false) => "wherever the object is",
         _ => "everywhere",
     };

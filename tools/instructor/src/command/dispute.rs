@@ -80,7 +80,7 @@ fn words(record: &Record, evidence: &Evidence) -> String {
         let (earned, possible) = (task.points, task.possible);
         text += &format!("\n{FAIL}✗{FAIL:#} {} {earned} / {possible}\n", task.name);
         for (which, group) in failing {
-            let said = terminal::outcome_of(&group.outcome, "questions");
+            let said = terminal::outcome_of(&group.outcome, "answers");
             text += &format!("  {} ({which}): {said}\n", group.name);
             for line in terminal::facts(&group.worst).lines() {
                 text += &format!("      {line}\n");

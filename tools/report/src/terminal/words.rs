@@ -52,7 +52,7 @@ pub fn scene_in_words(scene: &SceneOutcome) -> String {
 
 /// A group in one line.
 pub fn group_in_words(group: &GroupOutcome) -> String {
-    let said = outcome_of(&group.outcome, "questions");
+    let said = outcome_of(&group.outcome, "answers");
     match group.fails_fresh {
         true => format!(
             "the public questions pass, fresh ones do not: {said}. Ask your instructor, who can \

@@ -102,13 +102,16 @@ fn a_t_that_is_a_distance_is_multiplied_by_the_directions_length() {
         Some(Intersection { t, ..right })
     });
     let law = "t is multiplied by |d|, in all 200 hits.";
-    assert_eq!(said, [law, "The normal is right in every hit."]);
+    assert_eq!(
+        said,
+        [law, "The normal is right in every hit that you find."]
+    );
 }
 
 #[test]
 fn missed_side_is_described_by_its_condition() {
     let said = said(|question, right| (question.ray.origin.z > 0.0).then_some(right));
-    let place = "exactly those where d · n > 0 (met from behind).";
+    let place = "exactly those where d · n > 0 (the surface is met from behind).";
     assert!(
         said[0].starts_with("You miss") && said[0].ends_with(place),
         "{said:?}"
@@ -197,7 +200,7 @@ fn one_of_two_reasons_for_misses_is_reported_with_its_count() {
     });
     let behind = (0..COUNT).filter(|index| question(*index).ray.origin.z < 0.0);
     let among = format!(
-        ", among them all {} where d · n > 0 (met from behind).",
+        ", among them all {} where d · n > 0 (the surface is met from behind).",
         behind.count()
     );
     assert!(
@@ -215,9 +218,9 @@ fn a_part_with_a_law_on_each_side_of_a_condition_gets_two_sentences() {
         let normal = plane.normal * question.ray.origin.z.signum();
         Some(Intersection { normal, ..right })
     });
-    let behind = "Where d · n > 0 (met from behind), the normal is multiplied by −|n|, in all ";
+    let behind = "Where d · n > 0 (the surface is met from behind), the normal is multiplied by −|n|, in all ";
     assert!(said[0].starts_with(behind), "{said:?}");
-    let front = "Where d · n < 0 (met from the front), the normal is multiplied by |n|, in all ";
+    let front = "Where d · n < 0 (the surface is met from the front), the normal is multiplied by |n|, in all ";
     assert!(said[1].starts_with(front), "{said:?}");
 }
 

@@ -69,7 +69,7 @@ fn memorised_films_earn_nothing() {
     // what it was asked.
     assert_eq!(outside["outcome"]["kind"], "withheld");
     let report = class.read("fresh/submissions/memoriser/report.html");
-    assert!(!report.contains("questions are wrong"), "counts are shown");
+    assert!(!report.contains("answers are wrong"), "counts are shown");
     assert!(
         result["most_for_scenes"]
             .as_u64()
