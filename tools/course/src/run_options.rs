@@ -16,8 +16,9 @@ use crate::sandbox::Choice;
 /// The option that names an assignment.
 #[derive(Args, Default)]
 pub struct AssignmentOption {
-    /// The assignment, by name or folder [default: the one that contains the submission or golden,
-    /// or else the current folder, or else the checkout's default]
+    /// The assignment, by name or folder [default: the one around the current folder, or around the
+    /// answers or the golden that `check`, `render`, `explain`, `reset` or `diff` is given; else
+    /// the checkout's default]
     #[arg(long = "assignment", value_name = "NAME")]
     pub name: Option<String>,
 }

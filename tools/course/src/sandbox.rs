@@ -88,7 +88,7 @@ pub fn time_of_children() -> Option<Duration> {
 /// The sandbox that a user asks for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
 pub enum Choice {
-    /// No sandbox for a folder of this checkout, bubblewrap for any other
+    /// Bubblewrap, or no sandbox for a folder of this checkout (`grade` always uses bubblewrap)
     #[default]
     Auto,
     /// Linux namespaces, made by bubblewrap

@@ -55,8 +55,8 @@ impl Command {
 ///
 /// Each path is a submission (a folder or an archive, .zip or .tar.gz, with the answer files), a
 /// folder of submissions, or a class as Canvas or Moodle exports it. The result and the report of
-/// each submission go to DIR/submissions; the results of the whole class are in DIR/grades.csv
-/// and DIR/class.html. All code runs in a sandbox.
+/// each submission go to OUT/submissions; the results of the whole class are in OUT/grades.csv and
+/// OUT/class.html. All code runs in a sandbox.
 ///
 /// You can stop this at any time and run it again. It continues where it stopped, and grades
 /// again only what has changed. If the grader itself fails on a submission, that submission is
@@ -68,8 +68,8 @@ impl Command {
 ///
 /// If Mitsuba is installed, the whole class is also asked fresh questions, drawn from a new seed. A
 /// group of questions then earns its points only if it passes both the public and the fresh
-/// questions. A scene earns no larger share of its points than the weakest of the tasks that it
-/// needs, unless fresh scenes that need the same tasks earn a larger share.
+/// questions. A scene earns at most the share of its points that the weakest task it needs earns,
+/// or that fresh scenes with the same needs earn, whichever is larger.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions
@@ -77,8 +77,9 @@ pub struct Grade {
     pub paths: Vec<PathBuf>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Write results to this folder, and reuse the results in it that are still valid
-    #[arg(long, value_name = "DIR", required_unless_present = "dry_run")]
+    /// Write results to this folder, and reuse the results in it that are still valid (required,
+    /// except with --dry-run)
+    #[arg(long, value_name = "OUT", required_unless_present = "dry_run")]
     pub out: Option<PathBuf>,
     /// Show who handed in each submission and what it contains, and grade nothing
     #[arg(long)]
@@ -93,7 +94,7 @@ pub struct Grade {
     /// How much results and reports show about withheld and fresh questions
     #[arg(long, value_enum, default_value_t)]
     pub reveal: Reveal,
-    /// Draw fresh questions from this seed [default: the seed of DIR/fresh; if there is none, or
+    /// Draw fresh questions from this seed [default: the seed of OUT/fresh; if there is none, or
     /// with --regrade, a random one of 128 bits]
     #[arg(long, value_name = "N")]
     pub seed: Option<Seed>,
@@ -122,13 +123,12 @@ pub struct Grade {
     #[arg(long, value_name = "K/N", value_parser = shard)]
     pub shard: Option<(usize, usize)>,
     /// Give each task and scene at least this many seconds of processor time, and at least a
-    /// hundred times what the reference takes. A late submission is graded again with nothing else
-    /// running before it counts as late
+    /// hundred times what the reference takes. If anything takes longer, the submission is graded
+    /// again with nothing else running, and only what takes too long again is timed out
     #[arg(long, value_name = "SECONDS", default_value_t = 4,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
-    /// The sandbox that all code runs in. Here, `auto` always means bubblewrap, even for a folder
-    /// of this checkout
+    /// The sandbox that all code runs in
     #[arg(long, value_enum, value_name = "SANDBOX", default_value_t)]
     pub sandbox: Choice,
     /// Run without a sandbox, which every result then mentions; only for your own code (short for

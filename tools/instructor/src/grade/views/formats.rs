@@ -24,7 +24,8 @@ pub enum Format {
     Junit,
     /// prairielearn.json: PrairieLearn's results.json
     Prairielearn,
-    /// classroom50.json: the result.json of Classroom 50, with the names that its runner gives
+    /// classroom50.json: Classroom 50's result.json, with the classroom, assignment and submission
+    /// from its runner's environment
     Classroom50,
     /// groups.csv in the class's folder: a line for each group of questions
     Csv,
