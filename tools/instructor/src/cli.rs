@@ -155,8 +155,9 @@ impl Grade {
 
 /// Show everything about one mark, to explain it to the student
 ///
-/// Prints, for each group that fails, what was asked, what was expected and what the answer gave,
-/// and then the answer as it was handed in. It shows more about fresh and withheld questions than
+/// Prints the final mark and the reason of each change to it. For each group that fails, prints
+/// what was asked, what was expected and what the answer gave, and then the answer as it was handed
+/// in. It shows more about fresh and withheld questions than
 /// the student may see. Nothing is graded again.
 #[derive(Args)]
 pub struct Dispute {

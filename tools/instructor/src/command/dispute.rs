@@ -1,13 +1,17 @@
 //! `pinhole dispute`: everything about one mark, for the lecturer who must explain it.
 
+use std::collections::BTreeMap;
+use std::path::Path;
+
 use serde_json::json;
 
 use crate::cli::Dispute;
 use crate::grade::cache::standing;
-use crate::grade::class::{ROLL, Roll};
+use crate::grade::class::{ROLL, Roll, marks};
 use crate::grade::evidence::Evidence;
 use crate::grade::intake::roster::Person;
-use crate::grade::record::Record;
+use crate::grade::policy::mark::{Mark, number};
+use crate::grade::record::{Record, RecordSummary};
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::outcome::{GroupOutcome, Outcome, TaskOutcome};
 use pinhole_report::escape::{printable, printable_json};
@@ -17,22 +21,60 @@ use pinhole_report::terminal::{self, FAIL, QUIET, STRONG};
 pub fn run(arguments: &Dispute) -> Result<Status> {
     let roll = Roll::read(&arguments.out.join(ROLL))?;
     let id = id_of(&arguments.id, &roll)?;
-    let record = standing(&arguments.out.join("submissions").join(&id)).ok_or_else(|| {
+    let submissions = arguments.out.join("submissions");
+    let record = standing(&submissions.join(&id)).ok_or_else(|| {
         Error::input(
             format!("there is no mark for {id} in {}", arguments.out.display()),
             "grade it first: cargo pinhole grade … --out DIR",
         )
     })?;
     let evidence = Evidence::read(&arguments.out, &id)?;
+    let attempts = attempts(&id, &roll, &submissions);
+    let rows = marks::rows(&roll, &attempts);
+    let row = rows.own.into_iter().find(|row| row.entry.id == id);
+    let (mark, not_counted) = row.map_or((None, None), |row| (row.mark, row.not_counted));
     if arguments.json {
-        let document = json!({ "record": record, "evidence": evidence });
+        let document = json!({
+            "record": record, "mark": mark, "not_counted": not_counted, "evidence": evidence
+        });
         let text = serde_json::to_string_pretty(&document)
             .or_environment("cannot write the result as JSON", "report this")?;
         anstream::println!("{}", printable_json(&text));
     } else {
-        anstream::print!("{}", words(&record, &evidence));
+        let mark = mark_in_words(mark.as_ref(), not_counted.as_deref());
+        anstream::print!("{}", words(&record, &mark, &evidence));
     }
     Ok(Status::Well)
+}
+
+/// The records of everything that the same people have handed in, by id. They decide which
+/// submission counts.
+fn attempts(id: &str, roll: &Roll, submissions: &Path) -> BTreeMap<String, RecordSummary> {
+    let person = roll.placed.of.get(id);
+    let team: Vec<&Person> = person.into_iter().flat_map(|it| roll.team_of(it)).collect();
+    let is_theirs = |other: &str| {
+        let owner = roll.placed.of.get(other);
+        other == id || owner.is_some_and(|owner| team.iter().any(|it| it.id == owner.id))
+    };
+    let ids = roll.entries.iter().map(|entry| entry.id.clone());
+    let record = |id: String| Some((id.clone(), standing(&submissions.join(id))?.into()));
+    ids.filter(|id| is_theirs(id)).filter_map(record).collect()
+}
+
+/// What the policy makes of the points.
+fn mark_in_words(mark: Option<&Mark>, not_counted: Option<&str>) -> String {
+    let mut text = String::new();
+    if let Some(mark) = mark {
+        let (last, possible) = (number(mark.last), number(mark.possible));
+        text += &format!("final mark: {last} of {possible}\n");
+        for change in &mark.changes {
+            text += &format!("  {}\n", printable(&change.in_words()));
+        }
+    }
+    if let Some(why) = not_counted {
+        text += &format!("{}\n", printable(why));
+    }
+    text
 }
 
 /// Finds the submission that the user named by its id, or by the id or the name of someone whose
@@ -60,13 +102,13 @@ fn id_of(named: &str, roll: &Roll) -> Result<String> {
     }
 }
 
-fn words(record: &Record, evidence: &Evidence) -> String {
-    let (id, name) = (printable(&record.id), printable(&record.got.submission));
+fn words(record: &Record, mark: &str, evidence: &Evidence) -> String {
+    let id = printable(&record.id);
     let points = record.got.points.map_or("no mark".into(), |points| {
         format!("{points} of {} points", record.got.possible)
     });
     let made_with = &record.provenance.made_with;
-    let mut text = format!("{STRONG}{id}{STRONG:#}  {points}  {QUIET}{name}{QUIET:#}\n");
+    let mut text = format!("{STRONG}{id}{STRONG:#}  {points}\n{mark}");
     text += &format!("judged on {}\n", made_with.judged_on);
     if let (Some(seed), Some(folder)) = (made_with.seed, &evidence.fresh_folder) {
         let folder = folder.display();
@@ -147,6 +189,21 @@ mod tests {
         }
         let error = id_of("Name of nobody", &roll).expect_err("nobody has this name");
         assert!(error.to_string().contains("no submission by"), "{error}");
+    }
+
+    #[test]
+    fn the_final_mark_is_shown_with_the_reason_of_each_change() {
+        let rules = "[[adjust]]\nid = 'ada'\npoints = -5\nreason = 'late by e-mail'";
+        let roll = roll(vec![entry("one", "ada", "ada")], rules, &[]);
+        let record = crate::grade::record::tests::graded("one", 80, 100);
+        let records = BTreeMap::from([("one".to_owned(), record.into())]);
+        let rows = marks::rows(&roll, &records);
+        let mark = rows.own[0].mark.as_ref();
+        let said = mark_in_words(mark, Some("not counted: two is"));
+        assert_eq!(
+            said,
+            "final mark: 75 of 100\n  −5: late by e-mail\nnot counted: two is\n"
+        );
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Decides which of a person's files answers which task.
 
 use std::collections::BTreeSet;
+use std::fs;
 use std::path::PathBuf;
 
 use super::hand_in::Upload;
@@ -125,6 +126,16 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
         );
         choice.doubts.push(doubt);
     }
+    // Files that the course's repository has in the same places are not the student's.
+    let is_ours = |upload: &Upload| {
+        let inside = |root: &Vec<String>| upload.path.strip_prefix(&root[..]);
+        let places = roots.iter().filter_map(inside);
+        let place = |rest: &[String]| assignment.course().join(rest.iter().collect::<PathBuf>());
+        places.map(place).any(|place| place.is_file())
+    };
+    for task in &assignment.tasks {
+        choice.doubt_stub(task, uploads, assignment, is_ours);
+    }
     if candidates.is_empty() && refused.is_empty() && !others.is_empty() {
         let note = format!(
             "no answer file was handed in, but {}",
@@ -180,6 +191,46 @@ impl Choice {
             self.notes.push(format!("`{}` {note}", chosen.path()));
         }
         chosen.text.clone()
+    }
+
+    /// If the answer to a task is the untouched stub, lists other files that may be meant.
+    fn doubt_stub(
+        &mut self,
+        task: &Task,
+        uploads: &[Upload],
+        assignment: &Assignment,
+        is_ours: impl Fn(&Upload) -> bool,
+    ) {
+        let file = task.file();
+        let stub = assignment.handout().join("src").join(&file);
+        let stub = fs::read_to_string(stub).unwrap_or_default();
+        let is_stub = |text: &str| text.split_whitespace().eq(stub.split_whitespace());
+        let mut answers = self.submission.answers.iter();
+        let own = answers.find(|answer| answer.task == task.name);
+        if !own.is_some_and(|own| own.text.as_ref().is_ok_and(|text| is_stub(text))) {
+            return;
+        }
+        let may_be_meant = |upload: &&Upload| {
+            let name = upload.path.last().map(String::as_str).unwrap_or_default();
+            let is_other = match &upload.content {
+                Content::Answer { text: Ok(text), .. } => {
+                    task_of(name, assignment).is_some_and(|(of, _)| of.name == task.name)
+                        && !is_stub(text)
+                }
+                // Files with other names are not read.
+                Content::Other => name.starts_with(&task.name) && name.ends_with(".rs"),
+                _ => false,
+            };
+            is_other && !is_ours(upload)
+        };
+        let meant = uploads.iter().filter(may_be_meant);
+        let meant: Vec<String> = meant.map(|upload| upload.path.join("/")).collect();
+        if !meant.is_empty() {
+            self.doubts.push(format!(
+                "the file that was taken as `{file}` is the stub, unchanged; is {} meant?",
+                first(&meant).join(" or ")
+            ));
+        }
     }
 }
 

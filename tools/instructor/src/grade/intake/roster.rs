@@ -82,9 +82,10 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
             Some(_) => cell(name).to_owned(),
             None => parts.map(cell).join(" ").trim().to_owned(),
         };
-        // Skip the line of possible points in Canvas's gradebook.
+        // Skip the lines of Canvas's gradebook that are about no student: how grades are posted, the
+        // possible points, and the test student.
         let own = cell(Some(id)).to_owned();
-        if own.is_empty() && name == "Points Possible" {
+        if own.is_empty() && ["", "Points Possible", "Student, Test"].contains(&&*name) {
             continue;
         }
         if own.is_empty() {
@@ -155,8 +156,10 @@ mod tests {
     #[test]
     fn lists_from_platforms_are_rosters() {
         let canvas = "Student,ID,SIS User ID,SIS Login ID,Section,Homework 1 (22)\n\
+            ,,,,,Manual Posting\n\
             Points Possible,,,,,100\n\
-            \"Lovelace, Ada\",11,20231234,al123,L1,\n";
+            \"Lovelace, Ada\",11,20231234,al123,L1,\n\
+            \"Student, Test\",99,,5f3c1a,L1,\n";
         let ada = people(canvas.as_bytes()).expect("it is a roster").remove(0);
         assert_eq!(
             (ada.id.as_str(), ada.number.as_deref()),

@@ -216,6 +216,34 @@ fn a_clone_or_the_whole_handout_is_read_where_students_write() {
 }
 
 #[test]
+fn an_untouched_stub_is_questioned_if_another_file_may_be_meant() {
+    let stub = |task: &str| {
+        let file = format!("assignments/ray_casting/handout/src/{task}.rs");
+        (
+            file.clone(),
+            fs::read(root().join(file)).expect("it is committed"),
+        )
+    };
+    let harness = ("src/shape/sphere.rs".to_owned(), b"// the harness".to_vec());
+    let export = Export::new();
+    let mut clone: Files = TASKS.iter().map(|task| stub(task)).collect();
+    clone.push(harness);
+    export.put_all("class/ada", clone.clone());
+    export.put_all("class/bob", clone);
+    export.put("class/bob/src/sphere.rs", b"// by bob");
+    export.put("class/cleo/plane.rs", &stub("plane").1);
+    export.put("class/cleo/plane_final.rs", b"// by cleo");
+    let intake = export.find("class");
+    let doubts: Vec<_> = intake.entries.iter().map(|it| &it.doubts[..]).collect();
+    let doubt = |file: &str, other: &str| {
+        format!("the file that was taken as `{file}` is the stub, unchanged; is {other} meant?")
+    };
+    let bob = doubt("sphere.rs", "src/sphere.rs");
+    let cleo = doubt("plane.rs", "plane_final.rs");
+    assert_eq!(doubts, [&[][..], &[bob], &[cleo]]);
+}
+
+#[test]
 fn answers_in_deep_folders_are_found_and_duplicates_are_reported() {
     let export = Export::new();
     export.put_all(
