@@ -21,7 +21,7 @@ use crate::grade::views::summary::{ClassOutput, RunSummary};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::Compiler;
-use pinhole_course::error::Result;
+use pinhole_course::error::{Error, Result};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
 use pinhole_course::progress::Progress;
@@ -43,6 +43,10 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let earlier = cache.path(class::ROLL);
     let roll = match (roll.is_class, arguments.shard) {
         (false, None) if earlier.exists() => roll.into_class(Roll::read(&earlier)?),
+        (true, None) => {
+            refuse_partial_class(&roll, &earlier)?;
+            roll
+        }
         _ => roll,
     };
 
@@ -296,4 +300,62 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
     };
     roll.find_groups();
     Ok(roll)
+}
+/// Refuses a class that lacks submissions which were graded into the same folder before. It may be
+/// a folder with one late submission, and everyone else would be listed as absent.
+fn refuse_partial_class(roll: &Roll, earlier: &Path) -> Result<()> {
+    // A class of another version is graded again.
+    let Ok(class) = Roll::read(earlier) else {
+        return Ok(());
+    };
+    let is_here = |id: &str| roll.entries.iter().any(|entry| entry.id == id);
+    let all = class.entries.iter().filter(|_| class.is_class);
+    let absent: Vec<&str> = all.map(|it| &*it.id).filter(|id| !is_here(id)).collect();
+    if absent.is_empty() {
+        return Ok(());
+    }
+    let some: Vec<&str> = absent.iter().copied().take(3).collect();
+    Err(Error::input(
+        format!(
+            "{} submissions that were graded into this folder are not in what you named: {}{}",
+            absent.len(),
+            some.join(", "),
+            if absent.len() > some.len() {
+                ", …"
+            } else {
+                ""
+            }
+        ),
+        format!(
+            "to add or replace submissions, name each of them, and not a folder around them; to \
+             leave out those that are absent, first remove {}",
+            earlier.display()
+        ),
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grade::class::marks::tests::{entry, roll};
+
+    #[test]
+    fn a_folder_with_one_late_submission_does_not_replace_the_class() {
+        let of = |ids: &[&str]| {
+            let entries = ids.iter().map(|id| entry(id, id, id)).collect();
+            let rules = "time_zone = 'UTC'";
+            Roll {
+                is_class: true,
+                ..roll(entries, rules, &[])
+            }
+        };
+        let folder = tempfile::tempdir().expect("there is room");
+        let earlier = folder.path().join(class::ROLL);
+        refuse_partial_class(&of(&["ada"]), &earlier).expect("nothing was graded before");
+        let text = serde_json::to_string(&of(&["ada", "bob"])).expect("it is JSON");
+        fs::write(&earlier, text).expect("there is room");
+        refuse_partial_class(&of(&["ada", "bob", "eve"]), &earlier).expect("all are here");
+        let error = refuse_partial_class(&of(&["bob"]), &earlier).expect_err("ada is absent");
+        assert!(error.to_string().contains("what you named: ada"), "{error}");
+    }
 }

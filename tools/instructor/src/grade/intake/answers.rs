@@ -88,12 +88,10 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
     // A copy of the course's repository contains files of the same names elsewhere too.
     let roots = candidates.iter().filter_map(|(_, one)| one.repository());
     let roots: BTreeSet<Vec<String>> = roots.map(<[String]>::to_vec).collect();
-    let mut outside = Vec::new();
+    let mut elsewhere = Vec::new();
     if !roots.is_empty() {
-        let is_inside = |one: &Candidate| roots.iter().any(|it| one.upload.path.starts_with(it));
-        let all = candidates.iter().map(|(_, one)| one);
-        outside.extend(all.filter(|one| !is_inside(one)).map(Candidate::path));
-        candidates.retain(|(_, one)| one.repository().is_some());
+        let is_written_here = |(_, one): &mut (_, Candidate)| one.repository().is_none();
+        elsewhere.extend(candidates.extract_if(.., is_written_here));
     }
     let mut choice = Choice {
         submission: Submission {
@@ -119,22 +117,34 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
             text,
         });
     }
+    // Files that the course's repository has in the same places are not the student's.
+    let is_ours = |path: &[String]| {
+        let inside = roots.iter().filter_map(|root| path.strip_prefix(&root[..]));
+        let course = assignment.course();
+        let mut places = inside.map(|rest| course.join(rest.iter().collect::<PathBuf>()));
+        places.any(|place| place.is_file())
+    };
+    let differs = |(task, one): &&(&Task, Candidate)| {
+        let own = choice.submission.answers.iter();
+        let mut own = own.filter(|answer| answer.task == task.name);
+        own.any(|answer| said(&answer.text) != said(one.text))
+    };
+    let outside = elsewhere.iter().filter(differs).map(|(_, one)| one);
+    let outside: Vec<String> = outside
+        .filter(|one| !is_ours(&one.upload.path))
+        .map(Candidate::path)
+        .collect();
     if !outside.is_empty() {
-        let doubt = format!(
+        choice.doubts.push(format!(
             "the files in `handout/src` were taken, and not {}",
             first(&outside).join(", ")
-        );
-        choice.doubts.push(doubt);
+        ));
     }
-    // Files that the course's repository has in the same places are not the student's.
-    let is_ours = |upload: &Upload| {
-        let inside = |root: &Vec<String>| upload.path.strip_prefix(&root[..]);
-        let places = roots.iter().filter_map(inside);
-        let place = |rest: &[String]| assignment.course().join(rest.iter().collect::<PathBuf>());
-        places.map(place).any(|place| place.is_file())
-    };
+    let is_theirs =
+        |path: &&String| !is_ours(&path.split('/').map(str::to_owned).collect::<Vec<_>>());
+    let theirs: Vec<&String> = others.iter().filter(is_theirs).collect();
     for task in &assignment.tasks {
-        choice.doubt_stub(task, uploads, assignment, is_ours);
+        choice.doubt_stub(task, &theirs, assignment);
     }
     if candidates.is_empty() && refused.is_empty() && !others.is_empty() {
         let note = format!(
@@ -193,38 +203,26 @@ impl Choice {
         chosen.text.clone()
     }
 
-    /// If the answer to a task is the untouched stub, lists other files that may be meant.
-    fn doubt_stub(
-        &mut self,
-        task: &Task,
-        uploads: &[Upload],
-        assignment: &Assignment,
-        is_ours: impl Fn(&Upload) -> bool,
-    ) {
+    /// If the answer to a task is the untouched stub, lists files with similar names.
+    fn doubt_stub(&mut self, task: &Task, others: &[&String], assignment: &Assignment) {
         let file = task.file();
         let stub = assignment.handout().join("src").join(&file);
         let stub = fs::read_to_string(stub).unwrap_or_default();
-        let is_stub = |text: &str| text.split_whitespace().eq(stub.split_whitespace());
         let mut answers = self.submission.answers.iter();
         let own = answers.find(|answer| answer.task == task.name);
-        if !own.is_some_and(|own| own.text.as_ref().is_ok_and(|text| is_stub(text))) {
+        let is_stub = |text: &String| text.split_whitespace().eq(stub.split_whitespace());
+        if !own.is_some_and(|own| own.text.as_ref().is_ok_and(is_stub)) {
             return;
         }
-        let may_be_meant = |upload: &&Upload| {
-            let name = upload.path.last().map(String::as_str).unwrap_or_default();
-            let is_other = match &upload.content {
-                Content::Answer { text: Ok(text), .. } => {
-                    task_of(name, assignment).is_some_and(|(of, _)| of.name == task.name)
-                        && !is_stub(text)
-                }
-                // Files with other names are not read.
-                Content::Other => name.starts_with(&task.name) && name.ends_with(".rs"),
-                _ => false,
-            };
-            is_other && !is_ours(upload)
+        let is_similar = |path: &&&String| {
+            let name = path.rsplit('/').next().unwrap_or_default();
+            name.starts_with(&task.name) && name.ends_with(".rs")
         };
-        let meant = uploads.iter().filter(may_be_meant);
-        let meant: Vec<String> = meant.map(|upload| upload.path.join("/")).collect();
+        let meant: Vec<String> = others
+            .iter()
+            .filter(is_similar)
+            .map(|path| path.to_string())
+            .collect();
         if !meant.is_empty() {
             self.doubts.push(format!(
                 "the file that was taken as `{file}` is the stub, unchanged; is {} meant?",

@@ -216,18 +216,15 @@ fn a_clone_or_the_whole_handout_is_read_where_students_write() {
 }
 
 #[test]
-fn an_untouched_stub_is_questioned_if_another_file_may_be_meant() {
+fn answers_are_questioned_if_other_files_may_be_meant() {
     let stub = |task: &str| {
         let file = format!("assignments/ray_casting/handout/src/{task}.rs");
-        (
-            file.clone(),
-            fs::read(root().join(file)).expect("it is committed"),
-        )
+        let text = fs::read(root().join(&file)).expect("it is committed");
+        (file, text)
     };
-    let harness = ("src/shape/sphere.rs".to_owned(), b"// the harness".to_vec());
     let export = Export::new();
     let mut clone: Files = TASKS.iter().map(|task| stub(task)).collect();
-    clone.push(harness);
+    clone.push(("src/shape/sphere.rs".into(), b"// the harness".to_vec()));
     export.put_all("class/ada", clone.clone());
     export.put_all("class/bob", clone);
     export.put("class/bob/src/sphere.rs", b"// by bob");
@@ -235,11 +232,10 @@ fn an_untouched_stub_is_questioned_if_another_file_may_be_meant() {
     export.put("class/cleo/plane_final.rs", b"// by cleo");
     let intake = export.find("class");
     let doubts: Vec<_> = intake.entries.iter().map(|it| &it.doubts[..]).collect();
-    let doubt = |file: &str, other: &str| {
-        format!("the file that was taken as `{file}` is the stub, unchanged; is {other} meant?")
-    };
-    let bob = doubt("sphere.rs", "src/sphere.rs");
-    let cleo = doubt("plane.rs", "plane_final.rs");
+    let bob = "the files in `handout/src` were taken, and not src/sphere.rs".to_owned();
+    let cleo = "the file that was taken as `plane.rs` is the stub, unchanged; is plane_final.rs \
+                meant?"
+        .to_owned();
     assert_eq!(doubts, [&[][..], &[bob], &[cleo]]);
 }
 
