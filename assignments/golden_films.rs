@@ -97,6 +97,7 @@ fn examine(
     let executable = env!(concat!("CARGO_BIN_EXE_", env!("CARGO_PKG_NAME")));
     let program = Program {
         executable: executable.into(),
+        with_ours: None,
         replaced: Default::default(),
         warnings: Default::default(),
         stop: Default::default(),

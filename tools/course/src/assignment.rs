@@ -10,7 +10,9 @@ use pinhole::{Kind, Scene, ShapeKind};
 
 use crate::error::{Error, Result};
 
-pub use self::parts::{DroppedGroup, DroppedPoints, Finish, GroupPoints, ScenePoints, Task};
+pub use self::parts::{
+    DroppedGroup, DroppedPoints, EarlierAnswer, Finish, GroupPoints, ScenePoints, Task,
+};
 
 /// An assignment: what students are asked to do, and the folder that defines it.
 #[derive(Clone, Debug)]
@@ -23,6 +25,8 @@ pub struct Assignment {
     pub title: String,
     /// The tasks, in the order students meet them.
     pub tasks: Vec<Task>,
+    /// The answer of an earlier assignment that students may hand in again, if there is one.
+    pub earlier: Option<EarlierAnswer>,
     /// The name of the task to begin with.
     pub start: String,
     /// The scenes, in the order they are cast.
@@ -62,6 +66,12 @@ impl Assignment {
     /// their answers into the handout's folder.
     pub fn pristine(&self) -> PathBuf {
         self.folder.join("stubs")
+    }
+
+    /// The tasks that a submission may answer: its own, then that of an earlier assignment.
+    pub fn answerable(&self) -> impl Iterator<Item = &Task> {
+        let earlier = self.earlier.iter().map(|earlier| &earlier.task);
+        self.tasks.iter().chain(earlier)
     }
 
     /// The files around the answers, which are the same in every submission.

@@ -38,6 +38,9 @@ pub struct Program {
     pub executable: PathBuf,
     /// Answers that were replaced by their stubs, and why.
     pub replaced: Replacements,
+    /// The same program with our answer to the task of an earlier assignment, if this one has the
+    /// student's.
+    pub with_ours: Option<PathBuf>,
     /// What the compiler warned about, by task.
     pub warnings: BTreeMap<String, String>,
     /// Raised when its answers are no longer wanted.
@@ -63,6 +66,8 @@ pub struct Compiler {
     /// The handout with untouched stubs. It is not read from the handout's folder, because
     /// students write there.
     pristine: Package,
+    /// The task of an earlier assignment, if students may hand in its answer again.
+    earlier: Option<String>,
     /// Whether answers may use any attribute and macro.
     allows_everything: bool,
     /// Whether messages name the student's files by paths that open from the current folder.
@@ -90,6 +95,7 @@ impl Compiler {
         checkout: &Checkout,
         sandbox: &Sandbox,
     ) -> Result<Compiler> {
+        let earlier = assignment.earlier.as_ref();
         Ok(Compiler {
             programs: sandbox.scratch(checkout).join("programs"),
             sandbox: sandbox.clone(),
@@ -97,6 +103,7 @@ impl Compiler {
                 Harness::find(checkout, &sandbox.scratch(checkout))
             })?,
             pristine: stubs::pristine(assignment, checkout)?,
+            earlier: earlier.map(|earlier| earlier.task.name.clone()),
             allows_everything: false,
             names_places: false,
             stops_when_late: false,
@@ -216,9 +223,32 @@ impl Compiler {
                         replaced.extend(tasks.map(|task| (task.clone(), unclear_tokens(task))));
                         continue;
                     }
+                    let is_theirs = |task: &&String| {
+                        submission.answer(task).is_some() && !replaced.contains_key(*task)
+                    };
+                    let with_ours = match self.earlier.as_ref().filter(is_theirs) {
+                        None => None,
+                        Some(task) => {
+                            let missing = Replacement::Unusable(AnswerFileProblem::Missing);
+                            let mut ours = replaced.clone();
+                            ours.insert(task.clone(), missing);
+                            match compile(&ours)? {
+                                BuildResult::Program { executable, .. } => Some(executable),
+                                BuildResult::Refused { is_late: true, .. }
+                                    if self.stops_when_late =>
+                                {
+                                    return Ok(Attempt::Late);
+                                }
+                                BuildResult::Refused { diagnostics, .. } => {
+                                    return Err(blame::not_theirs(&diagnostics));
+                                }
+                            }
+                        }
+                    };
                     let warnings = blame::warnings(&warnings, submission, &replaced);
                     return Ok(Attempt::Program(Program {
                         executable,
+                        with_ours,
                         warnings,
                         replaced,
                         stop: Stop::default(),

@@ -2,6 +2,7 @@
 
 mod asking;
 mod diagnose;
+mod earlier;
 mod judged_film;
 
 use std::time::{Duration, Instant};
@@ -123,7 +124,15 @@ impl Examiner<'_> {
         let mut outcomes = Vec::new();
         let mut films = Vec::new();
         let rays_pass = self.rays_pass(&tasks);
-        let scenes = self.each(&scenes, |scene| self.scene(scene, &late, rays_pass))?;
+        let (program, earlier) = match scenes.is_empty() {
+            true => (self.program.clone(), None),
+            false => self.judge_earlier()?,
+        };
+        let caster = Examiner {
+            program: &program,
+            ..*self
+        };
+        let scenes = self.each(&scenes, |scene| caster.scene(scene, &late, rays_pass))?;
         for (outcome, film, text) in scenes {
             outcomes.push(outcome);
             films.push(film);
@@ -140,6 +149,7 @@ impl Examiner<'_> {
             },
             tasks,
             scenes: outcomes,
+            earlier,
             printed,
             flags: flags(submission),
             ..Outcome::new(&self.assignment.title, folder, self.sandbox.name())

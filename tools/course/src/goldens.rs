@@ -86,12 +86,9 @@ impl Goldens {
             }
         };
         Ok(Goldens {
-            folder: folder.into(),
             scenes,
             known: KnownMistakes::read(folder)?,
-            kept: Arc::default(),
-            scene_cache: Arc::default(),
-            probes: None,
+            ..Goldens::bare(folder)
         })
     }
 
@@ -137,13 +134,22 @@ impl Goldens {
     /// The goldens of these scene files in `folder`. Other files there are ignored.
     pub fn of_scenes(folder: &Path, files: &[PathBuf]) -> Result<Goldens> {
         Ok(Goldens {
-            folder: folder.into(),
             scenes: files.iter().cloned().map(|file| own(file, 0)).collect(),
             known: KnownMistakes::read(folder)?,
+            ..Goldens::bare(folder)
+        })
+    }
+
+    /// A folder of goldens without scenes and known mistakes.
+    fn bare(folder: &Path) -> Goldens {
+        Goldens {
+            folder: folder.into(),
+            scenes: Vec::new(),
+            known: KnownMistakes::default(),
             kept: Arc::default(),
             scene_cache: Arc::default(),
             probes: None,
-        })
+        }
     }
 
     /// The goldens of the folder that holds this film, which may be a question film.

@@ -121,6 +121,10 @@ pub struct Outcome {
     pub tasks: Vec<TaskOutcome>,
     /// In the assignment's order.
     pub scenes: Vec<SceneOutcome>,
+    /// What became of the answer of an earlier assignment. Absent if it was not handed in again, or
+    /// if no scene was cast.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub earlier: Option<EarlierOutcome>,
     /// The beginning of what the student's code printed. Empty if anything that was asked is
     /// withheld.
     pub printed: String,
@@ -128,6 +132,19 @@ pub struct Outcome {
     pub sandbox: String,
     /// Lines that an instructor may want to look at.
     pub flags: Vec<Flag>,
+}
+
+/// What was made of an answer to a task of an earlier assignment.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct EarlierOutcome {
+    /// The task.
+    pub task: String,
+    /// The earlier assignment.
+    pub assignment: String,
+    /// Why scenes were cast without it, as a clause: "it does not compile". Null if they were cast
+    /// with it.
+    pub problem: Option<String>,
 }
 
 /// One scene, cast by all answers together.
@@ -163,6 +180,7 @@ impl Outcome {
             withheld: 0,
             tasks: Vec::new(),
             scenes: Vec::new(),
+            earlier: None,
             printed: String::new(),
             sandbox: sandbox.into(),
             flags: Vec::new(),

@@ -11,7 +11,7 @@ mod tokens;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::assignment::Assignment;
+use crate::assignment::{Assignment, Task};
 use crate::error::{Error, Result, ResultExt};
 use crate::shell::from_here;
 use text::Text;
@@ -23,7 +23,8 @@ pub struct Submission {
     pub folder: PathBuf,
     /// The folder inside it that holds the answer files.
     pub place: PathBuf,
-    /// One for each task, in the assignment's order.
+    /// One for each task, in the assignment's order. Then the answer of an earlier assignment, if
+    /// it was handed in again.
     pub answers: Vec<Answer>,
 }
 
@@ -44,6 +45,27 @@ pub enum AnswerFileProblem {
     /// The file was not accepted, because it is too long or not a regular UTF-8 file. The text
     /// says which.
     Refused(String),
+}
+
+impl Answer {
+    /// The answer to a task of this assignment or of an earlier one. `None` if it belongs to an
+    /// earlier assignment, and is missing or the same as the file that was handed out.
+    pub fn of(assignment: &Assignment, task: &Task, text: Text) -> Option<Answer> {
+        let folders = [assignment.reference(), assignment.pristine()];
+        let is_given = |text: &String| {
+            folders.iter().any(|folder| {
+                let given = fs::read_to_string(folder.join("src").join(task.file()));
+                given.is_ok_and(|given| given == *text)
+            })
+        };
+        let is_handed_in = match &text {
+            _ if assignment.task(&task.name).is_some() => true,
+            Ok(text) => !is_given(text),
+            Err(problem) => *problem != AnswerFileProblem::Missing,
+        };
+        let task = task.name.clone();
+        is_handed_in.then_some(Answer { task, text })
+    }
 }
 
 impl Submission {
@@ -76,15 +98,14 @@ impl Submission {
         let Some(place) = places(folder)?.into_iter().find(holds_any) else {
             return Ok(None);
         };
-        let answers = assignment.tasks.iter().map(|task| {
-            Ok(Answer {
-                task: task.name.clone(),
-                text: text::read(&place.join(task.file()))?,
-            })
-        });
+        let mut answers = Vec::new();
+        for task in assignment.answerable() {
+            let text = text::read(&place.join(task.file()))?;
+            answers.extend(Answer::of(assignment, task, text));
+        }
         Ok(Some(Submission {
             folder: folder.into(),
-            answers: answers.collect::<Result<_>>()?,
+            answers,
             place,
         }))
     }
@@ -130,9 +151,9 @@ impl Submission {
         let Some(place) = archive.places().into_iter().find(holds_any) else {
             return Ok(None);
         };
-        let answers = assignment.tasks.iter().map(|task| Answer {
-            task: task.name.clone(),
-            text: archive.text(&format!("{place}{}", task.file())),
+        let answers = assignment.answerable().filter_map(|task| {
+            let text = archive.text(&format!("{place}{}", task.file()));
+            Answer::of(assignment, task, text)
         });
         Ok(Some(Submission {
             answers: answers.collect(),

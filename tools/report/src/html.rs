@@ -142,12 +142,14 @@ impl Report {
             evidence.section(k, share)
         });
         let lines: Vec<String> = outcome.printed.lines().map(printable).collect();
+        let earlier = outcome.earlier.iter().map(terminal::earlier_in_words);
         let said = [Some(summary(outcome)), terminal::withheld_in_words(outcome)];
+        let said = said.into_iter().flatten().chain(earlier);
         Ok(Report {
             title: outcome.assignment.clone(),
             of: vec![("submission", printable(&outcome.submission))],
             passes: outcome.passes,
-            said: said.into_iter().flatten().collect::<Vec<_>>().join(" "),
+            said: said.collect::<Vec<_>>().join(" "),
             points: outcome.points.map(|points| (points, outcome.possible)),
             tasks: tasks
                 .map(|(k, task)| TaskSection::of(k, task, pictures, &again.part))

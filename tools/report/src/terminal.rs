@@ -16,8 +16,8 @@ use crate::escape::printable;
 use pinhole_course::outcome::{Examination, TaskOutcome};
 pub use scenes::worst_pixel;
 pub use words::{
-    diagnosis, facts, group_in_words, no_answer, outcome, outcome_of, percent, scene_in_words,
-    share, task_in_words, withheld_in_words,
+    diagnosis, earlier_in_words, facts, group_in_words, no_answer, outcome, outcome_of, percent,
+    scene_in_words, share, task_in_words, withheld_in_words,
 };
 
 pub const PASS: Style = AnsiColor::Green.on_default();
@@ -61,6 +61,9 @@ pub fn examination(examination: &Examination) -> String {
         tasks::rows(&mut text, task, width, tasks::Extent::All);
     }
     scenes::rows(&mut text, examination, width);
+    if let Some(earlier) = &outcome.earlier {
+        line(&mut text, format!("  {}", earlier_in_words(earlier)));
+    }
     let (earned, possible) = (outcome.points.unwrap_or_default(), outcome.possible);
     line(
         &mut text,

@@ -1,4 +1,4 @@
-//! Given code: viewing rays, one triangle, and meshes, which are searched with your tree.
+//! Given code: viewing rays, and meshes, which are searched with your tree.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -9,6 +9,7 @@ use pinhole::{
 };
 
 use crate::build_tree::build_tree;
+use crate::intersect_ray::IntersectRay;
 use crate::nearest_hit::nearest_hit;
 use crate::ray_box::ray_box;
 use crate::triangle_box::{join, triangle_box};
@@ -30,31 +31,10 @@ pub fn viewing_ray(camera: &Camera, pixel: Pixel, resolution: Resolution) -> Ray
     }
 }
 
-/// Where a ray meets a triangle, edges included: e + t d = a + β (b − a) + γ (c − a), solved
-/// by Cramer's rule.
-fn intersect_triangle(triangle: &Triangle, ray: &Ray, min_t: f64) -> Option<Intersection> {
-    let [a, b, c] = triangle.corners;
-    let (to_b, to_c, to_eye) = (b - a, c - a, ray.origin - a);
-    let normal = to_b.cross(to_c);
-    let determinant = -ray.direction.dot(normal);
-    if determinant == 0.0 {
-        return None;
-    }
-    let across = to_eye.cross(ray.direction);
-    let beta = to_c.dot(across) / determinant;
-    let gamma = -to_b.dot(across) / determinant;
-    let t = to_eye.dot(normal) / determinant;
-    let is_inside = beta >= 0.0 && gamma >= 0.0 && beta + gamma <= 1.0;
-    (is_inside && t >= min_t).then(|| Intersection {
-        t,
-        normal: normal.normalize(),
-    })
-}
-
 /// Where a ray first meets a shape, at `min_t` or beyond.
 pub fn intersect(shape: &Shape, ray: &Ray, min_t: f64) -> Option<Intersection> {
     match shape {
-        Shape::Triangle(triangle) => intersect_triangle(triangle, ray, min_t),
+        Shape::Triangle(triangle) => triangle.intersect_ray(ray, min_t),
         Shape::Soup(soup) => {
             let mesh = mesh_of(&soup.triangles);
             let triangles = &soup.triangles;
@@ -148,6 +128,6 @@ impl RayTree for MeshTree<'_> {
 
     fn intersect_triangle(&self, triangle: usize, min_t: f64) -> Option<Intersection> {
         count_test();
-        intersect_triangle(&self.triangles[triangle], self.ray, min_t)
+        self.triangles[triangle].intersect_ray(self.ray, min_t)
     }
 }

@@ -3,8 +3,10 @@
 
 mod build_tree;
 mod casting;
+mod intersect_ray;
 mod nearest_hit;
 mod ray_box;
+mod triangle;
 mod triangle_box;
 
 use std::process::ExitCode;

@@ -17,8 +17,9 @@ use pinhole_report::program::Status;
 pub fn run(checkout: &Checkout, arguments: &Reset) -> Result<Status> {
     let named = arguments.dir.as_deref();
     let assignment = arguments.assignment.find(checkout, named)?;
-    let Some(task) = assignment.task(&arguments.task) else {
-        let names = assignment.tasks.iter().map(|task| task.name.as_str());
+    let mut tasks = assignment.answerable();
+    let Some(task) = tasks.find(|task| task.name == arguments.task) else {
+        let names = assignment.answerable().map(|task| task.name.as_str());
         return Err(Error::input(
             format!("there is no task `{}`", arguments.task),
             format!("name one of: {}", names.collect::<Vec<_>>().join(", ")),
@@ -42,11 +43,11 @@ pub fn run(checkout: &Checkout, arguments: &Reset) -> Result<Status> {
     }
     match backup {
         Some(backup) => anstream::println!(
-            "{} is the stub again; your text is in {}",
+            "{} is as it was handed out; your text is in {}",
             printable(&file),
             printable(&backup)
         ),
-        None => anstream::println!("{} is the stub again", printable(&file)),
+        None => anstream::println!("{} is as it was handed out", printable(&file)),
     }
     Ok(Status::Well)
 }

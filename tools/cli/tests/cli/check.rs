@@ -65,6 +65,55 @@ fn current_folder_is_checked_when_it_is_a_submission() {
 }
 
 #[test]
+fn scenes_are_cast_with_an_answer_of_an_earlier_assignment_only_if_it_passes() {
+    let read = |path: &str| std::fs::read_to_string(root().join(path)).expect("it is committed");
+    // What it prints shows whether it casts the scene.
+    let loud = |path: &str| {
+        let text = read(path);
+        let loud = text.replacen(
+            "        let [",
+            "        println!(\"theirs\");\n        let [",
+            1,
+        );
+        assert_ne!(loud, text);
+        loud
+    };
+    let right = loud("assignments/ray_casting/reference/src/triangle.rs");
+    let wrong = loud("assignments/ray_casting/mistakes/triangle_parallelogram/triangle.rs");
+    let folder = fresh(&trusted(), "earlier");
+    let own = folder.to_str().expect("plain");
+    for task in ["triangle_box", "ray_box", "build_tree", "nearest_hit"] {
+        let file = format!("{task}.rs");
+        let text = read(&format!(
+            "assignments/bounding_volumes/reference/src/{file}"
+        ));
+        std::fs::write(folder.join(file), text).expect("it is ours");
+    }
+    let check = |text: &str| {
+        std::fs::write(folder.join("triangle.rs"), text).expect("it is ours");
+        let scene = ["--scene", "lone_triangle", "--no-report", "--json"];
+        let line = [
+            &["check", own, "--assignment", "bounding_volumes"][..],
+            &scene,
+        ]
+        .concat();
+        let examination = pinhole(&line).expect_code(0).json();
+        let printed = examination["printed"].as_str().expect("a text");
+        let is_theirs = printed.starts_with("theirs");
+        (examination["earlier"]["problem"].clone(), is_theirs)
+    };
+    assert_eq!(check(&right), (Value::Null, true));
+    let fails = "it fails the group `back`".into();
+    assert_eq!(check(&wrong), (fails, false));
+    let broken = format!("{right} let");
+    assert_eq!(check(&broken), ("it does not compile here".into(), false));
+    let reset = ["reset", "triangle", own, "--assignment", "bounding_volumes"];
+    pinhole(&reset).expect_code(0);
+    let given = std::fs::read_to_string(folder.join("triangle.rs")).expect("it is there");
+    assert_eq!(check(&given), (Value::Null, false));
+}
+
+#[test]
 fn a_stub_in_place_of_one_answer_costs_that_task_alone() {
     for stubbed in TASKS {
         let file = format!("{stubbed}.rs");

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-use super::{Assignment, DroppedGroup, Finish, ScenePoints, Task};
+use super::{Assignment, DroppedGroup, EarlierAnswer, Finish, ScenePoints, Task};
 use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
 
@@ -19,6 +19,7 @@ struct File {
     solutions_read: Option<u32>,
     finish: Option<Finish>,
     task: Vec<Task>,
+    earlier: Option<EarlierAnswer>,
     scene: Vec<ScenePoints>,
     #[serde(default)]
     dropped: Vec<DroppedGroup>,
@@ -80,9 +81,11 @@ impl Assignment {
             format_args!("{}", path.display()),
             "correct the assignment file",
         )?;
+        let earlier = file.earlier.iter().map(|earlier| &earlier.task);
         if let Some(task) = file
             .task
             .iter()
+            .chain(earlier)
             .find(|task| !task.has_shape_if_it_takes_one())
         {
             return Err(Error::input(
@@ -120,6 +123,7 @@ impl Assignment {
             folder: folder.into(),
             title: file.title,
             tasks: file.task,
+            earlier: file.earlier,
             scenes: file.scene,
             withheld: file.withheld,
             solutions_read: file.solutions_read,

@@ -20,6 +20,41 @@ pub struct Task {
     pub points: Vec<GroupPoints>,
 }
 
+/// An answer to a task of an earlier assignment, which students may hand in again. Scenes are cast
+/// with it if it passes that task's public questions.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(from = "EarlierEntry")]
+pub struct EarlierAnswer {
+    /// The name of the earlier assignment.
+    pub assignment: String,
+    /// The task. It earns no points here, and its groups of questions are not listed.
+    pub task: Task,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct EarlierEntry {
+    assignment: String,
+    task: String,
+    kind: Kind,
+    shape: Option<ShapeKind>,
+}
+
+impl From<EarlierEntry> for EarlierAnswer {
+    fn from(entry: EarlierEntry) -> EarlierAnswer {
+        EarlierAnswer {
+            assignment: entry.assignment,
+            task: Task {
+                name: entry.task,
+                kind: entry.kind,
+                shape: entry.shape,
+                chapter: String::new(),
+                points: Vec::new(),
+            },
+        }
+    }
+}
+
 /// A group of questions and what it is worth: `["inside", 3, "what is asked"]`.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(from = "(String, u32, String)")]

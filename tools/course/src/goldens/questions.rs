@@ -1,6 +1,7 @@
 //! What a submission is asked, read from the goldens: groups of question films for each task, and
 //! a film for each scene.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, PoisonError};
 
@@ -9,7 +10,7 @@ use pinhole::judge::Golden;
 use pinhole::kind::{self, CameraQuestion};
 use pinhole::{Resolution, Scene};
 
-use crate::assignment::{GroupPoints, Task};
+use crate::assignment::{EarlierAnswer, GroupPoints, Task};
 use crate::error::{Error, Result};
 use crate::goldens::{GoldenScene, Goldens};
 use crate::timings::timed;
@@ -34,6 +35,16 @@ pub struct Batch {
 }
 
 impl Questions {
+    fn in_batches(groups: Vec<Group>, of_scenes: impl Fn(&Group) -> bool) -> Questions {
+        let batches = groups.chunk_by(|a, b| of_scenes(a) == of_scenes(b));
+        let batches = batches.map(|groups| Batch {
+            groups: groups.len(),
+            job: join(groups),
+        });
+        let batches = batches.collect();
+        Questions { groups, batches }
+    }
+
     /// The films of each batch, and the jobs of all of them as one.
     pub fn batches(&self) -> impl Iterator<Item = (Vec<&QuestionFilm>, Option<&Job>)> {
         let mut groups = self.groups.iter();
@@ -83,6 +94,41 @@ impl Goldens {
         groups.map(|points| self.group(task, points)).collect()
     }
 
+    /// All public questions about the task of an earlier assignment.
+    pub fn of_earlier(course: &Path, earlier: &EarlierAnswer) -> Result<Questions> {
+        let goldens = Goldens::bare(&course.join("golden").join(&earlier.assignment));
+        let start = format!("{}.", earlier.task.name);
+        let name = |entry: fs::DirEntry| {
+            let name = entry.file_name().into_string().ok()?;
+            let group = name.strip_prefix(&start)?.strip_suffix(".ask.exr")?;
+            Some(group.to_owned())
+        };
+        let entries = fs::read_dir(goldens.folder.join("probes"));
+        let entries = entries.into_iter().flatten().flatten();
+        let mut names: Vec<String> = entries.filter_map(name).collect();
+        names.sort();
+        if names.is_empty() {
+            return Err(Error::environment(
+                format!(
+                    "{} has no questions about `{}`",
+                    goldens.folder.display(),
+                    earlier.task.name
+                ),
+                "restore the goldens: git checkout -- golden",
+            ));
+        }
+        let group = |name: &String| {
+            Ok(Group {
+                name: name.clone(),
+                worth: 0,
+                about: String::new(),
+                films: vec![goldens.probe(&earlier.task, name)?],
+            })
+        };
+        let groups = names.iter().map(group).collect::<Result<Vec<_>>>()?;
+        Ok(Questions::in_batches(groups, |_| false))
+    }
+
     /// The questions of a task, cached, because one run may examine many submissions.
     pub fn cached_questions(&self, task: &Task) -> Result<Arc<Questions>> {
         let kept = || self.kept.lock().unwrap_or_else(PoisonError::into_inner);
@@ -91,13 +137,7 @@ impl Goldens {
         }
         let groups = timed("read goldens", || self.groups(task))?;
         let of_scenes = |group: &Group| task.is_of_scenes(&group.name);
-        let batches = groups.chunk_by(|a, b| of_scenes(a) == of_scenes(b));
-        let batches = batches.map(|groups| Batch {
-            groups: groups.len(),
-            job: join(groups),
-        });
-        let batches = batches.collect();
-        let questions = Arc::new(Questions { groups, batches });
+        let questions = Arc::new(Questions::in_batches(groups, of_scenes));
         kept().insert(task.name.clone(), Arc::clone(&questions));
         Ok(questions)
     }

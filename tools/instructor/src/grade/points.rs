@@ -119,6 +119,7 @@ mod tests {
                 points: 4,
                 public: true,
             }],
+            earlier: None,
             withheld: 0,
             solutions_read: None,
             finish: None,

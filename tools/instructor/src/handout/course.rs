@@ -1,6 +1,7 @@
 //! The parts of an assignment that students get: its stubs, tests, public scenes and
 //! their goldens.
 
+use std::fs;
 use std::path::Path;
 
 use super::leak::holds_word;
@@ -36,6 +37,7 @@ pub fn files(assignment: &Assignment) -> Result<Files> {
     add_scenes(&mut files, assignment, &folder)?;
     add_tests(&mut files, assignment, &folder)?;
     add_goldens(&mut files, assignment)?;
+    add_earlier_goldens(&mut files, assignment)?;
     Ok(files)
 }
 
@@ -151,5 +153,26 @@ fn add_goldens(files: &mut Files, assignment: &Assignment) -> Result<()> {
     manifest.mistakes.clear();
     manifest.scripts.clear();
     files.insert(format!("{to}/{}", manifest::FILE), manifest.text()?.into());
+    Ok(())
+}
+
+/// Adds the goldens that the answer of an earlier assignment is judged by.
+pub fn add_earlier_goldens(files: &mut Files, assignment: &Assignment) -> Result<()> {
+    let Some(earlier) = &assignment.earlier else {
+        return Ok(());
+    };
+    let folder = format!("golden/{}/probes", earlier.assignment);
+    let start = format!("{}.", earlier.task.name);
+    let from = assignment.course().join(&folder);
+    let entries = fs::read_dir(&from).or_input(
+        format_args!("cannot read {}", from.display()),
+        "make the goldens of the earlier assignment first",
+    )?;
+    for entry in entries.flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if name.starts_with(&start) {
+            files.insert(format!("{folder}/{name}"), read(&entry.path())?);
+        }
+    }
     Ok(())
 }

@@ -12,6 +12,7 @@ use clap::ValueEnum;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
+use super::course::add_earlier_goldens;
 use super::sources::{add_folder_as, add_top, read};
 use super::workspace::{CLI, INSTRUCTOR, Workspace};
 use super::{Files, HandoutSize, place_of};
@@ -136,6 +137,7 @@ pub fn course(
     files.insert(format!("{folder}/assignment.toml"), tasks);
     let golden = format!("golden/{}", assignment.name);
     add_folder_as(&mut files, &assignment.golden(), &golden, &[])?;
+    add_earlier_goldens(&mut files, assignment)?;
     let workspace = Workspace {
         assignment,
         packages: &packages,

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use pinhole_testing::{fresh, pinhole, trusted};
+use pinhole_testing::{fresh, pinhole, root, trusted};
 
 /// Every file of a folder, by path inside it.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
@@ -52,6 +52,22 @@ fn sha256(bytes: &[u8]) -> String {
     use hmac_sha256::Hash;
 
     hex::encode(Hash::hash(bytes))
+}
+
+#[test]
+fn the_answer_of_an_earlier_assignment_can_be_judged() {
+    let out = fresh(&trusted(), "handout-earlier").join("students");
+    let line = ["handout", "bounding_volumes", "--out", plain(&out)];
+    pinhole(&line).expect_code(0);
+    let folder = "golden/ray_casting";
+    let here = files(&out.join(folder));
+    let mut all = files(&root().join(folder));
+    all.retain(|path, _| path.starts_with("probes/triangle."));
+    assert!(all.len() > 10);
+    assert!(
+        here == all,
+        "the questions about one task, and nothing else"
+    );
 }
 
 #[test]

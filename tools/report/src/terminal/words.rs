@@ -5,7 +5,8 @@ use pinhole::Fact;
 use pinhole_course::diagnosis::{Diagnosis, Explanation, Reading};
 use pinhole_course::explanation::NoAnswer;
 use pinhole_course::outcome::{
-    AnswerFile, Comparison, FilmOutcome, GroupOutcome, Outcome, SceneOutcome, Status, TaskOutcome,
+    AnswerFile, Comparison, EarlierOutcome, FilmOutcome, GroupOutcome, Outcome, SceneOutcome,
+    Status, TaskOutcome,
 };
 
 /// A task in one line.
@@ -47,6 +48,22 @@ pub fn scene_in_words(scene: &SceneOutcome) -> String {
             format!("{} pixels{exempt}, {seconds:.2} s", comparison.resolution)
         }
         (other, _) => outcome(other),
+    }
+}
+
+/// What was made of an answer to a task of an earlier assignment, in one line.
+pub fn earlier_in_words(earlier: &EarlierOutcome) -> String {
+    let file = format!("{}.rs", earlier.task);
+    match &earlier.problem {
+        None => format!(
+            "The scenes are cast with your {file} of `{}`.",
+            earlier.assignment
+        ),
+        Some(problem) => format!(
+            "The scenes are cast with our {file}, and not with yours of `{}`: {}.",
+            earlier.assignment,
+            printable(problem)
+        ),
     }
 }
 

@@ -44,12 +44,12 @@ impl Candidate<'_> {
 
     /// The folder of the course's repository, if the file is where the repository keeps a student's
     /// answers.
-    fn repository(&self) -> Option<&[String]> {
+    fn repository(&self, assignment: &Assignment) -> Option<&[String]> {
         match &self.upload.path[..] {
-            [root @ .., assignments, _, handout, src, _]
+            [root @ .., assignments, name, handout, src, _]
                 if assignments == "assignments" && handout == "handout" && src == "src" =>
             {
-                Some(root)
+                (*name == assignment.name).then_some(root)
             }
             [root @ .., handout, src, _] if handout == "handout" && src == "src" => Some(root),
             _ => None,
@@ -86,11 +86,13 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
         }
     }
     // A copy of the course's repository contains files of the same names elsewhere too.
-    let roots = candidates.iter().filter_map(|(_, one)| one.repository());
+    let roots = candidates
+        .iter()
+        .filter_map(|(_, one)| one.repository(assignment));
     let roots: BTreeSet<Vec<String>> = roots.map(<[String]>::to_vec).collect();
     let mut elsewhere = Vec::new();
     if !roots.is_empty() {
-        let is_written_here = |(_, one): &mut (_, Candidate)| one.repository().is_none();
+        let is_written_here = |(_, one): &mut (_, Candidate)| one.repository(assignment).is_none();
         elsewhere.extend(candidates.extract_if(.., is_written_here));
     }
     let mut choice = Choice {
@@ -102,20 +104,23 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
         notes: Vec::new(),
         doubts: Vec::new(),
     };
-    for task in &assignment.tasks {
+    for task in assignment.answerable() {
         let own = candidates
             .iter()
             .filter(|(other, _)| other.name == task.name);
         let own: Vec<&Candidate> = own.map(|(_, candidate)| candidate).collect();
+        if own.is_empty() && assignment.task(&task.name).is_none() {
+            continue;
+        }
         let text = match own.is_empty() {
             true if refused.is_empty() => Err(AnswerFileProblem::Missing),
             true => Err(AnswerFileProblem::Refused(first(&refused).join("; "))),
             false => choice.of(task, &own),
         };
-        choice.submission.answers.push(Answer {
-            task: task.name.clone(),
-            text,
-        });
+        choice
+            .submission
+            .answers
+            .extend(Answer::of(assignment, task, text));
     }
     // Files that the course's repository has in the same places are not the student's.
     let is_ours = |path: &[String]| {
@@ -188,11 +193,14 @@ impl Choice {
             .map(|one| one.path())
             .collect();
         if !left.is_empty() {
-            self.doubts.push(format!(
-                "`{}` was taken as `{file}`, and not {}",
-                chosen.path(),
-                first(&left).join(", ")
-            ));
+            let taken = chosen.path();
+            let role = match taken == file {
+                true => String::new(),
+                false => format!(" as `{file}`"),
+            };
+            let left = first(&left).join(", ");
+            self.doubts
+                .push(format!("`{taken}` was taken{role}, and not {left}"));
         } else if !chosen.is_exact {
             self.notes
                 .push(format!("`{}` was taken as `{file}`", chosen.path()));

@@ -6,12 +6,12 @@ use pinhole_course::assignment::{Assignment, Task};
 /// was handed out. Recognises names that people or programs have changed: `Sphere.rs`, `sphere
 /// (1).rs`, `sphere-2.rs`, `sphere.rs.txt`.
 pub fn task_of<'a>(name: &str, assignment: &'a Assignment) -> Option<(&'a Task, bool)> {
-    let exact = assignment.tasks.iter().find(|task| task.file() == name);
+    let exact = assignment.answerable().find(|task| task.file() == name);
     if let Some(task) = exact {
         return Some((task, true));
     }
     let plain = plain_stem(name)?;
-    let mut tasks = assignment.tasks.iter();
+    let mut tasks = assignment.answerable();
     let task = tasks.find(|task| task.name.replace('_', "").to_lowercase() == plain)?;
     Some((task, false))
 }

@@ -216,6 +216,34 @@ fn a_clone_or_the_whole_handout_is_read_where_students_write() {
 }
 
 #[test]
+fn an_answer_of_an_earlier_assignment_is_read_from_the_folder_of_this_one() {
+    let checkout = Checkout::at(&root());
+    let assignment = Assignment::read(&checkout, "bounding_volumes").expect("it is committed");
+    let export = Export::new();
+    let folder = |name: &str| format!("assignments/{name}/handout/src/");
+    let given = assignment.handout().join("src/triangle.rs");
+    let given = fs::read(given).expect("it is committed");
+    let mut clone = answers(&folder("ray_casting"), "ada");
+    clone.push((
+        folder("bounding_volumes") + "ray_box.rs",
+        b"// box".to_vec(),
+    ));
+    clone.push((folder("bounding_volumes") + "triangle.rs", given));
+    export.put_all("class/ada", clone);
+    export.put("class/bob/ray_box.rs", b"// box");
+    export.put("class/bob/triangle.rs", b"// by bob");
+    let intake = super::find(&[export.path("class")], &assignment, None).expect("a class");
+    let earlier = intake.entries.iter().map(|entry| {
+        let submission = entry.submission.as_ref().expect("it was read");
+        let answer = submission.answer("triangle");
+        answer.and_then(|answer| answer.text.as_deref().ok())
+    });
+    assert_eq!(earlier.collect::<Vec<_>>(), [None, Some("// by bob")]);
+    let doubts = |entry: &Entry| entry.doubts.clone();
+    assert!(intake.entries.iter().flat_map(doubts).next().is_none());
+}
+
+#[test]
 fn answers_are_questioned_if_other_files_may_be_meant() {
     let stub = |task: &str| {
         let file = format!("assignments/ray_casting/handout/src/{task}.rs");
@@ -260,10 +288,7 @@ fn answers_in_deep_folders_are_found_and_duplicates_are_reported() {
         "{cleo:#?}"
     );
     assert!(told.contains("one/sphere.rs, two/sphere.rs"), "{cleo:#?}");
-    assert_eq!(
-        cleo.doubts,
-        ["`plane.rs` was taken as `plane.rs`, and not old/plane.rs"]
-    );
+    assert_eq!(cleo.doubts, ["`plane.rs` was taken, and not old/plane.rs"]);
     assert_eq!(text(&intake, 2, "plane"), "// plane");
 }
 
