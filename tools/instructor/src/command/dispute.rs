@@ -9,6 +9,7 @@ use crate::cli::Dispute;
 use crate::grade::cache::standing;
 use crate::grade::class::{ROLL, Roll, marks};
 use crate::grade::evidence::Evidence;
+use crate::grade::intake::matching;
 use crate::grade::intake::roster::Person;
 use crate::grade::policy::mark::{Mark, number};
 use crate::grade::record::{Record, RecordSummary};
@@ -80,7 +81,7 @@ fn mark_in_words(mark: Option<&Mark>, not_counted: Option<&str>) -> String {
 /// Finds the submission that the user named by its id, or by the id or the name of someone whose
 /// mark it decides, or may decide.
 fn id_of(named: &str, roll: &Roll) -> Result<String> {
-    let is_named = |person: &Person| person.id == named || person.name == named;
+    let is_named = |person: &Person| person.id == named || matching::is_name(named, person);
     let is_meant = |id: &str| {
         let person = roll.placed.of.get(id);
         let mut team = person.into_iter().flat_map(|person| roll.team_of(person));
@@ -184,7 +185,14 @@ mod tests {
     fn a_mark_is_found_by_everyone_in_the_group() {
         let entries = vec![entry("one", "ada", "ada"), entry("two", "eve", "eve")];
         let roll = roll(entries, RULES, &[("team", &["ada", "bob"])]);
-        for named in ["one", "ada", "Name of ada", "bob", "Name of bob"] {
+        for named in [
+            "one",
+            "ada",
+            "Name of ada",
+            "bob",
+            "Name of bob",
+            "bob, Name of",
+        ] {
             assert_eq!(id_of(named, &roll).expect("it is there"), "one");
         }
         let error = id_of("Name of nobody", &roll).expect_err("nobody has this name");

@@ -5,6 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use rayon::prelude::*;
+
 use crate::cli::Grade;
 use crate::grade::cache::{Backlog, ResultCache, pretty, standing};
 use crate::grade::class::{self, Roll};
@@ -138,18 +140,14 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     cache.write(class::ROLL, &pretty(&roll)?)?;
     let mine = intake::shard(new, arguments.shard);
     let start = Instant::now();
-    let mut worked = Vec::new();
-    let mut to_grade = Vec::new();
-    for entry in &mine {
-        let valid = match arguments.regrade {
-            true => None,
-            false => valid(entry, &cache, &made_with, &assignment, &goldens.scenes)?,
-        };
-        match valid {
-            Some(valid) => worked.push(valid),
-            None => to_grade.push(entry.clone()),
-        }
-    }
+    let kept = mine.par_iter().map(|entry| match arguments.regrade {
+        true => Ok(None),
+        false => valid(entry, &cache, &made_with, &assignment, &goldens.scenes),
+    });
+    let kept: Vec<Option<QueueResult>> = kept.collect::<Result<_>>()?;
+    let to_grade = mine.iter().zip(&kept).filter(|(_, kept)| kept.is_none());
+    let to_grade: Vec<Entry> = to_grade.map(|(entry, _)| entry.clone()).collect();
+    let mut worked: Vec<QueueResult> = kept.into_iter().flatten().collect();
     let mut records = BTreeMap::new();
     let is_mine = |id: &str| mine.iter().any(|entry| entry.id == id);
     for entry in roll.entries.iter().filter(|entry| !is_mine(&entry.id)) {

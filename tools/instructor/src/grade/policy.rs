@@ -27,7 +27,7 @@ pub struct Policy {
     deadline: Option<Timestamp>,
     extensions: BTreeMap<String, Timestamp>,
     /// When something was handed in, by a person's id, number or login, or a submission's name.
-    times: BTreeMap<String, Vec<Timestamp>>,
+    pub times: BTreeMap<String, Vec<Timestamp>>,
     /// Late days that were spent on earlier assignments, by id.
     spent: BTreeMap<String, u32>,
     pub groups: Vec<Group>,

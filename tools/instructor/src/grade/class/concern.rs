@@ -100,10 +100,18 @@ impl Roll {
             .entries
             .iter()
             .filter(|entry| !entry.unusable.is_empty());
-        parts.push(format!("{} lack answer files", incomplete.count()));
-        parts.push(format!(
-            "{} files belong to no submission",
-            self.ignored.len()
+        let count = |count: usize, one: &str, many: &str| match count {
+            1 => format!("1 {one}"),
+            _ => format!("{count} {many}"),
+        };
+        let incomplete = incomplete.count();
+        parts.push(count(incomplete, "lacks answer files", "lack answer files"));
+        let ignored = self.ignored.len();
+        let to_none = "to no submission";
+        parts.push(count(
+            ignored,
+            &format!("file belongs {to_none}"),
+            &format!("files belong {to_none}"),
         ));
         parts.join("; ")
     }

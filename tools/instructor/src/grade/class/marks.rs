@@ -87,7 +87,8 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
             strangers,
         ),
         (
-            "several submissions, but nothing says which is the last: no final mark",
+            "several submissions, but nothing says which is the last: no final mark; give a table \
+             of times, or grade only the one that counts",
             true,
             open.undecided,
         ),
@@ -96,11 +97,18 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
             true,
             open.late_sometime,
         ),
-        (
-            "nothing says when it was handed in: counted as on time; give a table of times",
-            true,
-            open.unknown,
-        ),
+        match policy.times.is_empty() {
+            false => (
+                "not in the table of times: counted as on time",
+                false,
+                open.unknown,
+            ),
+            true => (
+                "nothing says when it was handed in: counted as on time; give a table of times",
+                true,
+                open.unknown,
+            ),
+        },
         (
             "several submissions, of which one counts",
             false,

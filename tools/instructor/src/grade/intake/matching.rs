@@ -61,6 +61,14 @@ fn named<'a>(name: &str, people: &'a [Person]) -> Vec<&'a Person> {
         .unwrap_or_default()
 }
 
+/// Whether this is a person's name, with the last name first or last.
+pub fn is_name(name: &str, person: &Person) -> bool {
+    let ways = turned(&person.name, &folded);
+    turned(name, &folded)
+        .first()
+        .is_some_and(|name| ways.contains(name))
+}
+
 /// How well a sign proves who handed something in.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize)]
 #[serde(rename_all = "snake_case")]

@@ -27,29 +27,43 @@ pub struct Person {
 }
 
 /// Names of columns, in lower case and without spaces: ours, and those of Canvas's gradebook and
-/// Moodle's lists. If a table has several of them, the first in this list counts.
-const ID: [&str; 8] = [
+/// Moodle's lists in English and German. If a table has several of them, the first in this list
+/// counts. In the line of a person who has no id there, the next one counts.
+const ID: [&str; 11] = [
     "sisuserid",
     "idnumber",
+    "idnummer",
     "studentid",
     "studentnumber",
     "matriculationnumber",
+    "matrikelnummer",
     "id",
     "identifier",
     "emailaddress",
+    "emailadresse",
 ];
-const NAME: [&str; 5] = ["name", "fullname", "student", "studentname", "displayname"];
-const FIRST: [&str; 3] = ["firstname", "givenname", "forename"];
-const LAST: [&str; 4] = ["lastname", "surname", "familyname", "lastnames"];
-const SECTION: [&str; 3] = ["section", "group", "groups"];
+const NAME: [&str; 6] = [
+    "name",
+    "fullname",
+    "vollständigername",
+    "student",
+    "studentname",
+    "displayname",
+];
+const FIRST: [&str; 4] = ["firstname", "givenname", "forename", "vorname"];
+const LAST: [&str; 5] = ["lastname", "surname", "familyname", "lastnames", "nachname"];
+const SECTION: [&str; 5] = ["section", "group", "groups", "gruppe", "gruppen"];
 const NUMBER: [&str; 4] = ["number", "canvasid", "moodleid", "identifier"];
-const LOGIN: [&str; 6] = [
+const LOGIN: [&str; 9] = [
     "sisloginid",
     "loginid",
     "login",
     "username",
+    "anmeldename",
+    "benutzername",
     "email",
     "emailaddress",
+    "emailadresse",
 ];
 const GITHUB: [&str; 3] = ["github", "githubusername", "githublogin"];
 
@@ -63,15 +77,19 @@ pub fn read(path: &Path) -> Result<Vec<Person>> {
 fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
     let of = |names: &[&str]| table.column(names);
     let said = format!("its first line is `{}`", table.first_line);
-    let id = of(&ID).ok_or(format!("{said}, which has no column `id`"))?;
+    let ids: Vec<usize> = ID.iter().filter_map(|name| of(&[name])).collect();
+    let id = *ids
+        .first()
+        .ok_or(format!("{said}, which has no column `id`"))?;
     let name = of(&NAME);
     let parts = [of(&FIRST), of(&LAST)];
     if name.is_none() && parts == [None, None] {
         return Err(format!("{said}, which has no column `name`"));
     }
     let [section, number] = [of(&SECTION), of(&NUMBER)];
-    // In Canvas's gradebook, `ID` is Canvas's own number; `SIS User ID` is the student's.
-    let number = number.or(of(&["id"]).filter(|own| *own != id && table.name(id) == "sisuserid"));
+    // In Canvas's gradebook, `ID` is Canvas's own number, and in Moodle's German lists, Moodle's.
+    let is_platforms = ["sisuserid", "idnummer"].contains(&table.name(id));
+    let number = number.or(of(&["id"]).filter(|_| is_platforms));
     let github = of(&GITHUB);
     let logins: Vec<usize> = LOGIN.iter().filter_map(|name| of(&[name])).collect();
 
@@ -84,7 +102,11 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
         };
         // Skip the lines of Canvas's gradebook that are about no student: how grades are posted, the
         // possible points, and the test student.
-        let own = cell(Some(id)).to_owned();
+        let mut own = ids.iter().map(|at| cell(Some(*at)));
+        let own = own
+            .find(|own| !own.is_empty())
+            .unwrap_or_default()
+            .to_owned();
         if own.is_empty() && ["", "Points Possible", "Student, Test"].contains(&&*name) {
             continue;
         }
@@ -97,7 +119,8 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
         if let Some(other) = people.iter().find(|other| other.id == own) {
             return Err(format!("{} and {name} have the same id, {own}", other.name));
         }
-        let number = cell(number).rsplit(' ').next().unwrap_or_default();
+        // Moodle writes `Participant 2001`, or the same in another language.
+        let number = cell(number).trim_start_matches(|c: char| !c.is_ascii_digit());
         people.push(Person {
             id: own,
             name,
@@ -176,6 +199,15 @@ mod tests {
             (ada.id.as_str(), ada.number.as_deref()),
             ("20231234", Some("2001"))
         );
+        // Moodle in German; one person has no id number.
+        let german = "ID;Vollständiger Name;ID-Nummer;E-Mail-Adresse\n\
+            Teilnehmer/in2001;Ada Lovelace;20231234;ada@uni.example\n\
+            Teilnehmer/in2002;Zoë Müller;;zoe@uni.example\n";
+        let german = people(german.as_bytes()).expect("it is a roster");
+        let ids = german.iter().map(|person| person.id.as_str());
+        assert_eq!(ids.collect::<Vec<_>>(), ["20231234", "Teilnehmer/in2002"]);
+        let numbers = german.iter().filter_map(|person| person.number.as_deref());
+        assert_eq!(numbers.collect::<Vec<_>>(), ["2001", "2002"]);
         let list = "First name,Last name,ID number\nAda,Lovelace,20231234\n";
         let ada = people(list.as_bytes()).expect("it is a roster").remove(0);
         assert_eq!(ada.name, "Ada Lovelace");

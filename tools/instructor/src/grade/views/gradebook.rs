@@ -24,7 +24,7 @@ pub fn canvas(class: &Class) -> String {
         table.line(&[
             person.name.clone(),
             account(person, row, Platform::Canvas),
-            person.id.clone(),
+            students_id(person),
             login,
             person.section.clone(),
             number(mark.last),
@@ -56,7 +56,7 @@ pub fn moodle(class: &Class) -> String {
         table.line(&[
             identifier,
             person.name.clone(),
-            person.id.clone(),
+            students_id(person),
             email.cloned().unwrap_or_default(),
             number(mark.last),
             String::new(),
@@ -69,6 +69,17 @@ pub fn moodle(class: &Class) -> String {
 fn comments(mark: &Mark) -> String {
     let changes = mark.changes.iter().map(|change| change.in_words());
     changes.collect::<Vec<_>>().join("; ")
+}
+
+/// The university's id for a person. Empty if the roster has none, so that the platform's number
+/// or an e-mail address stands in for it.
+fn students_id(person: &Person) -> String {
+    let digits = person.id.trim_start_matches(|c: char| !c.is_ascii_digit());
+    let is_platforms = person.number.as_deref() == Some(digits);
+    match is_platforms || person.id.contains('@') {
+        true => String::new(),
+        false => person.id.clone(),
+    }
 }
 
 /// The platform's number for a person: from what was handed in, or from the roster.

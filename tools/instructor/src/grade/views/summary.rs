@@ -228,10 +228,9 @@ fn words(class: &Class, run: &RunSummary, cache: &ResultCache) -> String {
         line(format!("{:>5} {}", who.len(), kind.word()));
     }
     if !class.alike.is_empty() {
-        line(format!(
-            "{:>5} answers the same as others",
-            class.alike.len()
-        ));
+        let groups = class.alike.len();
+        let word = if groups == 1 { "group" } else { "groups" };
+        line(format!("{groups:>5} {word} of equal answers"));
     }
     line(String::new());
     for judged_on in class.judged_on() {

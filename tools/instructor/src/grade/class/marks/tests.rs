@@ -139,7 +139,7 @@ fn unknown_lateness_and_unknown_ids_are_listed() {
         entry("two", "bob", "bob"),
         entry("three", "eve", EARLY),
     ];
-    let roll = roll(entries, &rules, &[]);
+    let mut roll = roll(entries, &rules, &[]);
     let nothing_graded = BTreeMap::new();
     let concerns = rows(&roll, &nothing_graded).concerns;
     let of = |word: &str| {
@@ -152,4 +152,11 @@ fn unknown_lateness_and_unknown_ids_are_listed() {
     assert_eq!(of("nothing says when: no points"), ["one"]);
     assert_eq!(of("counted as on time"), ["two"]);
     assert_eq!(concerns.len(), 3);
+    // A table of times may list only those who were late.
+    let policy = roll.policy.as_mut().expect("it has one");
+    policy.times.insert("eve".into(), Vec::new());
+    let concerns = rows(&roll, &nothing_graded).concerns;
+    let mut concerns = concerns.iter();
+    let on_time = concerns.find(|it| it.what.contains("counted as on time"));
+    assert!(on_time.is_some_and(|it| !it.is_grave && it.which == ["two"]));
 }
