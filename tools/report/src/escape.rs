@@ -56,18 +56,26 @@ fn is_invisible(c: char) -> bool {
 /// the same meaning.
 pub fn printable_json(document: &str) -> String {
     let mut safe = String::with_capacity(document.len());
-    for c in document.chars() {
-        // None occur outside strings, and serde_json has already escaped control characters.
-        match is_invisible(c) || matches!(c, '\u{7f}'..='\u{9f}') {
-            true => {
-                let mut units = [0; 2];
-                for unit in c.encode_utf16(&mut units) {
-                    safe.push_str(&format!("\\u{unit:04x}"));
-                }
-            }
-            false => safe.push(c),
+    let mut rest = document;
+    // None occur outside strings, and serde_json has already escaped control characters.
+    let is_unsafe = |c: char| is_invisible(c) || matches!(c, '\u{7f}'..='\u{9f}');
+    let is_plain = |c: char| c.is_ascii() && c != '\u{7f}';
+    while let Some(at) = rest.find(|c| !is_plain(c) && is_unsafe(c)) {
+        let (before, after) = rest.split_at(at);
+        safe.push_str(before);
+        let mut characters = after.chars();
+        let mut units = [0; 2];
+        for unit in characters
+            .next()
+            .map(|c| c.encode_utf16(&mut units))
+            .into_iter()
+            .flatten()
+        {
+            safe.push_str(&format!("\\u{unit:04x}"));
         }
+        rest = characters.as_str();
     }
+    safe.push_str(rest);
     safe
 }
 

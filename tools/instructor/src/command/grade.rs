@@ -141,13 +141,26 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let mine = intake::shard(new, arguments.shard);
     let start = Instant::now();
     let kept = mine.par_iter().map(|entry| match arguments.regrade {
-        true => Ok(None),
+        true => Ok(Err(None)),
         false => valid(entry, &cache, &made_with, &assignment, &goldens.scenes),
     });
-    let kept: Vec<Option<QueueResult>> = kept.collect::<Result<_>>()?;
-    let to_grade = mine.iter().zip(&kept).filter(|(_, kept)| kept.is_none());
-    let to_grade: Vec<Entry> = to_grade.map(|(entry, _)| entry.clone()).collect();
-    let mut worked: Vec<QueueResult> = kept.into_iter().flatten().collect();
+    let kept: Vec<_> = kept.collect::<Result<_>>()?;
+    let mut worked = Vec::new();
+    let mut to_grade = Vec::new();
+    let mut again: BTreeMap<&str, usize> = BTreeMap::new();
+    for (entry, kept) in mine.iter().zip(kept) {
+        match kept {
+            Ok(valid) => worked.push(valid),
+            Err(why) => {
+                to_grade.push(entry.clone());
+                *again.entry(why.unwrap_or_default()).or_default() += 1;
+            }
+        }
+    }
+    again.remove("");
+    for (why, count) in again {
+        anstream::eprintln!("{count} graded before, but with {why}: graded again");
+    }
     let mut records = BTreeMap::new();
     let is_mine = |id: &str| mine.iter().any(|entry| entry.id == id);
     for entry in roll.entries.iter().filter(|entry| !is_mine(&entry.id)) {

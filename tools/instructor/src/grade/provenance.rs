@@ -104,6 +104,28 @@ impl Provenance {
             made_with: made_with.clone(),
         }
     }
+
+    /// What has changed since a mark with the provenance `before` was made; `None` if nothing has.
+    pub fn change_since(&self, before: &Provenance) -> Option<&'static str> {
+        let (new, old) = (&self.made_with, &before.made_with);
+        let asked = |it: &GradingInputs| {
+            let GradingInputs {
+                seed,
+                goldens,
+                fresh,
+                assignment,
+                ..
+            } = it.clone();
+            (seed, goldens, fresh, assignment)
+        };
+        match () {
+            () if self == before => None,
+            () if self.answers != before.answers => Some("other answers"),
+            () if new.tool != old.tool => Some("another version of the grader or of rustc"),
+            () if asked(new) != asked(old) => Some("other questions or goldens"),
+            () => Some("other settings"),
+        }
+    }
 }
 
 /// The hash of a file's content.

@@ -40,22 +40,27 @@ pub struct QueueResult {
     pub fault: Option<(String, String)>,
 }
 
+/// Why a submission is graded again; `None` if it has no result.
+pub type Regrading = Option<&'static str>;
+
 /// The stored result of a submission if it is still valid, with the current points of its parts.
+/// Otherwise, why not.
 pub fn valid(
     entry: &Entry,
     cache: &ResultCache,
     made_with: &GradingInputs,
     assignment: &Assignment,
     scenes: &[GoldenScene],
-) -> Result<Option<QueueResult>> {
+) -> Result<std::result::Result<QueueResult, Regrading>> {
     let (Some(before), Ok(submission)) = (cache.get(&entry.id), &entry.submission) else {
-        return Ok(None);
+        return Ok(Err(None));
     };
-    if before.provenance != Provenance::of(submission, made_with)
-        || before.got.submission != entry.name
-        || before.remarks != entry.remarks()
-    {
-        return Ok(None);
+    let provenance = Provenance::of(submission, made_with);
+    if let Some(change) = provenance.change_since(&before.provenance) {
+        return Ok(Err(Some(change)));
+    }
+    if before.got.submission != entry.name || before.remarks != entry.remarks() {
+        return Ok(Err(Some("other names")));
     }
     let mut record = before.clone();
     points::compute(&mut record, assignment, scenes);
@@ -63,7 +68,7 @@ pub fn valid(
     if record != before {
         cache.put_points(&record)?;
     }
-    Ok(Some(QueueResult {
+    Ok(Ok(QueueResult {
         record: record.into(),
         is_new: false,
         change,

@@ -86,8 +86,11 @@ fn only_what_changed_is_graded_again_and_drops_are_listed_first() {
     class.grade("out", &[]).expect_code(1);
     class.hand_in("emil", &[]);
     class.hand_in("ada", &[("plane.rs", BROKEN)]);
-    let told = class.grade("out", &["--json"]).expect_code(1).json();
+    let ran = class.grade("out", &["--json"]).expect_code(1);
+    let told = ran.json();
     assert_eq!(told["graded_now"], 2);
+    let why = "2 graded before, but with other answers: graded again";
+    assert!(ran.err.contains(why), "{}", ran.err);
     let changes = told["changes"].as_array().expect("a list");
     assert_eq!(
         (&changes[0]["id"], &changes[1]["id"]),
