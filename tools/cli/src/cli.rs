@@ -70,7 +70,7 @@ impl Command {
 /// expected picture and yours, and you can click on each pixel.
 #[derive(Args)]
 pub struct Check {
-    /// The folder with the answer files, or with a folder `src` that has them [default: the
+    /// The folder with the answer files, or a folder whose subfolder `src` has them [default: the
     /// current folder if it is a submission, else the handout]
     pub dir: Option<PathBuf>,
     #[command(flatten)]
@@ -211,12 +211,12 @@ pub struct Diff {
 
 /// Replace an answer with the stub that was handed out
 ///
-/// Your text is kept in a file with the ending .old, or .old2 the next time, and so on.
+/// Your old answer is kept in a file whose name ends in .old, then .old2, and so on.
 #[derive(Args)]
 pub struct Reset {
     /// The task
     pub task: String,
-    /// The folder with the answer files, or with a folder `src` that has them [default: the
+    /// The folder with the answer files, or a folder whose subfolder `src` has them [default: the
     /// current folder if it is a submission, else the handout]
     pub dir: Option<PathBuf>,
     #[command(flatten)]

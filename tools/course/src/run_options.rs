@@ -16,9 +16,9 @@ use crate::sandbox::Choice;
 /// The option that names an assignment.
 #[derive(Args, Default)]
 pub struct AssignmentOption {
-    /// The assignment, by name or folder [default: the one around the current folder, or around the
-    /// answers or the golden that `check`, `render`, `explain`, `reset` or `diff` is given; else
-    /// the checkout's default]
+    /// The assignment, by name or folder [default: the one whose folder contains the answers or the
+    /// golden film that you name or, if you name none, the current folder; else the default of
+    /// this checkout]
     #[arg(long = "assignment", value_name = "NAME")]
     pub name: Option<String>,
 }

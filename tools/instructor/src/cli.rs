@@ -87,18 +87,19 @@ pub struct Grade {
     /// Grade this many submissions at a time [default: one for each core]
     #[arg(long, value_name = "N")]
     pub jobs: Option<usize>,
-    /// Judge against the golden films in this folder, and withhold them from students; `golden
-    /// render my.toml --out DIR` makes them
+    /// Judge against the golden films in this folder, and withhold them from students; `pinhole
+    /// golden render my.toml --out DIR` makes them
     #[arg(long, value_name = "DIR")]
     pub golden: Option<PathBuf>,
-    /// How much results and reports show about withheld and fresh questions
+    /// How much to show in results and reports about withheld and fresh questions
     #[arg(long, value_enum, default_value_t)]
     pub reveal: Reveal,
     /// Draw fresh questions from this seed [default: the seed of OUT/fresh; if there is none, or
-    /// with --regrade, a random one of 128 bits]
+    /// with --regrade, a random 128-bit seed]
     #[arg(long, value_name = "N")]
     pub seed: Option<Seed>,
-    /// Ask the fresh questions in this folder; `golden render --seed random --out DIR` makes them
+    /// Ask the fresh questions in this folder; `pinhole golden render --seed random --out
+    /// DIR` makes them
     #[arg(long, value_name = "DIR", conflicts_with = "seed")]
     pub fresh: Option<PathBuf>,
     /// Ask no fresh questions
@@ -108,30 +109,30 @@ pub struct Grade {
     /// Canvas or Moodle
     #[arg(long, value_name = "CSV")]
     pub roster: Option<PathBuf>,
-    /// A policy.toml, which changes marks according to deadlines, late days, extra credit, and
-    /// adjustments by hand
+    /// A policy.toml, with deadlines, late days, extra credit, and changes to single marks
     #[arg(long, value_name = "TOML")]
     pub policy: Option<PathBuf>,
     /// Also write results in this format (repeatable)
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub format: Vec<Format>,
-    /// Grade everything again, with new fresh questions, and list the marks that change,
+    /// Grade everything again, with newly drawn questions, and list the marks that change,
     /// starting with those that drop
     #[arg(long)]
     pub regrade: bool,
     /// Grade only part K of N; `pinhole merge` combines the parts
     #[arg(long, value_name = "K/N", value_parser = shard)]
     pub shard: Option<(usize, usize)>,
-    /// Give each task and scene at least this many seconds of processor time, and at least a
-    /// hundred times what the reference takes. If anything takes longer, the submission is graded
-    /// again with nothing else running, and only what takes too long again is timed out
+    /// Limit each task and scene to this many seconds of processor time, or to a hundred times what
+    /// the reference takes, whichever is more. If anything exceeds its limit, the submission is
+    /// graded again with nothing else running, and only what exceeds its limit a second time
+    /// counts as timed out
     #[arg(long, value_name = "SECONDS", default_value_t = 4,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
     /// The sandbox that all code runs in
     #[arg(long, value_enum, value_name = "SANDBOX", default_value_t)]
     pub sandbox: Choice,
-    /// Run without a sandbox, which every result then mentions; only for your own code (short for
+    /// Run without a sandbox, for your own code only; every result will say so (short for
     /// --sandbox none)
     #[arg(long, conflicts_with = "sandbox")]
     pub trust: bool,

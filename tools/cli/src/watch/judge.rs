@@ -1,7 +1,7 @@
 //! Turns orders into verdicts, with a thread for each order.
 //!
 //! The harness, the stubs and the golden films are kept in memory. So each order needs only
-//! one call of the compiler, and one process for each task.
+//! one run of the compiler, and one process for each task.
 
 use std::ops::ControlFlow;
 use std::sync::mpsc::Sender;

@@ -129,7 +129,7 @@ const OLD_NAMES: [libc::c_long; 15] = [
 /// The flags that make `open` create a file: one with a name, and one without.
 const MAKES_FILE: [libc::c_int; 2] = [libc::O_CREAT, libc::O_TMPFILE & !libc::O_DIRECTORY];
 
-/// The calls of Landlock itself.
+/// The system calls of Landlock itself.
 const LANDLOCK: [libc::c_long; 3] = [
     libc::SYS_landlock_create_ruleset,
     libc::SYS_landlock_add_rule,

@@ -3,6 +3,8 @@
 
 use std::fs;
 
+use rayon::prelude::*;
+
 use crate::grade::cache::{ResultCache, write_unflushed};
 use crate::grade::class::{Class, Row};
 use crate::grade::policy::mark::number;
@@ -16,17 +18,17 @@ pub fn write_marks(class: &Class, cache: &ResultCache) -> Result<()> {
         true => with_mark_of(page, row),
         false => with_mark(page, None).unwrap_or_else(|| page.to_owned()),
     };
-    for row in &class.rows {
+    class.rows.par_iter().try_for_each(|row| {
         let path = cache.of(&row.entry.id).join("report.html");
         let Ok(page) = fs::read_to_string(&path) else {
-            continue;
+            return Ok(());
         };
         let page_with_mark = marked(&page, row);
-        if page_with_mark != page {
-            write_unflushed(&path, page_with_mark.as_bytes())?;
+        match page_with_mark == page {
+            true => Ok(()),
+            false => write_unflushed(&path, page_with_mark.as_bytes()),
         }
-    }
-    Ok(())
+    })
 }
 
 /// A report with a row's mark.
