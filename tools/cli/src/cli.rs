@@ -55,7 +55,7 @@ impl Command {
 /// Compile a submission and judge its answers
 ///
 /// Each task is judged alone, by groups of questions that Mitsuba has answered too. Then all
-/// answers together cast every scene. For each group and scene that fails, the table says
+/// answers together render every scene. For each group and scene that fails, the table says
 /// what was asked, what was expected and what your code answered.
 ///
 /// With --watch, this keeps running and judges an answer whenever you save it: first the
@@ -66,8 +66,8 @@ impl Command {
 /// Only the answer files are taken from the folder. Code from outside this checkout is
 /// compiled and run in a sandbox.
 ///
-/// It also writes a report: an HTML file with hints. For every scene that fails, it shows the
-/// expected picture and yours, and you can click on each pixel.
+/// This also writes a report: an HTML file with hints. For every scene that fails, it shows the
+/// expected picture and yours. Click on a pixel to see both answers there.
 #[derive(Args)]
 pub struct Check {
     /// The folder with the answer files, or a folder whose subfolder `src` has them [default: the
@@ -87,7 +87,7 @@ pub struct Check {
     /// Judge against the golden films in this folder
     #[arg(long, value_name = "DIR")]
     pub golden: Option<PathBuf>,
-    /// Let oiiotool, the second judge, compare every film as well
+    /// Let oiiotool compare every film as well, as a second judge
     #[arg(long)]
     pub oiiotool: bool,
     #[command(flatten)]
