@@ -182,7 +182,7 @@ pub struct Explain {
 /// Compare any renderer's film with a golden film
 ///
 /// The rule: both films have the same size and channels, all values are finite, and at every pixel
-/// |film − golden| ≤ tolerance in every channel (except that `tests` is judged by its sum). The
+/// |film − golden| ≤ tolerance in every channel (except in the channel `tests`, where only the sum over all pixels counts). The
 /// tolerance film NAME.tol.exr must be in the golden's folder. If oiiotool is installed, it judges
 /// the film too. If the two judges disagree, Pinhole has a bug, and `diff` says so.
 #[derive(Args)]

@@ -16,9 +16,9 @@ use crate::sandbox::Choice;
 /// The option that names an assignment.
 #[derive(Args, Default)]
 pub struct AssignmentOption {
-    /// The assignment, by name or folder [default: the one whose folder contains the answers or the
-    /// golden film that you name. If you name neither, the one that contains the current folder.
-    /// If there is none, the default of this checkout]
+    /// The assignment, by name or folder [default: the one whose folder contains the files that you
+    /// name or, if you name none, the current folder; if there is no such assignment, the default
+    /// of this checkout]
     #[arg(long = "assignment", value_name = "NAME")]
     pub name: Option<String>,
 }

@@ -156,7 +156,7 @@ impl Grade {
 
 /// Show everything about one mark, to explain it to the student
 ///
-/// Prints the final mark and the reason of each change to it. For each group that fails, prints
+/// Prints the final mark and the reason for each change to it. For each group that fails, prints
 /// what was asked, what was expected and what the answer gave, and then the answer as it was handed
 /// in. It shows more about fresh and withheld questions than
 /// the student may see. Nothing is graded again.

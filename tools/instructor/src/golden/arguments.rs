@@ -18,14 +18,14 @@ pub enum Golden {
 /// Render goldens with Mitsuba
 ///
 /// Makes a film and a tolerance film for each scene, two more for its viewing rays, and a manifest
-/// of what they were made from. Then casts the same films with each known mistake, and stores its
-/// effect on each, for diagnoses.
+/// of what they were made from. Then makes the same films with each known mistake, and stores
+/// how the mistake changes them, for diagnoses.
 ///
 /// If you name no scene, this makes everything that the assignment has in `golden/`: its scenes,
-/// its question films, and the questions about equal numbers for `validate --mutants`.
+/// its question films, and the questions with exact ties for `validate --mutants`.
 ///
-/// A scene is refused if an edge passes through a pixel's centre, or if a pixel shows a plane at
-/// its horizon. To avoid this, shift the camera a little.
+/// A scene is refused if an edge passes through a pixel's centre, or the horizon of a plane through
+/// a pixel. To avoid this, shift the camera a little.
 #[derive(Args)]
 pub struct GoldenRender {
     #[command(flatten)]
@@ -36,19 +36,19 @@ pub struct GoldenRender {
     /// scenes]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Make fresh questions and random scenes from this seed, instead of the assignment's own;
+    /// Make fresh questions and random scenes from this seed, and leave out the assignment's own;
     /// `random` draws a seed that nobody can guess. Needs --out
     #[arg(long, value_name = "N", value_parser = seed, conflicts_with = "scenes", requires = "out")]
     pub seed: Option<Seed>,
     /// Replace the assignment's own films, on which every mark depends
     #[arg(long)]
     pub force: bool,
-    /// Don't cast the known mistakes, which is faster, but then nothing can be diagnosed
+    /// Leave out the known mistakes: this is faster, but then nothing can be diagnosed
     #[arg(long)]
     pub no_mistakes: bool,
 }
 
-/// Cast the films of the known mistakes again for the existing goldens, without Mitsuba
+/// Make the films of the known mistakes again for the existing goldens, without Mitsuba
 ///
 /// Stores beside each golden what each mistake does to the film, so that `check` and `diff` can
 /// recognise it. `golden render` does this too; use this command when only a mistake has changed.

@@ -82,7 +82,7 @@ fn submissions(validation: &Validation) -> String {
     text += &row(points == possible, "reference", reference);
     if let Some(mistakes) = &validation.mistakes {
         let compound = mistakes.judged.iter().filter(|judged| !judged.single);
-        let both = format!("; {} of them combine two beliefs", compound.count());
+        let both = format!("; with two beliefs at once: {}", compound.count());
         text += &failing("mistakes", mistakes, &both);
         text += &capped(mistakes);
     }
@@ -104,7 +104,9 @@ fn failing(name: &str, known: &SubmissionVerdicts, more: &str) -> String {
     let all = known.judged.len();
     let caught = judged().filter(|judged| judged.is_caught()).count();
     let declared = judged().filter(|judged| judged.is_as_declared()).count();
-    let said = format!("{caught} of {all} caught, {declared} in exactly their own tasks{more}");
+    let said = format!(
+        "{caught} of {all} caught; {declared} fail in their own tasks and in no others{more}"
+    );
     row(declared == all, name, said)
 }
 
@@ -119,10 +121,10 @@ fn capped(mistakes: &SubmissionVerdicts) -> String {
     let some = lost.iter().filter(|(points, _)| *points > 0).count();
     let worst = lost.first().filter(|(points, _)| *points > 0);
     let worst = worst.map_or(String::new(), |(points, name)| {
-        format!(", {points} points at most ({name})")
+        format!(", at most {points} ({name})")
     });
     let all = lost.len();
-    let said = format!("{some} of {all} lose points for scenes{worst}");
+    let said = format!("points lost for scenes: by {some} of {all}{worst}");
     row(true, "  scenes capped", said)
 }
 

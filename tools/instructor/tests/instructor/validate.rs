@@ -111,7 +111,7 @@ fn a_rewrite_of_a_mistake_must_fail_as_well() {
 #[test]
 fn a_compound_is_composed_of_its_beliefs_answers_and_of_their_rewrites() {
     let out = &wrong_verdicts().out;
-    assert!(out.contains("; 1 of them combine two beliefs"), "{out}");
+    assert!(out.contains("; with two beliefs at once: 1"), "{out}");
     let table = out.split("two beliefs at once").nth(1).expect("it counts");
     let tasks = table.lines().nth(1).expect("a row for tasks");
     let words: Vec<&str> = tasks.split_whitespace().collect();

@@ -9,8 +9,9 @@ const MOST_NAMED: usize = 3;
 /// A row for each group and each scene.
 pub fn table(catches: &DetectionTable) -> String {
     let mut text = format!(
-        "\nOf {} single mistakes: how many fail here, how many fail in no other group (or in\n\
-         no other scene), and how many, and which, fail nowhere else at all.",
+        "\nHow many mistakes fail in each group and scene, how many of them fail in no other\n\
+         group (or in no other scene), and how many, and which, fail nowhere else at all.\n\
+         Mistakes of two beliefs are left out. Others: {}.",
         catches.mistakes
     );
     if let Some(mutants) = catches.mutants {

@@ -19,7 +19,8 @@ pub fn table(diagnoses: &Diagnoses) -> String {
     for (kind, naming) in kinds {
         text += &rows(kind, naming);
     }
-    text + "  right: its name alone; among: with one or two others that look the same there\n"
+    text + "  right: only the right belief is named; among: it is named with one or two others that\n  \
+            look the same in that film; none: nothing is named; false: only others are named\n"
 }
 
 fn rows(kind: &str, naming: &SubmissionDiagnosisCounts) -> String {

@@ -6,9 +6,9 @@ use super::QUIET;
 use crate::validate::sensitivity::{Kind, Sensitivity};
 
 const NOTE: &str = "
-The smallest error that each scene detects, in steps of a tenth of a decade. The camera
-is shifted by pixels and normals are tilted by radians; the focal length and t are too
-large by a share of themselves.
+The smallest error that each scene detects, to a tenth of a decade. The camera is
+shifted by this many pixels, and normals are tilted by this many radians. The focal
+length and t are multiplied by 1 plus this number.
 ";
 
 /// A row for each scene, a column for each kind of error.
