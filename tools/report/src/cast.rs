@@ -132,7 +132,7 @@ impl Cast {
             );
         } else {
             anstream::println!(
-                "{resolution} pixels in {:.2} s; the rays of {hits} hit something; cast by {}",
+                "{resolution} pixels in {:.2} s, of which {hits} hit something; cast by {}",
                 self.seconds,
                 printable(&self.by)
             );
