@@ -1,7 +1,5 @@
 //! What several test modules need: files to read, and random numbers.
 
-pub(crate) mod fuzz;
-
 use std::fs;
 use std::path::PathBuf;
 

@@ -231,27 +231,7 @@ fn no_bytes_make_the_reader_panic() {
 
 #[test]
 fn spoilt_meshes_do_not_harm_the_reader() {
-    let seeds = [
-        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
-        "# a\r\nv 0 0 0 1\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\no b\nf -1/1/1 -2//1 -3/1\n",
-        "g a\nv 1e3 -2.5 .5\nv 1 0 0\nv 0 1 0\nv 1 1 1\nf 1 2 3 4\nl 1 2\np 1\nusemtl c\n",
-    ];
-    let words: [&[u8]; 12] = [
-        b"\nv ",
-        b"\nf ",
-        b"nan",
-        b"inf",
-        b"1e999",
-        b"-",
-        b"/",
-        b"99999999999",
-        b" 1",
-        b"\\\n",
-        b"mtllib x",
-        b"\nl 1",
-    ];
-    let seeds = seeds.map(|text| text.as_bytes().to_vec());
-    testing::fuzz::fuzz("mesh", &seeds, &words, |bytes| {
+    bolero::check!().for_each(|bytes| {
         if let Ok(text) = str::from_utf8(bytes)
             && let Ok(triangles) = from(text)
         {

@@ -137,29 +137,9 @@ fn two_channels_of_one_name_are_refused() {
 fn spoilt_films_do_not_harm_the_reader() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("film.exr");
-    let goldens = concat!(env!("CARGO_MANIFEST_DIR"), "/golden/ray_casting");
-    let ids: Vec<f32> = (0..64).map(|id| id as f32).collect();
-    testing::grid(8, &[("id", &ids), ("t", &ids)])
-        .write(&path)
-        .unwrap();
-    let seeds = [
-        fs::read(&path).unwrap(),
-        fs::read(format!("{goldens}/slide_example.exr")).unwrap(),
-        fs::read(format!("{goldens}/slide_example.tol.exr")).unwrap(),
-    ];
-    let words: [&[u8]; 8] = [
-        b"channels\0",
-        b"compression\0",
-        b"dataWindow\0",
-        b"tiles\0",
-        b"\x76\x2f\x31\x01",
-        b"N.X\0",
-        b"box2i\0",
-        b"lineOrder\0",
-    ];
     // A panic in the decoder becomes an error.
     std::panic::set_hook(Box::new(|_| ()));
-    testing::fuzz::fuzz("film", &seeds, &words, |bytes| {
+    bolero::check!().for_each(|bytes| {
         fs::write(&path, bytes).unwrap();
         if let Ok(film) = Film::read(&path) {
             let pixels = film.resolution().pixels();

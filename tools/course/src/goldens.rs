@@ -205,6 +205,6 @@ fn own(file: PathBuf, worth: u32) -> GoldenScene {
 }
 
 /// Splits `all` points into `count` shares that differ by at most 1.
-fn shares(all: u32, count: u32) -> impl Iterator<Item = u32> {
+pub fn shares(all: u32, count: u32) -> impl Iterator<Item = u32> {
     (0..count).map(move |k| all / count + u32::from(k < all % count))
 }

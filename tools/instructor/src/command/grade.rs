@@ -142,7 +142,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let start = Instant::now();
     let kept = mine.par_iter().map(|entry| match arguments.regrade {
         true => Ok(Err(None)),
-        false => valid(entry, &cache, &made_with, &assignment, &goldens.scenes),
+        false => valid(entry, &cache, &made_with, &assignment),
     });
     let kept: Vec<_> = kept.collect::<Result<_>>()?;
     let mut worked = Vec::new();

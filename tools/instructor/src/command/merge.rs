@@ -10,11 +10,12 @@ use rayon::prelude::*;
 
 use crate::cli::Merge;
 use crate::grade::cache::{Backlog, ResultCache, link, pretty, standing, write_unflushed};
-use crate::grade::class::{ROLL, Roll};
+use crate::grade::class::{self, Change, ROLL, Roll};
 use crate::grade::evidence::Evidence;
+use crate::grade::points;
 use crate::grade::policy::Policy;
-use crate::grade::provenance::GradingInputs;
-use crate::grade::record::RecordSummary;
+use crate::grade::provenance::{self, GradingInputs};
+use crate::grade::record::{Record, RecordSummary};
 use crate::grade::views::summary::{ClassOutput, RunSummary};
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};
@@ -39,11 +40,29 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     let parts = arguments.shards.iter();
     let parts: Vec<Part> = parts.map(|it| Part::read(it)).collect::<Result<_>>()?;
     let made_with = OnceLock::new();
-    let records = roll.entries.par_iter().filter_map(|entry| {
-        let record = merged(&entry.id, &parts, &cache, &made_with).transpose()?;
-        Some(record.map(|record| (entry.id.clone(), record)))
+    let questions = provenance::of_assignment(&assignment)?;
+    let results = roll.entries.par_iter().map(|entry| {
+        let Some(before) = merged(&entry.id, &parts, &cache, &made_with)? else {
+            return Ok(None);
+        };
+        let mut record = before.clone();
+        if record.is_graded() && record.provenance.made_with.assignment == questions {
+            points::compute(&mut record, &assignment);
+        }
+        if record != before {
+            cache.put_points(&record)?;
+        }
+        let change = Change::between(&before, &record);
+        Ok(Some((RecordSummary::from(record), change)))
     });
-    let records: BTreeMap<String, RecordSummary> = records.collect::<Result<_>>()?;
+    let results: Vec<Option<_>> = results.collect::<Result<_>>()?;
+    let mut records = BTreeMap::new();
+    let mut run = RunSummary::default();
+    for (record, change) in results.into_iter().flatten() {
+        records.insert(record.id.clone(), record);
+        run.changes.extend(change);
+    }
+    class::sort_changes(&mut run.changes);
     cache.write(ROLL, &pretty(&roll)?)?;
     let output = ClassOutput {
         cache: &cache,
@@ -51,7 +70,7 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
         formats: &arguments.format,
         as_json: arguments.json,
     };
-    output.write(&roll, &records, &RunSummary::default())
+    output.write(&roll, &records, &run)
 }
 
 /// One of the folders that are merged.
@@ -84,7 +103,7 @@ fn merged(
     parts: &[Part],
     cache: &ResultCache,
     made_with: &OnceLock<GradingInputs>,
-) -> Result<Option<RecordSummary>> {
+) -> Result<Option<Record>> {
     let to = cache.of(id);
     let mut not_graded = None;
     for part in parts
@@ -125,12 +144,12 @@ fn merged(
         }
         link(&report, &to.join("report.html"))?;
         link(&from.join("result.json"), &to.join("result.json"))?;
-        return Ok(Some(record.into()));
+        return Ok(Some(record));
     }
     if let Some(record) = &not_graded {
         write_unflushed(&to.join("result.json"), pretty(record)?.as_bytes())?;
     }
-    Ok(not_graded.map(RecordSummary::from))
+    Ok(not_graded)
 }
 
 /// The roll of the class, on which all shards must agree.

@@ -84,7 +84,9 @@ impl ResultCache {
              written: the mark is now {points} of {possible} points.</strong></p>\n"
         );
         let path = folder.join("report.html");
-        replace_note(&path, &note).or_fail(&cannot_write(&path))
+        unshare(&path)
+            .and_then(|()| replace_note(&path, &note))
+            .or_fail(&cannot_write(&path))
     }
 
     /// Stores the record of a fault of ours beside a finished grade, without overwriting it.
@@ -204,6 +206,11 @@ impl Backlog {
 /// The beginning of a note that is added to the end of a report after points have changed.
 const NOTE: &str = "<p role=\"note\">";
 
+/// Replaces a file by a copy of it, because a merge may have linked it to a file of a part.
+fn unshare(path: &Path) -> std::io::Result<()> {
+    put_file(path, |beside| fs::copy(path, beside).map(drop))
+}
+
 /// Writes a note to the end of a report, replacing an earlier one.
 fn replace_note(report: &Path, note: &str) -> std::io::Result<()> {
     let mut file = File::options().read(true).write(true).open(report)?;
@@ -264,13 +271,16 @@ pub fn link(from: &Path, to: &Path) -> Result<()> {
 
 /// Lets `make` write a file beside its final place, and then renames it.
 fn put(path: &Path, make: impl FnOnce(&Path) -> std::io::Result<()>) -> Result<()> {
+    put_file(path, make).or_fail(&cannot_write(path))
+}
+
+fn put_file(path: &Path, make: impl FnOnce(&Path) -> std::io::Result<()>) -> std::io::Result<()> {
     let mut beside = path.as_os_str().to_owned();
     beside.push(".new");
     let beside = PathBuf::from(beside);
     fs::create_dir_all(folder_of(path))
         .and_then(|()| make(&beside))
         .and_then(|()| fs::rename(&beside, path))
-        .or_fail(&cannot_write(path))
 }
 
 fn folder_of(path: &Path) -> &Path {

@@ -187,7 +187,7 @@ impl Grader<'_> {
             record.needs = self.needs()?;
             record.most_for_scenes = Some(0);
         }
-        points::compute(&mut record, self.assignment, &self.goldens.scenes);
+        points::compute(&mut record, self.assignment);
         examination.outcome = record.got.clone();
         let report = || Ok(self.report(&record, &examination)?.html());
         let page: Result<String> = timed("write the report", report);

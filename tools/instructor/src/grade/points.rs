@@ -6,11 +6,11 @@
 use super::record::Record;
 use crate::scene_cap::most_for_scenes;
 use pinhole_course::assignment::{Assignment, DroppedGroup, DroppedPoints};
-use pinhole_course::goldens::GoldenScene;
-use pinhole_course::outcome::GroupOutcome;
+use pinhole_course::goldens::shares;
+use pinhole_course::outcome::{GroupOutcome, SceneOutcome};
 
 /// Gives a graded submission the points that its groups and scenes are now worth.
-pub fn compute(record: &mut Record, assignment: &Assignment, scenes: &[GoldenScene]) {
+pub fn compute(record: &mut Record, assignment: &Assignment) {
     let got = &mut record.got;
     for outcome in &mut got.tasks {
         let Some(task) = assignment.task(&outcome.name) else {
@@ -22,14 +22,13 @@ pub fn compute(record: &mut Record, assignment: &Assignment, scenes: &[GoldenSce
             give(group, worth, dropped(assignment, &task.name, &group.name));
         }
     }
-    for outcome in &mut got.scenes {
-        if let Some(scene) = scenes.iter().find(|scene| scene.name == outcome.name) {
-            outcome.possible = scene.worth;
-            outcome.points = match outcome.outcome.passes() {
-                true => scene.worth,
-                false => 0,
-            };
-        }
+    let worth = worth_of_scenes(&got.scenes, assignment);
+    for (outcome, worth) in got.scenes.iter_mut().zip(worth) {
+        outcome.possible = worth;
+        outcome.points = match outcome.outcome.passes() {
+            true => worth,
+            false => 0,
+        };
     }
     got.add_up();
     if record.most_for_scenes.is_some() {
@@ -43,6 +42,22 @@ pub fn compute(record: &mut Record, assignment: &Assignment, scenes: &[GoldenSce
     let points = by_tasks + record.scene_points().0;
     record.got.points = Some(points);
     record.got.passes = points == record.got.possible;
+}
+
+/// What each scene is worth: what the assignment says or, if other scenes were cast, an equal
+/// share of all its scenes' points.
+fn worth_of_scenes(cast: &[SceneOutcome], assignment: &Assignment) -> Vec<u32> {
+    let own = &assignment.scenes;
+    let of = |outcome: &SceneOutcome| own.iter().find(|scene| scene.name == outcome.name);
+    let stated: Option<Vec<u32>> = cast.iter().map(|it| Some(of(it)?.points)).collect();
+    match stated.filter(|stated| stated.len() == own.len()) {
+        Some(stated) => stated,
+        None => shares(
+            own.iter().map(|scene| scene.points).sum(),
+            cast.len() as u32,
+        )
+        .collect(),
+    }
 }
 
 fn borrowed(names: &[String]) -> Vec<&str> {
@@ -92,7 +107,7 @@ mod tests {
     use crate::grade::record::tests::graded;
 
     /// Two groups with these points, and a scene that needs their task.
-    fn assignment(edges: u32, front: u32, dropped: &[(&str, DroppedPoints)]) -> Assignment {
+    fn assignment([edges, front, lone]: [u32; 3], dropped: &[(&str, DroppedPoints)]) -> Assignment {
         let group = |group: &str, worth| GroupPoints {
             group: group.into(),
             worth,
@@ -116,7 +131,7 @@ mod tests {
             }],
             scenes: vec![ScenePoints {
                 name: "lone".into(),
-                points: 4,
+                points: lone,
                 public: true,
             }],
             earlier: None,
@@ -125,15 +140,6 @@ mod tests {
             finish: None,
             dropped: dropped.collect(),
         }
-    }
-
-    fn scenes(worth: u32) -> [GoldenScene; 1] {
-        [GoldenScene {
-            name: "lone".into(),
-            argument: String::new(),
-            file: PathBuf::new(),
-            worth,
-        }]
     }
 
     /// The record of a submission that was asked fresh questions, fails `edges`, and passes
@@ -161,11 +167,11 @@ mod tests {
         serde_json::from_value(record).expect("a record")
     }
 
-    fn computed(assignment: &Assignment, scene: u32) -> (Option<u32>, u32) {
+    fn computed(assignment: &Assignment) -> (Option<u32>, u32) {
         let mut record = record();
-        compute(&mut record, assignment, &scenes(scene));
+        compute(&mut record, assignment);
         let once = record.clone();
-        compute(&mut record, assignment, &scenes(scene));
+        compute(&mut record, assignment);
         assert_eq!(record, once, "computing again changes nothing");
         (record.got.points, record.got.possible)
     }
@@ -173,14 +179,25 @@ mod tests {
     #[test]
     fn mark_follows_the_points_and_the_scenes_follow_the_tasks() {
         // The task earns 3 of 4 points, so the scene earns three quarters of its own.
-        assert_eq!(computed(&assignment(1, 3, &[]), 4), (Some(6), 8));
+        assert_eq!(computed(&assignment([1, 3, 4], &[])), (Some(6), 8));
         // The task earns 1 of 2 points, so the scene earns half of its own.
-        assert_eq!(computed(&assignment(1, 1, &[]), 10), (Some(6), 12));
+        assert_eq!(computed(&assignment([1, 1, 10], &[])), (Some(6), 12));
+    }
+
+    #[test]
+    fn other_scenes_share_the_points_of_the_assignments_scenes() {
+        let mut record = record();
+        let mut other = record.got.scenes[0].clone();
+        other.name = "random_1".into();
+        record.got.scenes.push(other);
+        compute(&mut record, &assignment([1, 3, 5], &[]));
+        let worth = record.got.scenes.iter().map(|scene| scene.possible);
+        assert_eq!(worth.collect::<Vec<_>>(), [3, 2]);
     }
 
     #[test]
     fn dropped_group_gives_its_points_to_everyone_or_raises_the_others() {
-        let drop = |points| computed(&assignment(1, 3, &[("triangle.edges", points)]), 4);
+        let drop = |points| computed(&assignment([1, 3, 4], &[("triangle.edges", points)]));
         assert_eq!(drop(DroppedPoints::Given), (Some(8), 8));
         assert_eq!(drop(DroppedPoints::Rescaled), (Some(7), 7));
     }
@@ -188,6 +205,6 @@ mod tests {
     #[test]
     fn task_without_counted_groups_costs_the_scenes_nothing() {
         let all = ["triangle.edges", "triangle.front"].map(|it| (it, DroppedPoints::Rescaled));
-        assert_eq!(computed(&assignment(1, 3, &all), 4), (Some(4), 4));
+        assert_eq!(computed(&assignment([1, 3, 4], &all)), (Some(4), 4));
     }
 }

@@ -47,8 +47,9 @@ pub struct GradingInputs {
     pub goldens: String,
     /// The hash of the fresh goldens' manifest.
     pub fresh: Option<String>,
-    /// The hash of tasks, groups and scenes, without their points. If only points change, marks
-    /// are computed again from stored outcomes.
+    /// The hash of tasks, groups and scenes, without their points, and of an earlier assignment's
+    /// goldens if one of its answers is judged. If only points change, marks are computed again
+    /// from stored outcomes.
     pub assignment: String,
     pub tool: Tool,
     /// The sandbox that the student's code ran in.
@@ -142,7 +143,13 @@ pub fn of_assignment(assignment: &Assignment) -> Result<String> {
     let path = assignment.folder.join("assignment.toml");
     let wrong = Error::input(path.display().to_string(), "correct the assignment file");
     let text = fs::read_to_string(&path).or_fail(&wrong)?;
-    Ok(sha256(questions(&text).or_fail(&wrong)?.as_bytes()))
+    let mut asked = questions(&text).or_fail(&wrong)?.into_bytes();
+    if let Some(earlier) = &assignment.earlier {
+        let goldens = assignment.course().join("golden").join(&earlier.assignment);
+        // A handed-out folder has some of these films, but no manifest.
+        asked.extend(fs::read(goldens.join("manifest.toml")).unwrap_or_default());
+    }
+    Ok(sha256(&asked))
 }
 
 /// An assignment's file without points and dropped groups.

@@ -15,7 +15,6 @@ use super::record::{Record, RecordSummary};
 use super::views::progress::GradingProgress;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::error::Result;
-use pinhole_course::goldens::GoldenScene;
 
 /// The submissions that are to be graded.
 pub struct GradeQueue<'a> {
@@ -50,7 +49,6 @@ pub fn valid(
     cache: &ResultCache,
     made_with: &GradingInputs,
     assignment: &Assignment,
-    scenes: &[GoldenScene],
 ) -> Result<std::result::Result<QueueResult, Regrading>> {
     let (Some(before), Ok(submission)) = (cache.get(&entry.id), &entry.submission) else {
         return Ok(Err(None));
@@ -63,7 +61,7 @@ pub fn valid(
         return Ok(Err(Some("other names")));
     }
     let mut record = before.clone();
-    points::compute(&mut record, assignment, scenes);
+    points::compute(&mut record, assignment);
     let change = Change::between(&before, &record);
     if record != before {
         cache.put_points(&record)?;

@@ -235,63 +235,21 @@ fn names_of_thousands_of_folders_do_not_fill_the_memory() {
     assert!(grown < 250, "{grown} MiB more");
 }
 
-/// Random numbers (xorshift, Marsaglia 2003).
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, end: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % end.max(1) as u64) as usize
-    }
-}
-
 #[test]
 fn damaged_archives_do_not_harm_the_reader() {
-    let seconds = std::env::var("PINHOLE_FUZZ_SECONDS").map(|text| text.parse::<u64>());
-    let seconds = seconds.map_or(1, |seconds| seconds.expect("a number of seconds"));
-    let long = "let a = 1;\n".repeat(2000);
-    let (folder, path) = archive(&[
-        ("src/sphere.rs", b"// here"),
-        ("src/plane.rs", long.as_bytes()),
-        ("__MACOSX/._plane.rs", b"\0\0"),
-    ]);
-    let seed = fs::read(&path).expect("it is there");
-    let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
-    let mut dice = Dice(now.expect("later than 1970").as_nanos() as u64 | 1);
-    let start = std::time::Instant::now();
-    let mut tried = 0;
-    while start.elapsed().as_secs() < seconds {
-        let mut bytes = seed.clone();
-        for _ in 0..1 + dice.below(6) {
-            let at = dice.below(bytes.len() + 1);
-            match dice.below(5) {
-                0 if at < bytes.len() => bytes[at] ^= 1 << dice.below(8),
-                1 if at < bytes.len() => bytes[at] = dice.below(256) as u8,
-                // Lengths, counts and offsets take two or four bytes.
-                2 => bytes[at..].iter_mut().take(4).for_each(|byte| *byte = 255),
-                3 => drop(bytes.drain(at..(at + dice.below(32)).min(bytes.len()))),
-                _ => bytes.truncate(at),
-            }
+    bolero::check!().for_each(|bytes| {
+        let Ok(mut archive) = Archive::new(Cursor::new(bytes)) else {
+            return;
+        };
+        for place in archive.places() {
+            let text = archive.text(&format!("{place}plane.rs"));
+            assert!(text.is_err() || text.is_ok_and(|text| text.len() as u64 <= MOST_BYTES));
         }
-        fs::write(&path, &bytes).expect("it can be written");
-        // If an input does harm, this file still holds it afterwards.
-        if let Ok(mut archive) = open(&path) {
-            for place in archive.places() {
-                let text = archive.text(&format!("{place}plane.rs"));
-                assert!(text.is_err() || text.is_ok_and(|text| text.len() as u64 <= MOST_BYTES));
-            }
-        }
-        tried += 1;
-    }
-    println!("archive: {tried} inputs in {seconds} s");
-    drop(folder);
+    });
 }
 
 #[test]
 fn no_text_harms_the_search_for_flags() {
-    let mut dice = Dice(4711);
     let words = [
         "unsafe",
         "use",
@@ -323,10 +281,10 @@ fn no_text_harms_the_search_for_flags() {
         ";",
         "*",
     ];
-    for _ in 0..3000 {
-        let text: String = (0..dice.below(60))
-            .map(|_| words[dice.below(words.len())])
-            .collect();
-        super::super::flags::of_text("plane", &text);
-    }
+    bolero::check!().for_each(|bytes: &[u8]| {
+        let chosen = bytes
+            .iter()
+            .map(|byte| words[usize::from(*byte) % words.len()]);
+        super::super::flags::of_text("plane", &chosen.collect::<String>());
+    });
 }

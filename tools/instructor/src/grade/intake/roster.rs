@@ -142,6 +142,8 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
 
     fn people(bytes: &[u8]) -> std::result::Result<Vec<Person>, String> {
@@ -174,6 +176,16 @@ mod tests {
         is_of_zoe_and_ada(&utf16(PLAIN, b"\xff\xfe"));
         is_of_zoe_and_ada(&utf16(PLAIN, b""));
         is_of_zoe_and_ada(&latin);
+    }
+
+    #[test]
+    fn damaged_rosters_do_not_harm_the_reader() {
+        bolero::check!().for_each(|bytes| {
+            let people = people(bytes).unwrap_or_default();
+            let ids: BTreeSet<&str> = people.iter().map(|person| &*person.id).collect();
+            assert_eq!(ids.len(), people.len());
+            assert!(!ids.contains(""));
+        });
     }
 
     #[test]

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 
 use super::{BROKEN, Class, answers, assignment, on_small_assignment, wrong_plane};
-use pinhole_testing::{program_of, root};
+use pinhole_testing::{fresh, pinhole, program_of, root, small_assignment, trusted};
 
 impl Class {
     /// Starts a grader that grades one submission at a time, and kills it as soon as `has_come`
@@ -135,6 +135,40 @@ fn shards_merge_to_the_grades_of_one_run() {
             .folder
             .join("merged/submissions/ada/report.html")
             .is_file()
+    );
+}
+
+#[test]
+fn merge_gives_the_points_that_the_parts_are_worth_now() {
+    let class = Class::new("worth");
+    class.grade("whole", &[]).expect_code(1);
+    let report = "submissions/dora/report.html";
+    let graded = class.read(&format!("whole/{report}"));
+    let dearer = small_assignment(&fresh(&trusted(), "dearer"));
+    let file = dearer.join("assignment.toml");
+    let text = fs::read_to_string(&file).expect("it was copied");
+    let points_of_scene = |points: u32| format!("name = \"sphere_and_plane\"\npoints = {points}");
+    let changed = text.replace(&points_of_scene(8), &points_of_scene(13));
+    assert_ne!(changed, text);
+    fs::write(&file, changed).expect("writable");
+    let (folder, whole, merged) = (
+        class.path("class"),
+        class.path("whole"),
+        class.path("merged"),
+    );
+    let now = ["--assignment", dearer.to_str().expect("a plain name")];
+    let merge = ["merge", &whole, "--out", &merged];
+    pinhole(&[&merge[..], &now].concat())
+        .expect_code(1)
+        .expect_out("ada: 100 → 105 (scenes");
+    let merged_report = class.read(&format!("merged/{report}"));
+    assert!(merged_report.contains("of 105 points"));
+    assert_eq!(class.read(&format!("whole/{report}")), graded);
+    let grade = ["grade", &folder, "--out", &whole, "--no-fresh"];
+    pinhole(&[&grade[..], &now].concat()).expect_code(1);
+    assert_eq!(
+        class.read("merged/grades.csv"),
+        class.read("whole/grades.csv")
     );
 }
 
