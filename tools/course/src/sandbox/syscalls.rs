@@ -27,7 +27,7 @@ pub enum Purpose {
 
 /// Calls that are always denied: they reach other processes, the kernel itself, new
 /// namespaces, or memory that no limit counts.
-const NEVER: [libc::c_long; 44] = [
+const NEVER: [libc::c_long; 48] = [
     libc::SYS_ptrace,
     libc::SYS_process_vm_readv,
     libc::SYS_process_vm_writev,
@@ -74,6 +74,10 @@ const NEVER: [libc::c_long; 44] = [
     libc::SYS_semget,
     libc::SYS_mq_open,
     libc::SYS_setpriority,
+    libc::SYS_sched_setscheduler,
+    libc::SYS_sched_setattr,
+    libc::SYS_ioprio_set,
+    libc::SYS_capset,
 ];
 
 /// `open_tree_attr`, which Linux has had since 6.15.
@@ -146,7 +150,8 @@ pub fn deny(purpose: Purpose, landlock_too: bool) -> Result<(), Box<dyn std::err
 fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompiler::BackendError> {
     let mut rules: BTreeMap<i64, Vec<SeccompRule>> = BTreeMap::new();
     rules.extend(NEVER.map(|call| (call, Vec::new())));
-    if landlock_too {
+    // Landlock's rules take memory that no limit counts.
+    if landlock_too || purpose == Purpose::Answer {
         rules.extend(LANDLOCK.map(|call| (call, Vec::new())));
     }
     let mut clones = Vec::new();

@@ -134,7 +134,7 @@ const CALL: &str = "
     let here = usize::MAX - 99;";
 
 /// Attacks by system calls: name, and an expression that is true if one of them works.
-const CALLS: [(&str, &str); 6] = [
+const CALLS: [(&str, &str); 8] = [
     // Once most of a shared mapping is unmapped, its memory is counted for no process. The other
     // call takes from a pool that the whole machine shares.
     (
@@ -159,6 +159,16 @@ const CALLS: [(&str, &str); 6] = [
         "[428, 467].into_iter().any(|n| call(n, here, b\"/\\0\".as_ptr() as usize, 1, 0, 0) != -38)",
     ),
     ("outlives-the-grader", "call(157, 1, 0, 0, 0, 0) == 0"),
+    (
+        "changes-its-priority",
+        "let zero = 0_u64; call(144, 0, 3, &raw const zero as usize, 0, 0) == 0 || call(251, 1, 0, 3 << 13, 0, 0) == 0 || call(141, 0, 0, 1, 0, 0) == 0",
+    ),
+    // The rules of Landlock and their files take memory of the kernel's. The second call gives up
+    // capabilities.
+    (
+        "asks-for-rules",
+        "call(444, 0, 0, 1, 0, 0) > 0 || { let (head, none) = ([0x2008_0522_u64, 0], [0_u64; 3]); call(126, &raw const head as usize, &raw const none as usize, 0, 0, 0) == 0 }",
+    ),
 ];
 
 fn reaches() -> (Vec<Attack>, TcpListener) {
