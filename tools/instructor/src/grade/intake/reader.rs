@@ -159,7 +159,7 @@ impl Reader<'_> {
     fn enter(&mut self, folder: &[String], name: &str) -> Option<Vec<String>> {
         let parts = name.split('/').take(MOST_PARTS + 1).map(str::to_owned);
         let path: Vec<String> = folder.iter().cloned().chain(parts).collect();
-        if is_skipped(&path, folder.len()) || !self.may_go_on(&path) {
+        if name.is_empty() || is_skipped(&path, folder.len()) || !self.may_go_on(&path) {
             return None;
         }
         if path.len() > MOST_PARTS || name.len() > MOST_NAME {
