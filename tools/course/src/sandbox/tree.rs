@@ -126,9 +126,10 @@ fn children(pid: u32) -> Vec<u32> {
 }
 
 /// The fields of a process's or thread's `stat`, beginning with the third, which is its state.
-/// The second is a name that may contain anything.
+/// The second is a name that may contain anything, even bytes that are not UTF-8.
 fn stat(folder: &Path) -> Option<Vec<String>> {
-    let text = fs::read_to_string(folder.join("stat")).ok()?;
+    let bytes = fs::read(folder.join("stat")).ok()?;
+    let text = String::from_utf8_lossy(&bytes);
     let (_, fields) = text.rsplit_once(')')?;
     Some(fields.split_whitespace().map(str::to_owned).collect())
 }

@@ -46,6 +46,16 @@ fn time_of_children_that_have_ended_counts() {
 }
 
 #[test]
+fn a_name_that_is_not_utf_8_hides_no_time() {
+    let line = "ulimit -t 5; printf '\\377\\376' > /proc/$$/comm; while :; do :; done";
+    let mut child = shell(line).spawn().expect("there is a shell");
+    eventually(&mut child, |pid| {
+        let used = used_by(pid);
+        used.is_busy && used.cpu > Duration::from_millis(200)
+    });
+}
+
+#[test]
 fn a_tree_that_takes_too_much_memory_is_ended_though_each_process_takes_little() {
     let one = "(head -c 40000000 /dev/zero; sleep 15) | tail >/dev/null & ";
     let limits = Limits {

@@ -60,16 +60,25 @@ impl PlatformName<'_> {
         }
     }
 
-    /// Reads a name as Canvas writes it, if it may be one.
-    fn canvas(name: &str) -> Option<PlatformName<'_>> {
-        let (person, rest) = name.split_once('_')?;
-        let (mut number, mut rest) = rest.split_once('_')?;
+    /// All ways to read a name as Canvas writes it. A person's name there may contain `_` and
+    /// numbers, and so look like somebody else's.
+    fn canvas(name: &str) -> impl Iterator<Item = PlatformName<'_>> {
+        let ends = name.match_indices('_').map(|(at, _)| at);
+        ends.filter_map(|at| PlatformName::canvas_of(name, &name[..at]))
+    }
+
+    fn canvas_of<'a>(name: &'a str, person: &'a str) -> Option<PlatformName<'a>> {
+        let (mut number, mut rest) = name[person.len() + 1..].split_once('_')?;
         let is_late = number.eq_ignore_ascii_case("late");
         if is_late {
             (number, rest) = rest.split_once('_')?;
         }
         let (file, rest) = rest.split_once('_')?;
-        let is_name = !person.is_empty() && is_number(number) && !rest.is_empty();
+        // The mark of a late submission is not a part of the name.
+        let ends_late = person
+            .rsplit_once('_')
+            .is_some_and(|(_, last)| last.eq_ignore_ascii_case("late"));
+        let is_name = !person.is_empty() && !ends_late && is_number(number) && !rest.is_empty();
         is_name.then_some(PlatformName {
             platform: Platform::Canvas,
             person,
@@ -81,19 +90,22 @@ impl PlatformName<'_> {
         })
     }
 
-    /// Reads a name as Moodle writes it, if it may be one.
-    fn moodle(name: &str) -> Option<PlatformName<'_>> {
-        let (before, rest) = name.split_once("_assignsubmission_")?;
-        let (person, number) = before.rsplit_once('_')?;
-        let (_, rest) = rest.split_once('_').unwrap_or((rest, ""));
-        is_number(number).then_some(PlatformName {
-            platform: Platform::Moodle,
-            person,
-            number,
-            submission: format!("{person}_{number}"),
-            upload: 0,
-            handed_in: None,
-            rest,
+    /// All ways to read a name as Moodle writes it.
+    fn moodle(name: &str) -> impl Iterator<Item = PlatformName<'_>> {
+        const MARK: &str = "_assignsubmission_";
+        name.match_indices(MARK).filter_map(|(at, _)| {
+            let (person, number) = name[..at].rsplit_once('_')?;
+            let rest = &name[at + MARK.len()..];
+            let (_, rest) = rest.split_once('_').unwrap_or((rest, ""));
+            is_number(number).then_some(PlatformName {
+                platform: Platform::Moodle,
+                person,
+                number,
+                submission: format!("{person}_{number}"),
+                upload: 0,
+                handed_in: None,
+                rest,
+            })
         })
     }
 
@@ -154,18 +166,17 @@ fn is_number(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-/// All ways to read a name as a platform's. An uploader can make it look like two platforms'
-/// names; then nobody knows which it is.
+/// All ways to read a name as a platform's. An uploader can make it look like two people's or two
+/// platforms' names; then nobody knows which it is.
 pub fn platforms(name: &str) -> Vec<PlatformName<'_>> {
-    [
-        PlatformName::canvas(name),
-        PlatformName::moodle(name),
+    let others = [
         PlatformName::blackboard(name),
         PlatformName::brightspace(name),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
+    ];
+    PlatformName::canvas(name)
+        .chain(PlatformName::moodle(name))
+        .chain(others.into_iter().flatten())
+        .collect()
 }
 
 /// The only way to read a name as a platform's.
@@ -249,17 +260,21 @@ mod tests {
 
     #[test]
     fn a_platforms_part_of_a_name_is_distinguished_from_the_uploaders() {
-        let canvas = |name| PlatformName::canvas(name).map(|it| (it.person, it.number, it.upload));
+        let canvas = |name| {
+            let mut all = PlatformName::canvas(name);
+            let first = all.next().map(|it| (it.person, it.number, it.upload));
+            first.filter(|_| all.next().is_none())
+        };
         let ada = Some(("lovelaceada", "12", 501));
         assert_eq!(canvas("lovelaceada_12_501_answers.zip"), ada);
         assert_eq!(canvas("lovelaceada_LATE_12_501_sphere-1.rs"), ada);
         assert_eq!(canvas("homework_2"), None);
-        let moodle = PlatformName::moodle("Ada Lovelace_2001_assignsubmission_file_");
+        let moodle = PlatformName::moodle("Ada Lovelace_2001_assignsubmission_file_").next();
         assert_eq!(
             moodle.map(|it| (it.person, it.number)),
             Some(("Ada Lovelace", "2001"))
         );
-        let flat = PlatformName::moodle("Ada Lovelace_2001_assignsubmission_file_hw1.zip");
+        let flat = PlatformName::moodle("Ada Lovelace_2001_assignsubmission_file_hw1.zip").next();
         assert_eq!(flat.map(|it| it.rest), Some("hw1.zip"));
         let bright = "11-22 - Ada Lovelace - Nov 21, 2026 1207 AM - Bob - Nov 1, 2026 1207 AM - x";
         let bright = PlatformName::brightspace(bright);

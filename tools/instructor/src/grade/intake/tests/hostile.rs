@@ -26,6 +26,44 @@ fn an_archive_with_other_peoples_names_is_one_submission() {
 }
 
 #[test]
+fn a_persons_name_that_looks_like_another_account_replaces_nobody() {
+    let export = Export::new();
+    for [ada, mallory] in [
+        [
+            "lovelaceada_11_501_hw.zip",
+            "lovelaceada_11_99999_13_502_hw.zip",
+        ],
+        [
+            "lovelaceada_11_501_hw.zip",
+            "lovelaceada_LATE_11_99999_x_13_502_hw.zip",
+        ],
+        [
+            "Ada Lovelace_11_assignsubmission_file_hw.zip",
+            "Ada Lovelace_11_assignsubmission_file_x_13_assignsubmission_file_hw.zip",
+        ],
+    ] {
+        let _former = fs::remove_dir_all(export.path("class"));
+        export.put_all("class", vec![(ada.to_owned(), zip(&answers("", "ada")))]);
+        export.put(&format!("class/{mallory}"), &zip(&answers("", "mallory")));
+        let intake = export.find("class");
+        assert!(intake.superseded.is_empty(), "{intake:#?}");
+        let signs = |who: &str| {
+            let mut entries = intake.entries.iter();
+            let entry = entries.position(|it| !it.name.is_empty() && text_of(it) == who);
+            intake.entries[entry.expect("it is there")].signs.len()
+        };
+        assert_eq!(signs("ada"), 1, "{intake:#?}");
+        assert!(signs("mallory") > 1, "{intake:#?}");
+    }
+}
+
+fn text_of(entry: &Entry) -> String {
+    let submission = entry.submission.as_ref().expect("it can be read");
+    let text = submission.answers[0].text.clone().expect("it is there");
+    text.rsplit(' ').next().unwrap_or_default().to_owned()
+}
+
+#[test]
 fn damaged_archives_do_not_harm_the_reader() {
     let export = Export::new();
     bolero::check!().for_each(|bytes| {
