@@ -168,6 +168,16 @@ impl Compiler {
         submission: &Submission,
         enough: &mut dyn FnMut(&Replacements) -> bool,
     ) -> Result<Attempt> {
+        self.compile_within(&|| self.sandbox.is_done_compiling(), submission, enough)
+    }
+
+    /// As [`compile_until`](Compiler::compile_until); `is_done` says whether the time is up.
+    fn compile_within(
+        &self,
+        is_done: &dyn Fn() -> bool,
+        submission: &Submission,
+        enough: &mut dyn FnMut(&Replacements) -> bool,
+    ) -> Result<Attempt> {
         let mut replaced = Replacements::new();
         let mut unclear = Vec::new();
         for Answer { task, text } in &submission.answers {
@@ -190,27 +200,37 @@ impl Compiler {
             false => None,
         };
         let shown_in = shown_in.unwrap_or(build::SRC.into());
+        let mut is_last = false;
         // Each round replaces at least one answer, so there are at most as many rounds.
         for _ in 0..=submission.answers.len() {
             if enough(&replaced) {
                 return Ok(Attempt::Enough);
             }
-            // Each round may take nearly as long as the limit for one run of the compiler.
-            if self.sandbox.is_done_compiling() {
-                if self.stops_when_late {
-                    return Ok(Attempt::Late);
-                }
-                for Answer { task, .. } in &submission.answers {
-                    let why = || Replacement::DoesNotCompile(TOO_LONG.into());
-                    replaced.entry(task.clone()).or_insert_with(why);
-                }
+            // Each round may take nearly as long as the limit for one run of the compiler, so
+            // only two begin after the time is up: one to find all answers that don't compile,
+            // and one without them.
+            let was_last = is_last;
+            is_last = is_done();
+            if is_last && self.stops_when_late {
+                return Ok(Attempt::Late);
             }
             let compile = |replaced: &Replacements| {
                 let sources = sources(submission, &self.pristine, replaced);
                 let Compiler {
                     programs, harness, ..
                 } = self;
-                build(&sources, &shown_in, programs, harness, &self.sandbox)
+                match build(&sources, &shown_in, programs, harness, &self.sandbox)? {
+                    // A sandbox limits the processor time too, so it was not used up.
+                    BuildResult::Refused { by_clock: true, .. }
+                        if !self.stops_when_late && !matches!(self.sandbox, Sandbox::Trusted) =>
+                    {
+                        Err(Error::environment(
+                            "other work kept the compiler from running",
+                            "run this command again when the machine is less busy",
+                        ))
+                    }
+                    built => Ok(built),
+                }
             };
             match compile(&replaced)? {
                 BuildResult::Program {
@@ -257,9 +277,12 @@ impl Compiler {
                 BuildResult::Refused { is_late: true, .. } if self.stops_when_late => {
                     return Ok(Attempt::Late);
                 }
+                BuildResult::Refused { .. } if was_last => {
+                    replaced.extend(blame_all(submission, &replaced));
+                }
                 BuildResult::Refused { diagnostics, .. } => {
                     let mut blamed = blame::by_place(&diagnostics, submission, &replaced);
-                    if blamed.is_empty() {
+                    if blamed.is_empty() || is_last {
                         blamed = blame_alone(submission, &replaced, compile)?;
                     }
                     if blamed.is_empty() {
@@ -276,7 +299,17 @@ impl Compiler {
     }
 }
 
-/// The message for answers that were no longer compiled.
+/// All answers that are not replaced yet, if there is no time left to find out which of them does
+/// not compile.
+fn blame_all(submission: &Submission, already: &Replacements) -> Replacements {
+    let tasks = submission.answers.iter().map(|answer| &answer.task);
+    let suspects = tasks.filter(|task| !already.contains_key(*task));
+    suspects
+        .map(|task| (task.clone(), Replacement::DoesNotCompile(TOO_LONG.into())))
+        .collect()
+}
+
+/// The message for answers that together take too long.
 const TOO_LONG: &str = "error: these answers together take the compiler too long\n  = help: look for \
                         constants that take long to compute\n";
 
@@ -359,4 +392,39 @@ fn blame_alone(
         );
     }
     Ok(blamed)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn answers_that_compile_stay_when_others_have_used_up_the_time() {
+        let checkout = Checkout::find().unwrap();
+        let name = checkout.default_assignment().unwrap();
+        let assignment = Assignment::read(&checkout, &name).unwrap();
+        let mut submission = Submission::find(&assignment.reference(), &assignment).unwrap();
+        let edits: [fn(&str) -> String; 3] = [
+            |_| String::new(),
+            |text| text.replacen("fn ", "fn fn ", 1),
+            |text| format!("{text}\nfn f() {{ unknown() }}"),
+        ];
+        let mut bad = Vec::new();
+        for (answer, edit) in submission.answers.iter_mut().zip(edits) {
+            answer.text = answer
+                .text
+                .as_ref()
+                .map(|text| edit(text))
+                .map_err(Clone::clone);
+            bad.push(answer.task.clone());
+        }
+        let compiler = Compiler::new(&assignment, &checkout, &Sandbox::Trusted).unwrap();
+        let attempt = compiler.compile_within(&|| true, &submission, &mut |_| false);
+        let Ok(Attempt::Program(program)) = attempt else {
+            panic!("a program without the bad answers")
+        };
+        let replaced: Vec<String> = program.replaced.into_keys().collect();
+        bad.sort();
+        assert_eq!(replaced, bad);
+    }
 }
