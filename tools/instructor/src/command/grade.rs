@@ -15,7 +15,7 @@ use crate::grade::grader::{Grader, fresh};
 use crate::grade::intake::{self, Entry, placement, roster};
 use crate::grade::policy::Policy;
 use crate::grade::provenance::{self, GradingInputs, Tool};
-use crate::grade::queue::{GradeQueue, QueueResult, valid};
+use crate::grade::queue::{GradeQueue, QueueResult, kept, valid};
 use crate::grade::redact::Withheld;
 use crate::grade::views::preview;
 use crate::grade::views::progress::GradingProgress;
@@ -140,16 +140,16 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     cache.write(class::ROLL, &pretty(&roll)?)?;
     let mine = intake::shard(new, arguments.shard);
     let start = Instant::now();
-    let kept = mine.par_iter().map(|entry| match arguments.regrade {
+    let found = mine.par_iter().map(|entry| match arguments.regrade {
         true => Ok(Err(None)),
         false => valid(entry, &cache, &made_with, &assignment),
     });
-    let kept: Vec<_> = kept.collect::<Result<_>>()?;
+    let found: Vec<_> = found.collect::<Result<_>>()?;
     let mut worked = Vec::new();
     let mut to_grade = Vec::new();
     let mut again: BTreeMap<&str, usize> = BTreeMap::new();
-    for (entry, kept) in mine.iter().zip(kept) {
-        match kept {
+    for (entry, found) in mine.iter().zip(found) {
+        match found {
             Ok(valid) => worked.push(valid),
             Err(why) => {
                 to_grade.push(entry.clone());
@@ -161,13 +161,13 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     for (why, count) in again {
         anstream::eprintln!("{count} graded before, but with {why}: graded again");
     }
-    let mut records = BTreeMap::new();
     let is_mine = |id: &str| mine.iter().any(|entry| entry.id == id);
     for entry in roll.entries.iter().filter(|entry| !is_mine(&entry.id)) {
-        if arguments.shard.is_none() {
-            // Submissions of an earlier run into the same folder.
-            let record = standing(&cache.of(&entry.id));
-            records.extend(record.map(|record| (entry.id.clone(), record.into())));
+        // Submissions of an earlier run into the same folder.
+        if arguments.shard.is_none()
+            && let Some(record) = standing(&cache.of(&entry.id))
+        {
+            worked.push(kept(record, &cache, &assignment, &made_with.assignment)?);
         }
     }
     let roll = match arguments.shard {
@@ -209,8 +209,8 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         };
         let so_far = |done: &[QueueResult]| {
             let done = worked.iter().chain(done).map(|it| &it.record);
-            let mut records = records.clone();
-            records.extend(done.map(|record| (record.id.clone(), record.clone())));
+            let records = done.map(|record| (record.id.clone(), record.clone()));
+            let records = records.collect();
             // If it can't be written, the run's end says so.
             let _ = output.write_so_far(&roll, &records);
         };
@@ -233,6 +233,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let mut changes = Vec::new();
     let mut faults = Vec::new();
     let mut graded = 0;
+    let mut records = BTreeMap::new();
     for done in worked {
         graded += usize::from(done.is_new);
         changes.extend(done.change);

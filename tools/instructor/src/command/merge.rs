@@ -10,12 +10,12 @@ use rayon::prelude::*;
 
 use crate::cli::Merge;
 use crate::grade::cache::{Backlog, ResultCache, link, pretty, standing, write_unflushed};
-use crate::grade::class::{self, Change, ROLL, Roll};
+use crate::grade::class::{self, ROLL, Roll};
 use crate::grade::evidence::Evidence;
-use crate::grade::points;
 use crate::grade::policy::Policy;
 use crate::grade::provenance::{self, GradingInputs};
-use crate::grade::record::{Record, RecordSummary};
+use crate::grade::queue::{QueueResult, kept};
+use crate::grade::record::Record;
 use crate::grade::views::summary::{ClassOutput, RunSummary};
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};
@@ -40,27 +40,27 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     let parts = arguments.shards.iter();
     let parts: Vec<Part> = parts.map(|it| Part::read(it)).collect::<Result<_>>()?;
     let made_with = OnceLock::new();
-    let questions = provenance::of_assignment(&assignment)?;
+    let version = provenance::of_assignment(&assignment)?;
     let results = roll.entries.par_iter().map(|entry| {
         let Some(before) = merged(&entry.id, &parts, &cache, &made_with)? else {
             return Ok(None);
         };
-        let mut record = before.clone();
-        if record.is_graded() && record.provenance.made_with.assignment == questions {
-            points::compute(&mut record, &assignment);
-        }
-        if record != before {
-            cache.put_points(&record)?;
-        }
-        let change = Change::between(&before, &record);
-        Ok(Some((RecordSummary::from(record), change)))
+        kept(before, &cache, &assignment, &version).map(Some)
     });
-    let results: Vec<Option<_>> = results.collect::<Result<_>>()?;
+    let results: Vec<Option<QueueResult>> = results.collect::<Result<_>>()?;
     let mut records = BTreeMap::new();
     let mut run = RunSummary::default();
-    for (record, change) in results.into_iter().flatten() {
-        records.insert(record.id.clone(), record);
-        run.changes.extend(change);
+    let mut are_old = false;
+    for result in results.into_iter().flatten() {
+        run.changes.extend(result.change);
+        are_old |= result.fault.is_some();
+        records.insert(result.record.id.clone(), result.record);
+    }
+    if are_old {
+        anstream::eprintln!(
+            "these parts were graded with another version of the assignment, and keep the points \
+             that they had then"
+        );
     }
     class::sort_changes(&mut run.changes);
     cache.write(ROLL, &pretty(&roll)?)?;

@@ -154,6 +154,7 @@ impl<'a> Class<'a> {
         let counted = own.iter().filter(|row| row.not_counted.is_none());
         let all: Vec<&RecordSummary> = counted.filter_map(|row| row.record).collect();
         let alike = known.shared_answers(&all);
+        let without_numbers = concern::without_numbers(&own).into_iter().collect();
         Class {
             title: title.into(),
             roll,
@@ -161,7 +162,7 @@ impl<'a> Class<'a> {
             alike,
             rows: own,
             shared,
-            concerns: concern::sorted([roll.concerns(), concerns].concat()),
+            concerns: concern::sorted([roll.concerns(), concerns, without_numbers].concat()),
             records,
         }
     }

@@ -60,18 +60,47 @@ pub fn valid(
     if before.got.submission != entry.name || before.remarks != entry.remarks() {
         return Ok(Err(Some("other names")));
     }
+    with_current_points(before, cache, assignment).map(Ok)
+}
+
+/// The stored result of a submission, with the current points of its parts.
+pub fn with_current_points(
+    before: Record,
+    cache: &ResultCache,
+    assignment: &Assignment,
+) -> Result<QueueResult> {
     let mut record = before.clone();
     points::compute(&mut record, assignment);
-    let change = Change::between(&before, &record);
     if record != before {
         cache.put_points(&record)?;
     }
-    Ok(Ok(QueueResult {
+    Ok(QueueResult {
+        change: Change::between(&before, &record),
         record: record.into(),
         is_new: false,
-        change,
         fault: None,
-    }))
+    })
+}
+
+/// As [`with_current_points`], for a submission whose answers are not at hand. If it was graded
+/// with another version of the assignment, it keeps its points, and its fault says so.
+pub fn kept(
+    before: Record,
+    cache: &ResultCache,
+    assignment: &Assignment,
+    version: &str,
+) -> Result<QueueResult> {
+    let is_old = before.is_graded() && before.provenance.made_with.assignment != version;
+    if before.is_graded() && !is_old {
+        return with_current_points(before, cache, assignment);
+    }
+    let why = "it was graded with another version of the assignment: grade the whole class again";
+    Ok(QueueResult {
+        fault: is_old.then(|| (before.id.clone(), why.into())),
+        record: before.into(),
+        is_new: false,
+        change: None,
+    })
 }
 
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {

@@ -3,8 +3,9 @@
 
 use serde::Serialize;
 
-use super::Roll;
+use super::{Roll, Row};
 use crate::grade::intake::roster::Person;
+use pinhole_course::outcome::Status;
 
 /// One kind of problem, and where it occurs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -33,7 +34,7 @@ impl Roll {
         let superseded = superseded.map(|(upload, id)| format!("{upload} (graded: {id})"));
         let all: [(&str, bool, Vec<String>); 9] = [
             (
-                "answer files missing or refused",
+                "with missing or refused answer files",
                 true,
                 entries(&|it| &it.unusable),
             ),
@@ -136,6 +137,27 @@ impl Roll {
     fn names(&self, ids: &[String]) -> Vec<String> {
         ids.iter().map(|id| self.called(id)).collect()
     }
+}
+
+/// Answers that cost points before any number was compared: they don't compile, crash, never end or
+/// were not written.
+pub fn without_numbers(rows: &[Row]) -> Option<Concern> {
+    let compared = [Status::MissingFile, Status::RefusedFile, Status::Graded];
+    let which = rows.iter().filter_map(|row| {
+        let tasks = row.record?.tasks.iter().map(|task| &task.task);
+        let tasks = tasks.filter(|task| task.points < task.possible);
+        let tasks = tasks.filter(|task| !compared.contains(&task.status));
+        let tasks: Vec<String> = tasks
+            .map(|task| format!("{} {}", task.name, task.status.word()))
+            .collect();
+        (!tasks.is_empty()).then(|| format!("{}: {}", row.entry.id, tasks.join(", ")))
+    });
+    let which: Vec<String> = which.collect();
+    (!which.is_empty()).then_some(Concern {
+        what: "with answers that could not be compared",
+        which,
+        is_grave: false,
+    })
 }
 
 /// Sorts concerns, the most serious first.

@@ -8,7 +8,7 @@ use super::hand_in::Upload;
 
 use super::reader::Content;
 use super::reader::file_names::first;
-use super::task_names::task_of;
+use super::task_names::{is_similar, task_of};
 use pinhole_course::assignment::{Assignment, Task};
 use pinhole_course::submission::text::Text;
 use pinhole_course::submission::{Answer, AnswerFileProblem, Submission};
@@ -132,7 +132,8 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
     let differs = |(task, one): &&(&Task, Candidate)| {
         let own = choice.submission.answers.iter();
         let mut own = own.filter(|answer| answer.task == task.name);
-        own.any(|answer| said(&answer.text) != said(one.text))
+        let is_other = own.any(|answer| said(&answer.text) != said(one.text));
+        is_other && !is_stub(one.text, task, assignment)
     };
     let outside = elsewhere.iter().filter(differs).map(|(_, one)| one);
     let outside: Vec<String> = outside
@@ -149,7 +150,7 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
         |path: &&String| !is_ours(&path.split('/').map(str::to_owned).collect::<Vec<_>>());
     let theirs: Vec<&String> = others.iter().filter(is_theirs).collect();
     for task in &assignment.tasks {
-        choice.doubt_stub(task, &theirs, assignment);
+        choice.doubt_unanswered(task, &theirs, assignment);
     }
     if candidates.is_empty() && refused.is_empty() && !others.is_empty() {
         let note = format!(
@@ -211,33 +212,36 @@ impl Choice {
         chosen.text.clone()
     }
 
-    /// If the answer to a task is the untouched stub, lists files with similar names.
-    fn doubt_stub(&mut self, task: &Task, others: &[&String], assignment: &Assignment) {
-        let file = task.file();
-        let stub = assignment.handout().join("src").join(&file);
-        let stub = fs::read_to_string(stub).unwrap_or_default();
+    /// If the answer to a task is missing or the untouched stub, lists files with similar names.
+    fn doubt_unanswered(&mut self, task: &Task, others: &[&String], assignment: &Assignment) {
         let mut answers = self.submission.answers.iter();
         let own = answers.find(|answer| answer.task == task.name);
-        let is_stub = |text: &String| text.split_whitespace().eq(stub.split_whitespace());
-        if !own.is_some_and(|own| own.text.as_ref().is_ok_and(is_stub)) {
-            return;
-        }
-        let is_similar = |path: &&&String| {
-            let name = path.rsplit('/').next().unwrap_or_default();
-            name.starts_with(&task.name) && name.ends_with(".rs")
+        let why = match own.map(|own| &own.text) {
+            Some(Err(AnswerFileProblem::Missing)) => "is missing",
+            Some(text) if is_stub(text, task, assignment) => "is the stub, unchanged",
+            _ => return,
         };
-        let meant: Vec<String> = others
-            .iter()
-            .filter(is_similar)
-            .map(|path| path.to_string())
-            .collect();
-        if !meant.is_empty() {
+        let similar = others.iter().filter(|path| {
+            let name = path.rsplit('/').next().unwrap_or_default();
+            is_similar(name, task)
+        });
+        let similar: Vec<String> = similar.map(|path| format!("`{path}`")).collect();
+        if !similar.is_empty() {
             self.doubts.push(format!(
-                "the file that was taken as `{file}` is the stub, unchanged; is {} meant?",
-                first(&meant).join(" or ")
+                "`{}` {why}; is {} meant?",
+                task.file(),
+                first(&similar).join(" or ")
             ));
         }
     }
+}
+
+/// Whether this is a task's stub, apart from white space.
+fn is_stub(text: &Text, task: &Task, assignment: &Assignment) -> bool {
+    let stub = assignment.handout().join("src").join(task.file());
+    let stub = fs::read_to_string(stub).unwrap_or_default();
+    let is_same = |text: &String| text.split_whitespace().eq(stub.split_whitespace());
+    text.as_ref().is_ok_and(is_same)
 }
 
 /// What distinguishes two files: their texts or, if they were refused, the reasons.

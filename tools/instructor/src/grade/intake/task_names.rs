@@ -4,7 +4,7 @@ use pinhole_course::assignment::{Assignment, Task};
 
 /// The task that a file of this name may answer, and whether the name is exactly the one that
 /// was handed out. Recognises names that people or programs have changed: `Sphere.rs`, `sphere
-/// (1).rs`, `sphere-2.rs`, `sphere.rs.txt`.
+/// (1).rs`, `sphere 2.rs`, `sphere.rs.txt`, `Kopie von sphere.rs`.
 pub fn task_of<'a>(name: &str, assignment: &'a Assignment) -> Option<(&'a Task, bool)> {
     let exact = assignment.answerable().find(|task| task.file() == name);
     if let Some(task) = exact {
@@ -12,8 +12,18 @@ pub fn task_of<'a>(name: &str, assignment: &'a Assignment) -> Option<(&'a Task, 
     }
     let plain = plain_stem(name)?;
     let mut tasks = assignment.answerable();
-    let task = tasks.find(|task| task.name.replace('_', "").to_lowercase() == plain)?;
+    let task = tasks.find(|task| joined(&task.name) == plain)?;
     Some((task, false))
+}
+
+/// Whether a file's name contains a task's name.
+pub fn is_similar(name: &str, task: &Task) -> bool {
+    joined(name).contains(&joined(&task.name))
+}
+
+/// A name in lower case, without marks between its words.
+fn joined(name: &str) -> String {
+    name.to_lowercase().replace([' ', '-', '_'], "")
 }
 
 /// A source file's name without its extension, in lower case, and without spaces and marks of a
@@ -22,26 +32,40 @@ fn plain_stem(name: &str) -> Option<String> {
     let lower = name.trim().to_lowercase();
     let lower = lower.strip_suffix(".txt").unwrap_or(&lower);
     let mut stem = lower.strip_suffix(".rs")?.trim();
-    stem = stem.strip_prefix("copy of ").unwrap_or(stem);
+    let before = COPY
+        .iter()
+        .find_map(|(before, _)| stem.strip_prefix(before));
+    stem = before.unwrap_or(stem);
     loop {
         let shorter = without_count(stem);
-        let shorter = shorter.strip_suffix("copy").unwrap_or(shorter);
+        let copy = COPY
+            .iter()
+            .find_map(|(_, after)| shorter.strip_suffix(after));
+        let shorter = copy.unwrap_or(shorter);
         let shorter = shorter.trim_end_matches([' ', '-', '_']);
         if shorter == stem {
             break;
         }
         stem = shorter;
     }
-    Some(stem.replace([' ', '-', '_'], ""))
+    Some(joined(stem))
 }
 
-/// A name without `(2)` or `-2` at its end.
+/// What systems put before and after the names of copies.
+const COPY: [(&str, &str); 4] = [
+    ("copy of ", " copy"),
+    ("kopie von ", " kopie"),
+    ("copie de ", " copie"),
+    ("copia de ", " copia"),
+];
+
+/// A name without `(2)`, `-2` or ` 2` at its end.
 fn without_count(stem: &str) -> &str {
     let is_count = |text: &str| !text.is_empty() && text.chars().all(|c| c.is_ascii_digit());
     let in_brackets = stem
         .strip_suffix(')')
         .and_then(|stem| stem.rsplit_once('('));
-    match in_brackets.or(stem.rsplit_once('-')) {
+    match in_brackets.or(stem.rsplit_once(['-', ' '])) {
         Some((shorter, count)) if is_count(count) => shorter,
         _ => stem,
     }
@@ -63,6 +87,10 @@ mod tests {
             "triangle_soup - Copy (2).rs",
             "Copy of triangle_soup.rs",
             "triangle soup copy.rs",
+            "triangle_soup copy 2.rs",
+            "triangle_soup 2.rs",
+            "Kopie von triangle_soup.rs",
+            "triangle_soup - Kopie.rs",
             "TriangleSoup.rs",
             "triangle_soup.rs.txt",
         ] {

@@ -258,13 +258,21 @@ fn answers_are_questioned_if_other_files_may_be_meant() {
     export.put("class/bob/src/sphere.rs", b"// by bob");
     export.put("class/cleo/plane.rs", &stub("plane").1);
     export.put("class/cleo/plane_final.rs", b"// by cleo");
+    export.put("class/dan/plane_final.rs", b"// by dan");
+    export.put("class/dan/sphere.rs", b"// by dan");
+    // The handed-out repository has the stubs a second time.
+    let handed_out = |(file, text): (String, Vec<u8>)| (file.replace("handout", "stubs"), text);
+    export.put_all("class/eve", TASKS.map(stub).map(handed_out).into());
+    export.put_all(
+        "class/eve",
+        answers("assignments/ray_casting/handout/src/", "eve"),
+    );
     let intake = export.find("class");
     let doubts: Vec<_> = intake.entries.iter().map(|it| &it.doubts[..]).collect();
     let bob = "the files in `handout/src` were taken, and not src/sphere.rs".to_owned();
-    let cleo = "the file that was taken as `plane.rs` is the stub, unchanged; is plane_final.rs \
-                meant?"
-        .to_owned();
-    assert_eq!(doubts, [&[][..], &[bob], &[cleo]]);
+    let cleo = "`plane.rs` is the stub, unchanged; is `plane_final.rs` meant?".to_owned();
+    let dan = "`plane.rs` is missing; is `plane_final.rs` meant?".to_owned();
+    assert_eq!(doubts, [&[][..], &[bob], &[cleo], &[dan], &[]]);
 }
 
 #[test]

@@ -151,8 +151,8 @@ fn merge_gives_the_points_that_the_parts_are_worth_now() {
     let changed = text.replace(&points_of_scene(8), &points_of_scene(13));
     assert_ne!(changed, text);
     fs::write(&file, changed).expect("writable");
-    let (folder, whole, merged) = (
-        class.path("class"),
+    let (ada, whole, merged) = (
+        class.path("class/ada"),
         class.path("whole"),
         class.path("merged"),
     );
@@ -164,12 +164,23 @@ fn merge_gives_the_points_that_the_parts_are_worth_now() {
     let merged_report = class.read(&format!("merged/{report}"));
     assert!(merged_report.contains("of 105 points"));
     assert_eq!(class.read(&format!("whole/{report}")), graded);
-    let grade = ["grade", &folder, "--out", &whole, "--no-fresh"];
+    // Grading one submission into a class gives all others their points too.
+    let grade = ["grade", &ada, "--out", &whole, "--no-fresh"];
     pinhole(&[&grade[..], &now].concat()).expect_code(1);
     assert_eq!(
         class.read("merged/grades.csv"),
         class.read("whole/grades.csv")
     );
+    // The points of groups and scenes that have changed can't be computed again.
+    let text = fs::read_to_string(&file).expect("it was written");
+    let other = text.replace("title = \"", "title = \"Another ");
+    fs::write(&file, other).expect("writable");
+    let old = "graded with another version of the assignment";
+    let again = pinhole(&[&merge[..], &now].concat()).expect_code(1);
+    assert!(again.err.contains(old), "{}", again.err);
+    pinhole(&[&grade[..], &now].concat())
+        .expect_code(3)
+        .expect_out(&format!("the old mark remains: dora: it was {old}"));
 }
 
 #[test]
