@@ -176,7 +176,8 @@ pub struct Dispute {
 /// Combine the parts of a class that were graded separately
 ///
 /// The parts are the --out folders of `grade --shard K/N`, all made with the same paths, roster
-/// and goldens. The result is the same as if the class had been graded in one run.
+/// and goldens. The result is the same as if the class had been graded in one run. To see a class
+/// under another policy, merge its folder alone: nothing is graded again.
 #[derive(Args)]
 pub struct Merge {
     /// The folders of the parts

@@ -84,6 +84,20 @@ pub enum AnswerFile {
     },
 }
 
+impl AnswerFile {
+    /// Why the stub was judged instead of the answer, without colours.
+    pub fn problem(&self) -> Option<String> {
+        match self {
+            AnswerFile::Compiled => None,
+            AnswerFile::Missing => Some("the answer's file was not handed in".into()),
+            AnswerFile::Refused { why } => Some(format!("the answer's file was refused: {why}")),
+            AnswerFile::DoesNotCompile { compiler } => {
+                Some(anstream::adapter::strip_str(compiler).to_string())
+            }
+        }
+    }
+}
+
 impl TaskOutcome {
     /// A task whose groups were judged.
     pub fn new(

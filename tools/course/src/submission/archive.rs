@@ -91,7 +91,10 @@ impl<R: Read + Seek> Archive<R> {
     ///
     /// Fails if the archive is not a ZIP file, holds too much, or would put a file outside its own
     /// folder. The text says why.
-    pub fn new(inner: R) -> std::result::Result<Archive<R>, String> {
+    pub fn new(mut inner: R) -> std::result::Result<Archive<R>, String> {
+        if matches!(inner.seek(SeekFrom::End(0)), Ok(0)) {
+            return Err("it is empty".into());
+        }
         let left = Rc::new(Cell::new(MOST_READ));
         let metered = LimitedReader {
             inner,

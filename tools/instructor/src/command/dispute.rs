@@ -122,7 +122,11 @@ fn words(record: &Record, mark: &str, evidence: &Evidence) -> String {
         }
         let (earned, possible) = (task.points, task.possible);
         text += &format!("\n{FAIL}✗{FAIL:#} {} {earned} / {possible}\n", task.name);
-        for (which, group) in failing {
+        let problem = task.file.problem();
+        for line in problem.iter().flat_map(|problem| problem.lines()) {
+            text += &format!("  {}\n", printable(line));
+        }
+        for (which, group) in failing.iter().filter(|_| problem.is_none()) {
             let said = terminal::outcome_of(&group.outcome, "answers");
             text += &format!("  {} ({which}): {said}\n", group.name);
             for line in terminal::facts(&group.worst).lines() {

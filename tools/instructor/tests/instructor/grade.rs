@@ -147,7 +147,11 @@ fn a_class_gets_the_same_grades_with_any_number_of_jobs_and_a_full_report() {
         .expect_code(1)
         .expect_out("of 3 people on the roster, 2 are graded; 1 handed in nothing")
         .expect_out("! 1 files that belong to no submission\n      notes.txt")
-        .expect_out("gus: plane.rs is missing");
+        .expect_out("gus: plane.rs is missing")
+        .expect_out("emil: plane does not compile");
+    pinhole(&["dispute", "emil", "--out", &class.path("two")])
+        .expect_code(0)
+        .expect_out("unclosed delimiter");
     let csv = class.read("one/grades.csv");
     assert_eq!(csv, class.read("two/grades.csv"));
 

@@ -90,14 +90,10 @@ fn parts(record: &Record) -> Vec<Part> {
                 AnswerFile::Compiled => group.outcome.status(),
                 _ => task.status(),
             },
-            said: match &task.file {
-                AnswerFile::Missing => "the answer's file was not handed in".into(),
-                AnswerFile::Refused { why } => format!("the answer's file was refused: {why}"),
-                AnswerFile::DoesNotCompile { compiler } => {
-                    anstream::adapter::strip_str(compiler).to_string()
-                }
-                AnswerFile::Compiled if group.points == group.possible => "passes".into(),
-                AnswerFile::Compiled => {
+            said: match task.file.problem() {
+                Some(problem) => problem,
+                None if group.points == group.possible => "passes".into(),
+                None => {
                     let help = help.take().unwrap_or_default();
                     [&help[..], &shown(group)].concat().join("\n")
                 }
