@@ -62,7 +62,7 @@ impl Finish {
         } = self;
         format!(
             "All {points} points: every answer agrees with Mitsuba's.\n\
-             submit: {pack}\n\
+             to hand in: {pack}\n\
              read next: {next}\n"
         )
     }
@@ -70,7 +70,7 @@ impl Finish {
     /// A line that says where the picture is.
     pub fn caption(&self, path: &Path) -> String {
         let path = printable(&path.display().to_string());
-        format!("{}, cast by your code: {path}\n", self.scene)
+        format!("{}, rendered by your code: {path}\n", self.scene)
     }
 
     /// The picture in a terminal's characters, each an upper and a lower pixel.
