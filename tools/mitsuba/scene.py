@@ -1,8 +1,9 @@
 """A scene file (TOML) as numpy data: a camera and the objects in file order.
 
-Everything is float64 and in scene units, as written; no vector is normalised
-here. The Rust side owns the full validation of scene files (line, column,
-unknown keys); this reader only refuses what would make a golden meaningless.
+Lengths and vectors are float64, in scene units, exactly as in the file; no
+vector is normalised here. The Rust code validates scene files in full (line,
+column, unknown keys). This module rejects only files from which no correct
+golden could be made.
 """
 
 import tomllib
@@ -15,12 +16,12 @@ from shapes import vector
 
 
 class SceneError(Exception):
-    """A scene that gets no golden. Its text is one line, `path: problem`."""
+    """No golden can be made for a scene. The message is one line, `path: problem`."""
 
 
 @dataclass(frozen=True)
 class Scene:
-    """`objects[k]` is the object whose id in a film is k."""
+    """A camera and objects. Pixels that show `objects[k]` have the id k in a film."""
 
     path: Path
     camera: Camera
@@ -28,12 +29,12 @@ class Scene:
 
     @property
     def name(self):
-        """The name its films carry."""
+        """The file's name without its extension. Films of the scene have it too."""
         return self.path.stem
 
 
 def load(path):
-    """Read the scene file at `path`; raise `SceneError` when it is unusable."""
+    """Read the scene file at `path`; raise `SceneError` if that fails."""
     path = Path(path)
     try:
         table = tomllib.loads(path.read_text(encoding="utf-8"))

@@ -16,9 +16,8 @@ use crate::sandbox::Choice;
 /// The option that names an assignment.
 #[derive(Args, Default)]
 pub struct AssignmentOption {
-    /// The assignment, by name or folder [default: the one whose folder contains the files that you
-    /// name or, if you name none, the current folder; if there is no such assignment, the default
-    /// of this checkout]
+    /// The assignment, by name or folder [default: the one that the named files or the current
+    /// folder belong to, or else this checkout's default]
     #[arg(long = "assignment", value_name = "NAME")]
     pub name: Option<String>,
 }

@@ -91,7 +91,8 @@ pub struct Grade {
     /// golden render my.toml --out DIR` makes them
     #[arg(long, value_name = "DIR")]
     pub golden: Option<PathBuf>,
-    /// How much to show in results and reports about withheld and fresh questions
+    /// How much to show in results and reports about questions that students don't have: fresh ones,
+    /// withheld scenes, and those of --golden
     #[arg(long, value_enum, default_value_t)]
     pub reveal: Reveal,
     /// Draw fresh questions from this seed [default: the seed of OUT/fresh; if there is none, or
@@ -199,14 +200,15 @@ pub struct Merge {
     pub json: bool,
 }
 
-/// Make the students' stubs from the reference, or a whole repository for them
+/// Make the stubs for students from the reference solution, or a whole repository around them
 ///
-/// In the stubs, signatures and documentation stay, and each answer becomes `todo!`.
+/// In the stubs, signatures and documentation stay, and the body of each function that students
+/// write becomes `todo!`.
 ///
-/// With --out, this writes a repository around the stubs: the harness, the student's commands, the
-/// public scenes and their goldens, tests, a README and a workflow for GitHub. It needs only Rust.
-/// It contains none of our answers, no source code of mistakes or variants, and nothing about any
-/// scene with `public = false`.
+/// With --out, this writes a repository around the stubs: the harness, the commands for students,
+/// the public scenes and their goldens, tests, a README and a workflow for GitHub. Students need
+/// only Rust to use it. It contains none of our answers, none of the wrong and right answers that
+/// `validate` judges, and nothing about any scene with `public = false`.
 #[derive(Args)]
 #[command(group = ArgGroup::new("autograder").args(["gradescope", "prairielearn"]).multiple(true))]
 pub struct Handout {
@@ -218,33 +220,35 @@ pub struct Handout {
     /// Change nothing, and fail if the committed stubs don't match the reference
     #[arg(long, conflicts_with_all = ["out", "gradescope", "prairielearn"])]
     pub check: bool,
-    /// Write a student's repository to this folder, which must be new or empty
+    /// Write a student's repository to this folder, which must be new or empty unless you pass
+    /// --force
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Put the sources of all dependencies into the repository, so that it builds without a network
     #[arg(long, requires = "out")]
     pub vendor: bool,
-    /// Put this built book into the repository; `book build` makes the students' edition in
-    /// book/build/student
+    /// Include the course's book from this folder; `pinhole book build` writes the students'
+    /// edition to book/build/student
     #[arg(long, value_name = "DIR", requires = "out")]
     pub book: Option<PathBuf>,
-    /// Replace what an earlier run wrote. With --out, nothing is written if one of those files has
-    /// been changed; without --out, changes to the stubs are lost
+    /// Overwrite the files of an earlier run. With --out, this fails and writes nothing if any of
+    /// them has been changed since; without --out, changes to the stubs are lost
     #[arg(long, conflicts_with = "check")]
     pub force: bool,
     /// Write an autograder for Gradescope to this file. Keep it to yourself: it contains all
-    /// goldens and our answers
+    /// goldens and the reference solution
     #[arg(long, value_name = "FILE.zip")]
     pub gradescope: Option<PathBuf>,
-    /// Write a question for PrairieLearn, and the files of its grader's image, to this folder, which
-    /// must be new or empty. Keep this to yourself, too
+    /// Write a PrairieLearn question, and the files to build its grader's Docker image, to this
+    /// folder, which must be new or empty. Keep it to yourself, too
     #[arg(long, value_name = "DIR")]
     pub prairielearn: Option<PathBuf>,
-    /// Put the fresh questions in this folder into the autograder, because public goldens can
-    /// be memorised; `golden render --seed random --out DIR` makes them
+    /// Let the autograder also ask the fresh questions in this folder, because answers to public
+    /// ones can be memorised; `pinhole golden render --seed random --out DIR` draws new ones
     #[arg(long, value_name = "DIR", requires = "autograder")]
     pub fresh: Option<PathBuf>,
-    /// How much the autograder shows about withheld and fresh questions
+    /// How much the autograder shows about questions that students don't have: fresh ones, and
+    /// scenes with `public = false`
     #[arg(long, value_enum, default_value_t, requires = "autograder")]
     pub reveal: Reveal,
     /// Print one JSON document on standard output

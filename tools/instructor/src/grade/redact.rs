@@ -25,7 +25,7 @@ pub enum Reveal {
     Message,
     /// In addition, how much is wrong, and the pictures
     Picture,
-    /// Everything, down to each pixel and the worst question
+    /// Everything, including each wrong pixel and each group's worst question
     Full,
 }
 

@@ -20,7 +20,7 @@ const STRONG: Style = Style::new().bold();
 /// The table: first what misses a target, then each part that was judged.
 pub fn validation(validation: &Validation) -> String {
     let mut text = format!(
-        "{STRONG}{}{STRONG:#}  {QUIET}a test of the grading{QUIET:#}\n\n",
+        "{STRONG}{}{STRONG:#}  {QUIET}test of the grading{QUIET:#}\n\n",
         validation.assignment
     );
     for fault in &validation.faults {
@@ -74,7 +74,7 @@ fn submissions(validation: &Validation) -> String {
     let pristine = &validation.pristine;
     let (points, possible) = pristine.reference;
     let stub = match pristine.stub {
-        0 => "unanswered everywhere".into(),
+        0 => "every task is unanswered, as it should be".into(),
         points => format!("{points} points"),
     };
     let mut text = row(pristine.stub == 0, "stub", stub);
@@ -82,12 +82,12 @@ fn submissions(validation: &Validation) -> String {
     text += &row(points == possible, "reference", reference);
     if let Some(mistakes) = &validation.mistakes {
         let compound = mistakes.judged.iter().filter(|judged| !judged.single);
-        let both = format!("; with two beliefs at once: {}", compound.count());
+        let both = format!("; combining several: {}", compound.count());
         text += &failing("mistakes", mistakes, &both);
         text += &capped(mistakes);
     }
     if let Some(rewrites) = &validation.rewrites {
-        text += &failing("  rewritten", rewrites, "");
+        text += &failing("  in other code", rewrites, "");
     }
     if let Some(variants) = &validation.variants {
         let wrong = variants.judged.iter().filter(|judged| judged.is_caught());
@@ -124,8 +124,8 @@ fn capped(mistakes: &SubmissionVerdicts) -> String {
         format!(", at most {points} ({name})")
     });
     let all = lost.len();
-    let said = format!("points lost for scenes: by {some} of {all}{worst}");
-    row(true, "  scenes capped", said)
+    let said = format!("{some} of {all} lose points by it{worst}");
+    row(true, "  cap on scenes", said)
 }
 
 fn row(well: bool, name: &str, said: String) -> String {

@@ -74,27 +74,29 @@ pub struct Study {
     pub json: bool,
 }
 
-/// Find the cheapest way to cast a scene as accurately as you wish, and explain it
+/// Find the fastest way to render a scene's film with a given accuracy, and explain the choice
 ///
-/// A plan shows the true object at every pixel, and keeps t and normals as accurate as you
-/// wish. (A t below 2e-308 or above 2e308 is only rounded to the nearest f64.) This is
-/// proven for every ray of the camera, not just tested on a sample. The output
-/// says, for each kind of shape, how accurate f64 is proven to be, which hits are checked and
-/// computed exactly if needed, and whether searching a tree of boxes is worthwhile. The same
-/// scene always gets the same plan. Try: cargo pinhole plan bunny --accuracy 1e-6
+/// A film that is rendered by this plan shows the true object at every pixel, with t and normals as
+/// accurate as you ask for. (The exception is a t below 2e-308 or above 1.7e308, where f64 has fewer
+/// digits or none.) This is proven for every camera ray, and does not rest on sampling. For each
+/// kind of shape, the output says how accurate f64 arithmetic is proven to be, and which hits are
+/// checked and, if necessary, computed exactly. It also says whether a bounding volume hierarchy is
+/// worthwhile. The same scene and options always give the same plan.
+///
+/// Try: cargo pinhole plan bunny --accuracy 1e-6
 #[derive(Args)]
 pub struct Plan {
     /// A scene file, or the name of one of the assignment's scenes
     pub scene: String,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// The largest relative error of t, and the largest angle between a normal and the true
-    /// one, in radians
+    /// The largest relative error allowed in t, and also the largest angle allowed between a normal
+    /// and the true one, in radians
     #[arg(long, value_name = "X", value_parser = accuracy)]
     pub accuracy: f64,
     #[command(flatten)]
     pub wanted: FilmOptions,
-    /// Plan for this many pixels instead of the scene's own
+    /// Plan for this resolution instead of the scene's
     #[arg(long, value_name = "NXxNY", value_parser = resolution)]
     pub resolution: Option<Resolution>,
     /// Print one JSON document on standard output
@@ -119,8 +121,8 @@ pub struct Render {
     /// counted. Edges are part of a triangle. The rays themselves are rounded to f64 first
     #[arg(long)]
     pub exact: bool,
-    /// Cast in the cheapest way that keeps t and normals this accurate, which `pinhole plan`
-    /// explains
+    /// Cast in the fastest way that is proven to keep t and normals this accurate; `pinhole plan`
+    /// explains it
     #[arg(long, value_name = "X", value_parser = accuracy)]
     pub plan: Option<f64>,
     #[command(flatten)]
@@ -160,7 +162,7 @@ pub struct Record {
 /// What a planned film should contain.
 #[derive(Args)]
 pub struct FilmOptions {
-    /// For a plan: what to compute for each pixel; everything else is 0 in the film [default:
+    /// Let the plan compute only these; everything else is 0 in the film [default:
     /// id,depth,normal]
     #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',')]
     pub outputs: Vec<Output>,
@@ -171,7 +173,7 @@ pub struct FilmOptions {
 pub enum Output {
     /// The object
     Id,
-    /// t
+    /// The ray parameter t of the hit
     Depth,
     /// The unit normal
     Normal,

@@ -1,7 +1,12 @@
 //! What each group of questions and each scene catches.
 
+use textwrap::{fill, indent};
+
 use super::QUIET;
 use crate::validate::catches::{DetectionRow, DetectionTable};
+
+/// How many characters fit into a line.
+const LINE: usize = 86;
 
 /// How many mistakes a row names.
 const MOST_NAMED: usize = 3;
@@ -9,23 +14,23 @@ const MOST_NAMED: usize = 3;
 /// A row for each group and each scene.
 pub fn table(catches: &DetectionTable) -> String {
     let mut text = format!(
-        "\nHow many mistakes fail in each group and scene, how many of them fail in no other\n\
-         group (or in no other scene), and how many, and which, fail nowhere else at all.\n\
-         Mistakes of two beliefs are left out. Others: {}.",
+        "\nOf {} single mistakes, how many fail in each group of questions and in each scene;\n\
+         unique: how many of these fail in no other group, or in no other scene;\n\
+         only here: how many fail nowhere else, neither in a group nor in a scene.",
         catches.mistakes
     );
     if let Some(mutants) = catches.mutants {
         text += &format!(
-            " Of {mutants} mutants that their own\n\
-             task's questions catch, how many fail in this group, and how many only there."
+            "\nmutants: how many of {mutants} mutants, which their own task's questions catch, fail\n\
+             in this group, and how many only there."
         );
     }
     text += "\n";
     let names = catches.probes.iter().chain(&catches.scenes);
     let width = names.map(|catch| catch.name.len()).max().unwrap_or(0) + 2;
     let mutants = |columns: String| catches.mutants.map(|_| columns).unwrap_or_default();
-    for (kind, rows) in [("probes", &catches.probes), ("scenes", &catches.scenes)] {
-        let is_probe = kind == "probes";
+    for (kind, rows) in [("groups", &catches.probes), ("scenes", &catches.scenes)] {
+        let is_probe = kind == "groups";
         // Mutants are judged only by their own task's questions.
         if !is_probe && catches.mistakes == 0 {
             continue;
@@ -35,10 +40,12 @@ pub fn table(catches: &DetectionTable) -> String {
             false => String::new(),
         };
         text += &format!(
-            "\n{QUIET}  {kind:<width$}{:>8}  {:>4}  {:>6}{heads}{QUIET:#}\n",
-            "mistakes", "only", "at all"
+            "\n{QUIET}  {kind:<width$}{:>8}  {:>6}  {:>9}{heads}{QUIET:#}\n",
+            "mistakes", "unique", "only here"
         );
-        for catch in rows {
+        let (idle, busy): (Vec<_>, Vec<_>) =
+            rows.iter().partition(|row| row.mistakes + row.mutants == 0);
+        for catch in busy {
             let DetectionRow {
                 name,
                 mistakes,
@@ -54,12 +61,17 @@ pub fn table(catches: &DetectionTable) -> String {
                 false => String::new(),
             };
             text += &format!(
-                "  {name:<width$}{:>8}  {:>4}  {:>6}{counts}  {QUIET}{}{QUIET:#}\n",
+                "  {name:<width$}{:>8}  {:>6}  {:>9}{counts}  {QUIET}{}{QUIET:#}\n",
                 dash(*mistakes),
                 dash(only_of_its_kind.len()),
                 dash(catch.only.len()),
                 named(&catch.only),
             );
+        }
+        if !idle.is_empty() {
+            let names: Vec<&str> = idle.iter().map(|row| row.name.as_str()).collect();
+            text += &indent(&fill(&format!("none in {}", names.join(", ")), LINE), "  ");
+            text += "\n";
         }
     }
     text
