@@ -89,11 +89,17 @@ const F_NOTIFY: u64 = 1026;
 /// Calls that only the compiler may make. Without namespaces and Landlock, the names of files in
 /// a folder like `/tmp` would carry one submission's answers to another, even if no file may be
 /// written. So would the times of a file that everyone may write, such as `/dev/null`.
-const NEVER_WHILE_ANSWERING: [libc::c_long; 16] = [
+const NEVER_WHILE_ANSWERING: [libc::c_long; 21] = [
     libc::SYS_socket,
     libc::SYS_socketpair,
     // Makes a file if standard input, a socket, gets a path as its name.
     libc::SYS_bind,
+    // `connect` gives it a name too, if `setsockopt` asks for its peer's credentials.
+    libc::SYS_connect,
+    libc::SYS_listen,
+    libc::SYS_accept,
+    libc::SYS_accept4,
+    libc::SYS_setsockopt,
     libc::SYS_pipe2,
     libc::SYS_inotify_init1,
     libc::SYS_setsid,

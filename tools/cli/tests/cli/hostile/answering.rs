@@ -134,7 +134,7 @@ const CALL: &str = "
     let here = usize::MAX - 99;";
 
 /// Attacks by system calls: name, and an expression that is true if one of them works.
-const CALLS: [(&str, &str); 8] = [
+const CALLS: [(&str, &str); 9] = [
     // Once most of a shared mapping is unmapped, its memory is counted for no process. The other
     // call takes from a pool that the whole machine shares.
     (
@@ -144,6 +144,11 @@ const CALLS: [(&str, &str); 8] = [
     (
         "name-for-a-socket",
         "let mut name = vec![1, 0]; name.extend(b\"%SCRATCH%/name\\0\"); call(49, 0, name.as_ptr() as usize, name.len(), 0, 0) == 0 || { name[2] = 0; call(49, 0, name.as_ptr() as usize, 9, 0, 0) == 0 }",
+    ),
+    // A socket that asks for its peer's credentials gets a name when it tries to connect.
+    (
+        "name-for-a-socket-by-connecting",
+        "let (on, to, mut name, mut size) = (1_u32, [1_u8, 0, 0], [0_u8; 110], 110_u32); call(54, 0, 1, 16, &raw const on as usize, 4); call(42, 0, to.as_ptr() as usize, 3, 0, 0); call(51, 0, name.as_mut_ptr() as usize, &raw mut size as usize, 0, 0); size > 2 || [54, 42, 50, 43, 288].into_iter().any(|n| call(n, 0, 0, 0, 0, 0) != -38)",
     ),
     (
         "times-of-a-device",
