@@ -230,13 +230,25 @@ fn plain(name: &str) -> String {
         .take(MOST_CHARACTERS)
         .collect();
     let safe = safe.trim_start_matches(['-', '.']).trim_end_matches('.');
+    let safe = match is_device(safe) {
+        true => format!("_{safe}"),
+        false => safe.into(),
+    };
     match safe == stem && !safe.is_empty() {
-        true => safe.into(),
+        true => safe,
         false => {
             let hash = &sha256(name.as_bytes())[..8];
             format!("{safe}-{hash}").trim_start_matches('-').into()
         }
     }
+}
+
+/// Whether Windows takes this name for a device, whatever follows the first dot.
+fn is_device(name: &str) -> bool {
+    let name = name.split('.').next().unwrap_or(name).to_ascii_uppercase();
+    let port = name.strip_suffix(|c: char| c.is_ascii_digit());
+    ["CON", "PRN", "AUX", "NUL"].contains(&name.as_str())
+        || port.is_some_and(|port| ["COM", "LPT"].contains(&port))
 }
 
 /// A submission without any usable file.

@@ -155,6 +155,21 @@ fn a_hostile_name_becomes_a_plain_folder_of_its_own() {
             "{id}"
         );
     }
+    // On Windows, these are devices, whatever follows the first dot.
+    for name in [
+        "CON",
+        "nul",
+        "Prn.txt",
+        "aux.tar.gz",
+        "com1.zip",
+        "LPT9.rs.txt",
+        "-con",
+    ] {
+        let id = plain(name);
+        assert!(id.starts_with('_'), "{name}: {id}");
+    }
+    assert_ne!(plain("con"), plain("_con"));
+    assert_eq!(plain("connie.zip"), "connie");
     assert_ne!(plain("a b"), plain("a?b"));
     assert_ne!(plain("rf"), plain("-rf"));
     assert_eq!(plain("alice.zip"), "alice");
