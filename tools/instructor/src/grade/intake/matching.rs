@@ -43,16 +43,22 @@ fn turned(name: &str, fold: &dyn Fn(&str) -> String) -> Vec<String> {
     (0..words.len()).map(turned).collect()
 }
 
-/// The people with this name. Platforms keep accents, drop them, or drop letters that have one.
+/// The people with this name. Platforms keep accents, drop them, or drop letters that have one. Only
+/// the roster's name may lose letters: a name with other letters of its own is somebody else's.
 fn named<'a>(name: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let ascii = |text: &str| -> String { folded(text).chars().filter(char::is_ascii).collect() };
-    let folds: [&dyn Fn(&str) -> String; 3] = [&folded, &unaccented, &ascii];
-    let found = folds.iter().map(|fold| {
+    type Fold<'f> = &'f dyn Fn(&str) -> String;
+    let folds: [(Fold<'_>, Fold<'_>); 3] = [
+        (&folded, &folded),
+        (&unaccented, &unaccented),
+        (&folded, &ascii),
+    ];
+    let found = folds.iter().map(|(fold, fold_roster)| {
         let person = match fold(name) {
             person if person.is_empty() => return Vec::new(),
             person => person,
         };
-        let is = |other: &&Person| turned(&other.name, fold).contains(&person);
+        let is = |other: &&Person| turned(&other.name, fold_roster).contains(&person);
         people.iter().filter(is).collect::<Vec<_>>()
     });
     found
