@@ -9,8 +9,8 @@ mod compiled_submission;
 mod harness;
 mod prune;
 
-use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
 
 use pinhole::ask::Stop;
 
@@ -38,6 +38,8 @@ pub struct Program {
     pub executable: PathBuf,
     /// Answers that were replaced by their stubs, and why.
     pub replaced: Replacements,
+    /// The tasks whose answer is still the stub: it was replaced, or is what was handed out.
+    pub stubs: BTreeSet<String>,
     /// The same program with our answer to the task of an earlier assignment, if this one has the
     /// student's.
     pub with_ours: Option<PathBuf>,
@@ -266,8 +268,11 @@ impl Compiler {
                         }
                     };
                     let warnings = blame::warnings(&warnings, submission, &replaced);
+                    let stubs = submission.answers.iter();
+                    let stubs = stubs.filter(|it| self.is_stub(it, &replaced));
                     return Ok(Attempt::Program(Program {
                         executable,
+                        stubs: stubs.map(|answer| answer.task.clone()).collect(),
                         with_ours,
                         warnings,
                         replaced,
@@ -296,6 +301,16 @@ impl Compiler {
             "the stubs do not compile",
             "restore the assignment's `reference` folder, which they are made from",
         ))
+    }
+
+    /// Whether an answer was replaced by its stub, or is the stub. Line endings may differ.
+    fn is_stub(&self, answer: &Answer, replaced: &Replacements) -> bool {
+        let file = Path::new("src").join(format!("{}.rs", answer.task));
+        let is_given = |text: &String| {
+            let given = self.pristine.get(&file);
+            given.is_some_and(|given| given.lines().eq(text.lines()))
+        };
+        replaced.contains_key(&answer.task) || answer.text.as_ref().is_ok_and(is_given)
     }
 }
 

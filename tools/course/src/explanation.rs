@@ -202,8 +202,7 @@ impl PixelAsker<'_> {
         let answer = reply.answers.first().copied().flatten().and_then(pick);
         Ok(answer.ok_or_else(|| {
             let task = task.map(|task| task.name.as_str());
-            examine::failure(&reply.ending, self.assignment, task)
-                .map_or(NoAnswer::Nothing, NoAnswer::Failed)
+            examine::failure(&reply, self.program, task).map_or(NoAnswer::Nothing, NoAnswer::Failed)
         }))
     }
 }

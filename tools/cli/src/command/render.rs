@@ -48,7 +48,7 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
     };
     let seconds = start.elapsed().as_secs_f64();
     progress.clear();
-    let problem = examine::failure(&reply.ending, &assignment, None);
+    let problem = examine::failure(&reply, &whole.program, None);
     let (film, shares) = match preview {
         Some(preview) => (preview.film.clone(), Some(shares(preview, &assignment))),
         None => (reply.film(resolution), None),

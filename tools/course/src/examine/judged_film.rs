@@ -1,5 +1,6 @@
 //! Turns a reply into a film and its verdict.
 
+use std::ffi::OsStr;
 use std::path::Path;
 
 use pinhole::Film;
@@ -10,7 +11,7 @@ use pinhole::judge::{Verdict, judge};
 use pinhole::kind::Questions;
 
 use super::Examiner;
-use crate::assignment::Assignment;
+use crate::compile::Program;
 use crate::describe;
 use crate::error::Result;
 use crate::goldens::questions::QuestionFilm;
@@ -57,7 +58,7 @@ impl Examiner<'_> {
         asked: &QuestionFilm,
         task: Option<&str>,
     ) -> Result<JudgedFilm> {
-        let failure = failure(&reply.ending, self.assignment, task);
+        let failure = failure(reply, self.program, task);
         if let Some(failure) = failure.filter(|_| !reply.is_whole()) {
             return Ok(JudgedFilm {
                 outcome: failure,
@@ -81,23 +82,12 @@ impl Examiner<'_> {
     }
 }
 
-/// What an ending means for the answers; `None` if all is well so far.
-pub fn failure(
-    ending: &Ending,
-    assignment: &Assignment,
-    task: Option<&str>,
-) -> Option<FilmOutcome> {
-    Some(match ending {
+/// What a reply's ending means for the answers; `None` if all is well so far. `task` is the task that
+/// was asked alone.
+pub fn failure(reply: &Reply, program: &Program, task: Option<&str>) -> Option<FilmOutcome> {
+    Some(match &reply.ending {
         Ending::Complete => return None,
-        Ending::Panicked(panic) if panic.is_unanswered() => match task_of(panic, assignment) {
-            Some(other) if Some(other) != task => FilmOutcome::Blocked { by: other.into() },
-            _ => FilmOutcome::Unanswered,
-        },
-        Ending::Panicked(panic) => FilmOutcome::Panicked {
-            message: panic.message.clone(),
-            file: panic.file.clone(),
-            line: panic.line,
-        },
+        Ending::Panicked(panic) => panicked(panic, program, task),
         Ending::Unregistered(missing) => FilmOutcome::Died {
             how: missing.to_string(),
         },
@@ -117,8 +107,17 @@ pub fn failure(
     })
 }
 
-/// The task in whose file a panic happened.
-fn task_of<'a>(panic: &Panic, assignment: &'a Assignment) -> Option<&'a str> {
-    let stem = Path::new(&panic.file).file_stem()?.to_str()?;
-    assignment.task(stem).map(|task| task.name.as_str())
+/// Code may panic with any message and name any file as the place. So another answer counts as
+/// missing only if it is still the stub.
+fn panicked(panic: &Panic, program: &Program, task: Option<&str>) -> FilmOutcome {
+    let answer = Path::new(&panic.file).file_stem().and_then(OsStr::to_str);
+    match answer.filter(|_| panic.is_unanswered()) {
+        Some(own) if Some(own) == task => FilmOutcome::Unanswered,
+        Some(by) if program.stubs.contains(by) => FilmOutcome::Blocked { by: by.into() },
+        _ => FilmOutcome::Panicked {
+            message: panic.message.clone(),
+            file: panic.file.clone(),
+            line: panic.line,
+        },
+    }
 }

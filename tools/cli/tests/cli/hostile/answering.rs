@@ -326,6 +326,14 @@ fn code_that_never_answers_costs_only_its_own_task() {
             Outcome("unanswered"),
             "panic!(\"not yet implemented: plane\");",
         ),
+        // This is how a panic is reported. Its file belongs to another answer, which is right.
+        attack(
+            "panic-like-todo-elsewhere",
+            Outcome("panicked"),
+            &format!(
+                "{STREAM} stream.write_all(b\"\\x25\\0\\0\\0\\x02\\x13not yet implemented\\x0dsrc/sphere.rs\\x01\\0\").unwrap(); loop {{ std::thread::park(); }}"
+            ),
+        ),
     ];
     every_attack_fails_in_every_mode(&attacks, |_, _| false);
 }
