@@ -136,9 +136,9 @@ pub fn ask_watched(
         reply.ending = match ended {
             Err(error) if is_timeout(&error) && exchange.is_late() => Ending::TimedOut(limit.wall),
             Err(error) if is_timeout(&error) => Ending::TimedOut(patience),
-            Err(error) if is_broken(&error) => Ending::died(status, &reply.printed),
+            Err(error) if is_broken(&error) => Ending::Died(Death::of(status)),
             Err(error) => Ending::Garbled(error.to_string()),
-            Ok(()) => Ending::died(status, &reply.printed),
+            Ok(()) => Ending::Died(Death::of(status)),
         };
     }
     Ok(reply)
@@ -194,8 +194,8 @@ fn drain(
 
 /// What was printed; nothing if a process left behind still holds the pipe.
 fn printed(pipe: Receiver<Vec<u8>>) -> String {
-    // A loaded machine may need a while. Wait for it, because a stack overflow is recognised
-    // only by this text.
+    // A loaded machine may need a while. Wait for it, because only this text says why a process
+    // aborted.
     let bytes = pipe
         .recv_timeout(Duration::from_secs(2))
         .unwrap_or_default();

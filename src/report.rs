@@ -65,11 +65,10 @@ impl fmt::Display for Death {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let killed = |how: &str| format!("it was killed ({how}) before it had answered");
         let words = match self {
-            Death::StackOverflow => {
-                "its stack overflowed: does a function call itself without end?".into()
-            }
             Death::Signal(4) => killed("an illegal instruction"),
-            Death::Signal(6) => killed("it aborted"),
+            Death::Signal(6) => killed(
+                "it aborted, as when a function calls itself without end, or memory runs out",
+            ),
             Death::Signal(7 | 11) => killed("it touched memory that is not its own"),
             Death::Signal(9) => killed("SIGKILL"),
             Death::Signal(25) => killed("it wrote a file that is too long"),

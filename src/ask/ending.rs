@@ -28,22 +28,9 @@ pub enum Ending {
     Garbled(String),
 }
 
-impl Ending {
-    /// How a process died, judging by its exit status and what it printed.
-    pub(super) fn died(status: Option<ExitStatus>, printed: &str) -> Ending {
-        Ending::Died(Death::of(status, printed))
-    }
-}
-
-/// The signal by which a process aborts, SIGABRT, and the exit code for it.
-const ABORT: i32 = 6;
-const ABORTED: i32 = 128 + ABORT;
-
 /// How a process ended before it had answered.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Death {
-    /// Its stack overflowed.
-    StackOverflow,
     /// This signal killed it.
     Signal(i32),
     /// It exited with this code.
@@ -53,8 +40,7 @@ pub enum Death {
 }
 
 impl Death {
-    /// A stack overflow is known by what Rust itself prints before it aborts.
-    fn of(status: Option<ExitStatus>, printed: &str) -> Death {
+    pub(super) fn of(status: Option<ExitStatus>) -> Death {
         let Some(status) = status else {
             return Death::Lost;
         };
@@ -63,11 +49,6 @@ impl Death {
         #[cfg(not(unix))]
         let signal = None;
         match (signal, status.code()) {
-            (Some(ABORT), _) | (_, Some(ABORTED))
-                if printed.contains("has overflowed its stack") =>
-            {
-                Death::StackOverflow
-            }
             (Some(signal), _) => Death::Signal(signal),
             // This is how a shell and bubblewrap report a signal.
             (None, Some(code @ 129..=159)) => Death::Signal(code - 128),

@@ -216,9 +216,10 @@ fn a_long_panic_is_cut_between_characters() {
 }
 
 #[test]
-fn stack_overflow_is_recognised() {
-    let ending = asked("bottomless", &rays(1)).ending;
-    assert_eq!(ending, Ending::Died(Death::StackOverflow));
+fn a_stack_overflow_aborts_and_says_so() {
+    let reply = asked("bottomless", &rays(1));
+    assert_eq!(reply.ending, Ending::Died(Death::Signal(6)));
+    assert!(reply.printed.contains("stack overflow"), "{reply:?}");
 }
 
 #[test]

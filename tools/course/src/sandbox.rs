@@ -39,7 +39,7 @@ use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use clap::ValueEnum;
-use pinhole::ask::{Clock, Death, Ending, Limit, Reply, Stop, ask_watched};
+use pinhole::ask::{Clock, Ending, Limit, Reply, Stop, ask_watched};
 use pinhole::job::Job;
 
 use crate::checkout::Checkout;
@@ -342,18 +342,12 @@ impl Sandbox {
         if let Some(paths) = self.host_paths() {
             paths.hide_in(&mut reply);
         }
-        if let Ending::Died(death) = reply.ending.clone() {
+        if let Ending::Died(_) = reply.ending {
             match exceeded {
                 Some(ExceededLimit::Cpu(most) | ExceededLimit::Idle(most)) => {
                     reply.ending = Ending::TimedOut(most)
                 }
                 Some(ExceededLimit::Memory(most)) => reply.ending = Ending::OutOfMemory(most),
-                // Rust itself prints this before it aborts.
-                None if death == Death::Signal(6)
-                    && reply.printed.contains("memory allocation of ") =>
-                {
-                    reply.ending = Ending::OutOfMemory(limits.memory);
-                }
                 // Perhaps the program was never started because the sandbox doesn't work.
                 None => self.self_test()?,
             }

@@ -267,7 +267,7 @@ fn exiting_early_or_printing_points_earns_nothing_and_harms_no_other_task() {
 }
 
 #[test]
-fn endless_recursion_is_called_a_stack_overflow() {
+fn endless_recursion_aborts_and_its_last_words_are_shown_as_its_own() {
     let text = with_body(
         "plane",
         "return self.intersect_ray(ray, min_t).map(|at| Intersection { t: at.t + 1.0, ..at });",
@@ -275,7 +275,8 @@ fn endless_recursion_is_called_a_stack_overflow() {
     let folder = submission(&trusted(), "recursion", &[("plane.rs", &text)]);
     let folder = folder.to_str().expect("a plain name");
     let ran = pinhole(&["check", folder, "--task", "plane"]).expect_code(1);
-    ran.expect_out("its stack overflowed");
+    ran.expect_out("it aborted, as when a function calls itself without end")
+        .expect_out("the last that it printed is “fatal runtime error: stack overflow");
 }
 
 #[test]

@@ -99,8 +99,8 @@ fn in_a_container(landlock: bool) -> Command {
         close_checkout(&mut outer);
     }
     // The filter that confines submissions also forbids namespaces.
-    let limits = "--compiles --cpu 1000000 --memory 1000000000000 --processes 100000 \
-         --file-size 100000000000 --open-files 1000 --read / --write /";
+    let limits = "--compiles --cpu 1000000 --address-space 1000000000000 \
+         --processes 100000 --file-size 100000000000 --open-files 1000 --read / --write /";
     outer.arg("--").arg(env!("CARGO_BIN_EXE_pinhole"));
     outer.arg("confine").args(limits.split_whitespace());
     if !landlock {

@@ -101,10 +101,24 @@ pub fn failure(reply: &Reply, program: &Program, task: Option<&str>) -> Option<F
         },
         Ending::OutOfMemory(most) => FilmOutcome::OutOfMemory { most: *most },
         Ending::Died(death) => FilmOutcome::Died {
-            how: death.to_string(),
+            how: match last_words(&reply.printed) {
+                Some(words) => format!("{death}; the last that it printed is “{words}”"),
+                None => death.to_string(),
+            },
         },
         Ending::Garbled(why) => FilmOutcome::Garbled { why: why.clone() },
     })
+}
+
+/// At most this many characters of a program's last words are shown.
+const MOST_LAST_WORDS: usize = 200;
+
+/// The last line that a program printed. Rust says there why it aborts, but the code may print the
+/// same words, so they are shown as its own and believed by nobody.
+fn last_words(printed: &str) -> Option<String> {
+    let mut lines = printed.lines().map(str::trim);
+    let last = lines.rfind(|line| !line.is_empty())?;
+    Some(last.chars().take(MOST_LAST_WORDS).collect())
 }
 
 /// Code may panic with any message and name any file as the place. So another answer counts as

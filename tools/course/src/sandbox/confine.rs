@@ -36,7 +36,7 @@ struct Confine {
     #[arg(long)]
     cpu: u64,
     #[arg(long)]
-    memory: u64,
+    address_space: u64,
     #[arg(long)]
     processes: u64,
     #[arg(long)]
@@ -72,7 +72,7 @@ pub fn arguments(command: &mut Command, limits: &Limits, purpose: Purpose, uid: 
     let cpu = limits.cpu.as_secs() + 5;
     for (name, value) in [
         ("--cpu", cpu),
-        ("--memory", limits.memory),
+        ("--address-space", limits.address_space),
         ("--processes", limits.processes),
         ("--file-size", limits.file_size),
         ("--open-files", limits.open_files),
@@ -123,7 +123,7 @@ fn give_up(confine: &Confine) -> Result<(), String> {
     step("end with the parent", end_with_parent)?;
     for (resource, most) in [
         (Resource::Cpu, confine.cpu),
-        (Resource::As, confine.memory),
+        (Resource::As, confine.address_space),
         (Resource::Nproc, confine.processes),
         (Resource::Fsize, confine.file_size),
         (Resource::Nofile, confine.open_files),

@@ -20,8 +20,12 @@ pub struct Limits {
     /// Time on the clock in which no thread of the tree runs or is ready to run, because it
     /// sleeps or waits. A tree is not idle just because the machine is busy.
     pub idle: Duration,
-    /// Bytes: the address space of each process, and the memory in use of all together.
+    /// Bytes in use by all processes together.
     pub memory: u64,
+    /// Bytes of address space of each process. Beyond it, the kernel refuses more. An answer's is
+    /// larger than `memory`, so that the watchdog sees what the answer uses before the kernel
+    /// makes it abort like an answer that merely prints Rust's words for that.
+    pub address_space: u64,
     /// Processes and threads together.
     pub processes: u64,
     /// Bytes of the longest file that may be written.
@@ -33,7 +37,7 @@ pub struct Limits {
 }
 
 /// 1 GiB is enough for rustc, but half of that is not.
-const MEMORY: u64 = 2 << 30;
+const ADDRESS_SPACE: u64 = 2 << 30;
 
 /// A hundred times what the reference takes for the questions of any task.
 const SHORTEST: Duration = Duration::from_secs(1);
@@ -62,7 +66,8 @@ impl Limits {
             wall: Duration::from_secs(60),
             silence: Duration::from_secs(60),
             idle: IDLE_COMPILER,
-            memory: MEMORY,
+            memory: ADDRESS_SPACE,
+            address_space: ADDRESS_SPACE,
             processes: cores() + SPARE_PROCESSES,
             file_size: 64 << 20,
             open_files: 256,
@@ -78,6 +83,7 @@ impl Limits {
             wall,
             silence: wall,
             idle: wall,
+            memory: ADDRESS_SPACE / 2,
             file_size: 0,
             open_files: 64,
             shortest: SHORTEST,

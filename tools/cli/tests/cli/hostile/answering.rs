@@ -276,6 +276,16 @@ fn code_that_never_answers_costs_only_its_own_task() {
         ),
         attack("abort", Outcome("died"), "std::process::abort();"),
         attack(
+            "abort-like-full-memory",
+            Outcome("died"),
+            "eprintln!(\"memory allocation of 7 bytes failed\"); std::process::abort();",
+        ),
+        attack(
+            "killed-like-a-limit",
+            Outcome("died"),
+            "use std::os::unix::process::CommandExt; let _ = std::process::Command::new(\"/bin/sh\").args([\"-c\", \"kill -XCPU $$\"]).exec(); std::process::exit(1);",
+        ),
+        attack(
             "exec",
             Outcome("died"),
             "use std::os::unix::process::CommandExt; let _ = std::process::Command::new(\"/usr/bin/true\").exec(); std::process::exit(1);",
@@ -413,22 +423,26 @@ fn hostile_answers_and_floods_cost_only_their_own_task() {
                 "stream.write_all(&[6, 0, 0, 0, 0, 0, 255, 255, 255, 127]).unwrap(); loop { std::thread::park(); }",
             ),
         ),
-        // The memory is zeroed but never touched. The limit counts addresses, so even a slow
-        // machine reaches it in time.
         attack(
             "memory",
             Outcome("out of memory"),
-            "loop { std::mem::forget(std::hint::black_box(vec![0_u8; 64 << 20])); }",
-        ),
-        attack(
-            "memory-at-once",
-            Outcome("out of memory"),
-            "std::hint::black_box(vec![1_u8; 1 << 40]);",
+            "loop { std::mem::forget(std::hint::black_box(vec![1_u8; 64 << 20])); }",
         ),
         attack(
             "memory-by-threads",
             Outcome("out of memory"),
-            "for _ in 0..8 { let _ = std::thread::Builder::new().spawn(|| loop { std::mem::forget(std::hint::black_box(vec![0_u8; 16 << 20])); }); } loop { std::mem::forget(std::hint::black_box(vec![0_u8; 16 << 20])); }",
+            "for _ in 0..8 { let _ = std::thread::Builder::new().spawn(|| loop { std::mem::forget(std::hint::black_box(vec![1_u8; 16 << 20])); }); } loop { std::mem::forget(std::hint::black_box(vec![1_u8; 16 << 20])); }",
+        ),
+        // The memory is zeroed but never touched, so it fills only addresses.
+        attack(
+            "addresses",
+            Outcome("died"),
+            "loop { std::mem::forget(std::hint::black_box(vec![0_u8; 64 << 20])); }",
+        ),
+        attack(
+            "memory-at-once",
+            Outcome("died"),
+            "std::hint::black_box(vec![1_u8; 1 << 40]);",
         ),
         attack(
             "floods-output",
