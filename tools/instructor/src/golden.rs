@@ -120,7 +120,7 @@ fn refuse_unforced(assignment: &Assignment, arguments: &GoldenRender) -> Result<
             folder.display(),
             replaced.len()
         ),
-        "to replace them, say --force; to write to another folder, say --out DIR",
+        "to replace them, pass --force; to write to another folder, pass --out DIR",
     ))
 }
 

@@ -115,7 +115,7 @@ fn refuse_unforced(stale: &[PathBuf], assignment: &Assignment, arguments: &Hando
             there.join(", "),
             assignment.handout().display()
         ),
-        "look at what they contain; if you don't need it, say --force",
+        "look at what they contain; if you don't need it, pass --force",
     ))
 }
 
