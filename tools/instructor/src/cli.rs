@@ -68,8 +68,9 @@ impl Command {
 ///
 /// If Mitsuba is installed, the whole class is also asked fresh questions, drawn from a new seed. A
 /// group of questions then earns its points only if it passes both the public and the fresh
-/// questions. A scene earns at most the share of its points that the weakest task it needs earns,
-/// or that fresh scenes with the same needs earn, whichever is larger.
+/// questions. The tasks that a scene needs limit its points: if the weakest of them earns two thirds
+/// of its points, the scene earns at most two thirds of its own, unless fresh scenes that need the
+/// same tasks earn more.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions

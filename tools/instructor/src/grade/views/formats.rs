@@ -24,8 +24,8 @@ pub enum Format {
     Junit,
     /// prairielearn.json: PrairieLearn's results.json
     Prairielearn,
-    /// classroom50.json: Classroom 50's result.json, with the classroom, assignment and submission
-    /// from its runner's environment
+    /// classroom50.json: Classroom 50's result.json, for which its runner sets the names of
+    /// classroom, assignment and submission
     Classroom50,
     /// groups.csv in the class's folder: a line for each group of questions
     Csv,
