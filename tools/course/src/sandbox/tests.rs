@@ -1,0 +1,47 @@
+use glam::DVec3;
+use pinhole::Ray;
+
+use super::*;
+
+/// How a program ends that runs these lines of the shell instead of answering, if it may take this
+/// long on the processor.
+fn ending(lines: &str, cpu: Duration) -> Ending {
+    let folder = tempfile::tempdir().expect("there is room");
+    let program = folder.path().join("program");
+    // Another process writes it, because a program that is open for writing can't be started.
+    let written = Command::new("sh")
+        .args([
+            "-c",
+            "printf '#!/bin/sh\\n%s' \"$1\" > \"$0\" && chmod +x \"$0\"",
+        ])
+        .arg(&program)
+        .arg(lines)
+        .status();
+    assert!(written.expect("there is a shell").success());
+    let limits = Limits {
+        cpu,
+        ..Limits::of_answers(Duration::from_secs(60))
+    };
+    let ray = Ray {
+        origin: DVec3::ZERO,
+        direction: DVec3::Z,
+    };
+    let job = Job::Cast(ray, 0.0, Vec::new());
+    let reply = Sandbox::Trusted.ask(&program, &job, &limits, Stop::default(), &mut |_| {});
+    reply.expect("it can be started").ending
+}
+
+#[test]
+fn only_a_program_that_took_its_processor_time_is_late_by_the_kernels_limit() {
+    let long = Duration::from_secs(30);
+    for (signal, name) in [(SIGXCPU, "XCPU"), (SIGKILL, "KILL")] {
+        let kills_itself = ending(&format!("kill -{name} $$"), long);
+        assert_eq!(kills_itself, Ending::Died(Death::Signal(signal)));
+    }
+    let short = Duration::from_millis(500);
+    // There is no watchdog, and the kernel's limit is a second.
+    for limit in ["ulimit -S -t 1", "ulimit -t 1"] {
+        let loops = ending(&format!("{limit}; while :; do :; done"), short);
+        assert_eq!(loops, Ending::TimedOut(short), "{limit}");
+    }
+}
