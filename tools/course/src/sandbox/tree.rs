@@ -17,6 +17,10 @@ pub struct ResourceUsage {
     pub memory: u64,
     /// Whether any thread runs, is ready to run, or waits for a disk.
     pub is_busy: bool,
+    /// The longest time that a living thread was ready to run but got no processor.
+    pub waited: Duration,
+    /// How often all living threads together got a processor.
+    pub turns: u64,
 }
 
 /// The time and memory that `pid` and its descendants use now. A process that ends meanwhile counts
@@ -29,6 +33,10 @@ pub fn used_by(pid: u32) -> ResourceUsage {
         ticks += ticks_of(pid).unwrap_or(0);
         used.memory += memory_of(pid).unwrap_or(0);
         used.is_busy |= is_busy(pid);
+        for (waited, turns) in threads(pid).filter_map(|thread| turns_of(&thread)) {
+            used.waited = used.waited.max(waited);
+            used.turns += turns;
+        }
         found.extend(children(pid));
     }
     used.cpu = duration(ticks);
@@ -39,15 +47,20 @@ pub fn used_by(pid: u32) -> ResourceUsage {
 /// time that they get, but runs no faster than the wall clock.
 pub fn own_clock(pid: u32) -> Clock {
     let mut had = Duration::ZERO;
-    let mut last = (Instant::now(), Duration::ZERO);
+    let mut last = (Instant::now(), ResourceUsage::default());
     Box::new(move || {
         let (now, used) = (Instant::now(), used_by(pid));
         let passed = now - last.0;
-        had += match used.is_busy {
-            true => passed.min(used.cpu.saturating_sub(last.1)),
-            false => passed,
+        // Threads that sleep most of the time may be awake whenever we look, so ask the kernel how
+        // long they waited. It adds that up when a thread gets its turn. If none had a turn, or the
+        // kernel doesn't count, all that we know is whether one is ready now.
+        let waited = match used.is_busy && used.turns == last.1.turns {
+            true => passed,
+            false => passed.min(used.waited.saturating_sub(last.1.waited)),
         };
-        last = (now, used.cpu);
+        let ran = used.cpu.saturating_sub(last.1.cpu);
+        had += (passed - waited).max(passed.min(ran));
+        last = (now, used);
         had
     })
 }
@@ -140,6 +153,15 @@ fn ticks_of(pid: u32) -> Option<u64> {
     let fields = stat(&of_process(pid))?;
     let ticks = fields.get(11..15)?.iter().map(|field| field.parse::<u64>());
     ticks.sum::<Result<u64, _>>().ok()
+}
+
+/// How long a thread has waited for a processor, and how often it got one. `None` if the kernel does
+/// not count that.
+fn turns_of(thread: &Path) -> Option<(Duration, u64)> {
+    let text = fs::read_to_string(thread.join("schedstat")).ok()?;
+    let mut numbers = text.split_whitespace().map(str::parse::<u64>);
+    let (waited, turns) = (numbers.nth(1)?.ok()?, numbers.next()?.ok()?);
+    Some((Duration::from_nanos(waited), turns))
 }
 
 fn of_process(pid: u32) -> PathBuf {

@@ -113,9 +113,13 @@ fn the_own_clock_of_a_tree_that_gets_no_processor_stands_still() {
     let starved = "ulimit -t 9; exec nice -n 19 taskset -c 0 sh -c 'while :; do :; done'";
     let busy = "ulimit -t 9; exec taskset -c 0 sh -c 'while :; do :; done'";
     let start = |line| shell(line).spawn().expect("there is a shell");
-    let mut all = vec![start(starved), start("exec sleep 9")];
+    let mut all = vec![
+        start(starved),
+        start("exec sleep 9"),
+        start("kill -STOP $$"),
+    ];
     all.extend([busy; 4].map(start));
-    let mut clocks = [&all[0], &all[1]].map(|child| own_clock(child.id()));
+    let mut clocks = [&all[0], &all[1], &all[2]].map(|child| own_clock(child.id()));
     let begin = Instant::now();
     while begin.elapsed() < Duration::from_secs(2) {
         std::thread::sleep(Duration::from_millis(50));
@@ -123,13 +127,15 @@ fn the_own_clock_of_a_tree_that_gets_no_processor_stands_still() {
             clock();
         }
     }
-    let [starved, asleep] = clocks.map(|mut clock| clock());
+    let [starved, asleep, stopped] = clocks.map(|mut clock| clock());
     for mut child in all {
         child.kill().expect("it can be ended");
         child.wait().expect("it can be waited for");
     }
     assert!(starved < Duration::from_millis(500), "{starved:?}");
+    // Nobody keeps these from running.
     assert!(asleep > Duration::from_millis(1500), "{asleep:?}");
+    assert!(stopped > Duration::from_millis(1500), "{stopped:?}");
 }
 
 #[test]
@@ -146,4 +152,27 @@ fn output_is_cut_and_waiting_is_ended_by_the_clock() {
     );
     assert!(!finished.status.success());
     assert!(start.elapsed() < Duration::from_secs(5));
+}
+
+#[test]
+fn the_own_clock_of_a_tree_that_sleeps_most_of_the_time_runs() {
+    // They wake up many times between two looks.
+    let naps = "i=0; while [ $i -lt 3000 ]; do i=$((i+1)); sleep 0.002; done";
+    let mut child = shell(&format!("({naps}) & ({naps}) & {naps}"))
+        .spawn()
+        .expect("there is a shell");
+    let mut clock = own_clock(child.id());
+    let begin = Instant::now();
+    while begin.elapsed() < Duration::from_secs(2) {
+        std::thread::sleep(Duration::from_millis(50));
+        clock();
+    }
+    // On a busy machine, it may also have to wait.
+    let (had, waited) = (clock(), used_by(child.id()).waited);
+    child.kill().expect("it can be ended");
+    child.wait().expect("it can be waited for");
+    assert!(
+        had + waited > Duration::from_millis(1800),
+        "{had:?} {waited:?}"
+    );
 }
