@@ -37,6 +37,9 @@ pub enum Fate {
     Harmless,
     /// It gets no points, and each group has this kind of outcome.
     Outcome(&'static str),
+    /// It gets no points, because it uses too much memory. Where many threads reserve addresses, it
+    /// may abort before the watchdog sees that.
+    Hungry,
     /// It gets no points, because its file has this state.
     File(&'static str),
 }
@@ -65,7 +68,7 @@ const NEIGHBOUR: &str = "viewing_ray";
 impl Attack {
     /// Whether a memory limit should end it.
     fn is_hungry(&self) -> bool {
-        self.fate == Fate::Outcome("out of memory")
+        self.fate == Fate::Hungry
     }
 
     /// The file of its task.
@@ -229,11 +232,8 @@ fn problems(attacks: &[&Attack], walls: &str) -> Vec<String> {
         let right = match attack.fate {
             Fate::Walled if walls == "none" => lost > 0,
             Fate::Walled | Fate::Harmless => lost == 0,
-            Fate::Outcome(kind) => {
-                let groups = task["groups"].as_array().expect("a list");
-                let all = groups.iter().all(|group| group["outcome"]["kind"] == kind);
-                all && task["points"] == 0
-            }
+            Fate::Outcome(kind) => ended(task, &[kind]),
+            Fate::Hungry => ended(task, &["out of memory", "died"]),
             Fate::File(state) => task["file"]["state"] == state && task["points"] == 0,
         };
         expect(right, attack.name, shown());
@@ -251,6 +251,13 @@ fn problems(attacks: &[&Attack], walls: &str) -> Vec<String> {
     );
     std::fs::remove_dir_all(folder).expect("it was made");
     problems
+}
+
+/// Whether a task got no points, because each group has one of these kinds of outcome.
+fn ended(task: &Value, kinds: &[&str]) -> bool {
+    let mut groups = task["groups"].as_array().expect("a list").iter();
+    let ended = |group: &Value| kinds.iter().any(|kind| group["outcome"]["kind"] == *kind);
+    groups.all(ended) && task["points"] == 0
 }
 
 fn listing(folder: &Path) -> Vec<PathBuf> {
