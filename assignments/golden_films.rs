@@ -95,8 +95,11 @@ fn examine(
     let goldens = Goldens::read(&assignment.golden(), assignment)?.without_known();
     // Cargo builds the answers before their tests.
     let executable = env!(concat!("CARGO_BIN_EXE_", env!("CARGO_PKG_NAME")));
+    let tasks = assignment.answerable().map(|task| task.name.clone());
     let program = Program {
         executable: executable.into(),
+        // Cargo has not told which of them are stubs, so any may be.
+        stubs: tasks.collect(),
         with_ours: None,
         replaced: Default::default(),
         warnings: Default::default(),

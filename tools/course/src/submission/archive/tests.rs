@@ -171,7 +171,7 @@ fn file_that_is_not_an_archive_is_refused_with_a_reason() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("a.zip");
     fs::write(&path, "").expect("it can be written");
-    assert_eq!(refusal(&path), "it is empty");
+    assert!(refusal(&path).ends_with("it is empty"));
     for bytes in [&b"PK\x05\x06"[..], b"no archive at all", &[0; 70_000]] {
         fs::write(&path, bytes).expect("it can be written");
         assert!(
