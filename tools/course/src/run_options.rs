@@ -16,7 +16,7 @@ use crate::sandbox::Choice;
 /// The option that names an assignment.
 #[derive(Args, Default)]
 pub struct AssignmentOption {
-    /// The assignment, by name or folder [default: the one that the named files or the current
+    /// The assignment, by name or folder [default: the one that the given paths or the current
     /// folder belong to, or else this checkout's default]
     #[arg(long = "assignment", value_name = "NAME")]
     pub name: Option<String>,

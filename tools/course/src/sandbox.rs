@@ -93,7 +93,7 @@ pub fn time_of_children() -> Option<Duration> {
 /// The sandbox that a user asks for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
 pub enum Choice {
-    /// Bubblewrap, or no sandbox for a folder of this checkout (`grade` always uses bubblewrap)
+    /// Bubblewrap; except with `grade`, no sandbox for folders of this checkout
     #[default]
     Auto,
     /// Linux namespaces, made by bubblewrap

@@ -67,10 +67,10 @@ impl Command {
 /// submission. If there are any, the exit code is 1.
 ///
 /// If Mitsuba is installed, the whole class is also asked fresh questions, drawn from a new seed. A
-/// group of questions then earns its points only if it passes both the public and the fresh
-/// questions. The tasks that a scene needs limit its points: if the weakest of them earns two thirds
-/// of its points, the scene earns at most two thirds of its own, unless fresh scenes that need the
-/// same tasks earn more.
+/// submission then earns a group's points only if it answers both the questions that students have
+/// and the fresh ones correctly. A scene can't earn a larger share of its points than the weakest
+/// task that it needs. If fresh scenes that need the same tasks earn a larger share, that is the
+/// limit instead.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions
@@ -111,7 +111,7 @@ pub struct Grade {
     /// Canvas or Moodle
     #[arg(long, value_name = "CSV")]
     pub roster: Option<PathBuf>,
-    /// A policy.toml, with deadlines, late days, extra credit, and changes to single marks
+    /// A policy.toml, with deadlines, late days, extra credit, and changes to individual marks
     #[arg(long, value_name = "TOML")]
     pub policy: Option<PathBuf>,
     /// Also write results in this format (repeatable)

@@ -227,7 +227,10 @@ fn without_noise(value: f64, size: f64) -> f64 {
 }
 
 fn print_candidates(explanation: &PixelExplanation, scene: &Scene) {
-    anstream::println!("\ncandidates, t ≥ {}", number(scene.min_t, DIGITS));
+    anstream::println!(
+        "\nyour intersection with each object, from min_t = {}",
+        number(scene.min_t, DIGITS)
+    );
     let missed = |said: &AnswerResult<Option<Hit>>| matches!(said, Ok(None));
     let candidates = &explanation.candidates;
     let misses = candidates.iter().filter(|said| missed(said)).count();

@@ -24,16 +24,16 @@ pub enum Format {
     Junit,
     /// prairielearn.json: PrairieLearn's results.json
     Prairielearn,
-    /// classroom50.json: Classroom 50's result.json, for which its runner sets the names of
-    /// classroom, assignment and submission
+    /// classroom50.json: Classroom 50's result.json; Classroom 50's runner sets the names
+    /// of the classroom, the assignment and the submission in it
     Classroom50,
-    /// groups.csv in the class's folder: a line for each group of questions
+    /// groups.csv in OUT: a line for each group of questions
     Csv,
-    /// canvas.csv in the class's folder: final marks for Canvas's gradebook
+    /// canvas.csv in OUT: final marks for Canvas's gradebook
     Canvas,
-    /// moodle.csv in the class's folder: final marks for Moodle's grading worksheet
+    /// moodle.csv in OUT: final marks for Moodle's grading worksheet
     Moodle,
-    /// feedback*.zip in the class's folder: reports for Canvas, for Moodle, and by id
+    /// feedback*.zip in OUT: reports for Canvas, for Moodle, and by id
     Feedback,
 }
 
