@@ -5,6 +5,7 @@ pub mod fingerprint;
 pub mod known;
 pub mod measure;
 pub mod parts;
+pub mod pixels;
 mod reason;
 
 use serde::{Deserialize, Serialize};

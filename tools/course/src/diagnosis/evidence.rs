@@ -13,7 +13,11 @@ use crate::error::Result;
 
 /// A film's wrong pixels, and how well each known mistake predicts them.
 #[derive(Clone, Debug)]
-pub struct Evidence {
+pub struct Evidence<'a> {
+    /// The film beside its golden; `None` if it panicked.
+    pub film: Option<FilmComparison<'a>>,
+    /// The fingerprints of the mistakes that would show in this film.
+    pub prints: BTreeMap<String, Fingerprint>,
     /// How many pixels are wrong.
     pub failing: usize,
     /// How many pixels there are.
@@ -43,23 +47,27 @@ pub struct Agreement {
     pub parts: Vec<PartAgreement>,
 }
 
-impl Evidence {
+impl<'a> Evidence<'a> {
     /// The agreement of the known mistakes with a film; `None` if it cannot be
     /// compared.
     pub fn of(
         name: &str,
-        golden: &Golden,
-        film: &Film,
+        golden: &'a Golden,
+        film: &'a Film,
         known: &KnownMistakes,
         folder: &Path,
-    ) -> Result<Option<Evidence>> {
+    ) -> Result<Option<Evidence<'a>>> {
         let Some(compared) = FilmComparison::new(golden, film) else {
             return Ok(None);
         };
         let (failing, pixels) = (compared.failing(), compared.pixels());
         let prints = known.fingerprints(name, golden, folder)?.into_iter();
+        let prints: BTreeMap<String, Fingerprint> = prints
+            .map(|(slug, print)| (slug.to_owned(), print))
+            .collect();
         let mut agreements: BTreeMap<String, Agreement> = prints
-            .map(|(slug, print)| (slug.to_owned(), agreement(&compared, &print)))
+            .iter()
+            .map(|(slug, print)| (slug.clone(), agreement(&compared, print)))
             .collect();
         // A mistake that panics gives no answers, but this film has answers.
         let panicking = Agreement {
@@ -78,11 +86,13 @@ impl Evidence {
             has_values: compared.has_values(),
             failing_parts: compared.failing_parts(),
             agreements,
+            film: Some(compared),
+            prints,
         }))
     }
 
     /// The agreement of the known mistakes with a panic in a film of `pixels` pixels.
-    pub fn of_panic(name: &str, pixels: usize, known: &KnownMistakes) -> Evidence {
+    pub fn of_panic(name: &str, pixels: usize, known: &KnownMistakes) -> Evidence<'a> {
         let all = Agreement {
             predicted: pixels as f64,
             touched: pixels as f64,
@@ -98,6 +108,8 @@ impl Evidence {
             has_values: false,
             failing_parts: Vec::new(),
             agreements: agreements.collect(),
+            film: None,
+            prints: BTreeMap::new(),
         }
     }
 

@@ -44,12 +44,14 @@ const SAME: f32 = 1e-5;
 const MOST_SAME: f32 = 1e-3;
 
 /// A number or a vector that is compared as one, by the indices of its channels.
+#[derive(Clone, Debug)]
 enum Quantity {
     Id(usize),
     Other(Vec<usize>),
 }
 
 /// A part of a film that can be right while the rest is wrong.
+#[derive(Clone, Debug)]
 enum Part {
     /// Which object is hit.
     Id(usize),
@@ -60,6 +62,7 @@ enum Part {
 }
 
 /// A film and the golden it is compared with.
+#[derive(Clone, Debug)]
 pub struct FilmComparison<'a> {
     film: Vec<&'a [f32]>,
     expected: Vec<&'a [f32]>,
@@ -142,6 +145,30 @@ impl<'a> FilmComparison<'a> {
                 Quantity::Other(_) if self.is_miss(values) => true,
                 Quantity::Other(places) => self.is_same(places, *pixel, values),
             })
+    }
+
+    /// By how much each value of a witness is too large. `None` if it is a miss, or the golden is.
+    pub fn error(&self, witness: &Witness) -> Option<Vec<f64>> {
+        let expected: Vec<f32> = self.expected.iter().map(|it| it[witness.pixel]).collect();
+        if self.is_miss(&expected) || self.is_miss(&witness.values) {
+            return None;
+        }
+        let pairs = witness.values.iter().zip(&expected);
+        let errors = pairs.map(|(value, right)| f64::from(*value) - f64::from(*right));
+        Some(errors.collect())
+    }
+
+    /// What two mistakes leave together in a pixel that both get wrong, if their errors add up.
+    /// `None` if there is nothing to add, because one of them or the golden is a miss.
+    pub fn sum(&self, one: &Witness, other: &Witness) -> Option<Witness> {
+        self.error(one)?;
+        let errors = self.error(other)?;
+        let values = one.values.iter().zip(errors);
+        let values = values.map(|(value, error)| (f64::from(*value) + error) as f32);
+        Some(Witness {
+            pixel: one.pixel,
+            values: values.collect(),
+        })
     }
 
     /// The number of parts that are compared separately.
@@ -291,11 +318,28 @@ pub fn fingerprints(films: &[FilmComparison<'_>]) -> Vec<Option<Fingerprint>> {
         .collect()
 }
 
-/// The wrong pixels in a scattered order, the same each time (Knuth's multiplicative hash, The
-/// Art of Computer Programming, vol. 3, §6.4).
+impl Fingerprint {
+    /// The place in the scattered order up to which its sample has every pixel that the mistake
+    /// gets wrong.
+    pub fn known_to(&self) -> u64 {
+        let last = self.sample.iter().map(|witness| scattered(witness.pixel));
+        match self.failing > self.sample.len() {
+            true => last.max().unwrap_or(0),
+            false => u64::MAX,
+        }
+    }
+}
+
+/// A pixel's place in an order that scatters neighbours, and is the same for all films (Knuth's
+/// multiplicative hash, The Art of Computer Programming, vol. 3, §6.4).
+pub fn scattered(pixel: usize) -> u64 {
+    (pixel as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15)
+}
+
+/// The wrong pixels in the scattered order.
 fn shuffled(film: &FilmComparison<'_>) -> Vec<usize> {
     let mut pixels: Vec<usize> = (0..film.pixels()).filter(|p| film.is_wrong(*p)).collect();
-    pixels.sort_by_key(|pixel| (*pixel as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15));
+    pixels.sort_by_key(|pixel| scattered(*pixel));
     pixels
 }
 

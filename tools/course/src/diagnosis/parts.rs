@@ -127,24 +127,8 @@ pub fn partial<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<Vec<&'a
             }
         }
     }
-    pairs.sort_by(|(_, a), (_, b)| a.total_cmp(b));
-    if let [(best, _)] = pairs.as_slice() {
-        return Some(best.to_vec());
-    }
-    if let [(best, least), (_, next), ..] = pairs.as_slice()
-        && *next > 2.0 * least + LEAST
-    {
-        return Some(best.to_vec());
-    }
-    // A belief that all likely pairs share is likely.
-    if let [(best, least), ..] = pairs.as_slice() {
-        let likely = pairs
-            .iter()
-            .filter(|(_, apart)| *apart <= 2.0 * least + LEAST);
-        let common = best
-            .iter()
-            .find(|belief| likely.clone().all(|(pair, _)| pair.contains(belief)));
-        return common.map(|belief| vec![*belief]);
+    if !pairs.is_empty() {
+        return most_likely(pairs);
     }
     let held: Vec<&'a str> = shown
         .into_iter()
@@ -154,6 +138,20 @@ pub fn partial<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<Vec<&'a
         [one] => Some(vec![*one]),
         _ => None,
     }
+}
+
+/// The pair that is least apart from the films, or what all pairs share that are hardly farther:
+/// a belief that all likely pairs share is likely.
+pub fn most_likely(mut pairs: Vec<([&str; 2], f64)>) -> Option<Vec<&str>> {
+    pairs.sort_by(|(_, a), (_, b)| a.total_cmp(b));
+    let (best, least) = *pairs.first()?;
+    pairs.retain(|(_, apart)| *apart <= 2.0 * least + LEAST);
+    if pairs.len() == 1 {
+        return Some(best.to_vec());
+    }
+    let mut shared = best.into_iter();
+    let shared = shared.find(|belief| pairs.iter().all(|(pair, _)| pair.contains(belief)));
+    shared.map(|belief| vec![belief])
 }
 
 /// Whether two beliefs explain every part of every film, and neither does alone.

@@ -6,7 +6,7 @@
 
 use super::evidence::Evidence;
 use super::known::KnownMistakes;
-use super::{Diagnosis, Explanation, Reading, parts};
+use super::{Diagnosis, Explanation, Reading, parts, pixels};
 
 /// With less agreement than this, no belief is named. Rewrites of known mistakes agree to 0.95
 /// and more (`pinhole validate` measures it), while a coincidence rarely exceeds one half.
@@ -62,7 +62,9 @@ impl KnownMistakes {
             return Diagnosis::default();
         }
         let pair = pair(films, &candidates).map(|pair| pair.to_vec());
-        let held = pair.or_else(|| parts::partial(films, &candidates));
+        let held = pair
+            .or_else(|| parts::partial(films, &candidates))
+            .or_else(|| pixels::together(films, &candidates));
         let explained = |slug: &str| Sum::of(films, &[slug]).explained();
         let held = held.unwrap_or_default().into_iter();
         let beliefs = held.filter_map(|slug| self.explanation(slug, explained(slug)));

@@ -239,7 +239,8 @@ fn a_mistake_that_panics_is_recognised_by_where_it_panics() {
             .add(name, &golden, casts, folder.path())
             .expect("the folder can be written");
     }
-    let of = |name: &str, film: &Film| {
+    let fine = film(right);
+    let of = |(name, film)| {
         Evidence::of(name, &golden, film, &known, folder.path())
             .expect("the files are there")
             .expect("the films fit")
@@ -247,10 +248,10 @@ fn a_mistake_that_panics_is_recognised_by_where_it_panics() {
     let panic = |name: &str| Evidence::of_panic(name, RESOLUTION.pixels(), &known);
     let explain = |evidence: [Evidence; 2]| known.explain(&evidence, &|_| true);
     assert_eq!(
-        names(&explain([of("some", &far), panic("none")])),
+        names(&explain([of(("some", &far)), panic("none")])),
         ["panics"]
     );
-    assert!(explain([of("some", &far), of("none", &film(right))]).is_empty());
+    assert!(explain([("some", &far), ("none", &fine)].map(of)).is_empty());
     assert!(explain([panic("some"), panic("none")]).is_empty());
 }
 
@@ -285,4 +286,86 @@ fn a_belief_that_explains_one_part_is_named_beside_something_unknown() {
     let known: [(&str, &[&Film]); 2] = [("far", &[&far, &far]), ("long", &[&long, &long])];
     let film = late_with_normals(0.5, 3.0);
     assert_eq!(names(&diagnosis(&known, &[&film, &film])), ["far"]);
+}
+
+/// Everywhere, t is too large by this.
+fn everywhere(by: impl Fn(usize) -> f32) -> Film {
+    film(move |pixel| right(pixel) + by(pixel))
+}
+
+#[test]
+fn two_errors_that_add_up_in_every_pixel_are_both_named() {
+    let growing = |pixel: usize| 0.1 + pixel as f32 / 50.0;
+    let (shift, growth) = (everywhere(|_| 0.5), everywhere(growing));
+    let other = everywhere(|pixel| growing(1000 - pixel));
+    let known: [(&str, &[&Film]); 3] = [
+        ("shift", &[&shift, &shift]),
+        ("growth", &[&growth, &growth]),
+        ("other", &[&other, &other]),
+    ];
+    let both = everywhere(|pixel| 0.5 + growing(pixel));
+    let diagnosis_of = |film: &Film| diagnosis(&known, &[film, film]);
+    assert_eq!(names(&diagnosis_of(&both)), ["growth", "shift"]);
+    assert!(diagnosis(&known, &[&both]).is_empty());
+    let twice = everywhere(|pixel| 0.5 + 2.0 * growing(pixel));
+    assert!(diagnosis_of(&twice).is_empty());
+    let often = everywhere(|pixel| 0.5 + if pixel % 2 == 0 { 1.0 } else { growing(pixel) });
+    assert!(diagnosis_of(&often).is_empty());
+}
+
+#[test]
+fn a_belief_beside_one_of_two_that_look_alike_is_named_alone() {
+    let growing = |pixel: usize| 0.1 + pixel as f32 / 50.0;
+    let (shift, growth) = (everywhere(|_| 0.5), everywhere(growing));
+    let known: [(&str, &[&Film]); 3] = [
+        ("shift", &[&shift, &shift]),
+        ("growth", &[&growth, &growth]),
+        ("like_growth", &[&growth, &growth]),
+    ];
+    let both = everywhere(|pixel| 0.5 + growing(pixel));
+    assert_eq!(names(&diagnosis(&known, &[&both, &both])), ["shift"]);
+}
+
+#[test]
+fn a_mistake_that_explains_nothing_by_itself_is_not_named_beside_another() {
+    let (shift, late) = (
+        everywhere(|_| 0.5),
+        film(|pixel| right(pixel) + if pixel >= 995 { 0.25 } else { 0.0 }),
+    );
+    let known: [(&str, &[&Film]); 2] = [("shift", &[&shift, &shift]), ("late", &[&late, &late])];
+    let given = |every: usize| {
+        everywhere(move |pixel| match pixel {
+            995.. => 0.75,
+            _ if pixel % every == 0 => 0.1,
+            _ => 0.5,
+        })
+    };
+    let named = diagnosis(&known, &[&given(7), &given(2000)]);
+    assert!(named.is_empty(), "{named:?}");
+}
+
+#[test]
+fn a_belief_whose_error_is_twice_that_of_another_is_not_named() {
+    let growing = |pixel: usize| 0.1 + pixel as f32 / 50.0;
+    let (shift, far, growth) = (
+        everywhere(|_| 0.5),
+        everywhere(|_| 1.0),
+        everywhere(growing),
+    );
+    let known: [(&str, &[&Film]); 3] = [
+        ("shift", &[&shift, &shift]),
+        ("far", &[&far, &far]),
+        ("growth", &[&growth, &growth]),
+    ];
+    let both = everywhere(|pixel| 1.0 + growing(pixel));
+    assert_eq!(names(&diagnosis(&known, &[&both, &both])), ["growth"]);
+}
+
+#[test]
+fn a_film_without_the_misses_that_a_mistake_predicts_is_not_named_after_it() {
+    let (shift, most) = (everywhere(|_| 0.5), blind(900));
+    let known: [(&str, &[&Film]); 2] = [("shift", &[&shift, &shift]), ("most", &[&most, &most])];
+    let given = everywhere(|pixel| if pixel >= 900 { 0.5 } else { 0.7 });
+    let named = diagnosis(&known, &[&given, &given]);
+    assert!(named.is_empty(), "{named:?}");
 }

@@ -148,7 +148,12 @@ impl Goldens {
         Ok(())
     }
 
-    fn evidence(&self, name: &str, golden: &Golden, film: &Film) -> Result<Option<Evidence>> {
+    fn evidence<'a>(
+        &self,
+        name: &str,
+        golden: &'a Golden,
+        film: &'a Film,
+    ) -> Result<Option<Evidence<'a>>> {
         Evidence::of(name, golden, film, &self.known, &self.folder)
     }
 }
