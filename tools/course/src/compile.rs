@@ -222,15 +222,12 @@ impl Compiler {
                     programs, harness, ..
                 } = self;
                 match build(&sources, &shown_in, programs, harness, &self.sandbox)? {
-                    // A sandbox limits the processor time too, so it was not used up.
-                    BuildResult::Refused { by_clock: true, .. }
-                        if !self.stops_when_late && !matches!(self.sandbox, Sandbox::Trusted) =>
-                    {
-                        Err(Error::environment(
-                            "other work kept the compiler from running",
-                            "run this command again when the machine is less busy",
-                        ))
-                    }
+                    BuildResult::Refused {
+                        is_starved: true, ..
+                    } if !self.stops_when_late => Err(Error::environment(
+                        "other work kept the compiler from running",
+                        "run this command again when the machine is less busy",
+                    )),
                     built => Ok(built),
                 }
             };

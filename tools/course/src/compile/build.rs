@@ -41,8 +41,8 @@ pub enum BuildResult {
         diagnostics: Vec<Diagnostic>,
         /// Whether the compiler might have finished with more time.
         is_late: bool,
-        /// Whether the clock ended it before it had used its processor time.
-        by_clock: bool,
+        /// See [`CommandResult::starved`].
+        is_starved: bool,
     },
 }
 
@@ -122,7 +122,7 @@ pub fn build(
     Ok(BuildResult::Refused {
         diagnostics: said(&finished),
         is_late: finished.is_late(),
-        by_clock: finished.late,
+        is_starved: finished.starved,
     })
 }
 

@@ -19,6 +19,9 @@ pub struct CommandResult {
     pub exceeded: Option<ExceededLimit>,
     /// Whether the clock ended it.
     pub late: bool,
+    /// Whether it was late because other work kept it from running: it had less processor time than
+    /// even a shortened limit gives.
+    pub starved: bool,
 }
 
 impl CommandResult {
@@ -63,12 +66,13 @@ pub fn finish(
             let _ = (rest, sender.send(kept));
         });
     }
-    let mut late = false;
+    let (mut late, mut starved) = (false, false);
     let status = loop {
         match child.try_wait()? {
             Some(status) => break status,
             None if Instant::now() > deadline => {
                 late = true;
+                starved = ran(child.id()) < limits.shortest;
                 let _already_gone = child.kill();
                 break child.wait()?;
             }
@@ -85,5 +89,17 @@ pub fn finish(
         stderr,
         exceeded,
         late,
+        starved,
     })
+}
+
+/// The processor time of a process and its descendants, where the system tells it.
+#[cfg(target_os = "linux")]
+fn ran(pid: u32) -> Duration {
+    super::tree::used_by(pid).cpu
+}
+
+#[cfg(not(target_os = "linux"))]
+fn ran(_pid: u32) -> Duration {
+    Duration::MAX
 }

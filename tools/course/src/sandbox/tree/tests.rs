@@ -176,3 +176,20 @@ fn the_own_clock_of_a_tree_that_sleeps_most_of_the_time_runs() {
         "{had:?} {waited:?}"
     );
 }
+
+#[test]
+fn a_command_that_had_processor_time_was_not_starved() {
+    let limits = Limits {
+        wall: Duration::from_secs(1),
+        shortest: Duration::from_millis(50),
+        ..limits()
+    };
+    for (lines, starved) in [("exec sleep 9", true), ("while :; do :; done", false)] {
+        let finished = finish(shell(lines), &limits, |_| Watch::nothing()).expect("a shell");
+        assert_eq!(
+            (finished.late, finished.starved),
+            (true, starved),
+            "{lines}"
+        );
+    }
+}
