@@ -1,13 +1,15 @@
 """Tie films: questions of which many are exact ties, without answers.
 
-Goldens in float32 cannot judge ties and hold none. `pinhole validate --mutants` asks
-these questions to find out whether a mutant that passes all goldens differs from the
-reference elsewhere than on ties. A tie film is a question film of one task with one
-channel more, `tie`, which is 1 for a tie and 0 for any other question.
+A tie is a question that lies exactly on a limit: a ray that touches a sphere, a hit
+exactly at `min_t`, or two objects at the same t. Goldens have float32 values, which can't
+tell on which side a tie lies, so they contain none. `pinhole validate --mutants` asks the
+questions of tie films. They show whether a mutant that passes all goldens differs from
+the reference only on ties. A tie film is a question film with one additional channel,
+`tie`, which is 1 for a tie and 0 for any other question.
 
-The module `questions/ties.py` of an assignment, if it has one, draws them. Its
-dictionary TASKS has for some or all tasks a function that draws one question, given a
-random generator, and says whether it is a tie.
+The questions are drawn by the module `questions/ties.py` of an assignment, if it has
+one. Its dictionary TASKS maps names of tasks to functions. Each function draws one
+question with a given random generator, and says whether it is a tie.
 """
 
 import film
@@ -15,7 +17,7 @@ from chance import generator
 from question_films import questions_of
 
 SIDE = 64
-"""Columns and rows."""
+"""How many columns and rows a tie film has."""
 
 
 def tasks(assignment):
