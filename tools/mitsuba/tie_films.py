@@ -1,14 +1,15 @@
-"""Tie films: questions of which many are exact ties, without answers.
+"""Tie films: questions without answers. Many of the questions are ties.
 
-A tie is a question that lies exactly on a limit: a ray that touches a sphere, a hit
-exactly at `min_t`, or two objects at the same t. Goldens have float32 values, which can't
-tell on which side a tie lies, so they contain none. `pinhole validate --mutants` asks the
-questions of tie films. They show whether a mutant that passes all goldens differs from
-the reference only on ties. A tie film is a question film with one additional channel,
-`tie`, which is 1 for a tie and 0 for any other question.
+A tie is a question on the border between two answers: a ray that touches a sphere, a hit
+exactly at `min_t`, or two objects at the same t. Goldens contain no ties, because
+rounding to float32 can move one to either side. A mutant of the reference that passes all
+goldens may still differ from it on ties. `pinhole validate --mutants` gives the questions
+of tie films to both, to find out whether ties are the only difference. A tie film is a
+question film with one additional channel, `tie`, which is 1 for a tie and 0 for any other
+question.
 
-The questions are drawn by the module `questions/ties.py` of an assignment, if it has
-one. Its dictionary TASKS maps names of tasks to functions. Each function draws one
+The questions are chosen at random by an assignment's module `questions/ties.py`, if it has
+one. Its dictionary TASKS maps names of tasks to functions. Each function chooses one
 question with a given random generator, and says whether it is a tie.
 """
 
@@ -21,14 +22,14 @@ SIDE = 64
 
 
 def tasks(assignment):
-    """The tasks of the assignment in this folder that have ties, by name."""
+    """By name, the functions for the tasks that have ties, of the assignment in this folder."""
     if not (assignment / "questions" / "ties.py").is_file():
         return {}
     return questions_of(assignment, "ties").TASKS
 
 
 def render(assignment, task, seed, folder):
-    """Make the tie film of a task in `folder`; return the report."""
+    """Write the tie film of a task to `folder`; return its name and files."""
     name = f"{task}.ties"
     rng, draw = generator(seed, name), tasks(assignment)[task]
     drawn = [draw(rng) for _ in range(SIDE * SIDE)]

@@ -181,10 +181,12 @@ pub struct Explain {
 
 /// Compare any renderer's film with a golden film
 ///
-/// The rule: both films have the same size and channels, all values are finite, and at every pixel
-/// |film − golden| ≤ tolerance in every channel (except in the channel `tests`, where only the sum over all pixels counts). The
-/// tolerance film NAME.tol.exr must be in the golden's folder. If oiiotool is installed, it judges
-/// the film too. If the two judges disagree, Pinhole has a bug, and `diff` says so.
+/// A film passes if it has the golden's size and channels, all its values are finite, and at every
+/// pixel |film − golden| ≤ tolerance in every channel. (For the channel `tests`, in which
+/// some films count tests of boxes and triangles, only the sums over all pixels are compared.) The
+/// tolerances of a golden NAME.exr are in NAME.tol.exr, in the same folder. If oiiotool is
+/// installed, it judges the film too. If the two verdicts differ, Pinhole has a bug, and `diff` says
+/// so.
 #[derive(Args)]
 pub struct Diff {
     /// The golden film: NAME.exr, with NAME.tol.exr beside it

@@ -25,7 +25,7 @@ impl Passage {
     /// A whole chapter.
     pub fn chapter(title: &str) -> Passage {
         Passage {
-            words: format!("the book, “{title}”"),
+            words: format!("the book's chapter “{title}”"),
             // The file's name has `_` for each space.
             page: format!("book/{}.html", anchor(title).replace('-', "_")),
         }
@@ -35,7 +35,7 @@ impl Passage {
     pub fn section(chapter: &str, section: &str) -> Passage {
         let Passage { words, page } = Passage::chapter(chapter);
         Passage {
-            words: format!("{words}, section “{section}”"),
+            words: format!("section “{section}” in {words}"),
             page: format!("{page}#{}", anchor(section)),
         }
     }
@@ -132,7 +132,7 @@ mod tests {
         assert_eq!(passage.page, "book/viewing_rays.html#which-root-counts");
         assert_eq!(
             passage.words,
-            "the book, “Viewing rays”, section “Which root counts?”"
+            "section “Which root counts?” in the book's chapter “Viewing rays”"
         );
     }
 

@@ -16,8 +16,8 @@ use crate::escape::printable;
 use pinhole_course::outcome::{Examination, TaskOutcome};
 pub use scenes::worst_pixel;
 pub use words::{
-    diagnosis, earlier_in_words, facts, group_in_words, no_answer, outcome, outcome_of, percent,
-    scene_in_words, share, task_in_words, withheld_in_words,
+    diagnosis, earlier_in_words, facts, group_in_words, no_answer, outcome, outcome_of,
+    scene_in_words, share, share_of_what, task_in_words, withheld_in_words,
 };
 
 pub const PASS: Style = AnsiColor::Green.on_default();

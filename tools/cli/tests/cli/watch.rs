@@ -112,7 +112,7 @@ fn each_save_is_answered_by_a_block_of_plain_lines() {
     let watch = watch(&folder, &["--task", "plane", "--task", "sphere"]);
     let first = watch.read_to("✓ sphere").join("\n");
     assert!(
-        first.contains("watching") && first.contains("read: the book"),
+        first.contains("watching") && first.contains("read: section"),
         "{first}"
     );
     assert!(
@@ -218,7 +218,7 @@ fn watch_reports_a_missing_file_or_folder_and_its_return() {
     fs::write(elsewhere.join("plane.rs"), one_sided_plane()).expect("it can be saved");
     fs::rename(&elsewhere, &folder).expect("it can be moved back");
     watch.read_to("✗ plane");
-    watch.read_to("read: the book");
+    watch.read_to("read: section");
     fs::write(folder.join("plane.rs"), reference("plane")).expect("it can be saved");
     watch.read_to("✓ plane");
 }

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::passage::Passage;
-use crate::terminal::{percent, share};
+use crate::terminal::{share, share_of_what};
 use pinhole_course::diagnosis::{Diagnosis, Explanation, Reading};
 
 /// A belief that explains wrong answers, with hints.
@@ -46,8 +46,8 @@ impl Beliefs {
         let one_of = diagnosis.reading == Reading::OneOf && diagnosis.beliefs.len() > 1;
         let most = diagnosis.beliefs.iter().map(|held| held.explained);
         let reading = one_of.then(|| {
-            let share = percent(most.fold(0.0, f64::max));
-            format!("One of these beliefs explains {share} of what is wrong here, but the answers don't tell which:")
+            let share = share_of_what(most.fold(0.0, f64::max));
+            format!("One of these beliefs explains {share} is wrong here, but the answers don't tell which:")
         });
         let belief = |held: &Explanation| {
             let mistake = &held.mistake;
@@ -98,7 +98,7 @@ mod tests {
         let single = diagnosis(vec![belief("I subtract ½.", 0.981)], Reading::Together);
         let beliefs = Beliefs::of(&single, &[]).expect("there is one");
         assert_eq!(beliefs.reading, None);
-        assert_eq!(beliefs.beliefs[0].explains.as_deref(), Some("98 % of"));
+        assert_eq!(beliefs.beliefs[0].explains.as_deref(), Some("98 % of what"));
         assert_eq!(beliefs.beliefs[0].told, None);
     }
 
@@ -107,10 +107,7 @@ mod tests {
         let either = diagnosis(vec![belief("A.", 1.0), belief("B.", 1.0)], Reading::OneOf);
         let beliefs = Beliefs::of(&either, &[]).expect("there are two");
         let reading = beliefs.reading.expect("they are one of two");
-        assert!(
-            reading.contains("explains all of what is wrong"),
-            "{reading}"
-        );
+        assert!(reading.contains("explains all that is wrong"), "{reading}");
         assert!(
             beliefs
                 .beliefs

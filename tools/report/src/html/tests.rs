@@ -62,7 +62,7 @@ fn each_belief_has_three_hints_one_inside_the_other() {
         beliefs,
         reading: Reading::OneOf,
     });
-    assert!(page.contains("One of these beliefs explains all of what is wrong here"));
+    assert!(page.contains("One of these beliefs explains all that is wrong here"));
     assert!(page.contains("<q>A first &lt;b&gt;.</q>"));
     assert!(page.contains("17 of the public solutions"));
     let hints: Vec<&str> = page.split("<details class=\"hint\">").skip(1).collect();
@@ -80,7 +80,9 @@ fn each_belief_has_three_hints_one_inside_the_other() {
 fn without_a_diagnosis_the_chapter_is_named_and_no_belief() {
     let page = html(Diagnosis::default());
     assert!(!page.contains("believe"));
-    assert!(page.contains("the book, “Sphere” <small>(book&#x2f;sphere.html)</small>"));
+    assert!(
+        page.contains("the book&#x27;s chapter “Sphere” <small>(book&#x2f;sphere.html)</small>")
+    );
 }
 
 #[test]
@@ -159,7 +161,7 @@ fn scenes(of_task: &[Explanation], of_scenes: &[Explanation]) -> String {
 #[test]
 fn a_scene_counts_a_belief_only_if_a_row_above_spelled_it_out() {
     let told = scenes(&[belief("A.", 1.0)], &[belief("A.", 0.5)]);
-    let counted = "what you may believe about sphere explains 50 % of it";
+    let counted = "what you may believe about sphere explains 50 % of what is wrong";
     assert_eq!(told.matches(counted).count(), 2, "{told}");
     assert!(!told.contains("You may believe"), "{told}");
     let told = scenes(&[], &[belief("A.", 1.0)]);

@@ -71,7 +71,7 @@ fn scene_diagnosis(text: &mut String, of_scene: &Diagnosis, told: &mut BTreeSet<
         let share = share(*explained, of_scene);
         indent(
             text,
-            &format!("what you may believe about {tasks} explains {share} it"),
+            &format!("what you may believe about {tasks} explains {share} is wrong"),
         );
     }
 }

@@ -40,7 +40,7 @@ pub fn rows(text: &mut String, task: &TaskOutcome, width: usize, extent: Extent)
         Extent::First => &[],
     };
     for Explanation { mistake, .. } in hinted {
-        line(text, format!("    look: {}", mistake.hint.look));
+        line(text, format!("    hint: {}", mistake.hint.look));
     }
     if task.file == AnswerFile::Compiled && !task.is_unanswered() {
         let most = match extent {

@@ -174,7 +174,7 @@ pub fn diagnosis(diagnosis: &Diagnosis) -> String {
         lines.push(match diagnosis.reading {
             Reading::OneOf => format!("- “{belief}”"),
             Reading::Together => format!(
-                "You may believe: “{belief}” That explains {} what is wrong here.",
+                "You may believe: “{belief}” That explains {} is wrong here.",
                 share(*explained, diagnosis)
             ),
         });
@@ -188,16 +188,16 @@ pub fn diagnosis(diagnosis: &Diagnosis) -> String {
 /// named for a part of the answers, such as t, and an answer counts only if all its parts agree.
 pub fn share(explained: f64, diagnosis: &Diagnosis) -> String {
     match (diagnosis.beliefs.len(), diagnosis.reading) {
-        (2.., Reading::Together) => "part of".into(),
-        (1, Reading::Together) if explained < 0.5 => "part of".into(),
-        _ => format!("{} of", percent(explained)),
+        (2.., Reading::Together) => "part of what".into(),
+        (1, Reading::Together) if explained < 0.5 => "part of what".into(),
+        _ => share_of_what(explained),
     }
 }
 
-/// A share in words; “all” and “none” only if the share is exactly that.
-pub fn percent(share: f64) -> String {
+/// A share of “what is wrong”, or “all that is wrong” only if the share is exactly that.
+pub fn share_of_what(share: f64) -> String {
     match share {
-        share if share >= 1.0 => "all".into(),
-        share => format!("{:.0} %", (share * 100.0).clamp(1.0, 99.0)),
+        share if share >= 1.0 => "all that".into(),
+        share => format!("{:.0} % of what", (share * 100.0).clamp(1.0, 99.0)),
     }
 }

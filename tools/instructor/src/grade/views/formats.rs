@@ -129,7 +129,7 @@ fn help(task: &TaskOutcome) -> Vec<String> {
     let said = terminal::diagnosis(&task.diagnosis);
     let said = said.lines().map(str::to_owned);
     let beliefs = task.diagnosis.beliefs.iter();
-    let hints = beliefs.map(|held| format!("Where to look: {}", held.mistake.hint.look));
+    let hints = beliefs.map(|held| format!("Hint: {}", held.mistake.hint.look));
     said.chain(hints).collect()
 }
 
