@@ -300,15 +300,21 @@ impl Compiler {
         ))
     }
 
-    /// Whether an answer was replaced by its stub, or is the stub. Line endings may differ.
+    /// Whether an answer was replaced by its stub, or is the stub apart from comments and spaces.
     fn is_stub(&self, answer: &Answer, replaced: &Replacements) -> bool {
         let file = Path::new("src").join(format!("{}.rs", answer.task));
         let is_given = |text: &String| {
             let given = self.pristine.get(&file);
-            given.is_some_and(|given| given.lines().eq(text.lines()))
+            given.is_some_and(|given| code_lines(given).eq(code_lines(text)))
         };
         replaced.contains_key(&answer.task) || answer.text.as_ref().is_ok_and(is_given)
     }
+}
+
+/// The lines of a file without comments, and without spaces at their ends.
+fn code_lines(text: &str) -> impl Iterator<Item = &str> {
+    let lines = text.lines().map(str::trim);
+    lines.filter(|line| !line.is_empty() && !line.starts_with("//"))
 }
 
 /// All answers that are not replaced yet, if there is no time left to find out which of them does

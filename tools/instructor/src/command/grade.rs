@@ -293,7 +293,11 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
     let roster = arguments.roster.as_ref();
     let mut people = roster.map(|path| roster::read(path)).transpose()?;
     for group in policy.iter().flat_map(|policy| &policy.groups) {
-        // A submission with the name of a group was handed in by one of its members.
+        // A submission with the name of a group was handed in by one of its members. A number alone
+        // names no group, because browsers add numbers to the names of files.
+        if group.name.chars().all(|c| c.is_ascii_digit()) {
+            continue;
+        }
         let mut all = people.iter_mut().flatten();
         if let Some(person) = all.find(|person| group.members.contains(&person.id)) {
             person.logins.push(group.name.clone());

@@ -146,7 +146,7 @@ fn a_class_gets_the_same_grades_with_any_number_of_jobs_and_a_full_report() {
         .grade("two", &["--roster", &roster, "--jobs", "2"])
         .expect_code(1)
         .expect_out("of 3 people on the roster, 2 are graded; 1 handed in nothing")
-        .expect_out("! 1 files that belong to no submission\n      notes.txt")
+        .expect_out("! 1 not part of any submission\n      notes.txt")
         .expect_out("gus: plane.rs is missing")
         .expect_out("emil: plane does not compile");
     pinhole(&["dispute", "emil", "--out", &class.path("two")])

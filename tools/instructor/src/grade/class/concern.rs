@@ -51,14 +51,10 @@ impl Roll {
                 false,
                 self.names(&placed.by_name),
             ),
-            (
-                "files that belong to no submission",
-                true,
-                self.ignored.clone(),
-            ),
+            ("not part of any submission", true, self.ignored.clone()),
             ("nothing handed in", false, people(&placed.missing)),
             (
-                "read in spite of an unexpected name or encoding",
+                "read in spite of an unexpected name, encoding or number of uploads",
                 false,
                 entries(&|it| &it.notes),
             ),

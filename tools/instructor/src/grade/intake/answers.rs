@@ -104,6 +104,7 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
         notes: Vec::new(),
         doubts: Vec::new(),
     };
+    let mut replaced = Vec::new();
     for task in assignment.answerable() {
         let own = candidates
             .iter()
@@ -121,6 +122,21 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
             .submission
             .answers
             .extend(Answer::of(assignment, task, text));
+        let newest = own.iter().map(|one| one.upload.order).max();
+        let is_older = |one: &&&Candidate| Some(one.upload.order) < newest;
+        let text = choice.submission.answer(&task.name).map(|it| &it.text);
+        let differs = |one: &&Candidate| text.is_some_and(|text| said(text) != said(one.text));
+        if own.iter().filter(is_older).any(differs) {
+            replaced.push(task.file());
+        }
+    }
+    if !replaced.is_empty() {
+        let (files, those) = match replaced.len() {
+            1 => (replaced[0].clone(), "an earlier one"),
+            _ => (replaced.join(", "), "earlier ones"),
+        };
+        let note = format!("{files}: the newest upload was taken, which differs from {those}");
+        choice.notes.push(note);
     }
     // Files that the course's repository has in the same places are not the student's.
     let is_ours = |path: &[String]| {

@@ -163,6 +163,8 @@ fn loose_files_of_canvas_are_put_together_for_each_account() {
     );
     let intake = export.is_of("class", &["lovelaceada_11", "yangyu_1025"]);
     assert_eq!(text(&intake, 0, "sphere"), "// sphere by ada");
+    let note = "sphere.rs: the newest upload was taken, which differs from an earlier one";
+    assert_eq!(intake.entries[0].notes.last().expect("a note"), note);
 }
 
 #[test]

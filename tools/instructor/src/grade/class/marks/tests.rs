@@ -111,6 +111,21 @@ fn each_person_has_one_mark_even_without_a_policy() {
 }
 
 #[test]
+fn the_same_answers_handed_in_twice_count_once() {
+    let entries = vec![entry("one", "ada", "ada"), entry("two", "eve", "eve")];
+    let roll = roll(entries, RULES, &[("team", &["ada", "eve"])]);
+    let mut records = records(&[("one", 60), ("two", 60)]);
+    let mut marks = |tokens: [&str; 2]| {
+        for (record, tokens) in records.values_mut().zip(tokens) {
+            record.tokens = Box::new([("any".to_owned(), tokens.to_owned())]);
+        }
+        finals(&rows(&roll, &records)).len()
+    };
+    assert_eq!(marks(["same", "same"]), 2);
+    assert_eq!(marks(["same", "other"]), 0);
+}
+
+#[test]
 fn a_group_is_graded_once_and_marked_for_all() {
     let by_hand = format!("{RULES}[[adjust]]\nid = 'eve'\npoints = 5\nreason = 'talk'\n");
     let groups: [(&str, &[&str]); 1] = [("team", &["ada", "eve"])];
