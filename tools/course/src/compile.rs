@@ -280,12 +280,12 @@ impl Compiler {
                     return Ok(Attempt::Late);
                 }
                 BuildResult::Refused { .. } if was_last => {
-                    replaced.extend(blame_all(submission, &replaced));
+                    replaced.extend(blame::all(submission, &replaced));
                 }
                 BuildResult::Refused { diagnostics, .. } => {
                     let mut blamed = blame::by_place(&diagnostics, submission, &replaced);
                     if blamed.is_empty() || is_last {
-                        blamed = blame_alone(submission, &replaced, compile)?;
+                        blamed = blame::alone(submission, &replaced, compile)?;
                     }
                     if blamed.is_empty() {
                         return Err(blame::not_theirs(&diagnostics));
@@ -305,31 +305,11 @@ impl Compiler {
         let file = Path::new("src").join(format!("{}.rs", answer.task));
         let is_given = |text: &String| {
             let given = self.pristine.get(&file);
-            given.is_some_and(|given| code_lines(given).eq(code_lines(text)))
+            given.is_some_and(|given| stubs::is_unchanged(given, text))
         };
         replaced.contains_key(&answer.task) || answer.text.as_ref().is_ok_and(is_given)
     }
 }
-
-/// The lines of a file without comments, and without spaces at their ends.
-fn code_lines(text: &str) -> impl Iterator<Item = &str> {
-    let lines = text.lines().map(str::trim);
-    lines.filter(|line| !line.is_empty() && !line.starts_with("//"))
-}
-
-/// All answers that are not replaced yet, if there is no time left to find out which of them does
-/// not compile.
-fn blame_all(submission: &Submission, already: &Replacements) -> Replacements {
-    let tasks = submission.answers.iter().map(|answer| &answer.task);
-    let suspects = tasks.filter(|task| !already.contains_key(*task));
-    suspects
-        .map(|task| (task.clone(), Replacement::DoesNotCompile(TOO_LONG.into())))
-        .collect()
-}
-
-/// The message for answers that together take too long.
-const TOO_LONG: &str = "error: these answers together take the compiler too long\n  = help: look for \
-                        constants that take long to compute\n";
 
 /// Refuses an answer that the compiler can split into tokens, but we can't.
 fn unclear_tokens(task: &str) -> Replacement {
@@ -374,42 +354,6 @@ fn sources(submission: &Submission, pristine: &Package, replaced: &Replacements)
         }
     }
     sources
-}
-
-/// The answers that do not compile even when all others are stubs. This finds the cause of an
-/// error that shows in one of our files, such as a deleted function or `impl`.
-///
-/// If the stubs alone don't compile either, no answer is to blame: the fault is the machine's
-/// or ours.
-fn blame_alone(
-    submission: &Submission,
-    already: &Replacements,
-    compile: impl Fn(&Replacements) -> Result<BuildResult>,
-) -> Result<Replacements> {
-    let tasks = submission.answers.iter().map(|answer| answer.task.clone());
-    let stubs: Replacements = tasks
-        .map(|task| (task, Replacement::Unusable(AnswerFileProblem::Missing)))
-        .collect();
-    if let BuildResult::Refused { .. } = compile(&stubs)? {
-        return Ok(Replacements::new());
-    }
-    let mut blamed = Replacements::new();
-    let suspects = || stubs.keys().filter(|task| !already.contains_key(*task));
-    for suspect in suspects() {
-        let mut others = stubs.clone();
-        others.remove(suspect);
-        if let BuildResult::Refused { diagnostics, .. } = compile(&others)? {
-            let text = blame::rendered(&diagnostics);
-            blamed.insert(suspect.clone(), Replacement::DoesNotCompile(text));
-        }
-    }
-    if blamed.is_empty() {
-        let text = "each of these answers compiles alone, but not together with the others\n";
-        blamed.extend(
-            suspects().map(|task| (task.clone(), Replacement::DoesNotCompile(text.into()))),
-        );
-    }
-    Ok(blamed)
 }
 
 #[cfg(test)]

@@ -115,3 +115,13 @@ fn read(path: &Path) -> Result<String> {
         "restore the assignment's `reference` folder",
     )
 }
+
+/// Whether a file is its stub, apart from comments on lines of their own, and from spaces.
+pub fn is_unchanged(stub: &str, text: &str) -> bool {
+    code_lines(stub).eq(code_lines(text))
+}
+
+fn code_lines(text: &str) -> impl Iterator<Item = &str> {
+    let lines = text.lines().map(str::trim);
+    lines.filter(|line| !line.is_empty() && !line.starts_with("//"))
+}

@@ -5,10 +5,11 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-use crate::compile::{Replacement, Replacements};
-use crate::error::Error;
+use super::build::BuildResult;
+use super::{Replacement, Replacements};
+use crate::error::{Error, Result};
 use crate::sandbox::CommandResult;
-use crate::submission::Submission;
+use crate::submission::{AnswerFileProblem, Submission};
 
 /// The compiler's messages from its JSON output, one on each line.
 pub fn diagnostics(stderr: &[u8]) -> Vec<Diagnostic> {
@@ -143,3 +144,52 @@ pub fn not_theirs(diagnostics: &[Diagnostic]) -> Error {
          target/pinhole",
     )
 }
+
+/// The answers that do not compile even when all others are stubs. This finds the cause of an
+/// error that shows in one of our files, such as a deleted function or `impl`.
+///
+/// If the stubs alone don't compile either, no answer is to blame: the fault is the machine's
+/// or ours.
+pub fn alone(
+    submission: &Submission,
+    already: &Replacements,
+    compile: impl Fn(&Replacements) -> Result<BuildResult>,
+) -> Result<Replacements> {
+    let tasks = submission.answers.iter().map(|answer| answer.task.clone());
+    let stubs: Replacements = tasks
+        .map(|task| (task, Replacement::Unusable(AnswerFileProblem::Missing)))
+        .collect();
+    if let BuildResult::Refused { .. } = compile(&stubs)? {
+        return Ok(Replacements::new());
+    }
+    let mut blamed = Replacements::new();
+    let suspects = || stubs.keys().filter(|task| !already.contains_key(*task));
+    for suspect in suspects() {
+        let mut others = stubs.clone();
+        others.remove(suspect);
+        if let BuildResult::Refused { diagnostics, .. } = compile(&others)? {
+            let text = rendered(&diagnostics);
+            blamed.insert(suspect.clone(), Replacement::DoesNotCompile(text));
+        }
+    }
+    if blamed.is_empty() {
+        let text = "each of these answers compiles alone, but not together with the others\n";
+        blamed.extend(
+            suspects().map(|task| (task.clone(), Replacement::DoesNotCompile(text.into()))),
+        );
+    }
+    Ok(blamed)
+}
+
+/// Blames every answer that is not replaced yet, because there is no time left to try each of them.
+pub fn all(submission: &Submission, already: &Replacements) -> Replacements {
+    let tasks = submission.answers.iter().map(|answer| &answer.task);
+    let suspects = tasks.filter(|task| !already.contains_key(*task));
+    suspects
+        .map(|task| (task.clone(), Replacement::DoesNotCompile(TOO_LONG.into())))
+        .collect()
+}
+
+/// The message for answers that together take too long.
+const TOO_LONG: &str = "error: these answers together take the compiler too long\n  = help: look for \
+                        constants that take long to compute\n";

@@ -95,7 +95,7 @@ fn is_multiple(films: &[ShownFilm], one: &str, other: &str) -> bool {
             let own = dot(&one, &other) / dot(&one, &one);
             let rest: Vec<f64> = one.iter().zip(&other).map(|(a, b)| b - own * a).collect();
             let factor = *factor.get_or_insert(own);
-            // Written this way so that NaN is no multiple.
+            // If a mistake has no error here, the factor is NaN, and neither comparison holds.
             let is_same = (own - factor).abs() <= SAME * factor.abs()
                 && dot(&rest, &rest) <= (SAME * SAME) * dot(&other, &other);
             if !is_same {

@@ -293,9 +293,13 @@ fn everywhere(by: impl Fn(usize) -> f32) -> Film {
     film(move |pixel| right(pixel) + by(pixel))
 }
 
+/// An error that is larger in later pixels.
+fn growing(pixel: usize) -> f32 {
+    0.1 + pixel as f32 / 50.0
+}
+
 #[test]
 fn two_errors_that_add_up_in_every_pixel_are_both_named() {
-    let growing = |pixel: usize| 0.1 + pixel as f32 / 50.0;
     let (shift, growth) = (everywhere(|_| 0.5), everywhere(growing));
     let other = everywhere(|pixel| growing(1000 - pixel));
     let known: [(&str, &[&Film]); 3] = [
@@ -315,7 +319,6 @@ fn two_errors_that_add_up_in_every_pixel_are_both_named() {
 
 #[test]
 fn a_belief_beside_one_of_two_that_look_alike_is_named_alone() {
-    let growing = |pixel: usize| 0.1 + pixel as f32 / 50.0;
     let (shift, growth) = (everywhere(|_| 0.5), everywhere(growing));
     let known: [(&str, &[&Film]); 3] = [
         ("shift", &[&shift, &shift]),
@@ -346,7 +349,6 @@ fn a_mistake_that_explains_nothing_by_itself_is_not_named_beside_another() {
 
 #[test]
 fn a_belief_whose_error_is_twice_that_of_another_is_not_named() {
-    let growing = |pixel: usize| 0.1 + pixel as f32 / 50.0;
     let (shift, far, growth) = (
         everywhere(|_| 0.5),
         everywhere(|_| 1.0),

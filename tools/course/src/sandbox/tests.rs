@@ -39,7 +39,7 @@ fn only_a_program_that_took_its_processor_time_is_late_by_the_kernels_limit() {
         assert_eq!(kills_itself, Ending::Died(Death::Signal(signal)));
     }
     let short = Duration::from_millis(500);
-    // There is no watchdog, and the kernel's limit is a second.
+    // Without a sandbox nothing watches the program, and the kernel ends it after a second.
     for limit in ["ulimit -S -t 1", "ulimit -t 1"] {
         let loops = ending(&format!("{limit}; while :; do :; done"), short);
         assert_eq!(loops, Ending::TimedOut(short), "{limit}");

@@ -12,6 +12,7 @@ use crate::grade::cache::{Backlog, ResultCache, pretty, standing};
 use crate::grade::class::{self, Roll};
 use crate::grade::grader::clock::Pace;
 use crate::grade::grader::{Grader, fresh};
+use crate::grade::intake::roster::Person;
 use crate::grade::intake::{self, Entry, placement, roster};
 use crate::grade::policy::Policy;
 use crate::grade::provenance::{self, GradingInputs, Tool};
@@ -292,16 +293,8 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
     let policy = policy.map(|path| Policy::read(path)).transpose()?;
     let roster = arguments.roster.as_ref();
     let mut people = roster.map(|path| roster::read(path)).transpose()?;
-    for group in policy.iter().flat_map(|policy| &policy.groups) {
-        // A submission with the name of a group was handed in by one of its members. A number alone
-        // names no group, because browsers add numbers to the names of files.
-        if group.name.chars().all(|c| c.is_ascii_digit()) {
-            continue;
-        }
-        let mut all = people.iter_mut().flatten();
-        if let Some(person) = all.find(|person| group.members.contains(&person.id)) {
-            person.logins.push(group.name.clone());
-        }
+    if let (Some(policy), Some(people)) = (&policy, &mut people) {
+        know_groups(policy, people);
     }
     let intake = intake::find(&arguments.paths, assignment, people.as_deref())?;
     let mut placed = placement::place(&intake.entries, people.as_deref());
@@ -317,6 +310,19 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
     roll.find_groups();
     Ok(roll)
 }
+
+/// Lets a submission with the name of a group count as handed in by one of its members. A number
+/// alone names no group, because browsers add numbers to the names of files.
+fn know_groups(policy: &Policy, people: &mut [Person]) {
+    let is_number = |name: &str| name.chars().all(|c| c.is_ascii_digit());
+    for group in policy.groups.iter().filter(|it| !is_number(&it.name)) {
+        let mut all = people.iter_mut();
+        if let Some(person) = all.find(|person| group.members.contains(&person.id)) {
+            person.logins.push(group.name.clone());
+        }
+    }
+}
+
 /// Refuses a class that lacks submissions which were graded into the same folder before. It may be
 /// a folder with one late submission, and everyone else would be listed as absent.
 fn refuse_partial_class(roll: &Roll, earlier: &Path) -> Result<()> {
@@ -354,6 +360,17 @@ fn refuse_partial_class(roll: &Roll, earlier: &Path) -> Result<()> {
 mod tests {
     use super::*;
     use crate::grade::class::marks::tests::{entry, roll};
+
+    #[test]
+    fn a_number_names_no_group() {
+        for (name, known) in [("team 7", 1), ("7", 0)] {
+            let mut roll = roll(Vec::new(), "time_zone = 'UTC'", &[(name, &["ada", "bob"])]);
+            let mut people = roll.people.take().expect("there are people");
+            know_groups(&roll.policy.expect("there is a policy"), &mut people);
+            let logins = people.iter().flat_map(|person| &person.logins);
+            assert_eq!(logins.filter(|login| *login == name).count(), known);
+        }
+    }
 
     #[test]
     fn a_folder_with_one_late_submission_does_not_replace_the_class() {

@@ -10,6 +10,7 @@ use super::reader::Content;
 use super::reader::file_names::first;
 use super::task_names::{is_similar, task_of};
 use pinhole_course::assignment::{Assignment, Task};
+use pinhole_course::stubs;
 use pinhole_course::submission::text::Text;
 use pinhole_course::submission::{Answer, AnswerFileProblem, Submission};
 
@@ -252,12 +253,12 @@ impl Choice {
     }
 }
 
-/// Whether this is a task's stub, apart from white space.
+/// Whether this is a task's stub.
 fn is_stub(text: &Text, task: &Task, assignment: &Assignment) -> bool {
     let stub = assignment.handout().join("src").join(task.file());
     let stub = fs::read_to_string(stub).unwrap_or_default();
-    let is_same = |text: &String| text.split_whitespace().eq(stub.split_whitespace());
-    text.as_ref().is_ok_and(is_same)
+    let text = text.as_ref();
+    text.is_ok_and(|text| stubs::is_unchanged(&stub, text))
 }
 
 /// What distinguishes two files: their texts or, if they were refused, the reasons.

@@ -53,10 +53,10 @@ fn plain_stem(name: &str) -> Option<String> {
 
 /// What systems put before and after the names of copies.
 const COPY: [(&str, &str); 4] = [
-    ("copy of ", " copy"),
-    ("kopie von ", " kopie"),
-    ("copie de ", " copie"),
-    ("copia de ", " copia"),
+    ("copy of ", "copy"),
+    ("kopie von ", "kopie"),
+    ("copie de ", "copie"),
+    ("copia de ", "copia"),
 ];
 
 /// A name without `(2)`, `-2` or ` 2` at its end.
@@ -88,6 +88,8 @@ mod tests {
             "Copy of triangle_soup.rs",
             "triangle soup copy.rs",
             "triangle_soup copy 2.rs",
+            "triangle_soup_copy.rs",
+            "triangle_soup-kopie.rs",
             "triangle_soup 2.rs",
             "Kopie von triangle_soup.rs",
             "triangle_soup - Kopie.rs",
