@@ -200,19 +200,20 @@ impl Record {
             (rays + plan.rays, broken + plan.violations + plan.wrong_ids)
         });
         add("plans_broken".into(), share(broken, rays));
-        // By instructions, or by time if they were not counted.
-        let costs = |model: &str| -> Vec<f64> {
-            let films = self.scenes.iter().filter(|film| film.model == model);
-            let in_boxes = films.filter(|film| film.search.as_deref() == Some("boxes"));
-            in_boxes
-                .filter_map(|film| film.instructions.or(film.nanoseconds))
-                .collect()
+        let exact = self.scenes.iter().filter(|film| film.model == "exact");
+        let ratio = |exact: &Scene| {
+            let is_plain = |film: &&Scene| {
+                film.model == NUMBERS
+                    && (&film.scene, &film.search) == (&exact.scene, &exact.search)
+            };
+            let plain = self.scenes.iter().find(is_plain)?;
+            // By instructions, or by time if they were not counted.
+            match (exact.instructions, plain.instructions) {
+                (Some(exact), Some(plain)) => Some(exact / plain),
+                _ => Some(exact.nanoseconds? / plain.nanoseconds?),
+            }
         };
-        let mut ratios: Vec<f64> = costs("exact")
-            .into_iter()
-            .zip(costs(NUMBERS))
-            .map(|(exact, plain)| exact / plain)
-            .collect();
+        let mut ratios: Vec<f64> = exact.filter_map(ratio).collect();
         ratios.sort_by(f64::total_cmp);
         if let Some(worst) = ratios.last() {
             add(

@@ -15,14 +15,14 @@ pub mod world;
 
 use std::marker::PhantomData;
 
-use crate::kernel::Limits;
-use crate::kernel::triangle::TrianglePacket;
+use wide::f32x4;
+
 use crate::shape::Ray;
 use crate::vector::Vector;
 use model::{Model, Query};
 pub use search::Search;
-use tree::Tree;
-use world::{Part, World};
+use tree::{Leaf, Tree};
+use world::{Accurate, Part, View, World};
 
 /// Counters of the work that a cast did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -65,6 +65,21 @@ pub struct Found<'a> {
     pub part: &'a Part,
     /// The ray parameter of the hit, in multiples of the ray's direction.
     pub t: f64,
+    /// Whether t is as accurate as the [`View`] requires.
+    pub is_accurate: bool,
+}
+
+impl<'a> Found<'a> {
+    /// A hit whose t is proven to [`PROVEN_T`](world::PROVEN_T).
+    #[inline(always)]
+    pub fn new(part: &'a Part, t: f64) -> Found<'a> {
+        let is_accurate = part.accurate == Accurate::Always;
+        Found {
+            part,
+            t,
+            is_accurate,
+        }
+    }
 }
 
 /// A scene with its acceleration structure.
@@ -76,8 +91,17 @@ pub struct Caster {
 
 impl Caster {
     /// Computes the filters' limits for all parts, and builds the tree.
-    pub fn new(mut world: World) -> Caster {
-        world.settle();
+    pub fn new(world: World) -> Caster {
+        Caster::prepared(world, None)
+    }
+
+    /// Prepares to cast the rays of one camera: see [`model::FromCamera`].
+    pub fn from_camera(world: World, view: View) -> Caster {
+        Caster::prepared(world, Some(view))
+    }
+
+    fn prepared(mut world: World, view: Option<View>) -> Caster {
+        world.settle(view);
         let tree = Tree::over(&mut world);
         Caster { world, tree }
     }
@@ -119,46 +143,45 @@ impl<'a, M: Model> Nearest<'a, '_, M> {
     fn consider(&mut self, parts: &'a [Part]) {
         self.tally.tests += parts.len() as u64;
         for part in parts {
-            if let Some(t) = M::meet(part, &self.query, self.tally) {
-                self.keep(Found { part, t });
+            if let Some(found) = M::meet(part, &self.query, self.tally) {
+                self.keep(found);
             }
         }
     }
 
-    /// Tests four triangles, the parts from `first` on.
+    /// Tests the triangles of a leaf, which are the first of these parts.
     #[inline(always)]
-    fn consider_four(
-        &mut self,
-        four: &TrianglePacket,
-        limits: &Limits,
-        parts: &'a [Part],
-        first: u32,
-    ) {
-        self.tally.tests += u64::from(four.count());
-        let met = M::meet_four(four, limits, &self.query);
+    fn consider_leaf(&mut self, leaf: &Leaf, parts: &'a [Part], packed: Vector<f32x4>) {
+        self.tally.tests += u64::from(leaf.count);
+        let met = M::meet_leaf(leaf, &self.query, packed);
         let (mut hits, mut open) = (met.hits, met.open);
         while hits != 0 {
-            let lane = hits.trailing_zeros();
+            let lane = hits.trailing_zeros() as usize & 3;
             hits &= hits - 1;
-            let part = &parts[(first + lane) as usize];
-            match M::given(met.t[lane as usize & 3], &self.query) {
-                t if t.is_finite() => self.keep(Found { part, t }),
+            match M::given(met.t[lane], &self.query) {
+                t if t.is_finite() => self.keep(Found::new(&parts[lane], t)),
                 _ => open |= 1 << lane,
             }
         }
-        if open != 0 {
-            self.consider_open(open, &parts[first as usize..]);
+        match open != 0 && !M::HAS_CAMERA {
+            true => self.consider_open(open, parts),
+            false => self.consider_lanes(open, parts),
         }
     }
 
     #[cold]
     fn consider_open(&mut self, open: u32, parts: &'a [Part]) {
-        for (lane, part) in parts.iter().take(4).enumerate() {
-            if open >> lane & 1 == 0 {
-                continue;
-            }
-            if let Some(t) = M::meet(part, &self.query, self.tally) {
-                self.keep(Found { part, t });
+        self.consider_lanes(open, parts);
+    }
+
+    /// Tests those of these parts that have a bit in `lanes`.
+    #[inline(always)]
+    fn consider_lanes(&mut self, mut lanes: u32, parts: &'a [Part]) {
+        while lanes != 0 {
+            let part = &parts[lanes.trailing_zeros() as usize & 3];
+            lanes &= lanes - 1;
+            if let Some(found) = M::meet(part, &self.query, self.tally) {
+                self.keep(found);
             }
         }
     }

@@ -33,6 +33,22 @@ impl DoubleDouble {
         DoubleDouble { high, low }
     }
 
+    /// The quotient: one step of long division after the first.
+    #[inline(always)]
+    pub fn over(self, other: DoubleDouble) -> DoubleDouble {
+        let high = self.high / other.high;
+        let rest = self - other * DoubleDouble::from(high);
+        DoubleDouble::renewed(high, rest.high / other.high)
+    }
+
+    /// The square root of a positive number: one step of Newton's method after the first.
+    #[inline(always)]
+    pub fn sqrt(self) -> DoubleDouble {
+        let high = self.high.sqrt();
+        let rest = self - DoubleDouble::product(high, high);
+        DoubleDouble::renewed(high, rest.high / (2.0 * high))
+    }
+
     /// Renormalises `high` + `low`, where |`high`| ≥ |`low`| (Dekker's FastTwoSum).
     #[inline(always)]
     fn renewed(high: f64, low: f64) -> DoubleDouble {
@@ -114,6 +130,19 @@ impl DoubleVector {
     pub fn largest(self) -> f64 {
         let [x, y, z] = self.0.map(|component| component.high.abs());
         x.max(y).max(z)
+    }
+
+    /// The nearest vector of floats.
+    #[inline(always)]
+    pub fn rounded(self) -> Vector<f64> {
+        let [x, y, z] = self.0.map(|component| component.high);
+        Vector::new(x, y, z)
+    }
+
+    /// self + `factor` × `other`.
+    #[inline(always)]
+    pub fn plus(self, factor: DoubleDouble, other: DoubleVector) -> DoubleVector {
+        DoubleVector([0, 1, 2].map(|axis| self.0[axis] + factor * other.0[axis]))
     }
 
     /// The dot product.

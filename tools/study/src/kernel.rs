@@ -8,12 +8,14 @@
 //! it into the leaves of a tree. [`Kernel::prepare`] computes what depends on the ray alone,
 //! once per ray instead of once per shape.
 
+mod camera;
 mod filter;
 pub mod plane;
 pub mod sphere;
 pub mod triangle;
 mod widened_kernel;
 
+pub use camera::Camera;
 pub use filter::{FilterRay, Limits, Tier, Window};
 pub use widened_kernel::WidenedKernel;
 

@@ -2,11 +2,10 @@
 //! accuracy is reached.
 //!
 //! 1. Which object is first is always decided exactly. This costs a few instructions per ray,
-//!    and also proves t to [`bounds::PROVEN_T`].
-//! 2. [`bounds`] bounds the errors of a hit's t and normal, from the hit's own numbers. These
-//!    bounds are computed only if [`bounds::PROVEN_T`] does not suffice for the requested
-//!    accuracy.
-//! 3. [`casting`] casts by the plan. A hit whose bounds are too wide is computed by [`exact_hit`].
+//!    and also proves t to [`PROVEN_T`].
+//! 2. [`bounds`] tells for each part how accurate t must be, so that t and the normal are as
+//!    accurate as requested. The filters' limits are chosen accordingly, once for the whole film.
+//! 3. [`casting`] casts by the plan. A hit that a filter leaves open is computed by [`refined`].
 //! 4. [`description`] describes the plan in words.
 //!
 //! All of this is proven for every ray, if t is a normal `f64`; any other t is rounded to the
@@ -16,16 +15,17 @@
 pub mod bounds;
 pub mod casting;
 pub mod description;
-pub mod exact_hit;
+pub mod refined;
 
 use pinhole::Scene;
 use serde::Serialize;
 
-use crate::cast::rays::rays;
+use crate::cast::rays::{camera, rays};
 use crate::cast::search::{PRICES, Prices, Search, price_of_all};
-use crate::cast::world::{KINDS, Primitive, World};
+use crate::cast::world::{KINDS, PROVEN_T, Primitive, World};
+use crate::kernel::sphere::at_most;
 use crate::vector::{Vector, around};
-use bounds::{PROVEN_T, normal_of, of_normal};
+use bounds::{OF_UNIT, normal_of, of_normal};
 use casting::PlannedCaster;
 
 /// What a user wants from a film. Objects are the true ones in any case.
@@ -39,6 +39,13 @@ pub struct AccuracyTarget {
     pub normal: bool,
 }
 
+/// The true object at every pixel. t and normal are as accurate as the exact caster leaves them.
+pub const EXACT_OBJECTS: AccuracyTarget = AccuracyTarget {
+    accuracy: f64::INFINITY,
+    depth: true,
+    normal: true,
+};
+
 /// The plan for one kind of shape.
 #[derive(Clone, Debug, Serialize)]
 pub struct KindPlan {
@@ -50,8 +57,8 @@ pub struct KindPlan {
     pub worst_t: f64,
     /// Worst error of a normal, in radians; `None` if unbounded.
     pub worst_normal: Option<f64>,
-    /// Whether a worst case exceeds the requested accuracy. If so, each hit's own bound is
-    /// checked, and hits that exceed the accuracy are computed exactly.
+    /// Whether a worst case exceeds the requested accuracy. If so, stricter filters decide which
+    /// hits have it, and the others are computed with more digits.
     pub watched: bool,
 }
 
@@ -112,17 +119,18 @@ pub fn plan(scene: &Scene, wish: AccuracyTarget) -> Result<(Plan, PlannedCaster)
         price_of_all: price_of_all(&world.parts),
         prices: PRICES,
     };
-    Ok((plan, PlannedCaster::new(world, scene.min_t, wish)))
+    let casting = PlannedCaster::new(world, camera(scene, &rays), scene.min_t, wish);
+    Ok((plan, casting))
 }
 
 /// Largest error of a part's normal, for all rays that start in this box.
 fn worst_normal(shape: &Primitive, [low, high]: [Vector<f64>; 2]) -> f64 {
     match shape {
-        Primitive::Plane(_) => bounds::OF_UNIT,
+        Primitive::Plane(_) => OF_UNIT,
         Primitive::Triangle(triangle) => normal_of(triangle).1,
         Primitive::Sphere(sphere) => {
             let away = |corner: Vector<f64>| (corner - sphere.center).largest();
-            of_normal(sphere, away(low).max(away(high)), PROVEN_T)
+            of_normal(sphere, at_most(away(low).max(away(high))), PROVEN_T)
         }
     }
 }

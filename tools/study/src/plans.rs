@@ -8,12 +8,12 @@ use std::path::Path;
 use rayon::prelude::*;
 
 use crate::cast::model::Plain;
-use crate::cast::rays::rays;
+use crate::cast::rays::{camera, rays};
 use crate::cast::world::World;
 use crate::cast::{Caster, Search, Tally};
 use crate::oracle::scene::{HitComparison, TrueHit, compared, sight};
 use crate::plan::casting::PlannedCaster;
-use crate::plan::{AccuracyTarget, plan};
+use crate::plan::{AccuracyTarget, EXACT_OBJECTS, plan};
 use crate::result::{PlanErrors, PlanTally};
 use crate::scenes::{self, Share};
 use crate::shape::Ray;
@@ -39,7 +39,12 @@ pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<Plan
         let wish = everything(*accuracy);
         castings.push((wish, plan(&scene, wish)?.1));
     }
-    let unwatched = PlannedCaster::new(world.clone(), scene.min_t, everything(f64::INFINITY));
+    let unwatched = PlannedCaster::new(
+        world.clone(),
+        camera(&scene, &rays),
+        scene.min_t,
+        EXACT_OBJECTS,
+    );
     let plain = Caster::new(world.clone());
     let search = Search::cheaper(&world.parts);
 

@@ -1,5 +1,5 @@
-//! Casts whole scenes in plain `f64` and exactly, by brute force and with boxes, on each
-//! scene's own rays. Judges every pixel, and times all ways in turn.
+//! Casts whole scenes on their own rays: in plain `f64`, by brute force and with boxes, and
+//! exactly. Judges every pixel, and times all ways in turn.
 
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
@@ -7,13 +7,15 @@ use std::path::{Path, PathBuf};
 use pinhole::{Film, Scene, ShapeKind};
 use rayon::prelude::*;
 
-use crate::cast::model::{Exact, Model, Plain};
-use crate::cast::rays::rays;
+use crate::cast::model::Plain;
+use crate::cast::rays::{camera, rays};
 use crate::cast::world::World;
 use crate::cast::{Caster, Search, Seen, Tally};
 use crate::instructions;
 use crate::judge::median_and_worst;
 use crate::oracle::scene::{HitComparison, TrueHit, compared, sight};
+use crate::plan::EXACT_OBJECTS;
+use crate::plan::casting::PlannedCaster;
 use crate::result::SceneTally;
 use crate::shape::Ray;
 use crate::speed::{Workload, race};
@@ -33,64 +35,68 @@ pub struct Share {
 /// A scene ready to be cast, and its rays.
 struct SceneRays {
     caster: Caster,
+    exact: PlannedCaster,
     rays: Vec<Ray<f64>>,
     min_t: f64,
 }
 
 /// One way to cast a scene.
 struct CastMethod {
-    /// The numbers it computes with.
-    numbers: &'static str,
-    search: Search,
-    /// Casts all rays and returns object, t and normal of each.
-    see: fn(&SceneRays, Search, &mut Tally) -> Vec<Seen>,
+    /// The name in tables.
+    model: &'static str,
+    /// The search; `None` for the cheaper one.
+    search: Option<Search>,
+    /// Casts one ray, and returns object, t and normal.
+    see: fn(&SceneRays, &Ray<f64>, &mut Tally) -> Seen,
     /// Casts all rays, for timing. It does not read a clock, because rustix's clock does not
     /// work under valgrind.
-    film: fn(&SceneRays, Search),
+    film: fn(&SceneRays),
 }
 
-fn ways() -> [CastMethod; 4] {
-    fn way<M: Model>(search: Search) -> CastMethod {
-        CastMethod {
-            numbers: M::NAME,
-            search,
-            see: SceneRays::see::<M>,
-            film: SceneRays::film::<M>,
-        }
-    }
-    let (all, boxes) = (Search::BruteForce, Search::Boxes);
-    [
-        way::<Plain>(all),
-        way::<Exact>(all),
-        way::<Plain>(boxes),
-        way::<Exact>(boxes),
-    ]
-}
+const WAYS: [CastMethod; 3] = [
+    CastMethod {
+        model: "f64",
+        search: Some(Search::BruteForce),
+        see: |scene, ray, tally| scene.plain(Search::BruteForce, ray, tally),
+        film: |scene| scene.film(|ray, tally| scene.plain(Search::BruteForce, ray, tally)),
+    },
+    CastMethod {
+        model: "f64",
+        search: Some(Search::Boxes),
+        see: |scene, ray, tally| scene.plain(Search::Boxes, ray, tally),
+        film: |scene| scene.film(|ray, tally| scene.plain(Search::Boxes, ray, tally)),
+    },
+    CastMethod {
+        model: "exact",
+        search: None,
+        see: |scene, ray, tally| scene.exact.see(ray, tally),
+        film: |scene| scene.film(|ray, tally| scene.exact.see(ray, tally)),
+    },
+];
 
 impl SceneRays {
     fn new(scene: &Scene, step: usize) -> SceneRays {
+        let (world, all) = (World::of(&scene.objects), rays(scene));
+        let camera = camera(scene, &all);
         SceneRays {
-            caster: Caster::new(World::of(&scene.objects)),
-            rays: rays(scene).into_iter().step_by(step).collect(),
+            exact: PlannedCaster::new(world.clone(), camera, scene.min_t, EXACT_OBJECTS),
+            caster: Caster::new(world),
+            rays: all.into_iter().step_by(step).collect(),
             min_t: scene.min_t,
         }
     }
 
-    fn see<M: Model>(&self, search: Search, tally: &mut Tally) -> Vec<Seen> {
-        let see = |ray| {
-            let found = self.caster.first::<M>(search, ray, self.min_t, tally)?;
-            let normal = found.part.shape.normal(ray, found.t);
-            Some((found.part.object, found.t, normal))
-        };
-        self.rays.iter().map(see).collect()
+    #[inline(always)]
+    fn plain(&self, search: Search, ray: &Ray<f64>, tally: &mut Tally) -> Seen {
+        let found = self.caster.first::<Plain>(search, ray, self.min_t, tally)?;
+        let normal = found.part.shape.normal(ray, found.t);
+        Some((found.part.object, found.t, normal))
     }
 
-    #[inline(never)]
-    fn film<M: Model>(&self, search: Search) {
+    #[inline(always)]
+    fn film(&self, see: impl Fn(&Ray<f64>, &mut Tally) -> Seen) {
         for ray in black_box(&self.rays) {
-            let mut tally = Tally::default();
-            let found = self.caster.first::<M>(search, ray, self.min_t, &mut tally);
-            black_box(found.map(|found| found.t));
+            black_box(see(ray, &mut Tally::default()));
         }
     }
 }
@@ -104,8 +110,8 @@ pub fn cast(named: &str, way: usize, films: u32) -> bool {
     let file = name.and_then(|name| files().into_iter().find(|file| file.ends_with(&name)));
     let Some(file) = file else { return false };
     let stage = SceneRays::new(&read(&file).expect("the scene is committed"), 1);
-    if let Some(way) = ways().get(way) {
-        (0..films).for_each(|_| (way.film)(&stage, way.search));
+    if let Some(way) = WAYS.get(way) {
+        (0..films).for_each(|_| (way.film)(&stage));
     }
     true
 }
@@ -159,21 +165,23 @@ pub fn studied(file: &Path, share: Share) -> Result<Vec<SceneTally>, pinhole::Er
     let (parts, rays) = (&stage.caster.world.parts, &stage.rays);
     let truth = |ray| sight(parts, ray, scene.min_t);
     let truths: Vec<_> = rays.par_iter().map(truth).collect();
-    let ways = ways();
-    let films = ways
+    let films = WAYS
         .iter()
-        .map(|way| Box::new(|| (way.film)(&stage, way.search)) as Workload);
+        .map(|way| Box::new(|| (way.film)(&stage)) as Workload);
     let times = race(films.collect(), rays.len(), share.seconds);
     let mut tallies = Vec::new();
-    for (at, (way, time)) in ways.iter().zip(times).enumerate() {
-        let is_counted = share.instructions && way.search == Search::Boxes;
+    for (at, (way, time)) in WAYS.iter().zip(times).enumerate() {
+        let cheaper = Search::cheaper(parts);
+        let search = way.search.unwrap_or(cheaper);
+        let is_counted = share.instructions && search == cheaper;
         let count = || instructions::of_cast(&format!("{SCENE}{name}"), at, rays.len());
         let mut tally = Tally::default();
-        let seen = (way.see)(&stage, way.search, &mut tally);
+        let seen = rays.iter().map(|ray| (way.see)(&stage, ray, &mut tally));
+        let seen = seen.collect();
         tallies.push(SceneTally {
             scene: name.clone().into(),
-            model: way.numbers.into(),
-            search: Some(way.search.name().into()),
+            model: way.model.into(),
+            search: Some(search.name().into()),
             parts: parts.len() as u64,
             nanoseconds: Some(time.nanoseconds),
             instructions: is_counted.then(count).flatten(),

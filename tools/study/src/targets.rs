@@ -152,8 +152,8 @@ fn leaks(meshes: &[MeshTally], kernel: &str) -> Measured {
     none_of(of_it().map(|mesh| mesh.leaks).sum(), rays)
 }
 
-/// Additional instructions of exact casting compared with `f64`, both with boxes, which is the only
-/// search whose instructions are counted.
+/// Additional instructions of exact casting compared with `f64`, both with the cheaper search, which
+/// is the only one whose instructions are counted.
 fn added(scenes: &[SceneTally]) -> Measured {
     let of = |model: &'static str| {
         let of_model = scenes.iter().filter(move |tally| tally.model == model);

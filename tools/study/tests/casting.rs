@@ -1,9 +1,10 @@
 //! Tests that casting whole scenes loses no hit, and that the nearer of two hits always comes
 //! first.
 
-use pinhole_study::cast::model::{Exact, Model, Plain, exact};
-use pinhole_study::cast::world::{Primitive, World};
+use pinhole_study::cast::model::{Exact, FromCamera, Model, Plain, exact};
+use pinhole_study::cast::world::{Primitive, View, World};
 use pinhole_study::cast::{Caster, Search, Tally};
+use pinhole_study::kernel::Camera;
 use pinhole_study::oracle::scene::sight;
 use pinhole_study::random::Random;
 use pinhole_study::shape::{Plane, Ray, Sphere, Triangle};
@@ -101,6 +102,95 @@ fn boxes_lose_no_hit_of_rays_from_far_away() {
         }
     }
     assert!(hits > 1_000, "{hits}");
+}
+
+/// Rays of one camera: from the same eye, or in the same direction. Most are aimed at points of a
+/// grid, so that they run through corners and edges.
+fn rays_of_one_camera(
+    random: &mut Random,
+    scale: f64,
+    offset: Vector<f64>,
+    has_eye: bool,
+) -> (Camera, Vec<Ray<f64>>) {
+    let point = |random: &mut Random| {
+        let at = random.unit() * random.within(0.0, 9.0);
+        let is_on_grid = random.below(4) > 0;
+        let at = at.map(|x| if is_on_grid { x.round() } else { x });
+        offset + at * scale
+    };
+    let (eye, along) = (point(random), direction(random));
+    let rays = (0..200).map(|_| match has_eye {
+        true => Ray {
+            origin: eye,
+            direction: (point(random) - eye) * random.within(0.01, 100.0),
+        },
+        false => Ray {
+            origin: point(random),
+            direction: along,
+        },
+    });
+    // A point of the grid may be the eye itself.
+    let rays: Vec<_> = rays.filter(|ray| ray.direction.largest() > 0.0).collect();
+    match has_eye {
+        true => (Camera::Perspective { eye }, rays),
+        false => (Camera::orthographic(&rays, eye), rays),
+    }
+}
+
+fn what_rays_from_anywhere_see<M: Model>(has_eye: bool) {
+    const REQUIRED: f64 = 1e-11;
+    let mut random = Random::new(5, M::NAME);
+    let [mut hits, mut accurate] = [0; 2];
+    for (scale, away) in [
+        (1.0, 0.0),
+        (1e-3, 1e3),
+        (1e20, 0.0),
+        (1e-30, 0.0),
+        (1.0, 1e8),
+    ] {
+        for _ in 0..30 {
+            let offset = random.unit() * away;
+            let (camera, rays) = rays_of_one_camera(&mut random, scale, offset, has_eye);
+            let mut world = crowd(&mut random, scale, offset);
+            let (point, normal) = (offset, direction(&mut random));
+            world.add(60, Primitive::Plane(Plane { point, normal }));
+            let anywhere = Caster::new(world.clone());
+            let view = View {
+                camera,
+                required_t: &|_, _| REQUIRED,
+            };
+            let caster = Caster::from_camera(world, view);
+            for ray in rays {
+                let all =
+                    anywhere.first::<Exact>(Search::BruteForce, &ray, 0.0, &mut Tally::default());
+                for search in [Search::BruteForce, Search::Boxes] {
+                    let found = caster.first::<M>(search, &ray, 0.0, &mut Tally::default());
+                    let places = [all, found].map(|found| found.map(|found| found.part.place));
+                    assert_eq!(places[0], places[1], "{search:?}, {camera:?}, {ray:?}");
+                    let Some(found) = found else { continue };
+                    hits += 1;
+                    if found.is_accurate {
+                        let root = exact(&found.part.shape, &ray, 0.0).expect("it is hit");
+                        let t = root.rounded();
+                        let is_near = (found.t - t).abs() <= REQUIRED * t;
+                        assert!(is_near, "{} instead of {t}: {ray:?}", found.t);
+                        accurate += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(hits > 20_000 && accurate > hits / 3, "{accurate} of {hits}");
+}
+
+#[test]
+fn rays_from_one_eye_see_what_rays_from_anywhere_see() {
+    what_rays_from_anywhere_see::<FromCamera<true>>(true);
+}
+
+#[test]
+fn parallel_rays_see_what_rays_from_anywhere_see() {
+    what_rays_from_anywhere_see::<FromCamera<false>>(false);
 }
 
 #[test]

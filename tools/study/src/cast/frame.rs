@@ -13,9 +13,10 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The frame of a box, given by two opposite corners with coordinates below 1e300.
-    pub fn around([low, high]: [Vector<f64>; 2]) -> Frame {
-        let center = low * 0.5 + high * 0.5;
+    /// The frame of a box, given by two opposite corners with coordinates below 1e300. Its centre
+    /// is that of the box, or the eye from which all rays start.
+    pub fn around([low, high]: [Vector<f64>; 2], eye: Option<Vector<f64>>) -> Frame {
+        let center = eye.unwrap_or(low * 0.5 + high * 0.5);
         let size = (high - center).largest().max((center - low).largest());
         // The box of a single point has size 0.
         let size = size.max(center.largest() * 1e-9).max(1e-280);
@@ -32,11 +33,14 @@ impl Frame {
     }
 
     /// A box in local coordinates that encloses the given one: each number is rounded to `f32`,
-    /// then moved outwards to the next `f32`.
+    /// then moved outwards to the next `f32`, and by 2⁻⁹⁶.
     pub fn boxed(&self, [low, high]: [Vector<f64>; 2]) -> [[f32; 3]; 2] {
+        const MARGIN: f32 = 1.3e-29;
+        let below = |x: f64| (x as f32).next_down() - MARGIN;
+        let above = |x: f64| (x as f32).next_up() + MARGIN;
         [
-            self.local(low).map(|x| (x as f32).next_down()).array(),
-            self.local(high).map(|x| (x as f32).next_up()).array(),
+            self.local(low).map(below).array(),
+            self.local(high).map(above).array(),
         ]
     }
 }

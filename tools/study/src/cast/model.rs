@@ -1,12 +1,16 @@
 //! The choice of kernels for casting a scene, and how to decide which of two hits comes first.
 
-use super::world::{Part, Primitive, World};
+use wide::f32x4;
+
+use super::tree::Leaf;
+use super::world::{Accurate, Part, Primitive, World};
 use super::{Found, Tally};
 use crate::kernel::sphere::ScaledRay;
-use crate::kernel::triangle::{PacketHits, TrianglePacket};
-use crate::kernel::{FilterRay, Kernel, Limits, Tier, Window, plane, sphere, triangle};
+use crate::kernel::triangle::PacketHits;
+use crate::kernel::{Camera, FilterRay, Kernel, Tier, Window, plane, sphere, triangle};
 use crate::root::Root;
 use crate::shape::Ray;
+use crate::vector::Vector;
 
 /// A ray with everything that filters precompute from it.
 pub struct Query<'r> {
@@ -20,20 +24,25 @@ pub struct Query<'r> {
     window: Window,
     /// Whether the origin is near enough for the parts' precomputed limits to hold.
     is_near: bool,
+    /// What the camera does not fix.
+    pub varying: Vector<f64>,
 }
 
 impl<'r> Query<'r> {
     /// Prepares a ray. What only filters need is computed only for models with filters.
     #[inline(always)]
     pub fn new<M: Model>(ray: &'r Ray<f64>, min_t: f64, world: &World) -> Query<'r> {
-        let scaled = ScaledRay::new(ray);
+        let may_differ = M::HAS_CAMERA && !M::HAS_EYE;
+        let camera = world.camera.as_ref().filter(|_| may_differ);
+        let (scaled, varying) = Camera::scaled(camera, ray);
         let from = if M::FILTERS { scaled.scale(min_t) } else { 0.0 };
         Query {
             ray,
             scaled,
             min_t,
             window: Window::new(from),
-            is_near: M::FILTERS && world.reach.holds(ray.origin),
+            is_near: M::HAS_CAMERA || M::FILTERS && world.reach.holds(ray.origin),
+            varying,
         }
     }
 }
@@ -47,12 +56,17 @@ pub trait Model: Sync + 'static {
     const SLACK: f64;
     /// Whether the kernels use filters.
     const FILTERS: bool;
+    /// Whether all rays are those of the camera for which the caster was made.
+    const HAS_CAMERA: bool = false;
+    /// Whether this camera has a perspective, so that all rays start at its eye.
+    const HAS_EYE: bool = false;
 
-    /// The smallest t ≥ `min_t` at which a ray meets a part.
-    fn meet(part: &Part, query: &Query, tally: &mut Tally) -> Option<f64>;
-    /// Tests four triangles. The caller tests undecided ones again, one by one.
-    fn meet_four(four: &TrianglePacket, limits: &Limits, query: &Query) -> PacketHits;
-    /// Converts a t from [`Model::meet_four`] to multiples of the ray's direction.
+    /// The hit with the smallest t ≥ `min_t` of a ray with a part.
+    fn meet<'a>(part: &'a Part, query: &Query, tally: &mut Tally) -> Option<Found<'a>>;
+    /// Tests the triangles of a leaf, with what the camera does not fix in `f32`. The caller tests
+    /// undecided ones again, one by one.
+    fn meet_leaf(leaf: &Leaf, query: &Query, packed: Vector<f32x4>) -> PacketHits;
+    /// Converts a t from [`Model::meet_leaf`] to multiples of the ray's direction.
     fn given(t: f64, query: &Query) -> f64;
     /// Whether hit `one` comes before hit `other`.
     fn comes_first(one: &Found, other: &Found, query: &Query, tally: &mut Tally) -> bool;
@@ -67,19 +81,21 @@ impl Model for Plain {
     const FILTERS: bool = false;
 
     #[inline(always)]
-    fn meet(part: &Part, &Query { ray, min_t, .. }: &Query, _: &mut Tally) -> Option<f64> {
-        match &part.shape {
+    fn meet<'a>(part: &'a Part, query: &Query, _: &mut Tally) -> Option<Found<'a>> {
+        let &Query { ray, min_t, .. } = query;
+        let t = match &part.shape {
             Primitive::Sphere(sphere) => sphere::plainly(sphere, ray, min_t),
             Primitive::Plane(plane) => plane::ShiftedOrigin::intersect(plane, ray, min_t),
             Primitive::Triangle(triangle) => {
                 triangle::MollerTrumbore::intersect(triangle, ray, min_t)
             }
-        }
+        };
+        t.map(|t| Found::new(part, t))
     }
 
     #[inline(always)]
-    fn meet_four(four: &TrianglePacket, _: &Limits, query: &Query) -> PacketHits {
-        four.plainly(query.ray, query.min_t)
+    fn meet_leaf(leaf: &Leaf, query: &Query, _: Vector<f32x4>) -> PacketHits {
+        leaf.packet.general().plainly(query.ray, query.min_t)
     }
 
     #[inline(always)]
@@ -106,21 +122,17 @@ impl Model for Exact {
     const FILTERS: bool = true;
 
     #[inline(always)]
-    fn meet(part: &Part, query: &Query, tally: &mut Tally) -> Option<f64> {
-        let (scaled, window, limits) = (&query.scaled, &query.window, &part.limits);
-        let filtered = match &part.shape {
-            _ if !query.is_near => None,
-            Primitive::Sphere(shape) => sphere::filtered(shape, scaled, window, limits),
-            Primitive::Plane(shape) => plane::filtered(shape, scaled, window, limits),
-            Primitive::Triangle(shape) => triangle::filtered(shape, scaled, window, limits),
-        };
-        filtered.unwrap_or_else(|| left_open(&part.shape, query, tally))
+    fn meet<'a>(part: &'a Part, query: &Query, tally: &mut Tally) -> Option<Found<'a>> {
+        let t = filtered(part, query)
+            .unwrap_or_else(|| left_open(&part.shape, query.ray, query.min_t, tally));
+        t.map(|t| Found::new(part, t))
     }
 
     #[inline(always)]
-    fn meet_four(four: &TrianglePacket, limits: &Limits, query: &Query) -> PacketHits {
+    fn meet_leaf(leaf: &Leaf, query: &Query, _: Vector<f32x4>) -> PacketHits {
+        let four = leaf.packet.general();
         match query.is_near {
-            true => four.filtered(&query.scaled, &query.window, limits),
+            true => four.filtered(&query.scaled, &query.window, &leaf.limits),
             false => four.left_open(),
         }
     }
@@ -137,9 +149,69 @@ impl Model for Exact {
             true => one.t < other.t,
             false => {
                 tally.close_calls += 1;
-                comes_first_exactly(one.part, other.part, query)
+                comes_first_exactly(one.part, other.part, query.ray, query.min_t)
             }
         }
+    }
+}
+
+/// The static filter's answer, or `None` if rounding might have changed it.
+#[inline(always)]
+fn filtered(part: &Part, query: &Query) -> Option<Option<f64>> {
+    let (scaled, window, limits) = (&query.scaled, &query.window, &part.limits);
+    match &part.shape {
+        _ if !query.is_near => None,
+        Primitive::Sphere(shape) => sphere::filtered(shape, scaled, window, limits),
+        Primitive::Plane(shape) => plane::filtered(shape, scaled, window, limits),
+        Primitive::Triangle(shape) => triangle::filtered(shape, scaled, window, limits),
+    }
+}
+
+/// Like [`Exact`], for the rays of the camera for which the caster was made. `HAS_EYE` says whether
+/// it has a perspective.
+pub struct FromCamera<const HAS_EYE: bool>;
+
+impl<const HAS_EYE: bool> Model for FromCamera<HAS_EYE> {
+    const NAME: &'static str = "exact, for one camera";
+    const SLACK: f64 = APART;
+    const FILTERS: bool = true;
+    const HAS_CAMERA: bool = true;
+    const HAS_EYE: bool = HAS_EYE;
+
+    #[inline(always)]
+    fn meet<'a>(part: &'a Part, query: &Query, tally: &mut Tally) -> Option<Found<'a>> {
+        let (q, scaled, window) = (query.varying, &query.scaled, &query.window);
+        let answer = match &part.from_camera {
+            Some(it) => it.filtered::<HAS_EYE>(q, scaled, window, &part.limits),
+            None => filtered(part, query),
+        };
+        match answer {
+            Some(t) => t.map(|t| Found {
+                is_accurate: part.accurate >= Accurate::IfFiltered,
+                ..Found::new(part, t)
+            }),
+            None => {
+                left_open(&part.shape, query.ray, query.min_t, tally).map(|t| Found::new(part, t))
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn meet_leaf(leaf: &Leaf, _: &Query, packed: Vector<f32x4>) -> PacketHits {
+        PacketHits {
+            open: leaf.packet.from_camera().candidates::<HAS_EYE>(packed),
+            ..PacketHits::NOTHING
+        }
+    }
+
+    #[inline(always)]
+    fn given(t: f64, _: &Query) -> f64 {
+        t
+    }
+
+    #[inline(always)]
+    fn comes_first(one: &Found, other: &Found, query: &Query, tally: &mut Tally) -> bool {
+        Exact::comes_first(one, other, query, tally)
     }
 }
 
@@ -148,9 +220,8 @@ impl Model for Exact {
 /// keep the common path short.
 #[cold]
 #[inline(never)]
-fn left_open(shape: &Primitive, query: &Query, tally: &mut Tally) -> Option<f64> {
-    let (scaled, given, min_t) = (query.scaled, *query.ray, query.min_t);
-    let ray = FilterRay { scaled, given };
+fn left_open(shape: &Primitive, ray: &Ray<f64>, min_t: f64, tally: &mut Tally) -> Option<f64> {
+    let ray = FilterRay::new(ray);
     let (answer, tier) = match shape {
         Primitive::Sphere(shape) => sphere::decided(shape, &ray, min_t),
         Primitive::Plane(shape) => plane::decided(shape, &ray, min_t),
@@ -173,9 +244,8 @@ pub fn exact(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
 
 #[cold]
 #[inline(never)]
-fn comes_first_exactly(one: &Part, other: &Part, query: &Query) -> bool {
-    let met =
-        |part: &Part| exact(&part.shape, query.ray, query.min_t).expect("a filter found this hit");
+fn comes_first_exactly(one: &Part, other: &Part, ray: &Ray<f64>, min_t: f64) -> bool {
+    let met = |part: &Part| exact(&part.shape, ray, min_t).expect("a filter found this hit");
     let order = met(one).compare(&met(other));
     order.then(one.place.cmp(&other.place)).is_lt()
 }

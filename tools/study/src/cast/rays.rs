@@ -3,7 +3,17 @@
 use pinhole::{Projection, Scene};
 
 use super::world::vector;
+use crate::kernel::Camera;
 use crate::shape::Ray;
+
+/// The camera, as filters see it.
+pub fn camera(scene: &Scene, rays: &[Ray<f64>]) -> Camera {
+    let eye = vector(scene.camera.eye);
+    match scene.camera.projection {
+        Projection::Perspective { .. } => Camera::Perspective { eye },
+        Projection::Orthographic => Camera::orthographic(rays, eye),
+    }
+}
 
 /// Rays through the centres of all pixels, in image order (Marschner & Shirley, 4th ed., §4.3).
 /// They are rounded to `f64`; exact decisions are exact for the rounded rays.

@@ -2,6 +2,9 @@
 //! computed once per part instead of once per ray.
 
 use super::world::{Part, Primitive};
+use crate::kernel::Camera;
+use crate::kernel::sphere::at_most;
+use crate::number::Real;
 use crate::vector::{Vector, around};
 
 /// A cube around a scene, several times as large as the scene.
@@ -42,10 +45,36 @@ impl Reach {
         }
     }
 
+    /// The reach of a camera: four times as large as necessary, because some errors grow with the
+    /// distance of the origin from the centre.
+    pub fn of(camera: &Camera) -> Reach {
+        match *camera {
+            Camera::Perspective { eye } => Reach {
+                center: eye,
+                radius: 0.0,
+            },
+            Camera::Orthographic { scaled, exponent } => Reach {
+                center: scaled.ray.origin,
+                radius: 4f64.times_power_of_two(exponent),
+            },
+        }
+    }
+
     /// The largest distance, in each component, between `anchor` and a ray origin within reach.
     /// The rounding here is covered by the slack in every bound.
     pub fn away(&self, anchor: Vector<f64>) -> f64 {
         (anchor - self.center).largest() + self.radius
+    }
+
+    /// The largest distance between `anchor` and a ray origin within reach.
+    pub fn distance(&self, anchor: Vector<f64>) -> f64 {
+        let apart = anchor - self.center;
+        let apart = match apart.largest() {
+            // The square neither overflows nor vanishes.
+            1e-140..1e140 => apart.dot(apart).sqrt(),
+            largest => at_most(largest),
+        };
+        apart + at_most(self.radius)
     }
 
     /// Whether a ray from this origin is within reach. For other rays, kernels compute bounds

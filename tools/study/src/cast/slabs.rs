@@ -22,12 +22,19 @@
 //! A point of a part lies in the part's box and in all boxes around it, so its t lies between
 //! the computed near and far sides of all these boxes. A box that contains a hit is therefore
 //! skipped only if the hit lies beyond the horizon, that is, if a nearer hit is already known.
+//!
+//! If all rays start at the frame's centre, t = p / d needs no offset. d, its inverse and the
+//! product are each rounded once, so the relative error is below 3.1u. The inverse is made
+//! smaller by 8u for near sides and larger by 8u for far ones. Components of d below 2⁻¹⁰⁰ are
+//! replaced, which moves the ray by less than the margin of [`Frame::boxed`].
 
 use wide::f32x4;
 
 use super::frame::Frame;
+use super::model::Model;
 use crate::kernel::sphere::ScaledRay;
 use crate::number::Real;
+use crate::vector::Vector;
 
 /// Four boxes in structure-of-arrays layout: low sides, then high sides, by axis.
 pub type Boxes = [[f32x4; 3]; 2];
@@ -43,9 +50,13 @@ const PARALLEL: f64 = 1.0 / (1u64 << 60) as f64;
 /// The unit roundoff of `f32`.
 const UNIT: f64 = 1.0 / (1u64 << 24) as f64;
 
+/// Replaces smaller components of a ray from the frame's centre.
+const PARALLEL_FROM_CENTER: f32 = 7.9e-31;
+
 /// A ray prepared for the slab test.
 pub struct Slabs {
-    inverse: [f32x4; 3],
+    /// For near sides, and for far sides.
+    inverse: [[f32x4; 3]; 2],
     /// The offsets to subtract for near sides, and for far sides.
     offset: [[f32x4; 3]; 2],
     /// For each axis, the index of a box's near side, and of its far side.
@@ -96,7 +107,7 @@ impl Slabs {
         ];
         let from = (min_t.times_power_of_two(exponent) - moved) as f32;
         Some(Slabs {
-            inverse: [x.0, y.0, z.0].map(f32x4::splat),
+            inverse: [[x.0, y.0, z.0].map(f32x4::splat); 2],
             offset: [[x.1, y.1, z.1], [x.2, y.2, z.2]].map(|side| side.map(f32x4::splat)),
             order: [
                 [x.0, y.0, z.0].map(|inverse| usize::from(inverse < 0.0)),
@@ -106,6 +117,36 @@ impl Slabs {
             exponent,
             moved,
         })
+    }
+
+    /// Prepares a ray from the frame's centre, with its scaled direction in `f32`.
+    #[inline(always)]
+    pub fn from_center(
+        frame: &Frame,
+        scaled: &ScaledRay<f64>,
+        direction: Vector<f32x4>,
+        min_t: f64,
+    ) -> Slabs {
+        let exponent = scaled.exponent - frame.exponent;
+        let d = direction.array();
+        let small = f32x4::splat(PARALLEL_FROM_CENTER);
+        let sign = f32x4::splat(-0.0);
+        let away = d.map(|d| (d & sign) | (d & !sign).fast_max(small));
+        let inverse = away.map(|d| f32x4::splat(1.0) / d);
+        let by = |factor: f64| inverse.map(|inverse| inverse * f32x4::splat(factor as f32));
+        let is_negative = d.map(|d| d.to_bitmask() & 1 == 1);
+        let from = min_t.times_power_of_two(exponent) as f32;
+        Slabs {
+            inverse: [by(1.0 - 8.0 * UNIT), by(1.0 + 8.0 * UNIT)],
+            offset: [[f32x4::splat(0.0); 3]; 2],
+            order: [
+                is_negative.map(usize::from),
+                is_negative.map(|is_negative| usize::from(!is_negative)),
+            ],
+            from: f32x4::splat(from.next_down()),
+            exponent,
+            moved: 0.0,
+        }
     }
 
     /// A horizon in the local parameter, rounded up.
@@ -118,9 +159,13 @@ impl Slabs {
     /// A bit for each box that the ray may enter before the horizon, and the parameter at which
     /// it enters each box.
     #[inline(always)]
-    pub fn enter(&self, boxes: &Boxes, horizon: f32) -> (u32, [f32; 4]) {
+    pub fn enter<M: Model>(&self, boxes: &Boxes, horizon: f32) -> (u32, [f32; 4]) {
         let side = |axis: usize, far: usize| {
-            boxes[self.order[far][axis] & 1][axis] * self.inverse[axis] - self.offset[far][axis]
+            let t = boxes[self.order[far][axis] & 1][axis] * self.inverse[far][axis];
+            match M::HAS_EYE {
+                true => t,
+                false => t - self.offset[far][axis],
+            }
         };
         let near = side(0, 0)
             .fast_max(side(1, 0))

@@ -21,11 +21,12 @@ use wide::f32x4;
 
 use super::Nearest;
 use super::frame::Frame;
-use super::model::Model;
+use super::model::{Model, Query};
 use super::slabs::{Boxes, Slabs};
 use super::world::{Part, Primitive, World};
-use crate::kernel::Limits;
-use crate::kernel::triangle::{self, TrianglePacket};
+use crate::kernel::triangle::{self, PacketFromCamera, TrianglePacket};
+use crate::kernel::{Camera, Limits};
+use crate::number::ROOT_OF_UNIT;
 use crate::shape::Triangle;
 use crate::vector::{Vector, around};
 
@@ -44,11 +45,50 @@ const LONE: u32 = 1 << 30;
 
 /// A leaf: one to four triangles of one box.
 #[derive(Clone, Copy, Debug)]
-struct Leaf {
-    four: TrianglePacket,
-    limits: Limits,
+pub struct Leaf {
+    /// The triangles.
+    pub packet: Packet,
+    /// The limits of all of them.
+    pub limits: Limits,
+    /// How many there are.
+    pub count: u32,
     /// Index of the first of its parts.
     first: u32,
+}
+
+/// The triangles of a leaf, for the model that the tree was built for.
+#[derive(Clone, Copy, Debug)]
+pub enum Packet {
+    /// For rays from anywhere.
+    General(TrianglePacket),
+    /// For the rays of one camera.
+    FromCamera(PacketFromCamera),
+}
+
+impl Packet {
+    /// The packet for rays from anywhere.
+    ///
+    /// # Panics
+    /// If the tree was built for a camera.
+    #[inline(always)]
+    pub fn general(&self) -> &TrianglePacket {
+        match self {
+            Packet::General(packet) => packet,
+            Packet::FromCamera(_) => unreachable!("the caster was made for a camera"),
+        }
+    }
+
+    /// The packet for the camera's rays.
+    ///
+    /// # Panics
+    /// If the tree was built for rays from anywhere.
+    #[inline(always)]
+    pub fn from_camera(&self) -> &PacketFromCamera {
+        match self {
+            Packet::FromCamera(packet) => packet,
+            Packet::General(_) => unreachable!("the caster was made for rays from anywhere"),
+        }
+    }
 }
 
 /// A tree over the parts of a world.
@@ -82,7 +122,8 @@ impl Tree {
         let boxes: Vec<_> = inside.iter().filter_map(bounds).collect();
         let mut tree = Tree::default();
         if let Some(all) = around(boxes.iter().copied()) {
-            tree.frame = Frame::around(all);
+            let eye = world.camera.and_then(|camera| camera.eye());
+            tree.frame = Frame::around(all, eye);
             let boxes = boxes.into_iter().map(|bounds| {
                 let [low, high] = tree.frame.boxed(bounds);
                 Aabb::new(low.into(), high.into())
@@ -100,6 +141,7 @@ impl Tree {
                 ordered: &mut world.parts,
                 tree: &mut tree,
                 reach: world.reach,
+                camera: world.camera,
             };
             tree.root = Some(fours.root());
         }
@@ -110,11 +152,17 @@ impl Tree {
 
     /// Tests the parts of a leaf.
     #[inline(always)]
-    fn meet<'a, M: Model>(&self, leaf: u32, world: &'a World, nearest: &mut Nearest<'a, '_, M>) {
+    fn meet<'a, M: Model>(
+        &self,
+        leaf: u32,
+        world: &'a World,
+        packed: Vector<f32x4>,
+        nearest: &mut Nearest<'a, '_, M>,
+    ) {
         match leaf & LONE {
             0 => {
                 let leaf = &self.leaves[(leaf & !LEAF) as usize];
-                nearest.consider_four(&leaf.four, &leaf.limits, &world.parts, leaf.first);
+                nearest.consider_leaf(leaf, &world.parts[leaf.first as usize..], packed);
             }
             _ => {
                 let part = (leaf & !(LEAF | LONE)) as usize;
@@ -128,10 +176,16 @@ impl Tree {
     pub(super) fn search<'a, M: Model>(&self, world: &'a World, nearest: &mut Nearest<'a, '_, M>) {
         nearest.consider(&world.parts[self.boundless..]);
         let Some(mut at) = self.root else { return };
+        let packed = nearest.query.varying.map(|q| f32x4::splat(q as f32));
         if at & LEAF != 0 {
-            return self.meet(at, world, nearest);
+            return self.meet(at, world, packed, nearest);
         }
-        let Some(slabs) = Slabs::of(&self.frame, &nearest.query.scaled, nearest.query.min_t) else {
+        let Query { scaled, min_t, .. } = &nearest.query;
+        let slabs = match M::HAS_EYE {
+            true => Some(Slabs::from_center(&self.frame, scaled, packed, *min_t)),
+            false => Slabs::of(&self.frame, scaled, *min_t),
+        };
+        let Some(slabs) = slabs else {
             return nearest.consider(&world.parts[..self.boundless]);
         };
         let mut horizon = slabs.horizon(nearest.horizon());
@@ -139,7 +193,7 @@ impl Tree {
         loop {
             if at & LEAF == 0 {
                 let node = &self.nodes[at as usize];
-                let (mut met, entries) = slabs.enter(&node.boxes, horizon);
+                let (mut met, entries) = slabs.enter::<M>(&node.boxes, horizon);
                 if met != 0 {
                     let take = |met: &mut u32| {
                         let lane = met.trailing_zeros() as usize & 3;
@@ -158,7 +212,7 @@ impl Tree {
                     continue;
                 }
             } else {
-                self.meet(at, world, nearest);
+                self.meet(at, world, packed, nearest);
                 horizon = slabs.horizon(nearest.horizon());
             }
             match waiting.next(horizon) {
@@ -229,6 +283,7 @@ struct WideTreeBuilder<'a> {
     ordered: &'a mut Vec<Part>,
     tree: &'a mut Tree,
     reach: super::reach::Reach,
+    camera: Option<Camera>,
 }
 
 fn sizes(twos: &Bvh2, parts: &[Part]) -> Vec<(u32, bool)> {
@@ -344,9 +399,16 @@ impl WideTreeBuilder<'_> {
             |of: &dyn Fn(&Triangle<f64>) -> f64| triangles.iter().map(of).fold(0.0, f64::max);
         let size = most(&triangle::size);
         let away = most(&|triangle| self.reach.away(triangle.corners[0]));
+        let limits = triangle::limits(size, away, ROOT_OF_UNIT);
         self.tree.leaves.push(Leaf {
-            four: TrianglePacket::new(&triangles),
-            limits: triangle::limits(size, away),
+            packet: match &self.camera {
+                None => Packet::General(TrianglePacket::new(&triangles)),
+                Some(camera) => {
+                    Packet::FromCamera(PacketFromCamera::new(&triangles, camera, &limits))
+                }
+            },
+            limits,
+            count: triangles.len() as u32,
             first: first as u32,
         });
         LEAF | (self.tree.leaves.len() - 1) as u32

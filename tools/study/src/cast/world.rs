@@ -1,7 +1,10 @@
 //! A scene as a list of parts, each of which a kernel can intersect.
 
 use super::reach::Reach;
-use crate::kernel::{Limits, plane, sphere, triangle};
+use crate::kernel::sphere::{ScaledRay, SphereFromEye};
+use crate::kernel::triangle::TriangleFromCamera;
+use crate::kernel::{Camera, Limits, Window, plane, sphere, triangle};
+use crate::number::{ROOT_OF_UNIT, U};
 use crate::shape::{Plane, Ray, Sphere, Triangle};
 use crate::vector::{Vector, around};
 
@@ -46,6 +49,81 @@ pub struct Part {
     pub shape: Primitive,
     /// The filters' limits for rays from within [`World::reach`].
     pub limits: Limits,
+    /// What the camera fixes.
+    pub from_camera: Option<PartFromCamera>,
+    /// Which of its hits are accurate enough.
+    pub accurate: Accurate,
+}
+
+/// The constants of a part for the rays of one camera.
+#[derive(Clone, Copy, Debug)]
+pub enum PartFromCamera {
+    /// See [`SphereFromEye`].
+    Sphere(SphereFromEye),
+    /// Its normal n, and n·(p − e).
+    Plane(Vector<f64>, f64),
+    /// See [`TriangleFromCamera`].
+    Triangle(TriangleFromCamera),
+}
+
+impl PartFromCamera {
+    /// The constants of a shape; `None` if they might overflow, or if there are none.
+    fn new(shape: &Primitive, camera: &Camera) -> Option<PartFromCamera> {
+        Some(match shape {
+            Primitive::Sphere(sphere) => {
+                PartFromCamera::Sphere(SphereFromEye::new(sphere, camera.eye()?)?)
+            }
+            Primitive::Plane(plane) => {
+                let height = plane.normal.dot(plane.point - camera.eye()?);
+                PartFromCamera::Plane(plane.normal, height)
+            }
+            Primitive::Triangle(triangle) => {
+                PartFromCamera::Triangle(TriangleFromCamera::new(triangle, camera))
+            }
+        })
+    }
+
+    /// The filter's answer for a ray, of which q is what the camera does not fix; `None` if
+    /// rounding might have changed the answer.
+    #[inline(always)]
+    pub fn filtered<const HAS_EYE: bool>(
+        &self,
+        q: Vector<f64>,
+        scaled: &ScaledRay<f64>,
+        window: &Window,
+        limits: &Limits,
+    ) -> Option<Option<f64>> {
+        match self {
+            PartFromCamera::Sphere(sphere) => sphere.filtered(scaled, window, limits),
+            PartFromCamera::Triangle(triangle) => {
+                triangle.filtered::<HAS_EYE>(q, scaled, window, limits)
+            }
+            PartFromCamera::Plane(normal, height) => {
+                plane::at_height(*normal, *height, scaled, window, limits)
+            }
+        }
+    }
+}
+
+/// The camera whose rays are cast, and how accurate its hits are to be.
+#[derive(Clone, Copy)]
+pub struct View<'a> {
+    /// The camera.
+    pub camera: Camera,
+    /// The largest relative error of t that a hit may have; 0 if none is small enough. The second
+    /// argument is the largest distance of a ray's origin from the part's anchor.
+    pub required_t: &'a dyn Fn(&Primitive, f64) -> f64,
+}
+
+/// Which hits of a part are as accurate as a [`View`] requires.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Accurate {
+    /// None is certain to be.
+    Never,
+    /// Those that the camera's filter decides.
+    IfFiltered,
+    /// All.
+    Always,
 }
 
 /// All parts of a scene.
@@ -55,6 +133,8 @@ pub struct World {
     pub parts: Vec<Part>,
     /// The region that most rays are assumed to start in.
     pub reach: Reach,
+    /// The camera, if all rays are those of one.
+    pub camera: Option<Camera>,
 }
 
 /// Converts glam's vector to this package's.
@@ -67,6 +147,16 @@ fn corners_of(triangle: &pinhole::Triangle) -> Primitive {
         corners: triangle.corners.map(vector),
     })
 }
+
+/// Bound on the relative error of the exact caster's t: twice the √u that
+/// [`sphere::Adaptive`] and the others prove, which covers the final division and scaling.
+pub const PROVEN_T: f64 = 2.0 * ROOT_OF_UNIT;
+
+/// Bound on the relative error of t by the rounding of a filter's final operations.
+const OF_OPERATIONS: f64 = 16.0 * U;
+
+/// A filter for smaller errors would hardly decide any hit.
+const LEAST_REQUIRED: f64 = 64.0 * U;
 
 impl World {
     /// Collects the parts of a scene's objects.
@@ -97,16 +187,35 @@ impl World {
         world
     }
 
-    /// Computes the filters' limits of all parts. Call it when the list is complete.
-    pub fn settle(&mut self) {
-        self.reach = Reach::around(&self.parts);
+    /// Computes the filters' limits of all parts, and what the camera fixes. Call it when the list
+    /// is complete.
+    pub fn settle(&mut self, view: Option<View>) {
+        self.reach = match view {
+            Some(view) => Reach::of(&view.camera),
+            None => Reach::around(&self.parts),
+        };
+        self.camera = view.map(|view| view.camera);
         for part in &mut self.parts {
             let away = self.reach.away(part.shape.anchor());
-            part.limits = match &part.shape {
-                Primitive::Sphere(shape) => sphere::limits(shape, away),
-                Primitive::Plane(shape) => plane::limits(shape, away),
-                Primitive::Triangle(shape) => triangle::limits(triangle::size(shape), away),
+            let distance = self.reach.distance(part.shape.anchor());
+            let required = view.map_or(0.0, |view| (view.required_t)(&part.shape, distance));
+            part.accurate = match required {
+                PROVEN_T.. => Accurate::Always,
+                LEAST_REQUIRED.. => Accurate::IfFiltered,
+                _ => Accurate::Never,
             };
+            let accuracy = match part.accurate {
+                Accurate::IfFiltered => (required - OF_OPERATIONS).min(ROOT_OF_UNIT),
+                _ => ROOT_OF_UNIT,
+            };
+            part.limits = match &part.shape {
+                Primitive::Sphere(shape) => sphere::limits(shape, distance, accuracy),
+                Primitive::Plane(shape) => plane::limits(shape, away, accuracy),
+                Primitive::Triangle(shape) => {
+                    triangle::limits(triangle::size(shape), away, accuracy)
+                }
+            };
+            part.from_camera = view.and_then(|view| PartFromCamera::new(&part.shape, &view.camera));
         }
     }
 
@@ -117,6 +226,8 @@ impl World {
             place: self.parts.len() as u32,
             shape,
             limits: Limits::default(),
+            from_camera: None,
+            accurate: Accurate::Never,
         });
     }
 }

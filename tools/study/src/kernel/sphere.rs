@@ -1,10 +1,12 @@
 //! Spheres: |e + t d − c|² = r².
 
 mod adaptive;
+mod from_eye;
 mod haines;
 mod textbook;
 
-pub use adaptive::{Adaptive, decided, exact, filtered, limits};
+pub use adaptive::{Adaptive, at_most, decided, exact, filtered, limits};
+pub use from_eye::SphereFromEye;
 pub use haines::{Haines, ScaledRay, plainly};
 pub use textbook::Textbook;
 

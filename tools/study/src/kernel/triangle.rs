@@ -2,12 +2,14 @@
 
 mod adaptive;
 mod double_double_filter;
+mod from_camera;
 mod moller_trumbore;
 mod triangle_packet;
 mod woop;
 
 pub use adaptive::{Adaptive, decided, exact, filtered, limits, size};
 pub use double_double_filter::double_double_filter;
+pub use from_camera::{PacketFromCamera, TriangleFromCamera};
 pub use moller_trumbore::{MollerTrumbore, MollerTrumboreEpsilon};
 pub use triangle_packet::{PacketHits, TrianglePacket};
 pub use woop::Woop;

@@ -1,14 +1,15 @@
 //! Casts by a plan. Which object is first is decided exactly. t and the normal are computed in
-//! `f64` if that is proven to be accurate enough, and exactly otherwise.
+//! `f64` if that is proven to be accurate enough, and with more digits otherwise.
 
 use rayon::prelude::*;
 
-use super::bounds::{OF_UNIT, PROVEN_T, normal_of, of_normal, of_t};
-use super::{AccuracyTarget, exact_hit};
-use crate::cast::model::Exact;
-use crate::cast::world::{Part, Primitive, World};
+use super::AccuracyTarget;
+use super::bounds::{normal_of, required_t};
+use super::refined::refined;
+use crate::cast::model::FromCamera;
+use crate::cast::world::{Part, Primitive, View, World};
 use crate::cast::{Caster, Found, Search, Seen, Tally};
-use crate::kernel::sphere::ScaledRay;
+use crate::kernel::Camera;
 use crate::shape::Ray;
 use crate::vector::Vector;
 
@@ -18,6 +19,8 @@ pub struct PlannedCaster {
     min_t: f64,
     search: Search,
     caster: Caster,
+    /// The normals of planes and triangles, by [`Part::place`].
+    normals: Vec<Vector<f64>>,
 }
 
 const NO_NORMAL: Vector<f64> = Vector {
@@ -26,28 +29,56 @@ const NO_NORMAL: Vector<f64> = Vector {
     z: 0.0,
 };
 
+/// Whether t is far from subnormal numbers and from overflow.
+#[inline(always)]
+fn has_digits(t: f64) -> bool {
+    (1e-300..1e300).contains(&t)
+}
+
 impl PlannedCaster {
-    /// Prepares the parts of a scene.
-    pub fn new(world: World, min_t: f64, wish: AccuracyTarget) -> PlannedCaster {
+    /// Prepares the parts of a scene for the rays of its camera.
+    pub fn new(world: World, camera: Camera, min_t: f64, wish: AccuracyTarget) -> PlannedCaster {
+        let normal = |part: &Part| match &part.shape {
+            Primitive::Sphere(_) => NO_NORMAL,
+            Primitive::Plane(plane) => plane.normal.unit(),
+            Primitive::Triangle(triangle) => normal_of(triangle).0,
+        };
         PlannedCaster {
             wish,
             min_t,
             search: Search::cheaper(&world.parts),
-            caster: Caster::new(world),
+            normals: world.parts.iter().map(normal).collect(),
+            caster: Caster::from_camera(
+                world,
+                View {
+                    camera,
+                    required_t: &|shape, distance| required_t(shape, distance, wish),
+                },
+            ),
         }
     }
 
     /// Casts one ray. t and normal are 0 if they are not requested.
     #[inline]
     pub fn see(&self, ray: &Ray<f64>, tally: &mut Tally) -> Seen {
-        let Found { part, t } = self
-            .caster
-            .first::<Exact>(self.search, ray, self.min_t, tally)?;
-        let (t, normal) = match self.proven(part, ray, t) {
-            Some(normal) => (t, normal),
-            None => {
-                tally.exact_hits += 1;
-                exact_hit::exact_hit(&part.shape, ray, self.min_t)
+        let (caster, search, min_t) = (&self.caster, self.search, self.min_t);
+        let found = match caster.world.camera {
+            Some(Camera::Perspective { .. }) => {
+                caster.first::<FromCamera<true>>(search, ray, min_t, tally)
+            }
+            _ => caster.first::<FromCamera<false>>(search, ray, min_t, tally),
+        };
+        let Found {
+            part,
+            t,
+            is_accurate,
+        } = found?;
+        let (t, normal) = match is_accurate && has_digits(t) {
+            true => (t, self.normal(part, ray, t)),
+            false => {
+                let refined = refined(&part.shape, ray, min_t, t);
+                tally.exact_hits += u64::from(refined.is_exact);
+                (refined.t, refined.normal)
             }
         };
         let AccuracyTarget {
@@ -63,55 +94,17 @@ impl PlannedCaster {
         ))
     }
 
-    /// The normal, if it and t are proven to have the requested accuracy.
-    #[inline]
-    fn proven(&self, part: &Part, ray: &Ray<f64>, t: f64) -> Option<Vector<f64>> {
-        let normal = self.proven_from(&part.shape, ray, t, PROVEN_T);
-        normal.or_else(|| {
-            let closer = of_t(&part.shape, &ScaledRay::new(ray));
-            let is_worth_it = self.wish.depth || matches!(part.shape, Primitive::Sphere(_));
-            is_worth_it
-                .then(|| self.proven_from(&part.shape, ray, t, closer))
-                .flatten()
-        })
-    }
-
-    /// Like `proven`, given the relative error of t. A subnormal or overflowing t has no such
-    /// bound.
-    #[inline]
-    fn proven_from(
-        &self,
-        shape: &Primitive,
-        ray: &Ray<f64>,
-        t: f64,
-        of_t: f64,
-    ) -> Option<Vector<f64>> {
-        let AccuracyTarget {
-            accuracy,
-            depth,
-            normal,
-        } = self.wish;
-        let has_digits = (1e-300..1e300).contains(&t);
-        if depth && !(of_t <= accuracy && has_digits) {
-            return None;
-        }
-        if !normal {
-            return Some(NO_NORMAL);
-        }
-        let (normal, turned) = match shape {
-            Primitive::Plane(plane) => (plane.normal.unit(), OF_UNIT),
-            Primitive::Triangle(triangle) => normal_of(triangle),
+    /// The normal at a hit, computed with rounding.
+    #[inline(always)]
+    fn normal(&self, part: &Part, ray: &Ray<f64>, t: f64) -> Vector<f64> {
+        match &part.shape {
+            _ if !self.wish.normal => NO_NORMAL,
             Primitive::Sphere(sphere) => {
-                let away = (ray.origin - sphere.center).largest();
-                let turned = if has_digits {
-                    of_normal(sphere, away, of_t)
-                } else {
-                    f64::INFINITY
-                };
-                (shape.normal(ray, t), turned)
+                // The hit is at this distance from the centre, so there is no need for a square root.
+                (ray.origin - sphere.center + ray.direction * t) * (1.0 / sphere.radius)
             }
-        };
-        (turned <= accuracy).then_some(normal)
+            _ => self.normals[part.place as usize],
+        }
     }
 
     /// Casts many rays, on all cores.

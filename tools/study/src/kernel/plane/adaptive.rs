@@ -4,6 +4,7 @@ use crate::kernel::{FilterRay, Kernel, Limits, Tier, Window};
 use crate::number::{ROOT_OF_UNIT, TINY, U};
 use crate::root::{Root, rounded};
 use crate::shape::{Plane, Ray};
+use crate::vector::Vector;
 
 /// [`super::ShiftedOrigin`] with a filter. What the filter leaves uncertain is decided exactly, so
 /// hit or miss is never wrong. The relative error of t is at most √u.
@@ -38,7 +39,8 @@ impl Kernel<Plane<f64>, f64> for Adaptive {
 pub fn decided(plane: &Plane<f64>, ray: &FilterRay, min_t: f64) -> (Option<f64>, Tier) {
     let scaled = &ray.scaled;
     let window = Window::new(scaled.scale(min_t));
-    let limits = limits(plane, (plane.point - scaled.ray.origin).largest());
+    let away = (plane.point - scaled.ray.origin).largest();
+    let limits = limits(plane, away, ROOT_OF_UNIT);
     if let Some(answer) = filtered(plane, scaled, &window, &limits) {
         return (answer, Tier::SemiStatic);
     }
@@ -46,11 +48,11 @@ pub fn decided(plane: &Plane<f64>, ray: &FilterRay, min_t: f64) -> (Option<f64>,
 }
 
 /// The filter's limits for rays whose origin is up to `away` from the plane's point in each
-/// component.
+/// component. `accuracy` bounds the relative error of t, besides the final division's.
 #[inline(always)]
-pub fn limits(plane: &Plane<f64>, away: f64) -> Limits {
+pub fn limits(plane: &Plane<f64>, away: f64, accuracy: f64) -> Limits {
     let size = 3.0 * plane.normal.largest();
-    let good = |largest: f64| 2.0 / ROOT_OF_UNIT * (8.0 * U * (size * largest) + 64.0 * TINY);
+    let good = |largest: f64| 2.0 / accuracy * (8.0 * U * (size * largest) + 64.0 * TINY);
     Limits {
         sign: 0.0,
         divisor: good(2.0),
@@ -66,9 +68,20 @@ pub fn filtered(
     window: &Window,
     limits: &Limits,
 ) -> Option<Option<f64>> {
-    let ray = &scaled.ray;
-    let along = plane.normal.dot(ray.direction);
-    let height = plane.normal.dot(plane.point - ray.origin);
+    let height = plane.normal.dot(plane.point - scaled.ray.origin);
+    at_height(plane.normal, height, scaled, window, limits)
+}
+
+/// The filter, given n·(p − e).
+#[inline(always)]
+pub fn at_height(
+    normal: Vector<f64>,
+    height: f64,
+    scaled: &ScaledRay<f64>,
+    window: &Window,
+    limits: &Limits,
+) -> Option<Option<f64>> {
+    let along = normal.dot(scaled.ray.direction);
     match along.abs() > limits.divisor && height.abs() > limits.dividend {
         true => window.answer(height / along, scaled),
         false => None,

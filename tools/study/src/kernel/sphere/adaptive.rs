@@ -4,6 +4,7 @@ use crate::kernel::{FilterRay, Kernel, Limits, Tier, Window};
 use crate::number::{ROOT_OF_UNIT, TINY, U};
 use crate::root::{Root, rounded};
 use crate::shape::{Ray, Sphere};
+use crate::vector::Vector;
 
 /// [`super::Haines`] with a filter. What the filter leaves uncertain is decided exactly, so hit
 /// or miss is never wrong. The relative error of t is at most √u, and mostly about an ulp.
@@ -28,7 +29,8 @@ use crate::shape::{Ray, Sphere};
 ///    second below ½√u c, then both roots c/q and q/a have a relative error of at most √u. The
 ///    first condition holds if 24u a |f| (r + 6u|f|) + 28u |f| root < √u q root. Because q ≥
 ///    root, it suffices that 48√u |f| (r + 6u|f|) and 3136u |f|² are below root²/a = r² − |l|²
-///    (a ≥ 1); this gives [`Limits::divisor`]. c is the dividend.
+///    (a ≥ 1); this gives [`Limits::divisor`]. c is the dividend. The same holds for any other
+///    accuracy in place of √u, with 48u/accuracy and 3136u²/accuracy².
 /// 4. Underflow adds less than 64 times [`TINY`] to each, which the limits include. Overflow
 ///    makes a limit infinite or a number NaN; then the filter does not decide.
 pub struct Adaptive;
@@ -53,27 +55,35 @@ impl Kernel<Sphere<f64>, f64> for Adaptive {
 pub fn decided(sphere: &Sphere<f64>, ray: &FilterRay, min_t: f64) -> (Option<f64>, Tier) {
     let scaled = &ray.scaled;
     let window = Window::new(scaled.scale(min_t));
-    let limits = limits(sphere, (scaled.ray.origin - sphere.center).largest());
+    let distance = at_most((scaled.ray.origin - sphere.center).largest());
+    let limits = limits(sphere, distance, ROOT_OF_UNIT);
     if let Some(answer) = filtered(sphere, scaled, &window, &limits) {
         return (answer, Tier::SemiStatic);
     }
     (rounded(exact(sphere, &ray.given, min_t)), Tier::Exact)
 }
 
-/// The filter's limits for rays whose origin is up to `away` from the centre in each component,
-/// which means |f| ≤ 1.74 `away`.
+/// Bound on the length of a vector with components up to `largest`.
 #[inline(always)]
-pub fn limits(sphere: &Sphere<f64>, away: f64) -> Limits {
-    let (size, r) = (1.74 * away, sphere.radius.abs());
+pub fn at_most(largest: f64) -> f64 {
+    1.74 * largest
+}
+
+/// The filter's limits for rays whose origin is up to `size` from the centre. `accuracy` bounds the
+/// relative error of t, besides the rounding of the final operations; it is at most √u.
+#[inline(always)]
+pub fn limits(sphere: &Sphere<f64>, size: f64, accuracy: f64) -> Limits {
+    let r = sphere.radius.abs();
     let (size_square, r_square) = (size * size, r * r);
     let underflow = 128.0 * TINY;
     let sign = 64.0 * ROOT_OF_UNIT * r_square + 32.0 * ROOT_OF_UNIT * (U * size_square) + underflow;
+    let lost = U / accuracy;
     Limits {
         sign,
-        divisor: 64.0 * ROOT_OF_UNIT * size * (r + 6.0 * U * size)
-            + 4096.0 * U * size_square
+        divisor: 64.0 * lost * size * (r + 6.0 * U * size)
+            + 4096.0 * lost * lost * size_square
             + sign,
-        dividend: 16.0 * ROOT_OF_UNIT * (size_square + r_square) + underflow,
+        dividend: 16.0 * lost * (size_square + r_square) + underflow,
     }
 }
 
@@ -85,11 +95,24 @@ pub fn filtered(
     window: &Window,
     limits: &Limits,
 ) -> Option<Option<f64>> {
-    let d = scaled.ray.direction;
     let f = scaled.ray.origin - sphere.center;
+    let r_square = sphere.radius * sphere.radius;
+    nearest_root(f, r_square, || f.dot(f) - r_square, scaled, window, limits)
+}
+
+/// The filter, given f, r² and c.
+#[inline(always)]
+pub(super) fn nearest_root(
+    f: Vector<f64>,
+    r_square: f64,
+    c: impl FnOnce() -> f64,
+    scaled: &ScaledRay<f64>,
+    window: &Window,
+    limits: &Limits,
+) -> Option<Option<f64>> {
+    let d = scaled.ray.direction;
     let (a, h) = (d.dot(d), d.dot(f));
     let l = f - d * (h / a);
-    let r_square = sphere.radius * sphere.radius;
     let within = r_square - l.dot(l);
     if within < -(limits.sign) {
         return Some(None);
@@ -97,7 +120,7 @@ pub fn filtered(
     if !(within > limits.divisor) {
         return None;
     }
-    let c = f.dot(f) - r_square;
+    let c = c();
     if !(c.abs() > limits.dividend) {
         return None;
     }

@@ -57,10 +57,8 @@ impl Kernel<Triangle<f64>, f64> for Adaptive {
 pub fn decided(triangle: &Triangle<f64>, ray: &FilterRay, min_t: f64) -> (Option<f64>, Tier) {
     let scaled = &ray.scaled;
     let window = Window::new(scaled.scale(min_t));
-    let limits = limits(
-        size(triangle),
-        (scaled.ray.origin - triangle.corners[0]).largest(),
-    );
+    let away = (scaled.ray.origin - triangle.corners[0]).largest();
+    let limits = limits(size(triangle), away, ROOT_OF_UNIT);
     if let Some(answer) = filtered(triangle, scaled, &window, &limits) {
         return (answer, Tier::SemiStatic);
     }
@@ -79,14 +77,14 @@ pub fn size(triangle: &Triangle<f64>) -> f64 {
 
 /// The filter's limits for rays whose origin is up to `away` from the first corner in each
 /// component, and all triangles whose edges from there have components up to `size`. `sign` is
-/// the limit of a volume.
+/// the limit of a volume. `accuracy` bounds the relative error of t, besides the final division's.
 #[inline(always)]
-pub fn limits(size: f64, away: f64) -> Limits {
+pub fn limits(size: f64, away: f64, accuracy: f64) -> Limits {
     // 256u is 32 times 8u: no sum or product in the kernel exceeds 32 times these sizes, so
     // that overflow shows up in the limit.
     let of_size = 32.0 * size;
     let error = |product: f64, lost: f64| 8.0 * U * product + 64.0 * TINY * (1.0 + lost);
-    let good = 2.0 / ROOT_OF_UNIT;
+    let good = 2.0 / accuracy;
     Limits {
         sign: error(of_size * (size + away), size + away),
         divisor: good * error(of_size * size, size),

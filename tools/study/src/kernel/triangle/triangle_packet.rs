@@ -30,7 +30,8 @@ pub struct PacketHits {
 }
 
 impl PacketHits {
-    const NOTHING: PacketHits = PacketHits {
+    /// No hit.
+    pub const NOTHING: PacketHits = PacketHits {
         hits: 0,
         open: 0,
         t: [0.0; 4],
@@ -54,12 +55,6 @@ impl TrianglePacket {
             ],
             all: (1 << triangles.len()) - 1,
         }
-    }
-
-    /// The number of triangles.
-    #[inline(always)]
-    pub fn count(&self) -> u32 {
-        self.all.count_ones()
     }
 
     /// Leaves all triangles undecided.

@@ -1,0 +1,66 @@
+//! What the rays of one film have in common. Filters that are made for a camera compute it once.
+
+use super::sphere::ScaledRay;
+use crate::number::{Real, exponent};
+use crate::shape::Ray;
+use crate::vector::Vector;
+
+/// A camera, as filters see it. The rest of each ray is one vector q, with components below 2.
+#[derive(Clone, Copy, Debug)]
+pub enum Camera {
+    /// All rays start at the eye. q is the scaled direction.
+    Perspective {
+        /// The eye.
+        eye: Vector<f64>,
+    },
+    /// All rays have the same direction. q is (e − o) 2^−`exponent`, where o is the
+    /// centre of the origins.
+    Orthographic {
+        /// A ray from the centre, scaled.
+        scaled: ScaledRay<f64>,
+        /// No origin is 2^`exponent` or more from the centre in any component.
+        exponent: i32,
+    },
+}
+
+impl Camera {
+    /// The camera of rays that all have the same direction.
+    ///
+    /// # Panics
+    /// If there is no ray.
+    pub fn orthographic(rays: &[Ray<f64>], center: Vector<f64>) -> Camera {
+        let away = rays.iter().map(|ray| (ray.origin - center).largest());
+        Camera::Orthographic {
+            scaled: ScaledRay::new(&Ray {
+                origin: center,
+                ..rays[0]
+            }),
+            exponent: exponent(away.fold(0.0, f64::max)) + 1,
+        }
+    }
+
+    /// The eye of a perspective camera.
+    pub fn eye(&self) -> Option<Vector<f64>> {
+        match *self {
+            Camera::Perspective { eye } => Some(eye),
+            Camera::Orthographic { .. } => None,
+        }
+    }
+
+    /// One of the rays, scaled, and its q. Without a camera, q is the direction, too.
+    #[inline(always)]
+    pub fn scaled(camera: Option<&Camera>, ray: &Ray<f64>) -> (ScaledRay<f64>, Vector<f64>) {
+        match camera {
+            None | Some(Camera::Perspective { .. }) => {
+                let scaled = ScaledRay::new(ray);
+                (scaled, scaled.ray.direction)
+            }
+            Some(Camera::Orthographic { scaled, exponent }) => {
+                let (origin, direction) = (ray.origin, scaled.ray.direction);
+                let q = (origin - scaled.ray.origin).map(|x| x.times_power_of_two(-exponent));
+                let ray = Ray { origin, direction };
+                (ScaledRay { ray, ..*scaled }, q)
+            }
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! Hits with more digits than the filters leave them: in double-double arithmetic or, if even that
+//! loses too many, exactly.
+
+use super::bounds::are_in_range;
+use crate::cast::model::exact;
+use crate::cast::world::Primitive;
+use crate::double_double::{DoubleDouble, DoubleVector};
+use crate::dyadic::DyadicVector;
+use crate::kernel::sphere::{ScaledRay, at_most};
+use crate::number::U;
+use crate::root::rounded;
+use crate::shape::{Plane, Ray, Sphere, Triangle};
+use crate::vector::Vector;
+
+/// t and the unit normal of a hit whose t is about `near`. t has a relative error of at most 2u,
+/// and the normal is off by at most 9u. `is_exact` tells which arithmetic was necessary.
+///
+/// # Panics
+/// If the ray misses the shape.
+#[cold]
+#[inline(never)]
+pub fn refined(shape: &Primitive, ray: &Ray<f64>, min_t: f64, near: f64) -> Refined {
+    if let Some((t, normal)) = in_double_double(shape, &ScaledRay::new(ray), near) {
+        let is_exact = false;
+        return Refined {
+            t,
+            normal,
+            is_exact,
+        };
+    }
+    let (t, normal) = exactly(shape, ray, min_t);
+    let is_exact = true;
+    Refined {
+        t,
+        normal,
+        is_exact,
+    }
+}
+
+/// A hit, and how it was computed.
+pub struct Refined {
+    /// The ray parameter.
+    pub t: f64,
+    /// The unit normal.
+    pub normal: Vector<f64>,
+    /// Whether it was computed exactly and rounded once.
+    pub is_exact: bool,
+}
+
+/// t and the unit normal of a hit, each rounded from at least a hundred bits.
+fn exactly(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> (f64, Vector<f64>) {
+    let root = exact(shape, ray, min_t).expect("the exact caster found this hit");
+    let along = match shape {
+        Primitive::Plane(plane) => DyadicVector::of(plane.normal),
+        Primitive::Triangle(triangle) => {
+            let [a, b, c] = triangle.corners.map(DyadicVector::of);
+            (&b - &a).cross(&(&c - &a))
+        }
+        Primitive::Sphere(sphere) => {
+            let from_center = &DyadicVector::of(ray.origin) - &DyadicVector::of(sphere.center);
+            root.point(&from_center, &DyadicVector::of(ray.direction))
+        }
+    };
+    let t = rounded(Some(root)).expect("the root is not `None`");
+    (t, along.unit())
+}
+
+/// t and the unit normal in double-double arithmetic; `None` if a rounding error may exceed u/8.
+///
+/// The relative error of a double-double operation is at most 8u² (see
+/// [`crate::kernel::triangle::double_double_filter`]). So the error of a dot product is at most
+/// 32u² times the sum of its terms' magnitudes. In the range that is checked first, nothing
+/// overflows, and underflow is far smaller than these errors.
+fn in_double_double(
+    shape: &Primitive,
+    scaled: &ScaledRay<f64>,
+    near: f64,
+) -> Option<(f64, Vector<f64>)> {
+    let (t, along) = match shape {
+        Primitive::Plane(plane) => of_plane(plane, &scaled.ray),
+        Primitive::Triangle(triangle) => of_triangle(triangle, &scaled.ray),
+        Primitive::Sphere(sphere) => of_sphere(sphere, &scaled.ray, scaled.scale(near)),
+    }?;
+    let t = scaled.unscale(t.high);
+    (1e-300..1e300)
+        .contains(&t)
+        .then(|| (t, along.rounded().unit()))
+}
+
+/// `p` / `q`; `None` if one of their errors may exceed u/8 times its magnitude.
+fn ratio([p, q]: [DoubleDouble; 2], errors: [f64; 2]) -> Option<DoubleDouble> {
+    let is_good = |x: DoubleDouble, error: f64| U * x.high.abs() > 8.0 * error;
+    (is_good(p, errors[0]) && is_good(q, errors[1])).then(|| p.over(q))
+}
+
+fn of_plane(plane: &Plane<f64>, ray: &Ray<f64>) -> Option<(DoubleDouble, DoubleVector)> {
+    let (n, w) = (
+        DoubleVector::of(plane.normal),
+        DoubleVector::between(plane.point, ray.origin),
+    );
+    let sizes = [n.largest(), w.largest()];
+    if !are_in_range(sizes) {
+        return None;
+    }
+    let error = |size: f64| 128.0 * U * U * sizes[0] * size;
+    let volumes = [n.dot(w), n.dot(DoubleVector::of(ray.direction))];
+    Some((ratio(volumes, [error(sizes[1]), error(2.0)])?, n))
+}
+
+/// n = e₁ × e₂ has components up to 2M², with an error of at most 32u² M². So the error of n·d is at
+/// most 576u² M², and that of n·(a − e) at most 288u² S M².
+fn of_triangle(triangle: &Triangle<f64>, ray: &Ray<f64>) -> Option<(DoubleDouble, DoubleVector)> {
+    let [a, b, c] = triangle.corners;
+    let edges = [DoubleVector::between(b, a), DoubleVector::between(c, a)];
+    let away = DoubleVector::between(a, ray.origin);
+    let sizes = [edges[0].largest().max(edges[1].largest()), away.largest()];
+    if !are_in_range(sizes) {
+        return None;
+    }
+    let n = edges[0].cross(edges[1]);
+    let error = 1024.0 * U * U * sizes[0] * sizes[0];
+    let volumes = [n.dot(away), n.dot(DoubleVector::of(ray.direction))];
+    let t = ratio(volumes, [error * sizes[1], error])?;
+    (U * n.largest() > 8.0 * error).then_some((t, n))
+}
+
+/// With f = e − c, |f|∞ ≤ F and |d|∞ < 2, the error of h² − a c is below 8192u² (F² + r²), and that
+/// of c = |f|² − r² below 128u² (F² + r²). The roots differ by far more than `near` is off, unless
+/// the discriminant is too small to be good.
+fn of_sphere(
+    sphere: &Sphere<f64>,
+    ray: &Ray<f64>,
+    near: f64,
+) -> Option<(DoubleDouble, DoubleVector)> {
+    let f = DoubleVector::between(ray.origin, sphere.center);
+    let (d, r) = (DoubleVector::of(ray.direction), sphere.radius);
+    if !are_in_range([f.largest(), r]) {
+        return None;
+    }
+    let square = DoubleDouble::product(r, r);
+    let size = U * U * (f.largest() * f.largest() + r * r);
+    let (a, h, c) = (d.dot(d), d.dot(f), f.dot(f) - square);
+    let discriminant = h * h - a * c;
+    // The normal multiplies an error of t by this much. The factor 2⁻²⁰ keeps the roots apart.
+    let spread = 1.0 + at_most(f.largest()) / r;
+    let is_good =
+        discriminant.high > (8.0 * 8192.0 * size * spread / U).max(h.high * h.high / 1048576.0);
+    if !(is_good && spread < 1e10 && U * c.high.abs() > 8.0 * 128.0 * size * spread) {
+        return None;
+    }
+    let root = discriminant.sqrt();
+    let q = match h.high < 0.0 {
+        true => root - h,
+        false => -(root + h),
+    };
+    let roots = [c.over(q), q.over(a)];
+    let [one, other] = roots.map(|t| (t.high - near).abs());
+    let t = if one < other { roots[0] } else { roots[1] };
+    Some((t, f.plus(t, d)))
+}
