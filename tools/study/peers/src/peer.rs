@@ -7,9 +7,10 @@ use glam::Vec3A;
 use obvhs::BvhBuildParams;
 use obvhs::cwbvh::builder::build_cwbvh_from_tris;
 use obvhs::ray::RayHit;
-use pinhole_study::cast::model::{Exact, Model, Plain};
-use pinhole_study::cast::world::{Primitive, World};
+use pinhole_study::cast::model::{Exact, FromCamera, Model, Plain};
+use pinhole_study::cast::world::{Primitive, View, World};
 use pinhole_study::cast::{Caster, Search, Tally};
+use pinhole_study::kernel::Camera;
 use pinhole_study::shape::{self, Triangle};
 use pinhole_study::speed::now;
 use pinhole_study::vector::Vector;
@@ -40,7 +41,7 @@ pub const PARRY: &str = "parry3d-f64";
 type Maker = fn(&Mesh, &[Ray]) -> Cast;
 
 const ALL: &[(&str, Maker)] = &[
-    (EXACT, ours::<Exact>),
+    (EXACT, exact),
     ("ours, plain f64", ours::<Plain>),
     #[cfg(embree)]
     (ROBUST, crate::embree::robust),
@@ -65,6 +66,14 @@ pub fn all(mesh: &Mesh, rays: &[Ray]) -> Vec<Peer> {
     ALL.iter().map(timed).collect()
 }
 
+/// The exact caster. If all rays start at the same point, they are cast as those of a camera.
+fn exact(mesh: &Mesh, rays: &[Ray]) -> Cast {
+    match rays.iter().all(|ray| ray.origin == rays[0].origin) {
+        true => ours::<FromCamera<true>>(mesh, rays),
+        false => ours::<Exact>(mesh, rays),
+    }
+}
+
 /// The study's caster, with its bounding volume hierarchy.
 pub fn ours<M: Model>(mesh: &Mesh, rays: &[Ray]) -> Cast {
     let wide = |[x, y, z]: [f32; 3]| Vector::new(x, y, z).map(f64::from);
@@ -73,7 +82,15 @@ pub fn ours<M: Model>(mesh: &Mesh, rays: &[Ray]) -> Cast {
         let corners = corners.map(wide);
         world.add(0, Primitive::Triangle(Triangle { corners }));
     }
-    let caster = Caster::new(world);
+    let caster = match M::HAS_CAMERA {
+        false => Caster::new(world),
+        true => {
+            let eye = wide(rays[0].origin);
+            let camera = Camera::Perspective { eye };
+            let required_t = &|_: &_, _| f64::INFINITY;
+            Caster::from_camera(world, View { camera, required_t })
+        }
+    };
     let ray = |ray: &Ray| shape::Ray {
         origin: wide(ray.origin),
         direction: wide(ray.direction),
