@@ -18,6 +18,7 @@ mod words;
 
 use pinhole::part::Part;
 use pinhole::words::number;
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use claim::{Claim, share_of};
@@ -255,9 +256,14 @@ fn decision(says: String, is_law: bool, claim: Claim) -> Measurement {
 fn measured_parts(findings: &[PartFinding<'_>]) -> Vec<Measurement> {
     let mut alike: Vec<(Claim, Vec<&PartFinding>)> = Vec::new();
     let mut measured = Vec::new();
-    for finding in findings {
+    let claims = findings.par_iter().map(|finding| {
         let claim = finding.claim();
-        if let Some(sides) = finding.sides(&claim) {
+        let sides = finding.sides(&claim);
+        (claim, sides)
+    });
+    let claims: Vec<_> = claims.collect();
+    for (finding, (claim, sides)) in findings.iter().zip(claims) {
+        if let Some(sides) = sides {
             measured.extend(sides);
             continue;
         }
@@ -337,8 +343,9 @@ impl<'a> PartFinding<'a> {
             if sides.iter().any(|side| side.wrong.len() < LEAST) {
                 return None;
             }
-            let claims = sides.each_ref().map(PartFinding::claim);
-            if !claims.iter().all(is_clear) {
+            let claims = sides.iter().map(PartFinding::claim);
+            let claims: Vec<Claim> = claims.take_while(is_clear).collect();
+            if claims.len() < sides.len() {
                 return None;
             }
             let measured = sides.iter().zip(claims).map(|(side, claim)| Measurement {

@@ -246,11 +246,15 @@ impl PartLaw {
 }
 
 fn all(stands: impl Iterator<Item = Fit>) -> Fit {
-    stands.fold(Fit::Mute, |sum, stand| match (sum, stand) {
-        (Fit::Breaks, _) | (_, Fit::Breaks) => Fit::Breaks,
-        (Fit::Follows, _) | (_, Fit::Follows) => Fit::Follows,
-        _ => Fit::Mute,
-    })
+    let mut sum = Fit::Mute;
+    for stand in stands {
+        match stand {
+            Fit::Breaks => return Fit::Breaks,
+            Fit::Follows => sum = Fit::Follows,
+            Fit::Mute => {}
+        }
+    }
+    sum
 }
 
 /// How many samples follow a law, and how many break it.
@@ -275,8 +279,15 @@ pub fn best(samples: &[&Sample], part: usize) -> Option<PartLaw> {
     let axes = right.len();
     let mut best: Option<(usize, PartLaw)> = None;
     let mut offer = |law: PartLaw| {
-        let (follow, _) = tally(&law, part, samples.iter().copied());
         let least = best.as_ref().map_or(0, |(most, _)| most + most / 20);
+        let mut follow = 0;
+        for (seen, sample) in samples.iter().enumerate() {
+            // Most laws fail early, and need not be compared with every sample.
+            if follow + (samples.len() - seen) <= least {
+                return;
+            }
+            follow += usize::from(law.stand(sample, part) == Fit::Follows);
+        }
         if follow > least {
             best = Some((follow, law));
         }
@@ -334,12 +345,12 @@ pub fn best(samples: &[&Sample], part: usize) -> Option<PartLaw> {
 fn by_axes(samples: &[&Sample], part: usize, axes: usize, quantities: usize) -> Vec<AxisLaw> {
     let of_axis = |axis: usize| {
         let place = Place::Axis(axis);
-        let follow = |law: Law| {
+        let fits = |law: Law| {
             let stands = samples.iter().map(|sample| law.stand(sample, part, place));
-            stands.filter(|stand| *stand != Fit::Breaks).count()
+            let mut broken = stands.filter(|stand| *stand == Fit::Breaks);
+            broken.nth(samples.len() / 20).is_none()
         };
-        let enough = samples.len() - samples.len() / 20;
-        if follow(Law::Times(1.0)) >= enough {
+        if fits(Law::Times(1.0)) {
             return Some(AxisLaw::Right);
         }
         let crossed = (0..axes)
@@ -348,7 +359,7 @@ fn by_axes(samples: &[&Sample], part: usize, axes: usize, quantities: usize) -> 
         let single = whole(quantities, 0).into_iter().chain(crossed);
         let first = *samples.first()?;
         let mut fitted = single.filter_map(|law| law.fitted(first, part, place));
-        if let Some(law) = fitted.find(|law| follow(*law) >= enough) {
+        if let Some(law) = fitted.find(|law| fits(*law)) {
             return Some(AxisLaw::Follows(law));
         }
         let pairs = samples[1..].iter().step_by(samples.len().div_ceil(ASKED));
@@ -357,9 +368,7 @@ fn by_axes(samples: &[&Sample], part: usize, axes: usize, quantities: usize) -> 
             let laws = with_two_constants(quantities).into_iter();
             laws.filter_map(move |law| law.fitted_to_both(both, part, place))
         });
-        fitted
-            .find(|law| follow(*law) >= enough)
-            .map(AxisLaw::Follows)
+        fitted.find(|law| fits(*law)).map(AxisLaw::Follows)
     };
     (0..axes)
         .map(|axis| of_axis(axis).unwrap_or(AxisLaw::Unknown))
