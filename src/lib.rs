@@ -10,7 +10,8 @@
 //! 1. [`ray`], [`camera`], [`shape`]: the words of the lecture;
 //! 2. [`scene`], [`mesh`]: where they are read from; [`bounds`], [`tree`]: what makes a
 //!    search fast;
-//! 3. [`film`], [`judge`], [`oiiotool`]: what a cast produces, and what judges it;
+//! 3. [`film`], [`judge`], [`oiiotool`], [`comparison`]: what a cast produces, what judges it,
+//!    and how it differs;
 //! 4. [`words`], [`report`], [`false_colour`], [`part`]: how people look at it;
 //! 5. [`kind`], [`job`], [`serve`](mod@serve), [`ask`](mod@ask): the seam between harness
 //!    and submission.
@@ -54,6 +55,7 @@
 pub mod ask;
 pub mod bounds;
 pub mod camera;
+pub mod comparison;
 mod counter;
 pub mod error;
 pub mod fact;

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use pinhole::Film;
+use pinhole::comparison::FilmComparison;
 use pinhole::judge::Golden;
 
-use super::fingerprint::{FilmComparison, Fingerprint};
+use super::fingerprint::Fingerprint;
 use super::known::KnownMistakes;
-use super::parts::PartAgreement;
 use crate::error::Result;
 
 /// A film's wrong pixels, and how well each known mistake predicts them.
@@ -24,8 +24,6 @@ pub struct Evidence<'a> {
     pub pixels: usize,
     /// Whether there are values to compare. A film in which no ray hits anything has none.
     pub has_values: bool,
-    /// In how many pixels each part is wrong, counted where it can be compared.
-    pub failing_parts: Vec<f64>,
     /// The agreement of each mistake that would show in this film.
     pub agreements: BTreeMap<String, Agreement>,
 }
@@ -43,8 +41,6 @@ pub struct Agreement {
     /// How many of the pixels that distinguish it from similar mistakes disagree with
     /// it.
     pub denied: f64,
-    /// The agreement of each part of an answer.
-    pub parts: Vec<PartAgreement>,
 }
 
 impl<'a> Evidence<'a> {
@@ -84,7 +80,6 @@ impl<'a> Evidence<'a> {
             failing,
             pixels,
             has_values: compared.has_values(),
-            failing_parts: compared.failing_parts(),
             agreements,
             film: Some(compared),
             prints,
@@ -106,7 +101,6 @@ impl<'a> Evidence<'a> {
             failing: pixels,
             pixels,
             has_values: false,
-            failing_parts: Vec::new(),
             agreements: agreements.collect(),
             film: None,
             prints: BTreeMap::new(),
@@ -116,13 +110,6 @@ impl<'a> Evidence<'a> {
     /// How well this mistake agrees; all zero if it would not show in the film.
     pub fn agreement(&self, slug: &str) -> Agreement {
         self.agreements.get(slug).cloned().unwrap_or_default()
-    }
-
-    /// How well this mistake agrees in one part.
-    pub fn part(&self, slug: &str, part: usize) -> PartAgreement {
-        let agreement = self.agreements.get(slug);
-        let part = agreement.and_then(|agreement| agreement.parts.get(part));
-        part.copied().unwrap_or_default()
     }
 }
 
@@ -150,6 +137,5 @@ fn agreement(film: &FilmComparison, print: &Fingerprint) -> Agreement {
         touched: share(touched),
         shared: share(shared).min(film.failing() as f64),
         denied: denied as f64,
-        parts: PartAgreement::of(film, print),
     }
 }

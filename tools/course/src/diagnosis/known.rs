@@ -7,14 +7,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use pinhole::comparison::{FilmComparison, Witness, channel_names};
 use pinhole::film::Channel;
 use pinhole::judge::Golden;
 use pinhole::{Film, Resolution};
 use serde::{Deserialize, Serialize};
 
-use super::fingerprint::{
-    FilmComparison, Fingerprint, MOST_SAMPLED, MOST_TELLING, Witness, channel_names, fingerprints,
-};
+use super::fingerprint::{Fingerprint, MOST_SAMPLED, MOST_TELLING, fingerprints};
 use crate::error::{Error, Result, ResultExt};
 use crate::mistake::Mistake;
 

@@ -1,23 +1,66 @@
 //! How well a known mistake agrees with a film part by part: objects, t, the normal, and its
 //! length. Parts matter because another part may be wrong by a second mistake.
 
+use std::collections::BTreeMap;
+
+use pinhole::comparison::FilmComparison;
+use rayon::prelude::*;
+
 use super::evidence::Evidence;
-use super::fingerprint::{FilmComparison, Fingerprint};
+use super::fingerprint::Fingerprint;
 
 /// A mistake compared with one part of a film, in pixels.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct PartAgreement {
+#[derive(Clone, Copy, Default)]
+struct PartAgreement {
     /// How many the mistake gets wrong, of those where the film lets us see it.
-    pub predicted: f64,
+    predicted: f64,
     /// How many of these are wrong in the mistake's own way.
-    pub shared: f64,
+    shared: f64,
     /// How many of these are right.
-    pub absent: f64,
+    absent: f64,
+}
+
+/// A film part by part. It takes longer to make than all else, so it is made only if no belief
+/// explains whole films.
+struct FilmParts<'a> {
+    /// How many pixels there are.
+    pixels: usize,
+    /// In how many pixels each part is wrong, counted where it can be compared.
+    failing: Vec<f64>,
+    /// How well each belief that shows in this film agrees. Empty for one that panics.
+    agreements: BTreeMap<&'a str, Vec<PartAgreement>>,
+}
+
+impl<'a> FilmParts<'a> {
+    /// `None` if the film panicked.
+    fn of(evidence: &Evidence, candidates: &[&'a str]) -> Option<FilmParts<'a>> {
+        let film = evidence.film.as_ref()?;
+        let of_print = |print| PartAgreement::of(film, print);
+        let shown = candidates
+            .iter()
+            .filter(|slug| evidence.agreements.contains_key(**slug));
+        let agreements = shown.map(|slug| {
+            let print = evidence.prints.get(*slug);
+            (*slug, print.map(of_print).unwrap_or_default())
+        });
+        Some(FilmParts {
+            pixels: evidence.pixels,
+            failing: film.failing_parts(),
+            agreements: agreements.collect(),
+        })
+    }
+
+    /// How well a belief agrees in one part.
+    fn part(&self, slug: &str, part: usize) -> PartAgreement {
+        let agreements = self.agreements.get(slug);
+        let agreement = agreements.and_then(|parts| parts.get(part));
+        agreement.copied().unwrap_or_default()
+    }
 }
 
 impl PartAgreement {
     /// The agreement of each part, in the film's order of parts.
-    pub fn of(film: &FilmComparison<'_>, print: &Fingerprint) -> Vec<PartAgreement> {
+    fn of(film: &FilmComparison<'_>, print: &Fingerprint) -> Vec<PartAgreement> {
         let weight = print.failing as f64 / print.sample.len().max(1) as f64;
         let of_part = |part: usize| {
             let mut agreement = PartAgreement::default();
@@ -50,8 +93,8 @@ const FEW: f64 = 0.015;
 const LEAST: f64 = 24.0;
 
 /// Whether these beliefs together explain what is wrong in a part of a film.
-fn explains(film: &Evidence, part: usize, beliefs: &[&str], enough: f64) -> bool {
-    let failing = film.failing_parts.get(part).copied().unwrap_or(0.0);
+fn explains(film: &FilmParts, part: usize, beliefs: &[&str], enough: f64) -> bool {
+    let failing = film.failing.get(part).copied().unwrap_or(0.0);
     let (mut shared, mut absent) = (0.0, 0.0);
     for belief in beliefs {
         let agreement = film.part(belief, part);
@@ -64,7 +107,7 @@ fn explains(film: &Evidence, part: usize, beliefs: &[&str], enough: f64) -> bool
 }
 
 /// How many pixels a belief spoils in a part, in all films.
-fn predicted(films: &[Evidence], part: usize, belief: &str) -> f64 {
+fn predicted(films: &[FilmParts], part: usize, belief: &str) -> f64 {
     films
         .iter()
         .map(|film| film.part(belief, part).predicted)
@@ -73,7 +116,7 @@ fn predicted(films: &[Evidence], part: usize, belief: &str) -> f64 {
 
 /// Whether a belief explains all errors in some part of every film, and no other part
 /// contradicts it.
-fn holds_a_part(films: &[Evidence], parts: usize, belief: &str) -> bool {
+fn holds_a_part(films: &[FilmParts], parts: usize, belief: &str) -> bool {
     let is_whole = |part: usize| {
         films
             .iter()
@@ -92,7 +135,7 @@ fn holds_a_part(films: &[Evidence], parts: usize, belief: &str) -> bool {
 }
 
 /// Whether a part is wrong wherever a belief says so, in whatever way.
-fn is_touched(films: &[Evidence], part: usize, belief: &str) -> bool {
+fn is_touched(films: &[FilmParts], part: usize, belief: &str) -> bool {
     films.iter().all(|film| {
         let agreement = film.part(belief, part);
         agreement.absent <= (1.0 - ENOUGH) * agreement.predicted + FEW * film.pixels as f64
@@ -106,14 +149,17 @@ pub fn partial<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<Vec<&'a
     if films.len() < 2 {
         return None;
     }
-    let parts = films.iter().map(|film| film.failing_parts.len()).max()?;
     // A film that panicked has no parts.
-    if films.iter().any(|film| film.failing_parts.len() < parts) {
+    let parted = films.par_iter().map(|film| FilmParts::of(film, candidates));
+    let films: Vec<FilmParts> = parted.collect::<Option<_>>()?;
+    let films = films.as_slice();
+    let parts = films.iter().map(|film| film.failing.len()).max()?;
+    if films.iter().any(|film| film.failing.len() < parts) {
         return None;
     }
     let panics = |belief: &str| {
         let mut shown = films.iter().filter_map(|film| film.agreements.get(belief));
-        shown.any(|agreement| agreement.parts.is_empty())
+        shown.any(|agreements| agreements.is_empty())
     };
     let shows = |belief: &str| {
         !panics(belief) && (0..parts).any(|part| predicted(films, part, belief) >= LEAST)
@@ -155,7 +201,7 @@ pub fn most_likely(mut pairs: Vec<([&str; 2], f64)>) -> Option<Vec<&str>> {
 }
 
 /// Whether two beliefs explain every part of every film, and neither does alone.
-fn explain_all(films: &[Evidence], parts: usize, one: &str, other: &str) -> bool {
+fn explain_all(films: &[FilmParts], parts: usize, one: &str, other: &str) -> bool {
     let both = [one, other];
     let is_explained = |part: usize, beliefs: &[&str]| {
         let mut all = films.iter();
@@ -164,10 +210,7 @@ fn explain_all(films: &[Evidence], parts: usize, one: &str, other: &str) -> bool
     let mut needs = [false, false];
     let mut explained = false;
     for part in 0..parts {
-        let failing: f64 = films
-            .iter()
-            .filter_map(|film| film.failing_parts.get(part))
-            .sum();
+        let failing: f64 = films.iter().filter_map(|film| film.failing.get(part)).sum();
         let spoils = both.map(|belief| predicted(films, part, belief) >= LEAST);
         if failing == 0.0 && spoils == [false, false] {
             continue;
@@ -187,15 +230,15 @@ fn explain_all(films: &[Evidence], parts: usize, one: &str, other: &str) -> bool
 }
 
 /// Errors that only the films have, or that only the beliefs predict.
-fn apart(films: &[Evidence], parts: usize, beliefs: &[&str]) -> f64 {
+fn apart(films: &[FilmParts], parts: usize, beliefs: &[&str]) -> f64 {
     let mut sum = 0.0;
     for film in films {
-        for part in 0..parts.min(film.failing_parts.len()) {
+        for part in 0..parts.min(film.failing.len()) {
             let agreements = beliefs.iter().map(|belief| film.part(belief, part));
             let (shared, absent) = agreements.fold((0.0, 0.0), |(shared, absent), it| {
                 (shared + it.shared, absent + it.absent)
             });
-            let failing = film.failing_parts[part];
+            let failing = film.failing[part];
             sum += failing - f64::min(shared, failing) + absent;
         }
     }

@@ -6,8 +6,11 @@
 
 use std::collections::BTreeMap;
 
+use pinhole::comparison::{FilmComparison, Witness};
+use rayon::prelude::*;
+
 use super::evidence::Evidence;
-use super::fingerprint::{FilmComparison, Fingerprint, Witness, scattered};
+use super::fingerprint::{Fingerprint, scattered};
 use super::parts::most_likely;
 
 /// A mistake is named only if it explains at least this share of what the other leaves unexplained.
@@ -16,6 +19,9 @@ const ENOUGH: f64 = 0.9;
 
 /// Each of the two must explain at least this many pixels that the other alone does not.
 const LEAST: usize = 12;
+
+/// Compare a pair in about this many pixels first, evenly taken from all films. Most pairs fail there.
+const FIRST: usize = 128;
 
 /// How far apart two factors or errors may be, relative to their size, and still be the same.
 const SAME: f64 = 0.01;
@@ -56,16 +62,22 @@ pub fn together<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<Vec<&'
     let candidates = candidates.iter().filter(shows).filter(answers);
     let candidates: Vec<&'a str> = candidates.copied().collect();
     let films: Vec<ShownFilm> = films.iter().map(ShownFilm::new).collect::<Option<_>>()?;
-    let mut pairs = Vec::new();
-    for (place, one) in candidates.iter().enumerate() {
-        for other in &candidates[place + 1..] {
-            let pair = [*one, *other];
-            let agreement = PairAgreement::of(&films, pair);
-            if agreement.needs.iter().all(|needs| *needs >= LEAST) {
-                pairs.push((pair, agreement));
-            }
+    let pairs = candidates.iter().enumerate();
+    let pairs = pairs.flat_map(|(place, one)| {
+        let others = candidates[place + 1..].iter();
+        others.map(move |other| [*one, *other])
+    });
+    let pairs: Vec<[&str; 2]> = pairs.collect();
+    let agreement = |pair: &[&'a str; 2]| {
+        let first = PairAgreement::of(&films, *pair, FIRST.div_ceil(films.len()));
+        if first.is_hopeless() {
+            return None;
         }
-    }
+        let agreement = PairAgreement::of(&films, *pair, usize::MAX);
+        let needs_both = agreement.needs.iter().all(|needs| *needs >= LEAST);
+        needs_both.then_some((*pair, agreement))
+    };
+    let pairs: Vec<_> = pairs.par_iter().filter_map(agreement).collect();
     let closest = pairs.iter().min_by_key(|(_, agreement)| agreement.apart());
     let (closest, agreement) = *closest?;
     let apart = pairs
@@ -87,7 +99,7 @@ fn is_multiple(films: &[ShownFilm], one: &str, other: &str) -> bool {
     let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
     let mut factor: Option<f64> = None;
     for shown in films {
-        for both in shown.known([one, other]).1.values() {
+        for both in shown.known([one, other], usize::MAX).1.values() {
             let errors = both.map(|witness| shown.film.error(witness?));
             let [Some(one), Some(other)] = errors else {
                 return false;
@@ -121,14 +133,18 @@ impl<'a> ShownFilm<'a> {
     }
 
     /// The pixels that two mistakes get wrong, with what each leaves there, up to the place in the
-    /// scattered order to which both are known.
-    fn known(&self, pair: [&str; 2]) -> (u64, BTreeMap<usize, [Option<&'a Witness>; 2]>) {
+    /// scattered order to which both are known by at most this many witnesses of each.
+    fn known(
+        &self,
+        pair: [&str; 2],
+        most: usize,
+    ) -> (u64, BTreeMap<usize, [Option<&'a Witness>; 2]>) {
         let prints = pair.map(|slug| self.prints.get(slug));
-        let known_to = prints.iter().flatten().map(|print| print.known_to());
+        let known_to = prints.iter().flatten().map(|print| print.known_to(most));
         let known_to = known_to.min().unwrap_or(u64::MAX);
         let mut pixels: BTreeMap<usize, [Option<&Witness>; 2]> = BTreeMap::new();
         for (place, print) in prints.into_iter().enumerate() {
-            let sample = print.into_iter().flat_map(|print| &print.sample);
+            let sample = print.into_iter().flat_map(|print| &print.sample).take(most);
             for witness in sample.filter(|witness| scattered(witness.pixel) <= known_to) {
                 pixels.entry(witness.pixel).or_default()[place] = Some(witness);
             }
@@ -138,18 +154,18 @@ impl<'a> ShownFilm<'a> {
 }
 
 impl PairAgreement {
-    fn of(films: &[ShownFilm], pair: [&str; 2]) -> PairAgreement {
+    fn of(films: &[ShownFilm], pair: [&str; 2], most: usize) -> PairAgreement {
         let mut sum = PairAgreement::default();
         for film in films {
-            sum.add(film, pair);
+            sum.add(film, pair, most);
         }
         sum
     }
 
     /// Adds the pixels of a film for which it is known what both mistakes leave there.
-    fn add(&mut self, shown: &ShownFilm, pair: [&str; 2]) {
+    fn add(&mut self, shown: &ShownFilm, pair: [&str; 2], most: usize) {
         let film = shown.film;
-        let (known_to, pixels) = shown.known(pair);
+        let (known_to, pixels) = shown.known(pair, most);
         let wrong = shown.wrong.partition_point(|place| *place <= known_to);
         let predicted = pixels.keys().filter(|pixel| film.is_wrong(**pixel));
         self.compared += pixels.len() + wrong - predicted.count();
@@ -171,6 +187,12 @@ impl PairAgreement {
     fn explained(&self, place: usize) -> f64 {
         let needs = self.needs[place];
         needs as f64 / (needs + self.apart()) as f64
+    }
+
+    /// Whether so much disagrees that the rest can't make up for it. If few pixels are known, all
+    /// of them count, because then a distant pair may still make a close one doubtful.
+    fn is_hopeless(&self) -> bool {
+        self.apart() > FIRST / 2 - LEAST && 2 * self.apart() > self.compared
     }
 
     fn apart(&self) -> usize {

@@ -36,6 +36,7 @@ const FOLDERS: [(&str, &[&str]); 8] = [
             "ask",
             "preview",
             "judge",
+            "comparison",
             "report",
             "oiiotool",
             "false_colour",
