@@ -217,7 +217,8 @@ impl Compiler {
                 return Ok(Attempt::Late);
             }
             let compile = |replaced: &Replacements| {
-                let sources = sources(submission, &self.pristine, replaced);
+                let assembled = || sources(submission, &self.pristine, replaced);
+                let sources = timed("assemble", assembled);
                 let Compiler {
                     programs, harness, ..
                 } = self;
