@@ -28,7 +28,7 @@ pub use prairielearn::write as write_prairielearn;
 use workspace::Workspace;
 
 /// Settings for a student's editor and for GitHub, with their paths.
-const SETTINGS: [(&str, &str); 5] = [
+const SETTINGS: [(&str, &str); 6] = [
     (
         ".github/workflows/check.yml",
         include_str!("../templates/handout/check.yml"),
@@ -48,6 +48,10 @@ const SETTINGS: [(&str, &str); 5] = [
     (
         ".vscode/tasks.json",
         include_str!("../templates/handout/tasks.json"),
+    ),
+    (
+        "rust-analyzer.toml",
+        include_str!("../templates/handout/rust-analyzer.toml"),
     ),
 ];
 

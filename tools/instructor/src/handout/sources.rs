@@ -12,12 +12,11 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
 
 /// The files at the top of the checkout, beside its manifest.
-const TOP: [&str; 7] = [
+const TOP: [&str; 6] = [
     ".cargo/config.toml",
     "Cargo.lock",
     "LICENSE",
     "README.md",
-    "rust-analyzer.toml",
     ".gitignore",
     ".gitattributes",
 ];
