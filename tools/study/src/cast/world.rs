@@ -216,6 +216,12 @@ impl World {
                 }
             };
             part.from_camera = view.and_then(|view| PartFromCamera::new(&part.shape, &view.camera));
+            if let Some(PartFromCamera::Sphere(sphere)) = &part.from_camera {
+                let limits = &mut part.limits;
+                limits.divisor = limits
+                    .divisor
+                    .min(sphere.divisor(distance, accuracy, limits));
+            }
         }
     }
 

@@ -40,6 +40,26 @@ impl SphereFromEye {
         })
     }
 
+    /// A smaller [`Limits::divisor`] than that of [`super::limits`], for eyes that are not near the
+    /// surface: infinite for others.
+    ///
+    /// The error of the root in q is at most a (12u r|f| + 72u²|f|² + 4u r²) / root, and that of h
+    /// at most 4u|d||f|. If q² is a|c| or more, which it always is, both together are below half
+    /// the accuracy times q if 64u (|f| + r) (r + 6u|f|) is below the accuracy times √(|c| (r² −
+    /// |l|²)), and 64u |f| below the accuracy times √|c|.
+    pub fn divisor(&self, size: f64, accuracy: f64, limits: &Limits) -> f64 {
+        let (lost, r, distance) = (
+            64.0 * U / accuracy,
+            self.r_square.sqrt(),
+            self.c.abs().sqrt(),
+        );
+        let least = lost * (size + r) * (r + 6.0 * U * size) / distance;
+        match lost * size < distance {
+            true => least * least + limits.sign,
+            false => f64::INFINITY,
+        }
+    }
+
     /// The answer, or `None` if rounding might have changed it.
     #[inline(always)]
     pub fn filtered(
