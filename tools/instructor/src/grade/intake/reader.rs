@@ -18,6 +18,7 @@ use std::rc::Rc;
 
 use self::file_names::{is_archive, is_skipped};
 use self::limits::Limits;
+pub use self::unpack::utf_16;
 use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::submission::AnswerFileProblem;
 use pinhole_course::submission::text::{self, Text};

@@ -3,7 +3,7 @@
 
 use super::hand_in::{self, HandIn, Upload, account, signs, tops};
 use super::matching::Proof;
-use super::names::{self, Sign};
+use super::names::{self, Platform, Sign};
 use super::reader::{Content, FoundFile, file_names};
 
 /// A path on the command line, and what was found there.
@@ -42,13 +42,16 @@ impl Source<'_> {
         (all, ignored)
     }
 
-    /// Removes a single folder around a whole class in an archive.
+    /// Removes a single folder around a whole class in an archive, and the list of submissions
+    /// that Brightspace adds.
     pub fn unwrap(&mut self) {
+        remove_list(&mut self.found);
         let tops = tops(self.found.clone());
         let Some((top, found)) = tops.iter().next().filter(|_| tops.len() == 1) else {
             return;
         };
-        let inside = below(found);
+        let mut inside = below(found);
+        remove_list(&mut inside);
         let is_class = !inside.is_empty() && self.names_people(&inside);
         if self.is_archive && is_class && !self.is_person(top) && !file_names::is_archive(top) {
             self.found = inside;
@@ -148,6 +151,18 @@ impl Source<'_> {
 
 fn is_closed(content: &Content) -> bool {
     matches!(content, Content::Refused(_) | Content::Unreadable(_))
+}
+
+/// Removes the list of submissions that Brightspace adds, if these are Brightspace's.
+fn remove_list(found: &mut Vec<FoundFile>) {
+    let is_brightspaces = |it: &FoundFile| {
+        let top = it.path.first().map_or("", String::as_str);
+        let mut all = names::platforms(top).into_iter();
+        all.any(|name| name.platform == Platform::Brightspace)
+    };
+    if found.iter().any(is_brightspaces) {
+        found.retain(|it| it.path != ["index.html"]);
+    }
 }
 
 /// The same files, with paths below the top folder.

@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
-use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
+use encoding_rs::{UTF_8, WINDOWS_1252};
 
+use super::reader::utf_16;
 use pinhole_course::error::{Error, Result, ResultExt};
 
 /// A table, read as a whole.
@@ -95,16 +96,10 @@ fn plain(name: &str) -> String {
 
 /// The text of a spreadsheet's file: UTF-8, UTF-16, or Windows' encoding for Western Europe.
 fn decoded(bytes: &[u8]) -> String {
-    let zeros = |odd: usize| {
-        let every_other = bytes.iter().skip(odd).step_by(2).take(64);
-        every_other.filter(|it| **it == 0)
+    let others = match std::str::from_utf8(bytes) {
+        Ok(_) => UTF_8,
+        Err(_) => WINDOWS_1252,
     };
-    let encoding = match Encoding::for_bom(bytes) {
-        Some((encoding, _)) => encoding,
-        None if zeros(1).count() > 16 => UTF_16LE,
-        None if zeros(0).count() > 16 => UTF_16BE,
-        None if std::str::from_utf8(bytes).is_ok() => UTF_8,
-        None => WINDOWS_1252,
-    };
+    let encoding = utf_16(bytes).unwrap_or(others);
     encoding.decode(bytes).0.into_owned()
 }

@@ -348,6 +348,27 @@ fn the_whole_download_of_a_platform_is_unpacked() {
 }
 
 #[test]
+fn the_whole_download_of_brightspace_has_a_list_beside_folders_and_files() {
+    let export = Export::new();
+    for wrapper in ["", "Homework 1 Download Nov 24, 2026 900 AM/"] {
+        let ada = format!("{wrapper}11-22 - Ada Lovelace - Nov 20, 2026 1158 PM");
+        let bob = format!("{wrapper}12-22 - Bob Bobson - Nov 21, 2026 1205 AM");
+        let all = [
+            (format!("{wrapper}index.html"), b"<html>".to_vec()),
+            (format!("{ada}/hw1.zip"), zip(&answers("", "ada"))),
+            (format!("{bob} - hw1.zip"), zip(&answers("", "bob"))),
+        ];
+        export.put("Homework 1 Download.zip", &zip(&all));
+        let names = [
+            "11-22 - Ada Lovelace - Nov 20, 2026 1158 PM",
+            "12-22 - Bob Bobson - Nov 21, 2026 1205 AM",
+        ];
+        let intake = export.is_of("Homework 1 Download.zip", &names);
+        assert_eq!(intake.ignored, [""; 0]);
+    }
+}
+
+#[test]
 fn only_answers_count_against_the_limits_of_an_archive() {
     let export = Export::new();
     let mut files = answers("hw1/src/", "ada");
@@ -374,13 +395,16 @@ fn utf_16_is_read_and_other_encodings_are_reported() {
     let mut files = answers("", "ada");
     let text = String::from_utf8(files[1].1.clone()).expect("it is text");
     let units = text.encode_utf16().flat_map(u16::to_le_bytes);
-    files[1].1 = b"\xff\xfe".iter().copied().chain(units).collect();
-    export.put_all("class/ada", files);
-    let intake = export.is_of("class", &["ada"]);
-    assert_eq!(
-        intake.entries[0].notes,
-        ["`sphere.rs` was UTF-16, and was read as UTF-8"]
-    );
+    let units: Vec<u8> = units.collect();
+    for mark in [b"\xff\xfe".as_slice(), b""] {
+        files[1].1 = [mark, &units].concat();
+        export.put_all("class/ada", files.clone());
+        let intake = export.is_of("class", &["ada"]);
+        assert_eq!(
+            intake.entries[0].notes,
+            ["`sphere.rs` was UTF-16, and was read as UTF-8"]
+        );
+    }
     export.put("class/ada/plane.rs", b"// caf\xe9");
     let intake = export.find("class");
     assert_eq!(

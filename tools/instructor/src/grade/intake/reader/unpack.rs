@@ -5,7 +5,7 @@ use std::io::{self, Read, Seek, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::rc::Rc;
 
-use encoding_rs::{Encoding, UTF_8};
+use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
 
 use super::file_names::is_opened;
 use super::limits::{self, LimitedStream, Limits};
@@ -158,11 +158,26 @@ fn no_room(error: io::Error) -> ReadFailure {
     ReadFailure::Unreadable(format!("there is no room to unpack it ({error})"))
 }
 
-/// Text in UTF-8, as compilers read it. Text in UTF-16 is converted if it begins with a byte
-/// order mark.
+/// The encoding of text in UTF-16. Without a byte order mark, it is recognised by the zeros among
+/// its first bytes, because half of an ASCII letter is zero.
+pub fn utf_16(bytes: &[u8]) -> Option<&'static Encoding> {
+    let has_zeros = |odd: usize| {
+        let every_other = bytes.iter().skip(odd).step_by(2).take(64);
+        let zeros = every_other.clone().filter(|it| **it == 0).count();
+        4 * zeros > every_other.count()
+    };
+    match Encoding::for_bom(bytes) {
+        Some((encoding, _)) => Some(encoding).filter(|it| *it != UTF_8),
+        None if has_zeros(1) => Some(UTF_16LE),
+        None if has_zeros(0) => Some(UTF_16BE),
+        None => None,
+    }
+}
+
+/// Text in UTF-8, as compilers read it. Text in UTF-16 is converted.
 fn decoded(bytes: Vec<u8>) -> (Text, Option<&'static str>) {
-    match Encoding::for_bom(&bytes) {
-        Some((encoding, _)) if encoding != UTF_8 && bytes.len() as u64 <= MOST_BYTES => {
+    match utf_16(&bytes) {
+        Some(encoding) if bytes.len() as u64 <= MOST_BYTES => {
             let (text, _, is_spoilt) = encoding.decode(&bytes);
             match is_spoilt {
                 true => (text::of_bytes(bytes), None),
