@@ -46,7 +46,7 @@ impl Roll {
             ("whose owner is uncertain", true, ambiguous.collect()),
             ("not on the roster", true, self.names(&placed.unknown)),
             (
-                "matched by a name or login that people may choose: add the platform's \
+                "matched by a name that people may choose: check them, or add the platform's \
                  numbers (column number) or GitHub's logins (github) to the roster",
                 false,
                 self.names(&placed.by_name),

@@ -176,7 +176,11 @@ pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) 
     let owners = || titled(sign, people).into_iter().map(|(_, person)| person);
     match sign {
         Sign::Login(_) => (Proof::Id, owners().collect()),
-        Sign::Account { number, name } => account(number, name, people),
+        Sign::Account {
+            number,
+            name,
+            may_be_group,
+        } => account(number, name, *may_be_group, people),
         Sign::Plain(name) => {
             let by_id = || with_id(name, people);
             let by_name = || named(name, people);
@@ -197,12 +201,31 @@ pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) 
     }
 }
 
+/// Whether two names have a word in common.
+fn share_word(name: &str, other: &str) -> bool {
+    let words = |text: &str| -> Vec<String> {
+        let words = text.split(|c: char| !c.is_alphanumeric() && !is_combining_mark(c));
+        words.map(unaccented).filter(|it| !it.is_empty()).collect()
+    };
+    let others = words(other);
+    words(name).iter().any(|word| others.contains(word))
+}
+
 /// The people that an account may belong to. The platform's number decides, because people
-/// may change their names.
-fn account<'a>(number: &str, name: &str, people: &'a [Person]) -> (Proof, Vec<&'a Person>) {
+/// may change their names, unless it may be a group's number.
+fn account<'a>(
+    number: &str,
+    name: &str,
+    may_be_group: bool,
+    people: &'a [Person],
+) -> (Proof, Vec<&'a Person>) {
     let own = |other: &&Person| other.number.as_deref() == Some(number);
     if let Some(person) = people.iter().find(own) {
-        return (Proof::Id, vec![person]);
+        let proof = match may_be_group && !share_word(name, &person.name) {
+            true => Proof::Hint,
+            false => Proof::Id,
+        };
+        return (proof, vec![person]);
     }
     let mut by_name = named(name, people);
     by_name.extend(with_id(name, people));

@@ -5,7 +5,8 @@
 //! - Moodle: `First Last_NUMBER_assignsubmission_file`, which names a folder or begins a file's
 //!   name.
 //! - Blackboard: `TITLE_LOGIN_attempt_2026-11-20-23-59-01_name.zip`.
-//! - Brightspace: `NUMBER-NUMBER - First Last - Nov 20, 2026 1159 PM - name.zip`.
+//! - Brightspace: `NUMBER-NUMBER - First Last - Nov 20, 2026 1159 PM - name.zip`, or a folder
+//!   with this name up to the time; `index.html` beside them lists all.
 //!
 //! The uploader chooses what follows, so it says nothing about the person or the time.
 
@@ -17,7 +18,13 @@ use serde::{Deserialize, Serialize};
 #[serde(rename_all = "snake_case")]
 pub enum Sign {
     /// An account on a platform: its number, and its name, which people may be able to change.
-    Account { number: String, name: String },
+    Account {
+        number: String,
+        name: String,
+        /// Moodle writes a group's name and number where it writes a person's.
+        #[serde(default)]
+        may_be_group: bool,
+    },
     /// The assignment's title, `_`, and a login that the platform gave.
     Login(String),
     /// What somebody called a folder or an archive.
@@ -56,6 +63,7 @@ impl PlatformName<'_> {
             _ => Sign::Account {
                 number: self.number.into(),
                 name: self.person.into(),
+                may_be_group: self.platform == Platform::Moodle,
             },
         }
     }
@@ -167,16 +175,19 @@ fn is_number(text: &str) -> bool {
 }
 
 /// All ways to read a name as a platform's. An uploader can make it look like two people's or two
-/// platforms' names; then nobody knows which it is.
+/// platforms' names; then nobody knows which it is. The way in which the person's name ends first
+/// comes first.
 pub fn platforms(name: &str) -> Vec<PlatformName<'_>> {
     let others = [
         PlatformName::blackboard(name),
         PlatformName::brightspace(name),
     ];
-    PlatformName::canvas(name)
+    let mut all: Vec<_> = PlatformName::canvas(name)
         .chain(PlatformName::moodle(name))
         .chain(others.into_iter().flatten())
-        .collect()
+        .collect();
+    all.sort_by_key(|it| it.person.len());
+    all
 }
 
 /// The only way to read a name as a platform's.

@@ -60,9 +60,15 @@ fn owners<'a>(entry: &Entry, people: &'a [Person]) -> (Proof, Vec<&'a Person>) {
         }
     }
     let agree = |of: &Vec<&Person>| of.iter().all(|it| found == [*it]) && !of.is_empty();
+    // A file's own name can look like a part of the platform's, as in
+    // `lovelaceada_11_501_hw_2026_11_20.zip`. It follows the platform's part.
+    let is_first = |all: &[(Proof, Vec<&Person>)]| match all {
+        [(Proof::Id, of), others @ ..] => agree(of) && others.iter().all(|(_, of)| of.is_empty()),
+        _ => false,
+    };
     let proof = match all.iter().all(|(_, of)| agree(of)) {
         true => all.iter().map(|(proof, _)| *proof).min(),
-        false => None,
+        false => is_first(&all).then_some(Proof::Name),
     };
     let proof = proof.unwrap_or(Proof::Hint);
     (proof.min(entry.at_most), found)

@@ -8,7 +8,7 @@ use zip::write::SimpleFileOptions;
 use super::report;
 use crate::grade::cache::ResultCache;
 use crate::grade::class::{Class, Row};
-use crate::grade::intake::names::{Platform, platform};
+use crate::grade::intake::names::{Platform, platform, platforms};
 use pinhole_course::error::{Error, Result, ResultExt};
 
 /// The archives for Canvas, for Moodle, and for other ways of sending.
@@ -32,10 +32,12 @@ pub fn archives(class: &Class, cache: &ResultCache) -> Result<[Archive; 3]> {
 }
 
 /// Canvas's “Upload submissions” matches a file by the numbers of the user and of a file that the
-/// user uploaded, as the names from Canvas give them.
+/// user uploaded, as the names from Canvas give them: the first two parts between underscores that
+/// are numbers (`infer_comment_context_from_filename` in Canvas's source).
 fn for_canvas(row: &Row) -> Option<String> {
     let name = row.entry.given.last()?;
-    let given = platform(name).filter(|it| it.platform == Platform::Canvas && !row.is_shared)?;
+    let given = platforms(name).into_iter().next();
+    let given = given.filter(|it| it.platform == Platform::Canvas && !row.is_shared)?;
     let own = name.strip_suffix(given.rest)?;
     Some(format!("{own}report.html"))
 }

@@ -162,6 +162,50 @@ fn a_number_that_happens_to_be_another_persons_id_contradicts_the_name() {
 }
 
 #[test]
+fn a_groups_number_on_moodle_is_not_mistaken_for_a_persons() {
+    let mut people = people();
+    people[0].number = Some("2001".into());
+    let name = "Team Rocket_2001_assignsubmission_file";
+    let placed = place(&entries(&[name]), Some(&people));
+    assert_eq!(placed.ambiguous[name], [people[0].clone()], "{placed:?}");
+    // Canvas writes the group's name, but the number of the person who handed in.
+    for name in [
+        "Lovelace Ada M._2001_assignsubmission_file",
+        "teamrocket_2001_501_hw.zip",
+    ] {
+        let placed = place(&entries(&[name]), Some(&people));
+        assert_eq!(placed.of[name].id, "s1", "{placed:?}");
+    }
+}
+
+#[test]
+fn a_date_in_an_uploads_own_name_is_not_mistaken_for_an_account() {
+    let mut people = people();
+    people[0].number = Some("11".into());
+    people[1].number = Some("12".into());
+    let name = "lovelaceada_11_501_hw_2026_11_20.zip";
+    let placed = place(&entries(&[name]), Some(&people));
+    assert_eq!(placed.of[name].id, "s1", "{placed:?}");
+    assert_eq!(placed.by_name, [name]);
+    // An account whose name looks like hers replaces nothing.
+    for names in [
+        [
+            "lovelaceada_11_9_12_502_hw.zip",
+            "lovelaceada_11_501_hw.zip",
+        ],
+        [
+            "lovelaceada_11_9_13_502_hw.zip",
+            "lovelaceada_11_501_hw.zip",
+        ],
+    ] {
+        let placed = place(&entries(&names), Some(&people));
+        assert_eq!(placed.of.len(), 1, "{placed:?}");
+        assert_eq!(placed.of[names[1]].id, "s1");
+        assert!(placed.ambiguous.contains_key(names[0]), "{placed:?}");
+    }
+}
+
+#[test]
 fn several_submissions_by_one_person_are_all_listed() {
     let plain = ["s1", "Ada Lovelace"];
     let placed = place(&entries(&plain), Some(&people()));
