@@ -1,9 +1,9 @@
 //! Parses the names that learning platforms give to submissions.
 //!
 //! - Canvas: `lastfirst_USER_FILE_name.zip` or `lastfirst_LATE_USER_FILE_name.zip`; a later
-//!   upload has a greater FILE.
+//!   upload has a greater FILE (`lib/content_zipper.rb` in the source of canvas-lms).
 //! - Moodle: `First Last_NUMBER_assignsubmission_file`, which names a folder or begins a file's
-//!   name.
+//!   name (`mod/assign/classes/downloader.php` in its source).
 //! - Blackboard: `TITLE_LOGIN_attempt_2026-11-20-23-59-01_name.zip`.
 //! - Brightspace: `NUMBER-NUMBER - First Last - Nov 20, 2026 1159 PM - name.zip`, or a folder
 //!   with this name up to the time; `index.html` beside them lists all.
@@ -151,7 +151,7 @@ impl PlatformName<'_> {
         let read = |(at, _): (usize, &str)| {
             let after = &name[at + BETWEEN.len()..];
             let (time, rest) = after.split_once(BETWEEN).unwrap_or((after, ""));
-            let at_time = DateTime::strptime("%b %d, %Y %I%M %p", time).ok()?;
+            let at_time = brightspace_time(time)?;
             Some(PlatformName {
                 platform: Platform::Brightspace,
                 person: name.get(begin..at)?,
@@ -168,6 +168,14 @@ impl PlatformName<'_> {
         let first = all.into_iter().next()?;
         Some(PlatformName { handed_in, ..first })
     }
+}
+
+/// A time as Brightspace writes it: no colon before the minutes, and no zero before the hour.
+fn brightspace_time(text: &str) -> Option<DateTime> {
+    let (text, half) = text.rsplit_once(' ')?;
+    let (hour, minute) = text.split_at_checked(text.len().checked_sub(2)?)?;
+    let text = format!("{hour}:{minute} {half}");
+    DateTime::strptime("%b %d, %Y %I:%M %p", text).ok()
 }
 
 fn is_number(text: &str) -> bool {
@@ -239,6 +247,14 @@ mod tests {
             (
                 &["11-22 - Ada Lovelace - Nov 21, 2026 1207 AM - hw1.zip"],
                 "2026-11-21T00:07:00",
+            ),
+            (
+                &["11-22 - Ada Lovelace - Nov 20, 2026 926 PM"],
+                "2026-11-20T21:26:00",
+            ),
+            (
+                &["11-22 - Ada Lovelace - Nov 20, 2026 100 PM - hw1.zip"],
+                "2026-11-20T13:00:00",
             ),
             (&["lovelaceada_LATE_11_501_hw1.zip"], "late"),
             (
