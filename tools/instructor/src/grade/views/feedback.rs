@@ -20,15 +20,18 @@ pub type Archive = (&'static str, Option<Vec<u8>>);
 /// The archives by name.
 pub fn archives(class: &Class, cache: &ResultCache) -> Result<[Archive; 3]> {
     let [canvas, moodle, others] = NAMES;
-    let has_roster = class.roll.people.is_some();
     Ok([
         (canvas, archive(class, cache, &for_canvas)?),
         (moodle, archive(class, cache, &for_moodle)?),
-        (
-            others,
-            archive(class, cache, &|row| for_others(row, has_roster))?,
-        ),
+        (others, archive(class, cache, &for_others)?),
     ])
+}
+
+/// Whether a submission's report may be sent. With a roster, submissions that belong to nobody are
+/// left out, because their names or numbers may be somebody's.
+fn may_be_sent(row: &Row, has_roster: bool) -> bool {
+    // Only attempts that count have a report in the archives.
+    row.mark.is_some() && (row.person.is_some() || !has_roster)
 }
 
 /// Canvas's “Upload submissions” matches a file by the numbers of the user and of a file that the
@@ -42,7 +45,8 @@ fn for_canvas(row: &Row) -> Option<String> {
     Some(format!("{own}report.html"))
 }
 
-/// Moodle's “Upload multiple feedback files in a zip”: folders as in its export.
+/// Moodle's “Upload multiple feedback files in a zip”: folders as in its export. Their numbers say
+/// whose they are (`mod/assign/feedback/file/importziplib.php` in Moodle's source).
 fn for_moodle(row: &Row) -> Option<String> {
     let names = row.entry.given.iter();
     let mut names = names.filter_map(|name| platform(name));
@@ -51,14 +55,9 @@ fn for_moodle(row: &Row) -> Option<String> {
     Some(format!("{folder}_assignsubmission_file/report.html"))
 }
 
-/// For sending in other ways: the report is named by the person's id. With a roster, submissions
-/// that belong to nobody are left out, because their names may be somebody's ids.
-fn for_others(row: &Row, has_roster: bool) -> Option<String> {
-    let name = match row.person {
-        Some(person) => &person.id,
-        None if has_roster => return None,
-        None => &row.entry.id,
-    };
+/// For sending in other ways: the report is named by the person's id.
+fn for_others(row: &Row) -> Option<String> {
+    let name = row.person.map_or(&row.entry.id, |person| &person.id);
     let is_plain = |c: char| c.is_alphanumeric() || "._-@".contains(c);
     let name = name.replace(|c| !is_plain(c), "_");
     Some(format!("{name}/report.html"))
@@ -72,8 +71,8 @@ fn archive(
     let failed = Error::environment("cannot pack the reports", "free some memory");
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     let mut is_empty = true;
-    // Only attempts that count have a report in the archives.
-    let rows = class.all_rows().filter(|row| row.mark.is_some());
+    let has_roster = class.roll.people.is_some();
+    let rows = class.all_rows().filter(|row| may_be_sent(row, has_roster));
     for row in rows {
         let Some(name) = name(row) else { continue };
         let path = cache.of(&row.entry.id).join("report.html");
@@ -97,9 +96,10 @@ mod tests {
     use crate::grade::intake::Entry;
     use crate::grade::intake::matching::Proof;
     use crate::grade::intake::roster::Person;
+    use crate::grade::policy::mark::{JudgedPoints, Mark};
 
     #[test]
-    fn an_upload_named_like_somebodys_id_does_not_get_their_report() {
+    fn a_submission_that_belongs_to_nobody_is_not_sent_to_anybody() {
         let entry = Entry {
             id: "7".into(),
             name: "7.zip".into(),
@@ -119,13 +119,21 @@ mod tests {
             not_counted: None,
             is_shared: false,
         };
-        assert_eq!(for_others(&row, true), None);
-        assert_eq!(for_others(&row, false).as_deref(), Some("7/report.html"));
+        assert!(!may_be_sent(&row, false));
+        let judged = JudgedPoints {
+            points: 0.0,
+            possible: 1.0,
+            extra: 0.0,
+        };
+        row.mark = Some(Mark::judged(judged));
+        assert!(!may_be_sent(&row, true) && may_be_sent(&row, false));
+        assert_eq!(for_others(&row).as_deref(), Some("7/report.html"));
         let ada = Person {
             id: "ada".into(),
             ..Person::default()
         };
         row.person = Some(&ada);
-        assert_eq!(for_others(&row, true).as_deref(), Some("ada/report.html"));
+        assert!(may_be_sent(&row, true));
+        assert_eq!(for_others(&row).as_deref(), Some("ada/report.html"));
     }
 }
