@@ -144,7 +144,8 @@ fn shown(group: &GroupOutcome) -> Vec<String> {
     }
 }
 
-/// Gradescope's results; `None` without a mark. Gradescope then says that grading failed, and
+/// Gradescope's results, as <https://gradescope-autograders.readthedocs.io/en/latest/specs/>
+/// describes them; `None` without a mark. Gradescope then says that grading failed, and
 /// records no score.
 fn gradescope(record: &Record) -> Option<Value> {
     let points = record.got.points?;
@@ -171,9 +172,11 @@ fn gradescope(record: &Record) -> Option<Value> {
     }))
 }
 
+/// PrairieLearn's results, as <https://prairielearn.readthedocs.io/en/latest/externalGrading/>
+/// describes them.
 fn prairielearn(record: &Record) -> Value {
     let Some(points) = record.got.points else {
-        return json!({ "gradable": false, "message": printable_lines(&record.explanation) });
+        return json!({ "gradable": false, "format_errors": printable_lines(&record.explanation) });
     };
     let tests = parts(record).into_iter().map(|part| {
         json!({
@@ -193,8 +196,9 @@ fn prairielearn(record: &Record) -> Value {
 }
 
 /// Follows <https://github.com/foundation50/classroom50/wiki/Advanced-Autograding>, “The
-/// `result.json` contract”. The runner's environment names the classroom, the assignment and the
-/// submission. `None` without a mark, so that the runner reports an error of its own.
+/// `result.json` contract”, and `schemas/result-v1.schema.json` there. The runner's environment names
+/// the classroom, the assignment and the submission; the runner itself adds the owner and the kind of
+/// assignment. `None` without a mark, so that the runner reports an error of its own.
 fn classroom50(record: &Record, runner: &dyn Fn(&str) -> Option<String>) -> Option<Value> {
     let points = record.got.points?;
     let tests = parts(record).into_iter().map(|part| {

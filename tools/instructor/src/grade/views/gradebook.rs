@@ -1,5 +1,5 @@
-//! Files that gradebooks import, with everyone's final mark once. People without a mark get an
-//! empty cell, which doesn't mean zero.
+//! Files that gradebooks import, with everyone's final mark once. People without a mark have no
+//! line.
 
 use super::csv::Table;
 use crate::grade::class::{Class, Row};
@@ -7,8 +7,11 @@ use crate::grade::intake::names::{Platform, platform};
 use crate::grade::intake::roster::Person;
 use crate::grade::policy::mark::{Mark, number};
 
-/// For Canvas: Grades, Import. The columns and the line of possible points are as Canvas
-/// documents and exports them. `Name (number)` refers to an existing assignment.
+/// For Canvas: Grades, Import. `lib/gradebook_importer.rb` in Canvas's source (canvas-lms) wants
+/// `Student` and `ID` first, `Section` before the assignments, and at most the two SIS columns
+/// between. It finds a student by `ID`, then by `SIS User ID`, by `SIS Login ID`, or by name. A line
+/// with `Points Possible` sets what the assignment is worth. `Name (number)` refers to an existing
+/// assignment.
 pub fn canvas(class: &Class) -> String {
     let policy = class.roll.policy.as_ref();
     let column = policy.and_then(|policy| policy.rules.gradebook_column.clone());
@@ -34,7 +37,10 @@ pub fn canvas(class: &Class) -> String {
 }
 
 /// For Moodle: the assignment's “Upload grading worksheet”, or the gradebook's import from
-/// CSV, where `ID number` identifies the person.
+/// CSV, where `ID number` identifies the person. The first
+/// (`mod/assign/feedback/offline/importgradeslib.php` in Moodle's source) needs `Identifier`, `Grade`
+/// and `Last modified (grade)`, in the language of the person who uploads. It passes over grades that
+/// were changed after that time, unless told otherwise, and grades above the assignment's maximum.
 pub fn moodle(class: &Class) -> String {
     let mut table = Table::new(&[
         "Identifier",
@@ -66,9 +72,13 @@ pub fn moodle(class: &Class) -> String {
     table.for_machines()
 }
 
+/// The changes. No cell begins with `+`, which a spreadsheet would take for a formula.
 fn comments(mark: &Mark) -> String {
     let changes = mark.changes.iter().map(|change| change.in_words());
-    changes.collect::<Vec<_>>().join("; ")
+    match changes.collect::<Vec<_>>().join("; ") {
+        changes if changes.is_empty() => changes,
+        changes => format!("Changes to your mark: {changes}"),
+    }
 }
 
 /// The university's id for a person. Empty if the roster has none, so that the platform's number

@@ -188,7 +188,9 @@ fn policy_reaches_every_way_out(class: &Class) {
     assert!(canvas.contains("\nYu Yang,1025,2,,A,90\n"), "{canvas}");
     let moodle = class.read("out/moodle.csv");
     assert!(
-        moodle.contains("\nParticipant 2002,Zoë Müller,4,,98.5,,"),
+        moodle.contains(
+            "\nParticipant 2002,Zoë Müller,4,,98.5,,Changes to your mark: −1.5: as agreed <on Monday>\n"
+        ),
         "{moodle}"
     );
     let unpack = |name: &str, file: &str| {
