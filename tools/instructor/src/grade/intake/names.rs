@@ -1,7 +1,9 @@
 //! Parses the names that learning platforms give to submissions.
 //!
 //! - Canvas: `lastfirst_USER_FILE_name.zip` or `lastfirst_LATE_USER_FILE_name.zip`; a later
-//!   upload has a greater FILE (`lib/content_zipper.rb` in the source of canvas-lms).
+//!   upload has a greater FILE (`lib/content_zipper.rb` in the source of canvas-lms). What students
+//!   typed in is `lastfirst_USER_text.html`, a link `lastfirst_USER_link.html`. If the assignment is
+//!   graded anonymously, `lastfirst` is `anon` and USER a random word.
 //! - Moodle: `First Last_NUMBER_assignsubmission_file`, which names a folder or begins a file's
 //!   name (`mod/assign/classes/downloader.php` in its source).
 //! - Blackboard: `TITLE_LOGIN_attempt_2026-11-20-23-59-01_name.zip`.
@@ -81,12 +83,20 @@ impl PlatformName<'_> {
         if is_late {
             (number, rest) = rest.split_once('_')?;
         }
-        let (file, rest) = rest.split_once('_')?;
-        // The mark of a late submission is not a part of the name.
+        let (file, rest) = match rest {
+            "text.html" | "link.html" => ("0", rest),
+            _ => rest.split_once('_')?,
+        };
+        // The mark of a late submission is not a part of the name, except before `anon`.
         let ends_late = person
             .rsplit_once('_')
             .is_some_and(|(_, last)| last.eq_ignore_ascii_case("late"));
-        let is_name = !person.is_empty() && !ends_late && is_number(number) && !rest.is_empty();
+        let is_late = is_late || person == "LATE_anon";
+        let is_random =
+            |text: &str| text.len() == 5 && text.bytes().all(|byte| byte.is_ascii_alphanumeric());
+        let is_anonymous = ["anon", "LATE_anon"].contains(&person) && is_random(number);
+        let is_account = is_number(number) || is_anonymous;
+        let is_name = !person.is_empty() && !ends_late && is_account && !rest.is_empty();
         is_name.then_some(PlatformName {
             platform: Platform::Canvas,
             person,
@@ -265,6 +275,7 @@ mod tests {
                 "late",
             ),
             (&["lovelaceada_11_501_hw1_LATE.zip"], "unknown"),
+            (&["LATE_anon_x7Kp2_501_hw1.zip"], "late"),
             (&["ada"], "unknown"),
             (
                 &["11-23 - Mallory - Nov 1, 2026 1200 AM - Mann - Nov 25, 2026 1100 PM - hw1.zip"],
@@ -296,6 +307,12 @@ mod tests {
         assert_eq!(canvas("lovelaceada_12_501_answers.zip"), ada);
         assert_eq!(canvas("lovelaceada_LATE_12_501_sphere-1.rs"), ada);
         assert_eq!(canvas("homework_2"), None);
+        let typed = Some(("lovelaceada", "12", 0));
+        assert_eq!(canvas("lovelaceada_12_text.html"), typed);
+        assert_eq!(canvas("lovelaceada_LATE_12_link.html"), typed);
+        let anonymous = Some(("anon", "x7Kp2", 501));
+        assert_eq!(canvas("anon_x7Kp2_501_hw1.zip"), anonymous);
+        assert_eq!(canvas("bnon_x7Kp2_501_hw1.zip"), None);
         let moodle = PlatformName::moodle("Ada Lovelace_2001_assignsubmission_file_").next();
         assert_eq!(
             moodle.map(|it| (it.person, it.number)),

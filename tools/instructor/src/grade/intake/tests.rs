@@ -341,6 +341,15 @@ fn the_whole_download_of_a_platform_is_unpacked() {
     export.is_of("submissions.zip", &all);
     export.put("again.zip", &zip(&canvas("submissions/")));
     export.is_of("again.zip", &all);
+    let mut typed = canvas("");
+    typed.push(("dodandan_14_text.html".into(), Vec::new()));
+    export.put("typed.zip", &zip(&typed));
+    let intake = export.find("typed.zip");
+    assert_eq!(intake.entries.len(), 4, "{intake:#?}");
+    assert_eq!(
+        intake.entries[2].doubts,
+        ["no answer file was handed in, but text.html"]
+    );
     let mut moodle = answers("Ada Lovelace_2001_assignsubmission_file/", "ada");
     moodle.extend(answers("Bob Bobson_2002_assignsubmission_file/", "bob"));
     export.put("CG-hw1-4711.zip", &zip(&moodle));
