@@ -40,7 +40,10 @@ fn may_be_sent(row: &Row, has_roster: bool) -> bool {
 fn for_canvas(row: &Row) -> Option<String> {
     let name = row.entry.given.last()?;
     let given = platforms(name).into_iter().next();
-    let given = given.filter(|it| it.platform == Platform::Canvas && !row.is_shared)?;
+    let given = given.filter(|it| it.platform == Platform::Canvas && it.upload > 0)?;
+    if row.is_shared {
+        return None;
+    }
     let own = name.strip_suffix(given.rest)?;
     Some(format!("{own}report.html"))
 }

@@ -313,6 +313,8 @@ fn xml_text(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
     use crate::grade::record::tests::graded;
     use pinhole_course::outcome::{FilmOutcome, Outcome, SceneOutcome};
@@ -332,6 +334,39 @@ mod tests {
             got,
             ..graded("ada", 0, 5)
         }
+    }
+
+    #[test]
+    fn a_result_for_classroom_50_has_the_documented_fields_and_no_others() {
+        let runner = |name: &str| Some(format!("submit/{name}"));
+        let result = classroom50(&record(), &runner).expect("it has a mark");
+        let fields: BTreeSet<&str> = result
+            .as_object()
+            .into_iter()
+            .flat_map(|it| it.keys())
+            .map(String::as_str)
+            .collect();
+        // Those that its schema requires, without the two that the runner adds.
+        let documented = [
+            "schema",
+            "classroom",
+            "assignment",
+            "submission",
+            "commit",
+            "release",
+            "review",
+            "datetime",
+            "score",
+            "max-score",
+            "tests",
+        ];
+        assert_eq!(fields, documented.into());
+        for value in [&result, &result["tests"][0]] {
+            let points = ["score", "max-score"].map(|name| value[name].as_u64());
+            assert!(points[0].is_some() && points[0] <= points[1], "{value}");
+        }
+        assert!(result["tests"][0]["test-name"].is_string());
+        assert!(result["tests"][0]["passed"].is_boolean());
     }
 
     /// Every text in a document.
