@@ -44,7 +44,8 @@ impl UserId {
     fn reserve_in(locks: &Path, mut ids: impl Iterator<Item = u32>) -> Result<UserId> {
         let failed = Error::environment(
             format!("cannot reserve a user id in {}", locks.display()),
-            "let root write there, because foreign code needs a user id of its own",
+            "let root write there (in Apptainer: --writable-tmpfs), because foreign code needs a user \
+             id of its own",
         );
         let mut folder = DirBuilder::new();
         folder
