@@ -100,8 +100,8 @@ impl<R: Read + Seek> Archive<R> {
             inner,
             left: left.clone(),
         };
-        let mut zip =
-            ZipArchive::new(metered).map_err(|error| format!("it is not a ZIP file ({error})"))?;
+        let mut zip = ZipArchive::new(metered)
+            .map_err(|error| format!("it is damaged, or not a ZIP file ({error})"))?;
         if zip.len() > MOST_ENTRIES {
             return Err(format!("it holds more than {MOST_ENTRIES} files"));
         }

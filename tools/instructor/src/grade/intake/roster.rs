@@ -26,10 +26,10 @@ pub struct Person {
     pub github: Option<String>,
 }
 
-/// Names of columns, in lower case and without spaces: ours, and those of Canvas's gradebook and
-/// Moodle's lists in English and German. If a table has several of them, the first in this list
+/// Names of columns, in lower case and without spaces: ours, and those of Canvas's gradebook,
+/// Moodle's lists in English and German, and the rosters of GitHub's classrooms. If a table has several of them, the first in this list
 /// counts. In the line of a person who has no id there, the next one counts.
-const ID: [&str; 11] = [
+const ID: [&str; 12] = [
     "sisuserid",
     "idnumber",
     "idnummer",
@@ -41,6 +41,7 @@ const ID: [&str; 11] = [
     "identifier",
     "emailaddress",
     "emailadresse",
+    "username",
 ];
 const NAME: [&str; 6] = [
     "name",
@@ -90,7 +91,9 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
     // In Canvas's gradebook, `ID` is Canvas's own number, and in Moodle's German lists, Moodle's.
     let is_platforms = ["sisuserid", "idnummer"].contains(&table.name(id));
     let number = number.or(of(&["id"]).filter(|_| is_platforms));
-    let github = of(&GITHUB);
+    // In Classroom 50's roster, `username` is the login on GitHub.
+    let is_classroom = of(&["githubid"]).is_some();
+    let github = of(&GITHUB).or(of(&["username"]).filter(|_| is_classroom));
     let logins: Vec<usize> = LOGIN.iter().filter_map(|name| of(&[name])).collect();
 
     let mut people: Vec<Person> = Vec::new();
@@ -222,6 +225,13 @@ mod tests {
         assert_eq!(ids.collect::<Vec<_>>(), ["20231234", "Teilnehmer/in2002"]);
         let numbers = german.iter().filter_map(|person| person.number.as_deref());
         assert_eq!(numbers.collect::<Vec<_>>(), ["2001", "2002"]);
+        let classroom = "username,first_name,last_name,email,section,github_id\n\
+            countess,Ada,Lovelace,,A,1234\n";
+        let ada = people(classroom.as_bytes()).expect("it is a roster");
+        assert_eq!(
+            (ada[0].id.as_str(), ada[0].github.as_deref()),
+            ("countess", Some("countess"))
+        );
         let list = "First name,Last name,ID number\nAda,Lovelace,20231234\n";
         let ada = people(list.as_bytes()).expect("it is a roster").remove(0);
         assert_eq!(ada.name, "Ada Lovelace");
