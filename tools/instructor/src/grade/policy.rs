@@ -167,12 +167,17 @@ fn times_in(path: &Path, zone: Option<&TimeZone>) -> Result<BTreeMap<String, Vec
 
 fn groups_in(path: &Path) -> Result<Vec<Group>> {
     let remedy = "save it as a CSV file whose first line is: id,group";
+    // A person without an id of the university has Canvas's number as an id.
+    const MEMBER: [&str; 5] = ["id", "userid", "sisuserid", "idnumber", "canvasuserid"];
     Table::read(path, "list of groups", remedy, |table| {
-        let who = table.needed_column(&["id", "userid", "sisuserid", "idnumber"])?;
+        table.needed_column(&MEMBER)?;
+        let who: Vec<usize> = MEMBER.iter().filter_map(|it| table.column(&[it])).collect();
         let name = table.needed_column(&["group", "groupname", "team"])?;
         let mut groups: BTreeMap<String, Vec<String>> = BTreeMap::new();
         for (line, row) in &table.rows {
-            let (id, name) = (cell(row, who), cell(row, name));
+            let mut ids = who.iter().map(|column| cell(row, *column));
+            let id = ids.find(|id| !id.is_empty()).unwrap_or_default();
+            let name = cell(row, name);
             if groups.values().flatten().any(|other| other == id) {
                 return Err(format!("line {line}: {id} is in two groups"));
             }
@@ -206,4 +211,27 @@ fn late_days_in(path: &Path) -> Result<Vec<(String, u32)>> {
         };
         rows.map(of).collect()
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn canvas_lists_people_without_an_id_of_the_university_by_its_own_number() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let path = folder.path().join("groups.csv");
+        let list = "name,canvas_user_id,user_id,login_id,sections,group_name,canvas_group_id,group_id\n\
+            Ada,11,S1,ada,A,Team A,7,\nBob,12,,bob,A,Team A,7,\nCleo,13,,cleo,A,,,\n";
+        fs::write(&path, list).expect("there is room");
+        let groups = groups_in(&path).expect("it is a list of groups");
+        let groups: Vec<_> = groups
+            .iter()
+            .map(|it| (&*it.name, &it.members[..]))
+            .collect();
+        assert_eq!(
+            groups,
+            [("Team A", &["S1".to_owned(), "12".to_owned()][..])]
+        );
+    }
 }
