@@ -19,13 +19,18 @@ pub const CONTAINER: &str = "container";
 /// Another user id alone.
 pub const WITHOUT_LANDLOCK: &str = "container-without-landlock";
 
-/// All of them.
+/// The sandbox of containers, by root of a user namespace with a range of ids, as Apptainer's
+/// `--fakeroot --writable-tmpfs` makes it.
+pub const ROOTLESS: &str = "container without root";
+
+/// All that differ in what confines the code.
 pub const ALL: [&str; 4] = [BUBBLEWRAP, USER, CONTAINER, WITHOUT_LANDLOCK];
 
 /// The mode's value of `--sandbox`.
 pub fn sandbox(mode: &str) -> &str {
     match mode {
         USER => BUBBLEWRAP,
+        ROOTLESS => CONTAINER,
         mode => mode,
     }
 }
@@ -74,6 +79,7 @@ fn command(mode: &str, environment: &[(&str, &str)], arguments: &[&str]) -> Comm
         USER => as_a_user(),
         CONTAINER => in_a_container(true),
         WITHOUT_LANDLOCK => in_a_container(false),
+        ROOTLESS => as_root_of_a_namespace(),
         _ => Command::new("env"),
     };
     command.arg(program_of(arguments[0])).args(arguments);
@@ -89,12 +95,47 @@ fn as_a_user() -> Command {
     outer
 }
 
-fn in_a_container(landlock: bool) -> Command {
+/// The folder of the toolchain.
+fn sysroot() -> String {
     let sysroot = Command::new("rustc").args(["--print", "sysroot"]).output();
     let sysroot = String::from_utf8(sysroot.expect("there is rustc").stdout).expect("text");
+    sysroot.trim().to_owned()
+}
+
+/// Real root writes the maps of ids, where Apptainer would call `newuidmap`. Inside, root keeps its
+/// id, so that it can read the checkout, but has no rights outside.
+fn as_root_of_a_namespace() -> Command {
+    const MAKE: &str = r#"
+        exec 3>&1
+        coproc inside {
+            exec unshare --user --mount --pid --fork --kill-child bash -c '
+                read -r
+                mount -t proc proc /proc
+                mount -t tmpfs tmpfs /run
+                mount --bind "$0" /mnt
+                exec "$@"' "$@" >&3
+        }
+        pid=$inside_PID
+        until [ "$(readlink "/proc/$pid/ns/user")" != "$(readlink /proc/self/ns/user)" ]; do
+            sleep 0.01
+        done
+        for map in uid_map gid_map; do
+            # The kernel wants both lines at once.
+            cat <<<$'0 0 1\n1 100000 65535' >"/proc/$pid/$map"
+        done
+        echo >&"${inside[1]}"
+        wait "$pid"
+    "#;
+    let mut outer = Command::new("bash");
+    outer.args(["-c", MAKE, "bash", &sysroot()]);
+    with_toolchain_in_mnt(&mut outer);
+    outer
+}
+
+fn in_a_container(landlock: bool) -> Command {
     let mut outer = Command::new("bwrap");
     outer.args(["--dev-bind", "/", "/", "--cap-add", "ALL"]);
-    outer.args(["--ro-bind", sysroot.trim(), "/mnt"]);
+    outer.args(["--ro-bind", &sysroot(), "/mnt"]);
     if !landlock {
         close_checkout(&mut outer);
     }
@@ -107,6 +148,12 @@ fn in_a_container(landlock: bool) -> Command {
         outer.arg("--without-landlock");
     }
     outer.arg("--");
+    with_toolchain_in_mnt(&mut outer);
+    outer
+}
+
+/// Lets programs find the toolchain where every user can reach it.
+fn with_toolchain_in_mnt(outer: &mut Command) {
     let path = std::env::var("PATH").expect("there is a PATH");
     outer
         .env("PATH", format!("/mnt/bin:{path}"))
@@ -116,7 +163,6 @@ fn in_a_container(landlock: bool) -> Command {
         // Cargo sets this to the folder of the toolchain's libraries, and rustc looks beside
         // them.
         .env_remove("LD_LIBRARY_PATH");
-    outer
 }
 
 /// Imitates `chmod 700` of the checkout for programs inside: only root may enter a folder above
