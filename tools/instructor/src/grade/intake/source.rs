@@ -1,6 +1,8 @@
 //! A path on the command line: a class, whose files are divided among people, or a single
 //! submission.
 
+use std::collections::BTreeSet;
+
 use super::hand_in::{self, HandIn, Upload, account, signs, tops};
 use super::matching::Proof;
 use super::names::{self, Platform, Sign};
@@ -63,10 +65,13 @@ impl Source<'_> {
         !names::platforms(name).is_empty() || (self.is_on_roster)(stem)
     }
 
-    /// Whether everything at the top has a person's name.
+    /// Whether most of what is at the top has a person's name. A single other name makes no
+    /// difference, as that of Moodle's default group.
     fn names_people(&self, found: &[FoundFile]) -> bool {
-        let mut tops = found.iter().filter_map(|found| found.path.first());
-        tops.all(|top| self.is_person(top))
+        let tops = found.iter().filter_map(|found| found.path.first());
+        let tops: BTreeSet<&String> = tops.collect();
+        let named = tops.iter().filter(|top| self.is_person(top)).count();
+        2 * named > tops.len()
     }
 
     /// Whether this is a folder of submissions, and not a single submission.

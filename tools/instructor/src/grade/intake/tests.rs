@@ -354,6 +354,12 @@ fn the_whole_download_of_a_platform_is_unpacked() {
     moodle.extend(answers("Bob Bobson_2002_assignsubmission_file/", "bob"));
     export.put("CG-hw1-4711.zip", &zip(&moodle));
     export.is_of("CG-hw1-4711.zip", &["Ada Lovelace_2001", "Bob Bobson_2002"]);
+    // One name that is not as expected doesn't make the class one submission.
+    let other = "Default group_assignsubmission_file";
+    moodle.extend(answers(&format!("{other}/"), "cleo"));
+    export.put("CG-hw1-4712.zip", &zip(&moodle));
+    let all = ["Ada Lovelace_2001", "Bob Bobson_2002", other];
+    export.is_of("CG-hw1-4712.zip", &all);
 }
 
 #[test]
