@@ -156,18 +156,19 @@ impl Grade {
     }
 }
 
-/// Show everything about one mark, to explain it to the student
+/// Show how one mark came about, so that you can explain it to the student
 ///
-/// Prints the final mark and the reason for each change to it. For each group that fails, prints
-/// what was asked, what was expected and what the answer gave, and then the answer as it was handed
-/// in. It shows more about fresh and withheld questions than
-/// the student may see. Nothing is graded again.
+/// Prints the final mark, and each adjustment that led to it, with its reason. For each group of
+/// questions that fails, prints a question that was answered wrongly: what was asked, what was
+/// expected and what the code returned. Then prints the file that was handed in for that task.
+/// Nothing is graded again. The output shows more about fresh and withheld questions than students
+/// may see, so don't pass it on as it is.
 #[derive(Args)]
 pub struct Dispute {
-    /// The submission, or the person's id or name, as in grades.csv
+    /// The id of a submission, or the id or name of a person, as in grades.csv
     #[arg(value_name = "ID")]
     pub id: String,
-    /// The folder that the class was graded into
+    /// The folder with the results of the class, to which `grade --out` wrote them
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Print one JSON document on standard output
