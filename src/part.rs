@@ -48,6 +48,23 @@ pub struct Condition {
     pub holds: bool,
 }
 
+/// How many of an answer's steps, such as the branches of a tree, were taken in a way that may
+/// explain why a part of the answer is wrong.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tally {
+    /// The steps in words that can follow a number: "branches of your trees".
+    pub steps: &'static str,
+    /// What is counted, in words that can follow a number: "are cut along another axis".
+    pub sort: &'static str,
+    /// The part of the answer that it may explain; `None` if that is not a part, such as the number
+    /// of steps.
+    pub explains: Option<&'static str>,
+    /// How many steps of this sort there are.
+    pub some: usize,
+    /// How many steps there are.
+    pub all: usize,
+}
+
 impl Part {
     /// Whether it says which object is hit: a name, not a measure.
     pub fn is_object(&self) -> bool {

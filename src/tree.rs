@@ -250,6 +250,87 @@ impl FlatTree {
     }
 }
 
+/// How a branch divides its triangles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Cut {
+    /// At the middle of the axis along which the centres spread most, or all centres coincide.
+    Middle,
+    /// Elsewhere on that axis.
+    OffMiddle,
+    /// On another axis.
+    OtherAxis,
+    /// On no axis are the centres of one child all on one side of those of the other.
+    Mixed,
+}
+
+/// Centres that are closer to each other than this share of their coordinates may coincide.
+const ROUNDED: f64 = 1e-6;
+
+impl FlatTree {
+    /// How each branch divides its triangles, as a tree over triangles with these boxes. A branch
+    /// with an empty child divides nothing.
+    pub(crate) fn cuts(&self, triangles: &[BoundingBox]) -> Vec<Cut> {
+        let mut centers: Vec<Vec<DVec3>> = vec![Vec::new(); self.0.len()];
+        let mut cuts = Vec::new();
+        // Children come after their parents.
+        for index in (0..self.0.len()).rev() {
+            centers[index] = match self.node(index) {
+                Node::Leaf(members) => {
+                    let known = members.iter().filter_map(|&member| triangles.get(member));
+                    known.map(BoundingBox::center).collect()
+                }
+                Node::Branch([a, b]) => {
+                    let [a, b] = [a, b].map(|child| std::mem::take(&mut centers[child]));
+                    if !a.is_empty() && !b.is_empty() {
+                        cuts.push(cut(&a, &b));
+                    }
+                    [a, b].concat()
+                }
+            };
+        }
+        cuts
+    }
+}
+
+/// How these centres are divided.
+fn cut(a: &[DVec3], b: &[DVec3]) -> Cut {
+    let bounds = |centers: &[DVec3]| {
+        let low = centers.iter().copied().fold(DVec3::INFINITY, DVec3::min);
+        let high = centers
+            .iter()
+            .copied()
+            .fold(DVec3::NEG_INFINITY, DVec3::max);
+        (low, high)
+    };
+    let [(a_low, a_high), (b_low, b_high)] = [bounds(a), bounds(b)];
+    let (low, high) = (a_low.min(b_low), a_high.max(b_high));
+    let spread = high - low;
+    let slack = ROUNDED * low.abs().max(high.abs()).max_element();
+    let widest = spread.max_element();
+    if widest <= slack {
+        return Cut::Middle;
+    }
+    let gap = |axis: usize| f64::max(b_low[axis] - a_high[axis], a_low[axis] - b_high[axis]);
+    let is_middle = |axis: usize| {
+        let middle = 0.5 * (low + high)[axis];
+        let is_below = |high: f64| high <= middle + slack;
+        let is_above = |low: f64| low >= middle - slack;
+        is_below(a_high[axis]) && is_above(b_low[axis])
+            || is_below(b_high[axis]) && is_above(a_low[axis])
+    };
+    let (wide, narrow): (Vec<usize>, Vec<usize>) =
+        (0..3).partition(|&axis| spread[axis] >= widest - slack);
+    if wide.iter().any(|&axis| is_middle(axis)) {
+        Cut::Middle
+    } else if wide.iter().any(|&axis| gap(axis) >= -slack) {
+        Cut::OffMiddle
+    } else if narrow.iter().any(|&axis| gap(axis) > slack) {
+        Cut::OtherAxis
+    } else {
+        Cut::Mixed
+    }
+}
+
 /// The smallest box around these boxes. Around none, its corners are infinite.
 fn around(boxes: impl IntoIterator<Item = BoundingBox> + Clone) -> BoundingBox {
     let corners = |corner: fn(BoundingBox) -> DVec3| boxes.clone().into_iter().map(corner);

@@ -7,7 +7,8 @@ use super::transport::Next;
 use crate::camera::Resolution;
 use crate::film::{Film, TESTS};
 use crate::job::{Job, MOST_PANIC_TEXT, Message};
-use crate::kind::{Answer, Questions, WireAnswer};
+use crate::kind::{Answer, Questions, SearchLog, WireAnswer};
+use crate::part::Tally;
 use crate::ray::{Hit, Ray};
 use crate::tree::NodeBox;
 
@@ -24,6 +25,10 @@ pub struct Reply {
     pub own_tests: Vec<u32>,
     /// The boxes of the upper nodes of each tree, for pictures; empty if no trees came.
     pub outlines: Vec<Vec<NodeBox>>,
+    /// How the steps of each answer were taken, for diagnoses; empty if answers have no steps.
+    pub tallies: Vec<Vec<Tally>>,
+    /// What each search has tested so far; otherwise empty.
+    searches: Vec<SearchLog>,
     /// How it ended.
     pub ending: Ending,
     /// How long it took to start: until the first answers came.
@@ -42,6 +47,8 @@ impl Reply {
             tests: vec![0; if job.is_counted() { job.len() } else { 0 }],
             own_tests: Vec::new(),
             outlines: Vec::new(),
+            tallies: Vec::new(),
+            searches: Vec::new(),
             ending: Ending::Complete,
             start: Duration::ZERO,
             printed: String::new(),
@@ -140,12 +147,16 @@ impl Reply {
             let tests = std::mem::replace(&mut self.tests, later);
             let later = self.outlines.split_off(length.min(self.outlines.len()));
             let outlines = std::mem::replace(&mut self.outlines, later);
+            let later = self.tallies.split_off(length.min(self.tallies.len()));
+            let tallies = std::mem::replace(&mut self.tallies, later);
             parts.push(Reply {
                 answers,
                 missing,
                 tests,
                 own_tests: Vec::new(),
                 outlines,
+                tallies,
+                searches: Vec::new(),
                 ending: self.ending.clone(),
                 start: self.start,
                 printed: String::new(),
@@ -155,8 +166,8 @@ impl Reply {
         parts
     }
 
-    /// Keeps the parts of an answer that are drawn but not judged.
-    fn keep_for_pictures(&mut self, job: &Job, index: usize, sent: &WireAnswer) {
+    /// Keeps what is drawn or described but not judged.
+    fn keep_unjudged(&mut self, job: &Job, index: usize, sent: &WireAnswer) {
         match (sent, job.questions()) {
             (WireAnswer::Counted(_, tests), _) => {
                 self.own_tests.resize(job.len(), 0);
@@ -165,6 +176,13 @@ impl Reply {
             (WireAnswer::Tree(tree), Some(Questions::Tree(all))) => {
                 self.outlines.resize(job.len(), Vec::new());
                 self.outlines[index] = all[index].outline(tree);
+                self.tallies.resize(job.len(), Vec::new());
+                self.tallies[index] = all[index].tallies(tree);
+            }
+            (_, Some(Questions::TreeSearch(_))) => {
+                self.tallies.resize(job.len(), Vec::new());
+                let searched = self.searches.get_mut(index).map(std::mem::take);
+                self.tallies[index] = searched.unwrap_or_default().tallies();
             }
             _ => {}
         }
@@ -181,9 +199,12 @@ impl Reply {
                     return Err("it asked for ten times as many tests as there are".into());
                 }
                 let result = questions.test(index, test);
-                Ok(Next::Send(
-                    result.ok_or("it asked to test what is not in the tree")?,
-                ))
+                let result = result.ok_or("it asked to test what is not in the tree")?;
+                if let Questions::TreeSearch(all) = questions {
+                    self.searches.resize(job.len(), SearchLog::default());
+                    self.searches[index].note(&all[index], test, result);
+                }
+                Ok(Next::Send(result))
             }
             Message::Panicked(mut panic) => {
                 for text in [&mut panic.message, &mut panic.file] {
@@ -222,7 +243,7 @@ impl Reply {
                     *place = Some(answer);
                 }
                 for (index, sent) in sent() {
-                    self.keep_for_pictures(job, index, sent);
+                    self.keep_unjudged(job, index, sent);
                 }
                 Ok(match self.missing {
                     0 => Next::End,

@@ -270,6 +270,48 @@ mod message {
     }
 
     #[test]
+    fn needless_steps_of_a_search_are_counted() {
+        let leaf = |triangle| FlatNode::Leaf(vec![triangle]);
+        let met = |object, t| Hit {
+            object,
+            intersection: Intersection {
+                t,
+                normal: DVec3::X,
+            },
+        };
+        let question = SearchQuestion {
+            tree: FlatTree(vec![FlatNode::Branch([1, 2]), leaf(0), leaf(1)]),
+            min_t: 0.0,
+            results: TestResults {
+                boxes: vec![Some(1.0..=9.0), Some(1.0..=2.0), Some(3.0..=9.0)],
+                triangles: vec![met(0, 1.5), met(1, 4.0)],
+            },
+        };
+        let job = Job::Ask(Questions::TreeSearch(vec![question; 2]));
+        let mut reply = Reply::before(&job);
+        let mut test = |index, nodes: &[usize], triangles: &[usize]| {
+            let (min_t, max_t) = (0.0, f64::INFINITY);
+            let boxes = nodes.iter().map(|&node| Test::Box { node, min_t, max_t });
+            let triangles = triangles.iter();
+            let triangles = triangles.map(|&triangle| Test::Triangle { triangle, min_t });
+            for test in boxes.chain(triangles) {
+                reply.take(&job, Message::Test(index, test)).unwrap();
+            }
+        };
+        // The nearer box first, and then the one behind the hit.
+        test(0, &[0, 1, 2], &[0, 1]);
+        // The farther box first, and one box twice.
+        test(1, &[0, 1, 2, 2], &[1, 0]);
+        reply.take(&job, answers(0, &[hit(0), hit(0)])).unwrap();
+        let counts = |index: usize| {
+            let tallies = reply.tallies[index].iter();
+            tallies.map(|it| (it.some, it.all)).collect::<Vec<_>>()
+        };
+        assert_eq!(counts(0), [(0, 1), (0, 3), (1, 3), (0, 3)]);
+        assert_eq!(counts(1), [(1, 1), (0, 3), (0, 3), (1, 4)]);
+    }
+
+    #[test]
     fn a_panic_ends_the_reply_and_stays_within_the_job() {
         let job = hits(3);
         let mut reply = Reply::before(&job);

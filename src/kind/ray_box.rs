@@ -46,6 +46,24 @@ impl BoxQuestion {
         point.cmpge(self.bounds.min).all() && point.cmple(self.bounds.max).all()
     }
 
+    /// The t at which the ray passes the first and the second face of each axis; infinite or not a
+    /// number where it runs parallel to them.
+    fn crossings(&self) -> (DVec3, DVec3) {
+        let BoundingBox { min, max } = self.bounds;
+        let at = |plane: DVec3| (plane - self.ray.origin) / self.ray.direction;
+        (at(min).min(at(max)), at(min).max(at(max)))
+    }
+
+    /// The component of d along the axis whose face the ray enters through after `min_t`; 0 if it
+    /// is in the box at `min_t`.
+    fn entered_along(&self) -> f64 {
+        let (entry, _) = self.crossings();
+        let crossed = (0..3).filter(|axis| entry[*axis].is_finite());
+        let last = crossed.max_by(|a, b| entry[*a].total_cmp(&entry[*b]));
+        let last = last.filter(|axis| entry[*axis] > self.min_t);
+        last.map_or(0.0, |axis| self.ray.direction[axis])
+    }
+
     /// Whether the ray runs in the plane of a face.
     fn runs_in_face(&self) -> bool {
         let BoundingBox { min, max } = self.bounds;
@@ -108,6 +126,8 @@ impl Question for BoxQuestion {
         let t = answer.hit().map_or(f64::NAN, |hit| hit.intersection.t);
         let size = self.bounds.max - self.bounds.min;
         let direction = self.ray.direction;
+        let along = self.entered_along();
+        let count = |mask: glam::BVec3| mask.bitmask().count_ones();
         vec![
             Condition::new("t is below min_t", "t is min_t or more", t < self.min_t),
             Condition::new("t is above max_t", "t is max_t or less", t > self.max_t),
@@ -147,16 +167,39 @@ impl Question for BoxQuestion {
                 "no component of d is negative",
                 direction.min_element() < 0.0,
             ),
+            Condition::new(
+                "d points up an axis (a component is positive)",
+                "no component of d is positive",
+                direction.max_element() > 0.0,
+            ),
+            Condition::new(
+                "two or three components of d are negative",
+                "at most one component of d is negative",
+                count(direction.cmplt(DVec3::ZERO)) > 1,
+            ),
+            Condition::new(
+                "two or three components of d are positive",
+                "at most one component of d is positive",
+                count(direction.cmpgt(DVec3::ZERO)) > 1,
+            ),
+            Condition::new(
+                "the ray enters through a face of the box's min",
+                "the ray does not enter through a face of the box's min",
+                along > 0.0,
+            ),
+            Condition::new(
+                "the ray enters through a face of the box's max",
+                "the ray does not enter through a face of the box's max",
+                along < 0.0,
+            ),
         ]
     }
 
     fn others(&self, _: &Answer) -> Vec<(&'static str, Answer)> {
-        let BoundingBox { min, max } = self.bounds;
-        let crossings = |plane: DVec3| (plane - self.ray.origin) / self.ray.direction;
-        let (a, b) = (crossings(min), crossings(max));
+        let (first, second) = self.crossings();
         let crossed = (0..3).filter(|axis| self.ray.direction[*axis] != 0.0);
-        let entry = crossed.clone().map(|axis| a[axis].min(b[axis]));
-        let exit = crossed.map(|axis| a[axis].max(b[axis]));
+        let entry = crossed.clone().map(|axis| first[axis]);
+        let exit = crossed.map(|axis| second[axis]);
         let at = |t| {
             let normal = DVec3::ZERO;
             Answer::alone(Some(Intersection { t, normal }))
@@ -170,6 +213,12 @@ impl Question for BoxQuestion {
                 "the greatest of min_t and the three exits",
                 at(exit.fold(self.min_t, f64::max)),
             ),
+            ("the t of the first of the two x faces", at(first.x)),
+            ("the t of the first of the two y faces", at(first.y)),
+            ("the t of the first of the two z faces", at(first.z)),
+            ("the t of the second of the two x faces", at(second.x)),
+            ("the t of the second of the two y faces", at(second.y)),
+            ("the t of the second of the two z faces", at(second.z)),
         ]
     }
 }

@@ -6,8 +6,8 @@ use super::{Answer, AnswerFn, Kind, Question, Unregistered, WireAnswer};
 use crate::bounds::BoundingBox;
 use crate::fact::Fact;
 use crate::film::Samples;
-use crate::part::{Condition, Part, Quantity};
-use crate::tree::{FlatTree, NodeBox, TreeMeasures};
+use crate::part::{Condition, Part, Quantity, Tally};
+use crate::tree::{Cut, FlatTree, NodeBox, TreeMeasures};
 use crate::words::number;
 
 /// Which tree holds triangles with these boxes?
@@ -22,6 +22,9 @@ pub struct TreeQuestion {
 
 /// A pixel of a question film can hold at most this many boxes.
 const MOST_BOXES: usize = 64;
+
+/// What the expected number of tests is called.
+const TESTS: &str = "the expected number of tests";
 
 /// Of a long list of boxes, this many lines are shown. The report draws them all.
 const MOST_SHOWN: usize = 6;
@@ -47,6 +50,35 @@ impl TreeQuestion {
     /// The boxes of a tree's upper nodes, for pictures.
     pub fn outline(&self, tree: &FlatTree) -> Vec<NodeBox> {
         tree.outline(&self.boxes)
+    }
+
+    /// How the branches of a tree divide its triangles.
+    pub(crate) fn tallies(&self, tree: &FlatTree) -> Vec<Tally> {
+        let cuts = tree.cuts(&self.boxes);
+        let sorts = [
+            (
+                Cut::OtherAxis,
+                "divide the triangles along another axis than the one along which their centres \
+                 spread most",
+            ),
+            (
+                Cut::Mixed,
+                "divide them along no axis: the centres on both sides are mixed",
+            ),
+            (
+                Cut::OffMiddle,
+                "divide them along the right axis, but not in the middle between the least and \
+                 the greatest centre",
+            ),
+        ];
+        let tally = |(cut, sort)| Tally {
+            steps: "branches of your trees",
+            sort,
+            explains: Some(TESTS),
+            some: cuts.iter().filter(|it| **it == cut).count(),
+            all: cuts.len(),
+        };
+        sorts.map(tally).to_vec()
     }
 }
 
@@ -182,7 +214,7 @@ impl TreeMeasures {
             part("the largest leaf", self.largest_leaf as f64, &["leaf"]),
         ];
         if self.misplaced == 0 {
-            parts.push(part("the expected number of tests", self.cost, &["cost"]));
+            parts.push(part(TESTS, self.cost, &["cost"]));
         }
         parts
     }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::{Answer, AnswerFn, Kind, Question, Unregistered, WireAnswer};
 use crate::fact::Fact;
 use crate::film::Samples;
-use crate::part::{Condition, Quantity};
+use crate::part::{Condition, Quantity, Tally};
 use crate::ray::{Hit, Intersection};
 use crate::tree::{FlatNode, FlatTree, Node, RayTree};
 use crate::words::{self, number};
@@ -141,27 +141,63 @@ impl SearchQuestion {
         })
     }
 
-    /// The nodes that lead to a triangle, its leaf first, each with the node beside it. The root
-    /// is left out.
-    fn way_to(&self, triangle: usize) -> impl Iterator<Item = WayNode> {
-        let above = |node: usize| {
-            let branches = self.tree.0.iter().enumerate();
-            branches.into_iter().find_map(|(parent, it)| match it {
-                FlatNode::Branch([a, b]) if *a == node => Some((parent, *b, false)),
-                FlatNode::Branch([a, b]) if *b == node => Some((parent, *a, true)),
-                _ => None,
-            })
+    /// The triangles of a leaf that the ray meets, in the leaf's order.
+    fn met_in(&self, leaf: usize) -> impl Iterator<Item = &Hit> {
+        let members = match &self.tree.0[leaf] {
+            FlatNode::Leaf(members) => members.as_slice(),
+            FlatNode::Branch(_) => &[],
         };
-        let mut next = self.leaf_of(triangle);
-        std::iter::from_fn(move || {
-            let node = next?;
-            let (parent, beside, is_second) = above(node)?;
-            next = Some(parent);
-            Some(WayNode {
-                node,
+        members.iter().filter_map(|&member| {
+            let mut met = self.results.triangles.iter();
+            met.find(|hit| hit.object == member && hit.intersection.t >= self.min_t)
+        })
+    }
+
+    /// The first leaf in which a triangle is met, if of two boxes the one that is entered first is
+    /// looked into first.
+    fn first_leaf(&self) -> Option<usize> {
+        let mut waiting = vec![0];
+        while let Some(node) = waiting.pop() {
+            if self.entry(node).is_none() {
+                continue;
+            }
+            if let FlatNode::Branch(mut children) = self.tree.0[node] {
+                let entry = |node: &usize| self.entry(*node).unwrap_or(f64::INFINITY);
+                children.sort_by(|a, b| entry(b).total_cmp(&entry(a)));
+                waiting.extend(children);
+            } else if self.met_in(node).next().is_some() {
+                return Some(node);
+            }
+        }
+        None
+    }
+
+    /// The branch above a node; the root has none.
+    fn above(&self, node: usize) -> Option<Above> {
+        let branches = self.tree.0.iter().enumerate();
+        branches.into_iter().find_map(|(parent, it)| {
+            let (beside, is_second) = match it {
+                FlatNode::Branch([a, b]) if *a == node => (*b, false),
+                FlatNode::Branch([a, b]) if *b == node => (*a, true),
+                _ => return None,
+            };
+            Some(Above {
+                node: parent,
                 beside,
                 is_second,
             })
+        })
+    }
+
+    /// The nodes that lead to a triangle, its leaf first, each with what is above it. The root is
+    /// left out.
+    fn way_to(&self, triangle: usize) -> impl Iterator<Item = (usize, Above)> {
+        let mut next = self.leaf_of(triangle);
+        std::iter::from_fn(move || {
+            let node = next?;
+            let above = self.above(node)?;
+            next = Some(above.node);
+            Some((node, above))
         })
     }
 
@@ -171,11 +207,119 @@ impl SearchQuestion {
     }
 }
 
-/// A node on the way to a triangle.
-struct WayNode {
+/// What a search has tested so far, and which of its steps were needless.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SearchLog {
+    /// The t of the nearest triangle that was found.
+    nearest: Option<f64>,
+    /// Whether each node's box was tested.
+    tested: Vec<bool>,
+    /// Whether anything in each node was tested.
+    opened: Vec<bool>,
+    /// Tests of boxes, and how many of them repeat an earlier one.
+    tests: [usize; 2],
+    /// Boxes that were opened, and how many of them the ray misses or enters too late.
+    boxes: [usize; 3],
+    /// Choices between two boxes, and how many of them were for the one that is entered later.
+    choices: [usize; 2],
+}
+
+impl SearchLog {
+    /// Notes a test and its result.
+    pub(crate) fn note(&mut self, question: &SearchQuestion, test: Test, result: TestResult) {
+        let nodes = question.tree.0.len();
+        self.tested.resize(nodes, false);
+        self.opened.resize(nodes, false);
+        match test {
+            Test::Box { node, .. } => {
+                let again = std::mem::replace(&mut self.tested[node], true);
+                self.tests[0] += 1;
+                self.tests[1] += usize::from(again);
+                if let Some(parent) = question.above(node) {
+                    self.open(question, parent.node);
+                }
+            }
+            Test::Triangle { triangle, .. } => {
+                if let Some(leaf) = question.leaf_of(triangle) {
+                    self.open(question, leaf);
+                }
+            }
+        }
+        if let TestResult::Triangle(Some(found)) = result {
+            let nearest = self.nearest.map_or(found.t, |t| t.min(found.t));
+            self.nearest = Some(nearest);
+        }
+    }
+
+    /// Notes that something in a node is tested.
+    fn open(&mut self, question: &SearchQuestion, node: usize) {
+        if std::mem::replace(&mut self.opened[node], true) {
+            return;
+        }
+        let entry = question.entry(node);
+        let is_late = |entry: f64| self.nearest.is_some_and(|nearest| entry > nearest);
+        self.boxes[0] += 1;
+        self.boxes[1] += usize::from(entry.is_none());
+        self.boxes[2] += usize::from(entry.is_some_and(is_late));
+        let Some(above) = question.above(node) else {
+            return;
+        };
+        if let Some((own, beside)) = entry.zip(question.entry(above.beside))
+            && own != beside
+            && !self.opened[above.beside]
+        {
+            self.choices[0] += 1;
+            self.choices[1] += usize::from(own > beside);
+        }
+    }
+
+    /// What was noted.
+    pub(crate) fn tallies(&self) -> Vec<Tally> {
+        let tally = |steps, sort, all, some| Tally {
+            steps,
+            sort,
+            explains: None,
+            some,
+            all,
+        };
+        let [boxes, missed, late] = self.boxes;
+        let looked = "boxes that you look into";
+        vec![
+            tally(
+                "choices between two boxes that the ray enters",
+                "are for the one that it enters later",
+                self.choices[0],
+                self.choices[1],
+            ),
+            tally(
+                looked,
+                "are missed by the ray, from min_t on",
+                boxes,
+                missed,
+            ),
+            tally(
+                looked,
+                "begin behind a triangle that you have found already",
+                boxes,
+                late,
+            ),
+            tally(
+                "tests of boxes",
+                "repeat an earlier one",
+                self.tests[0],
+                self.tests[1],
+            ),
+        ]
+    }
+}
+
+/// What is above a node.
+struct Above {
+    /// The branch whose child it is.
     node: usize,
-    /// The other child of its parent.
+    /// The other child.
     beside: usize,
+    /// Whether it is the second child.
     is_second: bool,
 }
 
@@ -236,11 +380,25 @@ impl Question for SearchQuestion {
         words::hit(answer.hit(), digits)
     }
 
-    fn quantities(&self, _: &Answer) -> Vec<Quantity> {
+    fn quantities(&self, right: &Answer) -> Vec<Quantity> {
         let entry = self.entry(0).unwrap_or(f64::NAN);
+        let exit = |node: usize| {
+            let inside = self.results.boxes.get(node)?.as_ref()?;
+            Some(*inside.end())
+        };
+        let leaf = right.hit().and_then(|hit| self.leaf_of(hit.object));
+        let [of_root, of_leaf] = [Some(0), leaf].map(|node| node.and_then(exit));
         vec![
             Quantity::new("min_t", self.min_t),
             Quantity::new("the t at which the ray enters the root's box", entry),
+            Quantity::new(
+                "the t at which the ray leaves the root's box",
+                of_root.unwrap_or(f64::NAN),
+            ),
+            Quantity::new(
+                "the t at which the ray leaves the leaf's box",
+                of_leaf.unwrap_or(f64::NAN),
+            ),
         ]
     }
 
@@ -252,12 +410,13 @@ impl Question for SearchQuestion {
             let hit = answer.hit().into_iter();
             hit.flat_map(|hit| self.way_to(hit.object))
         };
-        let is_later = |it: WayNode| {
-            let entries = self.entry(it.node).zip(self.entry(it.beside));
+        let is_later = |(node, above): (usize, Above)| {
+            let entries = self.entry(node).zip(self.entry(above.beside));
             entries.is_some_and(|(own, beside)| own > beside)
         };
         vec![
             Condition::new("t is below min_t", "t is min_t or more", t < self.min_t),
+            Condition::new("t is below 1", "t is 1 or more", t < 1.0),
             Condition::new("the root is a leaf", "the root is a branch", root),
             Condition::new(
                 "the ray misses the root's box",
@@ -267,7 +426,7 @@ impl Question for SearchQuestion {
             Condition::new(
                 "a second child leads to the triangle",
                 "only first children lead to the triangle",
-                way().any(|it| it.is_second),
+                way().any(|(_, above)| above.is_second),
             ),
             Condition::new(
                 "a box with the triangle is entered after the box beside it",
@@ -282,9 +441,19 @@ impl Question for SearchQuestion {
         let by_t = |a: &&Hit, b: &&Hit| a.intersection.t.total_cmp(&b.intersection.t);
         let farthest = met.iter().max_by(by_t);
         let nearest = met.iter().min_by(by_t);
+        let own_leaf = right.hit().and_then(|hit| self.leaf_of(hit.object));
+        let met_in = |leaf: usize| self.met_in(leaf);
         let all = [
             ("that of the farthest triangle", farthest),
             ("that of the nearest triangle whatever min_t is", nearest),
+            (
+                "that of the last triangle met in the leaf",
+                own_leaf.and_then(|leaf| met_in(leaf).last()),
+            ),
+            (
+                "that of the nearest triangle in the first leaf where one is met",
+                self.first_leaf().and_then(|leaf| met_in(leaf).min_by(by_t)),
+            ),
         ];
         let answer = |(name, hit): (_, Option<&Hit>)| Some((name, Answer::Hit(Some(*hit?))));
         let of_leaf = right.hit().and_then(|mut hit| {

@@ -189,3 +189,24 @@ fn a_tree_of_boxes_without_surface_costs_nothing() {
     let flat = FlatTree::from(branch(leaf(&[0]), leaf(&[1])));
     assert_eq!(flat.measure(&[point; 2]).cost, 0.0);
 }
+
+#[test]
+fn a_branch_is_told_by_where_it_divides_the_centres() {
+    // A column beside the last cube spreads the centres along y, but less than along x.
+    let mut boxes = cubes(4);
+    boxes[3].min.y += 4.0;
+    boxes[3].max.y += 4.0;
+    let cut = |a: &[usize], b: &[usize]| FlatTree::from(branch(leaf(a), leaf(b))).cuts(&boxes);
+    assert_eq!(cut(&[0, 1], &[2, 3]), [Cut::Middle]);
+    assert_eq!(cut(&[3, 2], &[1, 0]), [Cut::Middle]);
+    assert_eq!(cut(&[0], &[1, 2, 3]), [Cut::OffMiddle]);
+    assert_eq!(cut(&[0, 2], &[1, 3]), [Cut::Mixed]);
+    boxes[0].min.y += 4.0;
+    boxes[0].max.y += 4.0;
+    let cut = |a: &[usize], b: &[usize]| FlatTree::from(branch(leaf(a), leaf(b))).cuts(&boxes);
+    assert_eq!(cut(&[0, 3], &[1, 2]), [Cut::OtherAxis]);
+    assert_eq!(cut(&[], &[0, 1, 2, 3]), []);
+    let alike = vec![boxes[0]; 2];
+    let tree = FlatTree::from(branch(leaf(&[0]), leaf(&[1])));
+    assert_eq!(tree.cuts(&alike), [Cut::Middle]);
+}

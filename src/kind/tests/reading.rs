@@ -143,9 +143,14 @@ fn a_search_knows_how_the_ray_gets_to_a_triangle() {
     let conditions = questions.conditions(0, &hit(2)).into_iter();
     let later = "a box with the triangle is entered after the box beside it";
     assert!(conditions.filter(|it| it.holds).any(|it| it.name == later));
-    let entry = questions.quantities(0, &hit(2)).pop().unwrap();
-    assert_eq!(entry.name, "the t at which the ray enters the root's box");
-    assert_eq!(entry.value, 1.0);
+    let quantities = questions.quantities(0, &hit(2)).into_iter();
+    let quantities: Vec<(&str, f64)> = quantities.map(|it| (it.name, it.value)).collect();
+    let expected = [
+        ("the t at which the ray enters the root's box", 1.0),
+        ("the t at which the ray leaves the root's box", 4.0),
+        ("the t at which the ray leaves the leaf's box", 3.0),
+    ];
+    assert_eq!(quantities[1..], expected);
     let (name, Answer::Hit(Some(other))) = questions.others(0, &hit(0)).pop().unwrap() else {
         panic!("it is no hit");
     };

@@ -190,10 +190,7 @@ pub fn validate(validator: &Validator, plan: &Plan) -> Result<Validation> {
     }
     faults.extend(pairs.iter().flat_map(Pairs::faults));
     faults.extend(draws.iter().flat_map(Draws::faults));
-    if let Some(mutants) = &mutants {
-        faults.extend(mutants.faults.clone());
-        faults.extend(mutants.sentences().faults("mutants"));
-    }
+    faults.extend(mutants.iter().flat_map(Mutants::faults));
     Ok(Validation {
         assignment: validator.assignment.title.clone(),
         faults,

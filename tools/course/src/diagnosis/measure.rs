@@ -3,7 +3,7 @@
 //!
 //! Reading order: [`sample`] holds a question with both answers, part by part. [`law`] says
 //! how a wrong part follows from the right one, and [`rule`] where it is wrong. [`single`]
-//! finds rounding to `f32`. [`words`] writes the sentences, and [`claim`] tests them on other
+//! finds rounding to `f32`, and [`steps`] looks at how an answer was found. [`words`] writes the sentences, and [`claim`] tests them on other
 //! questions.
 //!
 //! Laws and rules are found on one half of the questions, and reported only if they hold on
@@ -14,6 +14,7 @@ mod law;
 mod rule;
 mod sample;
 mod single;
+mod steps;
 mod words;
 
 use pinhole::part::Part;
@@ -63,6 +64,9 @@ const MOST_SEARCHED: usize = 160;
 /// From this share on, hits are missed, or invented, nearly everywhere.
 const NEARLY_ALL: f64 = 0.85;
 
+/// If less than one in this many of the hits can be compared, these say little about the others.
+const LEAST_SEEN: usize = 4;
+
 /// What the samples of a part are called if only hits have that part.
 const HITS: &str = "hits";
 
@@ -86,6 +90,8 @@ pub fn measure(films: &[QuestionsAndAnswers<'_>]) -> Vec<Measurement> {
         .first()
         .and_then(|it| it.right.as_ref())
         .map_or(0, Vec::len);
+    let hits = samples.iter().filter(|sample| sample.right.is_some());
+    let hits = hits.count();
     let mut right = Vec::new();
     let mut wrong_parts: Vec<PartFinding> = Vec::new();
     for part in 0..parts {
@@ -98,7 +104,10 @@ pub fn measure(films: &[QuestionsAndAnswers<'_>]) -> Vec<Measurement> {
         if wrong.is_empty() {
             // Where a task has no hits, no place is named, so it must be right everywhere.
             let is_everywhere = noun == HITS || good.len() == both.len();
-            let is_seen = good.len() >= LEAST && is_everywhere && !both[0].is_object(part);
+            let is_seen = good.len() >= LEAST
+                && good.len() * LEAST_SEEN >= hits
+                && is_everywhere
+                && !both[0].is_object(part);
             right.extend(is_seen.then_some((about, part)));
             continue;
         }
@@ -112,6 +121,8 @@ pub fn measure(films: &[QuestionsAndAnswers<'_>]) -> Vec<Measurement> {
         });
     }
     found.extend(measured_parts(&wrong_parts));
+    let wrong: Vec<&str> = wrong_parts.iter().map(|part| part.about).collect();
+    found.extend(steps::found(films, &wrong));
     // If a law is known, leave out parts that are only known to be wrong, because they may follow
     // from it.
     found.sort_by_key(|measured| measured.claim.rank());

@@ -48,6 +48,7 @@ pub fn asked<'a>(
             Some(QuestionsAndAnswers {
                 questions: film.job.questions()?,
                 answers: &reply.answers,
+                tallies: &reply.tallies,
                 golden: &film.golden,
             })
         })

@@ -61,6 +61,9 @@ pub enum Fate {
 /// reference takes less than a second.
 const WALL: Duration = Duration::from_secs(10);
 
+/// The share of mutants with wrong numbers that must get a law.
+const ENOUGH_TOLD: f64 = 0.9;
+
 /// Judges the mutants of every answer whose names contain `named`.
 pub fn judge(validator: &Validator, named: &str) -> Result<Mutants> {
     // Mutants need no diagnosis.
@@ -234,6 +237,12 @@ impl MutantVerdict {
 }
 
 impl Mutants {
+    /// The targets that were missed.
+    pub fn faults(&self) -> Vec<String> {
+        let sentences = self.sentences().faults("mutants", ENOUGH_TOLD);
+        self.faults.iter().cloned().chain(sentences).collect()
+    }
+
     /// What was measured of all mutants.
     pub fn sentences(&self) -> Sentences {
         Sentences::sum(self.judged.iter().map(|judged| &judged.sentences))

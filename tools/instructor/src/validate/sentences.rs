@@ -32,9 +32,6 @@ pub struct Sentences {
     pub wrong: Vec<String>,
 }
 
-/// The share of wrong tasks that must get a law.
-const ENOUGH: f64 = 0.8;
-
 /// With fewer wrong tasks than this, no share is required.
 pub const FEW: usize = 20;
 
@@ -89,11 +86,11 @@ impl Sentences {
         sum
     }
 
-    /// The targets that were missed.
-    pub fn faults(&self, what: &str) -> Vec<String> {
+    /// The targets that were missed, if `enough` is the share of wrong tasks that must get a law.
+    pub fn faults(&self, what: &str, enough: f64) -> Vec<String> {
         let false_ones = self.wrong.iter().map(|it| format!("false sentence: {it}"));
         let mut faults: Vec<String> = false_ones.collect();
-        if self.tasks >= FEW && (self.told as f64) < ENOUGH * self.tasks as f64 {
+        if self.tasks >= FEW && (self.told as f64) < enough * self.tasks as f64 {
             let (told, tasks) = (self.told, self.tasks);
             faults.push(format!("of {tasks} wrong {what}, only {told} get a law"));
         }
@@ -113,6 +110,7 @@ fn asked<'a>(films: &'a [QuestionFilm], replies: &'a [Reply]) -> Vec<QuestionsAn
         Some(QuestionsAndAnswers {
             questions: film.job.questions()?,
             answers: &reply.answers,
+            tallies: &reply.tallies,
             golden: &film.golden,
         })
     });

@@ -4,6 +4,7 @@ use super::law::{self, Law, PartLaw};
 use super::rule::{Literal, Rule, Scope};
 use super::sample::{QuestionsAndAnswers, Sample, samples};
 use super::single;
+use super::steps;
 
 /// What a sentence claims, in a form that can be tested on other questions.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +30,8 @@ pub enum Claim {
     Where { part: usize, rule: Rule },
     /// A part has single precision.
     Single { part: usize },
+    /// This share of the steps of an answer are of a sort, the one at this place in the list.
+    Steps { tally: usize, share: f64 },
     /// Parts are right.
     Right { parts: Vec<usize> },
     /// All of these.
@@ -44,7 +47,7 @@ impl Claim {
             | Claim::Decision { .. }
             | Claim::Part { .. }
             | Claim::Single { .. } => 0,
-            Claim::Where { .. } => 1,
+            Claim::Where { .. } | Claim::Steps { .. } => 1,
             Claim::Count | Claim::Right { .. } => 2,
             Claim::Several(claims) => claims.iter().map(Claim::rank).min().unwrap_or(2),
         }
@@ -128,6 +131,9 @@ impl Claim {
         };
         match self {
             Claim::Count => true,
+            Claim::Steps { tally, share } => steps::sum(films)
+                .get(*tally)
+                .is_some_and(|sum| steps::is_about(sum, *share)),
             Claim::Single { part } => single::is_single(&both().collect::<Vec<_>>(), *part),
             Claim::Never { misses } => samples
                 .iter()

@@ -93,8 +93,9 @@ impl Rule {
     }
 }
 
-/// With fewer samples than this on either side, don't look for a rule.
-const LEAST: usize = 8;
+/// With fewer samples than this on either side, don't look for a rule. Among so many conditions,
+/// one often holds in eight samples by chance.
+const LEAST: usize = 16;
 
 /// A statement that holds for more than this share of the right samples is useless.
 const TELLING: f64 = 0.34;
@@ -118,11 +119,7 @@ pub fn find(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Option<Rul
         fit.0.iter().filter(|it| !literal.holds(it)).count() * 100 <= fit.0.len()
     });
     let single = literals.iter().map(|literal| vec![*literal]);
-    let both = literals.iter().enumerate().flat_map(|(k, one)| {
-        let others = literals[k + 1..].iter();
-        others.map(move |other| vec![*one, *other])
-    });
-    for literals in single.chain(both) {
+    for literals in single.chain(pairs(&literals)) {
         let rule = Rule {
             literals,
             scope: Scope::Exactly,
@@ -154,7 +151,8 @@ pub fn find(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Option<Rul
         .or_else(|| partly(&all, &fit.0, &stands))
 }
 
-/// The condition that holds in most of the wrong samples, and in no right one.
+/// The condition that holds in most of the wrong samples and in no right one, or else two
+/// conditions that do so together.
 fn partly(literals: &[Literal], wrong: &[&Sample], stands: &dyn Fn(&Rule) -> bool) -> Option<Rule> {
     let covered = |literal: &Literal| wrong.iter().filter(|it| literal.holds(it)).count();
     // Don't try bounds: each is chosen to separate these samples, so it proves nothing.
@@ -164,11 +162,21 @@ fn partly(literals: &[Literal], wrong: &[&Sample], stands: &dyn Fn(&Rule) -> boo
         .copied()
         .collect();
     conditions.sort_by_key(|literal| std::cmp::Reverse(covered(literal)));
-    let rules = conditions.into_iter().map(|literal| Rule {
-        literals: vec![literal],
+    conditions.retain(|literal| covered(literal) * LEAST_COVERED >= wrong.len());
+    let single = conditions.iter().map(|literal| vec![*literal]);
+    let rules = single.chain(pairs(&conditions)).map(|literals| Rule {
+        literals,
         scope: Scope::Partly,
     });
     rules.into_iter().find(|rule| stands(rule))
+}
+
+/// Every two of these.
+fn pairs(literals: &[Literal]) -> impl Iterator<Item = Vec<Literal>> {
+    literals.iter().enumerate().flat_map(|(k, one)| {
+        let others = literals[k + 1..].iter();
+        others.map(move |other| vec![*one, *other])
+    })
 }
 
 /// The samples that laws are fitted to, or the others.

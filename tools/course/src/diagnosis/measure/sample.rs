@@ -2,7 +2,7 @@
 
 use pinhole::judge::Golden;
 use pinhole::kind::{Answer, Questions};
-use pinhole::part::{Condition, Part, Quantity};
+use pinhole::part::{Condition, Part, Quantity, Tally};
 
 /// Questions, the answers that were given, and Mitsuba's.
 #[derive(Clone, Copy)]
@@ -11,6 +11,8 @@ pub struct QuestionsAndAnswers<'a> {
     pub questions: &'a Questions,
     /// The answers, in the questions' order.
     pub answers: &'a [Option<Answer>],
+    /// How the steps of each answer were taken; empty if answers have no steps.
+    pub tallies: &'a [Vec<Tally>],
     /// Mitsuba's answers.
     pub golden: &'a Golden,
 }
@@ -25,7 +27,7 @@ pub struct Sample {
     slack: Vec<f64>,
     /// Numbers that belong to the question.
     pub quantities: Vec<Quantity>,
-    /// Plausible wrong answers, by name.
+    /// Plausible wrong answers, by name. All samples have the same names in the same places.
     pub others: Vec<(&'static str, Option<Vec<Part>>)>,
     /// The conditions on the question and the right answer.
     pub conditions: Vec<Condition>,
@@ -46,7 +48,28 @@ pub fn samples(films: &[QuestionsAndAnswers<'_>]) -> Vec<Sample> {
         let samples = answered.filter_map(|(index, given)| film.sample(index, given.as_ref()?));
         samples.collect::<Vec<_>>()
     };
-    films.iter().flat_map(of_film).collect()
+    let mut samples: Vec<Sample> = films.iter().flat_map(of_film).collect();
+    align_others(&mut samples);
+    samples
+}
+
+/// Gives all samples the same list of other answers, because a law knows one by its place. A
+/// question that lacks one gets `None` there.
+fn align_others(samples: &mut [Sample]) {
+    let mut names: Vec<&'static str> = Vec::new();
+    for (name, _) in samples.iter().flat_map(|sample| &sample.others) {
+        if !names.contains(name) {
+            names.push(name);
+        }
+    }
+    for sample in samples {
+        let mut own = std::mem::take(&mut sample.others);
+        let mut find = |name: &str| {
+            let place = own.iter().position(|(its, _)| *its == name)?;
+            own.swap_remove(place).1
+        };
+        sample.others = names.iter().map(|name| (*name, find(name))).collect();
+    }
 }
 
 impl QuestionsAndAnswers<'_> {

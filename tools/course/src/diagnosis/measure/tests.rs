@@ -1,9 +1,12 @@
 use glam::DVec3;
-use pinhole::film::{Channel, HIT_CHANNELS, TREE_CHANNELS};
+use pinhole::film::{BOX_CHANNELS, Channel, HIT_CHANNELS, TREE_CHANNELS};
 use pinhole::judge::Golden;
-use pinhole::kind::{Answer, Questions, ShapeQuestion, TreeQuestion};
+use pinhole::kind::{Answer, BoundsQuestion, Questions, ShapeQuestion, TreeQuestion};
+use pinhole::part::Tally;
 use pinhole::tree::TreeMeasures;
-use pinhole::{BoundingBox, Film, FlatTree, Hit, Intersection, Plane, Ray, Resolution, Shape};
+use pinhole::{
+    BoundingBox, Film, FlatTree, Hit, Intersection, Plane, Ray, Resolution, Shape, Triangle,
+};
 
 use super::*;
 
@@ -71,6 +74,7 @@ fn said(answer: impl Fn(&ShapeQuestion, Intersection) -> Option<Intersection>) -
         measure(&[QuestionsAndAnswers {
             questions,
             answers,
+            tallies: &[],
             golden,
         }])
     };
@@ -82,6 +86,7 @@ fn said(answer: impl Fn(&ShapeQuestion, Intersection) -> Option<Intersection>) -
             measured.holds(&[QuestionsAndAnswers {
                 questions,
                 answers,
+                tallies: &[],
                 golden
             }]),
             "{says}"
@@ -264,6 +269,11 @@ fn tree_with(misplaced: usize) -> TreeMeasures {
 /// What is said about trees with these measures. All measures except misplaced triangles may be up
 /// to 8.
 fn said_of_trees(measures: impl Fn(usize) -> TreeMeasures) -> Vec<String> {
+    said_of_branches(measures, 0)
+}
+
+/// The same, if this many of the four branches of each tree divide badly.
+fn said_of_branches(measures: impl Fn(usize) -> TreeMeasures, bad: usize) -> Vec<String> {
     let question = || TreeQuestion {
         boxes: vec![
             BoundingBox {
@@ -286,9 +296,18 @@ fn said_of_trees(measures: impl Fn(usize) -> TreeMeasures) -> Vec<String> {
     let golden = Golden::new(all(0.0), all(8.0)).expect("the two belong together");
     let questions = Questions::Tree((0..COUNT).map(|_| question()).collect());
     let answers: Vec<Option<Answer>> = (0..COUNT).map(given).collect();
+    let tally = Tally {
+        steps: "branches",
+        sort: "divide badly",
+        explains: Some("the expected number of tests"),
+        some: bad,
+        all: 4,
+    };
+    let tallies = vec![vec![tally]; COUNT];
     let asked = QuestionsAndAnswers {
         questions: &questions,
         answers: &answers,
+        tallies: &tallies,
         golden: &golden,
     };
     let measured = measure(&[asked]);
@@ -326,4 +345,81 @@ fn a_part_above_its_limit_is_told_with_the_limit() {
     let rest = "The number of missing, repeated or unknown triangles, the depth and the expected \
                 number of tests are";
     assert_eq!(said[1..], [format!("{rest} right everywhere.")]);
+}
+
+#[test]
+fn bad_branches_are_told_if_they_may_explain_what_is_wrong() {
+    let told = |cost: f64, bad: usize| {
+        let measures = |index: usize| TreeMeasures {
+            cost: if index % 2 == 0 { cost } else { 4.0 },
+            largest_leaf: 9,
+            ..tree_with(0)
+        };
+        let said = said_of_branches(measures, bad);
+        said.contains(&format!(
+            "Of {} branches, {} divide badly.",
+            4 * COUNT,
+            bad * COUNT
+        ))
+    };
+    assert!(told(9.0, 3));
+    assert!(!told(9.0, 0));
+    assert!(!told(4.0, 3), "the number of tests is right");
+}
+
+#[test]
+fn another_answer_is_named_even_if_some_questions_lack_it() {
+    let corner = |index: usize, stream| DVec3::splat(random(index, stream));
+    let question = |index: usize| match index % 2 {
+        0 => BoundsQuestion::Triangle(Triangle {
+            corners: [1, 2, 3].map(|stream| corner(index, stream)),
+        }),
+        _ => {
+            let of = |stream| BoundingBox {
+                min: corner(index, stream),
+                max: corner(index, stream) + DVec3::ONE,
+            };
+            BoundsQuestion::Boxes(of(1), of(2))
+        }
+    };
+    let questions: Vec<BoundsQuestion> = (0..COUNT).map(question).collect();
+    let right = |question: &BoundsQuestion| match question {
+        BoundsQuestion::Triangle(Triangle { corners: [a, b, c] }) => BoundingBox {
+            min: a.min(*b).min(*c),
+            max: a.max(*b).max(*c),
+        },
+        BoundsQuestion::Boxes(a, b) => BoundingBox {
+            min: a.min.min(b.min),
+            max: a.max.max(b.max),
+        },
+    };
+    // A triangle's box is wrong in some way, and a join is the second box.
+    let given = |question: &BoundsQuestion| match question {
+        BoundsQuestion::Triangle(_) => BoundingBox {
+            min: right(question).min - (9.0 * right(question).max).powf(1.7),
+            ..right(question)
+        },
+        BoundsQuestion::Boxes(_, b) => *b,
+    };
+    let resolution = Resolution { n_x: COUNT, n_y: 1 };
+    let rights: Vec<BoundingBox> = questions.iter().map(right).collect();
+    let tolerance = Film::new(
+        resolution,
+        BOX_CHANNELS
+            .map(|name| Channel {
+                name: name.into(),
+                samples: vec![1e-5; COUNT],
+            })
+            .into(),
+    );
+    let golden = Golden::new(Film::of_boxes(resolution, &rights), tolerance);
+    let answers = questions.iter().map(|it| Some(Answer::Box(given(it))));
+    let measured = measure(&[QuestionsAndAnswers {
+        answers: &answers.collect::<Vec<_>>(),
+        questions: &Questions::Bounds(questions),
+        tallies: &[],
+        golden: &golden.expect("they belong together"),
+    }]);
+    let said: Vec<&str> = measured.iter().map(|it| it.finding.says.as_str()).collect();
+    assert!(said.concat().contains("that of the second box"), "{said:?}");
 }
