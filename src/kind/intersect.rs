@@ -4,7 +4,7 @@ use super::{Answer, AnswerFn, Kind, Question, Unregistered, WireAnswer};
 use crate::fact::Fact;
 use crate::film::Samples;
 use crate::part::{Condition, Quantity};
-use crate::ray::{Hit, Ray};
+use crate::ray::{Hit, Intersection, Ray};
 use crate::shape::{Shape, ShapeKind};
 use crate::words::{self, number};
 
@@ -79,7 +79,12 @@ impl Question for ShapeQuestion {
                 })),
             )
         };
-        other.into_iter().map(named).collect()
+        let along = hit.map(|hit| Intersection {
+            normal: self.ray.direction.normalize_or_zero(),
+            ..hit.intersection
+        });
+        let along = along.map(|hit| ("d, scaled to unit length", hit));
+        other.into_iter().chain(along).map(named).collect()
     }
 }
 

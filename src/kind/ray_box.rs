@@ -200,6 +200,7 @@ impl Question for BoxQuestion {
         let crossed = (0..3).filter(|axis| self.ray.direction[*axis] != 0.0);
         let entry = crossed.clone().map(|axis| first[axis]);
         let exit = crossed.map(|axis| second[axis]);
+        let leave = exit.clone().fold(self.max_t, f64::min);
         let at = |t| {
             let normal = DVec3::ZERO;
             Answer::alone(Some(Intersection { t, normal }))
@@ -213,6 +214,7 @@ impl Question for BoxQuestion {
                 "the greatest of min_t and the three exits",
                 at(exit.fold(self.min_t, f64::max)),
             ),
+            ("the t at which the ray leaves the box", at(leave)),
             ("the t of the first of the two x faces", at(first.x)),
             ("the t of the first of the two y faces", at(first.y)),
             ("the t of the first of the two z faces", at(first.z)),

@@ -44,6 +44,7 @@ impl Notation for Plane {
         vec![
             Quantity::new("|n|", self.normal.length()),
             Quantity::new("|d · n|", along),
+            Quantity::new("|d · n| / |n|", along / self.normal.length()),
         ]
     }
 

@@ -39,8 +39,16 @@ impl Notation for Sphere {
         format!("c = {center}, r = {radius}")
     }
 
-    fn quantities(&self, _: &Ray) -> Vec<Quantity> {
-        vec![Quantity::new("the radius", self.radius)]
+    /// The discriminant is computed from the distance of the ray's line to the centre, because
+    /// b² − 4ac cancels.
+    fn quantities(&self, ray: &Ray) -> Vec<Quantity> {
+        let Ray { origin, direction } = *ray;
+        let apart = (self.center - origin).reject_from(direction).length();
+        let quarter = (self.radius - apart) * (self.radius + apart) * direction.length_squared();
+        vec![
+            Quantity::new("the radius", self.radius),
+            Quantity::new("the discriminant b² − 4ac", 4.0 * quarter),
+        ]
     }
 
     fn conditions(&self, ray: &Ray, _: DVec3) -> Vec<Condition> {

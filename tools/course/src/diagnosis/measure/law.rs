@@ -127,6 +127,16 @@ impl Law {
         let (right, given) = sample.both(part)?;
         let (value, given) = (place.of(right), place.of(given));
         let quantity = |k: usize, power: i32| sample.quantities[k].value.powi(power);
+        // A value that may be 0 has no meaningful ratio to another.
+        let is_zero = |value: f64| value.abs() <= sample.allowed(part, 0.0, 1.0);
+        let base = match self {
+            Law::Times(_) | Law::TimesQuantity(..) => value,
+            Law::Axis(_, axis) => right[axis],
+            _ => f64::INFINITY,
+        };
+        if is_zero(base) {
+            return None;
+        }
         let by = match self {
             Law::Times(_) => given / value,
             Law::TimesQuantity(_, k, power) => given / (value * quantity(k, power)),

@@ -37,7 +37,8 @@ fn question(index: usize) -> ShapeQuestion {
 fn right(question: &ShapeQuestion) -> Intersection {
     Intersection {
         t: -question.ray.origin.z / question.ray.direction.z,
-        normal: DVec3::Z,
+        // Along y it is 0, apart from rounding, which must not be taken for a factor.
+        normal: DVec3::new(0.0, 1e-7, 1.0),
     }
 }
 
