@@ -477,7 +477,17 @@ impl<'a> PartFinding<'a> {
         };
         let (fitted, tested) = (share(true)?, share(false)?);
         let share = fitted.min(tested);
-        (share >= LEAST_SHARE && (fitted - tested).abs() <= 0.1).then_some((law, share))
+        // A value that only some answers have in common is no law, if it may be any up to a limit.
+        let is_always = matches!(law, PartLaw::Whole(law::Law::Always(_)));
+        let is_limited = self.wrong.iter().any(|it| it.is_limited(self.part));
+        let least = match is_always && is_limited {
+            true => ALL,
+            false => LEAST_SHARE,
+        };
+        // A share of a few is not known well enough to be told.
+        let follow = share * self.wrong.len() as f64;
+        let is_known = share >= ALL || follow >= 2.0 * LEAST as f64;
+        (share >= least && is_known && (fitted - tested).abs() <= 0.1).then_some((law, share))
     }
 }
 

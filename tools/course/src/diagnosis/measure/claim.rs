@@ -46,8 +46,9 @@ impl Claim {
             | Claim::Nearly { .. }
             | Claim::Decision { .. }
             | Claim::Part { .. }
+            | Claim::Steps { .. }
             | Claim::Single { .. } => 0,
-            Claim::Where { .. } | Claim::Steps { .. } => 1,
+            Claim::Where { .. } => 1,
             Claim::Count | Claim::Right { .. } => 2,
             Claim::Several(claims) => claims.iter().map(Claim::rank).min().unwrap_or(2),
         }

@@ -190,7 +190,8 @@ impl Law {
     fn stand(self, sample: &Sample, part: usize, place: Place) -> Fit {
         // A part that only has a limit has no right value that a wrong one could follow from.
         let is_limited = sample.is_limited(part);
-        if is_limited && !matches!(self, Law::Quantity(1.0, _) | Law::Other(_)) {
+        let is_own = matches!(self, Law::Quantity(1.0, _) | Law::Other(_) | Law::Always(_));
+        if is_limited && !is_own {
             return Fit::Breaks;
         }
         let told = self.says(sample, part, place).zip(sample.both(part));

@@ -349,6 +349,18 @@ fn a_part_above_its_limit_is_told_with_the_limit() {
 }
 
 #[test]
+fn a_part_that_always_has_the_same_value_above_its_limit_is_told_with_it() {
+    let trees = |misplaced: fn(usize) -> usize| said_of_trees(|index| tree_with(misplaced(index)));
+    let said = trees(|_| 1).concat();
+    assert!(
+        said.contains("unknown triangles is always 1, in all 200"),
+        "{said}"
+    );
+    let said = trees(|index| 1 + index % 2).concat();
+    assert!(!said.contains("always"), "{said}");
+}
+
+#[test]
 fn bad_branches_are_told_if_they_may_explain_what_is_wrong() {
     let told = |cost: f64, bad: usize| {
         let measures = |index: usize| TreeMeasures {
