@@ -145,8 +145,8 @@ fn is_touched(films: &[FilmParts], part: usize, belief: &str) -> bool {
 /// Beliefs that explain whole parts of the films: two that together explain every part, or
 /// one. None if several do and the films can't tell them apart.
 pub fn partial<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<Vec<&'a str>> {
-    // One film is not enough to tell two beliefs apart.
-    if films.len() < 2 {
+    // One wrong film is not enough to tell two beliefs apart.
+    if films.iter().filter(|film| film.failing > 0).count() < 2 {
         return None;
     }
     // A film that panicked has no parts.

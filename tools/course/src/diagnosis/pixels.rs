@@ -48,8 +48,8 @@ struct PairAgreement {
 /// The two beliefs that together explain the films pixel by pixel, or the one that all likely
 /// pairs share.
 pub fn together<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<Vec<&'a str>> {
-    // One film is not enough to tell two beliefs apart.
-    if films.len() < 2 {
+    // One wrong film is not enough to tell two beliefs apart.
+    if films.iter().filter(|film| film.failing > 0).count() < 2 {
         return None;
     }
     let shows = |slug: &&&str| films.iter().any(|film| film.prints.contains_key(**slug));
