@@ -269,12 +269,15 @@ fn late_with_normals(by: f32, z: f32) -> Film {
 }
 
 #[test]
-fn beliefs_about_two_parts_are_both_named_where_they_meet_in_several_films() {
+fn beliefs_about_two_parts_are_both_named_if_several_films_are_wrong() {
     let (far, long) = (late(0.5), late_with_normals(0.0, 2.0));
     let known: [(&str, &[&Film]); 2] = [("far", &[&far, &far]), ("long", &[&long, &long])];
     let both = late_with_normals(0.5, 2.0);
     assert_eq!(names(&diagnosis(&known, &[&both, &both])), ["far", "long"]);
     assert!(diagnosis(&known, &[&both]).is_empty());
+    let whole = film(right);
+    let known_once: [(&str, &[&Film]); 2] = [("far", &[&far, &whole]), ("long", &[&long, &whole])];
+    assert!(diagnosis(&known_once, &[&both, &whole]).is_empty());
     let other = late_with_normals(0.7, 3.0);
     let unknown = diagnosis(&known, &[&other, &other]);
     assert!(unknown.is_empty(), "{unknown:?}");
@@ -311,6 +314,10 @@ fn two_errors_that_add_up_in_every_pixel_are_both_named() {
     let diagnosis_of = |film: &Film| diagnosis(&known, &[film, film]);
     assert_eq!(names(&diagnosis_of(&both)), ["growth", "shift"]);
     assert!(diagnosis(&known, &[&both]).is_empty());
+    let whole = film(right);
+    let known_once: [(&str, &[&Film]); 2] =
+        [("shift", &[&shift, &whole]), ("growth", &[&growth, &whole])];
+    assert!(diagnosis(&known_once, &[&both, &whole]).is_empty());
     let twice = everywhere(|pixel| 0.5 + 2.0 * growing(pixel));
     assert!(diagnosis_of(&twice).is_empty());
     let often = everywhere(|pixel| 0.5 + if pixel % 2 == 0 { 1.0 } else { growing(pixel) });
