@@ -364,7 +364,7 @@ fn a_part_that_always_has_the_same_value_above_its_limit_is_told_with_it() {
 fn bad_branches_are_told_if_they_may_explain_what_is_wrong() {
     let told = |cost: f64, bad: usize| {
         let measures = |index: usize| TreeMeasures {
-            cost: if index % 2 == 0 { cost } else { 4.0 },
+            cost: if index.is_multiple_of(2) { cost } else { 4.0 },
             largest_leaf: 9,
             ..tree_with(0)
         };
