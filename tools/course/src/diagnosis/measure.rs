@@ -484,9 +484,11 @@ impl<'a> PartFinding<'a> {
             true => ALL,
             false => LEAST_SHARE,
         };
-        // A share of a few is not known well enough to be told.
+        // A share of a few is not known well enough to be told, and a few may agree with another
+        // answer by chance.
         let follow = share * self.wrong.len() as f64;
-        let is_known = share >= ALL || follow >= 2.0 * LEAST as f64;
+        let is_other = matches!(law, PartLaw::Whole(law::Law::Other(_)));
+        let is_known = follow >= 2.0 * LEAST as f64 || share >= ALL && !is_other;
         (share >= least && is_known && (fitted - tested).abs() <= 0.1).then_some((law, share))
     }
 }
