@@ -318,7 +318,7 @@ fn know_groups(policy: &Policy, people: &mut [Person]) {
     for group in policy.groups.iter().filter(|it| !is_number(&it.name)) {
         let mut all = people.iter_mut();
         if let Some(person) = all.find(|person| group.members.contains(&person.id)) {
-            person.logins.push(group.name.clone());
+            person.group = Some(group.name.clone());
         }
     }
 }
@@ -367,8 +367,8 @@ mod tests {
             let mut roll = roll(Vec::new(), "time_zone = 'UTC'", &[(name, &["ada", "bob"])]);
             let mut people = roll.people.take().expect("there are people");
             know_groups(&roll.policy.expect("there is a policy"), &mut people);
-            let logins = people.iter().flat_map(|person| &person.logins);
-            assert_eq!(logins.filter(|login| *login == name).count(), known);
+            let groups = people.iter().filter_map(|person| person.group.as_deref());
+            assert_eq!(groups.filter(|group| *group == name).count(), known);
         }
     }
 

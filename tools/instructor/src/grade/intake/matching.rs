@@ -88,17 +88,27 @@ pub enum Proof {
     Id,
 }
 
-/// The people with this id or login.
+/// The people with this id or login, as the university assigned them.
 fn with_id<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let id = folded(id);
     let is = |other: &&Person| {
         let whole = other.logins.iter().map(String::as_str);
         let local = whole.clone().filter_map(|login| login.split('@').next());
-        let github = other.github.as_deref();
-        let mut all = whole.chain(local).chain(github).chain([other.id.as_str()]);
+        let mut all = whole.chain(local).chain([other.id.as_str()]);
         !id.is_empty() && all.any(|it| is_folded(&id, it))
     };
     people.iter().filter(is).collect()
+}
+
+/// The people who, or whose groups, have chosen to be called this.
+fn calling_themselves<'a>(
+    name: &str,
+    people: &'a [Person],
+    of: fn(&Person) -> Option<&String>,
+) -> impl Iterator<Item = &'a Person> {
+    let name = folded(name);
+    let is = move |own: &String| !name.is_empty() && is_folded(&name, own);
+    people.iter().filter(move |it| of(it).is_some_and(&is))
 }
 
 /// Whether a name may be somebody's.
@@ -183,14 +193,22 @@ pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) 
         } => account(number, name, *may_be_group, people),
         Sign::Plain(name) => {
             let by_id = || with_id(name, people);
-            let by_name = || named(name, people);
-            let by_title = || owners().collect();
+            // A chosen login or group name may be made to look like somebody's name, or like the
+            // assignment's title and somebody's login. Then nobody knows which is meant.
+            let by_name = || {
+                let mut found = named(name, people);
+                if found.is_empty() {
+                    found.extend(owners());
+                }
+                found.extend(calling_themselves(name, people, |it| it.github.as_ref()));
+                found.extend(calling_themselves(name, people, |it| it.group.as_ref()));
+                found
+            };
             let by_word = || among_words(name, people, RosterKey::Ids);
             let by_words = || among_words(name, people, RosterKey::Names);
-            let ways: [(Proof, &dyn Fn() -> Vec<&'a Person>); 5] = [
+            let ways: [(Proof, &dyn Fn() -> Vec<&'a Person>); 4] = [
                 (Proof::Id, &by_id),
                 (Proof::Id, &by_name),
-                (Proof::Id, &by_title),
                 (Proof::Name, &by_word),
                 (Proof::Hint, &by_words),
             ];
@@ -229,6 +247,7 @@ fn account<'a>(
     }
     let mut by_name = named(name, people);
     by_name.extend(with_id(name, people));
+    by_name.extend(calling_themselves(name, people, |it| it.group.as_ref()));
     by_name.retain(|other| other.number.is_none());
     // A number in a name may equal somebody else's id by chance.
     let is_id = |other: &&Person| other.number.is_none() && other.id == number;

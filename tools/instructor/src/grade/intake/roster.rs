@@ -24,6 +24,10 @@ pub struct Person {
     /// The login on GitHub, which people choose themselves.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub github: Option<String>,
+    /// The name of the person's group, which people may choose themselves, if submissions may be
+    /// named after it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub group: Option<String>,
 }
 
 /// Names of columns, in lower case and without spaces: ours, and those of Canvas's gradebook,
@@ -130,6 +134,7 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
             section: cell(section).into(),
             number: Some(number).filter(|it| !it.is_empty()).map(str::to_owned),
             github: Some(cell(github).to_owned()).filter(|it| !it.is_empty()),
+            group: None,
             logins: logins
                 .iter()
                 .map(|at| cell(Some(*at)).to_owned())

@@ -190,6 +190,10 @@ fn every_submission_is_in_exactly_one_shard() {
 fn placed(export: &Export, names: &[&str], list: &str) -> (Intake, Placement) {
     export.put("roster.csv", list.as_bytes());
     let people = roster::read(&export.path("roster.csv")).expect("it is a roster");
+    placed_among(export, names, people)
+}
+
+fn placed_among(export: &Export, names: &[&str], people: Vec<Person>) -> (Intake, Placement) {
     let paths: Vec<PathBuf> = names.iter().map(|name| export.path(name)).collect();
     let intake = find(&paths, &assignment(), Some(&people)).expect("it can be read");
     let placed = placement::place(&intake.entries, Some(&people));
@@ -260,6 +264,54 @@ fn a_login_that_looks_like_somebodys_name_proves_nothing() {
     let list = "id,name,login,github\n1,Ada Lovelace,al1,countess\n";
     let found = placed(&export, &["class"], list);
     assert_eq!(all_of(&found, "1"), ["// sphere by ada"], "{:#?}", found.1);
+}
+
+#[test]
+fn a_chosen_login_or_group_name_takes_nobodys_submission() {
+    // The folder that Ada's answers are in, Ada's own login on GitHub, and what Mallory calls
+    // herself or her group.
+    let certain = [
+        ("2001", "", "2001"),
+        ("al1", "", "A-L1"),
+        ("homework1-zed", "", "homework1"),
+    ];
+    let in_doubt = [
+        ("Ada Lovelace", "", "ada-lovelace"),
+        ("Lovelace, Ada", "", "lovelaceada"),
+        ("homework1-countess", "countess", "homework1-countess"),
+    ];
+    for (folder, countess, mallory) in certain.into_iter().chain(in_doubt) {
+        for by_group in [false, true] {
+            let export = Export::new();
+            export.put_all(&format!("class/{folder}"), answers("", "ada"));
+            export.put_all("class/2003", answers("", "bob"));
+            let person = |id: &str, name: &str, github: &str| Person {
+                id: id.into(),
+                name: name.into(),
+                github: (!github.is_empty()).then(|| github.into()),
+                ..Person::default()
+            };
+            let mut people = vec![
+                person("2001", "Ada Lovelace", countess),
+                person("2002", "Mallory Mann", ""),
+                person("2003", "Bob Boole", ""),
+            ];
+            people[0].logins = vec!["al1".into()];
+            match by_group {
+                true => people[1].group = Some(mallory.into()),
+                false => people[1].github = Some(mallory.into()),
+            }
+            let found = placed_among(&export, &["class"], people);
+            let who = format!("{folder} {mallory} {by_group}: {:#?}", found.1);
+            assert_eq!(all_of(&found, "2002"), [""; 0], "{who}");
+            let is_hers = all_of(&found, "2001") == ["// sphere by ada"];
+            let is_listed = found.1.ambiguous.len() + found.1.unknown.len() == 1;
+            assert!(is_hers || is_listed, "{who}");
+            if folder == "2001" || folder == "al1" {
+                assert!(is_hers, "{who}");
+            }
+        }
+    }
 }
 
 #[test]
