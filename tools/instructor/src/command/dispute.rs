@@ -9,8 +9,8 @@ use crate::cli::Dispute;
 use crate::grade::cache::standing;
 use crate::grade::class::{ROLL, Roll, marks};
 use crate::grade::evidence::Evidence;
-use crate::grade::intake::matching;
 use crate::grade::intake::roster::Person;
+use crate::grade::intake::{Entry, matching};
 use crate::grade::policy::mark::{Mark, number};
 use crate::grade::record::{Record, RecordSummary};
 use pinhole_course::error::{Error, Result, ResultExt};
@@ -23,7 +23,9 @@ pub fn run(arguments: &Dispute) -> Result<Status> {
     let roll = Roll::read(&arguments.out.join(ROLL))?;
     let id = id_of(&arguments.id, &roll)?;
     let submissions = arguments.out.join("submissions");
-    let record = standing(&submissions.join(&id)).ok_or_else(|| {
+    let entry = roll.entries.iter().find(|entry| entry.id == id);
+    let record = entry.and_then(|entry| standing(&submissions.join(&id), entry));
+    let record = record.ok_or_else(|| {
         Error::input(
             format!("there is no mark for {id} in {}", arguments.out.display()),
             "grade it first: cargo pinhole grade … --out DIR",
@@ -57,9 +59,12 @@ fn attempts(id: &str, roll: &Roll, submissions: &Path) -> BTreeMap<String, Recor
         let owner = roll.placed.of.get(other);
         other == id || owner.is_some_and(|owner| team.iter().any(|it| it.id == owner.id))
     };
-    let ids = roll.entries.iter().map(|entry| entry.id.clone());
-    let record = |id: String| Some((id.clone(), standing(&submissions.join(id))?.into()));
-    ids.filter(|id| is_theirs(id)).filter_map(record).collect()
+    let own = roll.entries.iter().filter(|entry| is_theirs(&entry.id));
+    let record = |entry: &Entry| {
+        let record = standing(&submissions.join(&entry.id), entry)?;
+        Some((entry.id.clone(), record.into()))
+    };
+    own.filter_map(record).collect()
 }
 
 /// What the policy makes of the points.

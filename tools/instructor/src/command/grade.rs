@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use rayon::prelude::*;
 
 use crate::cli::Grade;
-use crate::grade::cache::{Backlog, ResultCache, pretty, standing};
+use crate::grade::cache::{ResultCache, pretty, standing};
 use crate::grade::class::{self, Roll};
 use crate::grade::grader::clock::Pace;
 use crate::grade::grader::{Grader, fresh};
@@ -166,7 +166,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     for entry in roll.entries.iter().filter(|entry| !is_mine(&entry.id)) {
         // Submissions of an earlier run into the same folder.
         if arguments.shard.is_none()
-            && let Some(record) = standing(&cache.of(&entry.id))
+            && let Some(record) = standing(&cache.of(&entry.id), entry)
         {
             worked.push(kept(record, &cache, &assignment, &made_with.assignment)?);
         }
@@ -185,7 +185,6 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         formats: &arguments.format,
         as_json: arguments.json,
     };
-    Backlog::begin(&to_grade, &cache, &made_with)?;
     if !to_grade.is_empty() {
         progress.say("building");
         let compiler = Compiler::new(&assignment, checkout, &sandbox)?;
@@ -225,7 +224,6 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         worked.extend(done);
         let _left_for_the_next_run = fs::remove_dir_all(&programs);
     }
-    Backlog::end(&cache);
     progress.clear();
     if arguments.timings {
         anstream::eprint!("{}", Timings::so_far());

@@ -9,9 +9,10 @@ use std::sync::OnceLock;
 use rayon::prelude::*;
 
 use crate::cli::Merge;
-use crate::grade::cache::{Backlog, ResultCache, link, pretty, standing, write_unflushed};
+use crate::grade::cache::{ResultCache, link, pretty, standing, write_unflushed};
 use crate::grade::class::{self, ROLL, Roll};
 use crate::grade::evidence::Evidence;
+use crate::grade::intake::Entry;
 use crate::grade::policy::Policy;
 use crate::grade::provenance::{self, GradingInputs};
 use crate::grade::queue::{QueueResult, kept};
@@ -23,7 +24,7 @@ use pinhole_report::program::Status;
 
 pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     let assignment = arguments.assignment.find(checkout, None)?;
-    let mut roll = common_roll(arguments)?;
+    let (mut roll, parts) = read(&arguments.shards)?;
     if let Some(path) = &arguments.policy {
         roll.policy = Some(Policy::read(path)?);
         roll.find_groups();
@@ -37,14 +38,13 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
             "name another folder with --out",
         ));
     }
-    let parts = arguments.shards.iter();
-    let parts: Vec<Part> = parts.map(|it| Part::read(it)).collect::<Result<_>>()?;
     let made_with = OnceLock::new();
     let version = provenance::of_assignment(&assignment)?;
-    let results = roll.entries.par_iter().map(|entry| {
+    let results = roll.entries.par_iter_mut().map(|entry| {
         let Some(before) = merged(&entry.id, &parts, &cache, &made_with)? else {
             return Ok(None);
         };
+        entry.answers = Some(before.provenance.answers.clone());
         kept(before, &cache, &assignment, &version).map(Some)
     });
     let results: Vec<Option<QueueResult>> = results.collect::<Result<_>>()?;
@@ -76,23 +76,9 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
 /// One of the folders that are merged.
 struct Part<'a> {
     folder: &'a Path,
-    backlog: Backlog,
-    /// The submissions that it has files of. They are listed once, because looking for each
+    /// The submissions that it has files of, by id. They are listed once, because looking for each
     /// submission in each part is slow on a shared file system.
-    ids: BTreeSet<OsString>,
-}
-
-impl Part<'_> {
-    fn read(folder: &Path) -> Result<Part<'_>> {
-        // A part that has not started has no folder of submissions.
-        let submissions = fs::read_dir(folder.join("submissions"));
-        let ids = submissions.into_iter().flatten().flatten();
-        Ok(Part {
-            folder,
-            backlog: Backlog::read(folder)?,
-            ids: ids.map(|entry| entry.file_name()).collect(),
-        })
-    }
+    entries: BTreeMap<String, Entry>,
 }
 
 /// Puts a submission's result into the merged class: its mark or, if no part has a mark, the
@@ -106,15 +92,13 @@ fn merged(
 ) -> Result<Option<Record>> {
     let to = cache.of(id);
     let mut not_graded = None;
-    for part in parts
-        .iter()
-        .filter(|part| part.ids.contains(OsStr::new(id)))
-    {
+    for part in parts {
         let from = part.folder.join("submissions").join(id);
-        let Some(record) = standing(&from) else {
-            continue;
-        };
-        let record = part.backlog.check(record);
+        let record = part
+            .entries
+            .get(id)
+            .and_then(|entry| standing(&from, entry));
+        let Some(record) = record else { continue };
         if !record.is_graded() {
             not_graded.get_or_insert(record);
             continue;
@@ -152,12 +136,13 @@ fn merged(
     Ok(not_graded)
 }
 
-/// The roll of the class, on which all shards must agree.
-fn common_roll(arguments: &Merge) -> Result<Roll> {
+/// The parts, and the roll of the class, on which all of them must agree.
+fn read(shards: &[PathBuf]) -> Result<(Roll, Vec<Part<'_>>)> {
     let mut common: Option<Roll> = None;
-    for shard in &arguments.shards {
+    let mut parts = Vec::new();
+    for shard in shards {
         let path = shard.join(ROLL);
-        if !path.exists() && arguments.shards.len() > 1 {
+        if !path.exists() && shards.len() > 1 {
             anstream::eprintln!(
                 "{} has not started: its people are listed as not graded",
                 shard.display()
@@ -165,15 +150,24 @@ fn common_roll(arguments: &Merge) -> Result<Roll> {
             continue;
         }
         let roll = Roll::read(&path)?;
-        match &common {
-            Some(common) if *common != roll => {
-                return Err(Error::input(
-                    format!("{} is a shard of another class", shard.display()),
-                    "grade all shards with the same paths and the same roster",
-                ));
-            }
-            _ => common = Some(roll),
+        if common.as_ref().is_some_and(|common| *common != roll) {
+            return Err(Error::input(
+                format!("{} is a shard of another class", shard.display()),
+                "grade all shards with the same paths and the same roster",
+            ));
         }
+        let submissions = fs::read_dir(shard.join("submissions"));
+        let names = submissions.into_iter().flatten().flatten();
+        let ids: BTreeSet<OsString> = names.map(|it| it.file_name()).collect();
+        let entries = roll.entries.iter();
+        let entries = entries.filter(|entry| ids.contains(OsStr::new(&entry.id)));
+        parts.push(Part {
+            folder: shard,
+            entries: entries.map(|it| (it.id.clone(), it.clone())).collect(),
+        });
+        common = Some(roll);
     }
-    common.ok_or_else(|| Error::input("no part has started", "name the parts' folders"))
+    let common =
+        common.ok_or_else(|| Error::input("no part has started", "name the parts' folders"));
+    Ok((common?, parts))
 }

@@ -1,14 +1,12 @@
 //! Stores the files of a graded class. Each is written atomically: after a power cut, either the
 //! old file is there or the new one.
 
-use std::collections::BTreeMap;
 use std::fs::{self, File, TryLockError};
 use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use super::evidence::Evidence;
 use super::intake::Entry;
-use super::provenance::{GradingInputs, Provenance};
 use super::record::Record;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::outcome::SCHEMA;
@@ -119,9 +117,24 @@ impl ResultCache {
     }
 }
 
-/// The record in a submission's folder: its grade, or why it has none. A grade is not valid any
-/// more if grading newer answers has failed.
-pub fn standing(folder: &Path) -> Option<Record> {
+/// The record of a submission in its folder: its grade, or why it has none. A grade is not valid any
+/// more if it is for other answers, because the run that was to grade these was stopped, or because
+/// another shard has graded them since. Nor is it valid if grading newer answers has failed.
+pub fn standing(folder: &Path, entry: &Entry) -> Option<Record> {
+    let record = last(folder)?;
+    let is_of_these = entry
+        .answers
+        .as_ref()
+        .is_none_or(|it| *it == record.provenance.answers);
+    Some(match is_of_these {
+        true => record,
+        false => record.not_graded(
+            "these answers have not been graded; an older mark is for other answers".into(),
+        ),
+    })
+}
+
+fn last(folder: &Path) -> Option<Record> {
     let (result, fault) = (
         read(&folder.join("result.json")),
         read(&folder.join("fault.json")),
@@ -138,69 +151,6 @@ pub fn standing(folder: &Path) -> Option<Record> {
 fn read(path: &Path) -> Option<Record> {
     let record: Record = serde_json::from_str(&fs::read_to_string(path).ok()?).ok()?;
     (record.got.schema == SCHEMA).then_some(record)
-}
-
-/// What a run still has to grade, stored until the run is done. A run that is stopped leaves
-/// grades of older answers behind, and a merge must not mistake them for grades of the new
-/// answers.
-///
-/// For each submission, it lists the answers that are to be graded. Goldens and settings need no
-/// list, because a merge checks that all parts agree on them.
-#[derive(Debug, Default)]
-pub struct Backlog(BTreeMap<String, Hashes>);
-
-/// See [`Provenance::answers`].
-type Hashes = Vec<(String, String)>;
-
-/// The backlog's file, in the folder of a graded class.
-const BACKLOG: &str = "unfinished.json";
-
-impl Backlog {
-    /// Records all submissions without a grade, or with a grade of other answers.
-    pub fn begin(entries: &[Entry], cache: &ResultCache, made_with: &GradingInputs) -> Result<()> {
-        let mut unfinished = BTreeMap::new();
-        for entry in entries {
-            // A submission that cannot be read has no answers; its record says why.
-            let Ok(submission) = &entry.submission else {
-                continue;
-            };
-            let wanted = Provenance::of(submission, made_with).answers;
-            let is_of_these = |record: Record| record.provenance.answers == wanted;
-            if !cache.get(&entry.id).is_some_and(is_of_these) {
-                unfinished.insert(entry.id.clone(), wanted);
-            }
-        }
-        cache.write(BACKLOG, &pretty(&unfinished)?)
-    }
-
-    /// Removes the backlog when everything is graded.
-    pub fn end(cache: &ResultCache) {
-        let _was_never_there = fs::remove_file(cache.path(BACKLOG));
-    }
-
-    /// What the last run in a folder left undone. Empty if that run finished.
-    pub fn read(folder: &Path) -> Result<Backlog> {
-        let path = folder.join(BACKLOG);
-        let Ok(text) = fs::read_to_string(&path) else {
-            return Ok(Backlog::default());
-        };
-        serde_json::from_str(&text).map(Backlog).or_input(
-            format_args!("{}", path.display()),
-            "grade that shard again with this version",
-        )
-    }
-
-    /// Returns the record, but marks it as not graded if it is about answers other than those that
-    /// the run was to grade.
-    pub fn check(&self, record: Record) -> Record {
-        match self.0.get(&record.id) {
-            Some(wanted) if *wanted != record.provenance.answers => record.not_graded(
-                "the run was stopped before it graded these answers; an older mark is for other answers"
-                    .into(),
-            ),
-            _ => record,
-        }
-    }
 }
 
 /// The beginning of a note that is added to the end of a report after points have changed.
@@ -323,10 +273,7 @@ mod tests {
         let mut record = serde_json::to_value(graded("ada", 1, 1)).expect("it can be written");
         let is_there = |record: &serde_json::Value| {
             write(&path, record.to_string().as_bytes()).expect("there is room");
-            (
-                cache.get("ada").is_some(),
-                standing(&cache.of("ada")).is_some(),
-            )
+            (cache.get("ada").is_some(), last(&cache.of("ada")).is_some())
         };
         assert_eq!(is_there(&record), (true, true));
         record["schema"] = 1.into();

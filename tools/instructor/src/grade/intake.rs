@@ -29,7 +29,7 @@ use self::names::Sign;
 use self::reader::file_names;
 use self::roster::Person;
 use self::source::Source;
-use super::provenance::sha256;
+use super::provenance::{self, sha256};
 use pinhole_course::assignment::{Assignment, Task};
 use pinhole_course::error::{Error, Result};
 use pinhole_course::submission::{Answer, AnswerFileProblem, Submission, text};
@@ -55,6 +55,11 @@ pub struct Entry {
     pub doubts: Vec<String>,
     /// The answer files that are missing or refused: one message for each problem.
     pub unusable: Vec<String>,
+    /// The hashes of its answers, if they could be read: see
+    /// [`Provenance::answers`](provenance::Provenance::answers). A mark for other answers is not its
+    /// mark.
+    #[serde(default)]
+    pub answers: Option<Vec<(String, String)>>,
     /// Its answers, or why the machine could not read them.
     #[serde(skip, default = "not_read")]
     pub submission: std::result::Result<Submission, String>,
@@ -71,7 +76,7 @@ impl Entry {
     }
 }
 
-/// Two shards have the same class if these fields are equal. Answers have hashes of their own.
+/// Two shards have the same class if these fields are equal. Answers may change in between.
 impl PartialEq for Entry {
     fn eq(&self, other: &Entry) -> bool {
         let key = |entry: &Entry| (entry.id.clone(), entry.name.clone(), entry.signs.clone());
@@ -175,6 +180,7 @@ fn entry(
         notes: Vec::new(),
         doubts: one.doubts,
         unusable: Vec::new(),
+        answers: None,
         submission: not_read(),
     };
     match choice {
@@ -182,6 +188,7 @@ fn entry(
             entry.unusable = unusable(&choice.submission, assignment);
             entry.notes = choice.notes;
             entry.doubts.extend(choice.doubts);
+            entry.answers = Some(provenance::of_answers(&choice.submission));
             entry.submission = Ok(choice.submission);
         }
         Err(why) => entry.submission = Err(why),

@@ -92,16 +92,8 @@ impl Tool {
 impl Provenance {
     /// The provenance of a submission's mark.
     pub fn of(submission: &Submission, made_with: &GradingInputs) -> Provenance {
-        let answers = submission.answers.iter().map(|answer| {
-            let state = match &answer.text {
-                Ok(text) => sha256(text.as_bytes()),
-                Err(AnswerFileProblem::Missing) => "missing".into(),
-                Err(AnswerFileProblem::Refused(why)) => format!("refused: {why}"),
-            };
-            (answer.task.clone(), state)
-        });
         Provenance {
-            answers: answers.collect(),
+            answers: of_answers(submission),
             made_with: made_with.clone(),
         }
     }
@@ -127,6 +119,19 @@ impl Provenance {
             () => Some("other settings"),
         }
     }
+}
+
+/// See [`Provenance::answers`].
+pub fn of_answers(submission: &Submission) -> Vec<(String, String)> {
+    let answers = submission.answers.iter().map(|answer| {
+        let state = match &answer.text {
+            Ok(text) => sha256(text.as_bytes()),
+            Err(AnswerFileProblem::Missing) => "missing".into(),
+            Err(AnswerFileProblem::Refused(why)) => format!("refused: {why}"),
+        };
+        (answer.task.clone(), state)
+    });
+    answers.collect()
 }
 
 /// The hash of a file's content.

@@ -112,6 +112,7 @@ mod tests {
             notes: Vec::new(),
             doubts: Vec::new(),
             unusable: Vec::new(),
+            answers: None,
             submission: Err("not asked".into()),
         };
         let mut row = Row {

@@ -78,11 +78,12 @@ impl ClassOutput<'_> {
         // date.
         for format in Format::value_variants() {
             let is_asked = self.formats.contains(format);
-            for id in roll.entries.iter().map(|entry| &entry.id) {
+            for entry in &roll.entries {
+                let id = &entry.id;
                 let Some(file) = format.file_of_each() else {
                     break;
                 };
-                let record = is_asked.then(|| standing(&cache.of(id))).flatten();
+                let record = is_asked.then(|| standing(&cache.of(id), entry)).flatten();
                 let content = record.map(|record| format.of(&record)).transpose()?;
                 let name = format!("submissions/{id}/{file}");
                 cache.write_or_remove(&name, content.flatten())?;

@@ -23,6 +23,7 @@ pub fn entry(id: &str, person: &str, given: &str) -> Entry {
         notes: Vec::new(),
         doubts: Vec::new(),
         unusable: Vec::new(),
+        answers: None,
         submission: Err("not asked".into()),
     }
 }

@@ -17,6 +17,7 @@ fn entry(name: &str) -> Entry {
         notes: Vec::new(),
         doubts: Vec::new(),
         unusable: Vec::new(),
+        answers: None,
         submission: Err("not asked".into()),
     }
 }
