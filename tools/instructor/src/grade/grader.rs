@@ -175,9 +175,9 @@ impl Grader<'_> {
         if let Some(fresh) = &fresh {
             revoke_failing_fresh(got, &fresh.outcome);
         }
+        self.withheld.redact(got);
         record.status = got.status();
         record.explanation = explained(record.status).into();
-        self.withheld.redact(got);
         record.got = got.clone();
         if let Some(fresh) = fresh {
             record.fresh_scenes = fresh.outcome.scenes;

@@ -8,7 +8,7 @@ use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
 use pinhole_course::diagnosis::Diagnosis;
-use pinhole_course::outcome::{FilmOutcome, Outcome, SceneOutcome};
+use pinhole_course::outcome::{FilmOutcome, Outcome, SceneOutcome, Status};
 use pinhole_report::html::{Report, SceneSection};
 
 /// How much results and reports show about withheld questions.
@@ -130,7 +130,10 @@ fn redacted(outcome: &FilmOutcome, reveal: Reveal) -> FilmOutcome {
         }
         _ => FilmOutcome::Withheld {
             passes: outcome.passes(),
-            ended: outcome.status(),
+            ended: match reveal {
+                Reveal::Points => Status::Graded,
+                _ => outcome.status(),
+            },
             points_only: reveal == Reveal::Points,
         },
     }
@@ -229,7 +232,11 @@ mod tests {
                 for shown in [kept, said] {
                     assert!(!shown.contains(words) && !shown.contains('7'), "{shown}");
                 }
-                assert_eq!(redacted.status(), outcome.status());
+                let shown = match reveal {
+                    Reveal::Points => Status::Graded,
+                    _ => outcome.status(),
+                };
+                assert_eq!(redacted.status(), shown);
             }
             let said = terminal::outcome(&outcome);
             assert!(said.contains(words) || said.contains('7'), "{said}");
