@@ -66,13 +66,22 @@ pub fn open(path: &Path) -> io::Result<File> {
     options.open(path)
 }
 
-/// A file's name for people to read. Different names look different, even if they are not UTF-8.
+/// A file's name for people to read. Different names look different, even if they are not UTF-8: a
+/// byte that is not, and a `%` that could be mistaken for such a byte, are written as in URLs. So is
+/// a backtick, which would end a quoted name in a message.
 pub fn name(bytes: &[u8]) -> String {
     let mut name = String::new();
     for chunk in bytes.utf8_chunks() {
-        name.push_str(chunk.valid());
+        for (at, c) in chunk.valid().char_indices() {
+            let next = chunk.valid().as_bytes()[at + 1..].iter().take(2);
+            let is_code = c == '%' && next.filter(|byte| byte.is_ascii_hexdigit()).count() == 2;
+            match is_code || c == '`' {
+                true => name.push_str(&format!("%{:02X}", u32::from(c))),
+                false => name.push(c),
+            }
+        }
         for byte in chunk.invalid() {
-            name.push_str(&format!("\\x{byte:02X}"));
+            name.push_str(&format!("%{byte:02X}"));
         }
     }
     name

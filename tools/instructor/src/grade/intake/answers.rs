@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use super::hand_in::Upload;
 
 use super::reader::Content;
-use super::reader::file_names::first;
+use super::reader::file_names::{first, quoted};
 use super::task_names::{is_similar, task_of};
 use pinhole_course::assignment::{Assignment, Task};
 use pinhole_course::stubs;
@@ -66,8 +66,8 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
     let mut candidates: Vec<(&Task, Candidate)> = Vec::new();
     for upload in uploads {
         match &upload.content {
-            Content::Unreadable(why) => return Err(format!("{}: {why}", upload.name(name))),
-            Content::Refused(why) => refused.push(format!("{}: {why}", upload.name(name))),
+            Content::Unreadable(why) => return Err(format!("`{}`: {why}", upload.name(name))),
+            Content::Refused(why) => refused.push(format!("`{}`: {why}", upload.name(name))),
             Content::Answer { text, note } => {
                 let name = upload.path.last().map(String::as_str).unwrap_or_default();
                 let Some((task, is_exact)) = task_of(name, assignment) else {
@@ -160,7 +160,7 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
     if !outside.is_empty() {
         choice.doubts.push(format!(
             "the files in `handout/src` were taken, and not {}",
-            first(&outside).join(", ")
+            quoted(&outside).join(", ")
         ));
     }
     let is_theirs =
@@ -172,7 +172,7 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
     if candidates.is_empty() && refused.is_empty() && !others.is_empty() {
         let note = format!(
             "no answer file was handed in, but {}",
-            first(&others).join(", ")
+            quoted(&others).join(", ")
         );
         choice.doubts.push(note);
     } else if !candidates.is_empty() {
@@ -200,7 +200,7 @@ impl Choice {
             return Err(AnswerFileProblem::Refused(format!(
                 "there are {} files that could be `{file}`, and they differ: {}",
                 paths.len(),
-                first(&paths).join(", ")
+                quoted(&paths).join(", ")
             )));
         }
         let chosen = best[0];
@@ -216,7 +216,7 @@ impl Choice {
                 true => String::new(),
                 false => format!(" as `{file}`"),
             };
-            let left = first(&left).join(", ");
+            let left = quoted(&left).join(", ");
             self.doubts
                 .push(format!("`{taken}` was taken{role}, and not {left}"));
         } else if !chosen.is_exact {

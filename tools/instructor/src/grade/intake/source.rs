@@ -133,7 +133,7 @@ impl Source<'_> {
         let holding = self.holding();
         let mut doubts = Vec::new();
         if self.holds_answers() && !holding.is_empty() {
-            let holding = file_names::first(&holding).join(", ");
+            let holding = file_names::quoted(&holding).join(", ");
             doubts.push(format!("other submissions may be in it: {holding}"));
         }
         let upload = |found: FoundFile| Upload {

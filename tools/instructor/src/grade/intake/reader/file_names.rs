@@ -44,6 +44,17 @@ fn is_litter(name: &str) -> bool {
 /// How many names of a list are shown.
 const MOST_SHOWN: usize = 5;
 
+/// The first of these names, each in backticks, which no name contains. Otherwise a name could
+/// continue the sentence that it stands in.
+pub fn quoted(names: &[String]) -> Vec<String> {
+    first(
+        &names
+            .iter()
+            .map(|name| format!("`{name}`"))
+            .collect::<Vec<_>>(),
+    )
+}
+
 /// The first of these names. An archive may contain a hundred thousand files.
 pub fn first(names: &[String]) -> Vec<String> {
     let mut shown = names[..names.len().min(MOST_SHOWN)].to_vec();

@@ -81,8 +81,9 @@ fn damaged_archives_do_not_harm_the_reader() {
 fn two_names_that_are_not_utf_8_look_different() {
     use std::os::unix::ffi::OsStrExt;
     let export = Export::new();
-    for byte in [0xe9, 0xe8] {
-        let name = [b"ren".as_slice(), &[byte]].concat();
+    // The third looks like one of the first two as it is shown.
+    for end in [&[0xe9][..], &[0xe8], b"%E8"] {
+        let name = [b"ren".as_slice(), end].concat();
         let folder = export
             .path("class")
             .join(std::ffi::OsStr::from_bytes(&name));
@@ -95,7 +96,7 @@ fn two_names_that_are_not_utf_8_look_different() {
         .iter()
         .map(|entry| entry.name.as_str())
         .collect();
-    assert_eq!(names, ["ren\\xE8", "ren\\xE9"]);
+    assert_eq!(names, ["ren%25E8", "ren%E8", "ren%E9"]);
 }
 
 #[cfg(target_os = "linux")]
@@ -264,6 +265,30 @@ fn a_login_that_looks_like_somebodys_name_proves_nothing() {
     let list = "id,name,login,github\n1,Ada Lovelace,al1,countess\n";
     let found = placed(&export, &["class"], list);
     assert_eq!(all_of(&found, "1"), ["// sphere by ada"], "{:#?}", found.1);
+}
+
+#[test]
+fn a_files_name_does_not_continue_our_sentence() {
+    let export = Export::new();
+    export.put_all("class/ada", answers("", "ada"));
+    fs::remove_file(export.path("class/ada/sphere.rs")).expect("it was there");
+    let said = "sphere` is fine: 100 points (`";
+    export.put(&format!("class/ada/{said}.txt"), b"");
+    export.put_all(&format!("class/bob/{said}"), answers("", "bob"));
+    export.put_all("class/bob/z", answers("", "other"));
+    export.put(&format!("class/eve/{said}.zip"), b"no archive");
+    let intake = export.find("class");
+    let told = intake.entries.iter();
+    let told: Vec<&String> = told
+        .flat_map(|it| it.doubts.iter().chain(&it.unusable))
+        .collect();
+    let is_about = |text: &&&String| text.contains("is fine");
+    assert_eq!(told.iter().filter(is_about).count(), 8, "{told:#?}");
+    for text in told {
+        // Text between backticks is a name, and the rest is ours.
+        let ours: String = text.split('`').step_by(2).collect();
+        assert!(!ours.contains("100 points"), "{text}");
+    }
 }
 
 #[test]
