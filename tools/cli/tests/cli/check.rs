@@ -111,6 +111,14 @@ fn scenes_are_cast_with_an_answer_of_an_earlier_assignment_only_if_it_passes() {
     pinhole(&reset).expect_code(0);
     let given = std::fs::read_to_string(folder.join("triangle.rs")).expect("it is there");
     assert_eq!(check(&given), (Value::Null, false));
+    // Where another answer needs something that only theirs has, ours can't cast the scenes.
+    let needing = std::fs::read_to_string(folder.join("nearest_hit.rs")).expect("it is there");
+    let needing = needing.replacen("// ANCHOR: answer", "crate::triangle::help();", 1);
+    std::fs::write(folder.join("nearest_hit.rs"), needing).expect("it is ours");
+    assert_eq!(
+        check(&format!("{right} pub fn help() {{}}")),
+        (Value::Null, true)
+    );
 }
 
 #[test]
