@@ -158,6 +158,18 @@ fn diff_refuses_a_file_that_is_not_a_film() {
 }
 
 #[test]
+fn a_damaged_film_that_oiiotool_reads_is_refused_and_not_our_bug() {
+    let bytes = std::fs::read(root().join(GOLDEN)).expect("goldens are committed");
+    let mut damaged = bytes[..8].to_vec();
+    // An attribute that claims to be longer than the file.
+    damaged.extend(b"x\0string\0\xff\xff\xff\x7f");
+    damaged.extend(&bytes[8..]);
+    let film = fresh(&trusted(), "diff-damaged").join("film.exr");
+    std::fs::write(&film, damaged).expect("there is room");
+    diff(&film).expect_code(1).expect_out("refused: ");
+}
+
+#[test]
 fn both_judges_refuse_an_impossible_header() {
     let mut bytes = std::fs::read(root().join(GOLDEN)).expect("goldens are committed");
     let name = b"pixelAspectRatio\0float\0";
