@@ -173,23 +173,37 @@ fn groups_in(path: &Path) -> Result<Vec<Group>> {
         table.needed_column(&MEMBER)?;
         let who: Vec<usize> = MEMBER.iter().filter_map(|it| table.column(&[it])).collect();
         let name = table.needed_column(&["group", "groupname", "team"])?;
-        let mut groups: BTreeMap<String, Vec<String>> = BTreeMap::new();
+        // People may name their group like another one. So the platform's number of the group
+        // decides or, if there is none, the name as it is written.
+        let key = table.column(&["canvasgroupid", "groupid"]).unwrap_or(name);
+        let mut groups: BTreeMap<&str, Group> = BTreeMap::new();
         for (line, row) in &table.rows {
             let mut ids = who.iter().map(|column| cell(row, *column));
             let id = ids.find(|id| !id.is_empty()).unwrap_or_default();
-            let name = cell(row, name);
-            if groups.values().flatten().any(|other| other == id) {
+            let called = cell(row, name);
+            let mut members = groups.values().flat_map(|group| &group.members);
+            if members.any(|other| other == id) {
                 return Err(format!("line {line}: {id} is in two groups"));
             }
             // Some people are in no group.
-            if !name.is_empty() {
-                groups.entry(name.into()).or_default().push(id.into());
+            if called.is_empty() {
+                continue;
             }
+            let own = row.get(key).unwrap_or_default();
+            let is_twin = |(other, group): (&&str, &Group)| *other != own && group.name == called;
+            if key == name && groups.iter().any(is_twin) {
+                return Err(format!(
+                    "line {line}: the names of two groups differ only in spaces: {called}"
+                ));
+            }
+            let new = || Group {
+                name: called.into(),
+                members: Vec::new(),
+            };
+            let group = groups.entry(own).or_insert_with(new);
+            group.members.push(id.into());
         }
-        let groups = groups.into_iter();
-        Ok(groups
-            .map(|(name, members)| Group { name, members })
-            .collect())
+        Ok(groups.into_values().collect())
     })
 }
 
@@ -233,5 +247,30 @@ mod tests {
             groups,
             [("Team A", &["S1".to_owned(), "12".to_owned()][..])]
         );
+    }
+
+    #[test]
+    fn a_group_named_like_another_one_does_not_get_its_mark() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let read = |text: &str| {
+            let path = folder.path().join("groups.csv");
+            fs::write(&path, text).expect("there is room");
+            groups_in(&path).map_err(|error| error.to_string())
+        };
+        let canvas = "user_id,group_name,canvas_group_id\nada,T,7\nbob,T,7\neve,T,8\nzoe,,\n";
+        let members: Vec<_> = read(canvas).expect("it is a list").into_iter().collect();
+        let members: Vec<_> = members
+            .iter()
+            .map(|group| group.members.join(" "))
+            .collect();
+        assert_eq!(members, ["ada bob", "eve"]);
+        for twin in ["T ", "\u{a0}T"] {
+            let error = read(&format!("id,group\nada,T\neve,{twin}\n"));
+            let error = error.expect_err("nobody knows whether they are the same");
+            assert!(error.contains("differ only in spaces"), "{error}");
+        }
+        let plain = read("id, group\nada,T\n bob ,T\neve,t\n").expect("it is a list");
+        assert_eq!(plain.len(), 2);
+        assert_eq!(plain[0].members, ["ada", "bob"]);
     }
 }

@@ -63,7 +63,8 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
             None => (format!("submission {}", row.entry.id), Vec::new()),
         };
         let group = row.person.and_then(|person| policy.group_of(&person.id));
-        let team = group.map_or(team, |group| format!("group {}", group.name));
+        // Two groups may have the same name.
+        let team = group.map_or(team, |group| format!("group of {}", group.members[0]));
         teams.entry(team).or_insert((people, Vec::new())).1.push(at);
     }
     let mut open = Open::default();

@@ -13,7 +13,7 @@ pub struct Table {
     pub first_line: String,
     /// The columns' names, in lower case and without spaces.
     header: Vec<String>,
-    /// The other lines, with their numbers in the file.
+    /// The other lines, with their numbers in the file. Cells have the spaces around them.
     pub rows: Vec<(u64, csv::StringRecord)>,
 }
 
@@ -47,7 +47,6 @@ impl Table {
         let count = |mark: char| first_line.matches(mark).count();
         let between = [',', ';', '\t'].into_iter().max_by_key(|mark| count(*mark));
         let mut reader = csv::ReaderBuilder::new()
-            .trim(csv::Trim::All)
             .flexible(true)
             .delimiter(between.unwrap_or(',') as u8)
             .from_reader(body.as_bytes());
@@ -56,7 +55,7 @@ impl Table {
         let mut rows = Vec::new();
         for row in reader.records() {
             let row = row.map_err(|error| error.to_string())?;
-            if !row.iter().all(str::is_empty) {
+            if !row.iter().all(|cell| cell.trim().is_empty()) {
                 rows.push((row.position().map_or(0, |position| position.line()), row));
             }
         }

@@ -176,3 +176,19 @@ fn unknown_lateness_and_unknown_ids_are_listed() {
     let on_time = concerns.find(|it| it.what.contains("counted as on time"));
     assert!(on_time.is_some_and(|it| !it.is_grave && it.which == ["two"]));
 }
+
+#[test]
+fn two_groups_of_one_name_get_their_own_marks() {
+    let entries = vec![entry("one", "ada", "ada"), entry("two", "eve", "eve")];
+    let teams: &[(&str, &[&str])] = &[("T", &["ada", "bob"]), ("T", &["eve"])];
+    let roll = roll(entries, "attempts = 'best'", teams);
+    let records = records(&[("one", 80), ("two", 0)]);
+    let marks = finals(&rows(&roll, &records)).into_iter();
+    let mut marks: Vec<_> = marks.map(|(person, _, points)| (person, points)).collect();
+    marks.sort_by(|a, b| a.0.cmp(&b.0));
+    let expected = [("ada", 80.0), ("bob", 80.0), ("eve", 0.0)];
+    assert_eq!(
+        marks,
+        expected.map(|(person, points)| (person.to_owned(), points))
+    );
+}
