@@ -104,14 +104,20 @@ fn boxes_lose_no_hit_of_rays_from_far_away() {
     assert!(hits > 1_000, "{hits}");
 }
 
-/// Rays of one camera: from the same eye, or in the same direction. Most are aimed at points of a
-/// grid, so that they run through corners and edges.
+/// Rays of one camera: from the same eye, or in the same direction. Many are aimed at points of a
+/// grid, so that they run through corners and edges, and a third of them graze a sphere.
 fn rays_of_one_camera(
     random: &mut Random,
     scale: f64,
     offset: Vector<f64>,
+    world: &World,
     has_eye: bool,
 ) -> (Camera, Vec<Ray<f64>>) {
+    let spheres = world.parts.iter().filter_map(|part| match part.shape {
+        Primitive::Sphere(sphere) => Some(sphere),
+        _ => None,
+    });
+    let spheres: Vec<_> = spheres.collect();
     let point = |random: &mut Random| {
         let at = random.unit() * random.within(0.0, 9.0);
         let is_on_grid = random.below(4) > 0;
@@ -119,12 +125,34 @@ fn rays_of_one_camera(
         offset + at * scale
     };
     let (eye, along) = (point(random), direction(random));
-    let rays = (0..200).map(|_| match has_eye {
-        true => Ray {
+    let rays = (0..200).map(|_| match (has_eye, random.below(3)) {
+        (_, 0) => {
+            let sphere = spheres[random.below(spheres.len())];
+            let slip = random.within(-1.0, 1.0) * 10f64.powf(random.within(-16.0, -2.0));
+            let radius = sphere.radius * (1.0 + slip);
+            let to = if has_eye { sphere.center - eye } else { along };
+            // The eye may be the centre.
+            let to = if to.largest() > 0.0 { to } else { along };
+            let aside = random.unit_across(to.unit()) * radius;
+            let distance = to.dot(to).sqrt();
+            // From outside, the ray is tangent to the sphere with this radius.
+            let sine = (radius / distance).min(0.9);
+            match has_eye {
+                true => Ray {
+                    origin: eye,
+                    direction: to + aside * (1.0 - sine * sine).sqrt().recip(),
+                },
+                false => Ray {
+                    origin: sphere.center - along * (3.0 * scale) + aside,
+                    direction: along,
+                },
+            }
+        }
+        (true, _) => Ray {
             origin: eye,
             direction: (point(random) - eye) * random.within(0.01, 100.0),
         },
-        false => Ray {
+        (false, _) => Ray {
             origin: point(random),
             direction: along,
         },
@@ -150,8 +178,8 @@ fn what_rays_from_anywhere_see<M: Model>(has_eye: bool) {
     ] {
         for _ in 0..30 {
             let offset = random.unit() * away;
-            let (camera, rays) = rays_of_one_camera(&mut random, scale, offset, has_eye);
             let mut world = crowd(&mut random, scale, offset);
+            let (camera, rays) = rays_of_one_camera(&mut random, scale, offset, &world, has_eye);
             let (point, normal) = (offset, direction(&mut random));
             world.add(60, Primitive::Plane(Plane { point, normal }));
             let anywhere = Caster::new(world.clone());

@@ -189,9 +189,12 @@ fn groups_in(path: &Path) -> Result<Vec<Group>> {
             if called.is_empty() {
                 continue;
             }
-            let own = row.get(key).unwrap_or_default();
+            let (own, is_number) = match cell(row, key) {
+                number if key != name && !number.is_empty() => (number, true),
+                _ => (row.get(name).unwrap_or_default(), false),
+            };
             let is_twin = |(other, group): (&&str, &Group)| *other != own && group.name == called;
-            if key == name && groups.iter().any(is_twin) {
+            if !is_number && groups.iter().any(is_twin) {
                 return Err(format!(
                     "line {line}: the names of two groups differ only in spaces: {called}"
                 ));
@@ -264,6 +267,9 @@ mod tests {
             .map(|group| group.members.join(" "))
             .collect();
         assert_eq!(members, ["ada bob", "eve"]);
+        let unnumbered = read("user_id,group_name,group_id\nada,T,\nbob,T,\neve,U,\n");
+        let unnumbered = unnumbered.expect("it is a list");
+        assert_eq!(unnumbered.len(), 2, "an empty column is no number");
         for twin in ["T ", "\u{a0}T"] {
             let error = read(&format!("id,group\nada,T\neve,{twin}\n"));
             let error = error.expect_err("nobody knows whether they are the same");

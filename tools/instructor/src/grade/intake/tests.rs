@@ -354,7 +354,7 @@ fn the_whole_download_of_a_platform_is_unpacked() {
     assert_eq!(intake.entries.len(), 4, "{intake:#?}");
     assert_eq!(
         intake.entries[2].doubts,
-        ["no answer file was handed in, but text.html"]
+        ["no answer file was handed in, but `text.html`"]
     );
     let mut moodle = answers("Ada Lovelace_2001_assignsubmission_file/", "ada");
     moodle.extend(answers("Bob Bobson_2002_assignsubmission_file/", "bob"));
