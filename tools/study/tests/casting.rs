@@ -166,7 +166,6 @@ fn rays_of_one_camera(
 }
 
 fn what_rays_from_anywhere_see<M: Model>(has_eye: bool) {
-    const REQUIRED: f64 = 1e-11;
     let mut random = Random::new(5, M::NAME);
     let [mut hits, mut accurate] = [0; 2];
     for (scale, away) in [
@@ -176,7 +175,8 @@ fn what_rays_from_anywhere_see<M: Model>(has_eye: bool) {
         (1e-30, 0.0),
         (1.0, 1e8),
     ] {
-        for _ in 0..30 {
+        for round in 0..30 {
+            let required = [1e-11, 1e-13][round % 2];
             let offset = random.unit() * away;
             let mut world = crowd(&mut random, scale, offset);
             let (camera, rays) = rays_of_one_camera(&mut random, scale, offset, &world, has_eye);
@@ -185,7 +185,7 @@ fn what_rays_from_anywhere_see<M: Model>(has_eye: bool) {
             let anywhere = Caster::new(world.clone());
             let view = View {
                 camera,
-                required_t: &|_, _| REQUIRED,
+                required_t: &|_, _| required,
             };
             let caster = Caster::from_camera(world, view);
             for ray in rays {
@@ -200,7 +200,7 @@ fn what_rays_from_anywhere_see<M: Model>(has_eye: bool) {
                     if found.is_accurate {
                         let root = exact(&found.part.shape, &ray, 0.0).expect("it is hit");
                         let t = root.rounded();
-                        let is_near = (found.t - t).abs() <= REQUIRED * t;
+                        let is_near = (found.t - t).abs() <= required * t;
                         assert!(is_near, "{} instead of {t}: {ray:?}", found.t);
                         accurate += 1;
                     }
@@ -208,7 +208,10 @@ fn what_rays_from_anywhere_see<M: Model>(has_eye: bool) {
             }
         }
     }
-    assert!(hits > 20_000 && accurate > hits / 3, "{accurate} of {hits}");
+    assert!(
+        hits > 20_000 && accurate > hits / 10,
+        "{accurate} of {hits}"
+    );
 }
 
 #[test]
