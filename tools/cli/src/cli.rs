@@ -230,9 +230,10 @@ pub struct Reset {
 
 /// Check this machine for everything that Pinhole uses
 ///
-/// Prints a line for each thing: the Rust compiler, the linker, the sandbox, Mitsuba and so on.
-/// If something is missing, the line says what it is used for and how to get it. The exit code is
-/// 3 if answers can't be compiled here. Everything else is optional.
+/// Lists what Pinhole uses, such as the Rust compiler and a linker, and whether it was found. In a
+/// checkout of the course, this includes the sandbox and Mitsuba. For anything missing, it also
+/// prints what Pinhole uses it for and how to get it. Only the Rust compiler, a linker and enough
+/// free disk space are required. If one of them is missing, the exit code is 3.
 #[derive(Args)]
 pub struct Doctor {
     /// Print one JSON document on standard output

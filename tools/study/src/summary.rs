@@ -271,7 +271,7 @@ fn choice(findings: &Findings) -> String {
         (
             "to have t and normals of a known accuracy",
             "`pinhole plan --accuracy X`",
-            "as above, and more for X below 6e-8".into(),
+            "as above, and more for X below 1e-10".into(),
         ),
     ];
     let columns = "your scene is … | use … | costs, for a ray and a sphere …";
