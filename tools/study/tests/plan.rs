@@ -59,6 +59,7 @@ fn scenes_that_once_broke_plans_keep_their_promise() {
         "slivers",
         "far_edge",
         "endless_triangle",
+        "endless_edge",
     ] {
         keeps_its_promise(&hostile(name), &[1e-2, 1e-6, 1e-9, 1e-12, 1e-13]);
     }
@@ -75,7 +76,12 @@ fn edges_are_hits() {
 
 #[test]
 fn all_samples_of_a_film_are_finite() {
-    let names = ["slivers", "far_triangle", "endless_triangle"];
+    let names = [
+        "slivers",
+        "far_triangle",
+        "endless_triangle",
+        "endless_edge",
+    ];
     for (name, accuracy) in names
         .into_iter()
         .flat_map(|name| [(name, 1e-2), (name, 1e-12)])

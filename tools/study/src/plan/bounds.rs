@@ -82,10 +82,9 @@ pub fn of_normal(sphere: &Sphere<f64>, distance: f64, of_t: f64) -> f64 {
 /// of their cross product is at most 33u, and that of the product at most 58u.
 pub fn normal_of(triangle: &Triangle<f64>) -> (Vector<f64>, f64) {
     let outward = triangle.outward_near_one();
-    let largest = outward.largest();
-    // Edges that overflow have no normal.
-    let turned = match largest.is_finite() {
-        true => 1.1 * part(64.0 * U, largest) + OF_UNIT,
+    // Edges that overflow have no normal. `largest` may overlook a component that is NaN.
+    let turned = match outward.is_finite() {
+        true => 1.1 * part(64.0 * U, outward.largest()) + OF_UNIT,
         false => f64::INFINITY,
     };
     (outward.unit(), turned)
