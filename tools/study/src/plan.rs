@@ -22,7 +22,7 @@ use serde::Serialize;
 
 use crate::cast::rays::{camera, rays};
 use crate::cast::search::{PRICES, Prices, Search, price_of_all};
-use crate::cast::world::{KINDS, PROVEN_T, Primitive, World};
+use crate::cast::world::{Accurate, KINDS, PROVEN_T, Part, Primitive, World};
 use crate::kernel::sphere::at_most;
 use crate::vector::{Vector, around};
 use bounds::{OF_UNIT, normal_of, of_normal};
@@ -57,8 +57,8 @@ pub struct KindPlan {
     pub worst_t: f64,
     /// Worst error of a normal, in radians; `None` if unbounded.
     pub worst_normal: Option<f64>,
-    /// Whether a worst case exceeds the requested accuracy. If so, stricter filters decide which
-    /// hits have it, and the others are computed with more digits.
+    /// Whether hits are watched, because not all are certain to have the requested accuracy.
+    /// Stricter filters then decide which have it, and the others are computed with more digits.
     pub watched: bool,
 }
 
@@ -93,33 +93,28 @@ pub fn plan(scene: &Scene, wish: AccuracyTarget) -> Result<(Plan, PlannedCaster)
         return Err(format!("the ray of pixel {pixel} overflows"));
     }
     let origins = around(rays.iter().map(|ray| [ray.origin; 2])).unwrap_or_default();
+    let casting = PlannedCaster::new(world, camera(scene, &rays), scene.min_t, wish);
+    let all = casting.parts();
     let kind = |kind| {
-        let parts: Vec<&Primitive> = world
-            .parts
-            .iter()
-            .map(|part| &part.shape)
-            .filter(|shape| shape.kind() == kind)
-            .collect();
-        let worst = parts.iter().map(|shape| worst_normal(shape, origins));
+        let parts: Vec<&Part> = all.iter().filter(|it| it.shape.kind() == kind).collect();
+        let worst = parts.iter().map(|part| worst_normal(&part.shape, origins));
         let worst_normal = worst.fold(0.0, f64::max);
         (!parts.is_empty()).then(|| KindPlan {
             kind,
             parts: parts.len(),
             worst_t: PROVEN_T,
             worst_normal: worst_normal.is_finite().then_some(worst_normal),
-            watched: wish.depth && PROVEN_T > wish.accuracy
-                || wish.normal && worst_normal > wish.accuracy,
+            watched: parts.iter().any(|part| part.accurate != Accurate::Always),
         })
     };
     let plan = Plan {
         wish,
         pixels: rays.len(),
         kinds: KINDS.into_iter().filter_map(kind).collect(),
-        search: Search::cheaper(&world.parts).name(),
-        price_of_all: price_of_all(&world.parts),
+        search: Search::cheaper(all).name(),
+        price_of_all: price_of_all(all),
         prices: PRICES,
     };
-    let casting = PlannedCaster::new(world, camera(scene, &rays), scene.min_t, wish);
     Ok((plan, casting))
 }
 

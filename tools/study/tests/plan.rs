@@ -102,6 +102,21 @@ fn hit_beyond_the_largest_f32_is_seen_at_that_depth() {
     assert!(t.iter().all(|t| *t == f32::MAX), "{t:?}");
 }
 
+/// At this accuracy, every normal is accurate enough, but the caster cannot know it: its bound
+/// holds for a larger region of origins.
+#[test]
+fn plan_says_that_the_caster_watches_hits() {
+    let mut scene = hostile("five_balls_1e11");
+    scene.camera.projection = Projection::Orthographic;
+    let spheres = |accuracy| {
+        let (plan, _) = plan(&scene, wish(accuracy)).expect("a plan");
+        plan.kinds[0].clone()
+    };
+    let worst = spheres(1e-4).worst_normal.expect("a bound");
+    let watched = [0.9, 1.1, 10.0].map(|times| spheres(times * worst).watched);
+    assert_eq!(watched, [true, true, false]);
+}
+
 #[test]
 fn planning_a_scene_twice_gives_the_same_plan() {
     for file in files() {

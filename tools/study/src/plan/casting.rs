@@ -58,6 +58,11 @@ impl PlannedCaster {
         }
     }
 
+    /// The parts of the scene, in the order of the search.
+    pub fn parts(&self) -> &[Part] {
+        &self.caster.world.parts
+    }
+
     /// Casts one ray. t and normal are 0 if they are not requested.
     #[inline]
     pub fn see(&self, ray: &Ray<f64>, tally: &mut Tally) -> Seen {
