@@ -103,26 +103,31 @@ pub struct Tree {
     boundless: usize,
 }
 
-/// Parts with larger coordinates are in no box: differences of these might overflow.
+/// Parts with larger coordinates are in no box, and neither is any part if the eye has larger
+/// coordinates: differences of these might overflow.
 const LARGE: f64 = 1e300;
+
+fn is_small(point: &Vector<f64>) -> bool {
+    point.largest() < LARGE
+}
 
 /// The corners of a part's box; `None` if it is unbounded or a coordinate reaches `LARGE`.
 fn bounds(part: &Part) -> Option<[Vector<f64>; 2]> {
     let bounds = part.shape.bounds()?;
-    let is_small = |corner: &Vector<f64>| corner.array().into_iter().all(|x| x.abs() < LARGE);
     bounds.iter().all(is_small).then_some(bounds)
 }
 
 impl Tree {
     /// Builds the tree, and reorders the world's parts to match it.
     pub fn over(world: &mut World) -> Tree {
-        let boxed = |part: &Part| bounds(part).is_some();
+        let eye = world.camera.and_then(|camera| camera.eye());
+        let is_near = eye.as_ref().is_none_or(is_small);
+        let boxed = |part: &Part| is_near && bounds(part).is_some();
         let parts = std::mem::take(&mut world.parts);
         let (inside, outside): (Vec<_>, Vec<_>) = parts.into_iter().partition(boxed);
         let boxes: Vec<_> = inside.iter().filter_map(bounds).collect();
         let mut tree = Tree::default();
         if let Some(all) = around(boxes.iter().copied()) {
-            let eye = world.camera.and_then(|camera| camera.eye());
             tree.frame = Frame::around(all, eye);
             let boxes = boxes.into_iter().map(|bounds| {
                 let [low, high] = tree.frame.boxed(bounds);
