@@ -118,6 +118,25 @@ fn plan_says_that_the_caster_watches_hits() {
     assert_eq!(watched, [true, true, false]);
 }
 
+/// From a distant eye, all boxes are the same in a frame of `f32` numbers around the eye.
+#[test]
+fn distant_eye_opens_as_few_boxes_as_a_near_one() {
+    let is_bunny = |file: &std::path::PathBuf| file.ends_with("ray_casting/scenes/bunny.toml");
+    let file = files().into_iter().find(is_bunny).expect("the bunny");
+    let mut scene = read(&file).expect("it is a scene");
+    (scene.camera.width, scene.camera.height) = (16.0, 9.0);
+    let mut tests = |distance| {
+        scene.camera.eye = glam::DVec3::new(0.0, 3.5, 0.0) + distance * scene.camera.w;
+        scene.camera.projection = Projection::Perspective {
+            focal_length: distance,
+        };
+        let (_, casting) = plan(&scene, wish(1e-6)).expect("a plan");
+        casting.film(&rays(&scene)).1.tests
+    };
+    let (near, far) = (tests(20.0), tests(2e8));
+    assert!(far < 2 * near, "{near} tests from near, {far} from afar");
+}
+
 #[test]
 fn planning_a_scene_twice_gives_the_same_plan() {
     for file in files() {

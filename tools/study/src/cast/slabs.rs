@@ -23,15 +23,14 @@
 //! the computed near and far sides of all these boxes. A box that contains a hit is therefore
 //! skipped only if the hit lies beyond the horizon, that is, if a nearer hit is already known.
 //!
-//! If all rays start at the frame's centre, t = p / d needs no offset. d, its inverse and the
-//! product are each rounded once, so the relative error is below 3.1u. The inverse is made
-//! smaller by 8u for near sides and larger by 8u for far ones. Components of d below 2⁻¹⁰⁰ are
+//! If all rays start at the frame's centre, t = p / d needs no offset. The inverse is made smaller by
+//! 8u for near sides and larger by 8u for far ones. d, its inverse, that factor's product and the
+//! product with p are each rounded once, so the relative error is below 4.1u. Components of d below 2⁻¹⁰⁰ are
 //! replaced, which moves the ray by less than the margin of [`Frame::boxed`].
 
 use wide::f32x4;
 
 use super::frame::Frame;
-use super::model::Model;
 use crate::kernel::sphere::ScaledRay;
 use crate::number::Real;
 use crate::vector::Vector;
@@ -157,12 +156,12 @@ impl Slabs {
     }
 
     /// A bit for each box that the ray may enter before the horizon, and the parameter at which
-    /// it enters each box.
+    /// it enters each box. `FROM_CENTER` says whether the ray starts at the frame's centre.
     #[inline(always)]
-    pub fn enter<M: Model>(&self, boxes: &Boxes, horizon: f32) -> (u32, [f32; 4]) {
+    pub fn enter<const FROM_CENTER: bool>(&self, boxes: &Boxes, horizon: f32) -> (u32, [f32; 4]) {
         let side = |axis: usize, far: usize| {
             let t = boxes[self.order[far][axis] & 1][axis] * self.inverse[far][axis];
-            match M::HAS_EYE {
+            match FROM_CENTER {
                 true => t,
                 false => t - self.offset[far][axis],
             }

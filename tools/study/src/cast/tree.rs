@@ -95,6 +95,8 @@ impl Packet {
 #[derive(Clone, Debug, Default)]
 pub struct Tree {
     frame: Frame,
+    /// Whether the frame's centre is the eye, from which all rays start.
+    is_around_eye: bool,
     /// The root node or the only leaf; `None` if no part has a finite box.
     root: Option<u32>,
     nodes: Vec<Node>,
@@ -103,32 +105,36 @@ pub struct Tree {
     boundless: usize,
 }
 
-/// Parts with larger coordinates are in no box, and neither is any part if the eye has larger
-/// coordinates: differences of these might overflow.
+/// Parts with larger coordinates are in no box: differences of these might overflow.
 const LARGE: f64 = 1e300;
-
-fn is_small(point: &Vector<f64>) -> bool {
-    point.largest() < LARGE
-}
 
 /// The corners of a part's box; `None` if it is unbounded or a coordinate reaches `LARGE`.
 fn bounds(part: &Part) -> Option<[Vector<f64>; 2]> {
     let bounds = part.shape.bounds()?;
+    let is_small = |corner: &Vector<f64>| corner.array().into_iter().all(|x| x.abs() < LARGE);
     bounds.iter().all(is_small).then_some(bounds)
+}
+
+/// Whether the eye is so near to a scene's box that `f32` numbers tell the scene's parts apart in a
+/// frame around the eye.
+fn is_near(eye: &Vector<f64>, [low, high]: [Vector<f64>; 2]) -> bool {
+    let away = (high - *eye).largest().max((low - *eye).largest());
+    away <= 256.0 * (high - low).largest()
 }
 
 impl Tree {
     /// Builds the tree, and reorders the world's parts to match it.
     pub fn over(world: &mut World) -> Tree {
-        let eye = world.camera.and_then(|camera| camera.eye());
-        let is_near = eye.as_ref().is_none_or(is_small);
-        let boxed = |part: &Part| is_near && bounds(part).is_some();
+        let boxed = |part: &Part| bounds(part).is_some();
         let parts = std::mem::take(&mut world.parts);
         let (inside, outside): (Vec<_>, Vec<_>) = parts.into_iter().partition(boxed);
         let boxes: Vec<_> = inside.iter().filter_map(bounds).collect();
         let mut tree = Tree::default();
         if let Some(all) = around(boxes.iter().copied()) {
+            let eye = world.camera.and_then(|camera| camera.eye());
+            let eye = eye.filter(|eye| is_near(eye, all));
             tree.frame = Frame::around(all, eye);
+            tree.is_around_eye = eye.is_some();
             let boxes = boxes.into_iter().map(|bounds| {
                 let [low, high] = tree.frame.boxed(bounds);
                 Aabb::new(low.into(), high.into())
@@ -180,25 +186,38 @@ impl Tree {
     #[inline(always)]
     pub(super) fn search<'a, M: Model>(&self, world: &'a World, nearest: &mut Nearest<'a, '_, M>) {
         nearest.consider(&world.parts[self.boundless..]);
-        let Some(mut at) = self.root else { return };
+        let Some(at) = self.root else { return };
         let packed = nearest.query.varying.map(|q| f32x4::splat(q as f32));
         if at & LEAF != 0 {
             return self.meet(at, world, packed, nearest);
         }
         let Query { scaled, min_t, .. } = &nearest.query;
-        let slabs = match M::HAS_EYE {
-            true => Some(Slabs::from_center(&self.frame, scaled, packed, *min_t)),
-            false => Slabs::of(&self.frame, scaled, *min_t),
-        };
-        let Some(slabs) = slabs else {
-            return nearest.consider(&world.parts[..self.boundless]);
-        };
+        if M::HAS_EYE && self.is_around_eye {
+            let slabs = Slabs::from_center(&self.frame, scaled, packed, *min_t);
+            return self.traverse::<M, true>(at, &slabs, world, packed, nearest);
+        }
+        match Slabs::of(&self.frame, scaled, *min_t) {
+            Some(slabs) => self.traverse::<M, false>(at, &slabs, world, packed, nearest),
+            None => nearest.consider(&world.parts[..self.boundless]),
+        }
+    }
+
+    /// Tests the parts in all boxes that a ray enters before its first hit.
+    #[inline(always)]
+    fn traverse<'a, M: Model, const FROM_CENTER: bool>(
+        &self,
+        mut at: u32,
+        slabs: &Slabs,
+        world: &'a World,
+        packed: Vector<f32x4>,
+        nearest: &mut Nearest<'a, '_, M>,
+    ) {
         let mut horizon = slabs.horizon(nearest.horizon());
         let mut waiting = TraversalStack::default();
         loop {
             if at & LEAF == 0 {
                 let node = &self.nodes[at as usize];
-                let (mut met, entries) = slabs.enter::<M>(&node.boxes, horizon);
+                let (mut met, entries) = slabs.enter::<FROM_CENTER>(&node.boxes, horizon);
                 if met != 0 {
                     let take = |met: &mut u32| {
                         let lane = met.trailing_zeros() as usize & 3;
