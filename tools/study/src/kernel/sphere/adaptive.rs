@@ -23,14 +23,16 @@ use crate::vector::Vector;
 ///    If |l|² > 2r², then r² − |l|² < −|l|²/2 and E ≤ 24√u |l|² + `sign`/2, where the first
 ///    term is below half of |l|²/2. So a value below −`sign` is also below −E, and the ray
 ///    misses.
-/// 3. The error of q = |h| + √(a (r² − |l|²)) is at most a (12u r|f| + 72u²|f|²) / root plus
-///    4u|d||f|, where root is the square root in q, |l| ≤ r and |d| < 3.5. The error of c =
+/// 3. The error of q = |h| + √(a (r² − |l|²)) is at most a (16u r|f| + 96u²|f|²) / root plus
+///    4u|d||f|, where root is the square root in q, |l| ≤ r, |l| ≤ |f| and |d| < 3.5: of the
+///    error of r² − |l|², 3u|l|² + 2u(r² + |l|²) is at most 7u r|f| + 2u(r² − |l|²), and the last
+///    term counts as a rounding of the final operations. The error of c =
 ///    |f|² − r² is at most 8u (|f|² + r²). If twice the first error is below √u q, and the
 ///    second below ½√u c, then both roots c/q and q/a have a relative error of at most √u. The
-///    first condition holds if 24u a |f| (r + 6u|f|) + 28u |f| root < √u q root. Because q ≥
-///    root, it suffices that 48√u |f| (r + 6u|f|) and 3136u |f|² are below root²/a = r² − |l|²
+///    first condition holds if 32u a |f| (r + 6u|f|) + 28u |f| root < √u q root. Because q ≥
+///    root, it suffices that 64√u |f| (r + 6u|f|) and 3136u |f|² are below root²/a = r² − |l|²
 ///    (a ≥ 1); this gives [`Limits::divisor`]. c is the dividend. The same holds for any other
-///    accuracy in place of √u, with 48u/accuracy and 3136u²/accuracy².
+///    accuracy in place of √u, with 64u/accuracy and 3136u²/accuracy².
 /// 4. Underflow adds less than 64 times [`TINY`] to each, which the limits include. Overflow
 ///    makes a limit infinite or a number NaN; then the filter does not decide.
 pub struct Adaptive;

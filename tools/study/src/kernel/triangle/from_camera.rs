@@ -119,8 +119,10 @@ impl TriangleFromCamera {
 /// Four triangles from the same camera, in `f32`. It only tells which of them a ray may hit.
 ///
 /// Each triangle's functions are divided by a power of two, so that no slope or offset reaches 1.
-/// No component of q exceeds 2. With U = 2⁻²⁴, rounding to `f32`, the products and the sums add
-/// errors of at most 5U for each term of a volume, so 40U bounds the error of `f32`.
+/// With U = 2⁻²⁴, rounding a slope, q and their product to `f32` adds an error of at most 3U times
+/// the product. In perspective, no component of q exceeds 2: the three products add 18U, and their
+/// sums 4U + 6U. Otherwise, no component of q exceeds 1, but there is an offset: the products add
+/// 9U, the offset U, and the sums 2U + 3U + 4U. So 40U bounds the error of `f32`.
 #[derive(Clone, Copy, Debug)]
 pub struct PacketFromCamera {
     sides: [(Vector<f32x4>, f32x4); 3],
