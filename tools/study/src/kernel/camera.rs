@@ -30,12 +30,18 @@ impl Camera {
     /// If there is no ray.
     pub fn orthographic(rays: &[Ray<f64>], center: Vector<f64>) -> Camera {
         let away = rays.iter().map(|ray| (ray.origin - center).largest());
+        let away = away.fold(0.0, f64::max);
         Camera::Orthographic {
             scaled: ScaledRay::new(&Ray {
                 origin: center,
                 ..rays[0]
             }),
-            exponent: exponent(away.fold(0.0, f64::max)) + 1,
+            // A film of a single pixel has one origin.
+            exponent: if away > 0.0 {
+                exponent(away) + 1
+            } else {
+                -1000
+            },
         }
     }
 
