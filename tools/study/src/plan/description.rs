@@ -38,8 +38,7 @@ fn how(kind: &KindPlan, wish: AccuracyTarget) -> String {
     match kind.watched {
         false => format!("f64; proven for every ray: {proven}"),
         true => format!(
-            "f64 where a filter proves X, more digits elsewhere; f64 alone is proven for every \
-             ray to: {proven}"
+            "f64 where a filter proves X, and more digits elsewhere; without either: {proven}"
         ),
     }
 }
