@@ -23,6 +23,15 @@ fn direction(random: &mut Random) -> Vector<f64> {
     }
 }
 
+/// Scales of crowds, and their distances from the origin.
+const CROWDS: [(f64, f64); 5] = [
+    (1.0, 0.0),
+    (1e-3, 1e3),
+    (1e20, 0.0),
+    (1e-30, 0.0),
+    (1.0, 1e8),
+];
+
 /// Spheres and triangles on a grid, so that rays often coincide with the sides of boxes.
 fn crowd(random: &mut Random, scale: f64, offset: Vector<f64>) -> World {
     let on_grid = |random: &mut Random| {
@@ -49,13 +58,7 @@ fn crowd(random: &mut Random, scale: f64, offset: Vector<f64>) -> World {
 fn boxes_lose_no_hit() {
     let mut random = Random::new(1, "boxes");
     let mut hits = 0;
-    for (scale, away) in [
-        (1.0, 0.0),
-        (1e-3, 1e3),
-        (1e20, 0.0),
-        (1e-30, 0.0),
-        (1.0, 1e8),
-    ] {
+    for (scale, away) in CROWDS {
         for _ in 0..20 {
             let offset = random.unit() * away;
             let caster = Caster::new(crowd(&mut random, scale, offset));
@@ -168,13 +171,7 @@ fn rays_of_one_camera(
 fn what_rays_from_anywhere_see<M: Model>(has_eye: bool) {
     let mut random = Random::new(5, M::NAME);
     let [mut hits, mut accurate] = [0; 2];
-    for (scale, away) in [
-        (1.0, 0.0),
-        (1e-3, 1e3),
-        (1e20, 0.0),
-        (1e-30, 0.0),
-        (1.0, 1e8),
-    ] {
+    for (scale, away) in CROWDS {
         for round in 0..30 {
             let required = [1e-11, 1e-13][round % 2];
             let offset = random.unit() * away;
