@@ -312,7 +312,7 @@ fn cut(a: &[DVec3], b: &[DVec3]) -> Cut {
     }
     let gap = |axis: usize| f64::max(b_low[axis] - a_high[axis], a_low[axis] - b_high[axis]);
     let is_middle = |axis: usize| {
-        let middle = 0.5 * (low + high)[axis];
+        let middle = (low[axis] + high[axis]) / 2.0;
         let is_below = |high: f64| high <= middle + slack;
         let is_above = |low: f64| low >= middle - slack;
         is_below(a_high[axis]) && is_above(b_low[axis])
