@@ -78,7 +78,11 @@ fn withheld_scenes_show_no_more_than_the_instructor_chooses() {
             (&0.into(), &100.into())
         );
         let loud = class.result(reveal, "loud");
-        let ended = if reveal == "points" { "graded" } else { "panicked" };
+        let ended = if reveal == "points" {
+            "graded"
+        } else {
+            "panicked"
+        };
         assert_eq!(
             (&loud["scenes"][0]["outcome"]["ended"], &loud["printed"]),
             (&ended.into(), &"".into())
