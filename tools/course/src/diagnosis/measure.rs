@@ -477,7 +477,7 @@ impl<'a> PartFinding<'a> {
         };
         let (fitted, tested) = (share(true)?, share(false)?);
         let share = fitted.min(tested);
-        // A value that only some answers have in common is no law, if it may be any up to a limit.
+        // If any value up to a limit is right, a value that only some answers share says nothing.
         let is_always = matches!(law, PartLaw::Whole(law::Law::Always(_)));
         let is_limited = self.wrong.iter().any(|it| it.is_limited(self.part));
         let least = match is_always && is_limited {

@@ -269,7 +269,11 @@ mod tests {
         assert_eq!(members, ["ada bob", "eve"]);
         let unnumbered = read("user_id,group_name,group_id\nada,T,\nbob,T,\neve,U,\n");
         let unnumbered = unnumbered.expect("it is a list");
-        assert_eq!(unnumbered.len(), 2, "an empty column is no number");
+        assert_eq!(
+            unnumbered.len(),
+            2,
+            "groups without a number go by their names"
+        );
         for twin in ["T ", "\u{a0}T"] {
             let error = read(&format!("id,group\nada,T\neve,{twin}\n"));
             let error = error.expect_err("nobody knows whether they are the same");
