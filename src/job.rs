@@ -22,6 +22,8 @@ use crate::shape::{Shape, ShapeKind};
 pub enum Job {
     /// Cast a scene: a hit for every pixel, in image order.
     Film(Scene),
+    /// Cast several scenes, one after the other.
+    Films(Vec<Scene>),
     /// An answer to each question.
     Ask(Questions),
     /// The first hit of one ray among real shapes: a single answer.
@@ -35,6 +37,7 @@ impl Job {
     pub fn len(&self) -> usize {
         match self {
             Job::Film(scene) => scene.resolution.pixels(),
+            Job::Films(scenes) => scenes.iter().map(|scene| scene.resolution.pixels()).sum(),
             Job::Ask(questions) => questions.len(),
             Job::Cast(..) => 1,
             Job::Meet(_, rays) => rays.len(),
@@ -57,6 +60,7 @@ impl Job {
     pub fn needs(&self, kind: Kind, shape: Option<ShapeKind>) -> bool {
         match self {
             Job::Film(scene) | Job::Meet(scene, _) => kind.is_needed_by(shape, scene),
+            Job::Films(scenes) => scenes.iter().any(|scene| kind.is_needed_by(shape, scene)),
             Job::Ask(questions) => kind == questions.kind(),
             Job::Cast(..) => true,
         }
@@ -66,7 +70,7 @@ impl Job {
     pub fn questions(&self) -> Option<&Questions> {
         match self {
             Job::Ask(questions) => Some(questions),
-            Job::Film(_) | Job::Cast(..) | Job::Meet(..) => None,
+            Job::Film(_) | Job::Films(_) | Job::Cast(..) | Job::Meet(..) => None,
         }
     }
 
@@ -77,14 +81,16 @@ impl Job {
         functions: &[AnswerFn],
     ) -> Result<WireAnswer, Unregistered> {
         let hit = match self {
-            Job::Film(scene) => {
-                let ray = CameraQuestion::of_scene(scene, index).ray(functions)?;
-                let (hit, tests) =
-                    counted(|| kind::cast(&ray, scene.min_t, &scene.objects, functions));
-                return Ok(match tests {
-                    0 => WireAnswer::Answer(hit?),
-                    _ => WireAnswer::Counted(hit?, tests),
-                });
+            Job::Film(scene) => return pixel(scene, index, functions),
+            Job::Films(scenes) => {
+                let mut index = index;
+                for scene in scenes {
+                    match index.checked_sub(scene.resolution.pixels()) {
+                        None => return pixel(scene, index, functions),
+                        Some(later) => index = later,
+                    }
+                }
+                unreachable!("the index is less than the number of answers");
             }
             Job::Ask(questions) => return questions.answer(index, functions),
             Job::Cast(ray, min_t, objects) => kind::cast(ray, *min_t, objects, functions),
@@ -101,13 +107,23 @@ impl Job {
     pub(crate) fn receive(&self, index: usize, sent: &WireAnswer) -> Option<Answer> {
         match self {
             Job::Ask(questions) => questions.receive(index, sent),
-            Job::Film(_) => match sent {
+            Job::Film(_) | Job::Films(_) => match sent {
                 WireAnswer::Counted(answer, _) => WireAnswer::Answer(*answer).hit(),
                 sent => sent.hit(),
             },
             Job::Cast(..) | Job::Meet(..) => sent.hit(),
         }
     }
+}
+
+/// The hit at a pixel of a scene.
+fn pixel(scene: &Scene, index: usize, functions: &[AnswerFn]) -> Result<WireAnswer, Unregistered> {
+    let ray = CameraQuestion::of_scene(scene, index).ray(functions)?;
+    let (hit, tests) = counted(|| kind::cast(&ray, scene.min_t, &scene.objects, functions));
+    Ok(match tests {
+        0 => WireAnswer::Answer(hit?),
+        _ => WireAnswer::Counted(hit?, tests),
+    })
 }
 
 /// A panic inside a student's code.

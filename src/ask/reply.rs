@@ -145,6 +145,8 @@ impl Reply {
             let missing = answers.iter().filter(|answer| answer.is_none()).count();
             let later = self.tests.split_off(length.min(self.tests.len()));
             let tests = std::mem::replace(&mut self.tests, later);
+            let later = self.own_tests.split_off(length.min(self.own_tests.len()));
+            let own_tests = std::mem::replace(&mut self.own_tests, later);
             let later = self.outlines.split_off(length.min(self.outlines.len()));
             let outlines = std::mem::replace(&mut self.outlines, later);
             let later = self.tallies.split_off(length.min(self.tallies.len()));
@@ -153,7 +155,7 @@ impl Reply {
                 answers,
                 missing,
                 tests,
-                own_tests: Vec::new(),
+                own_tests,
                 outlines,
                 tallies,
                 searches: Vec::new(),

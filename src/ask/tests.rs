@@ -156,6 +156,12 @@ mod message {
         let tests = reply.own_tests(resolution).expect("they are counted");
         assert_eq!(tests.channel(TESTS), Some(&[0.0, 7.0][..]));
         assert_eq!(reply.film(resolution).channel(TESTS), None);
+        let half = Resolution { n_x: 1, n_y: 1 };
+        let tests = reply.split([1, 1].into_iter()).pop();
+        let tests = tests
+            .and_then(|part| part.own_tests(half))
+            .expect("they are split");
+        assert_eq!(tests.channel(TESTS), Some(&[7.0][..]));
         refused(&hits(2), &[message(counted)], "another kind");
     }
 

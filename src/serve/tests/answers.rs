@@ -24,14 +24,18 @@ fn camera() -> Camera {
     Camera::new(DVec3::ZERO, DVec3::X, DVec3::Y, (1.0, 1.0), projection).unwrap()
 }
 
-/// A film of several chunks, not all of them full.
-fn film() -> Job {
-    Job::Film(Scene {
+/// Its film has several chunks, not all of them full.
+fn scene() -> Scene {
+    Scene {
         camera: camera(),
         resolution: Resolution { n_x: 50, n_y: 21 },
         min_t: 0.25,
         objects: vec![sphere()],
-    })
+    }
+}
+
+fn film() -> Job {
+    Job::Film(scene())
 }
 
 fn sphere() -> Shape {
@@ -80,6 +84,22 @@ fn every_pixel_gets_its_own_ray() {
             _ => hit(1, 0.25, dvec3(i as f64, j as f64, 0.0)),
         };
         assert_eq!(answer, expected, "({i}, {j})");
+    }
+}
+
+#[test]
+fn scenes_cast_together_are_the_scenes_cast_alone() {
+    let smaller = Scene {
+        resolution: Resolution { n_x: 30, n_y: 7 },
+        min_t: 0.5,
+        ..scene()
+    };
+    let together = asked("able", &Job::Films(vec![scene(), smaller.clone()]));
+    let alone = [film(), Job::Film(smaller)];
+    let parts = together.split(alone.iter().map(Job::len));
+    for (job, part) in alone.iter().zip(parts) {
+        let answers: Vec<Answer> = part.answers.into_iter().flatten().collect();
+        assert_eq!(answers, answered(job));
     }
 }
 

@@ -4,14 +4,14 @@ mod asking;
 mod diagnose;
 mod earlier;
 mod judged_film;
+mod scenes;
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use pinhole::Fact;
 use pinhole::ask::MOST_PRINTED;
 use pinhole::job::Job;
 use pinhole::judge::Verdict;
-use pinhole::kind::{CameraQuestion, Questions};
 use rayon::prelude::*;
 
 use crate::assignment::{Assignment, Task};
@@ -22,10 +22,7 @@ use crate::diagnosis::measure::measure;
 use crate::error::{Error, Result};
 use crate::goldens::questions::{Group, QuestionFilm};
 use crate::goldens::{GoldenScene, Goldens};
-use crate::outcome::{
-    Examination, FilmOutcome, GroupOutcome, GroupPicture, Outcome, OwnRays, SceneFilm,
-    SceneOutcome, Status, TaskOutcome,
-};
+use crate::outcome::{Examination, FilmOutcome, GroupOutcome, GroupPicture, Outcome, TaskOutcome};
 use crate::sandbox::Sandbox;
 use crate::second_judge::SecondJudge;
 use crate::submission::Submission;
@@ -119,11 +116,6 @@ impl Examiner<'_> {
         let scenes: Vec<&GoldenScene> = scenes
             .filter(|scene| selection.has_scene(&scene.name))
             .collect();
-        // Scenes that need a late answer would be late too, so they are not cast.
-        let late: Vec<&Task> = self.late(&tasks).collect();
-        let mut outcomes = Vec::new();
-        let mut films = Vec::new();
-        let rays_pass = self.rays_pass(&tasks);
         let (program, earlier) = match scenes.is_empty() {
             true => (self.program.clone(), None),
             false => self.judge_earlier()?,
@@ -132,8 +124,9 @@ impl Examiner<'_> {
             program: &program,
             ..*self
         };
-        let scenes = self.each(&scenes, |scene| caster.scene(scene, &late, rays_pass))?;
-        for (outcome, film, text) in scenes {
+        let mut outcomes = Vec::new();
+        let mut films = Vec::new();
+        for (outcome, film, text) in caster.scenes(&scenes, &tasks)? {
             outcomes.push(outcome);
             films.push(film);
             printed.push(text);
@@ -201,16 +194,6 @@ impl Examiner<'_> {
             true => items.par_iter().with_max_len(1).map(&work).collect(),
             false => items.iter().map(work).collect(),
         }
-    }
-
-    /// The tasks with an answer that was late.
-    fn late<'t>(&'t self, tasks: &'t [TaskOutcome]) -> impl Iterator<Item = &'t Task> {
-        let is_late = |outcome: &&TaskOutcome| {
-            let mut groups = outcome.groups.iter();
-            groups.any(|group| group.outcome.status() == Status::TimedOut)
-        };
-        let late = tasks.iter().filter(is_late);
-        late.filter_map(|outcome| self.assignment.task(&outcome.name))
     }
 
     fn task(&self, task: &Task) -> Result<(TaskOutcome, Vec<GroupPicture>, String)> {
@@ -299,30 +282,6 @@ impl Examiner<'_> {
         Ok((outcome, pictures, printed))
     }
 
-    /// Whether the answer that gives rays was judged, and passes.
-    fn rays_pass(&self, tasks: &[TaskOutcome]) -> bool {
-        let is_asked = |task: &&TaskOutcome| {
-            let task = self.assignment.task(&task.name);
-            task.is_some_and(|task| task.kind.gives_rays())
-        };
-        tasks.iter().find(is_asked).is_some_and(TaskOutcome::passes)
-    }
-
-    /// The rays that a submission sends through the pixels of a scene.
-    fn own_rays(&self, name: &str, film: &QuestionFilm) -> Result<OwnRays> {
-        let Job::Film(scene) = &film.job else {
-            return Ok(OwnRays::Unknown);
-        };
-        let pixels = 0..scene.resolution.pixels();
-        let questions = pixels.map(|index| CameraQuestion::of_scene(scene, index));
-        let job = Job::Ask(Questions::ViewingRay(questions.collect()));
-        let reply = self.ask(name, &job, self.wall)?;
-        Ok(match reply.is_whole() {
-            true => OwnRays::Asked(reply.film(scene.resolution)),
-            false => OwnRays::Unknown,
-        })
-    }
-
     /// What the answer prints when it is asked only the worst question of a verdict.
     fn printed_by_worst(
         &self,
@@ -340,49 +299,5 @@ impl Examiner<'_> {
         let text = reply.printed.trim_end();
         let text = &text[..text.floor_char_boundary(MOST_PRINTED_BY_ONE)];
         Ok((!text.is_empty()).then(|| Fact::new("printed", text)))
-    }
-
-    fn scene(
-        &self,
-        scene: &GoldenScene,
-        late: &[&Task],
-        rays_pass: bool,
-    ) -> Result<(SceneOutcome, SceneFilm, String)> {
-        let film = self.goldens.cached_scene(scene)?;
-        let mut late = late
-            .iter()
-            .filter(|task| film.job.needs(task.kind, task.shape));
-        let start = Instant::now();
-        let (outcome, printed, judged, tests) = match late.next() {
-            Some(task) => {
-                let by = task.name.clone();
-                (FilmOutcome::Blocked { by }, String::new(), None, None)
-            }
-            None => {
-                let reply = self.ask_whole(&scene.name, &film.job)?;
-                let judged = self.judge(&reply, &film, None)?;
-                let tests = reply.own_tests(film.resolution);
-                (judged.outcome.clone(), reply.printed, Some(judged), tests)
-            }
-        };
-        let seconds = start.elapsed().as_secs_f64();
-        let is_wrong = judged.as_ref().is_some_and(|judged| judged.film.is_some());
-        let rays = match is_wrong && self.interactive && !outcome.passes() {
-            true if rays_pass => OwnRays::Right,
-            true => self.own_rays(&scene.name, &film)?,
-            false => OwnRays::Unknown,
-        };
-        let outcome = SceneOutcome::new(scene.name.clone(), scene.worth, outcome, seconds);
-        let (cast, verdict) = judged.map_or((None, None), |judged| (judged.film, judged.verdict));
-        let film = SceneFilm {
-            file: scene.file.clone(),
-            argument: scene.argument.clone(),
-            golden: film.golden.clone(),
-            film: cast,
-            verdict,
-            rays,
-            tests,
-        };
-        Ok((outcome, film, printed))
     }
 }

@@ -159,7 +159,8 @@ pub struct SceneOutcome {
     pub possible: u32,
     /// How its film fared.
     pub outcome: FilmOutcome,
-    /// How long the cast took, including the start of the process; null if the scene is withheld.
+    /// How long the cast took, including the start of the process; null if the scene is withheld,
+    /// or was cast together with others.
     pub seconds: Option<f64>,
     /// The beliefs that explain its wrong pixels; null if no known belief does.
     #[serde(with = "crate::diagnosis::or_null")]
@@ -227,13 +228,18 @@ fn film_of_group<'a>(
 
 impl SceneOutcome {
     /// A scene that is worth this many points.
-    pub fn new(name: String, worth: u32, outcome: FilmOutcome, seconds: f64) -> SceneOutcome {
+    pub fn new(
+        name: String,
+        worth: u32,
+        outcome: FilmOutcome,
+        seconds: Option<f64>,
+    ) -> SceneOutcome {
         SceneOutcome {
             name,
             points: outcome.earns(worth),
             possible: worth,
             outcome,
-            seconds: Some(seconds),
+            seconds,
             diagnosis: Diagnosis::default(),
         }
     }

@@ -156,7 +156,7 @@ fn an_outcome_is_read_back_as_it_was_written() {
     for film in every_film_outcome() {
         outcome
             .scenes
-            .push(SceneOutcome::new("s".into(), 2, film, 0.5));
+            .push(SceneOutcome::new("s".into(), 2, film, Some(0.5)));
     }
     outcome.add_up();
     assert_eq!((outcome.points, outcome.possible), (Some(0), 50));
@@ -180,7 +180,7 @@ fn submission_has_the_worst_status_of_its_tasks_and_scenes() {
     let died = FilmOutcome::Died { how: "how".into() };
     outcome
         .scenes
-        .push(SceneOutcome::new("s".into(), 2, died, 0.5));
+        .push(SceneOutcome::new("s".into(), 2, died, Some(0.5)));
     assert_eq!(outcome.status(), Status::Killed);
     let task = Task {
         name: "plane".into(),

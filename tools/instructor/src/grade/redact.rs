@@ -245,7 +245,7 @@ mod tests {
 
     #[test]
     fn revealing_points_hides_pixel_counts_and_endings() {
-        let scene = |outcome| SceneOutcome::new("exam".into(), 5, outcome, 0.25);
+        let scene = |outcome| SceneOutcome::new("exam".into(), 5, outcome, Some(0.25));
         for (outcome, said) in [
             (
                 FilmOutcome::Unanswered,

@@ -142,7 +142,7 @@ fn scenes(of_task: &[Explanation], of_scenes: &[Explanation]) -> String {
     let mut examination = report_examination(beliefs(of_task));
     for name in ["one", "two"] {
         let outcome = FilmOutcome::from(&judge(&golden, &cast));
-        let mut scene = SceneOutcome::new(name.into(), 1, outcome, 0.5);
+        let mut scene = SceneOutcome::new(name.into(), 1, outcome, Some(0.5));
         scene.diagnosis = beliefs(of_scenes);
         examination.outcome.scenes.push(scene);
         examination.films.push(SceneFilm {

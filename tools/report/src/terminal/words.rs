@@ -39,15 +39,17 @@ pub fn withheld_in_words(outcome: &Outcome) -> Option<String> {
 
 /// A scene in one line.
 pub fn scene_in_words(scene: &SceneOutcome) -> String {
-    match (&scene.outcome, scene.seconds) {
-        (FilmOutcome::Judged(comparison), Some(seconds)) if comparison.passes => {
+    match &scene.outcome {
+        FilmOutcome::Judged(comparison) if comparison.passes => {
             let exempt = match comparison.exempt {
                 0 => String::new(),
                 some => format!(", {some} exempt"),
             };
-            format!("{} pixels{exempt}, {seconds:.2} s", comparison.resolution)
+            let seconds = scene.seconds.map(|seconds| format!(", {seconds:.2} s"));
+            let seconds = seconds.unwrap_or_default();
+            format!("{} pixels{exempt}{seconds}", comparison.resolution)
         }
-        (other, _) => outcome(other),
+        other => outcome(other),
     }
 }
 

@@ -161,7 +161,7 @@ impl Watch {
             None => {
                 for scene in &goldens.scenes {
                     let (name, worth) = (scene.name.clone(), scene.worth);
-                    let scene_outcome = SceneOutcome::new(name, worth, outcome.clone(), 0.5);
+                    let scene_outcome = SceneOutcome::new(name, worth, outcome.clone(), Some(0.5));
                     made.scenes.push(scene_outcome);
                     films.push(SceneFilm {
                         file: scene.file.clone(),

@@ -327,7 +327,7 @@ mod tests {
             why: HOSTILE.into(),
         };
         let mut got = Outcome::new("Assignment", HOSTILE.into(), "bubblewrap");
-        got.scenes = vec![SceneOutcome::new("scene".into(), 5, refused, 0.25)];
+        got.scenes = vec![SceneOutcome::new("scene".into(), 5, refused, Some(0.25))];
         got.add_up();
         Record {
             status: got.status(),

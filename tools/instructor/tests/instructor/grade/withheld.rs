@@ -6,7 +6,7 @@ use std::fs;
 use serde_json::Value;
 
 use super::{Class, answers, on_small_assignment};
-use pinhole_testing::root;
+use pinhole_testing::{fresh, pinhole, root, small_assignment, trusted};
 
 /// A folder of goldens as `golden render SCENE --out` makes it, with films and a manifest but no
 /// questions.
@@ -135,6 +135,55 @@ fn wrong_answers_to_public_questions_show_nothing_of_a_withheld_scene() {
     for shown in [result.to_string(), report] {
         assert!(!shown.contains("4242"), "{}", result["tasks"][0]);
     }
+}
+
+#[test]
+fn films_of_public_scenes_show_nothing_of_a_withheld_scene() {
+    let class = Class::new("withheld-among-public");
+    let reference = fs::read_to_string(answers().join("viewing_ray.rs")).expect("it is there");
+    // Once a pixel of `inside_a_sphere` was seen, the rays of other scenes go astray. They wait for
+    // that.
+    let told = reference.replacen(
+        "// ANCHOR: answer\n",
+        "use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+        static SEEN: AtomicBool = AtomicBool::new(false);
+        static BEGUN: std::sync::LazyLock<std::time::Instant> =
+            std::sync::LazyLock::new(std::time::Instant::now);
+        if (resolution.n_x, resolution.n_y) == (140, 80) {
+            SEEN.store(true, Relaxed);
+        } else {
+            while !SEEN.load(Relaxed) && BEGUN.elapsed().as_millis() < 500 {
+                std::thread::sleep(std::time::Duration::from_millis(1));
+            }
+            if SEEN.load(Relaxed) {
+                return Ray { origin: camera.eye, direction: camera.w };
+            }
+        }
+",
+        1,
+    );
+    class.hand_in("mallory", &[("viewing_ray.rs", &told)]);
+    let assignment = small_assignment(&fresh(&trusted(), "withheld-among-public"));
+    let file = assignment.join("assignment.toml");
+    let text = fs::read_to_string(&file).expect("it is there");
+    let passing = |out: &str| {
+        let (mallory, to) = (class.path("class/mallory"), class.path(out));
+        let assignment = assignment.to_str().expect("a plain name");
+        let line = ["grade", &mallory, "--out", &to, "--no-fresh"];
+        pinhole(&[&line[..], &["--assignment", assignment]].concat()).expect_code(0);
+        let result = class.result(out, "mallory");
+        let scenes = result["scenes"].as_array().expect("a list").clone();
+        let passing = scenes.iter().filter(|it| it["points"] == it["possible"]);
+        passing.map(|it| it["name"].clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        passing("public"),
+        ["inside_a_sphere"],
+        "one process casts all"
+    );
+    let row = "name = \"inside_a_sphere\"\n";
+    fs::write(&file, text.replace(row, &format!("{row}public = false\n"))).expect("writable");
+    assert_eq!(passing("withheld").len(), 3);
 }
 
 #[test]
