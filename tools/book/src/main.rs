@@ -24,8 +24,8 @@ struct Cli {
 enum Program {
     /// Build or check the book
     ///
-    /// Exit codes: 0 if all is well; 1 if the check found something; 2 if a page is wrong; 3 if
-    /// the machine or this program is at fault.
+    /// Exit codes: 0 if everything is right; 1 if the check found something; 2 if a page is wrong;
+    /// 3 if something is missing on this machine, or Pinhole has a bug.
     #[command(subcommand)]
     Book(Command),
 }
@@ -36,7 +36,7 @@ enum Command {
     Build {
         #[command(flatten)]
         which: BuildOptions,
-        /// Build even if something is missing or wrong, and mark the place in the pages
+        /// Build even if something is missing or wrong, and mark it in the pages
         #[arg(long)]
         draft: bool,
     },
@@ -53,7 +53,7 @@ enum Command {
         /// The names of the commands [default: all]
         ids: Vec<String>,
     },
-    /// Cast the known mistakes, and save for each the picture that distinguishes it from the
+    /// Make the gallery: for each known mistake, save the picture that distinguishes it from the
     /// others
     Gallery,
     /// Bundle and save the script of the interactive figures (needs Node.js)
@@ -70,7 +70,7 @@ struct BuildOptions {
     /// Build only this edition
     #[arg(long, value_enum)]
     edition: Option<Edition>,
-    /// Write a folder for each edition into this folder [default: book/build]
+    /// Write each edition to a subfolder of this folder [default: book/build]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }

@@ -6,20 +6,20 @@ use clap::{Args, Parser, Subcommand};
 use pinhole::Resolution;
 use pinhole_course::run_options::{AssignmentOption, RunOptions, resolution};
 
-/// Computer graphics assignments, judged against golden films by Mitsuba.
+/// Computer graphics assignments, judged by comparing answers with Mitsuba's.
 ///
 /// To begin, run `cargo pinhole check --watch` and write your answers in the folder `handout/src`
 /// of the assignment. Each answer is judged when you save it.
 ///
-/// Exit codes: 0 if all is well; 1 if an answer is wrong; 2 if a file or an argument is
-/// wrong; 3 if the machine or this program is at fault.
+/// Exit codes: 0 if everything is right; 1 if an answer is wrong; 2 if a file or an argument is
+/// wrong; 3 if something is missing on this machine, or Pinhole has a bug.
 #[derive(Parser)]
 #[command(
     bin_name = "pinhole",
     version,
     max_term_width = 100,
-    after_help = "A checkout of the course has more commands, each with --help: golden, grade, merge, \
-                  handout, validate (for instructors), study, plan (accuracy), book."
+    after_help = "The instructor's repository has more commands, each with --help: golden, grade, merge, \
+                  dispute, handout, validate (for instructors), study, plan (speed and accuracy), book."
 )]
 pub struct Cli {
     #[command(subcommand)]
@@ -54,24 +54,25 @@ impl Command {
 
 /// Compile a submission and judge its answers
 ///
-/// Each task is judged alone, by groups of questions that Mitsuba has answered too. Then all
-/// answers together render every scene. For each group and scene that fails, the table says
-/// what was asked, what was expected and what your code answered.
+/// Each task has several groups of questions. The answers of your code are compared with Mitsuba's.
+/// Then your answers together render every scene, and the films are compared with Mitsuba's. For
+/// each group and scene that fails, you see what was asked, what was expected and what your code
+/// answered.
 ///
-/// With --watch, this keeps running and judges an answer whenever you save it: first the
-/// tasks, one at a time, then the scenes. Press h for a hint and ? for all keys. Without a
-/// terminal, or with --json, it prints each verdict on a line of its own, and stops when
-/// standard input is closed or at Ctrl-C. With --watch, the exit code is always 0.
+/// With --watch, `check` keeps running and judges an answer whenever you save it. Once all tasks
+/// pass, it judges the scenes. Press h for a hint and ? for all keys. Without a terminal, or with
+/// --json, it prints each verdict on a line of its own, until standard input is closed or you press
+/// Ctrl-C. With --watch, the exit code is always 0.
 ///
-/// Only the answer files are taken from the folder. Code from outside this checkout is
-/// compiled and run in a sandbox.
+/// Only the answer files in the folder are used. If the folder is outside this repository, the code
+/// is compiled and run in a sandbox.
 ///
-/// This also writes a report: an HTML file with hints. For every scene that fails, it shows the
-/// expected picture and yours. Click on a pixel to see both answers there.
+/// `check` also writes a report, an HTML file with hints. For every scene that fails, it shows the
+/// expected picture and yours. Click a pixel to see both answers there.
 #[derive(Args)]
 pub struct Check {
     /// The folder with the answer files, or a folder whose subfolder `src` has them [default: the
-    /// current folder if it is a submission, else the handout]
+    /// current folder if it has answer files, else the assignment's folder `handout`]
     pub dir: Option<PathBuf>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
@@ -87,13 +88,12 @@ pub struct Check {
     /// Judge against the golden films in this folder
     #[arg(long, value_name = "DIR")]
     pub golden: Option<PathBuf>,
-    /// Let oiiotool compare every film as well, as a second judge
+    /// Also judge every film with OpenImageIO's oiiotool
     #[arg(long)]
     pub oiiotool: bool,
     #[command(flatten)]
     pub run: RunOptions,
-    /// Write the report to this HTML file [default: target/pinhole/report.html in the
-    /// checkout]
+    /// Write the report to this HTML file [default: target/pinhole/report.html in the repository]
     #[arg(long, value_name = "FILE")]
     pub report: Option<PathBuf>,
     /// Don't write a report
@@ -116,26 +116,27 @@ pub struct Check {
     pub allow_everything: bool,
 }
 
-/// Cast a scene, and write its film and pictures
+/// Render a scene, and write its film and pictures
 ///
 /// film.exr holds the id, t and normal of each pixel. id.png, depth.png and normal.png show them in
-/// false colours. If the scene has a golden, depth.png uses the golden's range of depths, so that
-/// you can compare the two pictures. If the assignment counts the tests of boxes and triangles,
-/// tests.png shows how many each pixel took, and expected-tests.png how many our own answers take.
+/// false colours. If Mitsuba has rendered the scene, depth.png uses the same colours for the same
+/// depths as Mitsuba's picture. If the assignment counts the tests of boxes and triangles,
+/// tests.png shows how many tests each pixel took, and expected-tests.png how many our own answers
+/// take.
 ///
-/// While some of your answers are missing, Mitsuba's film fills in for them. Its pixels are faded
-/// in the pictures, so that you see what your own code does after each task.
+/// If some of your answers are still missing, pixels that need them are taken from Mitsuba's film.
+/// They are faded in the pictures, so that you can see what your own code does already.
 #[derive(Args)]
 pub struct Render {
     /// A scene file, or the name of one of the assignment's scenes
     pub scene: String,
-    /// Cast with the answers in this folder [default: the current folder if it is a
-    /// submission, else the handout]
+    /// Use the answers in this folder [default: the current folder if it has answer files, else the
+    /// assignment's folder `handout`]
     #[arg(long, value_name = "DIR")]
     pub submission: Option<PathBuf>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Cast this many pixels instead of the scene's own number; the image plane keeps its size
+    /// Render this many pixels instead of the scene's own number; the image plane keeps its size
     #[arg(long, value_name = "NXxNY", value_parser = resolution)]
     pub resolution: Option<Resolution>,
     /// Write the files to this folder
@@ -150,9 +151,9 @@ pub struct Render {
 
 /// Explain one pixel in words
 ///
-/// Shows your ray beside the expected one: the point where it meets the image plane, then the
-/// ray in camera space, then the ray in world space. After that it shows what each object answers,
-/// what your code printed, the first hit and, if the scene has a golden, what Mitsuba found.
+/// Shows your ray beside the expected one in three spaces: as a point on the image plane, in camera
+/// space and in world space. Then come each object's answer, everything that your code printed, the
+/// first hit and, if Mitsuba has rendered this scene, what Mitsuba found.
 ///
 /// Try: cargo pinhole explain slide_example 2 3
 #[derive(Args)]
@@ -165,8 +166,8 @@ pub struct Explain {
     pub j: usize,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Explain the answers in this folder [default: the current folder if it is a
-    /// submission, else the handout]
+    /// Explain the answers in this folder [default: the current folder if it has answer files, else
+    /// the assignment's folder `handout`]
     #[arg(long, value_name = "DIR")]
     pub submission: Option<PathBuf>,
     #[command(flatten)]
@@ -179,14 +180,14 @@ pub struct Explain {
     pub json: bool,
 }
 
-/// Compare any renderer's film with a golden film
+/// Compare a film, made by any program, with a golden film
 ///
 /// A film passes if it has the golden's size and channels, all its values are finite, and at every
-/// pixel |film − golden| ≤ tolerance in every channel. (For the channel `tests`, in which
-/// some films count tests of boxes and triangles, only the sums over all pixels are compared.) The
-/// tolerances of a golden NAME.exr are in NAME.tol.exr, in the same folder. If oiiotool is
-/// installed, it judges the film too. If the two verdicts differ, Pinhole has a bug, and `diff` says
-/// so.
+/// pixel |film − golden| ≤ tolerance in every channel. (Some films have a channel `tests`, which
+/// counts tests of boxes and triangles. There, only the sums over all pixels are compared.) The
+/// tolerances of a golden NAME.exr are in NAME.tol.exr, in the same folder. If OpenImageIO's
+/// oiiotool is installed, it judges the film too. If the two verdicts differ, Pinhole has a bug,
+/// and `diff` says so.
 #[derive(Args)]
 pub struct Diff {
     /// The golden film: NAME.exr, with NAME.tol.exr beside it
@@ -211,15 +212,16 @@ pub struct Diff {
     pub json: bool,
 }
 
-/// Replace an answer with the stub that was handed out
+/// Replace an answer with its stub
 ///
-/// Your old answer is kept in a file whose name ends in .old, then .old2, and so on.
+/// Your answer is kept in the same folder. The name of the copy ends in .old, and if you reset the
+/// answer again, in .old2, and so on.
 #[derive(Args)]
 pub struct Reset {
     /// The task
     pub task: String,
     /// The folder with the answer files, or a folder whose subfolder `src` has them [default: the
-    /// current folder if it is a submission, else the handout]
+    /// current folder if it has answer files, else the assignment's folder `handout`]
     pub dir: Option<PathBuf>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
@@ -228,12 +230,12 @@ pub struct Reset {
     pub json: bool,
 }
 
-/// Check this machine for everything that Pinhole uses
+/// Check this machine for everything that Pinhole needs
 ///
-/// Lists what Pinhole uses, such as the Rust compiler and a linker, and whether it was found. In a
-/// checkout of the course, this includes the sandbox and Mitsuba. For anything missing, it also
-/// prints what Pinhole uses it for and how to get it. Only the Rust compiler, a linker and enough
-/// free disk space are required. If one of them is missing, the exit code is 3.
+/// Lists everything that Pinhole uses, such as the Rust compiler and a linker, and says whether it
+/// was found. In the instructor's repository, the list includes the sandbox and Mitsuba. For
+/// anything missing, you also see what it is used for and how to get it. Only the Rust compiler, a
+/// linker and enough free disk space are required. If one of these is missing, the exit code is 3.
 #[derive(Args)]
 pub struct Doctor {
     /// Print one JSON document on standard output
@@ -244,7 +246,7 @@ pub struct Doctor {
 /// Print a script that completes commands and options in your shell
 ///
 /// It completes the program `pinhole`, not `cargo pinhole`. To install that program, run
-/// `cargo install --path tools/cli` in the checkout. Then, for Bash, run:
+/// `cargo install --path tools/cli` in the repository. Then, for Bash, run:
 ///
 /// pinhole completions bash > ~/.local/share/bash-completion/completions/pinhole
 #[derive(Args)]

@@ -17,7 +17,7 @@ use crate::sandbox::Choice;
 #[derive(Args, Default)]
 pub struct AssignmentOption {
     /// The assignment, by name or folder [default: the one that the given paths or the current
-    /// folder belong to, or else this checkout's default]
+    /// folder belong to, else this repository's default]
     #[arg(long = "assignment", value_name = "NAME")]
     pub name: Option<String>,
 }
@@ -52,8 +52,8 @@ pub struct SandboxOptions {
     /// The sandbox that the code runs in
     #[arg(long, value_enum, value_name = "SANDBOX", default_value_t)]
     pub sandbox: Choice,
-    /// Run code from outside this checkout without a sandbox; only for your own code
-    /// (short for --sandbox none)
+    /// Run code from outside this repository without a sandbox; only for your own code (short for
+    /// --sandbox none)
     #[arg(long, conflicts_with = "sandbox")]
     pub trust: bool,
 }
@@ -71,8 +71,8 @@ impl SandboxOptions {
 /// How to run a submission's program.
 #[derive(Args)]
 pub struct RunOptions {
-    /// Stop a task or a scene after this many seconds, or sooner if no answer comes for a fifteenth
-    /// of that time (at least 2 s)
+    /// Stop a task or a scene after this many seconds, or sooner if it gives no answer for a
+    /// fifteenth of that time (at least 2 s)
     #[arg(long, value_name = "SECONDS", default_value_t = RunOptions::TIMEOUT,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,

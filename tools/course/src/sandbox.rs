@@ -93,15 +93,15 @@ pub fn time_of_children() -> Option<Duration> {
 /// The sandbox that a user asks for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
 pub enum Choice {
-    /// Bubblewrap; except with `grade`, no sandbox for folders of this checkout
+    /// Bubblewrap; but no sandbox for code in this repository, except with `grade`
     #[default]
     Auto,
     /// Linux namespaces, made by bubblewrap
     Bubblewrap,
-    /// Another user id and Landlock; needs root, in a container that is used only once
+    /// Another user id, and Landlock; for root, in a container that is used only once
     Container,
-    /// Like `container`, but for kernels without Landlock; weaker, because only file modes
-    /// guard the container's files
+    /// Like `container`, but for kernels without Landlock; weaker, because only file permissions
+    /// protect the container's files
     ContainerWithoutLandlock,
     /// No sandbox; only for your own code
     None,

@@ -13,10 +13,12 @@ use crate::grade::redact::Reveal;
 use crate::grade::views::formats::Format;
 use crate::validate::Part;
 
-/// The instructor's commands: grade, hand out, make goldens, validate.
+/// Commands for instructors: grade a class, make what students get, make goldens, and test the
+/// grading.
 ///
-/// Exit codes: 0 if all is well; 1 if something is judged wrong; 2 if a file or an argument
-/// is wrong; 3 if the machine or this program is at fault.
+/// Exit codes: 0 if everything is right; 1 if an answer or a golden is wrong, or there is something
+/// to look at; 2 if a file or an argument is wrong; 3 if something is missing on this machine, or
+/// Pinhole has a bug.
 #[derive(Parser)]
 #[command(name = "pinhole", bin_name = "pinhole", version, max_term_width = 100)]
 pub struct Cli {
@@ -26,7 +28,7 @@ pub struct Cli {
 
 #[derive(Subcommand)]
 pub enum Command {
-    /// Make goldens with Mitsuba, or verify the committed ones
+    /// Make goldens with Mitsuba, or verify them
     #[command(subcommand)]
     Golden(Golden),
     Grade(Grade),
@@ -54,23 +56,23 @@ impl Command {
 /// Grade a class of submissions
 ///
 /// Each path is a submission (a folder or an archive, .zip or .tar.gz, with the answer files), a
-/// folder of submissions, or a class as Canvas or Moodle exports it. The result and the report of
-/// each submission go to OUT/submissions; the results of the whole class are in OUT/grades.csv and
-/// OUT/class.html. All code runs in a sandbox.
+/// folder of submissions, or a class as a learning platform exports it. The result and the report
+/// of each submission are written to OUT/submissions, and the results of the whole class to
+/// OUT/grades.csv and OUT/class.html. All code runs in a sandbox.
 ///
-/// You can stop this at any time and run it again. It continues where it stopped, and grades
-/// again only what has changed. If the grader itself fails on a submission, that submission is
-/// listed first and gets no mark, not a zero, and the exit code is 3.
+/// You can stop `grade` at any time and run it again. It continues where it stopped, and grades
+/// again only what has changed. If a submission can't be graded, because the machine or Pinhole
+/// failed, it is listed first. It then has no mark, which is not a zero, and the exit code is 3.
 ///
-/// The end of the output and the top of class.html list every submission that is not on the
-/// roster, lacks files or could belong to several people, and every file that belongs to no
+/// The end of the output and the top of class.html list every submission that lacks files, could
+/// belong to several people, or belongs to nobody on the roster, and every file that is part of no
 /// submission. If there are any, the exit code is 1.
 ///
-/// If Mitsuba is installed, the whole class is also asked fresh questions, drawn from a new seed. A
-/// submission then earns a group's points only if it answers both the questions that students have
-/// and the fresh ones correctly. A scene can't earn a larger share of its points than the weakest
-/// task that it needs. If fresh scenes that need the same tasks earn a larger share, that is the
-/// limit instead.
+/// If Mitsuba is installed, `grade` also asks fresh questions, which are drawn from a new seed and
+/// are the same for the whole class. A submission then earns a group's points only if it answers
+/// both the public and the fresh questions correctly. A scene earns at most the same share of its
+/// points as the weakest task that it needs, or as random scenes that need the same tasks,
+/// whichever is more.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions
@@ -78,7 +80,7 @@ pub struct Grade {
     pub paths: Vec<PathBuf>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Write results to this folder, and reuse the results in it that are still valid (required,
+    /// Write results to this folder, and keep the results in it that are still valid (required,
     /// except with --dry-run)
     #[arg(long, value_name = "OUT", required_unless_present = "dry_run")]
     pub out: Option<PathBuf>,
@@ -92,7 +94,7 @@ pub struct Grade {
     /// golden render my.toml --out DIR` makes them
     #[arg(long, value_name = "DIR")]
     pub golden: Option<PathBuf>,
-    /// How much to show in results and reports about questions that students don't have: fresh ones,
+    /// How much results and reports show about questions that students don't have: fresh ones,
     /// withheld scenes, and those of --golden
     #[arg(long, value_enum, default_value_t)]
     pub reveal: Reveal,
@@ -111,23 +113,22 @@ pub struct Grade {
     /// Canvas or Moodle
     #[arg(long, value_name = "CSV")]
     pub roster: Option<PathBuf>,
-    /// A policy.toml, with deadlines, late days, extra credit, and changes to individual marks
+    /// A policy.toml: deadlines, late days, extra credit, and changes to individual marks
     #[arg(long, value_name = "TOML")]
     pub policy: Option<PathBuf>,
     /// Also write results in this format (repeatable)
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub format: Vec<Format>,
     /// Grade everything again, with newly drawn questions, and list the marks that change,
-    /// starting with those that drop
+    /// beginning with those that drop
     #[arg(long)]
     pub regrade: bool,
     /// Grade only part K of N; `pinhole merge` combines the parts
     #[arg(long, value_name = "K/N", value_parser = shard)]
     pub shard: Option<(usize, usize)>,
     /// Limit each task and scene to this many seconds of processor time, or to a hundred times what
-    /// the reference takes, whichever is more. If anything exceeds its limit, the submission is
-    /// graded again with nothing else running, and only what exceeds its limit a second time
-    /// counts as timed out
+    /// the reference takes, whichever is more. If one exceeds its limit, the submission is graded
+    /// again at the end, alone. Only a task or scene that exceeds its limit again has timed out
     #[arg(long, value_name = "SECONDS", default_value_t = 4,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
@@ -156,19 +157,20 @@ impl Grade {
     }
 }
 
-/// Show how one mark came about, so that you can explain it to the student
+/// Show everything behind one mark, so that you can explain it to the student
 ///
-/// Prints the final mark, and each adjustment that led to it, with its reason. For each group of
-/// questions that fails, prints a question that was answered wrongly: what was asked, what was
-/// expected and what the code returned. Then prints the file that was handed in for that task.
-/// Nothing is graded again. The output shows more about fresh and withheld questions than students
-/// may see, so don't pass it on as it is.
+/// Prints the final mark and the reason for each change to it. For each group of questions that
+/// fails, prints one question that was answered wrongly: what was asked, what was expected and what
+/// the code returned. For each of these tasks, also prints the file that was handed in. Nothing is
+/// graded again.
+///
+/// Don't give the output to students as it is, because it may show fresh and withheld questions.
 #[derive(Args)]
 pub struct Dispute {
     /// The id of a submission, or the id or name of a person, as in grades.csv
     #[arg(value_name = "ID")]
     pub id: String,
-    /// The folder with the results of the class, to which `grade --out` wrote them
+    /// The folder with the results of the class: what you passed to `grade --out`
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Print one JSON document on standard output
@@ -178,9 +180,12 @@ pub struct Dispute {
 
 /// Combine the parts of a class that were graded separately
 ///
-/// The parts are the --out folders of `grade --shard K/N`, all made with the same paths, roster
-/// and goldens. The result is the same as if the class had been graded in one run. To see a class
-/// under another policy, merge its folder alone: nothing is graded again.
+/// The parts are the --out folders of `grade --shard K/N`, which must all have been made with the
+/// same paths, roster and goldens. The result is the same as if the class had been graded in one
+/// run.
+///
+/// You can also merge a single folder, for instance with another --policy or --format. Nothing is
+/// graded again.
 #[derive(Args)]
 pub struct Merge {
     /// The folders of the parts
@@ -191,7 +196,7 @@ pub struct Merge {
     /// Write the whole class to this folder
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
-    /// Apply this policy.toml to the marks instead of the parts' own
+    /// Apply this policy.toml instead of the one that the parts were graded with
     #[arg(long, value_name = "TOML")]
     pub policy: Option<PathBuf>,
     /// Also write results in this format (repeatable)
@@ -202,15 +207,15 @@ pub struct Merge {
     pub json: bool,
 }
 
-/// Make the stubs for students from the reference solution, or a whole repository around them
+/// Make stubs from the reference solution, or a whole repository for students
 ///
-/// In the stubs, signatures and documentation stay, and the body of each function that students
-/// write becomes `todo!`.
+/// A stub is a copy of a reference file in which the body of each function that students write is
+/// `todo!`. Signatures and documentation stay.
 ///
-/// With --out, this writes a repository around the stubs: the harness, the commands for students,
-/// the public scenes and their goldens, tests, a README and a workflow for GitHub. Students need
-/// only Rust to use it. It contains none of our answers, none of the wrong and right answers that
-/// `validate` judges, and nothing about any scene with `public = false`.
+/// With --out, `handout` writes a repository for students: the stubs, the commands for students,
+/// the public scenes and their goldens, tests, a README and a workflow for GitHub. To use it,
+/// students need only Rust and a linker. It contains no right or wrong answers, and nothing about
+/// scenes with `public = false`.
 #[derive(Args)]
 #[command(group = ArgGroup::new("autograder").args(["gradescope", "prairielearn"]).multiple(true))]
 pub struct Handout {
@@ -219,34 +224,34 @@ pub struct Handout {
     pub positional: Option<String>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Change nothing, and fail if the committed stubs don't match the reference
+    /// Write nothing, and fail if the stubs in this repository don't match the reference
     #[arg(long, conflicts_with_all = ["out", "gradescope", "prairielearn"])]
     pub check: bool,
-    /// Write a student's repository to this folder, which must be new or empty unless you pass
+    /// Write a repository for students to this folder, which must be new or empty unless you pass
     /// --force
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Put the sources of all dependencies into the repository, so that it builds without a network
     #[arg(long, requires = "out")]
     pub vendor: bool,
-    /// Include the course's book from this folder; `pinhole book build` writes the students'
+    /// Put the book from this folder into the repository; `pinhole book build` writes the student's
     /// edition to book/build/student
     #[arg(long, value_name = "DIR", requires = "out")]
     pub book: Option<PathBuf>,
-    /// Overwrite the files of an earlier run. With --out, this fails and writes nothing if any of
-    /// them has been changed since; without --out, changes to the stubs are lost
+    /// Overwrite the files of an earlier run. With --out, this writes nothing if anybody has
+    /// changed one of them since; without --out, changes to the stubs are lost
     #[arg(long, conflicts_with = "check")]
     pub force: bool,
     /// Write an autograder for Gradescope to this file. Keep it to yourself: it contains all
     /// goldens and the reference solution
     #[arg(long, value_name = "FILE.zip")]
     pub gradescope: Option<PathBuf>,
-    /// Write a PrairieLearn question, and the files to build its grader's Docker image, to this
-    /// folder, which must be new or empty. Keep it to yourself, too
+    /// Write a PrairieLearn question and a Dockerfile for its grader to this folder, which must be
+    /// new or empty. Keep it to yourself, too
     #[arg(long, value_name = "DIR")]
     pub prairielearn: Option<PathBuf>,
-    /// Let the autograder also ask the fresh questions in this folder, because answers to public
-    /// ones can be memorised; `pinhole golden render --seed random --out DIR` draws new ones
+    /// Let the autograder also ask the fresh questions in this folder, because public ones can be
+    /// memorised; `pinhole golden render --seed random --out DIR` draws new ones
     #[arg(long, value_name = "DIR", requires = "autograder")]
     pub fresh: Option<PathBuf>,
     /// How much the autograder shows about questions that students don't have: fresh ones, and
@@ -260,7 +265,7 @@ pub struct Handout {
 
 /// Test the grading: does it catch every known mistake and pass every right answer?
 ///
-/// Judges everything whose verdict is known, in the same way as a student's answers:
+/// Judges answers whose verdict is known, in the same way as a student's:
 ///
 /// - the stub must count as unanswered, and the reference and every variant (another right answer)
 ///   must pass;
@@ -271,12 +276,12 @@ pub struct Handout {
 /// - the hint of every mistake must be short and easy to read, and have an example in numbers;
 ///
 /// - with --mutants, every copy of the reference with one small fault (a sign, a comparison, a
-///   constant, …) must fail if it compiles, unless equivalent.toml lists it and a search for
-///   differences confirms the entry.
+///   constant, …) must fail if it compiles. The exceptions are listed in equivalent.toml, and a
+///   search for differences must confirm them.
 ///
-/// The tables say how many mistakes each group of questions and each scene catches, how many of
+/// The tables show how many mistakes each group of questions and each scene catches, how many of
 /// them nothing else catches, and how small an error each scene detects. The exit code is 0 if
-/// every target is met; otherwise it is 1, and the missed targets are listed first.
+/// every target is met. Otherwise it is 1, and the missed targets are listed first.
 #[derive(Args)]
 pub struct Validate {
     /// The assignment, by name or folder
@@ -284,18 +289,19 @@ pub struct Validate {
     pub positional: Option<String>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Judge several hundred mutants of the reference too, which takes about ten minutes
+    /// Also judge several hundred copies of the reference with one small fault each, which takes
+    /// about ten minutes
     #[arg(long)]
     pub mutants: bool,
     /// Judge all pairs of mistakes in pairs.toml, not only a few for each task
     #[arg(long)]
     pub pairs: bool,
-    /// Also check on the questions in this folder that each sentence of a diagnosis (such as
-    /// “exactly those where d · n > 0”) is true; `golden render --seed N --out DIR` makes them
+    /// Also check that each sentence of a diagnosis, such as “exactly those where d · n > 0”, is
+    /// true for the questions in this folder; `golden render --seed N --out DIR` makes them
     #[arg(long, value_name = "DIR")]
     pub fresh: Option<PathBuf>,
-    /// Ask every mistake and mutant the fresh questions in each subfolder (a draw) of DIR, and list
-    /// the marks that depend on the draw; without --only, nothing else is judged
+    /// Ask every mistake and mutant the fresh questions in each subfolder of DIR, and list the
+    /// marks that differ from folder to folder; without --only, nothing else is judged
     #[arg(long, value_name = "DIR")]
     pub draws: Option<PathBuf>,
     /// Judge only this part (repeatable)
@@ -305,7 +311,7 @@ pub struct Validate {
     /// `triangle.rs:26:` (a mutant) or `bunny`
     #[arg(long, value_name = "TEXT")]
     pub named: Option<String>,
-    /// Let oiiotool, the second judge, compare every film as well
+    /// Also judge every film with OpenImageIO's oiiotool
     #[arg(long)]
     pub oiiotool: bool,
     /// Judge this many submissions at a time [default: one for each core]

@@ -61,7 +61,7 @@ pub enum Part {
     Mistakes,
     /// Right answers that work differently: each must pass
     Variants,
-    /// Two mistakes in one answer: the diagnosis should name at least one, and never a third
+    /// Two mistakes in one answer: the diagnosis should name one or both, and never a third
     Pairs,
     /// Copies of the reference with one small fault each: all must be caught
     Mutants,

@@ -32,12 +32,11 @@ use crate::shape::{Plane, Sphere, Triangle};
 /// where another ended.
 #[derive(Clone, Copy, Debug, PartialEq, clap::ValueEnum)]
 pub enum Kind {
-    /// Everyday questions of all shapes and families, to the exact kernels and the caster.
+    /// Everyday questions about all shapes, for the exact kernels and the caster.
     Random,
-    /// Hard and absurd questions of all shapes and families, to the exact kernels and the
-    /// caster.
+    /// Hard and absurd questions about all shapes, for the exact kernels and the caster.
     Adversarial,
-    /// Rays at the edges and the vertices of a closed mesh, to the caster.
+    /// Rays at the edges and the vertices of a closed mesh, for the caster.
     Edges,
     /// A plan of a random scene, judged at every pixel.
     Plans,

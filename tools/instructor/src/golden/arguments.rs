@@ -18,14 +18,14 @@ pub enum Golden {
 /// Render goldens with Mitsuba
 ///
 /// Makes a film and a tolerance film for each scene, two more for its viewing rays, and a manifest
-/// of what they were made from. Then makes the same films with each known mistake, and stores
-/// how the mistake changes them, for diagnoses.
+/// that says what they were made from. Then makes the same films with each known mistake, and
+/// stores what the mistake changes, so that `check` and `diff` can recognise it.
 ///
-/// If you name no scene, this makes everything that the assignment has in `golden/`: its scenes,
-/// its question films, and the questions with exact ties for `validate --mutants`.
+/// If you name no scene, this makes everything that the assignment has in `golden/`: the films of
+/// its scenes, the films of its questions, and questions with exact ties for `validate --mutants`.
 ///
-/// A scene is refused if an edge passes through a pixel's centre, or the horizon of a plane through
-/// a pixel. To avoid this, shift the camera a little.
+/// A scene is refused if an edge passes through a pixel's centre, or if you can see a plane at its
+/// horizon. Then shift the camera a little.
 #[derive(Args)]
 pub struct GoldenRender {
     #[command(flatten)]
@@ -36,22 +36,23 @@ pub struct GoldenRender {
     /// scenes]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Make fresh questions and random scenes from this seed, and leave out the assignment's own;
+    /// Make fresh questions and random scenes from this seed, instead of the assignment's own;
     /// `random` draws a seed that nobody can guess. Needs --out
     #[arg(long, value_name = "N", value_parser = seed, conflicts_with = "scenes", requires = "out")]
     pub seed: Option<Seed>,
     /// Replace the assignment's own films, on which every mark depends
     #[arg(long)]
     pub force: bool,
-    /// Leave out the known mistakes: this is faster, but then nothing can be diagnosed
+    /// Leave out the known mistakes; this is faster, but then no mistake can be recognised
     #[arg(long)]
     pub no_mistakes: bool,
 }
 
-/// Make the films of the known mistakes again for the existing goldens, without Mitsuba
+/// Store again what the known mistakes change in existing goldens; doesn't need Mitsuba
 ///
-/// Stores beside each golden what each mistake does to the film, so that `check` and `diff` can
-/// recognise it. `golden render` does this too; use this command when only a mistake has changed.
+/// Stores beside each golden what each mistake changes in the film, so that `check` and `diff` can
+/// recognise the mistake. `golden render` does this too. Use this command when only mistakes have
+/// changed.
 #[derive(Args)]
 pub struct GoldenMistakes {
     #[command(flatten)]
@@ -60,7 +61,7 @@ pub struct GoldenMistakes {
     pub dir: Option<PathBuf>,
 }
 
-/// Check that goldens, scenes, scripts and manifest match
+/// Check that goldens, scenes and scripts are as the manifest says
 #[derive(Args)]
 pub struct GoldenVerify {
     #[command(flatten)]

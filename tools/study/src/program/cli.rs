@@ -8,10 +8,10 @@ use pinhole_course::run_options::{AssignmentOption, resolution};
 use pinhole_study::plan::{AccuracyTarget, FINEST};
 use pinhole_study::record::Kind;
 
-/// The trade-off between speed and accuracy in ray casting.
+/// Measures speed and accuracy in ray casting, and casts scenes as accurately as you ask for.
 ///
-/// Exit codes: 0 if all is well; 1 if a measurement differs from what was promised; 2 if a
-/// file or an argument is wrong; 3 if the machine or this program is at fault.
+/// Exit codes: 0 if everything is right; 1 if a promise is not kept; 2 if a file or an argument is
+/// wrong; 3 if something is missing on this machine, or Pinhole has a bug.
 #[derive(Parser)]
 #[command(name = "pinhole", bin_name = "pinhole", version, max_term_width = 100)]
 pub struct Cli {
@@ -46,14 +46,16 @@ impl Command {
     }
 }
 
-/// Measure what speed costs in accuracy, even in extreme cases
+/// Measure how fast and how accurate different ways to cast rays are
 ///
-/// Asks many ways to intersect a sphere, a plane and a triangle the same questions, which get
-/// harder step by step, and judges the answers with exact arithmetic. Then it casts every
-/// scene and judges every pixel. Everyday, hard and absurd questions are counted separately.
-/// Writes study.json, summary.md and plots, and prints each promise beside what was measured.
-/// The exit code is 0 if all promises are kept, apart from costs, which depend on the machine;
-/// otherwise it is 1.
+/// There are several ways to intersect a sphere, a plane or a triangle. The study asks all of them
+/// the same questions, which get harder step by step, and judges the answers with exact arithmetic.
+/// Everyday, hard and absurd questions are counted separately. Then it renders every scene and
+/// judges every pixel.
+///
+/// Writes study.json, summary.md and plots, and prints what Pinhole promises beside what was
+/// measured. The exit code is 0 if all promises about accuracy are kept, and otherwise 1. Promises
+/// about speed don't change it, because speed depends on the machine.
 #[derive(Args)]
 pub struct Study {
     /// Ask fewer questions, which takes less than a minute
@@ -62,8 +64,8 @@ pub struct Study {
     /// Write the files to this folder
     #[arg(long, value_name = "DIR", default_value = "study")]
     pub out: PathBuf,
-    /// Ask only this family of questions (distance, surface, …), or classes, mesh, plans, scenes or
-    /// secondary
+    /// Run only this part: a family of questions (distance, surface, …), or classes, mesh, plans,
+    /// scenes or secondary
     #[arg(long, value_name = "FAMILY")]
     pub only: Option<String>,
     /// The seed of random questions
@@ -76,11 +78,11 @@ pub struct Study {
 
 /// Find the fastest way to render a scene's film with a given accuracy, and explain the choice
 ///
-/// A film that is rendered by this plan shows the true object at every pixel, with t and normals as
-/// accurate as you ask for. (The exception is a t below 2e-308 or above 1.7e308, where f64 has fewer
-/// digits or none.) This is proven for every camera ray, and does not rest on sampling. For each
-/// kind of shape, the output says how accurate f64 arithmetic is proven to be, and which hits are
-/// checked and, if necessary, computed exactly. It also says whether a bounding volume hierarchy is
+/// If a film is rendered by this plan, it shows the true object at every pixel, and t and normals
+/// are as accurate as you ask for. (The exception is a t below 2e-308 or above 1.7e308, where f64
+/// has fewer digits or none.) This is proven for every camera ray, not estimated from samples. For
+/// each kind of shape, the output says how accurate f64 arithmetic is, and which hits must be
+/// checked and perhaps computed exactly. It also says whether a bounding volume hierarchy is
 /// worthwhile. The same scene and options always give the same plan.
 ///
 /// Try: cargo pinhole plan bunny --accuracy 1e-6
@@ -104,11 +106,11 @@ pub struct Plan {
     pub json: bool,
 }
 
-/// Cast a scene with the study's own casters, and write its film and three pictures
+/// Render a scene exactly, or by a plan, and write its film and three pictures
 ///
-/// film.exr holds the id, t and normal of each pixel. id.png, depth.png and normal.png show
-/// them in false colours. If the scene has a golden, depth.png uses the golden's range of
-/// depths, so that you can compare the two pictures.
+/// film.exr holds the id, t and normal of each pixel. id.png, depth.png and normal.png show them in
+/// false colours. If Mitsuba has rendered the scene, depth.png uses the same colours for the same
+/// depths as Mitsuba's picture.
 #[derive(Args)]
 #[command(group = ArgGroup::new("caster").required(true).args(["exact", "plan"]))]
 pub struct Render {
@@ -116,18 +118,18 @@ pub struct Render {
     pub scene: String,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Cast with the exact caster, which never shows a wrong object and keeps t and normals
-    /// accurate to 1e-12. What rounding leaves undecided is decided by exact arithmetic, and
-    /// counted. Edges are part of a triangle. The rays themselves are rounded to f64 first
+    /// Use the exact caster, which never shows a wrong object and keeps t and normals accurate to
+    /// 1e-12. If rounding leaves a decision open, exact arithmetic decides, and the output says how
+    /// often. A triangle's edges are part of it. The rays themselves are rounded to f64 first
     #[arg(long)]
     pub exact: bool,
-    /// Cast in the fastest way that is proven to keep t and normals this accurate; `pinhole plan`
+    /// Use the fastest way that is proven to keep t and normals this accurate; `pinhole plan`
     /// explains it
     #[arg(long, value_name = "X", value_parser = accuracy)]
     pub plan: Option<f64>,
     #[command(flatten)]
     pub wanted: FilmOptions,
-    /// Cast this many pixels instead of the scene's own number; the image plane keeps its size
+    /// Render this many pixels instead of the scene's own number; the image plane keeps its size
     #[arg(long, value_name = "NXxNY", value_parser = resolution)]
     pub resolution: Option<Resolution>,
     /// Write the files to this folder
@@ -138,14 +140,15 @@ pub struct Render {
     pub json: bool,
 }
 
-/// Ask the exact caster as many questions as you have time for
+/// Test exact casting with as many random questions as you have time for
 ///
-/// Each line summarises some rounds. A round depends only on its number and the seed, so you
-/// can resume a stopped run: pass --from the round after the last line.
+/// Questions come in rounds, and each line of the output summarises some rounds. A round depends
+/// only on its number and the seed, so you can resume a stopped run: pass the number of the next
+/// round with --from.
 #[derive(Args)]
 pub struct Record {
-    /// What a round asks: 500 questions at each step of the everyday families, or of all others;
-    /// 1,000 rays at edges and vertices of a closed mesh; or the 64 pixels of a planned scene
+    /// What to ask. In a round, `random` and `adversarial` ask 500 questions at each step of each
+    /// family, `edges` casts 1,000 rays, and `plans` renders a scene of 64 pixels
     #[arg(value_enum)]
     pub kind: Kind,
     /// Begin with this round
@@ -162,8 +165,7 @@ pub struct Record {
 /// What a planned film should contain.
 #[derive(Args)]
 pub struct FilmOptions {
-    /// Let the plan compute only these; everything else is 0 in the film [default:
-    /// id,depth,normal]
+    /// Compute only these; everything else is 0 in the film [default: id,depth,normal]
     #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',')]
     pub outputs: Vec<Output>,
 }
