@@ -85,7 +85,7 @@ const MOST_MESSAGE: usize = CHUNK * 4096 + 4 * MOST_PANIC_TEXT;
 /// Passes the number of answers so far to `progress`. The process has ended when this returns.
 ///
 /// # Errors
-/// If the program cannot be started, or its answer is no longer wanted. The reply reports
+/// If the program cannot be started, or its answer is no longer needed. The reply reports
 /// anything that goes wrong later.
 pub fn ask(
     command: Command,
@@ -129,7 +129,7 @@ pub fn ask_watched(
     });
     let status = end(&mut exchange.child);
     if limit.stop.is_raised() {
-        return Err(io::Error::other("its answer is no longer wanted"));
+        return Err(io::Error::other("its answer is no longer needed"));
     }
     reply.printed = printed(out) + &printed(err);
     if reply.ending == Ending::Complete && reply.missing > 0 {

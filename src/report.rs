@@ -67,7 +67,8 @@ impl fmt::Display for Death {
         let words = match self {
             Death::Signal(4) => killed("an illegal instruction"),
             Death::Signal(6) => killed(
-                "it aborted, as when a function calls itself without end, or memory runs out",
+                "it aborted, which happens when a function calls itself without end, or when \
+                 memory runs out",
             ),
             Death::Signal(7 | 11) => killed("it touched memory that is not its own"),
             Death::Signal(9) => killed("SIGKILL"),

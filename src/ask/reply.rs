@@ -195,13 +195,14 @@ impl Reply {
         match message {
             Message::Test(index, test) => {
                 let questions = job.questions().filter(|_| index < self.tests.len());
-                let questions = questions.ok_or("it asked for a test of a missing question")?;
+                let questions = questions.ok_or("it asked for a test for a missing question")?;
                 self.tests[index] += 1;
                 if self.tests[index] as usize > questions.most_tests(index) {
                     return Err("it asked for ten times as many tests as there are".into());
                 }
                 let result = questions.test(index, test);
-                let result = result.ok_or("it asked to test what is not in the tree")?;
+                let result =
+                    result.ok_or("it asked to test a box or triangle that is not in the tree")?;
                 if let Questions::TreeSearch(all) = questions {
                     self.searches.resize(job.len(), SearchLog::default());
                     self.searches[index].note(&all[index], test, result);

@@ -149,8 +149,8 @@ impl Exchange {
     ) -> io::Result<()> {
         if job.is_counted() {
             return Err(io::Error::other(
-                "searches can't be tested on Windows, because each test needs a reply at once; \
-                 use Linux, macOS, or WSL on Windows",
+                "searches can't be judged on Windows, because each test of a box needs a reply \
+                 at once; use WSL, Linux or macOS",
             ));
         }
         if let Some(mut pipe) = self.child.stdin.take() {

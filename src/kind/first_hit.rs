@@ -87,28 +87,28 @@ pub(super) fn conditions(objects: &[Canned], min_t: f64, answer: &Answer) -> Vec
             objects.is_empty(),
         ),
         Condition::new(
-            "only one in the list is met",
-            "several or none are met",
+            "the ray meets only one in the list",
+            "the ray meets several in the list, or none",
             hits == 1,
         ),
         Condition::new(
-            "the first in the list is met",
-            "the first in the list is not met",
+            "the ray meets the first in the list",
+            "the ray misses the first in the list",
             is(found.first()),
         ),
         Condition::new(
-            "the last in the list is met",
-            "the last in the list is not met",
+            "the ray meets the last in the list",
+            "the ray misses the last in the list",
             is(found.last()),
         ),
         Condition::new(
-            "one in the list is not met",
-            "all in the list are met",
+            "the ray misses one in the list",
+            "the ray meets all in the list",
             hits < objects.len(),
         ),
         Condition::new(
-            "one in the list is met before min_t",
-            "none in the list is met before min_t",
+            "the ray meets one in the list before min_t",
+            "nthe ray meets one in the list before min_t",
             objects.iter().any(before),
         ),
     ]

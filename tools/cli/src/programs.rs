@@ -90,9 +90,9 @@ impl Program {
         let manifest = checkout.root().join(self.folder).join("Cargo.toml");
         if !manifest.is_file() || HandoutRecord::read(checkout.root())?.is_some() {
             return Err(Error::input(
-                "this is a student's repository, which has neither the instructor's commands nor \
-                 the study and the book",
-                "run this in a checkout of the course",
+                "this is a student's repository, which has no instructor's commands, no study \
+                 and no book",
+                "run this in the instructor's repository",
             ));
         }
         // Build in the checkout, but run in the user's folder, because paths are relative to it.

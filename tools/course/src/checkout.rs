@@ -31,8 +31,9 @@ impl Checkout {
         )
         .ok_or_else(|| {
             Error::environment(
-                "this is not a checkout of Pinhole, and the one the command was built from is gone",
-                "run the command inside the checkout: cargo pinhole …",
+                "this folder is not in a repository of Pinhole, and the one that this command \
+                 was built from is gone",
+                "run the command inside the repository: cargo pinhole …",
             )
         })
     }

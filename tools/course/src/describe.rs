@@ -63,8 +63,8 @@ fn work(mismatch: Mismatch, asked: &QuestionFilm, reply: &Reply) -> String {
         .map(|(count, &least)| (count - f64::from(least)).abs())
         .sum();
     format!(
-        "{} for one ray, where {} would do; all rays together differ by {apart:.0} from what \
-         would do, and may differ by at most {:.0}",
+        "{} for one ray, where {} are enough; over all rays, the differences add up to \
+         {apart:.0}, and at most {:.0} is allowed",
         mismatch.got,
         mismatch.expected,
         sum(golden.tolerance())

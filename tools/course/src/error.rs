@@ -56,7 +56,7 @@ impl Error {
     pub fn file(path: &Path) -> Error {
         Error::environment(
             path.display().to_string(),
-            "check that the file can be read and its folder written",
+            "check that you may read the file and write to its folder",
         )
     }
 

@@ -105,7 +105,7 @@ pub fn read_all(assignment: &Assignment) -> Result<Vec<MistakeFolder>> {
             let path = folder.join("mistake.toml");
             let wrong = Error::input(
                 path.display().to_string(),
-                "correct the file; the mistakes beside it show how",
+                "correct the file; another mistake's can serve as an example",
             );
             let text = fs::read_to_string(&path).or_fail(&wrong)?;
             let mistake: Mistake = toml::from_str(&text).or_fail(&wrong)?;

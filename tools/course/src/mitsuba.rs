@@ -120,7 +120,7 @@ fn complete(command: &mut Command, purpose: &str) -> Result<()> {
     }
     Err(Error::environment(
         format!("cannot {purpose}: {command:?} failed"),
-        "see its message above; it needs Python 3.11 with venv, and a package index",
+        "see its message above; it needs Python 3.11 with venv, and access to a package index",
     ))
 }
 
@@ -173,12 +173,12 @@ pub fn render(
     if !python.is_file() {
         return Err(Error::environment(
             "Mitsuba is not installed here",
-            "make its environment: cargo pinhole golden setup",
+            "install it: cargo pinhole golden setup",
         ));
     }
     let failed = Error::environment(
         "cannot run Mitsuba",
-        "make its environment again: cargo pinhole golden setup",
+        "install it again: cargo pinhole golden setup",
     );
     let mut child = Command::new(python)
         .arg(scripts(checkout).join("golden.py"))
@@ -212,7 +212,7 @@ pub fn render(
     let refusal = (status.code() == Some(2)).then(|| {
         Error::input(
             format!("Mitsuba refused:\n{}", said.trim_end()),
-            "change the scene as it says; goldens that are already made are kept",
+            "change the scene as the message says; finished goldens are kept",
         )
     });
     match renderer {
@@ -223,7 +223,7 @@ pub fn render(
         }),
         _ => Err(Error::environment(
             format!("the golden scripts failed ({status}):\n{}", said.trim_end()),
-            "make the environment again: cargo pinhole golden setup",
+            "install Mitsuba and oiiotool again: cargo pinhole golden setup",
         )),
     }
 }

@@ -35,7 +35,7 @@ impl SecondJudge {
         let folder = checkout.scratch().join("second-judge");
         fs::create_dir_all(&folder).or_environment(
             format_args!("cannot make {}", folder.display()),
-            "check that the checkout can be written",
+            "check that you may write to the repository",
         )?;
         Ok(SecondJudge {
             tool,

@@ -173,7 +173,7 @@ fn empty(folder: &Path, assignment: &Assignment) -> Error {
     Error::input(
         format!("{} holds no answer file", folder.display()),
         format!(
-            "name a folder or ZIP file that holds (itself or in `src`): {}",
+            "name a folder or ZIP file that has one of these, at its top or in `src`: {}",
             files.join(", ")
         ),
     )

@@ -39,7 +39,7 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Status> {
                 .map_err(|problem| {
                     Error::environment(
                         problem,
-                        "make the environment again: cargo pinhole golden setup",
+                        "install Mitsuba and oiiotool again: cargo pinhole golden setup",
                     )
                 })?,
         ),
@@ -97,11 +97,14 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Status> {
         }
         match second {
             Some(second) if second.passes != passes => {
-                anstream::println!("oiiotool reads this file, which we refuse as damaged");
+                anstream::println!(
+                    "oiiotool can read this file, but Pinhole refuses it as damaged"
+                );
             }
             Some(second) => anstream::println!("oiiotool agrees{}", said(&second)),
             None => anstream::println!(
-                "oiiotool was not asked: it is not installed (cargo pinhole golden setup installs it)"
+                "oiiotool was not asked: it is not installed (cargo pinhole golden setup \
+                 installs it)"
             ),
         }
         for line in written.iter().map(|file| format!("wrote {file}")) {
@@ -262,6 +265,6 @@ fn disagreement(passes: bool, second: &SecondVerdict) -> Error {
             word(second.passes),
             said(second)
         ),
-        "this is a bug in Pinhole, not a fault of the film: report it with both films",
+        "this is a bug in Pinhole, and the film may be right: report it with both films",
     )
 }

@@ -235,7 +235,7 @@ fn landlock() -> Finding {
     let modules = fs::read_to_string("/sys/kernel/security/lsm");
     Finding::optional(
         "Landlock",
-        "by `--sandbox container` to hide files; bubblewrap works without it",
+        "to hide files, by `--sandbox container`; bubblewrap works without it",
         match modules {
             Ok(modules) if modules.split(',').any(|name| name.trim() == "landlock") => {
                 Ok("the kernel has it".into())
@@ -284,7 +284,7 @@ fn second_judge(checkout: &Checkout) -> Finding {
     let found = pinhole::oiiotool::Oiiotool::find(&mitsuba::environment(checkout));
     Finding::optional(
         "oiiotool",
-        "for the second judge: check --oiiotool",
+        "to judge every film a second time, with `check --oiiotool`",
         match found {
             Some(tool) => first_line(Command::new(tool.binary()).arg("--version")),
             None => Err("not installed".into()),

@@ -30,8 +30,8 @@ pub fn run(checkout: &Checkout, arguments: &Reset) -> Result<Status> {
     let pristine = stubs::pristine(&assignment, checkout)?;
     let stub = pristine.get(&Path::new("src").join(task.file()));
     let stub = stub.ok_or_else(|| {
-        let problem = format!("the stub of {} is not here", task.file());
-        Error::environment(problem, "copy it from the repository that was handed out")
+        let problem = format!("the stub of {} is missing", task.file());
+        Error::environment(problem, "copy it from the repository that you were given")
     })?;
     let backup = put(stub, &file)?;
     let shown = |path: &Path| from_here(path).display().to_string();
@@ -43,11 +43,11 @@ pub fn run(checkout: &Checkout, arguments: &Reset) -> Result<Status> {
     }
     match backup {
         Some(backup) => anstream::println!(
-            "{} is as it was handed out; your text is in {}",
+            "{} is the stub again; your code is in {}",
             printable(&file),
             printable(&backup)
         ),
-        None => anstream::println!("{} is as it was handed out", printable(&file)),
+        None => anstream::println!("{} is the stub again", printable(&file)),
     }
     Ok(Status::Well)
 }

@@ -28,8 +28,7 @@ fn on_task(task: &TaskOutcome) -> Vec<String> {
     }
     let read = format!("read: {}", Passage::chapter(&task.chapter));
     if task.file != AnswerFile::Compiled {
-        let look =
-            "look: at the first of the compiler's messages, because the others may follow from it";
+        let look = "look: read the compiler's first message, because the others may follow from it";
         return vec![look.into(), read];
     }
     if task.is_unanswered() {

@@ -44,7 +44,7 @@ pub const KEYS: [(char, Key, &str, &str); 9] = [
         's',
         Key::Scenes,
         "scenes",
-        "cast the scenes with all answers together",
+        "render the scenes with all your answers",
     ),
     ('r', Key::RepeatCommands, "again", "judge this once more"),
     ('q', Key::Quit, "quit", "quit (or press Ctrl-C)"),

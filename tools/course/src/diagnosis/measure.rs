@@ -229,7 +229,8 @@ fn decisions(samples: &[Sample]) -> Vec<Measurement> {
                 let says = match misses {
                     true => format!("You miss nearly all hits: {some} of {all}."),
                     false => format!(
-                        "You find a hit in nearly all questions where there is none: in {some} of {all}."
+                        "You find a hit in nearly all questions where there is none: in {some} \
+                         of {all}."
                     ),
                 };
                 decision(says, true, Claim::Nearly { misses })
@@ -458,7 +459,7 @@ impl<'a> PartFinding<'a> {
         let (given, most) = limited.iter().max_by(by_excess)?;
         let [given, most] = [*given, *most].map(|value| number(value, DIGITS));
         Some(format!(
-            ": at worst {given}, where {most} is the most that is allowed"
+            ": {given} at worst, where at most {most} is allowed"
         ))
     }
 

@@ -102,7 +102,7 @@ pub fn failure(reply: &Reply, program: &Program, task: Option<&str>) -> Option<F
         Ending::OutOfMemory(most) => FilmOutcome::OutOfMemory { most: *most },
         Ending::Died(death) => FilmOutcome::Died {
             how: match last_words(&reply.printed) {
-                Some(words) => format!("{death}; the last that it printed is “{words}”"),
+                Some(words) => format!("{death}; the last words that it printed are “{words}”"),
                 None => death.to_string(),
             },
         },

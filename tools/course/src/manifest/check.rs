@@ -72,7 +72,8 @@ impl Manifest {
         let mistakes = mistake_hashes(assignment).unwrap_or_default();
         if !mistakes.is_empty() && !self.mistakes.is_empty() && mistakes != self.mistakes {
             problems.push(
-                "the mistakes are not those that were fingerprinted: cargo pinhole golden mistakes"
+                "the mistakes have changed since the goldens were made: cargo pinhole golden \
+                 mistakes"
                     .into(),
             );
         }
@@ -83,7 +84,7 @@ impl Manifest {
         };
         if !others.is_empty() {
             let others = others.join(", ");
-            problems.push(format!("the scripts are not those that made {others}"));
+            problems.push(format!("the scripts have changed since they made {others}"));
         }
         problems.extend(self.changed_files(folder, assignment));
         let known: BTreeSet<&String> = self.films.keys().collect();

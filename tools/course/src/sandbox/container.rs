@@ -78,8 +78,8 @@ impl Container {
         if !walls.landlocked {
             if !accepts_modes {
                 return Err(Error::environment(
-                    "this kernel has no Landlock, so only file modes would stop code in this \
-                     container from reading what it must not",
+                    "this kernel has no Landlock, so only file permissions could stop code in \
+                     this container from reading secrets",
                     "use bubblewrap, or a kernel with Landlock (Linux 5.13 or newer); in a \
                      container that holds nothing else of value, you may pass --sandbox \
                      container-without-landlock, and every result will say so",

@@ -18,7 +18,7 @@ pub fn sysroot(checkout: &Checkout) -> Result<PathBuf> {
             String::from_utf8_lossy(&output.stdout).trim(),
         )),
         _ => Err(Error::environment(
-            "cannot ask rustc where it lives",
+            "cannot ask rustc for its folder",
             "install Rust from rustup.rs",
         )),
     }

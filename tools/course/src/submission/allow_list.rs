@@ -90,7 +90,8 @@ pub enum Verdict {
 pub fn verdict(task: &str, text: &str) -> Verdict {
     let refused = |what: &str, line: usize, remedy: &str| {
         Verdict::Refused(format!(
-            "error: {what} is not allowed in an answer\n --> src/{task}.rs:{line}\n  = help: {remedy}\n"
+            "error: {what} is not allowed in an answer\n --> src/{task}.rs:{line}\n  = help: \
+             {remedy}\n"
         ))
     };
     let bare = text.trim_start_matches('\u{feff}');
@@ -132,7 +133,7 @@ pub(super) fn finding(tokens: &[(Token, usize)]) -> Option<(String, &'static str
         Token::Word(word) if is(1, '!') && opens(token(2)) && !contains(&MACROS, word) => {
             let remedy = match word.as_str() {
                 "macro_rules" => "write a function in its place",
-                _ => "use functions and the macros of an ordinary answer, such as `assert!`",
+                _ => "use functions, and only common macros such as `assert!`",
             };
             Some((format!("`{}!`", beginning(word)), remedy))
         }

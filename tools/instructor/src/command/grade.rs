@@ -132,8 +132,8 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     };
     if made.is_none() {
         anstream::eprintln!(
-            "judged on {}: an answer could have memorised them. For fresh questions: \
-             cargo pinhole golden setup",
+            "judged only on {}, which answers may have memorised. To ask fresh questions, first \
+             run: cargo pinhole golden setup",
             made_with.judged_on
         );
     }

@@ -139,12 +139,14 @@ fn stubs_in_place(assignment: &Assignment, arguments: &Handout) -> Result<Status
         );
     } else if !arguments.check {
         let (stale, all) = (stale.len(), package.len());
-        anstream::println!("{stale} of {all} files were out of step");
+        anstream::println!(
+            "{stale} of {all} files did not match the reference, and were written again"
+        );
     } else if stale.is_empty() {
         anstream::println!("the handout matches the reference");
     } else {
         for path in &stale {
-            anstream::println!("out of step with the reference: {}", path.display());
+            anstream::println!("this file does not match the reference: {}", path.display());
         }
         anstream::println!(
             "if none of your work is in them, make them again: cargo pinhole handout {} --force",

@@ -126,7 +126,7 @@ pub fn explained(status: Status) -> &'static str {
              KiB; links, devices and archives inside archives do not count."
         }
         Status::MissingFile => {
-            "An answer file was not handed in, or not under its name. All other answers were \
+            "An answer file was not handed in, or has another name. All other answers were \
              judged; hand in all files of the handout's `src` folder."
         }
         Status::DoesNotCompile => {
@@ -142,8 +142,8 @@ pub fn explained(status: Status) -> &'static str {
              it exceeded a limit."
         }
         Status::TimedOut => {
-            "An answer was late twice, the second time with nothing else running. The \
-             limit is far above what any right answer needs: look for a loop that does not end."
+            "An answer exceeded its time limit twice, the second time with nothing else running. \
+             The limit is far above what any right answer needs: look for a loop that does not end."
         }
         Status::Panicked => {
             "An answer panicked. The message and its line are below; the usual ones are an \

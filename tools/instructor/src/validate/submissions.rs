@@ -305,7 +305,7 @@ impl SubmissionVerdict {
             }
             (_, false) => format!("missed: {name} passes everything"),
             (declared, true) => format!(
-                "{name} is declared to fail in {}, and fails in {}",
+                "{name} is declared to fail in {}, but fails in {}",
                 listed(declared),
                 listed(&self.tasks)
             ),

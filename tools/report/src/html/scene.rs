@@ -158,9 +158,13 @@ impl SceneSection {
             channels: evidence.verdict.map(failing_channels).unwrap_or_default(),
             causes: wrong.as_ref().map(cause_rows).unwrap_or_default(),
             cut: (!window.is_whole(golden.resolution())).then(|| {
-                let (last, bottom) = (window.left + window.n_x - 1, golden.resolution().n_y - window.top - window.n_y);
+                let (last, bottom) = (
+                    window.left + window.n_x - 1,
+                    golden.resolution().n_y - window.top - window.n_y,
+                );
                 format!(
-                    "Too large to show whole: columns {} to {last} and rows {bottom} to {} of {}, around the worst pixel.",
+                    "The film is too large to show all of it. These are columns {} to {last} and \
+                     rows {bottom} to {} of {}, around the worst pixel.",
                     window.left,
                     bottom + window.n_y - 1,
                     golden.resolution(),

@@ -17,8 +17,7 @@ pub fn found(both: &[&Sample]) -> Option<Measurement> {
         finding: Finding {
             about: about.into(),
             says: format!(
-                "{} has single precision in every answer, and rounding spoils the last digits: \
-                 is something `f32`?",
+                "{} has only single precision in every answer: do you use `f32` somewhere?",
                 capital(about)
             ),
             is_law: true,

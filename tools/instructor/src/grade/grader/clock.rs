@@ -158,7 +158,7 @@ impl<'a> SubmissionClock<'a> {
     pub fn late(&self) -> Error {
         self.late.store(true, Ordering::Relaxed);
         Error::environment(
-            "it was late while other submissions were graded",
+            "it exceeded its time limit while other submissions were graded",
             "grade the submission again, alone",
         )
     }

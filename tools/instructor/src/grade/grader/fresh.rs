@@ -56,7 +56,7 @@ impl Questions {
             return match self.seed.or(kept) {
                 Some(_) => Err(Error::environment(
                     "Mitsuba is needed to make fresh questions, but is not installed",
-                    "make its environment: cargo pinhole golden setup, or pass --fresh DIR or \
+                    "install it: cargo pinhole golden setup, or pass --fresh DIR or \
                      --no-fresh",
                 )),
                 None => Ok(None),

@@ -48,7 +48,7 @@ impl GradingProgress<'_> {
 
 fn again_line(id: &str) -> String {
     format!(
-        "{} is graded again, alone: an answer was late",
+        "{} is graded again, alone, because an answer exceeded its time limit",
         printable(id)
     )
 }

@@ -6,7 +6,7 @@ use super::QUIET;
 use crate::validate::sensitivity::{Kind, Sensitivity};
 
 const NOTE: &str = "
-The smallest error that each scene detects, to a tenth of a decade. The camera is
+The smallest error that each scene detects, in steps of a factor of 1.26. The camera is
 shifted by this many pixels, and normals are tilted by this many radians. The focal
 length and t are multiplied by 1 plus this number.
 ";
