@@ -30,7 +30,7 @@ pub struct Limit {
     /// The limit for the time since the submission last sent anything, by a [`Clock`] of its
     /// own. It ends an endless loop long before `wall` is over.
     pub silence: Duration,
-    /// Raised when the answer is no longer wanted.
+    /// Raised when the answer is no longer needed.
     pub stop: Stop,
 }
 

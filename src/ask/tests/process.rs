@@ -181,7 +181,7 @@ fn cancelled_submission_is_ended_long_before_its_time_limit() {
         asking.join().expect("it does not panic")
     });
     let error = reply.expect_err("there is no answer");
-    assert!(error.to_string().contains("no longer wanted"), "{error}");
+    assert!(error.to_string().contains("no longer needed"), "{error}");
     assert!(start.elapsed() < SOON, "it took {:?}", start.elapsed());
 }
 

@@ -45,7 +45,7 @@ pub struct Program {
     pub with_ours: Option<PathBuf>,
     /// What the compiler warned about, by task.
     pub warnings: BTreeMap<String, String>,
-    /// Raised when its answers are no longer wanted.
+    /// Raised when its answers are no longer needed.
     pub stop: Stop,
 }
 

@@ -283,7 +283,7 @@ fn endless_recursion_aborts_and_its_last_words_are_shown_as_its_own() {
     let folder = submission(&trusted(), "recursion", &[("plane.rs", &text)]);
     let folder = folder.to_str().expect("a plain name");
     let ran = pinhole(&["check", folder, "--task", "plane"]).expect_code(1);
-    ran.expect_out("it aborted, as when a function calls itself without end")
+    ran.expect_out("it aborted, which happens when a function calls itself without end")
         .expect_out("has overflowed its stack / fatal runtime error: stack overflow");
 }
 

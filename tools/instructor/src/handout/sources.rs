@@ -84,6 +84,6 @@ pub fn read_text(path: &Path) -> Result<String> {
 fn unreadable(path: &Path) -> Error {
     Error::input(
         format!("cannot read {}", path.display()),
-        "restore it; a checkout of the course has it",
+        "restore it; the instructor's repository has it",
     )
 }

@@ -121,7 +121,7 @@ fn document(path: &Path) -> Result<DocumentMut> {
     let parsed: std::result::Result<DocumentMut, toml_edit::TomlError> = read_text(path)?.parse();
     parsed.or_input(
         format_args!("{}", path.display()),
-        "restore the file; a checkout of the course has it",
+        "restore the file; the instructor's repository has it",
     )
 }
 

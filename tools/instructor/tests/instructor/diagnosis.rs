@@ -132,5 +132,5 @@ fn mistakes_that_changed_since_they_were_fingerprinted_are_noticed() {
     fs::write(folder.join("manifest.toml"), stale).expect("it can be written");
     pinhole(&["golden", "verify", plain(&folder)])
         .expect_code(1)
-        .expect_out("the mistakes are not those that were fingerprinted");
+        .expect_out("the mistakes have changed since the goldens were made");
 }

@@ -89,7 +89,7 @@ fn a_comment_leaves_goldens_in_step_and_another_number_or_script_does_not() {
     fs::write(folder.join("manifest.toml"), other).expect("it can be written");
     verify(&folder)
         .expect_code(1)
-        .expect_out("the scripts are not those that made mine");
+        .expect_out("the scripts have changed since they made mine");
 }
 
 #[test]

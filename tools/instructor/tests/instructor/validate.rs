@@ -95,7 +95,7 @@ fn a_mistake_that_passes_everything_is_missed() {
 
 #[test]
 fn a_mistake_that_fails_in_another_task_than_it_declares_is_named() {
-    is_named("✗ mistakes/plane_elsewhere is declared to fail in sphere, and fails in plane\n");
+    is_named("✗ mistakes/plane_elsewhere is declared to fail in sphere, but fails in plane\n");
 }
 
 #[test]

@@ -339,7 +339,7 @@ fn a_part_above_its_limit_is_told_with_the_limit() {
     assert_eq!(leaves(|index| index % 9), Vec::<String>::new());
     let half = COUNT / 2;
     let said = leaves(|index| if index % 2 == 0 { 8 } else { 9 + index % 3 });
-    let worst = "at worst 11, where 8 is the most that is allowed";
+    let worst = "11 at worst, where at most 8 is allowed";
     let leaf = format!("The largest leaf is too large in {half} of {COUNT} questions: {worst}.");
     assert_eq!(said[0], leaf);
     // Nothing else is above its limit.
