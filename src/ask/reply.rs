@@ -201,8 +201,7 @@ impl Reply {
                     return Err("it asked for ten times as many tests as there are".into());
                 }
                 let result = questions.test(index, test);
-                let result =
-                    result.ok_or("it asked to test a box or triangle that is not in the tree")?;
+                let result = result.ok_or("it asked to test something that is not in the tree")?;
                 if let Questions::TreeSearch(all) = questions {
                     self.searches.resize(job.len(), SearchLog::default());
                     self.searches[index].note(&all[index], test, result);
