@@ -151,8 +151,8 @@ pub struct Render {
 
 /// Explain one pixel in words
 ///
-/// Shows your ray beside the expected one in three spaces: as a point on the image plane, in camera
-/// space and in world space. Then come each object's answer, everything that your code printed, the
+/// Shows your ray beside the expected one: where it crosses the image plane, in camera space, and in
+/// world space. Then come what your code answers for each object, everything that it printed, the
 /// first hit and, if Mitsuba has rendered this scene, what Mitsuba found.
 ///
 /// Try: cargo pinhole explain slide_example 2 3

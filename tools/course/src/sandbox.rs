@@ -93,12 +93,12 @@ pub fn time_of_children() -> Option<Duration> {
 /// The sandbox that a user asks for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
 pub enum Choice {
-    /// Bubblewrap; but no sandbox for code in this repository, except with `grade`
+    /// Bubblewrap for `grade` and for code from outside this repository; otherwise no sandbox
     #[default]
     Auto,
     /// Linux namespaces, made by bubblewrap
     Bubblewrap,
-    /// Another user id, and Landlock; for root, in a container that is used only once
+    /// Another user id, and Landlock; needs root, in a container that is thrown away afterwards
     Container,
     /// Like `container`, but for kernels without Landlock; weaker, because only file permissions
     /// protect the container's files
