@@ -12,7 +12,7 @@ use super::budget::Budget;
 use super::confine;
 use super::host_paths::HostPaths;
 use super::syscalls::Purpose;
-use super::toolchain::{linker, sysroot};
+use super::toolchain::{libraries, linker, sysroot};
 use super::user_id::UserId;
 use crate::checkout::Checkout;
 use crate::error::Result;
@@ -91,7 +91,8 @@ impl Bubblewrap {
     pub fn self_test(&self) -> io::Result<()> {
         let limits = Limits::of_compiler();
         let mut command = self.walled(&limits, Purpose::Answer);
-        command.args(["--", "/usr/bin/true"]);
+        let program = "/usr/bin/true";
+        command.args(["--read", program, "--", program]);
         let output = command.output()?;
         match output.status.success() {
             true => Ok(()),
@@ -181,8 +182,12 @@ impl Bubblewrap {
             limits.processes = UNCOUNTED;
         }
         confine::arguments(command, &limits, purpose, self.uid());
-        for read in ["/usr", "/dev"] {
-            command.args(["--read", read]);
+        let system = match purpose {
+            Purpose::Compile => vec!["/usr".into()],
+            Purpose::Answer => libraries(),
+        };
+        for read in system.iter().chain([&PathBuf::from("/dev")]) {
+            command.arg("--read").arg(read);
         }
         command.args(["--write", "/dev/null"]);
     }

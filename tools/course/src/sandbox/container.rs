@@ -21,7 +21,7 @@ use super::confine;
 use super::host_paths::HostPaths;
 use super::secrets::refuse_visible_secrets;
 use super::syscalls::Purpose;
-use super::toolchain::{linker, sysroot};
+use super::toolchain::{libraries, linker, sysroot};
 use super::user_id::UserId;
 use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
@@ -235,21 +235,6 @@ impl Container {
             )),
         }
     }
-}
-
-/// What a program needs to start: the libraries of this one, which is also written in Rust. Opening
-/// any other file of the system would leave a trace for other submissions: the time of the last
-/// access.
-fn libraries() -> Vec<PathBuf> {
-    let maps = fs::read_to_string("/proc/self/maps").unwrap_or_default();
-    let mapped = maps.lines().filter_map(|line| line.split_once(" /"));
-    let mapped = mapped.map(|(_, path)| PathBuf::from(format!("/{path}")));
-    let is_library = |path: &PathBuf| path.to_string_lossy().contains(".so");
-    let mut files: Vec<PathBuf> = mapped.filter(is_library).collect();
-    files.push("/etc/ld.so.cache".into());
-    files.push("/dev/null".into());
-    files.dedup();
-    files
 }
 
 /// What the compiler may read of the system.

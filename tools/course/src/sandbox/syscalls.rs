@@ -89,7 +89,7 @@ const F_NOTIFY: u64 = 1026;
 /// Calls that only the compiler may make. Without namespaces and Landlock, the names of files in
 /// a folder like `/tmp` would carry one submission's answers to another, even if no file may be
 /// written. So would the times of a file that everyone may write, such as `/dev/null`.
-const NEVER_WHILE_ANSWERING: [libc::c_long; 21] = [
+const NEVER_WHILE_ANSWERING: [libc::c_long; 22] = [
     libc::SYS_socket,
     libc::SYS_socketpair,
     // Makes a file if standard input, a socket, gets a path as its name.
@@ -114,6 +114,8 @@ const NEVER_WHILE_ANSWERING: [libc::c_long; 21] = [
     libc::SYS_utimensat,
     // Its flags lie in memory. The C library uses `openat`.
     libc::SYS_openat2,
+    // Drops a file's pages from the kernel's cache, and the next program could see that.
+    libc::SYS_fadvise64,
 ];
 
 /// The same calls under the names that only x86-64 still has.
