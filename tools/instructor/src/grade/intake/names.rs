@@ -192,10 +192,17 @@ fn is_number(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
 }
 
+/// The longest name that a platform gives, because no common file system has longer ones.
+const MOST_BYTES: usize = 255;
+
 /// All ways to read a name as a platform's. An uploader can make it look like two people's or two
 /// platforms' names; then nobody knows which it is. The way in which the person's name ends first
 /// comes first.
 pub fn platforms(name: &str) -> Vec<PlatformName<'_>> {
+    // In an archive, a name may be long enough to be read in thousands of ways.
+    if name.len() > MOST_BYTES {
+        return Vec::new();
+    }
     let others = [
         PlatformName::blackboard(name),
         PlatformName::brightspace(name),

@@ -424,6 +424,18 @@ fn a_name_of_thousands_of_words_is_compared_quickly() {
 }
 
 #[test]
+fn a_long_name_is_not_read_in_thousands_of_ways() {
+    let export = Export::new();
+    let mut files = answers("", "mallory");
+    let name = |k: usize| format!("mallet_13_{k}_{}.zip", "1_".repeat(2000));
+    files.extend((0..20).map(|k| (name(k), Vec::new())));
+    export.put("mallory.zip", &zip(&files));
+    let intake = export.find("mallory.zip");
+    let signs = intake.entries.iter().map(|entry| entry.signs.len());
+    assert_eq!(signs.sum::<usize>(), 1, "{:#?}", intake.entries[0].name);
+}
+
+#[test]
 fn thousands_of_files_for_one_answer_make_a_short_message() {
     let export = Export::new();
     let long = "y".repeat(200);
