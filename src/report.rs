@@ -63,22 +63,29 @@ impl fmt::Display for ChannelVerdict {
 
 impl fmt::Display for Death {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let killed = |how: &str| format!("it was killed ({how}) before it had answered");
-        let words = match self {
-            Death::Signal(4) => killed("an illegal instruction"),
-            Death::Signal(6) => killed(
-                "it aborted, which happens when a function calls itself without end, or when \
-                 memory runs out",
-            ),
-            Death::Signal(7 | 11) => killed("it touched memory that is not its own"),
-            Death::Signal(9) => killed("SIGKILL"),
-            Death::Signal(25) => killed("it wrote a file that is too long"),
-            Death::Signal(31) => killed("a forbidden system call"),
-            Death::Signal(other) => {
-                format!("it was killed (signal {other}) before it had answered")
+        let signal = self.possible_signal().map(|signal| match signal {
+            4 => "an illegal instruction".into(),
+            6 => {
+                "it aborted, which happens when a function calls itself without end, or when memory \
+                 runs out"
+                    .into()
             }
-            Death::Exit(code) => format!("it exited with code {code} before it had answered"),
-            Death::Lost => "it ended for an unknown reason".into(),
+            7 | 11 => "it touched memory that is not its own".into(),
+            9 => "SIGKILL".into(),
+            25 => "it wrote a file that is too long".into(),
+            31 => "a forbidden system call".into(),
+            other => format!("signal {other}"),
+        });
+        let words = match (self, signal) {
+            (Death::Exit(code), Some(signal)) => format!(
+                "it exited with code {code} before it had answered; that usually means that it was \
+                 killed ({signal})"
+            ),
+            (Death::Exit(code), None) => {
+                format!("it exited with code {code} before it had answered")
+            }
+            (_, Some(signal)) => format!("it was killed ({signal}) before it had answered"),
+            (_, None) => "it ended for an unknown reason".into(),
         };
         f.write_str(&words)
     }

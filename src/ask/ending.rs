@@ -50,10 +50,17 @@ impl Death {
         let signal = None;
         match (signal, status.code()) {
             (Some(signal), _) => Death::Signal(signal),
-            // This is how a shell and bubblewrap report a signal.
-            (None, Some(code @ 129..=159)) => Death::Signal(code - 128),
             (None, Some(code)) => Death::Exit(code),
             (None, None) => Death::Lost,
+        }
+    }
+    /// The signal that killed it, or may have: bubblewrap, like a shell, turns signal n into the
+    /// code 128 + n, but a program may also choose that code itself.
+    pub fn possible_signal(&self) -> Option<i32> {
+        match *self {
+            Death::Signal(signal) => Some(signal),
+            Death::Exit(code @ 129..=159) => Some(code - 128),
+            Death::Exit(_) | Death::Lost => None,
         }
     }
 }

@@ -68,3 +68,21 @@ fn a_channel_that_agrees_says_so_when_asked() {
     let verdict = judge(&golden, &film).unwrap();
     assert_eq!(verdict.channels[0].to_string(), "t    agrees everywhere");
 }
+
+#[test]
+fn an_exit_code_is_not_reported_as_a_signal() {
+    let of = |death: Death| death.to_string();
+    assert_eq!(
+        of(Death::Signal(9)),
+        "it was killed (SIGKILL) before it had answered"
+    );
+    assert_eq!(
+        of(Death::Exit(137)),
+        "it exited with code 137 before it had answered; that usually means that it was killed \
+         (SIGKILL)"
+    );
+    assert_eq!(
+        of(Death::Exit(7)),
+        "it exited with code 7 before it had answered"
+    );
+}

@@ -42,9 +42,9 @@ fn submission_that_exits_at_once_is_reported() {
 }
 
 #[test]
-fn killed_submission_is_reported_with_its_signal() {
+fn signals_and_exit_codes_are_told_apart() {
     ends("kill -9 $$", Ending::Died(Death::Signal(9)));
-    ends("exit 139", Ending::Died(Death::Signal(11)));
+    ends("exit 139", Ending::Died(Death::Exit(139)));
 }
 
 #[test]

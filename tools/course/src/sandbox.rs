@@ -39,7 +39,7 @@ use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use clap::ValueEnum;
-use pinhole::ask::{Clock, Death, Ending, Limit, Reply, Stop, ask_watched};
+use pinhole::ask::{Clock, Ending, Limit, Reply, Stop, ask_watched};
 use pinhole::job::Job;
 
 use crate::checkout::Checkout;
@@ -360,7 +360,9 @@ impl Sandbox {
                 // the same signal, so the processor time of all that we have started since then
                 // decides. Other submissions that ran at the same time count too, but a late
                 // submission is graded again, alone.
-                None if matches!(death, Death::Signal(SIGXCPU | SIGKILL)) && took > limits.cpu => {
+                None if matches!(death.possible_signal(), Some(SIGXCPU | SIGKILL))
+                    && took > limits.cpu =>
+                {
                     reply.ending = Ending::TimedOut(limits.cpu);
                 }
                 // Perhaps the program was never started because the sandbox doesn't work.

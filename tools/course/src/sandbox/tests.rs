@@ -1,5 +1,6 @@
 use glam::DVec3;
 use pinhole::Ray;
+use pinhole::ask::Death;
 
 use super::*;
 
