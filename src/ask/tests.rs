@@ -208,6 +208,14 @@ mod message {
         };
         let circle = vec![FlatNode::Branch([0, 0])];
         refused(&job, &[tree(circle)], "another kind");
+        // A branch, its leaf and the next branch, a thousand times.
+        let level = |k: usize| {
+            let branch = FlatNode::Branch([2 * k + 1, 2 * k + 2]);
+            [branch, FlatNode::Leaf(vec![0])]
+        };
+        let mut deep: Vec<FlatNode> = (0..1000).flat_map(level).collect();
+        deep.push(FlatNode::Leaf(vec![0]));
+        refused(&job, &[tree(deep)], "another kind");
         let measures = TreeMeasures {
             misplaced: 0,
             depth: 0,

@@ -113,7 +113,8 @@ impl Question for TreeQuestion {
 
     fn receive(&self, sent: &WireAnswer) -> Option<Answer> {
         match sent {
-            WireAnswer::Tree(tree) if tree.is_tree() => {
+            // Describing a tree of thousands of nodes takes us seconds.
+            WireAnswer::Tree(tree) if tree.size() <= MOST_PLACES && tree.is_tree() => {
                 Some(Answer::Tree(tree.measure(&self.boxes)))
             }
             _ => None,
