@@ -127,3 +127,20 @@ fn tools_that_a_students_folder_names_are_not_started() {
     }
     fs::remove_dir_all(folder).expect("it was made");
 }
+
+#[test]
+fn an_assignment_in_a_students_folder_does_not_replace_ours() {
+    let folder = submission(&std::env::temp_dir(), "own-assignment", &[]);
+    let theirs = folder.join("ray_casting");
+    fs::create_dir(&theirs).expect("a folder can be made");
+    fs::write(theirs.join("assignment.toml"), "theirs").expect("it can be written");
+    let ran = Command::new(env!("CARGO_BIN_EXE_pinhole"))
+        .args(["check", ".", "--assignment", "ray_casting"])
+        .args(["--task", "plane", "--no-report"])
+        .current_dir(&folder)
+        .output()
+        .expect("pinhole starts");
+    let said = String::from_utf8_lossy(&ran.stderr);
+    assert!(ran.status.success(), "{said}");
+    fs::remove_dir_all(folder).expect("it was made");
+}
