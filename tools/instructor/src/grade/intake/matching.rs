@@ -88,16 +88,21 @@ pub enum Proof {
     Id,
 }
 
-/// The people with this id or login, as the university assigned them.
+/// The people with this id or login, as the university assigned them. Only if there are none, those
+/// whose e-mail address begins like this, because people may choose addresses elsewhere.
 fn with_id<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let id = folded(id);
-    let is = |other: &&Person| {
-        let whole = other.logins.iter().map(String::as_str);
-        let local = whole.clone().filter_map(|login| login.split('@').next());
-        let mut all = whole.chain(local).chain([other.id.as_str()]);
-        !id.is_empty() && all.any(|it| is_folded(&id, it))
+    let is = |text: &str| !id.is_empty() && is_folded(&id, text);
+    let whole = |person: &&Person| is(&person.id) || person.logins.iter().any(|it| is(it));
+    let local = |person: &&Person| {
+        let mut logins = person.logins.iter();
+        logins.any(|it| it.split_once('@').is_some_and(|(local, _)| is(local)))
     };
-    people.iter().filter(is).collect()
+    let found: Vec<&Person> = people.iter().filter(whole).collect();
+    match found.is_empty() {
+        true => people.iter().filter(local).collect(),
+        false => found,
+    }
 }
 
 /// The people who, or whose groups, have chosen to be called this.
@@ -230,7 +235,8 @@ fn share_word(name: &str, other: &str) -> bool {
 }
 
 /// The people that an account may belong to. The platform's number decides, because people
-/// may change their names, unless it may be a group's number.
+/// may change their names, unless it may be a group's number. A number beside another name is
+/// listed, because the name of an archive may be its author's choice.
 fn account<'a>(
     number: &str,
     name: &str,
@@ -239,9 +245,12 @@ fn account<'a>(
 ) -> (Proof, Vec<&'a Person>) {
     let own = |other: &&Person| other.number.as_deref() == Some(number);
     if let Some(person) = people.iter().find(own) {
-        let proof = match may_be_group && !share_word(name, &person.name) {
-            true => Proof::Hint,
-            false => Proof::Id,
+        let is_named =
+            share_word(name, &person.name) || !named(name, std::slice::from_ref(person)).is_empty();
+        let proof = match (is_named, may_be_group) {
+            (true, _) => Proof::Id,
+            (false, true) => Proof::Hint,
+            (false, false) => Proof::Name,
         };
         return (proof, vec![person]);
     }

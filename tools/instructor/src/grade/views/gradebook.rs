@@ -1,8 +1,11 @@
 //! Files that gradebooks import, with everyone's final mark once. People without a mark have no
 //! line.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::csv::Table;
 use crate::grade::class::{Class, Row};
+use crate::grade::intake::Entry;
 use crate::grade::intake::names::{Platform, platform};
 use crate::grade::intake::roster::Person;
 use crate::grade::policy::mark::{Mark, number};
@@ -22,11 +25,12 @@ pub fn canvas(class: &Class) -> String {
     let possible = number(possible.fold(0.0, f64::max));
     let points = ["    Points Possible", "", "", "", "", &possible];
     table.line(&points.map(str::to_owned));
+    let accounts = Accounts::new(&class.roll.entries, Platform::Canvas);
     for (person, mark, row) in class.gradebook() {
         let login = person.logins.first().cloned().unwrap_or_default();
         table.line(&[
             person.name.clone(),
-            account(person, row, Platform::Canvas),
+            accounts.number(person, row),
             students_id(person),
             login,
             person.section.clone(),
@@ -51,8 +55,9 @@ pub fn moodle(class: &Class) -> String {
         "Last modified (grade)",
         "Feedback comments",
     ]);
+    let accounts = Accounts::new(&class.roll.entries, Platform::Moodle);
     for (person, mark, row) in class.gradebook() {
-        let number_there = account(person, row, Platform::Moodle);
+        let number_there = accounts.number(person, row);
         let identifier = match number_there.is_empty() {
             true => String::new(),
             false => format!("Participant {number_there}"),
@@ -92,12 +97,60 @@ fn students_id(person: &Person) -> String {
     }
 }
 
-/// The platform's number for a person: from what was handed in, or from the roster.
-fn account(person: &Person, row: &Row, of: Platform) -> String {
-    let names = row.entry.given.iter().filter_map(|name| platform(name));
-    // The number in what was handed in is that of the person who uploaded it, not of the
-    // others in the group.
-    let mut names = names.filter(|name| name.platform == of && !row.is_shared);
-    let named = names.next().map(|name| name.number.to_owned());
-    named.or(person.number.clone()).unwrap_or_default()
+/// The platform's numbers for people.
+struct Accounts {
+    of: Platform,
+    /// The numbers that stand in names of several submissions. The platform wrote only one of these
+    /// names.
+    contested: BTreeSet<String>,
+}
+
+impl Accounts {
+    fn new(entries: &[Entry], of: Platform) -> Accounts {
+        let mut submissions: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
+        let names = entries.iter().flat_map(|entry| &entry.given);
+        let names = names.filter_map(|name| platform(name));
+        for name in names.filter(|name| name.platform == of) {
+            let all = submissions.entry(name.number).or_default();
+            all.insert(name.submission);
+        }
+        let contested = submissions.into_iter().filter(|(_, all)| all.len() > 1);
+        let contested = contested.map(|(number, _)| number.to_owned()).collect();
+        Accounts { of, contested }
+    }
+
+    /// The number of a person: from the roster, or from what was handed in.
+    fn number(&self, person: &Person, row: &Row) -> String {
+        let names = row.entry.given.iter().filter_map(|name| platform(name));
+        // The number in what was handed in is that of the person who uploaded it, not of the
+        // others in the group.
+        let mut names = names.filter(|name| name.platform == self.of && !row.is_shared);
+        let named = names.next().map(|name| name.number.to_owned());
+        let named = named.filter(|number| !self.contested.contains(number));
+        person.number.clone().or(named).unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grade::class::marks::rows;
+    use crate::grade::class::marks::tests::{entry, roll};
+
+    #[test]
+    fn a_number_in_the_names_of_two_people_is_neithers() {
+        let entries = vec![
+            entry("one", "ada", "ada_77_501_hw.zip"),
+            entry("two", "bob", "bob_77_999_hw.zip"),
+            entry("three", "eve", "eve_79_503_hw.zip"),
+        ];
+        let roll = roll(entries, "time_zone = 'UTC'", &[]);
+        let accounts = Accounts::new(&roll.entries, Platform::Canvas);
+        let records = BTreeMap::new();
+        let numbers = rows(&roll, &records).own.into_iter().map(|row| {
+            let person = row.person.expect("it is somebody's");
+            accounts.number(person, &row)
+        });
+        assert_eq!(numbers.collect::<Vec<_>>(), ["", "", "79"]);
+    }
 }

@@ -340,6 +340,39 @@ fn a_chosen_login_or_group_name_takes_nobodys_submission() {
 }
 
 #[test]
+fn an_e_mail_address_elsewhere_puts_nobodys_submission_in_doubt() {
+    let export = Export::new();
+    export.put_all("class/2001", answers("", "ada"));
+    let list = "id,name,email\n2001,Ada Lovelace,ada@uni.edu\n2002,Mallory Mann,2001@evil.org\n";
+    let found = placed(&export, &["class"], list);
+    assert_eq!(
+        all_of(&found, "2001"),
+        ["// sphere by ada"],
+        "{:#?}",
+        found.1
+    );
+}
+
+#[test]
+fn a_platforms_number_beside_another_name_is_listed() {
+    let export = Export::new();
+    let list = "id,name,number\n2001,Ada Lovelace,77\n2002,Mallory Mann,\n";
+    let put = |name: &str, whose| export.put(name, &zip(&answers("", whose)));
+    put("class/manmallory_77_999_hw.zip", "mallory");
+    let found = placed(&export, &["class"], list);
+    assert_eq!(found.1.by_name.len(), 1, "{:#?}", found.1);
+    put("class/lovelaceada_77_501_hw.zip", "ada");
+    let found = placed(&export, &["class"], list);
+    assert_eq!(
+        all_of(&found, "2001"),
+        ["// sphere by ada"],
+        "{:#?}",
+        found.1
+    );
+    assert_eq!(found.1.ambiguous.len(), 1, "{:#?}", found.1);
+}
+
+#[test]
 fn a_class_never_becomes_one_submission_silently() {
     let export = Export::new();
     for (class, place) in [
