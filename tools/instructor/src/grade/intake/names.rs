@@ -199,8 +199,9 @@ const MOST_BYTES: usize = 255;
 /// platforms' names; then nobody knows which it is. The way in which the person's name ends first
 /// comes first.
 pub fn platforms(name: &str) -> Vec<PlatformName<'_>> {
-    // In an archive, a name may be long enough to be read in thousands of ways.
-    if name.len() > MOST_BYTES {
+    // In an archive, a name may be long enough to be read in thousands of ways. No platform gives
+    // names with a backslash, and in a ZIP file of reports they could lead out of a folder.
+    if name.len() > MOST_BYTES || name.contains('\\') {
         return Vec::new();
     }
     let others = [

@@ -457,6 +457,13 @@ fn a_name_of_thousands_of_words_is_compared_quickly() {
 }
 
 #[test]
+fn a_name_that_leads_out_of_a_folder_is_no_platforms() {
+    let name = "evil_77_assignsubmission_file_";
+    assert_eq!(names::platforms(name).len(), 1);
+    assert_eq!(names::platforms(&format!(r"..\..\{name}")), []);
+}
+
+#[test]
 fn a_long_name_is_not_read_in_thousands_of_ways() {
     let export = Export::new();
     let mut files = answers("", "mallory");
