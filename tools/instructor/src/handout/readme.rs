@@ -39,7 +39,8 @@ pub fn adapt(files: &mut Files, assignment: &Assignment, checkout: &Checkout) ->
     };
     let own = assignment.folder.join("README.md");
     let own = match own.is_file() {
-        true => read_text(&own)?,
+        // Its links lead from the assignment's folder, those of a student's README from the root.
+        true => read_text(&own)?.replace("\"../../", "\""),
         false => String::new(),
     };
     let course = files
