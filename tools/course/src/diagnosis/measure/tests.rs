@@ -177,7 +177,10 @@ fn single_precision_is_recognised_by_the_numbers_themselves() {
         let t = f64::from((right.t * 1.5) as f32);
         Some(Intersection { t, ..right })
     });
-    assert!(said[0].starts_with("t has only single precision"), "{said:?}");
+    assert!(
+        said[0].starts_with("t has only single precision"),
+        "{said:?}"
+    );
     let other = self::said(|_, right| {
         let t = right.t * 1.5;
         Some(Intersection { t, ..right })
