@@ -149,41 +149,45 @@ fn has_github(person: &Person, login: &str) -> bool {
     own.is_some_and(|own| own.eq_ignore_ascii_case(login))
 }
 
-/// The people whose name is among a text's words, as in `homework1-adalovelace`, or whose id is one
-/// of the words.
-fn among_words<'a>(text: &str, people: &'a [Person], is: RosterKey) -> Vec<&'a Person> {
-    let words: Vec<String> = text
-        .split(|c: char| !c.is_alphanumeric() && !is_combining_mark(c))
-        .map(folded)
-        .filter(|word| !word.is_empty())
-        .collect();
+/// The words of a text, folded.
+fn words(text: &str) -> Vec<String> {
+    let words = text.split(|c: char| !c.is_alphanumeric() && !is_combining_mark(c));
+    words.map(folded).filter(|word| !word.is_empty()).collect()
+}
+
+/// The people whose id is one of a text's words.
+fn with_id_among<'a>(text: &str, people: &'a [Person]) -> Vec<&'a Person> {
+    let mut found: Vec<&Person> = Vec::new();
+    for person in words(text).iter().flat_map(|word| with_id(word, people)) {
+        if !found.contains(&person) {
+            found.push(person);
+        }
+    }
+    found
+}
+
+/// The people whose name is among a text's words, as in `homework1-adalovelace`.
+fn named_among<'a>(text: &str, people: &'a [Person]) -> Vec<&'a Person> {
+    let words = words(text);
     let whole = words.concat();
     let mut places = vec![0];
     for word in &words {
         places.push(places[places.len() - 1] + word.len());
     }
-    let is_there = |other: &&Person| match is {
-        RosterKey::Ids => {
-            let alone = std::slice::from_ref(*other);
-            words.iter().any(|word| !with_id(word, alone).is_empty())
-        }
-        RosterKey::Names if other.name.split_whitespace().count() < 2 => false,
-        RosterKey::Names => {
-            let begins = |at: usize, name: &str| {
-                whole[at..].starts_with(name) && places.binary_search(&(at + name.len())).is_ok()
-            };
-            let names = turned(&other.name, &folded);
-            places
-                .iter()
-                .any(|at| names.iter().any(|name| begins(*at, name)))
-        }
+    let is_there = |other: &&Person| {
+        let begins = |at: usize, name: &str| {
+            whole[at..].starts_with(name) && places.binary_search(&(at + name.len())).is_ok()
+        };
+        let names = turned(&other.name, &folded);
+        let mut places = places.iter();
+        places.any(|at| names.iter().any(|name| begins(*at, name)))
     };
-    people.iter().filter(is_there).collect()
-}
-
-enum RosterKey {
-    Ids,
-    Names,
+    let have_two_words = |other: &&Person| other.name.split_whitespace().count() > 1;
+    people
+        .iter()
+        .filter(have_two_words)
+        .filter(is_there)
+        .collect()
 }
 
 /// The people that a sign may mean, and how much it proves if it means only one.
@@ -209,8 +213,8 @@ pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) 
                 found.extend(calling_themselves(name, people, |it| it.group.as_ref()));
                 found
             };
-            let by_word = || among_words(name, people, RosterKey::Ids);
-            let by_words = || among_words(name, people, RosterKey::Names);
+            let by_word = || with_id_among(name, people);
+            let by_words = || named_among(name, people);
             let ways: [(Proof, &dyn Fn() -> Vec<&'a Person>); 4] = [
                 (Proof::Id, &by_id),
                 (Proof::Id, &by_name),
