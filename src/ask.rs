@@ -127,6 +127,11 @@ pub fn ask_watched(
         }
         Ok(next)
     });
+    let is_late = exchange.is_late();
+    if ended.as_ref().is_err_and(is_timeout) && !limit.stop.is_raised() {
+        let at = exchange.still_at(MOST_MESSAGE);
+        reply.still_at = at.filter(|index| reply.answers.get(*index) == Some(&None));
+    }
     let status = end(&mut exchange.child);
     if limit.stop.is_raised() {
         return Err(io::Error::other("its answer is no longer needed"));
@@ -134,7 +139,7 @@ pub fn ask_watched(
     reply.printed = printed(out) + &printed(err);
     if reply.ending == Ending::Complete && reply.missing > 0 {
         reply.ending = match ended {
-            Err(error) if is_timeout(&error) && exchange.is_late() => Ending::TimedOut(limit.wall),
+            Err(error) if is_timeout(&error) && is_late => Ending::TimedOut(limit.wall),
             Err(error) if is_timeout(&error) => Ending::TimedOut(patience),
             Err(error) if is_broken(&error) => Ending::Died(Death::of(status)),
             Err(error) => Ending::Garbled(error.to_string()),

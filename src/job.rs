@@ -167,6 +167,9 @@ pub enum Message {
     Panicked(Panic),
     /// There is no function to ask; nothing more will come.
     Unregistered(Unregistered),
+    /// The place of a question that is still being answered. The asker wants to know it when it
+    /// gives up.
+    StillAt(usize),
 }
 
 /// At most this many answers in a message; small enough that progress is smooth.

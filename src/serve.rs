@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::io::{self, Read, Write};
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 
 use rayon::prelude::*;
@@ -34,6 +34,7 @@ pub fn serve(functions: &[AnswerFn]) -> ExitCode {
                 functions,
                 &receive_job(&mut io::stdin().lock())?,
                 &Mutex::new(&mut out),
+                &Progress::default(),
             )
         }),
         None => serve_through_stdin(functions),
@@ -75,8 +76,17 @@ fn serve_through_stdin(functions: &[AnswerFn]) -> io::Result<()> {
 
     let mut socket = UnixStream::from(io::stdin().as_fd().try_clone_to_owned()?);
     let job = receive_job(&mut socket)?;
-    let results = Mutex::new(listen_to(socket.try_clone()?));
+    let asker = socket.try_clone()?;
     let out = Arc::new(Mutex::new(io::BufWriter::new(socket)));
+    let progress = Arc::new(Progress::new(&job));
+    let (saying, at) = (out.clone(), progress.clone());
+    let say_where = move || {
+        if let Some(index) = at.first() {
+            // If the asker is gone, nobody wants to know.
+            let _ = job::send(&Message::StillAt(index), &mut *lock(&saying));
+        }
+    };
+    let results = Mutex::new(listen_to(asker, say_where));
     let asking = out.clone();
     kind::ask_tests_with(move |index, test| {
         // Hold the lock until the result is here, so that no other thread takes it.
@@ -87,7 +97,34 @@ fn serve_through_stdin(functions: &[AnswerFn]) -> io::Result<()> {
             None => std::process::exit(UNSENT.into()),
         }
     });
-    answer_job(functions, &job, &out)
+    answer_job(functions, &job, &out, &progress)
+}
+
+/// For each chunk of a job, the place of the question that is being answered.
+#[derive(Default)]
+struct Progress(Vec<AtomicUsize>);
+
+impl Progress {
+    /// No question has the last place that a number can hold.
+    const IDLE: usize = usize::MAX;
+
+    fn new(job: &Job) -> Progress {
+        let chunks = 0..job.len().div_ceil(CHUNK);
+        Progress(chunks.map(|_| AtomicUsize::new(Self::IDLE)).collect())
+    }
+
+    fn set(&self, chunk: usize, index: usize) {
+        if let Some(place) = self.0.get(chunk) {
+            place.store(index, Ordering::Relaxed);
+        }
+    }
+
+    /// The first question that is being answered.
+    #[cfg(unix)]
+    fn first(&self) -> Option<usize> {
+        let places = self.0.iter().map(|place| place.load(Ordering::Relaxed));
+        places.filter(|index| *index != Self::IDLE).min()
+    }
 }
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -103,11 +140,18 @@ pub(crate) const ENOUGH_ERRORS: u8 = 2;
 /// What the asker sends before the result of a test.
 pub(crate) const TEST_RESULT: u8 = 3;
 
+/// What the asker sends to learn which question is still being answered.
+pub(crate) const STILL_AT: u8 = 4;
+
 /// Ends this process when the asker is gone, even if the student's code loops forever. Once
 /// the asker has read enough, discards what the code prints, because writing to a pipe
-/// takes ten times as long. Passes on the results of tests.
+/// takes ten times as long. Passes on the results of tests. When the asker wants to know which
+/// question is still being answered, calls `say_where`.
 #[cfg(unix)]
-fn listen_to(asker: std::os::unix::net::UnixStream) -> mpsc::Receiver<TestResult> {
+fn listen_to(
+    asker: std::os::unix::net::UnixStream,
+    say_where: impl Fn() + Send + 'static,
+) -> mpsc::Receiver<TestResult> {
     let (sender, results) = mpsc::channel();
     std::thread::spawn(move || {
         let mut asker = io::BufReader::new(asker);
@@ -115,6 +159,7 @@ fn listen_to(asker: std::os::unix::net::UnixStream) -> mpsc::Receiver<TestResult
             let mut word = [0];
             match asker.read(&mut word).map(|_| word[0]) {
                 Ok(stream @ (ENOUGH_OUTPUT | ENOUGH_ERRORS)) => print_nothing_to(stream),
+                Ok(STILL_AT) => say_where(),
                 Ok(TEST_RESULT) => match job::receive(&mut asker, MOST_RESULT) {
                     // If no search waits for the result, it is not needed.
                     Ok(Some(result)) => drop(sender.send(result)),
@@ -154,7 +199,12 @@ fn receive_job(input: &mut impl Read) -> io::Result<Job> {
 }
 
 /// Answers a job, writing messages to `out`.
-fn answer_job(functions: &[AnswerFn], job: &Job, out: &Mutex<impl Write + Send>) -> io::Result<()> {
+fn answer_job(
+    functions: &[AnswerFn],
+    job: &Job,
+    out: &Mutex<impl Write + Send>,
+    progress: &Progress,
+) -> io::Result<()> {
     panic::set_hook(Box::new(remember));
 
     let stop = AtomicBool::new(false);
@@ -165,7 +215,9 @@ fn answer_job(functions: &[AnswerFn], job: &Job, out: &Mutex<impl Write + Send>)
         }
         let first = chunk * CHUNK;
         let indices = first..job.len().min(first + CHUNK);
-        let message = match answer_all(functions, job, indices) {
+        let answered = answer_all(functions, job, indices, |index| progress.set(chunk, index));
+        progress.set(chunk, Progress::IDLE);
+        let message = match answered {
             Ok(answers) => Message::Answers { first, answers },
             // Two cores may fail at once; one report is enough.
             Err(_) if stop.swap(true, Ordering::Relaxed) => return Ok(()),
@@ -175,14 +227,16 @@ fn answer_job(functions: &[AnswerFn], job: &Job, out: &Mutex<impl Write + Send>)
     })
 }
 
-/// The answers to these questions, or why one of them has none.
+/// The answers to these questions, or why one of them has none. Calls `begin` before each.
 fn answer_all(
     functions: &[AnswerFn],
     job: &Job,
     indices: std::ops::Range<usize>,
+    begin: impl Fn(usize),
 ) -> Result<Vec<WireAnswer>, Message> {
     let mut given = Vec::with_capacity(indices.len());
     for index in indices {
+        begin(index);
         match panic::catch_unwind(AssertUnwindSafe(|| job.answer(index, functions))) {
             Ok(Ok(answer)) => given.push(answer),
             Ok(Err(unregistered)) => return Err(Message::Unregistered(unregistered)),

@@ -31,6 +31,9 @@ pub struct Reply {
     searches: Vec<SearchLog>,
     /// How it ended.
     pub ending: Ending,
+    /// The place of a question that was still being answered when time was up, if the submission
+    /// says so.
+    pub still_at: Option<usize>,
     /// How long it took to start: until the first answers came.
     pub start: Duration,
     /// What the student's code printed, standard output and error, cut at
@@ -50,6 +53,7 @@ impl Reply {
             tallies: Vec::new(),
             searches: Vec::new(),
             ending: Ending::Complete,
+            still_at: None,
             start: Duration::ZERO,
             printed: String::new(),
         }
@@ -139,7 +143,10 @@ impl Reply {
     /// If the lengths do not add up to the number of answers.
     pub fn split(mut self, lengths: impl Iterator<Item = usize>) -> Vec<Reply> {
         let mut parts = Vec::new();
+        let mut first = 0;
         for length in lengths {
+            let still_at = self.still_at.and_then(|index| index.checked_sub(first));
+            first += length;
             let rest = self.answers.split_off(length);
             let answers = std::mem::replace(&mut self.answers, rest);
             let missing = answers.iter().filter(|answer| answer.is_none()).count();
@@ -160,6 +167,7 @@ impl Reply {
                 tallies,
                 searches: Vec::new(),
                 ending: self.ending.clone(),
+                still_at: still_at.filter(|index| *index < length),
                 start: self.start,
                 printed: String::new(),
             });
@@ -220,6 +228,7 @@ impl Reply {
                 self.ending = Ending::Unregistered(kind);
                 Ok(Next::End)
             }
+            Message::StillAt(_) => Err("it said where it is without being asked".into()),
             Message::Answers { answers, .. } if answers.is_empty() => {
                 Err("it sent a message without an answer".into())
             }

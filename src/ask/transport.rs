@@ -13,7 +13,7 @@ use crate::job::{self, Job, Message};
 use crate::kind::TestResult;
 use crate::serve::ANSWER;
 #[cfg(unix)]
-use crate::serve::TEST_RESULT;
+use crate::serve::{STILL_AT, TEST_RESULT};
 
 /// A running submission and the connection to it.
 pub(super) struct Exchange {
@@ -112,6 +112,34 @@ impl Exchange {
             }
             Ok(!matches!(next, Next::End))
         })
+    }
+
+    /// Which question is still being answered, after a time-out. Waits a moment for the reply.
+    #[cfg(unix)]
+    pub(super) fn still_at(&mut self, most: usize) -> Option<usize> {
+        let mut stream = DeadlineStream {
+            link: &self.link,
+            deadline: Instant::now() + 4 * PULSE,
+            silence: self.silence,
+            clock: super::wall_clock(),
+            stop: &self.stop,
+        };
+        io::Write::write_all(&mut stream, &[STILL_AT]).ok()?;
+        let mut at = None;
+        // Answers that come now are too late. If the time-out interrupted a message, the rest of
+        // it can't be read, and the question stays unknown.
+        let received = receive_all(&mut stream, most, &mut |message, _| {
+            if let Message::StillAt(index) = message {
+                at = Some(index);
+            }
+            Ok(at.is_none())
+        });
+        received.ok().and(at)
+    }
+
+    #[cfg(not(unix))]
+    pub(super) fn still_at(&mut self, _: usize) -> Option<usize> {
+        None
     }
 
     #[cfg(not(unix))]

@@ -55,6 +55,12 @@ fn started_as_a_submission_it_answers() {
         "endless" => |_: &_, _, _| loop {
             std::hint::spin_loop();
         },
+        "stuck" => |camera: &_, pixel: Pixel, resolution| {
+            while pixel.i == 7 {
+                std::hint::spin_loop();
+            }
+            pixel_as_origin(camera, pixel, resolution)
+        },
         "talkative" => |camera: &_, pixel, resolution| {
             println!("an honest line");
             eprintln!("an honest complaint");

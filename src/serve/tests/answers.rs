@@ -257,6 +257,17 @@ fn endless_loop_ends_at_its_time_limit() {
 }
 
 #[test]
+fn time_out_names_the_question_that_is_still_being_answered() {
+    let second = Duration::from_secs(1);
+    let reply = ask(submission("stuck"), &rays(9), second, &mut |_| {}).unwrap();
+    assert_eq!(reply.ending, Ending::TimedOut(second));
+    assert_eq!(reply.still_at, Some(7));
+    let parts = reply.split([7, 2].into_iter());
+    let at: Vec<_> = parts.iter().map(|part| part.still_at).collect();
+    assert_eq!(at, [None, Some(0)]);
+}
+
+#[test]
 fn what_a_student_prints_is_kept_apart_from_the_answers() {
     let reply = asked("talkative", &rays(3));
     assert_eq!(reply.ending, Ending::Complete);
