@@ -4,7 +4,7 @@ use pinhole::Fact;
 use pinhole::ask::{Ending, Reply};
 use pinhole::film::TESTS;
 use pinhole::heat_map::sum;
-use pinhole::judge::{ChannelVerdict, Mismatch, Verdict};
+use pinhole::judge::{ChannelVerdict, Mismatch, Refusal, Verdict};
 use pinhole::report::digits_to_tell;
 use pinhole::words::number;
 
@@ -71,14 +71,45 @@ fn work(mismatch: Mismatch, asked: &QuestionFilm, reply: &Reply) -> String {
     )
 }
 
-/// The question at which an answer panicked. Empty if there was no panic, or the answer is still
-/// `todo!`.
-pub fn panicked(asked: &QuestionFilm, reply: &Reply) -> Vec<Fact> {
-    match (&reply.ending, asked.job.questions()) {
-        (Ending::Panicked(panic), Some(questions))
-            if !panic.is_unanswered() && panic.index < questions.len() =>
-        {
-            questions.describe(panic.index, &asked.name, DIGITS)
+/// The first question whose answer is not a finite number, and what was given. Empty if the film was
+/// refused for another reason.
+pub fn refused(refusal: &Refusal, asked: &QuestionFilm, reply: &Reply) -> Vec<Fact> {
+    let (Some(questions), Refusal::NotFinite { pixel, .. }) = (asked.job.questions(), refusal)
+    else {
+        return Vec::new();
+    };
+    let index = asked.resolution.index(*pixel);
+    let mut facts = questions.describe(index, &asked.name, DIGITS);
+    let answer = |answer| questions.describe_answer(index, &answer, DIGITS);
+    let expected = answer(questions.expected(asked.golden.film(), index));
+    facts.push(Fact::new("expected", expected));
+    let got = reply.answers.get(index).copied().flatten();
+    facts.extend(got.map(|got| Fact::new("got", answer(got))));
+    facts.push(Fact::new(
+        "note",
+        "0 / 0, ∞ − ∞ and the square root of a negative number are NaN; any other number / 0 is infinite",
+    ));
+    facts
+}
+
+/// The question that an answer did not get past: where it panicked, or where it still was when its
+/// time was up. Empty if that is unknown, or the answer is still `todo!`.
+pub fn unanswered(asked: &QuestionFilm, reply: &Reply) -> Vec<Fact> {
+    let (index, note) = match &reply.ending {
+        Ending::Panicked(panic) if !panic.is_unanswered() => (Some(panic.index), None),
+        Ending::TimedOut(_) => (
+            reply.still_at,
+            Some(
+                "your code was still at this question; can its loops and calls of itself end here?",
+            ),
+        ),
+        _ => (None, None),
+    };
+    match (index, asked.job.questions()) {
+        (Some(index), Some(questions)) if index < questions.len() => {
+            let mut facts = questions.describe(index, &asked.name, DIGITS);
+            facts.extend(note.map(|note| Fact::new("note", note)));
+            facts
         }
         _ => Vec::new(),
     }

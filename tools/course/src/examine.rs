@@ -215,14 +215,16 @@ impl Examiner<'_> {
             for (film, reply) in films.iter().zip(replies.by_ref()) {
                 let judged = self.judge(reply, film, Some(&task.name))?;
                 let worst = match &judged.verdict {
-                    Some(verdict) => {
+                    Some(Ok(verdict)) => {
                         let mut facts = describe::worst(verdict, film, reply);
                         if self.interactive && !printed.is_empty() {
                             facts.extend(self.printed_by_worst(task, verdict, film)?);
                         }
                         facts
                     }
-                    None if self.interactive => describe::panicked(film, reply),
+                    Some(Err(refusal)) => describe::refused(refusal, film, reply),
+                    // Which question it is, only the student's code says.
+                    None if self.interactive => describe::unanswered(film, reply),
                     None => Vec::new(),
                 };
                 let outcome = judged.outcome.clone();

@@ -263,6 +263,43 @@ fn a_panic_is_reported_with_file_and_line() {
 }
 
 #[test]
+fn question_that_stops_an_answer_is_shown() {
+    let stops = [
+        ("panic", "let none: Vec<f64> = Vec::new(); let _ = none[3];"),
+        (
+            "loop",
+            "while self.normal != ray.origin { std::hint::black_box(0); }",
+        ),
+        (
+            "nan",
+            "return Some(Intersection { t: f64::NAN, normal: self.normal });",
+        ),
+    ];
+    for (name, body) in stops {
+        let text = with_body("plane", body);
+        let folder = submission(&trusted(), &format!("stops-{name}"), &[("plane.rs", &text)]);
+        let folder = folder.to_str().expect("a plain name");
+        let plane = [
+            "check",
+            folder,
+            "--task",
+            "plane",
+            "--timeout",
+            "2",
+            "--json",
+        ];
+        let examination = pinhole(&plane).expect_code(1).json();
+        let groups = task(&examination, "plane")["groups"].as_array();
+        let facts = |group: &Value| group["worst"].as_array().cloned().unwrap_or_default();
+        let shown: Vec<Value> = groups.expect("a list").iter().flat_map(facts).collect();
+        let labels: Vec<_> = shown.iter().map(|fact| &fact["label"]).collect();
+        assert_eq!(labels[..2], ["ray", "plane"], "{name}: {examination:#}");
+        let note = labels.iter().any(|label| **label == "note");
+        assert_eq!(note, name != "panic", "{name}: {labels:?}");
+    }
+}
+
+#[test]
 fn exiting_early_or_printing_points_earns_nothing_and_harms_no_other_task() {
     let text = with_body(
         "plane",

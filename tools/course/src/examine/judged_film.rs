@@ -7,7 +7,7 @@ use pinhole::Film;
 use pinhole::ask::{Ending, Reply};
 use pinhole::film::TESTS;
 use pinhole::job::Panic;
-use pinhole::judge::{Verdict, judge};
+use pinhole::judge::{Refusal, Verdict, judge};
 use pinhole::kind::Questions;
 
 use super::Examiner;
@@ -22,14 +22,19 @@ use crate::timings::timed;
 pub(super) struct JudgedFilm {
     pub outcome: FilmOutcome,
     pub film: Option<Film>,
-    pub verdict: Option<Verdict>,
+    pub verdict: Option<std::result::Result<Verdict, Refusal>>,
 }
 
 impl JudgedFilm {
+    /// The verdict, if the film could be compared.
+    pub fn verdict(&self) -> Option<&Verdict> {
+        self.verdict.as_ref()?.as_ref().ok()
+    }
+
     /// What can be drawn of the answers.
     pub fn picture(&self, asked: &QuestionFilm, reply: &Reply) -> Option<Picture> {
         let film = self.film.as_ref()?;
-        let (channel, worst) = describe::worst_of(self.verdict.as_ref()?)?;
+        let (channel, worst) = describe::worst_of(self.verdict()?)?;
         // Here, all hits are right. The tests of a search with wrong hits would mean nothing.
         if channel.name == TESTS {
             return Some(Picture::Tests {
@@ -68,7 +73,13 @@ impl Examiner<'_> {
         }
         let film = reply.film(asked.resolution);
         let verdict = timed("judge", || judge(&asked.golden, &film));
-        let outcome = FilmOutcome::from(&verdict);
+        let outcome = match &verdict {
+            // The pixel of a question film means nothing to a student, who sees the question.
+            Err(Refusal::NotFinite { channel, .. }) if task.is_some() => FilmOutcome::Refused {
+                why: format!("`{channel}` of an answer is NaN or infinite"),
+            },
+            verdict => FilmOutcome::from(verdict),
+        };
         if let Some(second) = self.second_judge {
             timed("oiiotool", || {
                 second.confirm(&film, &asked.golden_path, outcome.passes())
@@ -77,7 +88,7 @@ impl Examiner<'_> {
         Ok(JudgedFilm {
             outcome,
             film: Some(film),
-            verdict: verdict.ok(),
+            verdict: Some(verdict),
         })
     }
 }

@@ -149,7 +149,10 @@ impl Examiner<'_> {
             false => OwnRays::Unknown,
         };
         let outcome = SceneOutcome::new(scene.name.clone(), scene.worth, outcome, seconds);
-        let (cast, verdict) = judged.map_or((None, None), |judged| (judged.film, judged.verdict));
+        let (cast, verdict) = match judged {
+            Some(judged) => (judged.film, judged.verdict.and_then(|verdict| verdict.ok())),
+            None => (None, None),
+        };
         let film = SceneFilm {
             file: scene.file.clone(),
             argument: scene.argument.clone(),

@@ -54,7 +54,7 @@ pub struct GroupOutcome {
     /// The outcome of the first film that does not pass, if any.
     pub outcome: FilmOutcome,
     /// The worst question: what was asked, expected and given, or the question at which the code
-    /// panicked. Empty if no answer is wrong.
+    /// panicked, ran out of time, or gave a number that is not finite. Empty if no answer is wrong.
     #[cfg_attr(test, schemars(with = "Vec<super::tests::FactSchema>"))]
     pub worst: Vec<Fact>,
     /// Whether it passes the public questions but fails fresh ones.

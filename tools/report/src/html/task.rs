@@ -48,7 +48,7 @@ pub struct GroupRow {
     pub said: String,
     /// Whether it has answers, and therefore a worst one.
     pub judged: bool,
-    /// The worst question, or the one at which the code panicked, fact by fact.
+    /// The worst question, or the one that the code did not get past, fact by fact.
     pub worst: Vec<Fact>,
     /// Heat maps of how many tests each question took, if they are counted.
     pub heat: Option<HeatMaps>,
