@@ -31,6 +31,7 @@ pub enum Command {
     Check(Check),
     Render(Render),
     Explain(Explain),
+    Examples(Examples),
     Diff(Diff),
     Reset(Reset),
     Doctor(Doctor),
@@ -44,6 +45,7 @@ impl Command {
             Command::Check(arguments) => arguments.json,
             Command::Render(arguments) => arguments.json,
             Command::Explain(arguments) => arguments.json,
+            Command::Examples(arguments) => arguments.json,
             Command::Diff(arguments) => arguments.json,
             Command::Reset(arguments) => arguments.json,
             Command::Doctor(arguments) => arguments.json,
@@ -175,6 +177,44 @@ pub struct Explain {
     /// Open the page of the book that helps with the first wrong answer
     #[arg(long, conflicts_with = "json")]
     pub read: bool,
+    /// Print one JSON document on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Work out answers by hand, and see how many mistakes they would catch
+///
+/// Do this before you write any code, to find out whether you understand a task. You choose some of
+/// its public questions and write down the answers. For each answer, this says whether Mitsuba gives
+/// it too. It also counts how many of the mistakes that people make in this task give another
+/// answer to one of your questions. A right example that catches no mistake is too easy.
+///
+/// To begin, let it write a file with one question of each group, and no answers:
+///
+/// cargo pinhole examples --new sphere
+///
+/// An answer looks like this. Three digits are enough:
+///
+/// [[example]]
+/// group = "inside"
+/// question = 3
+/// hit = true
+/// t = 1.25
+/// normal = [0, 0.6, 0.8]
+///
+/// Where nothing is hit, write `hit = false` and no numbers. You may leave a part out, such as the
+/// normal, but then no mistake in that part is caught. An example without any answer is shown as a
+/// question. No points depend on examples.
+#[derive(Args)]
+#[command(verbatim_doc_comment)]
+pub struct Examples {
+    /// The file with your examples
+    pub file: Option<PathBuf>,
+    /// Write a file with questions about this task [default file: TASK.examples.toml]
+    #[arg(long, value_name = "TASK")]
+    pub new: Option<String>,
+    #[command(flatten)]
+    pub assignment: AssignmentOption,
     /// Print one JSON document on standard output
     #[arg(long)]
     pub json: bool,

@@ -4,6 +4,7 @@ mod check;
 mod completions;
 mod diff;
 mod doctor;
+mod examples;
 mod explain;
 mod read;
 mod render;
@@ -22,6 +23,7 @@ pub fn run(cli: Cli) -> Result<Status> {
         Command::Check(arguments) => check::run(&checkout, &arguments),
         Command::Render(arguments) => render::run(&checkout, &arguments),
         Command::Explain(arguments) => explain::run(&checkout, &arguments),
+        Command::Examples(arguments) => examples::run(&checkout, &arguments),
         Command::Diff(arguments) => diff::run(&checkout, &arguments),
         Command::Reset(arguments) => reset::run(&checkout, &arguments),
         Command::Doctor(arguments) => doctor::run(&checkout, &arguments),

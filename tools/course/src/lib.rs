@@ -12,6 +12,7 @@ pub mod describe;
 pub mod diagnosis;
 pub mod error;
 pub mod examine;
+pub mod examples;
 pub mod explanation;
 pub mod goldens;
 pub mod handout_record;

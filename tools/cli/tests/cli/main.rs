@@ -6,6 +6,7 @@ mod check;
 mod container;
 mod diff;
 mod doctor;
+mod examples;
 mod explain;
 #[cfg(target_os = "linux")]
 mod hostile;

@@ -71,6 +71,7 @@ const FOLDERS: [(&str, &[&str]); 8] = [
             "outcome",
             "examine",
             "explanation",
+            "examples",
         ],
     ),
     (

@@ -1,0 +1,110 @@
+//! `pinhole examples`: judges answers that a student has worked out by hand.
+
+use std::fs::File;
+use std::io::Write;
+use std::path::Path;
+
+use clap::CommandFactory;
+use serde_json::json;
+
+use crate::cli::{Cli, Examples};
+use pinhole_course::checkout::Checkout;
+use pinhole_course::error::{Error, Result, ResultExt};
+use pinhole_course::examples::{self, JudgedExample, JudgedExamples, Verdict};
+use pinhole_report::escape::printable;
+use pinhole_report::program::Status;
+use pinhole_report::terminal::{self, FAIL, PASS, QUIET, STRONG};
+
+pub fn run(checkout: &Checkout, arguments: &Examples) -> Result<Status> {
+    let file = arguments.file.as_deref();
+    let assignment = arguments.assignment.find(checkout, file)?;
+    if let Some(task) = &arguments.new {
+        let named = format!("{task}.examples.toml");
+        let file = file.unwrap_or(Path::new(&named));
+        write_new(file, &examples::new_file(task, &assignment, file)?)?;
+        let shown = printable(&file.display().to_string());
+        match arguments.json {
+            true => anstream::println!("{:#}", json!({ "task": task, "file": shown })),
+            false => anstream::println!("wrote {shown}; the comments in it say how to go on"),
+        }
+        return Ok(Status::Well);
+    }
+    let Some(file) = file else {
+        let mut help = Cli::command();
+        help.build();
+        let help = help.find_subcommand_mut("examples");
+        let help = help.map(|it| it.render_long_help().ansi().to_string());
+        anstream::println!("{}", help.unwrap_or_default());
+        return Ok(Status::Well);
+    };
+    let judged = examples::judge_file(file, &assignment)?;
+    match arguments.json {
+        true => anstream::println!("{:#}", json!(judged)),
+        false => print(&judged),
+    }
+    Ok(match judged.count(Verdict::Wrong) {
+        0 => Status::Well,
+        _ => Status::JudgedWrong,
+    })
+}
+
+/// Writes a file, unless it exists.
+fn write_new(file: &Path, text: &str) -> Result<()> {
+    let wrong = Error::input(
+        format!("cannot write {}", file.display()),
+        "name a file that does not exist yet: cargo pinhole examples --new TASK FILE",
+    );
+    let mut file = File::create_new(file).or_fail(&wrong)?;
+    file.write_all(text.as_bytes()).or_fail(&wrong)
+}
+
+fn print(judged: &JudgedExamples) {
+    for example in &judged.examples {
+        let (style, mark) = match example.verdict {
+            Verdict::Right => (PASS, '✓'),
+            Verdict::Wrong => (FAIL, '✗'),
+            Verdict::Unanswered => (QUIET, '?'),
+        };
+        let JudgedExample {
+            group, question, ..
+        } = example;
+        let said = said(example);
+        let named = format!("{group} {question:<4} {said}");
+        anstream::println!("{style}{mark}{style:#} {}", named.trim_end());
+        if example.verdict != Verdict::Right {
+            for row in terminal::facts(&example.asked).lines() {
+                anstream::println!("      {row}");
+            }
+        }
+    }
+    anstream::println!("{STRONG}{}{STRONG:#}", summary(judged));
+}
+
+fn said(example: &JudgedExample) -> String {
+    match (example.verdict, example.wrong.as_slice()) {
+        (Verdict::Right, _) => String::new(),
+        (Verdict::Unanswered, _) => "has no answer yet".into(),
+        (Verdict::Wrong, ["hit"]) => "Mitsuba does not agree whether there is a hit".into(),
+        (Verdict::Wrong, parts) => format!("Mitsuba gives another {}", parts.join(" and another ")),
+    }
+}
+
+fn summary(judged: &JudgedExamples) -> String {
+    let JudgedExamples {
+        caught, mistakes, ..
+    } = judged;
+    let of_all = format!("{mistakes} mistakes that people make in this task");
+    match (judged.count(Verdict::Right), caught) {
+        (0, _) => format!("No example is right yet. Right ones can catch {of_all}."),
+        (right, _) if caught == mistakes => {
+            format!("Your {right} right examples catch all {of_all}.")
+        }
+        (right, _) => format!(
+            "Your {} {caught} of {of_all}.",
+            match right {
+                1 => "right example catches".into(),
+                _ => format!("{right} right examples catch"),
+            }
+        ),
+    }
+}

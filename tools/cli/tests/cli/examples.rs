@@ -1,0 +1,130 @@
+//! `pinhole examples`, on the real questions.
+
+use std::fs;
+
+use pinhole_testing::{RunResult, fresh, pinhole, trusted};
+
+/// Judges a file with these examples of `sphere`, and prints JSON if `more` says so.
+fn examples(name: &str, entries: &str, more: &[&str]) -> RunResult {
+    let file = fresh(&trusted(), name).join("mine.toml");
+    fs::write(&file, format!("task = \"sphere\"\n{entries}")).expect("there is room");
+    let file = file.to_str().expect("a plain name");
+    pinhole(&[&["examples", file], more].concat())
+}
+
+/// Worked out by hand from what `examples` shows, to three digits.
+const INSIDE: &str = "
+[[example]]
+group = \"inside\"
+question = 0
+t = 7.62
+normal = [-0.297, 0.865, -0.405]
+";
+
+#[test]
+fn right_examples_catch_mistakes_and_wrong_ones_do_not() {
+    let others = "
+[[example]]
+group = \"behind\"
+question = 0
+hit = true
+[[example]]
+group = \"outside\"
+question = 0
+t = 2.95
+[[example]]
+group = \"min_t\"
+question = 0
+";
+    let ran = examples("examples-mixed", &format!("{INSIDE}{others}"), &[]).expect_code(1);
+    let shown = "\
+✓ inside 0
+✗ behind 0    Mitsuba does not agree whether there is a hit
+      ray       e = (0.995187, 1.64379, 0.851272), d = (1.14329, 0.0358736, 2.01817), min_t = 0
+      sphere    c = (0.177377, 1.55632, −0.552883), r = 0.779484
+✗ outside 0    Mitsuba gives another t
+      ray       e = (1.32633, −1.68963, −2.51568), d = (−0.409965, 0.370522, 0.123017), min_t = 0.682183
+      sphere    c = (0.00838233, −0.274514, −2.05823), r = 0.356689
+? min_t 0    has no answer yet
+      ray       e = (−0.604397, 0.621652, 1.47262), d = (0.0654969, −0.544595, −1.21249), min_t = 4.76395
+      sphere    c = (−0.936986, −1.41048, −2.63703), r = 1.20715
+Your right example catches 19 of 25 mistakes that people make in this task.
+";
+    assert_eq!(ran.out, shown);
+}
+
+#[test]
+fn each_answer_catches_what_it_tells_apart() {
+    let caught = |name, entries: &str| {
+        let judged = examples(name, entries, &["--json"]).expect_code(0).json();
+        judged["caught"].as_u64().expect("a number")
+    };
+    let whole = caught("examples-whole", INSIDE);
+    let hit = "[[example]]\ngroup = \"inside\"\nquestion = 0\nhit = true\n";
+    let only_hit = caught("examples-hit", hit);
+    let only_t = caught("examples-t", &format!("{hit}t = 7.62\n"));
+    assert!(0 < only_hit && only_hit < only_t && only_t < whole);
+    let none = caught("examples-none", &hit.replace("hit = true", ""));
+    assert_eq!(none, 0);
+}
+
+#[test]
+fn examples_begin_with_a_file_of_questions() {
+    let folder = fresh(&trusted(), "examples-new");
+    let file = folder.join("sphere.toml");
+    let file = file.to_str().expect("a plain name");
+    let new = ["examples", "--new", "sphere", file];
+    pinhole(&new).expect_code(0);
+    let text = fs::read_to_string(file).expect("it was written");
+    let ran = pinhole(&["examples", file]).expect_code(0);
+    assert_eq!(ran.out.matches("has no answer yet").count(), 9);
+    ran.expect_out("No example is right yet. Right ones can catch 25 mistakes");
+    pinhole(&new)
+        .expect_code(2)
+        .expect_err("does not exist yet");
+    // Each answer needs only its # removed.
+    let filled = text.replace("# hit = false", "hit = true");
+    let filled = filled
+        .replace("# t =", "t =")
+        .replace("# normal =", "normal =");
+    fs::write(file, filled).expect("there is room");
+    pinhole(&["examples", file]).expect_code(1);
+    pinhole(&["examples"])
+        .expect_code(0)
+        .expect_out("examples --new sphere");
+}
+
+#[test]
+fn malformed_examples_are_refused_with_file_place_and_remedy() {
+    let entry = |rest: &str| format!("[[example]]\ngroup = \"inside\"\nquestion = {rest}\n");
+    for (entries, problem) in [
+        (entry("96"), ":2: `inside` has no question 96"),
+        (entry("-1"), "line 4, column 12"),
+        (entry("1\nt = \"1\""), "line 5, column 5"),
+        (entry("1\nspeed = 1"), "line 5, column 1"),
+        (entry("1\nnormal = [0, 1]"), "line 5, column 10"),
+        (
+            entry("1\nmin = [0, 0, 0]"),
+            ":2: an answer to this question has no `min`",
+        ),
+        (
+            entry("1\nhit = false\nt = 1"),
+            ":2: nothing is hit, but there are numbers of a hit",
+        ),
+        (
+            entry("1").replace("inside", "scenes"),
+            ":2: there is no group `scenes` of public questions",
+        ),
+    ] {
+        let ran = examples("examples-malformed", &entries, &[]).expect_code(2);
+        ran.expect_err("mine.toml")
+            .expect_err(problem)
+            .expect_err("remedy: ");
+    }
+    let ran = examples("examples-infinite", &entry("1\nt = inf"), &[]);
+    ran.expect_code(1).expect_out("Mitsuba gives another t");
+    let trees = ["examples", "--new", "build_tree", "--assignment"];
+    pinhole(&[trees.as_slice(), &["bounding_volumes"]].concat())
+        .expect_code(2)
+        .expect_err("many answers are right");
+}
