@@ -22,10 +22,22 @@ def spread(rng):
 
 
 def long(rng):
-    """Many triangles along one axis, the boxes much longer than wide."""
+    """Many triangles along one axis, all together much longer than wide.
+
+    In half of the questions, the centres lie at multiples of 4 along that axis. Most lists
+    to split then have centres exactly in the middle, which must not be lost.
+    """
     reach = rng.permutation([30, 1, 1])
-    centres = rng.uniform(-1, 1, (rng.integers(16, SLOTS + 1), 3)) * reach
-    return ask(around(rng, centres, 0.5))
+    count = rng.integers(16, SLOTS + 1)
+    centres = rng.uniform(-1, 1, (count, 3)) * reach
+    if rng.uniform() < 0.5:
+        return ask(around(rng, centres, 0.5))
+    axis = np.argmax(reach)
+    centres[:, axis] = 4 * np.round(centres[:, axis] / 4)
+    half = rng.uniform(0.02, 0.25, (count, 3))
+    # Min and max are stored as float32. Their mean is exact with these sides.
+    half[:, axis] = rng.integers(1, 9, count) / 32
+    return ask(np.stack([centres - half, centres + half], axis=1))
 
 
 def flat(rng):
