@@ -56,8 +56,10 @@ fn started_as_a_submission_it_answers() {
             std::hint::spin_loop();
         },
         "stuck" => |camera: &_, pixel: Pixel, resolution| {
-            while pixel.i == 7 {
-                std::hint::spin_loop();
+            if pixel.i == 7 {
+                loop {
+                    std::hint::spin_loop();
+                }
             }
             pixel_as_origin(camera, pixel, resolution)
         },
