@@ -26,7 +26,7 @@ pub struct Contestant<S: 'static> {
     pub workload: fn(&[Question<S>]) -> Workload<'static>,
 }
 
-impl<S: Shape<With<f64> = S>> Contestant<S> {
+impl<S: Shape<Number = f64>> Contestant<S> {
     /// Wraps a kernel `K` that computes with `F`.
     pub fn new<K, F>(data: Data, numbers: &'static str) -> Contestant<S>
     where
@@ -43,7 +43,7 @@ impl<S: Shape<With<f64> = S>> Contestant<S> {
     }
 }
 
-fn of<S: Shape, F: Real>(question: &Question<S>) -> (S::With<F>, Ray<F>, F) {
+fn of<S: Shape<Number = f64>, F: Real>(question: &Question<S>) -> (S::With<F>, Ray<F>, F) {
     (
         question.shape.map(F::of, F::of),
         question.ray.map(F::of, F::of),
@@ -51,7 +51,12 @@ fn of<S: Shape, F: Real>(question: &Question<S>) -> (S::With<F>, Ray<F>, F) {
     )
 }
 
-fn answer<K: Kernel<S::With<F>, F>, S: Shape, F: Real>(question: &Question<S>) -> Option<f64> {
+fn answer<K, S, F>(question: &Question<S>) -> Option<f64>
+where
+    K: Kernel<S::With<F>, F>,
+    S: Shape<Number = f64>,
+    F: Real,
+{
     let (shape, ray, min_t) = of::<S, F>(question);
     K::intersect(&shape, &K::prepare(&ray), min_t).map(F::wide)
 }
@@ -59,7 +64,7 @@ fn answer<K: Kernel<S::With<F>, F>, S: Shape, F: Real>(question: &Question<S>) -
 fn workload<K, S, F>(questions: &[Question<S>]) -> Workload<'static>
 where
     K: Kernel<S::With<F>, F>,
-    S: Shape,
+    S: Shape<Number = f64>,
     F: Real,
 {
     let prepared = |question| {
@@ -76,11 +81,11 @@ where
 fn cast<K, S, F>(pairs: &[(S::With<F>, K::PreparedRay, F)]) -> F
 where
     K: Kernel<S::With<F>, F>,
-    S: Shape,
+    S: Shape<Number = f64>,
     F: Real,
 {
     let hits = pairs
         .iter()
         .filter_map(|(shape, ray, min_t)| K::intersect(shape, ray, *min_t));
-    hits.fold(F::ZERO, |sum, t| sum + t)
+    hits.fold(F::zero(), |sum, t| sum + t)
 }

@@ -107,55 +107,17 @@ impl Mul for DoubleDouble {
     }
 }
 
-/// A vector of double-doubles.
-#[derive(Clone, Copy, Debug)]
-pub struct DoubleVector([DoubleDouble; 3]);
-
-impl DoubleVector {
+impl Vector<DoubleDouble> {
     /// `a` − `b`, exactly.
     #[inline(always)]
-    pub fn between(a: Vector<f64>, b: Vector<f64>) -> DoubleVector {
+    pub fn between(a: Vector<f64>, b: Vector<f64>) -> Vector<DoubleDouble> {
         let less = |a: f64, b: f64| DoubleDouble::sum(a, -b);
-        DoubleVector([less(a.x, b.x), less(a.y, b.y), less(a.z, b.z)])
-    }
-
-    /// Converts a vector exactly.
-    #[inline(always)]
-    pub fn of(vector: Vector<f64>) -> DoubleVector {
-        DoubleVector(vector.array().map(DoubleDouble::from))
-    }
-
-    /// The largest component's magnitude, rounded.
-    #[inline(always)]
-    pub fn largest(self) -> f64 {
-        let [x, y, z] = self.0.map(|component| component.high.abs());
-        x.max(y).max(z)
+        Vector::new(less(a.x, b.x), less(a.y, b.y), less(a.z, b.z))
     }
 
     /// The nearest vector of floats.
     #[inline(always)]
     pub fn rounded(self) -> Vector<f64> {
-        let [x, y, z] = self.0.map(|component| component.high);
-        Vector::new(x, y, z)
-    }
-
-    /// self + `factor` × `other`.
-    #[inline(always)]
-    pub fn plus(self, factor: DoubleDouble, other: DoubleVector) -> DoubleVector {
-        DoubleVector([0, 1, 2].map(|axis| self.0[axis] + factor * other.0[axis]))
-    }
-
-    /// The dot product.
-    #[inline(always)]
-    pub fn dot(self, other: DoubleVector) -> DoubleDouble {
-        let ([a, b, c], [x, y, z]) = (self.0, other.0);
-        a * x + b * y + c * z
-    }
-
-    /// The cross product.
-    #[inline(always)]
-    pub fn cross(self, other: DoubleVector) -> DoubleVector {
-        let ([a, b, c], [x, y, z]) = (self.0, other.0);
-        DoubleVector([b * z - c * y, c * x - a * z, a * y - b * x])
+        self.map(|component| component.high)
     }
 }

@@ -53,6 +53,11 @@ impl Dyadic {
         (bits > 0).then_some(self.exponent + bits - 1)
     }
 
+    /// self × self.
+    pub fn squared(self) -> Dyadic {
+        self.clone() * self
+    }
+
     /// self × 2^`power`.
     pub fn times_power_of_two(mut self, power: i64) -> Dyadic {
         self.exponent += power;
@@ -100,28 +105,26 @@ impl Dyadic {
     }
 
     /// The integers of two numbers, brought to the smaller of their exponents.
-    fn aligned(&self, other: &Dyadic) -> (BigInt, BigInt, i64) {
+    fn aligned(self, other: Dyadic) -> (BigInt, BigInt, i64) {
         let exponent = self.exponent.min(other.exponent);
-        let at = |number: &Dyadic| &number.integer << (number.exponent - exponent);
+        let at = |number: Dyadic| number.integer << (number.exponent - exponent);
         (at(self), at(other), exponent)
     }
 }
 
-impl Add for &Dyadic {
+impl Add for Dyadic {
     type Output = Dyadic;
-    fn add(self, other: &Dyadic) -> Dyadic {
+    fn add(self, other: Dyadic) -> Dyadic {
         let (a, b, exponent) = self.aligned(other);
         let integer = a + b;
         Dyadic { integer, exponent }
     }
 }
 
-impl Sub for &Dyadic {
+impl Sub for Dyadic {
     type Output = Dyadic;
-    fn sub(self, other: &Dyadic) -> Dyadic {
-        let (a, b, exponent) = self.aligned(other);
-        let integer = a - b;
-        Dyadic { integer, exponent }
+    fn sub(self, other: Dyadic) -> Dyadic {
+        self + -other
     }
 }
 
@@ -133,53 +136,24 @@ impl Neg for Dyadic {
     }
 }
 
-impl Mul for &Dyadic {
+impl Mul for Dyadic {
     type Output = Dyadic;
-    fn mul(self, other: &Dyadic) -> Dyadic {
+    fn mul(self, other: Dyadic) -> Dyadic {
         Dyadic {
-            integer: &self.integer * &other.integer,
+            integer: self.integer * other.integer,
             exponent: self.exponent + other.exponent,
         }
     }
 }
 
-/// A vector of dyadic rationals.
-#[derive(Clone, Debug)]
-pub struct DyadicVector(pub [Dyadic; 3]);
-
-impl DyadicVector {
-    /// A vector of finite numbers, exactly.
-    pub fn of(vector: Vector<f64>) -> DyadicVector {
-        DyadicVector(vector.array().map(Dyadic::of))
-    }
-
-    /// The dot product.
-    pub fn dot(&self, other: &DyadicVector) -> Dyadic {
-        let ([a, b, c], [x, y, z]) = (&self.0, &other.0);
-        &(&(a * x) + &(b * y)) + &(c * z)
-    }
-
-    /// The cross product.
-    pub fn cross(&self, other: &DyadicVector) -> DyadicVector {
-        let ([a, b, c], [x, y, z]) = (&self.0, &other.0);
-        let minor = |p: &Dyadic, q: &Dyadic, r: &Dyadic, s: &Dyadic| &(p * q) - &(r * s);
-        DyadicVector([minor(b, z, c, y), minor(c, x, a, z), minor(a, y, b, x)])
-    }
-
+impl Vector<Dyadic> {
     /// The unit vector along it. All components are first scaled by the same power of two, so
     /// that none overflows. A component that vanishes beside the largest becomes 0.
-    pub fn unit(self) -> Vector<f64> {
-        let largest = self.0.iter().filter_map(Dyadic::magnitude).max();
+    pub fn rounded_unit(self) -> Vector<f64> {
+        let components = self.array();
+        let largest = components.iter().filter_map(Dyadic::magnitude).max();
         let down = -largest.unwrap_or(0);
-        let [x, y, z] = self.0.map(|it| it.times_power_of_two(down).rounded());
+        let [x, y, z] = components.map(|it| it.times_power_of_two(down).rounded());
         Vector::new(x, y, z).unit()
-    }
-}
-
-impl Sub for &DyadicVector {
-    type Output = DyadicVector;
-    fn sub(self, other: &DyadicVector) -> DyadicVector {
-        let ([a, b, c], [x, y, z]) = (&self.0, &other.0);
-        DyadicVector([a - x, b - y, c - z])
     }
 }

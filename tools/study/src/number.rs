@@ -1,44 +1,19 @@
 //! The operations that kernels need from a number, so that one kernel serves `f32` and `f64`.
 
 use std::fmt::Debug;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use num_traits::Float;
 
 /// `f32` or `f64`: a binary floating-point number, rounded to nearest (IEEE 754).
-pub trait Real:
-    Copy
-    + Debug
-    + PartialOrd
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
-    + Send
-    + Sync
-    + 'static
-{
+pub trait Real: Float + Debug + Send + Sync + 'static {
     /// The name in tables.
     const NAME: &'static str;
-    /// 0.
-    const ZERO: Self;
-    /// 1.
-    const ONE: Self;
     /// The largest relative error of one rounding: 2⁻²⁴ or 2⁻⁵³.
     const UNIT_ROUNDOFF: Self;
     /// Rounds to this type.
     fn of(value: f64) -> Self;
     /// The same number as an `f64`.
     fn wide(self) -> f64;
-    /// The square root, correctly rounded.
-    fn sqrt(self) -> Self;
-    /// self × factor + summand with a single rounding.
-    fn mul_add(self, factor: Self, summand: Self) -> Self;
-    /// The magnitude.
-    fn abs(self) -> Self;
-    /// The larger of two numbers.
-    fn max(self, other: Self) -> Self;
-    /// Whether it is neither infinite nor NaN.
-    fn is_finite(self) -> bool;
     /// self × 2^`power`, exact unless the result leaves the type's range.
     fn times_power_of_two(self, power: i32) -> Self;
 }
@@ -66,8 +41,6 @@ macro_rules! real {
     ($type:ident, $bits:ident, $mantissa:expr, $unit:expr) => {
         impl Real for $type {
             const NAME: &'static str = stringify!($type);
-            const ZERO: Self = 0.0;
-            const ONE: Self = 1.0;
             const UNIT_ROUNDOFF: Self = $unit;
             #[inline(always)]
             fn of(value: f64) -> Self {
@@ -76,26 +49,6 @@ macro_rules! real {
             #[inline(always)]
             fn wide(self) -> f64 {
                 self.into()
-            }
-            #[inline(always)]
-            fn sqrt(self) -> Self {
-                self.sqrt()
-            }
-            #[inline(always)]
-            fn mul_add(self, factor: Self, summand: Self) -> Self {
-                self.mul_add(factor, summand)
-            }
-            #[inline(always)]
-            fn abs(self) -> Self {
-                self.abs()
-            }
-            #[inline(always)]
-            fn max(self, other: Self) -> Self {
-                if self > other { self } else { other }
-            }
-            #[inline(always)]
-            fn is_finite(self) -> bool {
-                self.is_finite()
             }
             #[inline(always)]
             fn times_power_of_two(self, power: i32) -> Self {

@@ -19,7 +19,7 @@ use crate::shape::Shape;
 use crate::vector::Vector;
 
 /// A shape for which the true answer can be computed.
-pub trait HasTruth: Shape<With<f64> = Self> {
+pub trait HasTruth: Shape<Number = f64, With<f64> = Self> {
     /// The true answer.
     ///
     /// # Panics

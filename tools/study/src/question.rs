@@ -1,5 +1,7 @@
 //! The questions that kernels and the oracle are asked, and the types of their numbers.
 
+use std::cell::RefCell;
+
 use serde::Serialize;
 
 use crate::number::Real;
@@ -110,7 +112,7 @@ impl<S> Question<S> {
     }
 }
 
-impl<S: Shape<With<f64> = S>> Question<S> {
+impl<S: Shape<Number = f64, With<f64> = S>> Question<S> {
     /// Applies one function to all lengths, one to the components of normals, one to those of
     /// directions, and one to t.
     pub fn map(
@@ -135,19 +137,16 @@ impl<S: Shape<With<f64> = S>> Question<S> {
 
     /// All its numbers except `min_t`: lengths, the normal's and the direction's components.
     pub fn numbers(&self) -> [Vec<f64>; 3] {
-        let (mut lengths, mut free) = (Vec::new(), Vec::new());
-        lengths.extend(self.ray.origin.array());
-        let both = std::cell::RefCell::new((&mut lengths, &mut free));
-        let _: S = self.shape.map(
-            |value| {
-                both.borrow_mut().0.push(value);
+        let lists = [self.ray.origin.array().to_vec(), Vec::new()].map(RefCell::new);
+        let noted = |at: usize| {
+            let list = &lists[at];
+            move |value: f64| {
+                list.borrow_mut().push(value);
                 value
-            },
-            |value| {
-                both.borrow_mut().1.push(value);
-                value
-            },
-        );
+            }
+        };
+        let _: S = self.shape.map(noted(0), noted(1));
+        let [lengths, free] = lists.map(RefCell::into_inner);
         [lengths, free, self.ray.direction.array().to_vec()]
     }
 
@@ -155,11 +154,9 @@ impl<S: Shape<With<f64> = S>> Question<S> {
     pub fn is_sound(&self) -> bool {
         let [lengths, free, direction] = self.numbers();
         let is_zero = |numbers: &[f64]| !numbers.is_empty() && numbers.iter().all(|x| *x == 0.0);
-        let mut all = lengths.iter().chain(&free).chain(&direction);
-        all.all(|x| x.is_finite())
-            && self.min_t.is_finite()
-            && !is_zero(&free)
-            && !is_zero(&direction)
+        let are_finite = [&lengths, &free, &direction, &vec![self.min_t]];
+        let mut all = are_finite.into_iter().flatten();
+        all.all(|x| x.is_finite()) && !is_zero(&free) && !is_zero(&direction)
     }
 }
 

@@ -3,7 +3,8 @@
 
 use std::cmp::Ordering;
 
-use crate::dyadic::{Dyadic, DyadicVector};
+use crate::dyadic::Dyadic;
+use crate::vector::Vector;
 
 /// (`rational` ± √`radicand`) / `divisor`: a root of a linear or a quadratic equation.
 #[derive(Clone, Debug)]
@@ -46,13 +47,13 @@ impl Root {
     /// The nearest float, rounded from more than a hundred bits. Where p + s would cancel, it
     /// is computed as (p² − s²) / (p − s).
     pub fn rounded(&self) -> f64 {
-        let root = self.root();
-        let cancels = self.rational.sign() * root.sign() < 0;
+        let (rational, root) = (self.rational.clone(), self.root());
+        let cancels = rational.sign() * root.sign() < 0;
         let numerator = match cancels {
-            false => &self.rational + &root,
+            false => rational + root,
             true => {
-                let squares = &(&self.rational * &self.rational) - &self.radicand;
-                squares.over(&(&self.rational - &root))
+                let squares = rational.clone().squared() - self.radicand.clone();
+                squares.over(&(rational - root))
             }
         };
         numerator.over(&self.divisor).rounded()
@@ -68,15 +69,15 @@ impl Root {
     /// bits relative to its length if the sum of e + (`rational`/`divisor`) d and
     /// ±(√`radicand`/`divisor`) d is no shorter than either. On a sphere, with e relative to
     /// the centre, these two are perpendicular, so this holds.
-    pub fn point(&self, e: &DyadicVector, d: &DyadicVector) -> DyadicVector {
-        let t = &self.rational + &self.root();
-        DyadicVector([0, 1, 2].map(|axis| &(&self.divisor * &e.0[axis]) + &(&t * &d.0[axis])))
+    pub fn point(&self, e: Vector<Dyadic>, d: Vector<Dyadic>) -> Vector<Dyadic> {
+        e * self.divisor.clone() + d * (self.rational.clone() + self.root())
     }
 
     /// Compares two roots exactly.
     pub fn compare(&self, other: &Root) -> Ordering {
         // The difference times both divisors is a + b √self.radicand + c √other.radicand.
-        let a = &(&self.rational * &other.divisor) - &(&other.rational * &self.divisor);
+        let times = |p: &Dyadic, q: &Dyadic| p.clone() * q.clone();
+        let a = times(&self.rational, &other.divisor) - times(&other.rational, &self.divisor);
         let signed = |sign: i32, factor: &Dyadic| match sign < 0 {
             true => -factor.clone(),
             false => factor.clone(),
@@ -88,9 +89,9 @@ impl Root {
         let sign = match first * second {
             0.. => first + second,
             _ => {
-                let of_a = &(&a * &a) + &(&(&b * &b) * &self.radicand);
-                let squares = &of_a - &(&(&c * &c) * &other.radicand);
-                let twice = &Dyadic::of(2.0) * &(&a * &b);
+                let of_a = a.clone().squared() + times(&b.clone().squared(), &self.radicand);
+                let squares = of_a - times(&c.squared(), &other.radicand);
+                let twice = Dyadic::of(2.0) * a * b;
                 first * sign_of(&squares, &twice, &self.radicand)
             }
         };
@@ -110,6 +111,9 @@ fn sign_of(a: &Dyadic, b: &Dyadic, radicand: &Dyadic) -> i32 {
     let (first, second) = (a.sign(), b.sign() * radicand.sign());
     match first * second {
         0.. => (first + second).signum(),
-        _ => first * (&(a * a) - &(&(b * b) * radicand)).sign(),
+        _ => {
+            let squares = a.clone().squared() - b.clone().squared() * radicand.clone();
+            first * squares.sign()
+        }
     }
 }

@@ -53,16 +53,24 @@ impl<F: Real> Triangle<F> {
 /// A shape that questions can be asked about, with everything that the study needs to round,
 /// scale and corrupt a question.
 pub trait Shape: Copy + Send + Sync + 'static {
+    /// The type of its numbers.
+    type Number: Real;
     /// The same shape with other numbers.
-    type With<G: Real>: Copy;
+    type With<G: Real>: Shape<Number = G>;
     /// Applies one function to all lengths, and another to numbers that are not lengths (a plane's
     /// normal).
-    fn map<G: Real>(&self, length: impl Fn(f64) -> G, free: impl Fn(f64) -> G) -> Self::With<G>;
+    fn map<G: Real>(
+        &self,
+        length: impl Fn(Self::Number) -> G,
+        free: impl Fn(Self::Number) -> G,
+    ) -> Self::With<G>;
 }
 
-impl Shape for Sphere<f64> {
+impl<F: Real> Shape for Sphere<F> {
+    type Number = F;
     type With<G: Real> = Sphere<G>;
-    fn map<G: Real>(&self, length: impl Fn(f64) -> G, _: impl Fn(f64) -> G) -> Sphere<G> {
+    #[inline(always)]
+    fn map<G: Real>(&self, length: impl Fn(F) -> G, _: impl Fn(F) -> G) -> Sphere<G> {
         Sphere {
             center: self.center.map(&length),
             radius: length(self.radius),
@@ -70,9 +78,11 @@ impl Shape for Sphere<f64> {
     }
 }
 
-impl Shape for Plane<f64> {
+impl<F: Real> Shape for Plane<F> {
+    type Number = F;
     type With<G: Real> = Plane<G>;
-    fn map<G: Real>(&self, length: impl Fn(f64) -> G, free: impl Fn(f64) -> G) -> Plane<G> {
+    #[inline(always)]
+    fn map<G: Real>(&self, length: impl Fn(F) -> G, free: impl Fn(F) -> G) -> Plane<G> {
         Plane {
             point: self.point.map(length),
             normal: self.normal.map(free),
@@ -80,16 +90,18 @@ impl Shape for Plane<f64> {
     }
 }
 
-impl Shape for Triangle<f64> {
+impl<F: Real> Shape for Triangle<F> {
+    type Number = F;
     type With<G: Real> = Triangle<G>;
-    fn map<G: Real>(&self, length: impl Fn(f64) -> G, _: impl Fn(f64) -> G) -> Triangle<G> {
+    #[inline(always)]
+    fn map<G: Real>(&self, length: impl Fn(F) -> G, _: impl Fn(F) -> G) -> Triangle<G> {
         Triangle {
             corners: self.corners.map(|corner| corner.map(&length)),
         }
     }
 }
 
-impl Ray<f64> {
+impl<F: Real> Ray<F> {
     /// Whether all its numbers are finite.
     pub fn is_finite(&self) -> bool {
         self.origin.is_finite() && self.direction.is_finite()
@@ -97,7 +109,7 @@ impl Ray<f64> {
 
     /// Applies one function to the origin and another to the direction.
     #[inline(always)]
-    pub fn map<G: Real>(&self, length: impl Fn(f64) -> G, direction: impl Fn(f64) -> G) -> Ray<G> {
+    pub fn map<G: Real>(&self, length: impl Fn(F) -> G, direction: impl Fn(F) -> G) -> Ray<G> {
         Ray {
             origin: self.origin.map(length),
             direction: self.direction.map(direction),

@@ -22,11 +22,12 @@ fn sums_and_products_of_floats_are_exact() {
     let mut random = Random::new(1, "dyadic");
     for _ in 0..20_000 {
         let [a, b, c] = [0; 3].map(|_| any(&mut random)).map(Dyadic::of);
-        let left = &(&a + &b) * &(&a - &b);
-        let right = &(&a * &a) - &(&b * &b);
-        assert_eq!((&left - &right).sign(), 0, "{a:?} {b:?}");
-        let apart = &(&(&a * &c) + &(&b * &c)) - &(&(&a + &b) * &c);
-        assert_eq!(apart.sign(), 0, "{a:?} {b:?} {c:?}");
+        let (sum, difference) = (a.clone() + b.clone(), a.clone() - b.clone());
+        let squares = a.clone().squared() - b.clone().squared();
+        let apart = sum.clone() * difference - squares;
+        assert_eq!(apart.sign(), 0, "{a:?} {b:?}");
+        let parts = a.clone() * c.clone() + b.clone() * c.clone();
+        assert_eq!((parts - sum * c).sign(), 0, "{a:?} {b:?}");
     }
 }
 
@@ -37,7 +38,7 @@ fn signs_agree_with_integer_arithmetic() {
         let [a, b, c, d] = [0; 4].map(|_| random.within(-1e6, 1e6).round());
         let exact = (a as i128) * (b as i128) - (c as i128) * (d as i128);
         let of = Dyadic::of;
-        let ours = &(&of(a) * &of(b)) - &(&of(c) * &of(d));
+        let ours = of(a) * of(b) - of(c) * of(d);
         assert_eq!(i128::from(ours.sign()), exact.signum(), "{a} {b} {c} {d}");
     }
 }
@@ -77,11 +78,11 @@ fn double_double_sums_and_products_of_floats_are_exact() {
         let (a, b) = (random.within(-1e9, 1e9), random.within(-1e-3, 1e3));
         let of = Dyadic::of;
         let product = DoubleDouble::product(a, b);
-        let exact = &of(a) * &of(b);
-        assert_eq!((&exact - &(&of(product.high) + &of(product.low))).sign(), 0);
+        let rest = of(a) * of(b) - of(product.high) - of(product.low);
+        assert_eq!(rest.sign(), 0);
         let sum = DoubleDouble::sum(a, b);
-        let exact = &of(a) + &of(b);
-        assert_eq!((&exact - &(&of(sum.high) + &of(sum.low))).sign(), 0);
+        let rest = of(a) + of(b) - of(sum.high) - of(sum.low);
+        assert_eq!(rest.sign(), 0);
     }
 }
 

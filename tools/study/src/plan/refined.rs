@@ -4,8 +4,8 @@
 use super::bounds::are_in_range;
 use crate::cast::model::exact;
 use crate::cast::world::Primitive;
-use crate::double_double::{DoubleDouble, DoubleVector};
-use crate::dyadic::DyadicVector;
+use crate::double_double::DoubleDouble;
+use crate::dyadic::Dyadic;
 use crate::kernel::sphere::{ScaledRay, at_most};
 use crate::number::U;
 use crate::root::rounded;
@@ -51,18 +51,18 @@ pub struct Refined {
 fn exactly(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> (f64, Vector<f64>) {
     let root = exact(shape, ray, min_t).expect("the exact caster found this hit");
     let along = match shape {
-        Primitive::Plane(plane) => DyadicVector::of(plane.normal),
+        Primitive::Plane(plane) => plane.normal.map(Dyadic::of),
         Primitive::Triangle(triangle) => {
-            let [a, b, c] = triangle.corners.map(DyadicVector::of);
-            (&b - &a).cross(&(&c - &a))
+            let [a, b, c] = triangle.corners.map(|corner| corner.map(Dyadic::of));
+            (b - a.clone()).cross(c - a)
         }
         Primitive::Sphere(sphere) => {
-            let from_center = &DyadicVector::of(ray.origin) - &DyadicVector::of(sphere.center);
-            root.point(&from_center, &DyadicVector::of(ray.direction))
+            let from_center = ray.origin.map(Dyadic::of) - sphere.center.map(Dyadic::of);
+            root.point(from_center, ray.direction.map(Dyadic::of))
         }
     };
     let t = rounded(Some(root)).expect("the root is not `None`");
-    (t, along.unit())
+    (t, along.rounded_unit())
 }
 
 /// t and the unit normal in double-double arithmetic; `None` if a rounding error may exceed u/8.
@@ -93,35 +93,44 @@ fn ratio([p, q]: [DoubleDouble; 2], errors: [f64; 2]) -> Option<DoubleDouble> {
     (is_good(p, errors[0]) && is_good(q, errors[1])).then(|| p.over(q))
 }
 
-fn of_plane(plane: &Plane<f64>, ray: &Ray<f64>) -> Option<(DoubleDouble, DoubleVector)> {
+fn of_plane(plane: &Plane<f64>, ray: &Ray<f64>) -> Option<(DoubleDouble, Vector<DoubleDouble>)> {
     let (n, w) = (
-        DoubleVector::of(plane.normal),
-        DoubleVector::between(plane.point, ray.origin),
+        plane.normal.map(DoubleDouble::from),
+        Vector::between(plane.point, ray.origin),
     );
-    let sizes = [n.largest(), w.largest()];
+    let sizes = [n.rounded().largest(), w.rounded().largest()];
     if !are_in_range(sizes) {
         return None;
     }
     let error = |size: f64| 128.0 * U * U * sizes[0] * size;
-    let volumes = [n.dot(w), n.dot(DoubleVector::of(ray.direction))];
+    let volumes = [n.dot(w), n.dot(ray.direction.map(DoubleDouble::from))];
     Some((ratio(volumes, [error(sizes[1]), error(2.0)])?, n))
 }
 
 /// n = e₁ × e₂ has components up to 2M², with an error of at most 32u² M². So the error of n·d is at
 /// most 576u² M², and that of n·(a − e) at most 288u² S M².
-fn of_triangle(triangle: &Triangle<f64>, ray: &Ray<f64>) -> Option<(DoubleDouble, DoubleVector)> {
+fn of_triangle(
+    triangle: &Triangle<f64>,
+    ray: &Ray<f64>,
+) -> Option<(DoubleDouble, Vector<DoubleDouble>)> {
     let [a, b, c] = triangle.corners;
-    let edges = [DoubleVector::between(b, a), DoubleVector::between(c, a)];
-    let away = DoubleVector::between(a, ray.origin);
-    let sizes = [edges[0].largest().max(edges[1].largest()), away.largest()];
+    let edges = [Vector::between(b, a), Vector::between(c, a)];
+    let away = Vector::between(a, ray.origin);
+    let sizes = [
+        edges[0]
+            .rounded()
+            .largest()
+            .max(edges[1].rounded().largest()),
+        away.rounded().largest(),
+    ];
     if !are_in_range(sizes) {
         return None;
     }
     let n = edges[0].cross(edges[1]);
     let error = 1024.0 * U * U * sizes[0] * sizes[0];
-    let volumes = [n.dot(away), n.dot(DoubleVector::of(ray.direction))];
+    let volumes = [n.dot(away), n.dot(ray.direction.map(DoubleDouble::from))];
     let t = ratio(volumes, [error * sizes[1], error])?;
-    (U * n.largest() > 8.0 * error).then_some((t, n))
+    (U * n.rounded().largest() > 8.0 * error).then_some((t, n))
 }
 
 /// With f = e − c, |f|∞ ≤ F and |d|∞ < 2, the error of h² − a c is below 8192u² (F² + r²), and that
@@ -131,18 +140,19 @@ fn of_sphere(
     sphere: &Sphere<f64>,
     ray: &Ray<f64>,
     near: f64,
-) -> Option<(DoubleDouble, DoubleVector)> {
-    let f = DoubleVector::between(ray.origin, sphere.center);
-    let (d, r) = (DoubleVector::of(ray.direction), sphere.radius);
-    if !are_in_range([f.largest(), r]) {
+) -> Option<(DoubleDouble, Vector<DoubleDouble>)> {
+    let f = Vector::between(ray.origin, sphere.center);
+    let largest = f.rounded().largest();
+    let (d, r) = (ray.direction.map(DoubleDouble::from), sphere.radius);
+    if !are_in_range([largest, r]) {
         return None;
     }
     let square = DoubleDouble::product(r, r);
-    let size = U * U * (f.largest() * f.largest() + r * r);
+    let size = U * U * (largest * largest + r * r);
     let (a, h, c) = (d.dot(d), d.dot(f), f.dot(f) - square);
     let discriminant = h * h - a * c;
     // The normal multiplies an error of t by this much. The factor 2⁻²⁰ keeps the roots apart.
-    let spread = 1.0 + at_most(f.largest()) / r;
+    let spread = 1.0 + at_most(largest) / r;
     let is_good =
         discriminant.high > (8.0 * 8192.0 * size * spread / U).max(h.high * h.high / 1048576.0);
     if !(is_good && spread < 1e10 && U * c.high.abs() > 8.0 * 128.0 * size * spread) {
@@ -156,5 +166,5 @@ fn of_sphere(
     let roots = [c.over(q), q.over(a)];
     let [one, other] = roots.map(|t| (t.high - near).abs());
     let t = if one < other { roots[0] } else { roots[1] };
-    Some((t, f.plus(t, d)))
+    Some((t, f + d * t))
 }

@@ -1,4 +1,4 @@
-use crate::dyadic::{Dyadic, DyadicVector};
+use crate::dyadic::Dyadic;
 use crate::kernel::sphere::ScaledRay;
 use crate::kernel::{FilterRay, Kernel, Limits, Tier, Window};
 use crate::number::{ROOT_OF_UNIT, TINY, U};
@@ -96,10 +96,10 @@ pub fn exact(plane: &Plane<f64>, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
     if !(is_finite && ray.is_finite() && min_t.is_finite()) {
         return None;
     }
-    let n = DyadicVector::of(plane.normal);
-    let down = n.dot(&DyadicVector::of(ray.direction));
-    let height = n.dot(&(&DyadicVector::of(plane.point) - &DyadicVector::of(ray.origin)));
-    let beyond = &height - &(&Dyadic::of(min_t) * &down);
+    let n = plane.normal.map(Dyadic::of);
+    let down = n.clone().dot(ray.direction.map(Dyadic::of));
+    let height = n.dot(plane.point.map(Dyadic::of) - ray.origin.map(Dyadic::of));
+    let beyond = height.clone() - Dyadic::of(min_t) * down.clone();
     if down.sign() == 0 || beyond.sign() * down.sign() < 0 {
         return None;
     }

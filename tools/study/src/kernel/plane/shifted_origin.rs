@@ -21,7 +21,7 @@ impl<F: Real> Kernel<Plane<F>, F> for ShiftedOrigin {
     #[inline(always)]
     fn intersect(plane: &Plane<F>, ray: &Ray<F>, min_t: F) -> Option<F> {
         let along_normal = plane.normal.dot(ray.direction);
-        if along_normal == F::ZERO {
+        if along_normal == F::zero() {
             return None;
         }
         let t = plane.normal.dot(plane.point - ray.origin) / along_normal;

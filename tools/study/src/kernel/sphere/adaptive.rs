@@ -1,5 +1,5 @@
 use super::haines::ScaledRay;
-use crate::dyadic::{Dyadic, DyadicVector};
+use crate::dyadic::Dyadic;
 use crate::kernel::{FilterRay, Kernel, Limits, Tier, Window};
 use crate::number::{ROOT_OF_UNIT, TINY, U};
 use crate::root::{Root, rounded};
@@ -151,18 +151,18 @@ pub fn exact(sphere: &Sphere<f64>, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
     if !(is_finite && ray.is_finite() && min_t.is_finite()) {
         return None;
     }
-    let f = &DyadicVector::of(ray.origin) - &DyadicVector::of(sphere.center);
+    let f = ray.origin.map(Dyadic::of) - sphere.center.map(Dyadic::of);
     let (d, m, r) = (
-        DyadicVector::of(ray.direction),
+        ray.direction.map(Dyadic::of),
         Dyadic::of(min_t),
         Dyadic::of(sphere.radius),
     );
-    let (a, h) = (d.dot(&d), d.dot(&f));
-    let c = &f.dot(&f) - &(&r * &r);
+    let (a, h) = (d.clone().squared(), d.dot(f.clone()));
+    let c = f.squared() - r.squared();
     // |f + m d|² − r² at t = m, and half its derivative there.
-    let onward = &(&a * &m) + &h;
-    let outside = &(&(&onward + &h) * &m) + &c;
-    let discriminant = &(&h * &h) - &(&a * &c);
+    let onward = a.clone() * m.clone() + h.clone();
+    let outside = (onward.clone() + h.clone()) * m.clone() + c.clone();
+    let discriminant = h.clone().squared() - a.clone() * c;
     let is_near = match outside.sign() {
         _ if a.sign() == 0 => return None,
         0 => return Some(Root::fraction(m, Dyadic::of(1.0))),

@@ -29,11 +29,11 @@ pub fn plainly<F: Real>(sphere: &Sphere<F>, ray: &Ray<F>, min_t: F) -> Option<F>
     let perpendicular = f - ray.direction * (h / a);
     let square = sphere.radius * sphere.radius;
     let within = square - perpendicular.dot(perpendicular);
-    if within < F::ZERO {
+    if within < F::zero() {
         return None;
     }
     let (c, root) = (f.dot(f) - square, (a * within).sqrt());
-    match h < F::ZERO {
+    match h < F::zero() {
         true => first_from(min_t, c / (root - h), (root - h) / a),
         false => first_from(min_t, (-h - root) / a, c / (-h - root)),
     }

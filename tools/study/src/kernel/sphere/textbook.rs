@@ -27,7 +27,7 @@ impl<F: Real> Kernel<Sphere<F>, F> for Textbook {
         let b = two * ray.direction.dot(f);
         let c = f.dot(f) - sphere.radius * sphere.radius;
         let discriminant = b * b - four * a * c;
-        if discriminant < F::ZERO {
+        if discriminant < F::zero() {
             return None;
         }
         let root = discriminant.sqrt();

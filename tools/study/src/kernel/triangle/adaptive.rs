@@ -1,5 +1,5 @@
 use super::double_double_filter;
-use crate::dyadic::{Dyadic, DyadicVector};
+use crate::dyadic::Dyadic;
 use crate::kernel::sphere::ScaledRay;
 use crate::kernel::{FilterRay, Kernel, Limits, Tier, Window};
 use crate::number::{ROOT_OF_UNIT, TINY, U};
@@ -141,23 +141,22 @@ pub fn exact(triangle: &Triangle<f64>, ray: &Ray<f64>, min_t: f64) -> Option<Roo
     if !(is_finite && ray.is_finite() && min_t.is_finite()) {
         return None;
     }
-    let (e, d) = (
-        DyadicVector::of(ray.origin),
-        DyadicVector::of(ray.direction),
-    );
+    let (e, d) = (ray.origin.map(Dyadic::of), ray.direction.map(Dyadic::of));
     let [a, b, c] = triangle
         .corners
-        .map(|corner| &DyadicVector::of(corner) - &e);
-    let b_cross_c = b.cross(&c);
-    let (u, v, w) = (d.dot(&b_cross_c), d.dot(&c.cross(&a)), d.dot(&a.cross(&b)));
+        .map(|corner| corner.map(Dyadic::of) - e.clone());
+    let b_cross_c = b.clone().cross(c.clone());
+    let u = d.clone().dot(b_cross_c.clone());
+    let v = d.clone().dot(c.cross(a.clone()));
+    let w = d.dot(a.clone().cross(b));
     let signs = [u.sign(), v.sign(), w.sign()];
     if signs.contains(&1) && signs.contains(&-1) {
         return None;
     }
     // a·(b × c) = t d·((b − a) × (c − a)), and the latter is u + v + w: 0 if the ray lies in
     // the triangle's plane or the triangle has no area, neither of which is a hit.
-    let (volume, determinant) = (a.dot(&b_cross_c), &(&u + &v) + &w);
-    let beyond = &volume - &(&Dyadic::of(min_t) * &determinant);
+    let (volume, determinant) = (a.dot(b_cross_c), u + v + w);
+    let beyond = volume.clone() - Dyadic::of(min_t) * determinant.clone();
     if determinant.sign() == 0 || beyond.sign() * determinant.sign() < 0 {
         return None;
     }

@@ -1,8 +1,9 @@
-use crate::double_double::DoubleVector;
+use crate::double_double::DoubleDouble;
 use crate::kernel::Window;
 use crate::kernel::sphere::ScaledRay;
 use crate::number::{TINY, U};
 use crate::shape::Triangle;
+use crate::vector::Vector;
 
 /// The double-double filter: the answer by signs of volumes in double-double arithmetic, or
 /// `None` if rounding might have changed even that, which happens almost only if the ray hits
@@ -36,10 +37,10 @@ pub fn double_double_filter(
     scaled: &ScaledRay<f64>,
     window: &Window,
 ) -> Option<Option<f64>> {
-    let d = DoubleVector::of(scaled.ray.direction);
-    let from_origin = |corner| DoubleVector::between(corner, scaled.ray.origin);
+    let d = scaled.ray.direction.map(DoubleDouble::from);
+    let from_origin = |corner| Vector::between(corner, scaled.ray.origin);
     let corners = triangle.corners.map(from_origin);
-    let largest = corners.map(DoubleVector::largest);
+    let largest = corners.map(|corner| corner.rounded().largest());
     let size = largest[0].max(largest[1]).max(largest[2]);
     let underflow = 1024.0 * TINY * (1.0 + size) * (1.0 + size);
     let error = 4096.0 * U * U * size * size;

@@ -23,18 +23,18 @@ impl<F: Real> Kernel<Triangle<F>, F> for MollerTrumbore {
         let (e1, e2) = (b - a, c - a);
         let p = ray.direction.cross(e2);
         let determinant = e1.dot(p);
-        if determinant == F::ZERO {
+        if determinant == F::zero() {
             return None;
         }
-        let inverse = F::ONE / determinant;
+        let inverse = F::one() / determinant;
         let s = ray.origin - a;
         let u = s.dot(p) * inverse;
-        if u < F::ZERO || u > F::ONE {
+        if u < F::zero() || u > F::one() {
             return None;
         }
         let q = s.cross(e1);
         let v = ray.direction.dot(q) * inverse;
-        if v < F::ZERO || u + v > F::ONE {
+        if v < F::zero() || u + v > F::one() {
             return None;
         }
         let t = e2.dot(q) * inverse;

@@ -68,7 +68,7 @@ impl<F: Real> Kernel<Triangle<F>, F> for Woop {
         ShearedRay {
             origin: ray.origin,
             along,
-            shear: [x / z, y / z, F::ONE / z],
+            shear: [x / z, y / z, F::one() / z],
         }
     }
 
@@ -82,14 +82,14 @@ impl<F: Real> Kernel<Triangle<F>, F> for Woop {
         let u = signed_area(c, b);
         let v = signed_area(a, c);
         let w = signed_area(b, a);
-        let negative = u < F::ZERO || v < F::ZERO || w < F::ZERO;
-        let positive = u > F::ZERO || v > F::ZERO || w > F::ZERO;
+        let negative = u < F::zero() || v < F::zero() || w < F::zero();
+        let positive = u > F::zero() || v > F::zero() || w > F::zero();
         if negative && positive {
             return None;
         }
-        if u == F::ZERO || v == F::ZERO || w == F::ZERO {
+        if u == F::zero() || v == F::zero() || w == F::zero() {
             let edges = [(u, c, b), (v, a, c), (w, b, a)];
-            let has = |(area, p, q)| match (area == F::ZERO, negative) {
+            let has = |(area, p, q)| match (area == F::zero(), negative) {
                 (false, _) => true,
                 (true, false) => is_owned(p, q),
                 (true, true) => is_owned(q, p),
@@ -99,7 +99,7 @@ impl<F: Real> Kernel<Triangle<F>, F> for Woop {
             }
         }
         let determinant = u + v + w;
-        if determinant == F::ZERO {
+        if determinant == F::zero() {
             return None;
         }
         let t = sz * (u * a[2] + v * b[2] + w * c[2]) / determinant;
@@ -117,7 +117,7 @@ fn is_owned<F: Real>(p: [F; 3], q: [F; 3]) -> bool {
 #[inline(always)]
 fn signed_area<F: Real>(p: [F; 3], q: [F; 3]) -> F {
     let area = p[0] * q[1] - p[1] * q[0];
-    match area == F::ZERO {
+    match area == F::zero() {
         false => area,
         true => {
             let product = p[1] * q[0];
