@@ -1,19 +1,24 @@
 //! The list of all kernels that the study compares.
 
 use crate::contestant::Contestant;
-use crate::kernel::{FilterRay, Kernel, Tier, WidenedKernel, plane, sphere, triangle};
+use crate::kernel::{
+    Adaptive, Filtered, Kernel, Tier, WidenedKernel, decided, plane, sphere, triangle,
+};
 use crate::oracle::HasTruth;
 use crate::question::{Data, Question};
 use crate::shape::{Plane, Sphere, Triangle};
 
 /// A shape with kernels to compare.
-pub trait HasKernels: HasTruth {
+pub trait HasKernels: HasTruth + Filtered {
     /// The shape's name.
     const NAME: &'static str;
     /// All kernels, for all types of numbers.
     fn contestants() -> Vec<Contestant<Self>>;
     /// The tier that decides a question in the exact kernel, in `f64`.
-    fn tier(question: &Question<Self>) -> Tier;
+    fn tier(Question { shape, ray, min_t }: &Question<Self>) -> Tier {
+        let (scaled, ray) = <Adaptive as Kernel<Self, f64>>::prepare(ray);
+        decided(shape, &scaled, &ray, *min_t).1
+    }
 }
 
 /// The name of every shape's exact kernel.
@@ -51,13 +56,9 @@ impl HasKernels for Sphere<f64> {
         [
             in_all_numbers::<Self, sphere::Textbook>(),
             in_all_numbers::<Self, sphere::Haines>(),
-            in_f64::<Self, sphere::Adaptive>(),
+            in_f64::<Self, Adaptive>(),
         ]
         .concat()
-    }
-
-    fn tier(Question { shape, ray, min_t }: &Question<Self>) -> Tier {
-        sphere::decided(shape, &FilterRay::new(ray), *min_t).1
     }
 }
 
@@ -67,13 +68,9 @@ impl HasKernels for Plane<f64> {
     fn contestants() -> Vec<Contestant<Self>> {
         [
             in_all_numbers::<Self, plane::ShiftedOrigin>(),
-            in_f64::<Self, plane::Adaptive>(),
+            in_f64::<Self, Adaptive>(),
         ]
         .concat()
-    }
-
-    fn tier(Question { shape, ray, min_t }: &Question<Self>) -> Tier {
-        plane::decided(shape, &FilterRay::new(ray), *min_t).1
     }
 }
 
@@ -85,12 +82,8 @@ impl HasKernels for Triangle<f64> {
             in_all_numbers::<Self, triangle::MollerTrumbore>(),
             in_all_numbers::<Self, triangle::MollerTrumboreEpsilon>(),
             in_all_numbers::<Self, triangle::Woop>(),
-            in_f64::<Self, triangle::Adaptive>(),
+            in_f64::<Self, Adaptive>(),
         ]
         .concat()
-    }
-
-    fn tier(Question { shape, ray, min_t }: &Question<Self>) -> Tier {
-        triangle::decided(shape, &FilterRay::new(ray), *min_t).1
     }
 }

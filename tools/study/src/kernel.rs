@@ -8,6 +8,7 @@
 //! it into the leaves of a tree. [`Kernel::prepare`] computes what depends on the ray alone,
 //! once per ray instead of once per shape.
 
+mod adaptive;
 mod camera;
 mod filter;
 pub mod plane;
@@ -15,8 +16,9 @@ pub mod sphere;
 pub mod triangle;
 mod widened_kernel;
 
+pub use adaptive::{Adaptive, Filtered, decided};
 pub use camera::Camera;
-pub use filter::{FilterRay, Limits, Tier, Window};
+pub use filter::{Limits, Tier, Window};
 pub use widened_kernel::WidenedKernel;
 
 use crate::number::Real;

@@ -1,9 +1,9 @@
 //! Tests that the double-double filter agrees with exact arithmetic, for rays ever closer to an
 //! edge.
 
-use pinhole_study::kernel::Window;
 use pinhole_study::kernel::sphere::ScaledRay;
-use pinhole_study::kernel::triangle::{double_double_filter, exact};
+use pinhole_study::kernel::triangle::double_double_filter;
+use pinhole_study::kernel::{Filtered, Window};
 use pinhole_study::random::Random;
 use pinhole_study::shape::{Ray, Triangle};
 use pinhole_study::vector::Vector;
@@ -39,7 +39,7 @@ fn double_double_decisions_are_true() {
                 continue;
             };
             decided += 1;
-            let truth = exact(&triangle, &ray, 0.0).map(|root| root.rounded());
+            let truth = triangle.exact(&ray, 0.0).map(|root| root.rounded());
             let is_near = match (answer, truth) {
                 (Some(t), Some(true_t)) => (t - true_t).abs() <= 1e-15 * true_t,
                 (answer, truth) => answer == truth,
@@ -68,7 +68,7 @@ fn t_of_a_distant_triangle_is_accurate() {
             let origin = middle - direction * 10f64.powi(exponent);
             let (triangle, ray) = (Triangle { corners }, Ray { origin, direction });
             if let Some(Some(t)) = twice_decided(&triangle, &ray, 0.0) {
-                let truth = exact(&triangle, &ray, 0.0).expect("it is hit").rounded();
+                let truth = triangle.exact(&ray, 0.0).expect("it is hit").rounded();
                 worst = worst.max((t - truth).abs() / truth);
                 decided += 1;
             }
@@ -97,7 +97,7 @@ fn no_decision_is_wrong_with_underflow_or_t_near_min_t() {
     for power in [0, -300, -340, -360, -500, -530, -1000] {
         for _ in 0..5_000 {
             let (triangle, ray) = in_units_of(&mut random, 2f64.powi(power));
-            let Some(root) = exact(&triangle, &ray, 0.0) else {
+            let Some(root) = triangle.exact(&ray, 0.0) else {
                 continue;
             };
             met += 1;
@@ -107,7 +107,7 @@ fn no_decision_is_wrong_with_underflow_or_t_near_min_t() {
                     continue;
                 };
                 decided += 1;
-                let truth = exact(&triangle, &ray, min_t);
+                let truth = triangle.exact(&ray, min_t);
                 let alike = answer.is_some() == truth.is_some();
                 assert!(alike, "{answer:?} from {min_t:e} on: {triangle:?} {ray:?}");
             }

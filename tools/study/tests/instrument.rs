@@ -9,7 +9,7 @@ use pinhole_study::contestants::{EXACT, HasKernels};
 use pinhole_study::family::mesh::Aim;
 use pinhole_study::family::{HasFamilies, questions};
 use pinhole_study::judge::{Tally, judge};
-use pinhole_study::kernel::{Kernel, sphere, triangle};
+use pinhole_study::kernel::{Adaptive, Kernel, sphere, triangle};
 use pinhole_study::leaks;
 use pinhole_study::oracle::HasTruth;
 use pinhole_study::question::{Class, Data, Question};
@@ -63,14 +63,14 @@ struct OneUlpOff;
 
 impl Kernel<Triangle<f64>, f64> for OneUlpOff {
     const NAME: &'static str = "one ulp off";
-    type PreparedRay = <triangle::Adaptive as Kernel<Triangle<f64>, f64>>::PreparedRay;
+    type PreparedRay = <Adaptive as Kernel<Triangle<f64>, f64>>::PreparedRay;
     fn prepare(ray: &Ray<f64>) -> Self::PreparedRay {
         let mut ray = *ray;
         ray.direction.x = ray.direction.x.next_up();
-        triangle::Adaptive::prepare(&ray)
+        <Adaptive as Kernel<Triangle<f64>, f64>>::prepare(&ray)
     }
     fn intersect(shape: &Triangle<f64>, ray: &Self::PreparedRay, min_t: f64) -> Option<f64> {
-        triangle::Adaptive::intersect(shape, ray, min_t)
+        Adaptive::intersect(shape, ray, min_t)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Tests rays at triangles so large that volumes overflow, some of them with the wrong sign.
 
-use pinhole_study::kernel::Kernel;
-use pinhole_study::kernel::triangle::{Adaptive, exact};
+use pinhole_study::kernel::sphere::ScaledRay;
+use pinhole_study::kernel::{Adaptive, Filtered, Kernel};
 use pinhole_study::random::Random;
 use pinhole_study::root::rounded;
 use pinhole_study::shape::{Ray, Triangle};
@@ -24,8 +24,8 @@ fn disagreements(size: f64) -> usize {
             direction: (target - origin) * (1.0 / size),
         };
         let triangle = Triangle { corners };
-        let seen = Adaptive::intersect(&triangle, &Adaptive::prepare(&ray), 0.0);
-        let truth = rounded(exact(&triangle, &ray, 0.0));
+        let seen = Adaptive::intersect(&triangle, &(ScaledRay::new(&ray), ray), 0.0);
+        let truth = rounded(triangle.exact(&ray, 0.0));
         disagreements += usize::from(seen.is_some() != truth.is_some());
     }
     disagreements

@@ -3,11 +3,11 @@
 use wide::f32x4;
 
 use super::tree::Leaf;
-use super::world::{Accurate, Part, Primitive, World};
+use super::world::{Accurate, Part, Primitive, World, of_each};
 use super::{Found, Tally};
 use crate::kernel::sphere::ScaledRay;
 use crate::kernel::triangle::PacketHits;
-use crate::kernel::{Camera, FilterRay, Kernel, Tier, Window, plane, sphere, triangle};
+use crate::kernel::{Camera, Filtered, Kernel, Tier, Window, decided, plane, sphere, triangle};
 use crate::root::Root;
 use crate::shape::Ray;
 use crate::vector::Vector;
@@ -159,11 +159,9 @@ impl Model for Exact {
 #[inline(always)]
 fn filtered(part: &Part, query: &Query) -> Option<Option<f64>> {
     let (scaled, window, limits) = (&query.scaled, &query.window, &part.limits);
-    match &part.shape {
-        _ if !query.is_near => None,
-        Primitive::Sphere(shape) => sphere::filtered(shape, scaled, window, limits),
-        Primitive::Plane(shape) => plane::filtered(shape, scaled, window, limits),
-        Primitive::Triangle(shape) => triangle::filtered(shape, scaled, window, limits),
+    match query.is_near {
+        true => of_each!(&part.shape, shape => shape.filtered(scaled, window, limits)),
+        false => None,
     }
 }
 
@@ -221,12 +219,8 @@ impl<const HAS_EYE: bool> Model for FromCamera<HAS_EYE> {
 #[cold]
 #[inline(never)]
 fn left_open(shape: &Primitive, ray: &Ray<f64>, min_t: f64, tally: &mut Tally) -> Option<f64> {
-    let ray = FilterRay::new(ray);
-    let (answer, tier) = match shape {
-        Primitive::Sphere(shape) => sphere::decided(shape, &ray, min_t),
-        Primitive::Plane(shape) => plane::decided(shape, &ray, min_t),
-        Primitive::Triangle(shape) => triangle::decided(shape, &ray, min_t),
-    };
+    let scaled = ScaledRay::new(ray);
+    let (answer, tier) = of_each!(shape, shape => decided(shape, &scaled, ray, min_t));
     tally.semi_static += 1;
     tally.double_double += u64::from(tier > Tier::SemiStatic);
     tally.exact += u64::from(tier == Tier::Exact);
@@ -235,11 +229,7 @@ fn left_open(shape: &Primitive, ray: &Ray<f64>, min_t: f64, tally: &mut Tally) -
 
 /// The exact t at which a ray hits a part.
 pub fn exact(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
-    match shape {
-        Primitive::Sphere(shape) => sphere::exact(shape, ray, min_t),
-        Primitive::Plane(shape) => plane::exact(shape, ray, min_t),
-        Primitive::Triangle(shape) => triangle::exact(shape, ray, min_t),
-    }
+    of_each!(shape, shape => shape.exact(ray, min_t))
 }
 
 #[cold]

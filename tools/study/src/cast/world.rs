@@ -19,6 +19,18 @@ pub enum Primitive {
     Triangle(Triangle<f64>),
 }
 
+/// Evaluates an expression for the shape in a [`Primitive`], of whatever type it is.
+macro_rules! of_each {
+    ($primitive:expr, $shape:ident => $result:expr) => {
+        match $primitive {
+            Primitive::Sphere($shape) => $result,
+            Primitive::Plane($shape) => $result,
+            Primitive::Triangle($shape) => $result,
+        }
+    };
+}
+pub(crate) use of_each;
+
 impl From<Sphere<f64>> for Primitive {
     fn from(sphere: Sphere<f64>) -> Primitive {
         Primitive::Sphere(sphere)
@@ -149,7 +161,7 @@ fn corners_of(triangle: &pinhole::Triangle) -> Primitive {
 }
 
 /// Bound on the relative error of the exact caster's t: twice the √u that
-/// [`sphere::Adaptive`] and the others prove, which covers the final division and scaling.
+/// [`Adaptive`](crate::kernel::Adaptive) promises, which covers the final division and scaling.
 pub const PROVEN_T: f64 = 2.0 * ROOT_OF_UNIT;
 
 /// Bound on the relative error of t by the rounding of a filter's final operations.

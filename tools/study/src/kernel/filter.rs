@@ -9,7 +9,6 @@ use serde::Serialize;
 
 use super::sphere::ScaledRay;
 use crate::number::{ROOT_OF_UNIT, TINY};
-use crate::shape::Ray;
 
 /// The stages of an exact kernel, cheapest first: the value names the one that decided. A whole
 /// scene has a static filter before these.
@@ -104,23 +103,5 @@ impl Window {
         }
         let t = (t > self.after).then(|| scaled.unscale(t))?;
         t.is_finite().then_some(Some(t))
-    }
-}
-
-/// A ray, both scaled for filters and as it was given for exact decisions.
-#[derive(Clone, Copy, Debug)]
-pub struct FilterRay {
-    /// The scaled ray, for filters.
-    pub scaled: ScaledRay<f64>,
-    /// The ray as it was given, for exact decisions.
-    pub given: Ray<f64>,
-}
-
-impl FilterRay {
-    /// Prepares a ray.
-    #[inline(always)]
-    pub fn new(ray: &Ray<f64>) -> FilterRay {
-        let (scaled, given) = (ScaledRay::new(ray), *ray);
-        FilterRay { scaled, given }
     }
 }

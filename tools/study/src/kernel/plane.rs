@@ -3,5 +3,5 @@
 mod adaptive;
 mod shifted_origin;
 
-pub use adaptive::{Adaptive, at_height, decided, exact, filtered, limits};
+pub use adaptive::{at_height, limits};
 pub use shifted_origin::ShiftedOrigin;

@@ -5,7 +5,7 @@ mod from_eye;
 mod haines;
 mod textbook;
 
-pub use adaptive::{Adaptive, at_most, decided, exact, filtered, limits};
+pub use adaptive::{at_most, limits};
 pub use from_eye::SphereFromEye;
 pub use haines::{Haines, ScaledRay, plainly};
 pub use textbook::Textbook;

@@ -7,7 +7,7 @@ use dashu_ratio::Relaxed;
 
 use super::{Exact, HasTruth, Root, Truth, sign};
 use crate::cast::Seen;
-use crate::cast::world::{Part, Primitive};
+use crate::cast::world::{Part, Primitive, of_each};
 use crate::question::Question;
 use crate::shape::Ray;
 use crate::vector::Vector;
@@ -59,18 +59,8 @@ pub fn sight<'a>(parts: &'a [Part], ray: &Ray<f64>, min_t: f64) -> TrueHit<'a> {
 }
 
 fn truth(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> Truth {
-    fn of<S: HasTruth>(shape: S, ray: &Ray<f64>, min_t: f64) -> Truth {
-        S::truth(&Question {
-            shape,
-            ray: *ray,
-            min_t,
-        })
-    }
-    match shape {
-        Primitive::Sphere(shape) => of(*shape, ray, min_t),
-        Primitive::Plane(shape) => of(*shape, ray, min_t),
-        Primitive::Triangle(shape) => of(*shape, ray, min_t),
-    }
+    let (ray, shape) = (*ray, *shape);
+    of_each!(shape, shape => HasTruth::truth(&Question { shape, ray, min_t }))
 }
 
 /// The unit outward normal at `t`, exact up to the final rounding and normalisation.

@@ -1,50 +1,56 @@
+//! [`super::ShiftedOrigin`] with a filter. What the filter leaves uncertain is decided exactly, so
+//! hit or miss is never wrong. The relative error of t is at most √u.
+//!
+//! # Why the filter is right
+//!
+//! A dot product of three terms has an error of at most γ₃ ≤ 4u times P, the sum of the terms'
+//! magnitudes (Higham, *Accuracy and Stability*, 2nd ed., §3.1). Together with the rounding of
+//! p − e, this is below 5u P, so 8u P is safe. P is at most three times the product of the
+//! largest components, and the largest component of the scaled direction is below 2. Underflow
+//! adds less than 64 times [`TINY`]. Overflow makes a limit infinite or a number NaN; then the
+//! filter does not decide.
+
 use crate::dyadic::Dyadic;
 use crate::kernel::sphere::ScaledRay;
-use crate::kernel::{FilterRay, Kernel, Limits, Tier, Window};
+use crate::kernel::{Filtered, Limits, Window};
 use crate::number::{ROOT_OF_UNIT, TINY, U};
-use crate::root::{Root, rounded};
+use crate::root::Root;
 use crate::shape::{Plane, Ray};
 use crate::vector::Vector;
 
-/// [`super::ShiftedOrigin`] with a filter. What the filter leaves uncertain is decided exactly, so
-/// hit or miss is never wrong. The relative error of t is at most √u.
-///
-/// # Why the filter is right
-///
-/// A dot product of three terms has an error of at most γ₃ ≤ 4u times P, the sum of the terms'
-/// magnitudes (Higham, *Accuracy and Stability*, 2nd ed., §3.1). Together with the rounding of
-/// p − e, this is below 5u P, so 8u P is safe. P is at most three times the product of the
-/// largest components, and the largest component of the scaled direction is below 2. Underflow
-/// adds less than 64 times [`TINY`]. Overflow makes a limit infinite or a number NaN; then the
-/// filter does not decide.
-pub struct Adaptive;
-
-impl Kernel<Plane<f64>, f64> for Adaptive {
-    const NAME: &'static str = "adaptive exact";
-    type PreparedRay = FilterRay;
-
+impl Filtered for Plane<f64> {
     #[inline(always)]
-    fn prepare(ray: &Ray<f64>) -> FilterRay {
-        FilterRay::new(ray)
+    fn limits_from(&self, origin: Vector<f64>) -> Limits {
+        limits(self, (self.point - origin).largest(), ROOT_OF_UNIT)
     }
 
     #[inline(always)]
-    fn intersect(plane: &Plane<f64>, ray: &FilterRay, min_t: f64) -> Option<f64> {
-        decided(plane, ray, min_t).0
+    fn filtered(
+        &self,
+        scaled: &ScaledRay<f64>,
+        window: &Window,
+        limits: &Limits,
+    ) -> Option<Option<f64>> {
+        let height = self.normal.dot(self.point - scaled.ray.origin);
+        at_height(self.normal, height, scaled, window, limits)
     }
-}
 
-/// The answer, and the tier that decided it: the semi-static filter or exact arithmetic.
-#[inline(always)]
-pub fn decided(plane: &Plane<f64>, ray: &FilterRay, min_t: f64) -> (Option<f64>, Tier) {
-    let scaled = &ray.scaled;
-    let window = Window::new(scaled.scale(min_t));
-    let away = (plane.point - scaled.ray.origin).largest();
-    let limits = limits(plane, away, ROOT_OF_UNIT);
-    if let Some(answer) = filtered(plane, scaled, &window, &limits) {
-        return (answer, Tier::SemiStatic);
+    #[cold]
+    #[inline(never)]
+    fn exact(&self, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
+        let is_finite = self.normal.is_finite() && self.point.is_finite();
+        if !(is_finite && ray.is_finite() && min_t.is_finite()) {
+            return None;
+        }
+        let n = self.normal.map(Dyadic::of);
+        let down = n.clone().dot(ray.direction.map(Dyadic::of));
+        let height = n.dot(self.point.map(Dyadic::of) - ray.origin.map(Dyadic::of));
+        let beyond = height.clone() - Dyadic::of(min_t) * down.clone();
+        if down.sign() == 0 || beyond.sign() * down.sign() < 0 {
+            return None;
+        }
+        Some(Root::fraction(height, down))
     }
-    (rounded(exact(plane, &ray.given, min_t)), Tier::Exact)
 }
 
 /// The filter's limits for rays whose origin is up to `away` from the plane's point in each
@@ -58,18 +64,6 @@ pub fn limits(plane: &Plane<f64>, away: f64, accuracy: f64) -> Limits {
         divisor: good(2.0),
         dividend: good(away),
     }
-}
-
-/// The filter: the answer, or `None` if rounding might have changed it.
-#[inline(always)]
-pub fn filtered(
-    plane: &Plane<f64>,
-    scaled: &ScaledRay<f64>,
-    window: &Window,
-    limits: &Limits,
-) -> Option<Option<f64>> {
-    let height = plane.normal.dot(plane.point - scaled.ray.origin);
-    at_height(plane.normal, height, scaled, window, limits)
 }
 
 /// The filter, given n·(p − e).
@@ -86,22 +80,4 @@ pub fn at_height(
         true => window.answer(height / along, scaled),
         false => None,
     }
-}
-
-/// The answer by exact arithmetic.
-#[cold]
-#[inline(never)]
-pub fn exact(plane: &Plane<f64>, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
-    let is_finite = plane.normal.is_finite() && plane.point.is_finite();
-    if !(is_finite && ray.is_finite() && min_t.is_finite()) {
-        return None;
-    }
-    let n = plane.normal.map(Dyadic::of);
-    let down = n.clone().dot(ray.direction.map(Dyadic::of));
-    let height = n.dot(plane.point.map(Dyadic::of) - ray.origin.map(Dyadic::of));
-    let beyond = height.clone() - Dyadic::of(min_t) * down.clone();
-    if down.sign() == 0 || beyond.sign() * down.sign() < 0 {
-        return None;
-    }
-    Some(Root::fraction(height, down))
 }

@@ -5,17 +5,17 @@ use crate::number::{TINY, U};
 use crate::shape::Sphere;
 use crate::vector::Vector;
 
-/// [`super::filtered`] for rays that all start at the same eye. f = e − c and c = |f|² − r² are
-/// computed once, and most misses are certain without a division.
+/// The filter of [`super::adaptive`] for rays that all start at the same eye. f = e − c and c =
+/// |f|² − r² are computed once, and most misses are certain without a division.
 ///
 /// # Why the filter is right
 ///
 /// The ray's line misses if h² < a c, with a = d·d and h = d·f. In the terms of
-/// [`super::Adaptive`], the error of h is at most 4u|d||f|, that of a at most 3u a, and that of c
+/// [`super::adaptive`], the error of h is at most 4u|d||f|, that of a at most 3u a, and that of c
 /// at most 8u (|f|² + r²). So the true h² exceeds the computed one by at most 10.2u a |f|², and if
 /// the computed h² is below a (c − 32u (|f|² + r²)), the true one is below a c. (10.2u come from
 /// h², 8u from c, and 4.2u from a and the product.) If c > 0 and h ≥ 0, the sphere is behind the
-/// eye. Otherwise, the answer is that of [`super::filtered`].
+/// eye. Otherwise, the answer is that of [`super::adaptive`].
 #[derive(Clone, Copy, Debug)]
 pub struct SphereFromEye {
     f: Vector<f64>,

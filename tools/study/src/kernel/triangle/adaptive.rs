@@ -1,71 +1,129 @@
+//! Möller–Trumbore by signs of volumes, with a filter. What the filter leaves uncertain is
+//! decided in double-double arithmetic or, failing that, exactly. Edges are part of the
+//! triangle, so a closed mesh has no leak, and a ray exactly through an edge hits both of its
+//! triangles. The relative error of t is at most √u, and mostly about an ulp.
+//!
+//! # Why the filter is right
+//!
+//! Let u be the unit roundoff, |d|∞ < 2, S = |s|∞, and M the larger of |e₁|∞ and |e₂|∞. The
+//! edges are rounded by u each (in the style of Shewchuk, *Discrete Comput. Geom.* 18, 1997):
+//!
+//! 1. A component of d × e₂ is at most 4M, with an error of at most 12uM. The error of its dot
+//!    product with e₁ is at most 3 M (4uM + 12uM) from the factors plus 3u × 12 M² from its own
+//!    roundings: 84u M². Likewise, the error of d·(s × e₁) and s·(d × e₂) is at most 84u S M,
+//!    and that of e₂·(s × e₁) at most 48u S M².
+//! 2. The error of the third volume, determinant − u − v, is at most the sum of these errors
+//!    and of two roundings: 108u M² + 216u S M. So 256u M (M + S) bounds the error of every
+//!    volume, including the roundings of the bound itself, and 256u S M² that of t times the
+//!    determinant.
+//! 3. Underflow, in products of components below 1/u of the smallest normal number, adds less
+//!    than 64 [`TINY`] times (1 + M + S). If a sum or a product overflows, a volume may be
+//!    infinite with the wrong sign. The volumes are at most 24 M (M + S), and t times the
+//!    determinant is at most 6 S M². If 32 times these bounds is finite, nothing has
+//!    overflowed; if not, the limit is infinite, and comparisons are written so that the filter
+//!    then does not decide.
+//!
+//! The ray's line misses if two of the three volumes certainly have opposite signs. It hits if
+//! all three certainly have the same sign; their sum, the determinant, then has it too.
+
 use super::double_double_filter;
 use crate::dyadic::Dyadic;
 use crate::kernel::sphere::ScaledRay;
-use crate::kernel::{FilterRay, Kernel, Limits, Tier, Window};
+use crate::kernel::{Filtered, Limits, Window};
 use crate::number::{ROOT_OF_UNIT, TINY, U};
-use crate::root::{Root, rounded};
+use crate::root::Root;
 use crate::shape::{Ray, Triangle};
 use crate::vector::Vector;
 
-/// Möller–Trumbore by signs of volumes, with a filter. What the filter leaves uncertain is
-/// decided in double-double arithmetic or, failing that, exactly. Edges are part of the
-/// triangle, so a closed mesh has no leak, and a ray exactly through an edge hits both of its
-/// triangles. The relative error of t is at most √u, and mostly about an ulp.
-///
-/// # Why the filter is right
-///
-/// Let u be the unit roundoff, |d|∞ < 2, S = |s|∞, and M the larger of |e₁|∞ and |e₂|∞. The
-/// edges are rounded by u each (in the style of Shewchuk, *Discrete Comput. Geom.* 18, 1997):
-///
-/// 1. A component of d × e₂ is at most 4M, with an error of at most 12uM. The error of its dot
-///    product with e₁ is at most 3 M (4uM + 12uM) from the factors plus 3u × 12 M² from its own
-///    roundings: 84u M². Likewise, the error of d·(s × e₁) and s·(d × e₂) is at most 84u S M,
-///    and that of e₂·(s × e₁) at most 48u S M².
-/// 2. The error of the third volume, determinant − u − v, is at most the sum of these errors
-///    and of two roundings: 108u M² + 216u S M. So 256u M (M + S) bounds the error of every
-///    volume, including the roundings of the bound itself, and 256u S M² that of t times the
-///    determinant.
-/// 3. Underflow, in products of components below 1/u of the smallest normal number, adds less
-///    than 64 [`TINY`] times (1 + M + S). If a sum or a product overflows, a volume may be
-///    infinite with the wrong sign. The volumes are at most 24 M (M + S), and t times the
-///    determinant is at most 6 S M². If 32 times these bounds is finite, nothing has
-///    overflowed; if not, the limit is infinite, and comparisons are written so that the filter
-///    then does not decide.
-///
-/// The ray's line misses if two of the three volumes certainly have opposite signs. It hits if
-/// all three certainly have the same sign; their sum, the determinant, then has it too.
-pub struct Adaptive;
+impl Filtered for Triangle<f64> {
+    #[inline(always)]
+    fn limits_from(&self, origin: Vector<f64>) -> Limits {
+        limits(
+            size(self),
+            (origin - self.corners[0]).largest(),
+            ROOT_OF_UNIT,
+        )
+    }
 
-impl Kernel<Triangle<f64>, f64> for Adaptive {
-    const NAME: &'static str = "adaptive exact";
-    type PreparedRay = FilterRay;
+    /// The filter: the answer, or `None` if rounding might have changed it.
+    ///
+    /// For a hit, all three volumes have a certain sign, and the relative error of t is at most √u,
+    /// because that of its dividend and of its divisor is at most ½√u.
+    #[inline(always)]
+    fn filtered(
+        &self,
+        scaled: &ScaledRay<f64>,
+        window: &Window,
+        limits: &Limits,
+    ) -> Option<Option<f64>> {
+        let ([a, b, c], d) = (self.corners, scaled.ray.direction);
+        let (e1, e2, s) = (b - a, c - a, scaled.ray.origin - a);
+        let bound = limits.sign;
+        let p = d.cross(e2);
+        let determinant = e1.dot(p);
+        let side = 1f64.copysign(determinant);
+        let determinant = determinant.abs();
+        if !(determinant > bound) {
+            return None;
+        }
+        let u = s.dot(p) * side;
+        if u < -bound || u - determinant > bound {
+            return Some(None);
+        }
+        let q = s.cross(e1);
+        let v = d.dot(q) * side;
+        let w = determinant - u - v;
+        if v < -bound || w < -bound {
+            return Some(None);
+        }
+        let volume = e2.dot(q) * side;
+        let are_sure = u > bound && v > bound && w > bound;
+        let is_good = determinant > limits.divisor && volume.abs() > limits.dividend;
+        match are_sure && is_good {
+            true => window.answer(volume / determinant, scaled),
+            false => None,
+        }
+    }
 
     #[inline(always)]
-    fn prepare(ray: &Ray<f64>) -> FilterRay {
-        FilterRay::new(ray)
+    fn double_double_filter(
+        &self,
+        scaled: &ScaledRay<f64>,
+        window: &Window,
+    ) -> Option<Option<f64>> {
+        double_double_filter(self, scaled, window)
     }
 
-    #[inline(always)]
-    fn intersect(triangle: &Triangle<f64>, ray: &FilterRay, min_t: f64) -> Option<f64> {
-        decided(triangle, ray, min_t).0
+    /// The answer by exact arithmetic. Edges and corners belong to the triangle: a ray exactly
+    /// through one hits every triangle that shares it.
+    #[cold]
+    #[inline(never)]
+    fn exact(&self, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
+        let is_finite = self.corners.into_iter().all(Vector::is_finite);
+        if !(is_finite && ray.is_finite() && min_t.is_finite()) {
+            return None;
+        }
+        let (e, d) = (ray.origin.map(Dyadic::of), ray.direction.map(Dyadic::of));
+        let [a, b, c] = self
+            .corners
+            .map(|corner| corner.map(Dyadic::of) - e.clone());
+        let b_cross_c = b.clone().cross(c.clone());
+        let u = d.clone().dot(b_cross_c.clone());
+        let v = d.clone().dot(c.cross(a.clone()));
+        let w = d.dot(a.clone().cross(b));
+        let signs = [u.sign(), v.sign(), w.sign()];
+        if signs.contains(&1) && signs.contains(&-1) {
+            return None;
+        }
+        // a·(b × c) = t d·((b − a) × (c − a)), and the latter is u + v + w: 0 if the ray lies in
+        // the triangle's plane or the triangle has no area, neither of which is a hit.
+        let (volume, determinant) = (a.dot(b_cross_c), u + v + w);
+        let beyond = volume.clone() - Dyadic::of(min_t) * determinant.clone();
+        if determinant.sign() == 0 || beyond.sign() * determinant.sign() < 0 {
+            return None;
+        }
+        Some(Root::fraction(volume, determinant))
     }
-}
-
-/// The answer, and the tier that decided it: the semi-static filter, double-double or exact
-/// arithmetic.
-#[inline(always)]
-pub fn decided(triangle: &Triangle<f64>, ray: &FilterRay, min_t: f64) -> (Option<f64>, Tier) {
-    let scaled = &ray.scaled;
-    let window = Window::new(scaled.scale(min_t));
-    let away = (scaled.ray.origin - triangle.corners[0]).largest();
-    let limits = limits(size(triangle), away, ROOT_OF_UNIT);
-    if let Some(answer) = filtered(triangle, scaled, &window, &limits) {
-        return (answer, Tier::SemiStatic);
-    }
-    if let Some(answer) = double_double_filter(triangle, scaled, &window) {
-        return (answer, Tier::DoubleDouble);
-    }
-    (rounded(exact(triangle, &ray.given, min_t)), Tier::Exact)
 }
 
 /// The largest component of the two edges from the first corner, rounded as in the kernels.
@@ -90,75 +148,4 @@ pub fn limits(size: f64, away: f64, accuracy: f64) -> Limits {
         divisor: good * error(of_size * size, size),
         dividend: good * error(of_size * away * size, size + size * away),
     }
-}
-
-/// The filter: the answer, or `None` if rounding might have changed it.
-///
-/// For a hit, all three volumes have a certain sign, and the relative error of t is at most √u,
-/// because that of its dividend and of its divisor is at most ½√u.
-#[inline(always)]
-pub fn filtered(
-    triangle: &Triangle<f64>,
-    scaled: &ScaledRay<f64>,
-    window: &Window,
-    limits: &Limits,
-) -> Option<Option<f64>> {
-    let ([a, b, c], d) = (triangle.corners, scaled.ray.direction);
-    let (e1, e2, s) = (b - a, c - a, scaled.ray.origin - a);
-    let bound = limits.sign;
-    let p = d.cross(e2);
-    let determinant = e1.dot(p);
-    let side = 1f64.copysign(determinant);
-    let determinant = determinant.abs();
-    if !(determinant > bound) {
-        return None;
-    }
-    let u = s.dot(p) * side;
-    if u < -bound || u - determinant > bound {
-        return Some(None);
-    }
-    let q = s.cross(e1);
-    let v = d.dot(q) * side;
-    let w = determinant - u - v;
-    if v < -bound || w < -bound {
-        return Some(None);
-    }
-    let volume = e2.dot(q) * side;
-    let are_sure = u > bound && v > bound && w > bound;
-    let is_good = determinant > limits.divisor && volume.abs() > limits.dividend;
-    match are_sure && is_good {
-        true => window.answer(volume / determinant, scaled),
-        false => None,
-    }
-}
-
-/// The answer by exact arithmetic. Edges and corners belong to the triangle: a ray exactly
-/// through one hits every triangle that shares it.
-#[cold]
-#[inline(never)]
-pub fn exact(triangle: &Triangle<f64>, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
-    let is_finite = triangle.corners.into_iter().all(Vector::is_finite);
-    if !(is_finite && ray.is_finite() && min_t.is_finite()) {
-        return None;
-    }
-    let (e, d) = (ray.origin.map(Dyadic::of), ray.direction.map(Dyadic::of));
-    let [a, b, c] = triangle
-        .corners
-        .map(|corner| corner.map(Dyadic::of) - e.clone());
-    let b_cross_c = b.clone().cross(c.clone());
-    let u = d.clone().dot(b_cross_c.clone());
-    let v = d.clone().dot(c.cross(a.clone()));
-    let w = d.dot(a.clone().cross(b));
-    let signs = [u.sign(), v.sign(), w.sign()];
-    if signs.contains(&1) && signs.contains(&-1) {
-        return None;
-    }
-    // a·(b × c) = t d·((b − a) × (c − a)), and the latter is u + v + w: 0 if the ray lies in
-    // the triangle's plane or the triangle has no area, neither of which is a hit.
-    let (volume, determinant) = (a.dot(b_cross_c), u + v + w);
-    let beyond = volume.clone() - Dyadic::of(min_t) * determinant.clone();
-    if determinant.sign() == 0 || beyond.sign() * determinant.sign() < 0 {
-        return None;
-    }
-    Some(Root::fraction(volume, determinant))
 }

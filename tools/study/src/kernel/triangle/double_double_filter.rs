@@ -7,7 +7,7 @@ use crate::vector::Vector;
 
 /// The double-double filter: the answer by signs of volumes in double-double arithmetic, or
 /// `None` if rounding might have changed even that, which happens almost only if the ray hits
-/// an edge or a vertex exactly. It gets what [`super::filtered`] leaves undecided, because
+/// an edge or a vertex exactly. It gets what [`super::adaptive`] leaves undecided, because
 /// exact arithmetic takes ten times as long. The relative error of t is at most 3u.
 ///
 /// # Why the filter is right

@@ -24,13 +24,13 @@ impl Affine {
     }
 }
 
-/// [`super::filtered`] for the rays of one camera. A ray passes each side of the triangle on the
+/// The filter of [`super::adaptive`] for the rays of one camera. A ray passes each side of the triangle on the
 /// left or on the right. If it passes all three on the same side, it hits. Which one it is, is the
 /// sign of a volume, and the volumes are affine functions of q: three multiplications each.
 ///
 /// # Why the filter is right
 ///
-/// Let u and M be as in [`super::Adaptive`], o the camera's centre, and A ≥ |a − o|∞ + 4|e − o|∞
+/// Let u and M be as in [`super::adaptive`], o the camera's centre, and A ≥ |a − o|∞ + 4|e − o|∞
 /// what [`super::limits`] calls `away`. For a side s from p, |s|∞ ≤ 2M and |p − o|∞ ≤ A + M.
 ///
 /// 1. Perspective, o = e: the volume is d·((p − e) × s). The error of a component of the cross

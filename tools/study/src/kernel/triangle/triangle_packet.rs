@@ -8,7 +8,7 @@ use crate::vector::Vector;
 /// Up to four triangles in SIMD lanes: a first corner and the two edges from it, which are
 /// computed once instead of at every test.
 ///
-/// Each lane performs the same operations as [`super::MollerTrumbore`] and [`super::filtered`],
+/// Each lane performs the same operations as [`super::MollerTrumbore`] and [`super::adaptive`],
 /// so the results are the same bit for bit.
 #[derive(Clone, Copy, Debug)]
 pub struct TrianglePacket {
@@ -99,7 +99,7 @@ impl TrianglePacket {
         }
     }
 
-    /// Tests all lanes like [`super::filtered`].
+    /// Tests all lanes like the filter of [`super::adaptive`].
     #[inline(always)]
     pub fn filtered(
         &self,

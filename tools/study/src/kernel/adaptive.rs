@@ -1,0 +1,71 @@
+//! Kernels that are never wrong about hit or miss: a filter answers nearly every question, and the
+//! rest is decided in more digits.
+
+use super::sphere::ScaledRay;
+use super::{Kernel, Limits, Tier, Window};
+use crate::root::{Root, rounded};
+use crate::shape::Ray;
+use crate::vector::Vector;
+
+/// A shape with a filter and an exact decision. The proofs are in its own file.
+pub trait Filtered: 'static {
+    /// The filter's limits for rays from this origin. Where the filter answers with a t, its
+    /// relative error is at most √u.
+    fn limits_from(&self, origin: Vector<f64>) -> Limits;
+
+    /// The filter: the answer, or `None` if rounding might have changed it.
+    fn filtered(
+        &self,
+        scaled: &ScaledRay<f64>,
+        window: &Window,
+        limits: &Limits,
+    ) -> Option<Option<f64>>;
+
+    /// A slower filter for what the first one leaves open, if there is one.
+    #[inline(always)]
+    fn double_double_filter(&self, _: &ScaledRay<f64>, _: &Window) -> Option<Option<f64>> {
+        None
+    }
+
+    /// The answer by exact arithmetic; `None`, too, if a number is not finite.
+    fn exact(&self, ray: &Ray<f64>, min_t: f64) -> Option<Root>;
+}
+
+/// The kernel of every shape that is [`Filtered`]. The relative error of t is at most √u, and
+/// mostly about an ulp.
+pub struct Adaptive;
+
+impl<S: Filtered> Kernel<S, f64> for Adaptive {
+    const NAME: &'static str = "adaptive exact";
+    /// The scaled ray, for filters, and the ray as it was given, for exact decisions.
+    type PreparedRay = (ScaledRay<f64>, Ray<f64>);
+
+    #[inline(always)]
+    fn prepare(ray: &Ray<f64>) -> Self::PreparedRay {
+        (ScaledRay::new(ray), *ray)
+    }
+
+    #[inline(always)]
+    fn intersect(shape: &S, (scaled, ray): &Self::PreparedRay, min_t: f64) -> Option<f64> {
+        decided(shape, scaled, ray, min_t).0
+    }
+}
+
+/// The answer, and the tier that decided it.
+#[inline(always)]
+pub fn decided(
+    shape: &impl Filtered,
+    scaled: &ScaledRay<f64>,
+    ray: &Ray<f64>,
+    min_t: f64,
+) -> (Option<f64>, Tier) {
+    let window = Window::new(scaled.scale(min_t));
+    let limits = shape.limits_from(scaled.ray.origin);
+    if let Some(answer) = shape.filtered(scaled, &window, &limits) {
+        return (answer, Tier::SemiStatic);
+    }
+    if let Some(answer) = shape.double_double_filter(scaled, &window) {
+        return (answer, Tier::DoubleDouble);
+    }
+    (rounded(shape.exact(ray, min_t)), Tier::Exact)
+}
