@@ -5,7 +5,6 @@ use std::time::Instant;
 use pinhole::{Film, Hit, Intersection, Scene};
 use serde::Serialize;
 
-use crate::cast::rays::rays;
 use crate::cast::{Seen, Tally};
 use crate::plan::{AccuracyTarget, Plan, plan};
 
@@ -43,7 +42,7 @@ pub fn planned(scene: &Scene, wish: AccuracyTarget) -> Result<(Film, Report), St
     let (plan, casting) = plan(scene, wish)?;
     let planning_seconds = start.elapsed().as_secs_f64();
     let start = Instant::now();
-    let (seen, tally) = casting.film(&rays(scene));
+    let (seen, tally) = casting.film();
     let seconds = start.elapsed().as_secs_f64();
     let hits: Vec<_> = seen.into_iter().map(hit).collect();
     let Tally {

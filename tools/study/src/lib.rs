@@ -39,6 +39,7 @@ pub mod plots;
 pub mod provenance;
 pub mod question;
 pub mod random;
+pub mod random_scene;
 pub mod record;
 pub mod result;
 pub mod root;

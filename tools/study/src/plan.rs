@@ -20,9 +20,8 @@ pub mod refined;
 use pinhole::Scene;
 use serde::Serialize;
 
-use crate::cast::rays::{camera, rays};
 use crate::cast::search::{PRICES, Prices, Search, price_of_all};
-use crate::cast::world::{Accurate, KINDS, PROVEN_T, Part, Primitive, World};
+use crate::cast::world::{Accurate, KINDS, PROVEN_T, Part, Primitive};
 use crate::kernel::sphere::at_most;
 use crate::vector::{Vector, around};
 use bounds::{OF_UNIT, normal_of, of_normal};
@@ -87,13 +86,8 @@ pub const FINEST: f64 = 2e-15;
 /// so large that a ray overflows.
 pub fn plan(scene: &Scene, wish: AccuracyTarget) -> Result<(Plan, PlannedCaster), String> {
     debug_assert!(wish.accuracy >= FINEST, "{wish:?}");
-    let (world, rays) = (World::of(&scene.objects), rays(scene));
-    if let Some(index) = rays.iter().position(|ray| !ray.is_finite()) {
-        let pixel = scene.resolution.pixel(index);
-        return Err(format!("the ray of pixel {pixel} overflows"));
-    }
-    let origins = around(rays.iter().map(|ray| [ray.origin; 2])).unwrap_or_default();
-    let casting = PlannedCaster::new(world, camera(scene, &rays), scene.min_t, wish);
+    let casting = PlannedCaster::new(scene, wish)?;
+    let origins = around(casting.rays().iter().map(|ray| [ray.origin; 2])).unwrap_or_default();
     let all = casting.parts();
     let kind = |kind| {
         let parts: Vec<&Part> = all.iter().filter(|it| it.shape.kind() == kind).collect();
@@ -109,7 +103,7 @@ pub fn plan(scene: &Scene, wish: AccuracyTarget) -> Result<(Plan, PlannedCaster)
     };
     let plan = Plan {
         wish,
-        pixels: rays.len(),
+        pixels: casting.rays().len(),
         kinds: KINDS.into_iter().filter_map(kind).collect(),
         search: Search::cheaper(all).name(),
         price_of_all: price_of_all(all),

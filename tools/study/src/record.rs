@@ -6,14 +6,11 @@
 //! has no wrong answer. Edges and corners are tested separately with closed meshes, and every
 //! pixel of a plan has exactly one right object.
 
-pub mod scene;
-
 use std::ops::Range;
 
 use rayon::prelude::*;
 
 use crate::cast::model::Exact;
-use crate::cast::rays::rays;
 use crate::cast::world::{Primitive, World};
 use crate::cast::{Caster, Search, Tally};
 use crate::contestant::Contestant;
@@ -21,11 +18,11 @@ use crate::contestants::{EXACT, HasKernels};
 use crate::family::mesh::{Aim, Ball};
 use crate::family::{HasFamilies, questions};
 use crate::judge::judge;
-use crate::oracle::scene::sight;
 use crate::plan::plan;
 use crate::plans::kept;
 use crate::question::{Class, Data, Question};
 use crate::random::Random;
+use crate::random_scene;
 use crate::shape::{Plane, Sphere, Triangle};
 
 /// What to ask. A round depends only on its number and the seed, so that a run can continue
@@ -155,12 +152,10 @@ fn edges(seed: u64) -> Count {
 /// Casts a random scene by its plan. The judge computes with fractions and shares only its
 /// input with the casters: the scene and the camera's rays, rounded to `f64`.
 fn planned(seed: u64) -> Count {
-    let (scene, wish) = scene::drawn(seed);
-    let (world, rays) = (World::of(&scene.objects), rays(&scene));
-    let truth = |ray| sight(&world.parts, ray, scene.min_t);
-    let truths: Vec<_> = rays.iter().map(truth).collect();
+    let (scene, wish) = random_scene::drawn(seed);
     let (_, casting) = plan(&scene, wish).expect("an f64 can reach the accuracy");
-    let (kept, tally) = kept(&rays, &truths, &casting, &wish);
+    let truths = casting.truths();
+    let (kept, tally) = kept(&casting, &truths);
     Count {
         asked: kept.rays,
         hits: truths.iter().flatten().count() as u64,

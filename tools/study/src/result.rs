@@ -45,6 +45,8 @@ pub struct Findings {
     pub breaking: Vec<BreakingPoint>,
     /// Whole scenes.
     pub scenes: Vec<SceneTally>,
+    /// Scenes made of small integers, in which rays hit edges, corners and tangents exactly.
+    pub grids: Vec<SceneTally>,
     /// Whole scenes, cast by plans.
     pub plans: Vec<PlanTally>,
 }
@@ -309,6 +311,8 @@ pub struct PlanTally {
     pub kept: PlanErrors,
     /// Pixels whose t and normal were computed exactly.
     pub exact_hits: u64,
+    /// Time for making the plan, divided by the number of pixels.
+    pub planning: f64,
     /// CPU time for a ray, in the median film.
     pub nanoseconds: f64,
     /// CPU time for a ray with exact objects, but t and normals not refined.

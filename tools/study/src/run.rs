@@ -93,7 +93,7 @@ pub fn run(extent: &Extent, seed: u64, only: Option<&str>, say: &dyn Fn(&str)) -
         findings.secondary = secondary::studied(extent.secondary, seed);
     }
     for file in scenes::files() {
-        let name = file.file_stem().unwrap_or_default().display();
+        let name = scenes::name_of(&file);
         if is_wanted("plans") {
             say(&format!("plans for {name}"));
             let tallies = plans::studied(&file, extent.scenes, extent.accuracies);
@@ -105,6 +105,11 @@ pub fn run(extent: &Extent, seed: u64, only: Option<&str>, say: &dyn Fn(&str)) -
             let tallies = scenes::studied(&file, extent.scenes).expect("the scene is committed");
             findings.scenes.extend(tallies);
         }
+    }
+    if is_wanted("scenes") {
+        say("scenes of small integers");
+        let grids = scenes::GRIDS.flat_map(|seed| scenes::of_grid(seed, extent.scenes));
+        findings.grids = grids.collect();
     }
     findings
 }

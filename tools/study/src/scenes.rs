@@ -5,20 +5,19 @@ use std::hint::black_box;
 use std::path::{Path, PathBuf};
 
 use pinhole::{Film, Scene, ShapeKind};
-use rayon::prelude::*;
 
 use crate::cast::model::Plain;
-use crate::cast::rays::{camera, rays};
 use crate::cast::world::World;
 use crate::cast::{Caster, Search, Seen, Tally};
 use crate::instructions;
 use crate::judge::median_and_worst;
-use crate::oracle::scene::{HitComparison, TrueHit, compared, sight};
+use crate::oracle::scene::{HitComparison, TrueHit, compared};
 use crate::plan::EXACT_OBJECTS;
 use crate::plan::casting::PlannedCaster;
+use crate::random_scene::grid;
 use crate::result::SceneTally;
 use crate::shape::Ray;
-use crate::speed::{Workload, race};
+use crate::speed::{Time, Workload, race};
 use crate::vector::Vector;
 
 /// How much of every scene is cast.
@@ -32,71 +31,65 @@ pub struct Share {
     pub instructions: bool,
 }
 
-/// A scene ready to be cast, and its rays.
-struct SceneRays {
-    caster: Caster,
+/// A scene ready to be cast.
+struct Stage {
+    plain: Caster,
     exact: PlannedCaster,
-    rays: Vec<Ray<f64>>,
     min_t: f64,
 }
 
-/// One way to cast a scene.
-struct CastMethod {
-    /// The name in tables.
-    model: &'static str,
-    /// The search; `None` for the cheaper one.
-    search: Option<Search>,
-    /// Casts one ray, and returns object, t and normal.
-    see: fn(&SceneRays, &Ray<f64>, &mut Tally) -> Seen,
-    /// Casts all rays, for timing. It does not read a clock, because rustix's clock does not
-    /// work under valgrind.
-    film: fn(&SceneRays),
-}
-
-const WAYS: [CastMethod; 3] = [
-    CastMethod {
-        model: "f64",
-        search: Some(Search::BruteForce),
-        see: |scene, ray, tally| scene.plain(Search::BruteForce, ray, tally),
-        film: |scene| scene.film(|ray, tally| scene.plain(Search::BruteForce, ray, tally)),
-    },
-    CastMethod {
-        model: "f64",
-        search: Some(Search::Boxes),
-        see: |scene, ray, tally| scene.plain(Search::Boxes, ray, tally),
-        film: |scene| scene.film(|ray, tally| scene.plain(Search::Boxes, ray, tally)),
-    },
-    CastMethod {
-        model: "exact",
-        search: None,
-        see: |scene, ray, tally| scene.exact.see(ray, tally),
-        film: |scene| scene.film(|ray, tally| scene.exact.see(ray, tally)),
-    },
+/// The ways to cast a scene: the name in tables, and for plain `f64` the search. Exact casting
+/// chooses the cheaper search.
+const WAYS: [(&str, Option<Search>); 3] = [
+    ("f64", Some(Search::BruteForce)),
+    ("f64", Some(Search::Boxes)),
+    ("exact", None),
 ];
 
-impl SceneRays {
-    fn new(scene: &Scene, step: usize) -> SceneRays {
-        let (world, all) = (World::of(&scene.objects), rays(scene));
-        let camera = camera(scene, &all);
-        SceneRays {
-            exact: PlannedCaster::new(world.clone(), camera, scene.min_t, EXACT_OBJECTS),
-            caster: Caster::new(world),
-            rays: all.into_iter().step_by(step).collect(),
+impl Stage {
+    fn new(scene: &Scene, step: usize) -> Stage {
+        let exact = PlannedCaster::new(scene, EXACT_OBJECTS).expect("its rays are finite");
+        Stage {
+            plain: Caster::new(World::of(&scene.objects)),
+            exact: exact.every(step),
             min_t: scene.min_t,
         }
     }
 
     #[inline(always)]
     fn plain(&self, search: Search, ray: &Ray<f64>, tally: &mut Tally) -> Seen {
-        let found = self.caster.first::<Plain>(search, ray, self.min_t, tally)?;
+        let found = self.plain.first::<Plain>(search, ray, self.min_t, tally)?;
         let normal = found.part.shape.normal(ray, found.t);
         Some((found.part.object, found.t, normal))
     }
 
+    /// What every ray sees.
+    fn film(&self, search: Option<Search>) -> (Vec<Seen>, Tally) {
+        let Some(search) = search else {
+            return self.exact.film();
+        };
+        let mut tally = Tally::default();
+        let rays = self.exact.rays().iter();
+        let seen = rays
+            .map(|ray| self.plain(search, ray, &mut tally))
+            .collect();
+        (seen, tally)
+    }
+
+    /// Casts all rays, for timing. It does not read a clock, because rustix's clock does not
+    /// work under valgrind.
+    fn cast(&self, search: Option<Search>) {
+        match search {
+            Some(Search::BruteForce) => self.cast_plainly(Search::BruteForce),
+            Some(Search::Boxes) => self.cast_plainly(Search::Boxes),
+            None => self.exact.cast(),
+        }
+    }
+
     #[inline(always)]
-    fn film(&self, see: impl Fn(&Ray<f64>, &mut Tally) -> Seen) {
-        for ray in black_box(&self.rays) {
-            black_box(see(ray, &mut Tally::default()));
+    fn cast_plainly(&self, search: Search) {
+        for ray in black_box(self.exact.rays()) {
+            black_box(self.plain(search, ray, &mut Tally::default()));
         }
     }
 }
@@ -106,15 +99,29 @@ const SCENE: &str = "scene:";
 
 /// Casts the named scene `films` times in one way. Returns false if there is no such scene.
 pub fn cast(named: &str, way: usize, films: u32) -> bool {
-    let name = named.strip_prefix(SCENE).map(|name| format!("{name}.toml"));
-    let file = name.and_then(|name| files().into_iter().find(|file| file.ends_with(&name)));
-    let Some(file) = file else { return false };
-    let stage = SceneRays::new(&read(&file).expect("the scene is committed"), 1);
-    if let Some(way) = WAYS.get(way) {
-        (0..films).for_each(|_| (way.film)(&stage));
-    }
+    let Some(name) = named.strip_prefix(SCENE) else {
+        return false;
+    };
+    let file = || files().into_iter().find(|file| name_of(file) == name);
+    let scene = match name.strip_prefix(GRID) {
+        Some(seed) => grid(seed.parse().expect("a grid has a number")),
+        None => read(&file().expect("it is a scene")).expect("the scene is committed"),
+    };
+    let stage = Stage::new(&scene, 1);
+    (0..films).for_each(|_| stage.cast(WAYS[way].1));
     true
 }
+
+/// The name of a scene's file, without its extension.
+pub fn name_of(file: &Path) -> String {
+    file.file_stem().unwrap_or_default().display().to_string()
+}
+
+/// Scenes of small integers.
+pub const GRIDS: std::ops::RangeInclusive<u64> = 1..=12;
+
+/// Before the number in a grid's name.
+const GRID: &str = "grid ";
 
 /// The assignment's scenes, in order of their names.
 pub fn files() -> Vec<PathBuf> {
@@ -157,30 +164,48 @@ fn golden(name: &str) -> Option<Film> {
     Film::read(&folder.join(format!("{name}.exr"))).ok()
 }
 
-/// Judges every way to cast a scene, and Mitsuba's film of it if there is one.
+/// Judges every way to cast a scene of the assignment, and Mitsuba's film of it if there is one.
 pub fn studied(file: &Path, share: Share) -> Result<Vec<SceneTally>, pinhole::Error> {
-    let scene = read(file)?;
-    let name = file.file_stem().unwrap_or_default().to_string_lossy();
-    let stage = SceneRays::new(&scene, share.step);
-    let (parts, rays) = (&stage.caster.world.parts, &stage.rays);
-    let truth = |ray| sight(parts, ray, scene.min_t);
-    let truths: Vec<_> = rays.par_iter().map(truth).collect();
-    let films = WAYS
-        .iter()
-        .map(|way| Box::new(|| (way.film)(&stage)) as Workload);
-    let times = race(films.collect(), rays.len(), share.seconds);
-    let mut tallies = Vec::new();
-    for (at, (way, time)) in WAYS.iter().zip(times).enumerate() {
-        let cheaper = Search::cheaper(parts);
-        let search = way.search.unwrap_or(cheaper);
+    let (name, scene) = (name_of(file), read(file)?);
+    let mut tallies = judged_ways(&name, &scene, share);
+    if let Some(film) = golden(&name) {
+        let casting = Stage::new(&scene, share.step).exact;
+        let seen = seen_in(&film).into_iter().step_by(share.step).collect();
+        tallies.push(SceneTally {
+            scene: name,
+            model: "Mitsuba".into(),
+            parts: casting.parts().len() as u64,
+            ..judged(casting.rays(), &casting.truths(), seen)
+        });
+    }
+    Ok(tallies)
+}
+
+/// Judges every way to cast a scene of small integers.
+pub fn of_grid(seed: u64, share: Share) -> Vec<SceneTally> {
+    // A grid has few rays.
+    let share = Share { step: 1, ..share };
+    judged_ways(&format!("{GRID}{seed}"), &grid(seed), share)
+}
+
+fn judged_ways(name: &str, scene: &Scene, share: Share) -> Vec<SceneTally> {
+    let stage = &Stage::new(scene, share.step);
+    let (rays, parts, truths) = (
+        stage.exact.rays(),
+        stage.exact.parts(),
+        stage.exact.truths(),
+    );
+    let films = WAYS.map(|(_, search)| Box::new(move || stage.cast(search)) as Workload);
+    let times = race(films.into(), rays.len(), share.seconds);
+    let cheaper = Search::cheaper(parts);
+    let tally = |(at, ((model, search), time)): (usize, ((&str, Option<Search>), Time))| {
+        let (seen, tally) = stage.film(search);
+        let search = search.unwrap_or(cheaper);
         let is_counted = share.instructions && search == cheaper;
         let count = || instructions::of_cast(&format!("{SCENE}{name}"), at, rays.len());
-        let mut tally = Tally::default();
-        let seen = rays.iter().map(|ray| (way.see)(&stage, ray, &mut tally));
-        let seen = seen.collect();
-        tallies.push(SceneTally {
-            scene: name.clone().into(),
-            model: way.model.into(),
+        SceneTally {
+            scene: name.into(),
+            model: model.into(),
             search: Some(search.name().into()),
             parts: parts.len() as u64,
             nanoseconds: Some(time.nanoseconds),
@@ -191,18 +216,9 @@ pub fn studied(file: &Path, share: Share) -> Result<Vec<SceneTally>, pinhole::Er
             exact: tally.exact,
             close_calls: tally.close_calls,
             ..judged(rays, &truths, seen)
-        });
-    }
-    if let Some(film) = golden(&name) {
-        let seen = seen_in(&film).into_iter().step_by(share.step).collect();
-        tallies.push(SceneTally {
-            scene: name.clone().into(),
-            model: "Mitsuba".into(),
-            parts: parts.len() as u64,
-            ..judged(rays, &truths, seen)
-        });
-    }
-    Ok(tallies)
+        }
+    };
+    WAYS.into_iter().zip(times).enumerate().map(tally).collect()
 }
 
 /// Reads object, t and normal of each pixel from a film.

@@ -18,7 +18,7 @@ struct Promise {
     is_time: bool,
 }
 
-const PROMISES: [Promise; 13] = [
+const PROMISES: [Promise; 16] = [
     never("exact kernels: wrong decisions, everyday", |it| {
         decisions(it, Class::Everyday, |trade| trade.kernel == EXACT)
     }),
@@ -47,9 +47,10 @@ const PROMISES: [Promise; 13] = [
         leaks(&it.meshes, "Woop, edges owned")
     }),
     never("exact casting: wrong objects in the scenes", |it| {
-        let exact = || it.scenes.iter().filter(|tally| tally.model == "exact");
-        let rays = exact().map(|tally| tally.rays).sum();
-        none_of(exact().map(|tally| tally.wrong_ids).sum(), rays)
+        wrong_objects(&it.scenes)
+    }),
+    never("exact casting: wrong objects on grids", |it| {
+        wrong_objects(&it.grids)
     }),
     never("plans: pixels off by more than wished", |it| {
         none_of(
@@ -70,14 +71,21 @@ const PROMISES: [Promise; 13] = [
         is_time: true,
     },
     Promise {
+        about: "exact casting on grids: instructions ÷ those of f64",
+        expected: "worst ≤ 3.00",
+        measured: |it| {
+            ratios(instructions(&it.grids).map(|[p, q]| p / q), |_, worst| {
+                worst <= 3.0
+            })
+        },
+        is_time: true,
+    },
+    Promise {
         about: "plans: time ÷ that of exact objects alone",
         expected: "worst ≤ 1.00",
         measured: |it| {
-            ratios(
-                it,
-                |it| it.nanoseconds / it.exact_ids,
-                |_, worst| worst <= 1.0,
-            )
+            let ratio = |plan: &PlanTally| plan.nanoseconds / plan.exact_ids;
+            ratios(it.plans.iter().map(ratio), |_, worst| worst <= 1.0)
         },
         is_time: true,
     },
@@ -85,11 +93,17 @@ const PROMISES: [Promise; 13] = [
         about: "plans: time ÷ that of plain f64",
         expected: "median ≤ 1.00",
         measured: |it| {
-            ratios(
-                it,
-                |it| it.nanoseconds / it.plain,
-                |median, _| median <= 1.0,
-            )
+            let ratio = |plan: &PlanTally| plan.nanoseconds / plan.plain;
+            ratios(it.plans.iter().map(ratio), |median, _| median <= 1.0)
+        },
+        is_time: true,
+    },
+    Promise {
+        about: "planning: time ÷ that of the film",
+        expected: "worst ≤ 1.00",
+        measured: |it| {
+            let ratio = |plan: &PlanTally| plan.planning / plan.nanoseconds;
+            ratios(it.plans.iter().map(ratio), |_, worst| worst <= 1.0)
         },
         is_time: true,
     },
@@ -152,25 +166,33 @@ fn leaks(meshes: &[MeshTally], kernel: &str) -> Measured {
     none_of(of_it().map(|mesh| mesh.leaks).sum(), rays)
 }
 
-/// Additional instructions of exact casting compared with `f64`, both with the cheaper search, which
-/// is the only one whose instructions are counted.
-fn added(scenes: &[SceneTally]) -> Measured {
+fn wrong_objects(scenes: &[SceneTally]) -> Measured {
+    let exact = || scenes.iter().filter(|tally| tally.model == "exact");
+    let rays = exact().map(|tally| tally.rays).sum();
+    none_of(exact().map(|tally| tally.wrong_ids).sum(), rays)
+}
+
+/// Instructions of exact casting and of `f64`, both with the cheaper search, which is the only one
+/// whose instructions are counted.
+fn instructions(scenes: &[SceneTally]) -> impl Iterator<Item = [f64; 2]> {
     let of = |model: &'static str| {
         let of_model = scenes.iter().filter(move |tally| tally.model == model);
         of_model.filter_map(|tally| tally.instructions)
     };
-    let added = of("exact").zip(of("f64")).map(|(p, q)| p - q);
-    let [Some(median), Some(worst)] = median_and_worst(added) else {
-        return None;
-    };
+    of("exact").zip(of("f64")).map(|(p, q)| [p, q])
+}
+
+/// Additional instructions of exact casting.
+fn added(scenes: &[SceneTally]) -> Measured {
+    let [median, worst] = median_and_worst(instructions(scenes).map(|[p, q]| p - q));
+    let (median, worst) = (median?, worst?);
     let is_kept = median <= 25.0 && worst <= 50.0;
     Some((format!("median {median:.0}, worst {worst:.0}"), is_kept))
 }
 
-fn ratios(it: &Findings, of: fn(&PlanTally) -> f64, is_met: fn(f64, f64) -> bool) -> Measured {
-    let [Some(median), Some(worst)] = median_and_worst(it.plans.iter().map(of)) else {
-        return None;
-    };
+fn ratios(all: impl Iterator<Item = f64>, is_met: fn(f64, f64) -> bool) -> Measured {
+    let [median, worst] = median_and_worst(all);
+    let (median, worst) = (median?, worst?);
     let measured = format!("median {median:.2}, worst {worst:.2}");
     Some((measured, is_met(median, worst)))
 }

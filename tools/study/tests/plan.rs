@@ -3,10 +3,7 @@
 use std::path::Path;
 
 use pinhole::{Camera, Projection, Scene};
-use pinhole_study::cast::rays::rays;
-use pinhole_study::cast::world::World;
 use pinhole_study::film::{EXACT, planned};
-use pinhole_study::oracle::scene::sight;
 use pinhole_study::plan::{AccuracyTarget, plan};
 use pinhole_study::plans::{kept, studied};
 use pinhole_study::scenes::{Share, files, read};
@@ -23,13 +20,9 @@ fn hostile(name: &str) -> Scene {
 
 #[track_caller]
 fn keeps_its_promise(scene: &Scene, accuracies: &[f64]) {
-    let (world, rays) = (World::of(&scene.objects), rays(scene));
-    let truth = |ray| sight(&world.parts, ray, scene.min_t);
-    let truths: Vec<_> = rays.iter().map(truth).collect();
     for accuracy in accuracies {
-        let wish = wish(*accuracy);
-        let (_, casting) = plan(scene, wish).expect("a plan");
-        let (kept, _) = kept(&rays, &truths, &casting, &wish);
+        let (_, casting) = plan(scene, wish(*accuracy)).expect("a plan");
+        let (kept, _) = kept(&casting, &casting.truths());
         let is_kept = kept.violations + kept.wrong_ids == 0;
         assert!(is_kept, "{accuracy:e}: {kept:#?}");
     }
@@ -131,7 +124,7 @@ fn distant_eye_opens_as_few_boxes_as_a_near_one() {
             focal_length: distance,
         };
         let (_, casting) = plan(&scene, wish(1e-6)).expect("a plan");
-        casting.film(&rays(&scene)).1.tests
+        casting.film().1.tests
     };
     let (near, far) = (tests(20.0), tests(2e8));
     assert!(far < 2 * near, "{near} tests from near, {far} from afar");

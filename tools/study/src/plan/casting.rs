@@ -1,21 +1,29 @@
 //! Casts by a plan. Which object is first is decided exactly. t and the normal are computed in
 //! `f64` if that is proven to be accurate enough, and with more digits otherwise.
 
+use std::hint::black_box;
+
+use pinhole::Scene;
 use rayon::prelude::*;
 
 use super::AccuracyTarget;
 use super::bounds::{normal_of, required_t};
 use super::refined::refined;
 use crate::cast::model::FromCamera;
+use crate::cast::rays::{camera, rays};
 use crate::cast::world::{Part, Primitive, View, World};
 use crate::cast::{Caster, Found, Search, Seen, Tally};
 use crate::kernel::Camera;
+use crate::oracle::scene::{TrueHit, sight};
 use crate::shape::Ray;
 use crate::vector::Vector;
 
-/// A scene ready to be cast by a plan.
+/// A scene ready to be cast by a plan, and the rays of its camera. It casts no others, because its
+/// filters are only right for these.
 pub struct PlannedCaster {
-    wish: AccuracyTarget,
+    /// What is requested.
+    pub wish: AccuracyTarget,
+    rays: Vec<Ray<f64>>,
     min_t: f64,
     search: Search,
     caster: Caster,
@@ -36,26 +44,49 @@ fn has_digits(t: f64) -> bool {
 }
 
 impl PlannedCaster {
-    /// Prepares the parts of a scene for the rays of its camera.
-    pub fn new(world: World, camera: Camera, min_t: f64, wish: AccuracyTarget) -> PlannedCaster {
+    /// Prepares the parts of a scene for the rays of its camera. An error if the camera's numbers
+    /// are so large that a ray overflows.
+    pub fn new(scene: &Scene, wish: AccuracyTarget) -> Result<PlannedCaster, String> {
+        let (world, rays) = (World::of(&scene.objects), rays(scene));
+        if let Some(index) = rays.iter().position(|ray| !ray.is_finite()) {
+            let pixel = scene.resolution.pixel(index);
+            return Err(format!("the ray of pixel {pixel} overflows"));
+        }
         let normal = |part: &Part| match &part.shape {
             Primitive::Sphere(_) => NO_NORMAL,
             Primitive::Plane(plane) => plane.normal.unit(),
             Primitive::Triangle(triangle) => normal_of(triangle).0,
         };
-        PlannedCaster {
+        let normals = world.parts.iter().map(normal).collect();
+        let view = View {
+            camera: camera(scene, &rays),
+            required_t: &|shape, distance| required_t(shape, distance, wish),
+        };
+        Ok(PlannedCaster {
             wish,
-            min_t,
+            min_t: scene.min_t,
             search: Search::cheaper(&world.parts),
-            normals: world.parts.iter().map(normal).collect(),
-            caster: Caster::from_camera(
-                world,
-                View {
-                    camera,
-                    required_t: &|shape, distance| required_t(shape, distance, wish),
-                },
-            ),
-        }
+            normals,
+            caster: Caster::from_camera(world, view),
+            rays,
+        })
+    }
+
+    /// The same caster with only every `step`-th ray.
+    pub fn every(mut self, step: usize) -> PlannedCaster {
+        self.rays = self.rays.into_iter().step_by(step).collect();
+        self
+    }
+
+    /// The rays that it casts, in image order.
+    pub fn rays(&self) -> &[Ray<f64>] {
+        &self.rays
+    }
+
+    /// What each ray truly hits.
+    pub fn truths(&self) -> Vec<TrueHit<'_>> {
+        let truth = |ray| sight(self.parts(), ray, self.min_t);
+        self.rays.par_iter().map(truth).collect()
     }
 
     /// The parts of the scene, in the order of the search.
@@ -65,7 +96,7 @@ impl PlannedCaster {
 
     /// Casts one ray. t and normal are 0 if they are not requested.
     #[inline]
-    pub fn see(&self, ray: &Ray<f64>, tally: &mut Tally) -> Seen {
+    fn see(&self, ray: &Ray<f64>, tally: &mut Tally) -> Seen {
         let (caster, search, min_t) = (&self.caster, self.search, self.min_t);
         let found = match caster.world.camera {
             Some(Camera::Perspective { .. }) => {
@@ -112,18 +143,25 @@ impl PlannedCaster {
         }
     }
 
-    /// Casts many rays, on all cores.
-    pub fn film(&self, rays: &[Ray<f64>]) -> (Vec<Seen>, Tally) {
+    /// Casts all rays, on all cores.
+    pub fn film(&self) -> (Vec<Seen>, Tally) {
         let cast = |rays: &[Ray<f64>]| {
             let mut tally = Tally::default();
             let see = |ray| self.see(ray, &mut tally);
             (rays.iter().map(see).collect::<Vec<_>>(), tally)
         };
-        let pieces: Vec<_> = rays.par_chunks(512).map(cast).collect();
+        let pieces: Vec<_> = self.rays.par_chunks(512).map(cast).collect();
         let tally = pieces
             .iter()
             .fold(Tally::default(), |sum, (_, tally)| sum.plus(*tally));
         let seen = pieces.into_iter().flat_map(|(seen, _)| seen).collect();
         (seen, tally)
+    }
+
+    /// Casts all rays on this thread, for timing.
+    pub fn cast(&self) {
+        for ray in black_box(&self.rays) {
+            black_box(self.see(ray, &mut Tally::default()));
+        }
     }
 }

@@ -139,6 +139,7 @@ const FOLDERS: [(&str, &[&str]); 8] = [
             "family",
             "speed",
             "plan",
+            "random_scene",
             "film",
             "instructions",
             "classes",

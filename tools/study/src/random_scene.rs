@@ -92,6 +92,11 @@ fn anywhere(random: &mut Random) -> Scene {
     }
 }
 
+/// The scene of small integers with this number.
+pub fn grid(seed: u64) -> Scene {
+    on_a_grid(&mut Random::new(seed, "grid"))
+}
+
 /// A scene of small integers times a power of two, so that rays hit edges, corners and tangents
 /// exactly.
 fn on_a_grid(random: &mut Random) -> Scene {
