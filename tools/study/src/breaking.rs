@@ -31,10 +31,10 @@ fn of_kernel(sweep: &Sweep, data: Data, at: usize) -> BreakingPoint {
     let below = sweep.points.iter().filter(|point| point.exponent <= easy);
     let named = &sweep.points[0].kernels[at];
     BreakingPoint {
-        shape: sweep.shape.clone(),
-        family: sweep.family.clone(),
-        kernel: named.kernel.clone(),
-        numbers: named.numbers.clone(),
+        shape: sweep.shape,
+        family: sweep.family,
+        kernel: named.kernel,
+        numbers: named.numbers,
         above: { above }.find(broken).map(|point| point.exponent),
         below: below.rev().find(broken).map(|point| point.exponent),
     }

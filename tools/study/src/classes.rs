@@ -15,7 +15,7 @@ use crate::result::{ConditioningErrors, Sweep, TierTally, Trade};
 use crate::speed::{PAIRS, Time, pool, race};
 
 /// A kernel's name, and the numbers it computes with.
-pub type Entry = (String, String);
+pub type Entry = (&'static str, &'static str);
 
 /// The class of a question, the error of its t in ulp, and its condition number.
 pub type Error = (Class, f64, f64);
@@ -43,17 +43,17 @@ pub fn trades<S: HasFamilies>(
                 .flat_map(|sweep| &sweep.points)
                 .filter(|point| point.class == class)
                 .flat_map(|point| &point.kernels)
-                .filter(|judged| (&judged.kernel, &judged.numbers) == (&entry.0, &entry.1));
+                .filter(|judged| (judged.kernel, judged.numbers) == *entry);
             let tallies: Vec<&Tally> = tallies.map(|judged| &judged.tally).collect();
             let sum = |of: fn(&Tally) -> u64| tallies.iter().map(|tally| of(tally)).sum::<u64>();
             let of_class = errors.iter().filter(|error| error.0 == class);
             let [median_ulp, worst_ulp] = median_and_worst(of_class.map(|error| error.1));
             let cost = costs.get(entry);
             trades.push(Trade {
-                shape: S::NAME.into(),
+                shape: S::NAME,
                 class,
-                kernel: entry.0.clone(),
-                numbers: entry.1.clone(),
+                kernel: entry.0,
+                numbers: entry.1,
                 asked: sum(|tally| tally.asked),
                 wrong: sum(Tally::wrong),
                 not_finite: sum(|tally| tally.not_finite),
@@ -85,8 +85,10 @@ fn costs<S: HasFamilies>(
         for ((at, kernel), time) in entered.into_iter().zip(times) {
             let what = format!("{} {} {seed}", S::NAME, class.name());
             let count = || instructions::of_cast(&what, at, asked.len());
-            let entry = (kernel.name.to_owned(), kernel.numbers.to_owned());
-            costs.insert(entry, (time, counts.then(count).flatten()));
+            costs.insert(
+                (kernel.name, kernel.numbers),
+                (time, counts.then(count).flatten()),
+            );
         }
     }
     costs
@@ -117,7 +119,7 @@ pub fn tiers<S: HasFamilies>(seconds: f64, counts: bool, seed: u64) -> Vec<TierT
             let what = format!("{} {} {seed} {}", S::NAME, class.name(), tier.name());
             let instructions = || instructions::of_cast(&what, at, timed);
             tallies.push(TierTally {
-                shape: S::NAME.into(),
+                shape: S::NAME,
                 class,
                 tier,
                 decided: count as u64,
@@ -154,9 +156,9 @@ pub fn cast<S: HasFamilies>(what: &str, kernel: usize, casts: u32) -> bool {
 }
 
 /// Errors of t in everyday and hard questions, by decade of the condition number.
-pub fn conditioning(shape: &str, errors: &Errors) -> Vec<ConditioningErrors> {
+pub fn conditioning(shape: &'static str, errors: &Errors) -> Vec<ConditioningErrors> {
     let mut all = Vec::new();
-    for ((kernel, numbers), errors) in errors {
+    for (&(kernel, numbers), errors) in errors {
         let mut decades: BTreeMap<i32, Vec<f64>> = BTreeMap::new();
         for (_, ulp, condition) in errors.iter().filter(|it| it.0 < Class::Absurd) {
             decades.entry(decade(*condition)).or_default().push(*ulp);
@@ -165,9 +167,9 @@ pub fn conditioning(shape: &str, errors: &Errors) -> Vec<ConditioningErrors> {
             let hits = errors.len() as u64;
             let [median, worst] = median_and_worst(errors);
             all.push(ConditioningErrors {
-                shape: shape.into(),
-                kernel: kernel.clone(),
-                numbers: numbers.clone(),
+                shape,
+                kernel,
+                numbers,
                 decade,
                 hits,
                 median_ulp: median.unwrap_or_default(),

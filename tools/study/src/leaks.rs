@@ -18,9 +18,9 @@ pub fn of_kernel(
 ) -> MeshTally {
     let mut random = Random::new(seed, &format!("mesh {aim:?} {}", kernel.data.name()));
     let mut tally = MeshTally {
-        kernel: kernel.name.into(),
-        numbers: kernel.numbers.into(),
-        aimed_at: if aim == Aim::Edge { "edge" } else { "vertex" }.into(),
+        kernel: kernel.name,
+        numbers: kernel.numbers,
+        aimed_at: if aim == Aim::Edge { "edge" } else { "vertex" },
         rays: rays as u64,
         leaks: 0,
         double_hits: 0,

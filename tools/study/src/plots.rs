@@ -25,10 +25,10 @@ pub fn draw(study: &Study, folder: &Path) -> std::io::Result<Vec<String>> {
     let findings = &study.findings;
     let mut plots = Vec::new();
     for wide in findings.families.iter().filter(|it| it.data == "f64") {
-        let name = (wide.shape.as_str(), wide.family.as_str());
+        let name = (wide.shape, wide.family);
         let is_shown = findings.trades.is_empty() || FAMILIES.contains(&name);
         if is_shown && wide.points.len() > 1 {
-            let is_same = |it: &&Sweep| (it.shape.as_str(), it.family.as_str()) == name;
+            let is_same = |it: &&Sweep| (it.shape, it.family) == name;
             let both: Vec<_> = findings.families.iter().filter(is_same).collect();
             plots.push((format!("{}-{}.svg", name.0, name.1), sweep::svg(&both)));
         }

@@ -76,15 +76,15 @@ pub struct Provenance {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Sweep {
     /// sphere, plane or triangle.
-    pub shape: String,
+    pub shape: &'static str,
     /// The family's name.
-    pub family: String,
+    pub family: &'static str,
     /// What the family shows.
-    pub meaning: String,
+    pub meaning: &'static str,
     /// The meaning of x.
-    pub axis: String,
+    pub axis: &'static str,
     /// The type its numbers are rounded to.
-    pub data: String,
+    pub data: &'static str,
     /// The points, in order of x.
     pub points: Vec<Point>,
 }
@@ -106,9 +106,9 @@ pub struct Point {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct KernelTally {
     /// The kernel's name.
-    pub kernel: String,
+    pub kernel: &'static str,
     /// The numbers it computes with.
-    pub numbers: String,
+    pub numbers: &'static str,
     /// The tally of its answers.
     #[serde(flatten)]
     pub tally: Tally,
@@ -119,11 +119,11 @@ pub struct KernelTally {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct MeshTally {
     /// The kernel's name.
-    pub kernel: String,
+    pub kernel: &'static str,
     /// The numbers it computes with.
-    pub numbers: String,
+    pub numbers: &'static str,
     /// `edge` or `vertex`.
-    pub aimed_at: String,
+    pub aimed_at: &'static str,
     /// Rays from inside; each leaves the mesh exactly once.
     pub rays: u64,
     /// Rays that hit nothing.
@@ -138,13 +138,13 @@ pub struct MeshTally {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Trade {
     /// sphere, plane or triangle.
-    pub shape: String,
+    pub shape: &'static str,
     /// The class of the questions.
     pub class: Class,
     /// The kernel's name.
-    pub kernel: String,
+    pub kernel: &'static str,
     /// The numbers it computes with.
-    pub numbers: String,
+    pub numbers: &'static str,
     /// Questions that were judged.
     pub asked: u64,
     /// Wrong decisions.
@@ -169,7 +169,7 @@ pub struct Trade {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct TierTally {
     /// sphere, plane or triangle.
-    pub shape: String,
+    pub shape: &'static str,
     /// The class of the questions.
     pub class: Class,
     /// The tier.
@@ -190,11 +190,11 @@ pub struct TierTally {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ConditioningErrors {
     /// sphere, plane or triangle.
-    pub shape: String,
+    pub shape: &'static str,
     /// The kernel's name.
-    pub kernel: String,
+    pub kernel: &'static str,
     /// The numbers it computes with.
-    pub numbers: String,
+    pub numbers: &'static str,
     /// The condition number is from 10^`decade` to ten times as much.
     pub decade: i32,
     /// True hits that were answered with a finite t.
@@ -210,13 +210,13 @@ pub struct ConditioningErrors {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct BreakingPoint {
     /// sphere, plane or triangle.
-    pub shape: String,
+    pub shape: &'static str,
     /// The family's name.
-    pub family: String,
+    pub family: &'static str,
     /// The kernel's name.
-    pub kernel: String,
+    pub kernel: &'static str,
     /// The numbers it computes with.
-    pub numbers: String,
+    pub numbers: &'static str,
     /// The first exponent above the easiest one at which the kernel is broken.
     pub above: Option<i32>,
     /// The first exponent below the easiest one at which the kernel is broken.
@@ -230,9 +230,9 @@ pub struct SceneTally {
     /// The scene's name.
     pub scene: String,
     /// `f64`, `exact`, or `Mitsuba` (the golden film, by rays of its own in `f32`).
-    pub model: String,
+    pub model: &'static str,
     /// `brute force` or `boxes`.
-    pub search: Option<String>,
+    pub search: Option<&'static str>,
     /// Spheres, planes and triangles in the scene.
     pub parts: u64,
     /// Pixels that were cast.
@@ -267,9 +267,9 @@ pub struct SceneTally {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Secondary {
     /// The shape that they leave: `sphere`.
-    pub shape: String,
+    pub shape: &'static str,
     /// How the origin is moved.
-    pub method: String,
+    pub method: &'static str,
     /// The distance of the scene from the world's origin, in sizes of the surface.
     pub offset: f64,
     /// Rays that leave the surface, none of which truly hits it again.
@@ -326,9 +326,9 @@ pub struct PlanTally {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Target {
     /// What was measured.
-    pub about: String,
+    pub about: &'static str,
     /// The promise, in words.
-    pub expected: String,
+    pub expected: &'static str,
     /// The measurement, in words.
     pub measured: String,
     /// Whether the promise is kept.

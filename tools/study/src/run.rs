@@ -183,13 +183,14 @@ pub fn swept<S: HasFamilies + Conditioning>(
         let class = family.class(exponent);
         let mut kernels = Vec::new();
         for (kernel, numbers, (tally, of_it)) in judged {
-            let (kernel, numbers) = (kernel.to_owned(), numbers.to_owned());
             let condition = |at: usize| S::condition(&asked[at], &truths[at]);
             let with_condition = of_it
                 .into_iter()
                 .map(|(at, ulp)| (class, ulp, condition(at).unwrap_or(f64::INFINITY)));
-            let entry = (kernel.clone(), numbers.clone());
-            errors.entry(entry).or_default().extend(with_condition);
+            errors
+                .entry((kernel, numbers))
+                .or_default()
+                .extend(with_condition);
             kernels.push(KernelTally {
                 kernel,
                 numbers,
@@ -203,11 +204,11 @@ pub fn swept<S: HasFamilies + Conditioning>(
         });
     }
     Sweep {
-        shape: S::NAME.into(),
-        family: family.name.into(),
-        meaning: family.meaning.into(),
-        axis: family.axis.into(),
-        data: data.name().into(),
+        shape: S::NAME,
+        family: family.name,
+        meaning: family.meaning,
+        axis: family.axis,
+        data: data.name(),
         points,
     }
 }

@@ -173,7 +173,7 @@ pub fn studied(file: &Path, share: Share) -> Result<Vec<SceneTally>, pinhole::Er
         let seen = seen_in(&film).into_iter().step_by(share.step).collect();
         tallies.push(SceneTally {
             scene: name,
-            model: "Mitsuba".into(),
+            model: "Mitsuba",
             parts: casting.parts().len() as u64,
             ..judged(casting.rays(), &casting.truths(), seen)
         });
@@ -198,15 +198,15 @@ fn judged_ways(name: &str, scene: &Scene, share: Share) -> Vec<SceneTally> {
     let films = WAYS.map(|(_, search)| Box::new(move || stage.cast(search)) as Workload);
     let times = race(films.into(), rays.len(), share.seconds);
     let cheaper = Search::cheaper(parts);
-    let tally = |(at, ((model, search), time)): (usize, ((&str, Option<Search>), Time))| {
+    let tally = |(at, ((model, search), time)): (usize, ((&'static str, Option<Search>), Time))| {
         let (seen, tally) = stage.film(search);
         let search = search.unwrap_or(cheaper);
         let is_counted = share.instructions && search == cheaper;
         let count = || instructions::of_cast(&format!("{SCENE}{name}"), at, rays.len());
         SceneTally {
             scene: name.into(),
-            model: model.into(),
-            search: Some(search.name().into()),
+            model,
+            search: Some(search.name()),
             parts: parts.len() as u64,
             nanoseconds: Some(time.nanoseconds),
             instructions: is_counted.then(count).flatten(),

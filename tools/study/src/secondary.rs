@@ -91,11 +91,16 @@ pub fn studied(count: usize, seed: u64) -> Vec<Secondary> {
     all.into_par_iter().map(of_method).collect()
 }
 
-fn of_method((name, method): (&str, Method), offset: f64, count: usize, seed: u64) -> Secondary {
+fn of_method(
+    (name, method): (&'static str, Method),
+    offset: f64,
+    count: usize,
+    seed: u64,
+) -> Secondary {
     let mut random = Random::new(seed, &format!("secondary sphere {offset}"));
     let mut tally = Secondary {
-        shape: "sphere".into(),
-        method: name.into(),
+        shape: "sphere",
+        method: name,
         offset,
         leaving: 0,
         self_hits: 0,

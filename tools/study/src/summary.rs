@@ -60,8 +60,8 @@ pub fn summary(study: &Study, plots: &[String]) -> String {
         } else {
             "**falls short**"
         };
-        let (about, expected, measured) = (&target.about, &target.expected, &target.measured);
-        [about, expected, measured, verdict].map(|cell| cell.to_string())
+        let measured = target.measured.as_str();
+        [target.about, target.expected, measured, verdict].map(str::to_owned)
     });
     [
         head,
@@ -136,8 +136,8 @@ fn trades(findings: &Findings, shape: &str) -> String {
         let time = or_dash(trade.nanoseconds, whole);
         let spread = trade.spread.map_or(0.0, |spread| 100.0 * spread);
         [
-            trade.kernel.clone(),
-            trade.numbers.clone(),
+            trade.kernel.into(),
+            trade.numbers.into(),
             trade.class.name().into(),
             or_dash(trade.instructions, whole),
             format!("{time} ± {spread:.0} %"),
@@ -155,7 +155,7 @@ fn tiers(findings: &Findings) -> String {
     let columns = "shape | class | tier | questions it decides | instructions | ns";
     let rows = findings.tiers.iter().map(|it| {
         [
-            it.shape.clone(),
+            it.shape.into(),
             it.class.name().into(),
             it.tier.name().into(),
             format!("{:.2} %", 100.0 * it.decided as f64 / it.asked as f64),
@@ -170,8 +170,8 @@ fn secondary(findings: &Findings) -> String {
     let columns = "shape | method | from the origin of the world | self-hits | lost hits";
     let rows = findings.secondary.iter().map(|it| {
         [
-            it.shape.clone(),
-            it.method.clone(),
+            it.shape.into(),
+            it.method.into(),
             it.offset.to_string(),
             share(it.self_hits, it.leaving),
             share(it.lost, it.near),
@@ -182,13 +182,13 @@ fn secondary(findings: &Findings) -> String {
 
 fn scenes(findings: &Findings) -> String {
     let scenes = findings.scenes.iter();
-    let shown = scenes.filter(|it| it.search.as_deref() != Some(Search::BruteForce.name()));
+    let shown = scenes.filter(|it| it.search != Some(Search::BruteForce.name()));
     let columns = "scene | numbers | search | wrong pixels | worst t | instructions | ns | tests | past the static filter | past the semi-static one | exact";
     let rows = shown.map(|it| {
         [
             it.scene.clone(),
-            it.model.clone(),
-            it.search.clone().unwrap_or("–".into()),
+            it.model.into(),
+            it.search.unwrap_or("–").into(),
             format!("{} of {}", it.wrong_ids, it.rays),
             or_dash(it.worst_t, |t| format!("{t:.0e}")),
             or_dash(it.instructions, whole),
@@ -235,11 +235,9 @@ fn choice(findings: &Findings) -> String {
     if findings.trades.is_empty() {
         return String::new();
     }
-    let cost = |class, kernel: &str, numbers: &str| {
-        let is_it = |it: &&Trade| {
-            (it.shape.as_str(), it.class) == ("sphere", class)
-                && (it.kernel.as_str(), it.numbers.as_str()) == (kernel, numbers)
-        };
+    let cost = |class, kernel, numbers| {
+        let of_it = ("sphere", class, kernel, numbers);
+        let is_it = |it: &&Trade| (it.shape, it.class, it.kernel, it.numbers) == of_it;
         let trade = findings.trades.iter().find(is_it);
         or_dash(
             trade.and_then(|it| it.instructions.or(it.nanoseconds)),

@@ -31,7 +31,7 @@ const PROMISES: [Promise; 16] = [
     never("f64 on f32 data, careful kernels: wrong, everyday", |it| {
         let is_careful = |kernel: &str| CAREFUL.contains(&kernel);
         decisions(it, Class::Everyday, |trade| {
-            trade.numbers == "f64 on f32" && is_careful(&trade.kernel)
+            trade.numbers == "f64 on f32" && is_careful(trade.kernel)
         })
     }),
     Promise {
@@ -126,8 +126,8 @@ pub fn targets(findings: &Findings) -> Vec<Target> {
     let target = |promise: &Promise| {
         let (measured, met) = (promise.measured)(findings)?;
         Some(Target {
-            about: promise.about.into(),
-            expected: promise.expected.into(),
+            about: promise.about,
+            expected: promise.expected,
             measured,
             met,
             is_time: promise.is_time,

@@ -230,8 +230,7 @@ fn traded(shape: &str, class: Class, kernel: &str, numbers: &str) -> (u64, u64) 
         run(&extent, SEED, Some("classes"), &|_| ())
     });
     let is_it = |it: &&Trade| {
-        (it.shape.as_str(), it.class) == (shape, class)
-            && (it.kernel.as_str(), it.numbers.as_str()) == (kernel, numbers)
+        (it.shape, it.class) == (shape, class) && (it.kernel, it.numbers) == (kernel, numbers)
     };
     let trade = FINDINGS
         .trades
@@ -277,7 +276,7 @@ fn a_question_is_as_sensitive_as_its_conditioning_says() {
 fn secondary_rays_hit_their_own_surface_unless_their_origin_is_offset() {
     let all = secondary::studied(2_000, SEED);
     for tally in &all {
-        let is_moved = ["pbrt-v4", "Wächter–Binder"].contains(&tally.method.as_str());
+        let is_moved = ["pbrt-v4", "Wächter–Binder"].contains(&tally.method);
         let (most, least) = if is_moved { (10, 0) } else { (2_000, 0) };
         assert!((least..=most).contains(&tally.self_hits), "{tally:?}");
     }

@@ -146,7 +146,6 @@ impl Tree {
             let boxes: Vec<_> = boxes.collect();
             let twos = build_bvh2(&boxes, one_each, &mut Duration::default());
             let mut fours = WideTreeBuilder {
-                sizes: sizes(&twos, &inside),
                 twos,
                 parts: &inside,
                 ordered: &mut world.parts,
@@ -301,8 +300,6 @@ impl TraversalStack {
 /// Collapses the binary tree to nodes with four boxes.
 struct WideTreeBuilder<'a> {
     twos: Bvh2,
-    /// For each binary node, the number of parts below it, and whether all are triangles.
-    sizes: Vec<(u32, bool)>,
     parts: &'a [Part],
     ordered: &'a mut Vec<Part>,
     tree: &'a mut Tree,
@@ -310,39 +307,10 @@ struct WideTreeBuilder<'a> {
     camera: Option<Camera>,
 }
 
-fn sizes(twos: &Bvh2, parts: &[Part]) -> Vec<(u32, bool)> {
-    let mut sizes = vec![(0, false); twos.nodes.len()];
-    let mut waiting = vec![0];
-    let mut order = Vec::with_capacity(twos.nodes.len());
-    while let Some(at) = waiting.pop() {
-        order.push(at);
-        let node = &twos.nodes[at];
-        if node.prim_count == 0 {
-            waiting.extend([node.first_index as usize, node.first_index as usize + 1]);
-        }
-    }
-    for at in order.into_iter().rev() {
-        let (node, first) = (&twos.nodes[at], twos.nodes[at].first_index as usize);
-        sizes[at] = match node.prim_count {
-            0 => {
-                let [one, other] = [sizes[first], sizes[first + 1]];
-                (one.0 + other.0, one.1 && other.1)
-            }
-            count => {
-                let of = &twos.primitive_indices[first..first + count as usize];
-                let is_triangle =
-                    |at: &u32| matches!(parts[*at as usize].shape, Primitive::Triangle(_));
-                (count, of.iter().all(is_triangle))
-            }
-        };
-    }
-    sizes
-}
-
 impl WideTreeBuilder<'_> {
     fn root(&mut self) -> u32 {
-        if self.is_leaf(0) {
-            return self.leaf(0);
+        if let Some(parts) = self.leaf_parts(0) {
+            return self.leaf(&parts);
         }
         let nowhere = [[f32x4::splat(f32::MAX); 3], [f32x4::splat(f32::MIN); 3]];
         let empty = Node {
@@ -355,9 +323,9 @@ impl WideTreeBuilder<'_> {
             for (lane, two) in self.children(two).into_iter().enumerate() {
                 let bounds = self.twos.nodes[two].aabb();
                 let sides = [bounds.min.to_array(), bounds.max.to_array()];
-                let inside = match self.is_leaf(two) {
-                    true => self.leaf(two),
-                    false => {
+                let inside = match self.leaf_parts(two) {
+                    Some(parts) => self.leaf(&parts),
+                    None => {
                         self.tree.nodes.push(empty);
                         let new = self.tree.nodes.len() - 1;
                         waiting.push((new, two));
@@ -376,9 +344,24 @@ impl WideTreeBuilder<'_> {
         0
     }
 
-    fn is_leaf(&self, two: usize) -> bool {
-        let (count, are_triangles) = self.sizes[two];
-        count == 1 || are_triangles && count <= 4
+    /// The parts below a binary node, if they fit into a leaf: one part, or up to four triangles.
+    fn leaf_parts(&self, two: usize) -> Option<ArrayVec<Part, 4>> {
+        let (mut waiting, mut parts) = (vec![two], ArrayVec::new());
+        while let Some(two) = waiting.pop() {
+            let (node, at) = (
+                &self.twos.nodes[two],
+                self.twos.nodes[two].first_index as usize,
+            );
+            match node.prim_count {
+                0 => waiting.extend([at, at + 1]),
+                _ => parts.push(self.parts[self.twos.primitive_indices[at] as usize]),
+            }
+            if waiting.len() + parts.len() > parts.capacity() {
+                return None;
+            }
+        }
+        let is_triangle = |part: &Part| matches!(part.shape, Primitive::Triangle(_));
+        (parts.len() == 1 || parts.iter().all(is_triangle)).then_some(parts)
     }
 
     /// The two to four children of a wide node: keeps opening the child with the largest area.
@@ -386,7 +369,7 @@ impl WideTreeBuilder<'_> {
         let mut children = vec![two];
         while children.len() < 4 {
             let area = |two: &usize| self.twos.nodes[*two].aabb().half_area();
-            let open = (0..children.len()).filter(|at| !self.is_leaf(children[*at]));
+            let open = (0..children.len()).filter(|at| self.leaf_parts(children[*at]).is_none());
             let widest = open.max_by(|p, q| area(&children[*p]).total_cmp(&area(&children[*q])));
             let Some(widest) = widest else { break };
             let opened = children.remove(widest);
@@ -396,28 +379,16 @@ impl WideTreeBuilder<'_> {
         children
     }
 
-    fn leaf(&mut self, two: usize) -> u32 {
-        let (mut waiting, first) = (vec![two], self.ordered.len());
-        while let Some(two) = waiting.pop() {
-            let node = &self.twos.nodes[two];
-            let at = node.first_index as usize;
-            match node.prim_count {
-                0 => waiting.extend([at, at + 1]),
-                count => {
-                    let of = &self.twos.primitive_indices[at..at + count as usize];
-                    self.ordered
-                        .extend(of.iter().map(|at| self.parts[*at as usize]));
-                }
-            }
-        }
+    fn leaf(&mut self, parts: &[Part]) -> u32 {
+        let first = self.ordered.len() as u32;
+        self.ordered.extend(parts);
         let triangle = |part: &Part| match part.shape {
             Primitive::Triangle(triangle) => Some(triangle),
             _ => None,
         };
-        let triangles: Vec<Triangle<f64>> =
-            self.ordered[first..].iter().filter_map(triangle).collect();
+        let triangles: Vec<Triangle<f64>> = parts.iter().filter_map(triangle).collect();
         if triangles.is_empty() {
-            return LEAF | LONE | first as u32;
+            return LEAF | LONE | first;
         }
         let most =
             |of: &dyn Fn(&Triangle<f64>) -> f64| triangles.iter().map(of).fold(0.0, f64::max);
@@ -433,7 +404,7 @@ impl WideTreeBuilder<'_> {
             },
             limits,
             count: triangles.len() as u32,
-            first: first as u32,
+            first,
         });
         LEAF | (self.tree.leaves.len() - 1) as u32
     }

@@ -31,23 +31,16 @@ macro_rules! of_each {
 }
 pub(crate) use of_each;
 
-impl From<Sphere<f64>> for Primitive {
-    fn from(sphere: Sphere<f64>) -> Primitive {
-        Primitive::Sphere(sphere)
-    }
+macro_rules! into_primitive {
+    ($($shape:ident)*) => {$(
+        impl From<$shape<f64>> for Primitive {
+            fn from(shape: $shape<f64>) -> Primitive {
+                Primitive::$shape(shape)
+            }
+        }
+    )*};
 }
-
-impl From<Plane<f64>> for Primitive {
-    fn from(plane: Plane<f64>) -> Primitive {
-        Primitive::Plane(plane)
-    }
-}
-
-impl From<Triangle<f64>> for Primitive {
-    fn from(triangle: Triangle<f64>) -> Primitive {
-        Primitive::Triangle(triangle)
-    }
-}
+into_primitive!(Sphere Plane Triangle);
 
 /// One primitive of a scene.
 #[derive(Clone, Copy, Debug)]

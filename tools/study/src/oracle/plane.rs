@@ -1,4 +1,4 @@
-use super::{Exact, HasTruth, Root, Truth, fraction, sign};
+use super::{Exact, HasTruth, Truth, sign};
 use crate::question::Question;
 use crate::shape::Plane;
 
@@ -12,15 +12,6 @@ impl HasTruth for Plane<f64> {
         if sign(&along) == 0 {
             return Truth::miss(sign(&height) == 0);
         }
-        let t = height / along;
-        let beyond = sign(&(&t - fraction(*min_t)));
-        match beyond < 0 {
-            true => Truth::miss(false),
-            false => Truth {
-                t: Some(Root::from(t)),
-                other: None,
-                is_tie: beyond == 0,
-            },
-        }
+        Truth::only(height / along, *min_t, false)
     }
 }

@@ -1,4 +1,4 @@
-use super::{Exact, HasTruth, Root, Truth, fraction, sign};
+use super::{Exact, HasTruth, Truth, fraction, sign};
 use crate::question::Question;
 use crate::shape::Triangle;
 
@@ -24,15 +24,6 @@ impl HasTruth for Triangle<f64> {
             return Truth::miss(false);
         }
         let t = from_a.dot(&normal) / &determinant;
-        let beyond = sign(&(&t - fraction(*min_t)));
-        let is_tie = signs.contains(&0) || beyond == 0;
-        match beyond < 0 {
-            true => Truth::miss(false),
-            false => Truth {
-                t: Some(Root::from(t)),
-                other: None,
-                is_tie,
-            },
-        }
+        Truth::only(t, *min_t, signs.contains(&0))
     }
 }

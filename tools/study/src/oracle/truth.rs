@@ -27,6 +27,18 @@ impl Truth {
             is_tie,
         }
     }
+
+    /// The only intersection with the line: a hit if t is not below `min_t`.
+    pub fn only(t: Relaxed, min_t: f64, is_tie: bool) -> Truth {
+        match sign(&(&t - fraction(min_t))) {
+            -1 => Truth::miss(false),
+            beyond => Truth {
+                t: Some(Root::from(t)),
+                other: None,
+                is_tie: is_tie || beyond == 0,
+            },
+        }
+    }
 }
 
 /// A true t: exact, or correct to more than 300 bits.

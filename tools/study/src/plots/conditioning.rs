@@ -13,7 +13,7 @@ pub fn svg(findings: &Findings) -> String {
     let mut top = 60.0;
     for shape in ["sphere", "plane", "triangle"] {
         let all = || findings.conditioning.iter().filter(|it| it.shape == shape);
-        let names = names(all().map(|it| it.kernel.as_str()));
+        let names = names(all().map(|it| it.kernel));
         top = legend(&mut paper, top, &names) + 26.0;
         let highest = all().map(|it| it.median_ulp).fold(10.0, f64::max);
         let panel = Panel {

@@ -19,7 +19,7 @@ pub fn svg(meshes: &[MeshTally]) -> String {
         paper.word((34.0, y), Anchor::Start, words);
     }
     let mut y = 68.0;
-    for name in names(meshes.iter().map(|mesh| mesh.kernel.as_str())) {
+    for name in names(meshes.iter().map(|mesh| mesh.kernel)) {
         paper.word((14.0, y), Anchor::Start, name);
         y += 24.0;
         let of_it = meshes.iter().filter(|mesh| mesh.kernel == name);

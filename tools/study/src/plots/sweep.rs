@@ -9,7 +9,7 @@ use crate::result::{Point, Sweep};
 pub fn svg(sweeps: &[&Sweep]) -> String {
     let points = || sweeps.iter().flat_map(|sweep| &sweep.points);
     let judged = || points().flat_map(|point| &point.kernels);
-    let names = names(judged().map(|judged| judged.kernel.as_str()));
+    let names = names(judged().map(|judged| judged.kernel));
     let mut paper = Paper::default();
     let next = legend(&mut paper, 14.0, &names);
     let note = "solid lines: f64; dashes: f32";

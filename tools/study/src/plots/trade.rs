@@ -7,7 +7,7 @@ use crate::result::{Findings, Trade};
 /// Draws the three panels of one shape.
 pub fn svg(findings: &Findings, shape: &str) -> String {
     let trades = || findings.trades.iter().filter(|trade| trade.shape == shape);
-    let names = names(trades().map(|trade| trade.kernel.as_str()));
+    let names = names(trades().map(|trade| trade.kernel));
     let mut paper = Paper::default();
     let next = legend(&mut paper, 14.0, &names);
     paper.dot((20.0, next), 6.0, "currentColor", true);
@@ -48,7 +48,7 @@ pub fn svg(findings: &Findings, shape: &str) -> String {
             let place = names.iter().position(|name| *name == trade.kernel);
             let colour = colour(place.unwrap_or_default());
             let at = panel.at(cost.log10(), shares.at(trade.wrong, trade.asked));
-            match trade.numbers.as_str() {
+            match trade.numbers {
                 "f64" => paper.dot(at, 6.0, colour, true),
                 "f32" => paper.cross(at, 5.0, colour),
                 _ => paper.dot(at, 6.0, colour, false),
