@@ -10,6 +10,35 @@ use pinhole_study::random::Random;
 use pinhole_study::shape::{Plane, Ray, Sphere, Triangle};
 use pinhole_study::vector::Vector;
 
+/// The scene of these shapes, each an object of its own.
+fn world_of(shapes: impl IntoIterator<Item = Primitive>) -> World {
+    let mut world = World::default();
+    for (object, shape) in shapes.into_iter().enumerate() {
+        world.add(object, shape);
+    }
+    world
+}
+
+/// The place of the part that is seen first, and its t.
+fn first<M: Model>(
+    caster: &Caster,
+    search: Search,
+    ray: &Ray<f64>,
+    min_t: f64,
+) -> Option<(u32, f64)> {
+    let found = caster.first::<M>(search, ray, min_t, &mut Tally::default())?;
+    Some((found.part.place, found.t))
+}
+
+/// Checks that boxes change no answer, and returns whether there is a hit.
+#[track_caller]
+fn is_hit_in_boxes_too(caster: &Caster, ray: &Ray<f64>) -> usize {
+    let all = first::<Exact>(caster, Search::BruteForce, ray, 0.0);
+    let boxed = first::<Exact>(caster, Search::Boxes, ray, 0.0);
+    assert_eq!(boxed, all, "{ray:?}");
+    usize::from(all.is_some())
+}
+
 /// A random direction. Half of them lie along an axis or in an axis-aligned plane, and so run
 /// parallel to the sides of boxes.
 fn direction(random: &mut Random) -> Vector<f64> {
@@ -38,20 +67,15 @@ fn crowd(random: &mut Random, scale: f64, offset: Vector<f64>) -> World {
         let at = random.unit() * random.within(0.0, 8.0);
         offset + at.map(|x| x.round() * scale)
     };
-    let mut world = World::default();
-    for object in 0..60 {
-        let shape = match object % 3 {
-            0 => Primitive::Sphere(Sphere {
-                center: on_grid(random),
-                radius: scale * random.within(0.1, 1.5),
-            }),
-            _ => Primitive::Triangle(Triangle {
-                corners: [0; 3].map(|_| on_grid(random)),
-            }),
-        };
-        world.add(object, shape);
-    }
-    world
+    world_of((0..60).map(|object| match object % 3 {
+        0 => Primitive::Sphere(Sphere {
+            center: on_grid(random),
+            radius: scale * random.within(0.1, 1.5),
+        }),
+        _ => Primitive::Triangle(Triangle {
+            corners: [0; 3].map(|_| on_grid(random)),
+        }),
+    }))
 }
 
 #[test]
@@ -66,18 +90,7 @@ fn boxes_lose_no_hit() {
                 let at = random.unit() * random.within(0.0, 9.0);
                 let origin = offset + at.map(|x| x.round() * scale);
                 let direction = direction(&mut random);
-                let ray = Ray { origin, direction };
-                let by = |search| {
-                    let first = caster.first::<Exact>(search, &ray, 0.0, &mut Tally::default());
-                    first.map(|found| (found.part.place, found.t))
-                };
-                let all = by(Search::BruteForce);
-                assert_eq!(
-                    by(Search::Boxes),
-                    all,
-                    "{ray:?}, scale {scale}, {away} away"
-                );
-                hits += usize::from(all.is_some());
+                hits += is_hit_in_boxes_too(&caster, &Ray { origin, direction });
             }
         }
     }
@@ -94,14 +107,7 @@ fn boxes_lose_no_hit_of_rays_from_far_away() {
             let target = random.unit() * random.within(0.0, 9.0);
             let direction = random.unit() * random.within(0.1, 10.0);
             let origin = target - direction * 10f64.powi(exponent);
-            let ray = Ray { origin, direction };
-            let by = |search| {
-                let first = caster.first::<Exact>(search, &ray, 0.0, &mut Tally::default());
-                first.map(|found| (found.part.place, found.t))
-            };
-            let all = by(Search::BruteForce);
-            assert_eq!(by(Search::Boxes), all, "{ray:?}");
-            hits += usize::from(all.is_some());
+            hits += is_hit_in_boxes_too(&caster, &Ray { origin, direction });
         }
     }
     assert!(hits > 1_000, "{hits}");
@@ -186,12 +192,12 @@ fn what_rays_from_anywhere_see<M: Model>(has_eye: bool) {
             };
             let caster = Caster::from_camera(world, view);
             for ray in rays {
-                let all =
-                    anywhere.first::<Exact>(Search::BruteForce, &ray, 0.0, &mut Tally::default());
+                let all = first::<Exact>(&anywhere, Search::BruteForce, &ray, 0.0);
+                let all = all.map(|(place, _)| place);
                 for search in [Search::BruteForce, Search::Boxes] {
                     let found = caster.first::<M>(search, &ray, 0.0, &mut Tally::default());
-                    let places = [all, found].map(|found| found.map(|found| found.part.place));
-                    assert_eq!(places[0], places[1], "{search:?}, {camera:?}, {ray:?}");
+                    let place = found.map(|found| found.part.place);
+                    assert_eq!(place, all, "{search:?}, {camera:?}, {ray:?}");
                     let Some(found) = found else { continue };
                     hits += 1;
                     if found.is_accurate {
@@ -232,11 +238,7 @@ fn hit_one_ulp_before_min_t_is_not_seen() {
                 origin: random.unit() * random.within(0.0, 9.0),
                 direction: random.unit(),
             };
-            let from = |min_t| {
-                let first =
-                    caster.first::<Exact>(Search::Boxes, &ray, min_t, &mut Tally::default());
-                first.map(|found| (found.part, found.t))
-            };
+            let from = |min_t| first::<Exact>(&caster, Search::Boxes, &ray, min_t);
             let Some((_, t)) = from(0.0) else { continue };
             met += 1;
             for min_t in [t.next_down().max(0.0), t, t.next_up()] {
@@ -245,7 +247,7 @@ fn hit_one_ulp_before_min_t_is_not_seen() {
                     Some((root, part.place))
                 });
                 let first = roots.min_by(|(p, at), (q, other)| p.compare(q).then(at.cmp(other)));
-                let seen = from(min_t).map(|(part, _)| part.place);
+                let seen = from(min_t).map(|(place, _)| place);
                 assert_eq!(seen, first.map(|(_, place)| place), "{ray:?} {min_t:e}");
             }
         }
@@ -270,36 +272,29 @@ fn wrong_objects<M: Model>() -> usize {
             center: Vector::new(0.0, 0.0, 0.0),
             radius: 1.0,
         });
-        let mut world = World::default();
-        world.add(0, ball);
-        let alone = Caster::new(world.clone());
-        let met = alone.first::<Exact>(Search::BruteForce, &ray, 0.0, &mut Tally::default());
-        let point = ray.origin + ray.direction * met.expect("it is aimed at the ball").t;
+        let alone = Caster::new(world_of([ball]));
+        let (_, t) = first::<Exact>(&alone, Search::Boxes, &ray, 0.0).expect("it is hit");
+        let point = ray.origin + ray.direction * t;
         let across = random.unit_across(point);
         let corners = [
             across,
             across.cross(point),
             across * -1.0 - across.cross(point),
         ];
-        let is_plane = round % 2 == 0;
-        world.add(
-            1,
-            match is_plane {
-                true => Primitive::Plane(Plane {
-                    point,
-                    normal: point,
-                }),
-                false => Primitive::Triangle(Triangle {
-                    corners: corners.map(|corner| point + corner),
-                }),
-            },
-        );
-        let caster = Caster::new(world);
+        let other = match round % 2 == 0 {
+            true => Primitive::Plane(Plane {
+                point,
+                normal: point,
+            }),
+            false => Primitive::Triangle(Triangle {
+                corners: corners.map(|corner| point + corner),
+            }),
+        };
+        let caster = Caster::new(world_of([ball, other]));
+        let truth = sight(&caster.world.parts, &ray, 0.0).map(|(part, _)| part.place);
         for search in [Search::BruteForce, Search::Boxes] {
-            let seen = caster.first::<M>(search, &ray, 0.0, &mut Tally::default());
-            let truth = sight(&caster.world.parts, &ray, 0.0);
-            let truth = truth.map(|(part, _)| part.object);
-            wrong += usize::from(truth != seen.map(|found| found.part.object));
+            let seen = first::<M>(&caster, search, &ray, 0.0).map(|(place, _)| place);
+            wrong += usize::from(truth != seen);
         }
     }
     wrong
@@ -317,21 +312,16 @@ fn of_two_surfaces_an_ulp_apart_the_nearer_is_seen() {
 /// so that it seems to run parallel to the plane.
 #[test]
 fn plane_is_hit_if_scaling_the_direction_underflows() {
-    let mut world = World::default();
-    world.add(
-        0,
-        Primitive::Plane(Plane {
-            point: Vector::new(0.0, 5e-301, 0.0),
-            normal: Vector::new(0.0, 1.0, 0.0),
-        }),
-    );
+    let caster = Caster::new(world_of([Primitive::Plane(Plane {
+        point: Vector::new(0.0, 5e-301, 0.0),
+        normal: Vector::new(0.0, 1.0, 0.0),
+    })]));
     let ray = Ray {
         origin: Vector::default(),
         direction: Vector::new(1e300, 1e-300, 0.0),
     };
-    let caster = Caster::new(world);
-    let seen = caster.first::<Exact>(Search::Boxes, &ray, 0.0, &mut Tally::default());
-    assert_eq!(seen.map(|found| found.t), Some(0.5));
+    let seen = first::<Exact>(&caster, Search::Boxes, &ray, 0.0);
+    assert_eq!(seen, Some((0, 0.5)));
 }
 
 /// The box of the farther sphere is entered first. Its t, 1.45 times the smallest float, is
@@ -345,17 +335,14 @@ fn boxes_lose_no_hit_with_subnormal_t() {
             radius: radius * unit,
         })
     };
-    let mut world = World::default();
-    world.add(0, ball(8.0, 7.45, 10.0));
-    world.add(1, ball(0.0, 2.3, 1.0));
+    let caster = Caster::new(world_of([ball(8.0, 7.45, 10.0), ball(0.0, 2.3, 1.0)]));
     let ray = Ray {
         origin: Vector::default(),
         direction: Vector::new(0.0, 0.0, 2f64.powi(1023)),
     };
-    let caster = Caster::new(world);
     for search in [Search::BruteForce, Search::Boxes] {
-        let seen = caster.first::<Exact>(search, &ray, 0.0, &mut Tally::default());
-        assert_eq!(seen.map(|found| found.part.object), Some(1), "{search:?}");
+        let seen = first::<Exact>(&caster, search, &ray, 0.0).map(|(place, _)| place);
+        assert_eq!(seen, Some(1), "{search:?}");
     }
 }
 
@@ -381,21 +368,14 @@ fn normals_of_tiny_and_huge_triangles_are_accurate() {
 /// The square of this direction's length underflows to 0.
 #[test]
 fn judge_handles_a_direction_whose_square_underflows() {
-    let mut world = World::default();
-    world.add(
-        0,
-        Primitive::Sphere(Sphere {
-            center: Vector::new(0.0, 0.0, -1e10),
-            radius: 9e9,
-        }),
-    );
+    let caster = Caster::new(world_of([Primitive::Sphere(Sphere {
+        center: Vector::new(0.0, 0.0, -1e10),
+        radius: 9e9,
+    })]));
     let ray = Ray {
         origin: Vector::new(5e9, 0.0, 0.0),
         direction: Vector::new(0.0, 0.0, -1e-163),
     };
-    let caster = Caster::new(world);
-    let seen = caster.first::<Exact>(Search::Boxes, &ray, 0.0, &mut Tally::default());
-    assert_eq!(seen.map(|found| found.part.object), Some(0));
-    let truth = sight(&caster.world.parts, &ray, 0.0);
-    assert_eq!(truth.map(|(part, _)| part.object), Some(0));
+    assert!(first::<Exact>(&caster, Search::Boxes, &ray, 0.0).is_some());
+    assert!(sight(&caster.world.parts, &ray, 0.0).is_some());
 }
