@@ -5,7 +5,6 @@
 use std::collections::BTreeMap;
 
 use crate::conditioning::decade;
-use crate::contestants::EXACT;
 use crate::family::HasFamilies;
 use crate::instructions;
 use crate::judge::{Tally, median_and_worst};
@@ -96,13 +95,7 @@ fn costs<S: HasFamilies>(
 
 /// Each tier of the exact kernel in `f64`: its share of a class, and its cost.
 pub fn tiers<S: HasFamilies>(seconds: f64, counts: bool, seed: u64) -> Vec<TierTally> {
-    let kernels = S::contestants();
-    let is_it = |k: &&crate::contestant::Contestant<S>| k.name == EXACT && k.data == Data::F64;
-    let kernel = kernels
-        .iter()
-        .find(is_it)
-        .expect("every shape has an exact kernel");
-    let at = kernels.iter().position(|k| is_it(&k)).unwrap_or_default();
+    let (at, kernel) = S::exact_kernel();
     let mut tallies = Vec::new();
     for class in Class::ALL {
         let all = pool::<S>(class, Data::F64, COUNTED, seed);

@@ -14,6 +14,12 @@ pub trait HasKernels: HasTruth + Filtered {
     const NAME: &'static str;
     /// All kernels, for all types of numbers.
     fn contestants() -> Vec<Contestant<Self>>;
+    /// The place of the exact kernel in `f64` among all kernels, and the kernel.
+    fn exact_kernel() -> (usize, Contestant<Self>) {
+        let mut all = Self::contestants().into_iter().enumerate();
+        let is_it = |(_, it): &(_, Contestant<Self>)| it.name == EXACT && it.data == Data::F64;
+        all.find(is_it).expect("every shape has an exact kernel")
+    }
     /// The tier that decides a question in the exact kernel, in `f64`.
     fn tier(Question { shape, ray, min_t }: &Question<Self>) -> Tier {
         let (scaled, ray) = <Adaptive as Kernel<Self, f64>>::prepare(ray);

@@ -9,7 +9,7 @@ use std::time::Instant;
 use crate::cast::model::Plain;
 use crate::cast::world::World;
 use crate::cast::{Caster, Search, Tally};
-use crate::oracle::scene::{HitComparison, TrueHit, compared};
+use crate::oracle::scene::{Errors, TrueHit, errors};
 use crate::plan::casting::PlannedCaster;
 use crate::plan::{AccuracyTarget, EXACT_OBJECTS, plan};
 use crate::result::{PlanErrors, PlanTally};
@@ -75,22 +75,16 @@ pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<Plan
 pub fn kept(casting: &PlannedCaster, truths: &[TrueHit]) -> (PlanErrors, Tally) {
     let (rays, wish) = (casting.rays(), casting.wish);
     let (seen, tally) = casting.film();
-    let mut kept = PlanErrors {
+    let Errors { wrong_ids, of_hits } = errors(rays, truths, seen);
+    let t = |(t, _): &(f64, f64)| if wish.depth { *t } else { 0.0 };
+    let normal = |(_, normal): &(f64, f64)| if wish.normal { *normal } else { 0.0 };
+    let is_kept = |hit: &&_| t(hit) <= wish.accuracy && normal(hit) <= wish.accuracy;
+    let kept = PlanErrors {
         rays: rays.len() as u64,
-        ..PlanErrors::default()
+        wrong_ids,
+        violations: (of_hits.len() - of_hits.iter().filter(is_kept).count()) as u64,
+        worst_t: of_hits.iter().map(t).fold(0.0, f64::max),
+        worst_normal: of_hits.iter().map(normal).fold(0.0, f64::max),
     };
-    for ((ray, truth), seen) in rays.iter().zip(truths).zip(seen) {
-        match compared(truth, ray, seen) {
-            HitComparison::Miss => (),
-            HitComparison::AnotherObject => kept.wrong_ids += 1,
-            HitComparison::Off { t, normal } => {
-                let t = if wish.depth { t } else { 0.0 };
-                let normal = if wish.normal { normal } else { 0.0 };
-                kept.worst_t = kept.worst_t.max(t);
-                kept.worst_normal = kept.worst_normal.max(normal);
-                kept.violations += u64::from(!(t <= wish.accuracy && normal <= wish.accuracy));
-            }
-        }
-    }
     (kept, tally)
 }

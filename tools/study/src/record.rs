@@ -14,7 +14,7 @@ use crate::cast::model::Exact;
 use crate::cast::world::{Primitive, World};
 use crate::cast::{Caster, Search, Tally};
 use crate::contestant::Contestant;
-use crate::contestants::{EXACT, HasKernels};
+use crate::contestants::HasKernels;
 use crate::family::mesh::{Aim, Ball};
 use crate::family::{HasFamilies, questions};
 use crate::judge::judge;
@@ -111,12 +111,7 @@ fn of_shape<S: HasFamilies + Into<Primitive>>(kind: Kind, seed: u64) -> Count {
 
 /// The exact kernel in `f64`, and the caster as a kernel.
 fn judged<S: HasKernels + Into<Primitive>>() -> [Contestant<S>; 2] {
-    let kernels = S::contestants();
-    let is_it = |k: &&Contestant<S>| k.name == EXACT && k.data == Data::F64;
-    let kernel = *kernels
-        .iter()
-        .find(is_it)
-        .expect("every shape has an exact kernel");
+    let (_, kernel) = S::exact_kernel();
     let answer = |question: &Question<S>| {
         let mut world = World::default();
         world.add(0, question.shape.into());

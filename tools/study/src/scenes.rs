@@ -11,7 +11,7 @@ use crate::cast::world::World;
 use crate::cast::{Caster, Search, Seen, Tally};
 use crate::instructions;
 use crate::judge::median_and_worst;
-use crate::oracle::scene::{HitComparison, TrueHit, compared};
+use crate::oracle::scene::{Errors, TrueHit, errors};
 use crate::plan::EXACT_OBJECTS;
 use crate::plan::casting::PlannedCaster;
 use crate::random_scene::grid;
@@ -232,23 +232,16 @@ fn seen_in(film: &Film) -> Vec<Seen> {
 }
 
 fn judged(rays: &[Ray<f64>], truths: &[TrueHit], seen: Vec<Seen>) -> SceneTally {
-    let mut tally = SceneTally {
+    let Errors { wrong_ids, of_hits } = errors(rays, truths, seen);
+    let [median_t, worst_t] = median_and_worst(of_hits.iter().map(|hit| hit.0));
+    SceneTally {
         rays: rays.len() as u64,
+        wrong_ids,
+        median_t,
+        worst_t,
+        worst_normal: of_hits.into_iter().map(|hit| hit.1).reduce(f64::max),
         ..SceneTally::default()
-    };
-    let mut errors = Vec::new();
-    for ((ray, truth), seen) in rays.iter().zip(truths).zip(seen) {
-        match compared(truth, ray, seen) {
-            HitComparison::Miss => (),
-            HitComparison::AnotherObject => tally.wrong_ids += 1,
-            HitComparison::Off { t, normal } => {
-                errors.push(t);
-                tally.worst_normal = Some(tally.worst_normal.unwrap_or(0.0).max(normal));
-            }
-        }
     }
-    [tally.median_t, tally.worst_t] = median_and_worst(errors);
-    tally
 }
 
 #[cfg(test)]

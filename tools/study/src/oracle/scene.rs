@@ -16,37 +16,33 @@ use crate::vector::Vector;
 /// same t, the one listed first wins.
 pub type TrueHit<'a> = Option<(&'a Part, Root)>;
 
-/// An answer compared with the true first hit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum HitComparison {
-    /// A miss, correctly.
-    Miss,
-    /// The wrong object, a miss instead of a hit, or a hit instead of a miss.
-    AnotherObject,
-    /// The right object.
-    Off {
-        /// The error of t, relative to the true one.
-        t: f64,
-        /// The angle between the normals, in radians.
-        normal: f64,
-    },
+/// The errors of some answers.
+#[derive(Clone, Debug, Default)]
+pub struct Errors {
+    /// How often the object is wrong, a hit is missed, or a miss is a hit.
+    pub wrong_ids: u64,
+    /// Where the right object is hit: the error of t, relative to the true one, and the angle
+    /// between the normals, in radians.
+    pub of_hits: Vec<(f64, f64)>,
 }
 
-/// Compares an answer with the truth.
-pub fn compared(truth: &TrueHit, ray: &Ray<f64>, seen: Seen) -> HitComparison {
-    match (truth, seen) {
-        (None, None) => HitComparison::Miss,
-        (Some((part, root)), Some((object, t, direction))) if part.object == object => {
-            // Use both sine and cosine, because the sine alone is also small near π.
-            let truth = normal(&part.shape, ray, root);
-            let off = truth.cross(direction);
-            HitComparison::Off {
-                t: root.relative_error(t),
-                normal: off.dot(off).sqrt().atan2(truth.dot(direction)),
+/// Compares answers with the truth.
+pub fn errors(rays: &[Ray<f64>], truths: &[TrueHit], answers: Vec<Seen>) -> Errors {
+    let mut errors = Errors::default();
+    for ((ray, truth), seen) in rays.iter().zip(truths).zip(answers) {
+        match (truth, seen) {
+            (None, None) => (),
+            (Some((part, root)), Some((object, t, direction))) if part.object == object => {
+                // Use both sine and cosine, because the sine alone is also small near π.
+                let truth = normal(&part.shape, ray, root);
+                let off = truth.cross(direction);
+                let angle = off.dot(off).sqrt().atan2(truth.dot(direction));
+                errors.of_hits.push((root.relative_error(t), angle));
             }
+            _ => errors.wrong_ids += 1,
         }
-        _ => HitComparison::AnotherObject,
     }
+    errors
 }
 
 /// The true first hit with t ≥ `min_t`.

@@ -81,6 +81,6 @@ fn lines(
             Some(panel.at(f64::from(point.exponent), value(&judged.tally)?))
         };
         let points: Vec<_> = sweep.points.iter().filter_map(of_kernel).collect();
-        paper.line(&points, &curve(colour(at), &sweep.data));
+        paper.line(&points, &curve(colour(at), sweep.data));
     }
 }
