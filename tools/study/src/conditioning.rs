@@ -9,7 +9,7 @@
 use crate::oracle::{HasTruth, Truth};
 use crate::question::Question;
 use crate::shape::{Plane, Ray, Sphere, Triangle};
-use crate::vector::Vector;
+use crate::vector::{Vector, around};
 
 /// A shape whose questions have a condition number.
 pub trait Conditioning: HasTruth {
@@ -56,15 +56,10 @@ impl Conditioning for Triangle<f64> {
     fn condition(question: &Question<Self>, truth: &Truth) -> Option<f64> {
         let Question { shape, ray, .. } = question;
         let t = truth.t.as_ref()?.value();
-        let (n, [a, b, c]) = (shape.outward_near_one(), shape.corners.map(magnitude));
+        let n = shape.outward_near_one();
         // The barycentric weights of the hit add up to 1, so the corners together contribute at
         // most the largest.
-        let largest = |x: f64, y: f64, z: f64| x.max(y).max(z);
-        let corners = Vector::new(
-            largest(a.x, b.x, c.x),
-            largest(a.y, b.y, c.y),
-            largest(a.z, b.z, c.z),
-        );
+        let [_, corners] = around(shape.corners.map(|corner| [magnitude(corner); 2]))?;
         Some(of_hit(ray, t, n, corners, 0.0, n.dot(ray.direction)))
     }
 }

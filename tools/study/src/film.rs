@@ -5,7 +5,7 @@ use std::time::Instant;
 use pinhole::{Film, Hit, Intersection, Scene};
 use serde::Serialize;
 
-use crate::cast::{Seen, Tally};
+use crate::cast::Seen;
 use crate::plan::{AccuracyTarget, Plan, plan};
 
 /// What it took to cast a film.
@@ -45,20 +45,13 @@ pub fn planned(scene: &Scene, wish: AccuracyTarget) -> Result<(Film, Report), St
     let (seen, tally) = casting.film();
     let seconds = start.elapsed().as_secs_f64();
     let hits: Vec<_> = seen.into_iter().map(hit).collect();
-    let Tally {
-        tests,
-        exact: fallbacks,
-        close_calls,
-        exact_hits,
-        ..
-    } = tally;
     let report = Report {
         seconds,
         planning_seconds,
-        tests,
-        fallbacks,
-        close_calls,
-        exact_hits,
+        tests: tally.tests,
+        fallbacks: tally.exact,
+        close_calls: tally.close_calls,
+        exact_hits: tally.exact_hits,
         plan,
     };
     Ok((Film::of_hits(scene.resolution, &hits), report))

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::contestant::Contestant;
-use crate::oracle::{HasTruth, Truth};
+use crate::oracle::{HasTruth, Root, Truth};
 use crate::question::{Data, Question};
 
 /// The result. Ties are only counted, not judged. Questions whose true t exceeds the type's
@@ -57,66 +57,35 @@ pub fn rule_of_three(asked: u64) -> f64 {
     3.0 / asked.max(1) as f64
 }
 
-/// The verdict on one answer. A right hit has its error in ulp.
-enum Verdict {
-    Right(Option<f64>),
-    FalseHit,
-    FalseMiss,
-    WrongRoot,
-    NotFinite,
-}
-
-fn verdict<S: HasTruth>(
-    data: Data,
-    question: &Question<S>,
-    truth: &Truth,
-    answer: Option<f64>,
-) -> Verdict {
-    match (&truth.t, answer) {
-        (_, Some(t)) if !t.is_finite() => Verdict::NotFinite,
-        (None, None) => Verdict::Right(None),
-        (None, Some(_)) => Verdict::FalseHit,
-        (Some(_), None) => Verdict::FalseMiss,
-        (Some(root), Some(t)) => {
-            let error = root.error_in_ulp(t, data);
-            let other = truth.other.as_ref().map(|other| other.value());
-            let apart = other.map_or(0.0, |other| root.error_in_ulp(other, data));
-            match other.filter(|_| apart > APART) {
-                Some(other) if is_of_other_side(question, root.value(), other, t) => {
-                    Verdict::WrongRoot
-                }
-                _ => Verdict::Right(Some(error)),
-            }
-        }
-    }
-}
-
 /// Roots that are at most this many ulp apart are not told apart. From very far away, even the
 /// best t of the type may be nearer to the other root.
 const APART: f64 = 64.0;
 
-/// Whether t is nearer to the other root, if the roots are further apart than the radius.
-/// Nearly tangent roots are not told apart either: their error is measured instead.
-fn is_of_other_side<S: HasTruth>(question: &Question<S>, root: f64, other: f64, t: f64) -> bool {
+/// Whether t is that of the sphere's other side: nearer to the other root, if the roots are further
+/// apart than the radius. Nearly tangent roots are not told apart either: their error is measured
+/// instead.
+fn is_of_other_side<S: HasTruth>(
+    question: &Question<S>,
+    truth: &Truth,
+    root: &Root,
+    t: f64,
+    data: Data,
+) -> bool {
+    let Some(other) = truth.other.as_ref().map(Root::value) else {
+        return false;
+    };
     let [lengths, _, direction] = question.numbers();
     // The last length of a sphere is its radius.
     let radius = lengths.last().copied().unwrap_or(0.0).abs();
     let length = direction.into_iter().fold(0.0, f64::hypot);
-    (other - root).abs() > radius / length && (t - other).abs() < (t - root).abs()
+    root.error_in_ulp(other, data) > APART
+        && (other - root.value()).abs() > radius / length
+        && (t - other).abs() < (t - root.value()).abs()
 }
 
-/// Judges a kernel's answers to questions with known true answers.
+/// Judges a kernel's answers to questions with known true answers. Also returns the error in ulp of
+/// each finite t that is not a wrong decision, with the index of its question.
 pub fn judge<S: HasTruth>(
-    kernel: &Contestant<S>,
-    questions: &[Question<S>],
-    truths: &[Truth],
-) -> Tally {
-    judge_each(kernel, questions, truths).0
-}
-
-/// Like [`judge`], and also returns the error in ulp of each finite t that is not a wrong decision,
-/// with the index of its question.
-pub fn judge_each<S: HasTruth>(
     kernel: &Contestant<S>,
     questions: &[Question<S>],
     truths: &[Truth],
@@ -134,12 +103,15 @@ pub fn judge_each<S: HasTruth>(
         }
         tally.asked += 1;
         tally.hits += u64::from(truth.t.is_some());
-        match verdict(data, question, truth, (kernel.answer)(question)) {
-            Verdict::Right(error) => errors.extend(error.map(|error| (at, error))),
-            Verdict::FalseHit => tally.false_hits += 1,
-            Verdict::FalseMiss => tally.false_misses += 1,
-            Verdict::WrongRoot => tally.wrong_roots += 1,
-            Verdict::NotFinite => tally.not_finite += 1,
+        match (&truth.t, (kernel.answer)(question)) {
+            (_, Some(t)) if !t.is_finite() => tally.not_finite += 1,
+            (None, None) => (),
+            (None, Some(_)) => tally.false_hits += 1,
+            (Some(_), None) => tally.false_misses += 1,
+            (Some(root), Some(t)) if is_of_other_side(question, truth, root, t, data) => {
+                tally.wrong_roots += 1;
+            }
+            (Some(root), Some(t)) => errors.push((at, root.error_in_ulp(t, data))),
         }
     }
     [tally.median_ulp, tally.worst_ulp] = median_and_worst(errors.iter().map(|error| error.1));

@@ -99,7 +99,7 @@ fn of_shape<S: HasFamilies + Into<Primitive>>(kind: Kind, seed: u64) -> Count {
             }
             let asked = questions(&family, exponent, Data::F64, BATCH, seed);
             let truths: Vec<_> = asked.iter().map(S::truth).collect();
-            let tallies = kernels.map(|kernel| judge(&kernel, &asked, &truths));
+            let tallies = kernels.map(|kernel| judge(&kernel, &asked, &truths).0);
             count.asked += tallies[0].asked;
             count.hits += tallies[0].hits;
             let wrong = tallies.iter().map(|it| it.wrong() + it.not_finite);

@@ -8,7 +8,7 @@ use crate::conditioning::Conditioning;
 use crate::contestants::HasKernels;
 use crate::family::mesh::Aim;
 use crate::family::{Family, HasFamilies, questions};
-use crate::judge::judge_each;
+use crate::judge::judge;
 use crate::leaks;
 use crate::plans;
 use crate::question::Data;
@@ -176,7 +176,7 @@ pub fn swept<S: HasFamilies + Conditioning>(
         }
         let truths: Vec<_> = asked.par_iter().map(S::truth).collect();
         let judged = kernels.par_iter().map(|kernel| {
-            let judged = judge_each(kernel, &asked, &truths);
+            let judged = judge(kernel, &asked, &truths);
             (kernel.name, kernel.numbers, judged)
         });
         let judged: Vec<_> = judged.collect();

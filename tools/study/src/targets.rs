@@ -64,49 +64,40 @@ const PROMISES: [Promise; 16] = [
             it.plans.iter().map(|plan| plan.kept.rays).sum(),
         )
     }),
-    Promise {
-        about: "exact casting: extra instructions per ray, against f64",
-        expected: "median ≤ 25, worst ≤ 50",
-        measured: |it| added(&it.scenes),
-        is_time: true,
-    },
-    Promise {
-        about: "exact casting on grids: instructions ÷ those of f64",
-        expected: "worst ≤ 3.00",
-        measured: |it| {
+    cost(
+        "exact casting: extra instructions per ray, against f64",
+        "median ≤ 25, worst ≤ 50",
+        |it| added(&it.scenes),
+    ),
+    cost(
+        "exact casting on grids: instructions ÷ those of f64",
+        "worst ≤ 3.00",
+        |it| {
             ratios(instructions(&it.grids).map(|[p, q]| p / q), |_, worst| {
                 worst <= 3.0
             })
         },
-        is_time: true,
-    },
-    Promise {
-        about: "plans: time ÷ that of exact objects alone",
-        expected: "worst ≤ 1.00",
-        measured: |it| {
+    ),
+    cost(
+        "plans: time ÷ that of exact objects alone",
+        "worst ≤ 1.00",
+        |it| {
             let ratio = |plan: &PlanTally| plan.nanoseconds / plan.exact_ids;
             ratios(it.plans.iter().map(ratio), |_, worst| worst <= 1.0)
         },
-        is_time: true,
-    },
-    Promise {
-        about: "plans: time ÷ that of plain f64",
-        expected: "median ≤ 1.00",
-        measured: |it| {
-            let ratio = |plan: &PlanTally| plan.nanoseconds / plan.plain;
-            ratios(it.plans.iter().map(ratio), |median, _| median <= 1.0)
-        },
-        is_time: true,
-    },
-    Promise {
-        about: "planning: time ÷ that of the film",
-        expected: "worst ≤ 1.00",
-        measured: |it| {
+    ),
+    cost("plans: time ÷ that of plain f64", "median ≤ 1.00", |it| {
+        let ratio = |plan: &PlanTally| plan.nanoseconds / plan.plain;
+        ratios(it.plans.iter().map(ratio), |median, _| median <= 1.0)
+    }),
+    cost(
+        "planning: time ÷ that of the film",
+        "worst ≤ 1.00",
+        |it| {
             let ratio = |plan: &PlanTally| plan.planning / plan.nanoseconds;
             ratios(it.plans.iter().map(ratio), |_, worst| worst <= 1.0)
         },
-        is_time: true,
-    },
+    ),
 ];
 
 /// Numerically careful kernels without exact decisions.
@@ -118,6 +109,19 @@ const fn never(about: &'static str, measured: fn(&Findings) -> Measured) -> Prom
         expected: "0",
         measured,
         is_time: false,
+    }
+}
+
+const fn cost(
+    about: &'static str,
+    expected: &'static str,
+    measured: fn(&Findings) -> Measured,
+) -> Promise {
+    Promise {
+        about,
+        expected,
+        measured,
+        is_time: true,
     }
 }
 

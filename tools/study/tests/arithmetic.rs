@@ -1,6 +1,6 @@
 //! Property tests of the arithmetic that exact kernels use.
 
-use std::cmp::Ordering;
+use std::cmp::Ordering::{Equal, Greater, Less};
 
 use pinhole_study::double_double::DoubleDouble;
 use pinhole_study::dyadic::Dyadic;
@@ -94,37 +94,20 @@ fn roots_that_round_to_the_same_float_are_compared_correctly() {
     let root =
         |p: f64, sign, radicand: f64, q: f64| Root::quadratic(of(p), sign, of(radicand), of(q));
     let near_root_2 = Root::fraction(of(2f64.sqrt()), of(1.0));
-    // 2f64.sqrt() is above √2, because its square is above 2.
-    assert_eq!(
-        near_root_2.compare(&root(0.0, 1, 2.0, 1.0)),
-        Ordering::Greater
-    );
-    assert_eq!(
-        root(0.0, -1, 2.0, 1.0).compare(&near_root_2),
-        Ordering::Less
-    );
-    // √8 / 2 = √2 and 1 ± √2 = (2 ± √8) / 2.
-    assert_eq!(
-        root(0.0, 1, 8.0, 2.0).compare(&root(0.0, 1, 2.0, 1.0)),
-        Ordering::Equal
-    );
-    assert_eq!(
-        root(1.0, 1, 2.0, 1.0).compare(&root(2.0, 1, 8.0, 2.0)),
-        Ordering::Equal
-    );
-    assert_eq!(
-        root(1.0, -1, 2.0, 1.0).compare(&root(2.0, -1, 8.0, 2.0)),
-        Ordering::Equal
-    );
     let hair = 2f64.powi(-200);
-    assert_eq!(
-        root(hair, 1, 2.0, 1.0).compare(&root(0.0, 1, 8.0, 2.0)),
-        Ordering::Greater
-    );
-    assert_eq!(
-        root(-hair, -1, 2.0, 1.0).compare(&root(0.0, -1, 8.0, 2.0)),
-        Ordering::Less
-    );
+    for (one, other, order) in [
+        // 2f64.sqrt() is above √2, because its square is above 2.
+        (near_root_2.clone(), root(0.0, 1, 2.0, 1.0), Greater),
+        (root(0.0, -1, 2.0, 1.0), near_root_2, Less),
+        // √8 / 2 = √2 and 1 ± √2 = (2 ± √8) / 2.
+        (root(0.0, 1, 8.0, 2.0), root(0.0, 1, 2.0, 1.0), Equal),
+        (root(1.0, 1, 2.0, 1.0), root(2.0, 1, 8.0, 2.0), Equal),
+        (root(1.0, -1, 2.0, 1.0), root(2.0, -1, 8.0, 2.0), Equal),
+        (root(hair, 1, 2.0, 1.0), root(0.0, 1, 8.0, 2.0), Greater),
+        (root(-hair, -1, 2.0, 1.0), root(0.0, -1, 8.0, 2.0), Less),
+    ] {
+        assert_eq!(one.compare(&other), order, "{one:?} {other:?}");
+    }
 }
 
 #[test]

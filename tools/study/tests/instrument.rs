@@ -30,7 +30,7 @@ fn over_all<S: HasFamilies>(kernel: &Contestant<S>, count: usize) -> Vec<(String
             let asked = questions(&family, exponent, kernel.data, count, SEED);
             let truths: Vec<_> = asked.iter().map(S::truth).collect();
             let place = format!("{} {} {exponent}", S::NAME, family.name);
-            tallies.push((place, judge(kernel, &asked, &truths)));
+            tallies.push((place, judge(kernel, &asked, &truths).0));
         }
     }
     tallies
@@ -161,7 +161,7 @@ fn survives_replaced_numbers<S: HasFamilies + std::fmt::Debug>(kernel: &Contesta
                 break;
             }
             if spoilt.is_sound() {
-                let tally = judge(kernel, &[spoilt], &[S::truth(&spoilt)]);
+                let tally = judge(kernel, &[spoilt], &[S::truth(&spoilt)]).0;
                 assert_eq!(tally.wrong() + tally.not_finite, 0, "{spoilt:?}");
             } else if spoilt.min_t != f64::NEG_INFINITY {
                 // −∞ is a valid min_t: it accepts every t.

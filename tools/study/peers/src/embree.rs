@@ -69,7 +69,7 @@ fn cast(is_robust: bool, mesh: &Mesh, rays: &[Ray]) -> Cast {
         );
     }
     let numbers = |ray: &Ray| {
-        let ([a, b, c], [x, y, z]) = (ray.origin, ray.direction);
+        let ([a, b, c], [x, y, z]) = (ray.origin.array(), ray.direction.array());
         [a, b, c, x, y, z]
     };
     let rays: Vec<[f32; 6]> = rays.iter().map(numbers).collect();

@@ -11,7 +11,7 @@ use pinhole_study::cast::model::{Exact, FromCamera, Model, Plain};
 use pinhole_study::cast::world::{Primitive, View, World};
 use pinhole_study::cast::{Caster, Search, Tally};
 use pinhole_study::kernel::Camera;
-use pinhole_study::shape::{self, Triangle};
+use pinhole_study::shape::Triangle;
 use pinhole_study::speed::now;
 use pinhole_study::vector::Vector;
 
@@ -85,17 +85,16 @@ pub fn ours<M: Model>(mesh: &Mesh, rays: &[Ray]) -> Cast {
     let caster = match M::HAS_CAMERA {
         false => Caster::new(world),
         true => {
-            let eye = wide(rays[0].origin);
+            let eye = rays[0].origin.map(f64::from);
             let camera = Camera::Perspective { eye };
             let required_t = &|_: &_, _| f64::INFINITY;
             Caster::from_camera(world, View { camera, required_t })
         }
     };
-    let ray = |ray: &Ray| shape::Ray {
-        origin: wide(ray.origin),
-        direction: wide(ray.direction),
-    };
-    let rays: Vec<_> = rays.iter().map(ray).collect();
+    let rays: Vec<_> = rays
+        .iter()
+        .map(|ray| ray.map(f64::from, f64::from))
+        .collect();
     Box::new(move || {
         let mut tally = Tally::default();
         let mut first = |ray| caster.first::<M>(Search::Boxes, ray, 0.0, &mut tally);
@@ -118,7 +117,8 @@ fn eight_wide(mesh: &Mesh, rays: &[Ray]) -> Cast {
     let rays = rays.to_vec();
     Box::new(move || {
         let cast = |ray: &Ray| {
-            let asked = obvhs::ray::Ray::new_inf(ray.origin.into(), ray.direction.into());
+            let asked =
+                obvhs::ray::Ray::new_inf(ray.origin.array().into(), ray.direction.array().into());
             let mut hit = RayHit::none();
             tree.ray_traverse(asked, &mut hit, |ray, at| ordered[at].intersect(ray));
             match hit.t < f32::MAX {
@@ -143,7 +143,8 @@ macro_rules! parry {
             let corners = mesh.corners.iter().copied().map(vector).collect();
             let shape = $parry::shape::TriMesh::new(corners, mesh.triangles.clone());
             let shape = shape.expect("a mesh has triangles");
-            let ray = |ray: &Ray| Asked::new(vector(ray.origin), vector(ray.direction));
+            let ray =
+                |ray: &Ray| Asked::new(vector(ray.origin.array()), vector(ray.direction.array()));
             let rays: Vec<_> = rays.iter().map(ray).collect();
             Box::new(move || {
                 let t = |ray: &Asked| shape.cast_local_ray(ray, <$number>::MAX, false);

@@ -2,18 +2,14 @@
 
 use pinhole_study::cast::model::Exact;
 use pinhole_study::random::Random;
+use pinhole_study::shape;
+use pinhole_study::vector::Vector;
 
 use crate::mesh::Mesh;
 use crate::peer::ours;
 
 /// A ray in `f32`; the direction need not be unit length.
-#[derive(Clone, Copy, Debug)]
-pub struct Ray {
-    /// The point at t = 0.
-    pub origin: [f32; 3],
-    /// The vector from t = 0 to t = 1.
-    pub direction: [f32; 3],
-}
+pub type Ray = shape::Ray<f32>;
 
 /// Pixels in a row and in a column.
 const SIDE: u32 = 256;
@@ -24,8 +20,8 @@ pub fn primary() -> Vec<Ray> {
     let ray = |index: u32| {
         let (x, y) = (at(index % SIDE), at(index / SIDE));
         Ray {
-            origin: [2.0, 1.0, 2.0],
-            direction: [-2.0 / 3.0 + 0.6 * x, -1.0 / 3.0 + y, -2.0 / 3.0 - 0.6 * x]
+            origin: Vector::new(2.0, 1.0, 2.0),
+            direction: Vector::new(-2.0 / 3.0 + 0.6 * x, -1.0 / 3.0 + y, -2.0 / 3.0 - 0.6 * x)
                 .map(|number| number as f32),
         }
     };
@@ -41,12 +37,11 @@ pub fn incoherent(mesh: &Mesh, primary: &[Ray]) -> Vec<Ray> {
         .collect();
     let mut random = Random::new(1, "incoherent");
     let hits = met.iter().filter(|(t, _)| t.is_finite()).cycle();
-    let bounce = |(t, ray): &(f64, &Ray)| Ray {
-        origin: [0, 1, 2].map(|axis| {
-            let (e, d) = (f64::from(ray.origin[axis]), f64::from(ray.direction[axis]));
-            (e + d * t * (1.0 - 1e-4)) as f32
-        }),
-        direction: random.unit().array().map(|number| number as f32),
+    let bounce = |(t, ray): &(f64, &Ray)| {
+        let wide = ray.map(f64::from, f64::from);
+        let origin = wide.origin + wide.direction * (t * (1.0 - 1e-4));
+        let direction = random.unit();
+        shape::Ray { origin, direction }.map(|x| x as f32, |x| x as f32)
     };
     hits.map(bounce).take(primary.len()).collect()
 }

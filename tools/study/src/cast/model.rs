@@ -2,11 +2,11 @@
 
 use wide::f32x4;
 
-use super::tree::Leaf;
+use super::tree::{Leaf, Packet};
 use super::world::{Accurate, Part, Primitive, World, of_each};
 use super::{Found, Tally};
 use crate::kernel::sphere::ScaledRay;
-use crate::kernel::triangle::PacketHits;
+use crate::kernel::triangle::{PacketHits, TrianglePacket};
 use crate::kernel::{Camera, Filtered, Kernel, Tier, Window, decided, plane, sphere, triangle};
 use crate::root::Root;
 use crate::shape::Ray;
@@ -72,6 +72,15 @@ pub trait Model: Sync + 'static {
     fn comes_first(one: &Found, other: &Found, query: &Query, tally: &mut Tally) -> bool;
 }
 
+/// The triangles of a leaf, for rays from anywhere.
+#[inline(always)]
+fn general(leaf: &Leaf) -> &TrianglePacket {
+    match &leaf.packet {
+        Packet::General(packet) => packet,
+        Packet::FromCamera(_) => unreachable!("the caster was made for a camera"),
+    }
+}
+
 /// Plain `f64`: the best kernels without exact decisions, and a comparison of rounded t.
 pub struct Plain;
 
@@ -95,7 +104,7 @@ impl Model for Plain {
 
     #[inline(always)]
     fn meet_leaf(leaf: &Leaf, query: &Query, _: Vector<f32x4>) -> PacketHits {
-        leaf.packet.general().plainly(query.ray, query.min_t)
+        general(leaf).plainly(query.ray, query.min_t)
     }
 
     #[inline(always)]
@@ -130,7 +139,7 @@ impl Model for Exact {
 
     #[inline(always)]
     fn meet_leaf(leaf: &Leaf, query: &Query, _: Vector<f32x4>) -> PacketHits {
-        let four = leaf.packet.general();
+        let four = general(leaf);
         match query.is_near {
             true => four.filtered(&query.scaled, &query.window, &leaf.limits),
             false => four.left_open(),
@@ -196,8 +205,11 @@ impl<const HAS_EYE: bool> Model for FromCamera<HAS_EYE> {
 
     #[inline(always)]
     fn meet_leaf(leaf: &Leaf, _: &Query, packed: Vector<f32x4>) -> PacketHits {
+        let Packet::FromCamera(four) = &leaf.packet else {
+            unreachable!("the caster was made for rays from anywhere");
+        };
         PacketHits {
-            open: leaf.packet.from_camera().candidates::<HAS_EYE>(packed),
+            open: four.candidates::<HAS_EYE>(packed),
             ..PacketHits::NOTHING
         }
     }

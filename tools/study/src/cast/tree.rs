@@ -65,32 +65,6 @@ pub enum Packet {
     FromCamera(PacketFromCamera),
 }
 
-impl Packet {
-    /// The packet for rays from anywhere.
-    ///
-    /// # Panics
-    /// If the tree was built for a camera.
-    #[inline(always)]
-    pub fn general(&self) -> &TrianglePacket {
-        match self {
-            Packet::General(packet) => packet,
-            Packet::FromCamera(_) => unreachable!("the caster was made for a camera"),
-        }
-    }
-
-    /// The packet for the camera's rays.
-    ///
-    /// # Panics
-    /// If the tree was built for rays from anywhere.
-    #[inline(always)]
-    pub fn from_camera(&self) -> &PacketFromCamera {
-        match self {
-            Packet::FromCamera(packet) => packet,
-            Packet::General(_) => unreachable!("the caster was made for rays from anywhere"),
-        }
-    }
-}
-
 /// A tree over the parts of a world.
 #[derive(Clone, Debug, Default)]
 pub struct Tree {

@@ -104,12 +104,8 @@ impl PlannedCaster {
             }
             _ => caster.first::<FromCamera<false>>(search, ray, min_t, tally),
         };
-        let Found {
-            part,
-            t,
-            is_accurate,
-        } = found?;
-        let (t, normal) = match is_accurate && has_digits(t) {
+        let Found { part, t, .. } = found?;
+        let (t, normal) = match found?.is_accurate && has_digits(t) {
             true => (t, self.normal(part, ray, t)),
             false => {
                 let refined = refined(&part.shape, ray, min_t, t);
@@ -117,17 +113,9 @@ impl PlannedCaster {
                 (refined.t, refined.normal)
             }
         };
-        let AccuracyTarget {
-            depth,
-            normal: wants_normal,
-            ..
-        } = self.wish;
-        let t = if depth { t } else { 0.0 };
-        Some((
-            part.object,
-            t,
-            if wants_normal { normal } else { NO_NORMAL },
-        ))
+        let t = if self.wish.depth { t } else { 0.0 };
+        let normal = if self.wish.normal { normal } else { NO_NORMAL };
+        Some((part.object, t, normal))
     }
 
     /// The normal at a hit, computed with rounding.

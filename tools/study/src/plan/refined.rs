@@ -20,16 +20,9 @@ use crate::vector::Vector;
 #[cold]
 #[inline(never)]
 pub fn refined(shape: &Primitive, ray: &Ray<f64>, min_t: f64, near: f64) -> Refined {
-    if let Some((t, normal)) = in_double_double(shape, &ScaledRay::new(ray), near) {
-        let is_exact = false;
-        return Refined {
-            t,
-            normal,
-            is_exact,
-        };
-    }
-    let (t, normal) = exactly(shape, ray, min_t);
-    let is_exact = true;
+    let rounded = in_double_double(shape, &ScaledRay::new(ray), near);
+    let is_exact = rounded.is_none();
+    let (t, normal) = rounded.unwrap_or_else(|| exactly(shape, ray, min_t));
     Refined {
         t,
         normal,
