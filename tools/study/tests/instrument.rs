@@ -9,14 +9,14 @@ use pinhole_study::contestants::{EXACT, HasKernels};
 use pinhole_study::family::mesh::Aim;
 use pinhole_study::family::{HasFamilies, questions};
 use pinhole_study::judge::{Tally, judge};
-use pinhole_study::kernel::{Adaptive, Kernel, sphere, triangle};
+use pinhole_study::kernel::{Kernel, sphere, triangle};
 use pinhole_study::leaks;
 use pinhole_study::oracle::HasTruth;
-use pinhole_study::question::{Class, Data, Question};
+use pinhole_study::question::{Class, Question};
 use pinhole_study::result::{Findings, Trade};
 use pinhole_study::run::{Extent, run};
 use pinhole_study::secondary;
-use pinhole_study::shape::{Plane, Ray, Sphere, Triangle};
+use pinhole_study::shape::{Plane, Sphere, Triangle};
 use pinhole_study::targets::targets;
 use pinhole_study::vector::Vector;
 
@@ -36,80 +36,43 @@ fn over_all<S: HasFamilies>(kernel: &Contestant<S>, count: usize) -> Vec<(String
     tallies
 }
 
-fn wrong<S: HasFamilies>(kernel: &Contestant<S>) -> u64 {
-    over_all(kernel, 50)
-        .iter()
-        .map(|(_, tally)| tally.wrong())
-        .sum()
-}
-
-/// A broken kernel that returns the far root if there is one.
-struct FarSide;
-
-impl Kernel<Sphere<f64>, f64> for FarSide {
-    const NAME: &'static str = "far side";
-    type PreparedRay = Ray<f64>;
-    fn prepare(ray: &Ray<f64>) -> Ray<f64> {
-        *ray
-    }
-    fn intersect(sphere: &Sphere<f64>, ray: &Ray<f64>, min_t: f64) -> Option<f64> {
-        let near = sphere::plainly(sphere, ray, min_t)?;
-        sphere::plainly(sphere, ray, near.next_up() + near.abs() * 1e-9).or(Some(near))
-    }
-}
-
-/// A broken kernel that moves a component of the direction by one ulp.
-struct OneUlpOff;
-
-impl Kernel<Triangle<f64>, f64> for OneUlpOff {
-    const NAME: &'static str = "one ulp off";
-    type PreparedRay = <Adaptive as Kernel<Triangle<f64>, f64>>::PreparedRay;
-    fn prepare(ray: &Ray<f64>) -> Self::PreparedRay {
-        let mut ray = *ray;
-        ray.direction.x = ray.direction.x.next_up();
-        <Adaptive as Kernel<Triangle<f64>, f64>>::prepare(&ray)
-    }
-    fn intersect(shape: &Triangle<f64>, ray: &Self::PreparedRay, min_t: f64) -> Option<f64> {
-        Adaptive::intersect(shape, ray, min_t)
-    }
-}
-
-/// A broken kernel that excludes edges by strict comparisons.
-struct Strict;
-
-impl Kernel<Triangle<f64>, f64> for Strict {
-    const NAME: &'static str = "strict";
-    type PreparedRay = Ray<f64>;
-    fn prepare(ray: &Ray<f64>) -> Ray<f64> {
-        *ray
-    }
-    fn intersect(shape: &Triangle<f64>, ray: &Ray<f64>, min_t: f64) -> Option<f64> {
-        let [a, b, c] = shape.corners.map(|corner| corner - ray.origin);
-        let volumes = [b.cross(c), c.cross(a), a.cross(b)].map(|area| area.dot(ray.direction));
-        let is_inside = volumes.iter().all(|v| *v > 0.0) || volumes.iter().all(|v| *v < 0.0);
-        triangle::MollerTrumbore::intersect(shape, ray, min_t).filter(|_| is_inside)
-    }
+/// A kernel in `f64` with these answers.
+fn with_answers<S: HasKernels>(answer: fn(&Question<S>) -> Option<f64>) -> Contestant<S> {
+    let (_, kernel) = S::exact_kernel();
+    Contestant { answer, ..kernel }
 }
 
 #[test]
 fn a_kernel_that_takes_the_far_root_is_noticed() {
-    let broken = Contestant::<Sphere<f64>>::new::<FarSide, f64>(Data::F64, "f64");
-    let roots: u64 = over_all(&broken, 50)
-        .iter()
-        .map(|(_, tally)| tally.wrong_roots)
-        .sum();
+    let broken = with_answers(|Question { shape, ray, min_t }: &Question<Sphere<f64>>| {
+        let near = sphere::plainly(shape, ray, *min_t)?;
+        sphere::plainly(shape, ray, near.next_up() + near.abs() * 1e-9).or(Some(near))
+    });
+    let tallies = over_all(&broken, 50);
+    let roots: u64 = tallies.iter().map(|(_, tally)| tally.wrong_roots).sum();
     assert!(roots > 1000, "{roots}");
 }
 
 #[test]
 fn a_kernel_that_is_one_ulp_off_is_noticed() {
-    let broken = Contestant::<Triangle<f64>>::new::<OneUlpOff, f64>(Data::F64, "f64");
-    assert!(wrong(&broken) > 0);
+    let broken = with_answers(|question: &Question<Triangle<f64>>| {
+        let mut question = *question;
+        question.ray.direction.x = question.ray.direction.x.next_up();
+        (Triangle::exact_kernel().1.answer)(&question)
+    });
+    let tallies = over_all(&broken, 50);
+    let wrong: u64 = tallies.iter().map(|(_, tally)| tally.wrong()).sum();
+    assert!(wrong > 0);
 }
 
 #[test]
 fn a_kernel_that_leaves_out_edges_leaks() {
-    let broken = Contestant::<Triangle<f64>>::new::<Strict, f64>(Data::F64, "f64");
+    let broken = with_answers(|Question { shape, ray, min_t }: &Question<Triangle<f64>>| {
+        let [a, b, c] = shape.corners.map(|corner| corner - ray.origin);
+        let volumes = [b.cross(c), c.cross(a), a.cross(b)].map(|area| area.dot(ray.direction));
+        let is_inside = volumes.iter().all(|v| *v > 0.0) || volumes.iter().all(|v| *v < 0.0);
+        triangle::MollerTrumbore::intersect(shape, ray, *min_t).filter(|_| is_inside)
+    });
     let tally = leaks::of_kernel(&broken, Aim::Vertex, 500, SEED);
     assert!(tally.leaks > 50, "{tally:?}");
 }
