@@ -159,12 +159,13 @@ impl Grade {
 
 /// Show everything behind one mark, so that you can explain it to the student
 ///
-/// Prints the final mark and the reason for each change to it. For each group of questions that
-/// fails, prints one question that was answered wrongly: what was asked, what was expected and what
-/// the code returned. For each of these tasks, also prints the file that was handed in. Nothing is
-/// graded again.
+/// Prints the final mark, and each deduction or other adjustment with its reason. For each group of
+/// questions that fails, prints one question that was answered wrongly: what was asked, what was
+/// expected and what the code returned. For each task with such a group, also prints the file that
+/// was handed in. Nothing is graded again.
 ///
-/// Don't give the output to students as it is, because it may show fresh and withheld questions.
+/// Don't give the output to students as it is: it may show questions that they must not see, fresh
+/// ones and those about withheld scenes.
 #[derive(Args)]
 pub struct Dispute {
     /// The id of a submission, or the id or name of a person, as in grades.csv
