@@ -181,12 +181,12 @@ pub struct Dispute {
 
 /// Combine the parts of a class that were graded separately
 ///
-/// The parts are the --out folders of `grade --shard K/N`, which must all have been made with the
-/// same paths, roster and goldens. The result is the same as if the class had been graded in one
+/// The parts are the --out folders of `grade --shard K/N`. Every part must have been graded from the
+/// same submissions, with the same roster and goldens. The result is the same as if the class had been graded in one
 /// run.
 ///
-/// You can also merge a single folder, for instance with another --policy or --format. Nothing is
-/// graded again.
+/// You can also pass a single folder, for instance to apply another --policy or to write another
+/// --format. `merge` never runs or judges code: it works from the stored results.
 #[derive(Args)]
 pub struct Merge {
     /// The folders of the parts

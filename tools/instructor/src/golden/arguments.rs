@@ -22,10 +22,11 @@ pub enum Golden {
 /// stores what the mistake changes, so that `check` and `diff` can recognise it.
 ///
 /// If you name no scene, this makes everything that the assignment has in `golden/`: the films of
-/// its scenes, the films of its questions, and questions with exact ties for `validate --mutants`.
+/// its scenes, the films of its questions, and, for
+/// `validate --mutants`, questions in which two values that the code compares are exactly equal.
 ///
-/// A scene is refused if an edge passes through a pixel's centre, or if you can see a plane at its
-/// horizon. Then shift the camera a little.
+/// A scene is refused if an edge passes through a pixel's centre, or if a pixel's centre lies
+/// close to a plane's horizon. If that happens, move the camera a little.
 #[derive(Args)]
 pub struct GoldenRender {
     #[command(flatten)]
@@ -48,7 +49,7 @@ pub struct GoldenRender {
     pub no_mistakes: bool,
 }
 
-/// Store again what the known mistakes change in existing goldens; doesn't need Mitsuba
+/// Update what is stored about known mistakes beside existing goldens; doesn't need Mitsuba
 ///
 /// Stores beside each golden what each mistake changes in the film, so that `check` and `diff` can
 /// recognise the mistake. `golden render` does this too. Use this command when only mistakes have
@@ -61,7 +62,7 @@ pub struct GoldenMistakes {
     pub dir: Option<PathBuf>,
 }
 
-/// Check that goldens, scenes and scripts are as the manifest says
+/// Check that the goldens, and the scenes and scripts that they were made from, match the manifest
 #[derive(Args)]
 pub struct GoldenVerify {
     #[command(flatten)]
