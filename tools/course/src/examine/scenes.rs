@@ -48,7 +48,7 @@ impl Examiner<'_> {
     }
 
     /// Replies to the scenes that one process can cast, by name. Starting a process for each would
-    /// take an eighth of the time of grading. A withheld scene is cast in a process of its own:
+    /// take a tenth more time. A withheld scene is cast in a process of its own:
     /// results show wrong pixels of public scenes, which must not tell what a withheld one shows.
     fn cast_together(
         &self,
