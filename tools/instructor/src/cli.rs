@@ -55,14 +55,15 @@ impl Command {
 
 /// Grade a class of submissions
 ///
-/// Each path is a submission (a folder or an archive, .zip or .tar.gz, with the answer files), a
-/// folder of submissions, or a class as a learning platform exports it. The result and the report
-/// of each submission are written to OUT/submissions, and the results of the whole class to
-/// OUT/grades.csv and OUT/class.html. All code runs in a sandbox.
+/// Each path is a submission (a folder, .zip or .tar.gz with the answer files), a folder of
+/// submissions, or a class as a learning platform exports it. The result and the report of each
+/// submission are written to OUT/submissions, and the results of the whole class to OUT/grades.csv
+/// and OUT/class.html. All code runs in a sandbox.
 ///
 /// You can stop `grade` at any time and run it again. It continues where it stopped, and grades
-/// again only what has changed. If a submission can't be graded, because the machine or Pinhole
-/// failed, it is listed first. It then has no mark, which is not a zero, and the exit code is 3.
+/// again only what has changed. If the machine or Pinhole fails to grade a submission, that
+/// submission is listed first. It has no mark, which is not the same as a zero, and the exit code
+/// is 3.
 ///
 /// The end of the output and the top of class.html list every submission that lacks files, could
 /// belong to several people, or belongs to nobody on the roster, and every file that is part of no
@@ -70,9 +71,9 @@ impl Command {
 ///
 /// If Mitsuba is installed, `grade` also asks fresh questions, which are drawn from a new seed and
 /// are the same for the whole class. A submission then earns a group's points only if it answers
-/// both the public and the fresh questions correctly. A scene earns at most the same share of its
-/// points as the weakest task that it needs, or as random scenes that need the same tasks,
-/// whichever is more.
+/// both the public and the fresh questions of that group correctly. A scene earns no larger share
+/// of its points than the weakest task that it needs. But if the random scenes that are drawn with
+/// the fresh questions need the same tasks and earn a larger share, that share is the limit.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions
@@ -127,8 +128,8 @@ pub struct Grade {
     #[arg(long, value_name = "K/N", value_parser = shard)]
     pub shard: Option<(usize, usize)>,
     /// Limit each task and scene to this many seconds of processor time, or to a hundred times what
-    /// the reference takes, whichever is more. If one exceeds its limit, the submission is graded
-    /// again at the end, alone. Only a task or scene that exceeds its limit again has timed out
+    /// the reference takes, whichever is more. If a task or scene exceeds its limit, the submission
+    /// is graded again at the end, alone. Only what exceeds its limit again counts as timed out
     #[arg(long, value_name = "SECONDS", default_value_t = 4,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
@@ -181,9 +182,9 @@ pub struct Dispute {
 
 /// Combine the parts of a class that were graded separately
 ///
-/// The parts are the --out folders of `grade --shard K/N`. Every part must have been graded from the
-/// same submissions, with the same roster and goldens. The result is the same as if the class had been graded in one
-/// run.
+/// The parts are the --out folders of `grade --shard K/N`. Every part must have been graded from
+/// the same submissions, with the same roster, policy, goldens and fresh questions. The result is
+/// the same as if the class had been graded in one run.
 ///
 /// You can also pass a single folder, for instance to apply another --policy or to write another
 /// --format. `merge` never runs or judges code: it works from the stored results.
@@ -215,8 +216,8 @@ pub struct Merge {
 ///
 /// With --out, `handout` writes a repository for students: the stubs, the commands for students,
 /// the public scenes and their goldens, tests, a README and a workflow for GitHub. To use it,
-/// students need only Rust and a linker. It contains no right or wrong answers, and nothing about
-/// scenes with `public = false`.
+/// students need only Rust and a linker. It contains no right or wrong answers. Of scenes with
+/// `public = false`, it says only how many points they are worth together.
 #[derive(Args)]
 #[command(group = ArgGroup::new("autograder").args(["gradescope", "prairielearn"]).multiple(true))]
 pub struct Handout {
@@ -277,8 +278,8 @@ pub struct Handout {
 /// - the hint of every mistake must be short and easy to read, and have an example in numbers;
 ///
 /// - with --mutants, every copy of the reference with one small fault (a sign, a comparison, a
-///   constant, …) must fail if it compiles. The exceptions are listed in equivalent.toml, and a
-///   search for differences must confirm them.
+///   constant, …) must fail if it compiles. The exceptions are listed in equivalent.toml, which
+///   says where their answers differ from the reference's. A search must find the same.
 ///
 /// The tables show how many mistakes each group of questions and each scene catches, how many of
 /// them nothing else catches, and how small an error each scene detects. The exit code is 0 if

@@ -269,7 +269,7 @@ fn scenes(arguments: &GoldenRender, assignment: &Assignment) -> Result<Vec<PathB
             .ok_or_else(|| {
                 Error::input(
                     format!("there is no scene {named}"),
-                    "name a TOML file or a scene",
+                    "name a scene file, or a scene of the assignment",
                 )
             })
     };

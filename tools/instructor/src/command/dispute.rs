@@ -99,11 +99,11 @@ fn id_of(named: &str, roll: &Roll) -> Result<String> {
         [id] => Ok(id.clone()),
         [] => Err(Error::input(
             format!("there is no submission by {named}"),
-            "name an id or a name from grades.csv, of someone who has a submission",
+            "pass the id or name of someone in grades.csv who has a submission",
         )),
         several => Err(Error::input(
             format!("{named} could be any of {}", several.join(", ")),
-            "name the folder of one of them in DIR/submissions",
+            "pass one of these ids",
         )),
     }
 }
@@ -118,7 +118,7 @@ fn words(record: &Record, mark: &str, evidence: &Evidence) -> String {
     text += &format!("judged on {}\n", made_with.judged_on);
     if let (Some(seed), Some(folder)) = (made_with.seed, &evidence.fresh_folder) {
         let folder = folder.display();
-        text += &format!("fresh questions: {folder}, drawn from {seed}\n");
+        text += &format!("fresh questions: {folder}, drawn from seed {seed}\n");
     }
     for task in &record.got.tasks {
         let failing = failing(&task.name, evidence);
@@ -216,10 +216,10 @@ mod tests {
         let records = BTreeMap::from([("one".to_owned(), record.into())]);
         let rows = marks::rows(&roll, &records);
         let mark = rows.own[0].mark.as_ref();
-        let said = mark_in_words(mark, Some("not counted: two is"));
+        let said = mark_in_words(mark, Some("not counted, because two counts"));
         assert_eq!(
             said,
-            "final mark: 75 of 100\n  −5: late by e-mail\nnot counted: two is\n"
+            "final mark: 75 of 100\n  −5: late by e-mail\nnot counted, because two counts\n"
         );
     }
 

@@ -132,9 +132,8 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     };
     if made.is_none() {
         anstream::eprintln!(
-            "judged only on {}, which answers may have memorised. To ask fresh questions, first \
-             run: cargo pinhole golden setup",
-            made_with.judged_on
+            "no fresh questions are asked, so an answer could pass by memorising the goldens; to \
+             ask fresh ones, install Mitsuba (cargo pinhole golden setup) and leave out --no-fresh"
         );
     }
     let progress = Progress::new();
@@ -160,7 +159,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     }
     again.remove("");
     for (why, count) in again {
-        anstream::eprintln!("{count} graded before, but with {why}: graded again");
+        anstream::eprintln!("to be graded again: {count} (last graded with {why})");
     }
     let is_mine = |id: &str| mine.iter().any(|entry| entry.id == id);
     for entry in roll.entries.iter().filter(|entry| !is_mine(&entry.id)) {
@@ -339,7 +338,7 @@ fn refuse_partial_class(roll: &Roll, earlier: &Path) -> Result<()> {
     let some: Vec<&str> = absent.iter().copied().take(3).collect();
     Err(Error::input(
         format!(
-            "{} submissions that were graded into this folder are not in what you named: {}{}",
+            "{} submissions were graded into this folder, but are not in the paths you gave: {}{}",
             absent.len(),
             some.join(", "),
             if absent.len() > some.len() {
@@ -349,8 +348,8 @@ fn refuse_partial_class(roll: &Roll, earlier: &Path) -> Result<()> {
             }
         ),
         format!(
-            "to add or replace submissions, name each of them, and not a folder around them; to \
-             leave out those that are absent, first remove {}",
+            "to add or replace submissions, pass the path of each, not of the folder around them; \
+             to drop those that are missing now, first delete {}",
             earlier.display()
         ),
     ))
@@ -393,6 +392,9 @@ mod tests {
         new.entries[1].name = "ada".into();
         refuse_partial_class(&new, &earlier).expect("all are here");
         let error = refuse_partial_class(&of(&["bob"]), &earlier).expect_err("ada is absent");
-        assert!(error.to_string().contains("what you named: ada"), "{error}");
+        assert!(
+            error.to_string().contains("the paths you gave: ada"),
+            "{error}"
+        );
     }
 }

@@ -55,9 +55,9 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
             words.push_str(&format!("withheld scenes: {}\n", withheld.join(", ")));
         }
         words.push_str(&format!(
-            "\nsee it as students will:\n\n    cd {}\n    cargo pinhole check\n    \
-             cargo test\n\nthen give it to them: git init, git add . and git commit there, or an \
-             archive of the folder\n",
+            "\ntry it as students will:\n\n    cd {}\n    cargo pinhole check\n    \
+             cargo test\n\nthen hand it out: as a git repository (git init, git add . and git \
+             commit in this folder), or as an archive of the folder\n",
             printable_word(&path)
         ));
     }
@@ -67,8 +67,8 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
         let path = file.display().to_string();
         document["gradescope"] = sizes(&path, &written);
         words.push_str(&format!(
-            "wrote {path}: {}\n\nit contains every golden and our answers: upload it to Gradescope \
-             (Configure Autograder), and don't share it\n",
+            "wrote {path}: {}\n\nupload it to Gradescope (Configure Autograder), but don't share \
+             it, because it contains every golden and our answers\n",
             in_words(&written)
         ));
     }
@@ -78,8 +78,8 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
         let path = folder.display().to_string();
         document["prairielearn"] = sizes(&path, &written);
         words.push_str(&format!(
-            "wrote {path}: {}\n\nits README says how to make the image; the image contains every \
-             golden and our answers, so don't share it\n",
+            "wrote {path}: {}\n\nits README says how to make the image; don't share the image, \
+             because it contains every golden and our answers\n",
             in_words(&written)
         ));
     }

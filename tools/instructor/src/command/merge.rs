@@ -58,8 +58,8 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     }
     if are_old {
         anstream::eprintln!(
-            "these parts were graded with another version of the assignment, and keep the points \
-             that they had then"
+            "some submissions were graded with another version of the assignment, and keep the \
+             points that they had then"
         );
     }
     class::sort_changes(&mut run.changes);
@@ -111,15 +111,19 @@ fn merged(
             || with.assignment != own.assignment
         {
             return Err(Error::input(
-                format!("{} was judged against other goldens", part.folder.display()),
-                "grade all shards with the same --golden, --fresh or --seed",
+                format!(
+                    "{} was graded with other goldens, other fresh questions or another version of \
+                     the assignment",
+                    part.folder.display()
+                ),
+                "grade all parts with the same assignment and the same --golden, --fresh or --seed",
             ));
         }
         let report = from.join("report.html");
         if !report.is_file() {
             return Err(Error::input(
                 format!("there is no report in {}", from.display()),
-                "grade that shard again",
+                "grade that part again",
             ));
         }
         let evidence = Evidence::file(id);
@@ -144,7 +148,7 @@ fn read(shards: &[PathBuf]) -> Result<(Roll, Vec<Part<'_>>)> {
         let path = shard.join(ROLL);
         if !path.exists() && shards.len() > 1 {
             anstream::eprintln!(
-                "{} has not started: its people are listed as not graded",
+                "{} has no results yet: its submissions are listed as not graded",
                 shard.display()
             );
             continue;
@@ -152,8 +156,11 @@ fn read(shards: &[PathBuf]) -> Result<(Roll, Vec<Part<'_>>)> {
         let roll = Roll::read(&path)?;
         if common.as_ref().is_some_and(|common| *common != roll) {
             return Err(Error::input(
-                format!("{} is a shard of another class", shard.display()),
-                "grade all shards with the same paths and the same roster",
+                format!(
+                    "{} does not have the same submissions, roster and policy as the other parts",
+                    shard.display()
+                ),
+                "grade all parts with the same paths, roster and policy",
             ));
         }
         let submissions = fs::read_dir(shard.join("submissions"));
@@ -168,6 +175,6 @@ fn read(shards: &[PathBuf]) -> Result<(Roll, Vec<Part<'_>>)> {
         common = Some(roll);
     }
     let common =
-        common.ok_or_else(|| Error::input("no part has started", "name the parts' folders"));
+        common.ok_or_else(|| Error::input("no part has results", "name the parts' --out folders"));
     Ok((common?, parts))
 }

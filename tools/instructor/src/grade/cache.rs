@@ -78,8 +78,8 @@ impl ResultCache {
         write_unflushed(&folder.join("result.json"), pretty(record)?.as_bytes())?;
         let (points, possible) = (record.got.points.unwrap_or(0), record.got.possible);
         let note = format!(
-            "{NOTE}<strong>What the parts are worth has changed since this report was \
-             written: the mark is now {points} of {possible} points.</strong></p>\n"
+            "{NOTE}<strong>Since this report was written, the points of some tasks or scenes have \
+             changed. The submission now has {points} of {possible} points.</strong></p>\n"
         );
         let path = folder.join("report.html");
         unshare(&path)

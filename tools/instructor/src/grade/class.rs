@@ -205,7 +205,7 @@ impl<'a> Class<'a> {
             Some(record) => Some((row.entry.id.as_str(), record.explanation.as_str())),
             None => Some((
                 row.entry.id.as_str(),
-                "it has not been graded yet: run the same command again",
+                "it has not been graded yet: run `pinhole grade` again",
             )),
         });
         without.collect()

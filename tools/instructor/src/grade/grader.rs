@@ -277,8 +277,9 @@ impl Grader<'_> {
                 > most
         {
             report.said.push_str(&format!(
-                " The scenes earn at most {most} points: a scene earns no larger share of its \
-                 points than the tasks it needs, whose fresh questions count too."
+                " All scenes together earn at most {most} points, because a scene earns no larger \
+                 share of its points than the tasks that it needs, and those tasks must pass fresh \
+                 questions too."
             ));
         }
         Ok(report)

@@ -135,7 +135,7 @@ pub fn find(
     }
     if handed_in.is_empty() {
         return Err(Error::input(
-            "there is no submission in what you named",
+            "the paths you gave contain no submission",
             "name folders that contain the answer files, or a folder of such folders",
         ));
     }

@@ -29,13 +29,13 @@ pub fn refuse(files: &Files, assignment: &Assignment) -> Result<()> {
         if let Some(line) = answers.first_in(bytes) {
             return Err(Error::input(
                 format!("{path} would give away a line of the reference: `{line}`"),
-                "write it differently there",
+                "rewrite that line, or leave it out",
             ));
         }
         if let Some(what) = withheld.shown_by(path, bytes) {
             return Err(Error::input(
                 format!("{path} would give away {what}"),
-                "take it out there, or withhold another scene",
+                "remove it from that file, or withhold another scene",
             ));
         }
     }

@@ -103,7 +103,10 @@ fn points(assignment: &Assignment) -> String {
     );
     table.push_str(&row);
     if !withheld.is_empty() {
-        let row = format!("| scenes that come with grading | {} |\n", sum(&withheld));
+        let row = format!(
+            "| scenes that are used only in grading | {} |\n",
+            sum(&withheld)
+        );
         table.push_str(&row);
     }
     table

@@ -67,7 +67,7 @@ impl fmt::Display for DrawnGroup {
         let DrawnGroup { name, group, .. } = self;
         write!(
             f,
-            "{name}: {percent:.3} % of {group}, fails with {} of {} seeds",
+            "{name}: wrong on {percent:.3} % of {group}'s questions; fails with {} of {} seeds",
             self.failing, self.seeds
         )
     }

@@ -91,7 +91,7 @@ pub fn without_mutant(listed: &[EquivalentMutant], mutants: &[Mutant]) -> Vec<St
         .filter(|listed| !mutants.iter().any(|mutant| listed.is(mutant)));
     gone.map(|listed| {
         let EquivalentMutant { task, becomes, .. } = listed;
-        format!("listed, but no longer a mutant of {task}: {becomes}")
+        format!("listed in {FILE}, but no longer a mutant of {task}: {becomes}")
     })
     .collect()
 }

@@ -8,7 +8,7 @@ use std::time::Duration;
 use serde::Serialize;
 
 use super::difference::{Difference, Oracle};
-use super::equivalents::{self, EquivalentMutant};
+use super::equivalents::{self, EquivalentMutant, FILE};
 use super::mutate::{self, Mutant};
 use super::sentences::Sentences;
 use super::validator::Validator;
@@ -210,24 +210,23 @@ impl MutantVerdict {
         let diff = self.mutant.diff();
         let is_listed = listed.iter().any(|listed| listed.is(&self.mutant));
         match &self.fate {
-            Fate::NotViable if is_listed => {
-                Some(format!("listed, but does not compile: {name}\n{diff}"))
-            }
+            Fate::NotViable if is_listed => Some(format!(
+                "listed in {FILE}, but does not compile: {name}\n{diff}"
+            )),
             Fate::Probes(by) if is_listed => Some(format!(
-                "listed, but caught by {}: {name}\n{diff}",
+                "listed in {FILE}, but caught by {}: {name}\n{diff}",
                 by.join(", ")
             )),
-            Fate::Scene(by) if is_listed => {
-                Some(format!("listed, but caught by {by}: {name}\n{diff}"))
-            }
+            Fate::Scene(by) if is_listed => Some(format!(
+                "listed in {FILE}, but caught by {by}: {name}\n{diff}"
+            )),
             Fate::Escaped {
                 why: None,
                 difference,
             } => {
-                let word = if is_listed {
-                    "listed, but the search disagrees"
-                } else {
-                    "missed"
+                let word = match is_listed {
+                    true => format!("listed in {FILE}, which claims other differences"),
+                    false => "missed".into(),
                 };
                 Some(format!("{word}: {name}\n{diff}\n  {difference}"))
             }

@@ -161,7 +161,7 @@ impl Diagnoses {
             if names.all() > 0 && names.share_right() < ENOUGH {
                 let share = 100.0 * names.share_right();
                 faults.push(format!(
-                    "of {films} that a single belief makes wrong, only {share:.1} % get its name"
+                    "only {share:.1} % of the {films} that a single belief makes wrong get its name"
                 ));
             }
         }

@@ -213,7 +213,7 @@ impl Belief {
                 (Some((start, _)), None) => Ok(start..start + was.len()),
                 _ => Err(Error::input(
                     format!("{FILE}: the reference does not contain this exactly once: {was}"),
-                    "follow the reference there",
+                    "choose a text that occurs once in the reference",
                 )),
             }
         };
@@ -232,7 +232,7 @@ impl Pairs {
         let (judged, named) = (self.names.all(), self.names.right + self.names.among);
         if judged >= FEW && (named as f64) < ENOUGH * judged as f64 {
             faults.push(format!(
-                "of {judged} pairs of beliefs, only {named} get a right name"
+                "only {named} of {judged} pairs of beliefs get a right name"
             ));
         }
         faults.extend(self.sentences.faults("pairs", ENOUGH_TOLD));

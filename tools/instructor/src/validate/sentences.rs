@@ -92,7 +92,9 @@ impl Sentences {
         let mut faults: Vec<String> = false_ones.collect();
         if self.tasks >= FEW && (self.told as f64) < enough * self.tasks as f64 {
             let (told, tasks) = (self.told, self.tasks);
-            faults.push(format!("of {tasks} wrong {what}, only {told} get a law"));
+            faults.push(format!(
+                "only {told} of {tasks} wrong {what} are described by a law"
+            ));
         }
         faults
     }

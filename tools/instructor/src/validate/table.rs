@@ -61,8 +61,8 @@ pub fn validation(validation: &Validation) -> String {
 fn drawn(draws: &Draws) -> String {
     let (answers, groups, asked) = (draws.answers, draws.groups, draws.asked);
     let mut text = format!(
-        "\n{STRONG}fresh questions of many seeds{STRONG:#}  {QUIET}{answers} wrong answers, {groups} \
-         groups that pass the public questions, asked {asked} times{QUIET:#}\n"
+        "\n{STRONG}fresh questions of many seeds{STRONG:#}  {QUIET}{answers} wrong answers; their \
+         {groups} groups that pass the public questions were asked {asked} times{QUIET:#}\n"
     );
     for group in &draws.caught {
         text += &row(!group.depends_on_the_draw(), "", group.to_string());

@@ -46,13 +46,14 @@ impl Roll {
             ("whose owner is uncertain", true, ambiguous.collect()),
             ("not on the roster", true, self.names(&placed.unknown)),
             (
-                "matched by a name that people may choose: check them, or add the platform's \
-                 numbers (column number) or GitHub's logins (github) to the roster",
+                "matched by a name that people can choose themselves: check them, or add the \
+                 platform's numbers (column `number`) or GitHub logins (column `github`) to the \
+                 roster",
                 false,
                 self.names(&placed.by_name),
             ),
             ("not part of any submission", true, self.ignored.clone()),
-            ("nothing handed in", false, people(&placed.missing)),
+            ("who handed in nothing", false, people(&placed.missing)),
             (
                 "read in spite of an unexpected name, encoding or number of uploads",
                 false,

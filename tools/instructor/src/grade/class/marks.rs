@@ -88,13 +88,14 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
             strangers,
         ),
         (
-            "several submissions, but nothing says which is the last: no final mark; give a table \
-             of times, or grade only the one that counts",
+            "with several submissions, but nothing says which is the last: no final mark; name a \
+             table of times in a policy, or grade only the one that counts",
             true,
             open.undecided,
         ),
         (
-            "late, but nothing says when: no points taken off; give a table of times",
+            "late, but nothing says by how much: no points taken off; name a table of times in the \
+             policy",
             true,
             open.late_sometime,
         ),
@@ -105,13 +106,14 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
                 open.unknown,
             ),
             true => (
-                "nothing says when it was handed in: counted as on time; give a table of times",
+                "with no time of submission: counted as on time; name a table of times in the \
+                 policy",
                 true,
                 open.unknown,
             ),
         },
         (
-            "several submissions, of which one counts",
+            "with several submissions, of which one counts",
             false,
             open.several,
         ),
@@ -228,8 +230,8 @@ fn give<'a>(
         }
     }
     let why_not = match counts {
-        None => "nothing says whether it is the last".to_owned(),
-        Some(counts) => format!("not counted: {} is", counts.id),
+        None => "not counted, because nothing says whether it is the last".to_owned(),
+        Some(counts) => format!("not counted, because {} counts", counts.id),
     };
     let is_own = |row: &Row| row.person.map(|it| &it.id) == person.map(|it| &it.id);
     let mut has_row = false;

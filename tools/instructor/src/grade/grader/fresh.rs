@@ -56,8 +56,7 @@ impl Questions {
             return match self.seed.or(kept) {
                 Some(_) => Err(Error::environment(
                     "Mitsuba is needed to make fresh questions, but is not installed",
-                    "install it: cargo pinhole golden setup, or pass --fresh DIR or \
-                     --no-fresh",
+                    "install it (cargo pinhole golden setup), or pass --fresh DIR or --no-fresh",
                 )),
                 None => Ok(None),
             };
@@ -66,7 +65,7 @@ impl Questions {
             Some(seed) => seed,
             None => random_seed().or_environment(
                 "the system has no random numbers for a seed",
-                "name one with --seed",
+                "pass a seed with --seed",
             )?,
         };
         anstream::eprintln!("making fresh questions with Mitsuba …");

@@ -159,7 +159,7 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
         .collect();
     if !outside.is_empty() {
         choice.doubts.push(format!(
-            "the files in `handout/src` were taken, and not {}",
+            "the files in `handout/src` were taken instead of {}",
             quoted(&outside).join(", ")
         ));
     }
@@ -171,7 +171,7 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
     }
     if candidates.is_empty() && refused.is_empty() && !others.is_empty() {
         let note = format!(
-            "no answer file was handed in, but {}",
+            "no answer file was handed in, only {}",
             quoted(&others).join(", ")
         );
         choice.doubts.push(note);
@@ -218,7 +218,7 @@ impl Choice {
             };
             let left = quoted(&left).join(", ");
             self.doubts
-                .push(format!("`{taken}` was taken{role}, and not {left}"));
+                .push(format!("`{taken}` was taken{role} instead of {left}"));
         } else if !chosen.is_exact {
             self.notes
                 .push(format!("`{}` was taken as `{file}`", chosen.path()));

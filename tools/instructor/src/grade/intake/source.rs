@@ -33,8 +33,8 @@ impl Source<'_> {
             if !is_alone {
                 hand_in.at_most = Proof::Hint;
                 hand_in.doubts.push(format!(
-                    "`{}` contains names of people, but was named beside single submissions: name \
-                     it alone if it is a class",
+                    "`{}` contains names of people, but was passed together with single \
+                     submissions; if it is a class, pass it alone",
                     self.name
                 ));
             } else if is_plain {

@@ -271,7 +271,7 @@ fn answers_are_questioned_if_other_files_may_be_meant() {
     );
     let intake = export.find("class");
     let doubts: Vec<_> = intake.entries.iter().map(|it| &it.doubts[..]).collect();
-    let bob = "the files in `handout/src` were taken, and not `src/sphere.rs`".to_owned();
+    let bob = "the files in `handout/src` were taken instead of `src/sphere.rs`".to_owned();
     let cleo = "`plane.rs` is the stub, unchanged; is `plane_final.rs` meant?".to_owned();
     let dan = "`plane.rs` is missing; is `plane_final.rs` meant?".to_owned();
     assert_eq!(doubts, [&[][..], &[bob], &[cleo], &[dan], &[]]);
@@ -303,7 +303,7 @@ fn answers_in_deep_folders_are_found_and_duplicates_are_reported() {
     );
     assert_eq!(
         cleo.doubts,
-        ["`plane.rs` was taken, and not `old/plane.rs`"]
+        ["`plane.rs` was taken instead of `old/plane.rs`"]
     );
     assert_eq!(text(&intake, 2, "plane"), "// plane");
 }
@@ -354,7 +354,7 @@ fn the_whole_download_of_a_platform_is_unpacked() {
     assert_eq!(intake.entries.len(), 4, "{intake:#?}");
     assert_eq!(
         intake.entries[2].doubts,
-        ["no answer file was handed in, but `text.html`"]
+        ["no answer file was handed in, only `text.html`"]
     );
     let mut moodle = answers("Ada Lovelace_2001_assignsubmission_file/", "ada");
     moodle.extend(answers("Bob Bobson_2002_assignsubmission_file/", "bob"));
@@ -463,7 +463,7 @@ fn files_that_cannot_be_opened_are_listed() {
     let all = "viewing_ray.rs, sphere.rs, plane.rs, triangle.rs, triangle_soup.rs, first_hit.rs";
     assert_eq!(told("empty.zip").0, format!("{all} are missing"));
     assert!(
-        told("essay.zip").1.contains("but `essay.docx`"),
+        told("essay.zip").1.contains("only `essay.docx`"),
         "{intake:#?}"
     );
     assert_eq!(told("nothing").0, format!("{all} are missing"));
@@ -487,6 +487,6 @@ fn an_empty_archive_in_a_platforms_download_is_somebodys_submission() {
     assert_eq!(intake.entries[0].doubts, [""; 0]);
     assert_eq!(
         intake.entries[1].doubts,
-        ["no answer file was handed in, but `answers.zip`"]
+        ["no answer file was handed in, only `answers.zip`"]
     );
 }

@@ -104,7 +104,10 @@ impl Policy {
         if let Some(at_most) = self.rules.extra_credit.as_ref().and_then(|it| it.at_most) {
             let most = mark.possible * at_most / 100.0;
             if mark.last > most {
-                let why = format!("never more than {} percent", number(at_most));
+                let why = format!(
+                    "limited to {} percent of the points possible",
+                    number(at_most)
+                );
                 mark.add(most - mark.last, why);
             }
         }

@@ -197,7 +197,7 @@ impl Rules {
             && !(at_most >= 0.0 && at_most.is_finite())
         {
             return Err(format!(
-                "extra_credit.at_most is {at_most}, which is not a finite number from 0 up"
+                "extra_credit.at_most is {at_most}, which is not a finite number of at least 0"
             ));
         }
         for by_hand in &self.adjust {

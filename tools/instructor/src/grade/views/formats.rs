@@ -24,8 +24,8 @@ pub enum Format {
     Junit,
     /// prairielearn.json: PrairieLearn's results.json
     Prairielearn,
-    /// classroom50.json: Classroom 50's result.json; Classroom 50's runner sets the names
-    /// of the classroom, the assignment and the submission in it
+    /// classroom50.json: Classroom 50's result.json; it names the classroom, the assignment and the
+    /// submission if Classroom 50's runner has set its variables
     Classroom50,
     /// groups.csv in OUT: a line for each group of questions
     Csv,
@@ -33,7 +33,7 @@ pub enum Format {
     Canvas,
     /// moodle.csv in OUT: final marks for Moodle's grading worksheet
     Moodle,
-    /// feedback*.zip in OUT: reports for Canvas, for Moodle, and by id
+    /// feedback*.zip in OUT: all reports, packed for Canvas, for Moodle, and by id
     Feedback,
 }
 
@@ -140,7 +140,10 @@ fn shown(group: &GroupOutcome) -> Vec<String> {
     let facts = terminal::facts(&group.worst);
     match facts.is_empty() {
         true => vec![said],
-        false => vec!["One of the questions that are wrong:".into(), facts],
+        false => vec![
+            "One of the questions that were answered wrongly:".into(),
+            facts,
+        ],
     }
 }
 

@@ -127,7 +127,7 @@ impl ClassOutput<'_> {
         }
         anstream::eprintln!(
             "pinhole: {} of {} submissions have no mark, and grading failed for {}\n  remedy: \
-             see the reasons above; run the same command again, and it grades only these",
+             see the reasons above; if you run `pinhole grade` again, it grades only these",
             not_graded.len(),
             class.rows.len(),
             run.faults.len()

@@ -9,7 +9,7 @@ pub fn table(diagnoses: &Diagnoses) -> String {
     let mut text = format!(
         "\n{STRONG}diagnosis{STRONG:#}  {QUIET}how often a wrong film gets the name of its mistake{QUIET:#}\n  \
          right: that mistake alone is named; among: it is named with one or two others that\n  look \
-         the same in that film; none: nothing is named; false: only others are named\n\n\
+         the same in that film; none: nothing is named; false: another mistake is named\n\n\
          {QUIET}  {:<46}{:>6}{:>7}{:>7}{:>6}{:>7}{QUIET:#}\n",
         "", "films", "right", "among", "none", "false"
     );

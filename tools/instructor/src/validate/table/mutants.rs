@@ -10,7 +10,7 @@ pub fn table(mutants: &Mutants) -> String {
     let missed = mutants.count(MutantVerdict::is_missed);
     let said = format!(
         "{missed} of {viable} viable ones missed ({} do not compile); {} caught by their own\n{:18}\
-         task's questions, {} by a scene only, {} listed and shown not to be mistakes",
+         task's questions, {} by a scene only, {} rightly listed in equivalent.toml",
         mutants.judged.len() - viable,
         mutants.count(|judged| judged.groups().is_some()),
         "",

@@ -32,7 +32,10 @@ pub fn sentences(sentences: &Sentences) -> String {
         ..
     } = sentences;
     let wrong = sentences.wrong.len();
-    let said = format!("{told} of {tasks} get a law; {wrong} of {tested} sentences are false");
+    let said = format!(
+        "{told} of {tasks} wrong answers are described by a law; {wrong} of {tested} tested \
+         sentences are false"
+    );
     let mut text = row(wrong == 0, "  measured", said);
     for untold in &sentences.untold {
         text += &format!("  {QUIET}no law: {untold}{QUIET:#}\n");

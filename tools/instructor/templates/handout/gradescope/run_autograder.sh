@@ -6,7 +6,7 @@ export RUSTUP_HOME=/opt/rust/rustup CARGO_HOME=/opt/rust/cargo CARGO_NET_OFFLINE
 export PATH="/opt/rust/cargo/bin:$PATH"
 cd /autograder/source/pinhole || exit
 
-# Another user's code runs in this container, so only root may read the submission.
+# The student's code runs in this container as another user, who must not read the results.
 graded=/autograder/graded
 rm -rf "$graded"
 mkdir -m 700 "$graded"

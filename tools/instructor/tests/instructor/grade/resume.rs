@@ -89,7 +89,7 @@ fn only_what_changed_is_graded_again_and_drops_are_listed_first() {
     let ran = class.grade("out", &["--json"]).expect_code(1);
     let told = ran.json();
     assert_eq!(told["graded_now"], 2);
-    let why = "2 graded before, but with other answers: graded again";
+    let why = "to be graded again: 2 (last graded with other answers)";
     assert!(ran.err.contains(why), "{}", ran.err);
     let changes = told["changes"].as_array().expect("a list");
     assert_eq!(
@@ -120,7 +120,7 @@ fn shards_merge_to_the_grades_of_one_run() {
     let never = class.path("3-3");
     on_small_assignment(&["merge", &one, &never, "--out", &merged])
         .expect_code(3)
-        .expect_err("3-3 has not started: its people are listed as not graded")
+        .expect_err("3-3 has no results yet: its submissions are listed as not graded")
         .expect_out("not graded");
     on_small_assignment(&["merge", &two, &one, "--out", &one])
         .expect_code(2)

@@ -78,7 +78,7 @@ fn the_last_or_the_best_attempt_counts_and_each_person_has_one_mark() {
     let rows_of_last = rows(&last, &records);
     assert_eq!(finals(&rows_of_last), [("ada".into(), "two".into(), 55.0)]);
     let not_counted = rows_of_last.own[0].not_counted.as_deref();
-    assert_eq!(not_counted, Some("not counted: two is"));
+    assert_eq!(not_counted, Some("not counted, because two counts"));
     let best = roll(entries(), &format!("attempts = 'best'\n{RULES}"), &[]);
     assert_eq!(
         finals(&rows(&best, &records)),
@@ -165,7 +165,7 @@ fn unknown_lateness_and_unknown_ids_are_listed() {
         concern.which.clone()
     };
     assert_eq!(of("not on the roster"), ["adda"]);
-    assert_eq!(of("nothing says when: no points"), ["one"]);
+    assert_eq!(of("by how much: no points"), ["one"]);
     assert_eq!(of("counted as on time"), ["two"]);
     assert_eq!(concerns.len(), 3);
     // A table of times may list only those who were late.

@@ -54,7 +54,7 @@ impl Limits {
         Limits {
             kept: Limit::new(
                 (64 << 20) + more,
-                "it contains more answer files than a class",
+                "it contains more answer files than a whole class needs",
             ),
             unpacked: Limit::new(
                 (1 << 30) + more,

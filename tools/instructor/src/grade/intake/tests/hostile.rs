@@ -489,7 +489,10 @@ fn thousands_of_files_for_one_answer_make_a_short_message() {
     let mallory = &intake.entries[1];
     let told = [&mallory.unusable[..], &mallory.doubts].concat().join("; ");
     assert!(told.contains("there are 2000 files"), "{told}");
-    assert!(told.contains("was taken as `sphere.rs`, and not"), "{told}");
+    assert!(
+        told.contains("was taken as `sphere.rs` instead of"),
+        "{told}"
+    );
     assert!(told.len() < 4000, "{} bytes", told.len());
     files.push(("plane.rs".into(), b"mine".to_vec()));
     export.put("mallory.zip", &zip(&files));
