@@ -63,8 +63,8 @@ fn hand_on() -> ExitCode {
         return ExitCode::from(code.unwrap_or(3));
     }
     eprintln!(
-        "This program answers questions from the `pinhole` command. To see what your answers\n\
-         make of a scene, run:\n\n    cargo pinhole check"
+        "This program answers questions from the `pinhole` command. To judge your answers, run:\n\n    \
+         cargo pinhole check"
     );
     ExitCode::from(2)
 }

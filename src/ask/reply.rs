@@ -206,7 +206,9 @@ impl Reply {
                 let questions = questions.ok_or("it asked for a test for a missing question")?;
                 self.tests[index] += 1;
                 if self.tests[index] as usize > questions.most_tests(index) {
-                    return Err("it asked for ten times as many tests as there are".into());
+                    let why =
+                        "it asked for more than ten times as many tests as the whole tree takes";
+                    return Err(why.into());
                 }
                 let result = questions.test(index, test);
                 let result = result.ok_or("it asked to test something that is not in the tree")?;
@@ -228,7 +230,9 @@ impl Reply {
                 self.ending = Ending::Unregistered(kind);
                 Ok(Next::End)
             }
-            Message::StillAt(_) => Err("it said where it is without being asked".into()),
+            Message::StillAt(_) => {
+                Err("it reported its current question without being asked".into())
+            }
             Message::Answers { answers, .. } if answers.is_empty() => {
                 Err("it sent a message without an answer".into())
             }

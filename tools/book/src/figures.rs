@@ -199,7 +199,7 @@ fn compare(kept: &Files, made: &Files) -> Vec<Problem> {
             Some(old) if old != content => {
                 problems.push(problem(
                     name,
-                    "the figure is not as its program makes it",
+                    "the figure is not what its program makes now",
                     again,
                 ));
             }
@@ -233,7 +233,7 @@ mod tests {
             .map(|problem| problem.problem.as_str())
             .collect();
         let expected = [
-            "the figure is not as its program makes it",
+            "the figure is not what its program makes now",
             "the figure is missing",
             "no program makes this figure",
         ];

@@ -6,7 +6,7 @@ use clap::{Args, Parser, Subcommand};
 use pinhole::Resolution;
 use pinhole_course::run_options::{AssignmentOption, RunOptions, resolution};
 
-/// Computer graphics assignments, judged by comparing answers with Mitsuba's.
+/// Computer graphics assignments, judged by comparing answers with those of the renderer Mitsuba.
 ///
 /// To begin, run `cargo pinhole check --watch` and write your answers in the folder `handout/src`
 /// of the assignment. Each answer is judged when you save it.
@@ -56,15 +56,17 @@ impl Command {
 
 /// Compile a submission and judge its answers
 ///
-/// Each task has several groups of questions. The answers of your code are compared with Mitsuba's.
-/// Then your answers together render every scene, and the films are compared with Mitsuba's. For
-/// each group and scene that fails, you see what was asked, what was expected and what your code
-/// answered.
+/// An answer is the code that you write for one task. Each task has several groups of questions.
+/// What your code returns is compared with what Mitsuba returns. Then all your answers together
+/// render every scene as a film, which holds the object, t and normal of each pixel. Your film is
+/// compared with Mitsuba's. For each group and scene that fails, you see what was asked, what was
+/// expected and what your code returned.
 ///
 /// With --watch, `check` keeps running and judges an answer whenever you save it. Once all tasks
 /// pass, it judges the scenes. Press h for a hint and ? for all keys. Without a terminal, or with
-/// --json, it prints each verdict on a line of its own, until standard input is closed or you press
-/// Ctrl-C. With --watch, the exit code is always 0.
+/// --json, it prints verdicts as they come, until you press Ctrl-C or the pipe to its standard
+/// input is closed. With --json, each verdict is one line. The exit code of --watch doesn't depend
+/// on the verdicts.
 ///
 /// Only the answer files in the folder are used. If the folder is outside this repository, the code
 /// is compiled and run in a sandbox.
@@ -139,7 +141,7 @@ pub struct Render {
     #[command(flatten)]
     pub assignment: AssignmentOption,
     /// Render this many pixels instead of the scene's own number; the image plane keeps its size
-    #[arg(long, value_name = "NXxNY", value_parser = resolution)]
+    #[arg(long, value_name = "COLUMNSxROWS", value_parser = resolution)]
     pub resolution: Option<Resolution>,
     /// Write the files to this folder
     #[arg(long, value_name = "DIR", default_value = "render")]
@@ -153,9 +155,10 @@ pub struct Render {
 
 /// Explain one pixel in words
 ///
-/// Shows your ray beside the expected one: where it crosses the image plane, in camera space, and in
-/// world space. Then come what your code answers for each object, everything that it printed, the
-/// first hit and, if Mitsuba has rendered this scene, what Mitsuba found.
+/// Shows your ray beside the expected one: first the point where it crosses the image plane, then
+/// the ray itself, in camera space and in world space. After that, you see what your code answers
+/// for each object, everything that it printed, and the first hit. If Mitsuba has rendered this
+/// scene, you also see Mitsuba's ray and first hit.
 ///
 /// Try: cargo pinhole explain slide_example 2 3
 #[derive(Args)]
@@ -185,9 +188,10 @@ pub struct Explain {
 /// Work out answers by hand, and see how many mistakes they would catch
 ///
 /// Do this before you write any code, to find out whether you understand a task. You choose some of
-/// its public questions and write down the answers. For each answer, this says whether Mitsuba gives
-/// it too. It also counts how many of the mistakes that people make in this task give another
-/// answer to one of your questions. A right example that catches no mistake is too easy.
+/// its public questions and write down the answers. For each answer, you see whether Mitsuba gives
+/// the same one. You also see how many mistakes your right answers catch, out of those that people
+/// make in this task. An answer catches a mistake if code with that mistake answers differently. A
+/// right example that catches no mistake is too easy.
 ///
 /// To begin, let it write a file with one question of each group, and no answers:
 ///
@@ -252,7 +256,7 @@ pub struct Diff {
     pub json: bool,
 }
 
-/// Replace an answer with its stub
+/// Replace an answer with its stub, the code that you started from
 ///
 /// Your answer is kept in the same folder. The name of the copy ends in .old, and if you reset the
 /// answer again, in .old2, and so on.
@@ -270,10 +274,10 @@ pub struct Reset {
     pub json: bool,
 }
 
-/// Check this machine for everything that Pinhole needs
+/// Check this machine for what Pinhole needs
 ///
-/// Lists everything that Pinhole uses, such as the Rust compiler and a linker, and says whether it
-/// was found. In the instructor's repository, the list includes the sandbox and Mitsuba. For
+/// Lists what Pinhole uses, such as the Rust compiler and a linker, and says whether each was
+/// found. In the instructor's repository, the list includes the sandbox and Mitsuba. For
 /// anything missing, you also see what it is used for and how to get it. Only the Rust compiler, a
 /// linker and enough free disk space are required. If one of these is missing, the exit code is 3.
 #[derive(Args)]
@@ -285,8 +289,8 @@ pub struct Doctor {
 
 /// Print a script that completes commands and options in your shell
 ///
-/// It completes the program `pinhole`, not `cargo pinhole`. To install that program, run
-/// `cargo install --path tools/cli` in the repository. Then, for Bash, run:
+/// The script works for the program `pinhole`, but not for `cargo pinhole`. To install the program,
+/// run `cargo install --path tools/cli` in the repository. Then, for Bash, run:
 ///
 /// pinhole completions bash > ~/.local/share/bash-completion/completions/pinhole
 #[derive(Args)]

@@ -90,8 +90,8 @@ impl Program {
         let manifest = checkout.root().join(self.folder).join("Cargo.toml");
         if !manifest.is_file() || HandoutRecord::read(checkout.root())?.is_some() {
             return Err(Error::input(
-                "this is a student's repository, which has no instructor's commands, no study \
-                 and no book",
+                "this is a student's repository, which lacks the commands for instructors, the \
+                 study and the book",
                 "run this in the instructor's repository",
             ));
         }

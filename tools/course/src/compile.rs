@@ -157,7 +157,7 @@ impl Compiler {
             Attempt::Program(program) => Ok(program),
             Attempt::Enough => unreachable!("compiling is never stopped early"),
             Attempt::Late => Err(Error::environment(
-                "the compiler did not finish, perhaps because of other work",
+                "the compiler did not finish, perhaps because this machine was busy",
                 "run this command again",
             )),
         }

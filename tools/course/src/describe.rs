@@ -100,7 +100,8 @@ pub fn unanswered(asked: &QuestionFilm, reply: &Reply) -> Vec<Fact> {
         Ending::TimedOut(_) => (
             reply.still_at,
             Some(
-                "your code was still at this question; can its loops and calls of itself end here?",
+                "your code was still working on this question; do its loops and recursive \
+                 calls end?",
             ),
         ),
         _ => (None, None),

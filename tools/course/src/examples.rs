@@ -261,7 +261,7 @@ impl<'a> Asked<'a> {
             }),
             true => Err(Error::input(
                 format!(
-                    "`{}` has no examples, because many answers are right",
+                    "`{}` has no examples, because its questions have many right answers",
                     task.name
                 ),
                 "choose another task",

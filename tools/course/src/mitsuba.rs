@@ -120,7 +120,7 @@ fn complete(command: &mut Command, purpose: &str) -> Result<()> {
     }
     Err(Error::environment(
         format!("cannot {purpose}: {command:?} failed"),
-        "see its message above; it needs Python 3.11 with venv, and access to a package index",
+        "see the message above; this needs Python 3.11 with venv, and access to a package index",
     ))
 }
 

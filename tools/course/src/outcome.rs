@@ -103,7 +103,7 @@ pub enum OwnRays {
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Outcome {
-    /// [`SCHEMA`].
+    /// The version of this format.
     pub schema: u32,
     /// The assignment's title.
     pub assignment: String,
@@ -117,9 +117,9 @@ pub struct Outcome {
     pub possible: u32,
     /// Points that cannot be earned here, for scenes that students do not have.
     pub withheld: u32,
-    /// In the assignment's order.
+    /// The tasks, in the assignment's order.
     pub tasks: Vec<TaskOutcome>,
-    /// In the assignment's order.
+    /// The scenes, in the assignment's order.
     pub scenes: Vec<SceneOutcome>,
     /// What became of the answer of an earlier assignment. Absent if it was not handed in again, or
     /// if no scene was cast.
@@ -134,7 +134,7 @@ pub struct Outcome {
     pub flags: Vec<Flag>,
 }
 
-/// What was made of an answer to a task of an earlier assignment.
+/// How an answer to a task of an earlier assignment was used.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct EarlierOutcome {

@@ -72,7 +72,7 @@ impl SecondJudge {
         let word = |passes: bool| if passes { "passes" } else { "fails" };
         Err(Error::environment(
             format!(
-                "the two judges disagree on {}: {} in Rust, {} in oiiotool ({})",
+                "the two judges disagree on {}: {} in Pinhole, {} in oiiotool ({})",
                 golden.display(),
                 word(passes),
                 word(second.passes),

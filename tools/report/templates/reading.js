@@ -17,7 +17,7 @@ function reading(i, j, k, pixels, evidence) {
   if (evidence.rays) {
     const min_t = evidence.min_t === null ? [] : [["min_t", number(evidence.min_t, 6)]];
     const rays = element("div", { className: "rays" });
-    rays.append(ray("Its ray, by Mitsuba", [...inWords(rayAt(evidence.rays, i, j)), ...min_t]));
+    rays.append(ray("Mitsuba's ray", [...inWords(rayAt(evidence.rays, i, j)), ...min_t]));
     const own = evidence.own_rays;
     if (own === "right") rays.append(ray("Your ray", [["", "the same"]]));
     else if (own === "uneven") rays.append(ray("Your ray", [["", "the command below shows it"]]));

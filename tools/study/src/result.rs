@@ -14,7 +14,7 @@ pub const SCHEMA: &str = "pinhole-study/3";
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Study {
-    /// [`SCHEMA`].
+    /// The version of this format.
     pub schema: String,
     /// Where, when and how.
     pub provenance: Provenance,
@@ -217,9 +217,9 @@ pub struct BreakingPoint {
     pub kernel: &'static str,
     /// The numbers it computes with.
     pub numbers: &'static str,
-    /// The first exponent above the easiest one at which the kernel is broken.
+    /// Going up from the easiest exponent, the first at which the kernel is broken.
     pub above: Option<i32>,
-    /// The first exponent below the easiest one at which the kernel is broken.
+    /// Going down from the easiest exponent, the first at which the kernel is broken.
     pub below: Option<i32>,
 }
 
@@ -239,9 +239,9 @@ pub struct SceneTally {
     pub rays: u64,
     /// Pixels with a wrong object.
     pub wrong_ids: u64,
-    /// Median relative error of t, where the object is right.
+    /// The median relative error of t, where the object is right.
     pub median_t: Option<f64>,
-    /// The largest error of t, in the same unit.
+    /// The largest relative error of t, where the object is right.
     pub worst_t: Option<f64>,
     /// The largest angle between a normal and the true one, in radians.
     pub worst_normal: Option<f64>,
@@ -274,11 +274,12 @@ pub struct Secondary {
     pub offset: f64,
     /// Rays that leave the surface, none of which truly hits it again.
     pub leaving: u64,
-    /// Those that hit the surface they leave, which causes dark specks in shadows.
+    /// Those of the rays in `leaving` that hit the surface again, which causes dark specks in
+    /// shadows.
     pub self_hits: u64,
     /// Rays aimed at a surface a thousandth of the size away.
     pub near: u64,
-    /// Those that miss it, which causes light leaks.
+    /// Those of the rays in `near` that miss that surface, which causes light leaks.
     pub lost: u64,
 }
 
@@ -333,8 +334,8 @@ pub struct Target {
     pub measured: String,
     /// Whether the promise is kept.
     pub met: bool,
-    /// Whether it is a time, which depends on the machine and its load. Missing such a target
-    /// is reported, but does not fail the run.
+    /// Whether it is a cost: a time, which depends on the machine and its load, or a number of
+    /// instructions. Missing such a target is reported, but does not fail the run.
     pub is_time: bool,
 }
 

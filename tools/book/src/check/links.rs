@@ -38,7 +38,9 @@ pub fn vague(pages: &Pages, edition: Edition) -> Vec<Problem> {
         });
         for (link, word) in promises {
             let file = PathBuf::from(edition.name()).join(path);
-            let problem = format!("`{link}` {word} something, but the link names no section");
+            let problem = format!(
+                "the text says that `{link}` {word} something, but the link names no section"
+            );
             let remedy = "add the section to the link";
             problems.push(Problem::of(file, problem, remedy));
         }

@@ -260,7 +260,7 @@ fn disagreement(passes: bool, second: &SecondVerdict) -> Error {
     let word = |passes: bool| if passes { "passes" } else { "fails" };
     Error::environment(
         format!(
-            "the two judges disagree: the film {} in Rust and {} in oiiotool{}",
+            "the two judges disagree: the film {} in Pinhole and {} in oiiotool{}",
             word(passes),
             word(second.passes),
             said(second)

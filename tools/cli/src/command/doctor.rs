@@ -1,4 +1,4 @@
-//! `pinhole doctor`: checks this machine for everything that Pinhole uses.
+//! `pinhole doctor`: checks this machine for what Pinhole uses.
 
 use std::path::Path;
 use std::process::Command;
@@ -145,7 +145,7 @@ fn linker() -> Finding {
     };
     // Only rustc can find Visual Studio's linker.
     let found = match cfg!(windows) {
-        true => Ok("left to rustc".into()),
+        true => Ok("not checked on Windows".into()),
         false => first_line(Command::new("cc").arg("--version")),
     };
     Finding::required("linker", "to compile answers", found, remedy)
@@ -219,7 +219,7 @@ fn sandbox(checkout: &Checkout) -> Finding {
     };
     Finding::optional(
         "sandbox",
-        "to run other people's code: grade, and check on a folder outside the checkout",
+        "to run other people's code: in `grade`, and in `check` on a folder outside the repository",
         found,
         &remedy,
     )

@@ -84,7 +84,7 @@ fn said(example: &JudgedExample) -> String {
     match (example.verdict, example.wrong.as_slice()) {
         (Verdict::Right, _) => String::new(),
         (Verdict::Unanswered, _) => "has no answer yet".into(),
-        (Verdict::Wrong, ["hit"]) => "Mitsuba does not agree whether there is a hit".into(),
+        (Verdict::Wrong, ["hit"]) => "Mitsuba disagrees about whether there is a hit".into(),
         (Verdict::Wrong, parts) => format!("Mitsuba gives another {}", parts.join(" and another ")),
     }
 }

@@ -33,12 +33,12 @@ pub const KEYS: [(char, Key, &str, &str); 9] = [
         "open the report of what has been judged so far",
     ),
     ('n', Key::Next, "next", "the next task"),
-    ('p', Key::Previous, "previous", "the task before"),
+    ('p', Key::Previous, "previous", "the previous task"),
     (
         'a',
         Key::Everything,
         "all",
-        "judge everything, with a table",
+        "judge everything, and show a table",
     ),
     (
         's',
@@ -46,9 +46,9 @@ pub const KEYS: [(char, Key, &str, &str); 9] = [
         "scenes",
         "render the scenes with all your answers",
     ),
-    ('r', Key::RepeatCommands, "again", "judge this once more"),
+    ('r', Key::RepeatCommands, "again", "judge this again"),
     ('q', Key::Quit, "quit", "quit (or press Ctrl-C)"),
-    ('?', Key::Help, "help", "show or hide this"),
+    ('?', Key::Help, "help", "show or hide this help"),
 ];
 
 /// Nearly a screen, so that some lines stay visible.

@@ -32,7 +32,7 @@ fn write(course: &Course, known: &Examination) -> Result<()> {
 fn open(path: &Path) -> String {
     let shown = printable(&path.display().to_string());
     if let Some(copy) = copy_command(path) {
-        return format!("the report is {shown}; from your own machine:\n{copy}");
+        return format!("the report is {shown}; to copy it, run this on your own machine:\n{copy}");
     }
     match desktop::open(path) {
         true => format!("opened {shown}"),

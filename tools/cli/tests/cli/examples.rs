@@ -39,7 +39,7 @@ question = 0
     let ran = examples("examples-mixed", &format!("{INSIDE}{others}"), &[]).expect_code(1);
     let shown = "\
 ✓ inside 0
-✗ behind 0    Mitsuba does not agree whether there is a hit
+✗ behind 0    Mitsuba disagrees about whether there is a hit
       ray       e = (0.995187, 1.64379, 0.851272), d = (1.14329, 0.0358736, 2.01817), min_t = 0
       sphere    c = (0.177377, 1.55632, −0.552883), r = 0.779484
 ✗ outside 0    Mitsuba gives another t
@@ -109,7 +109,7 @@ fn malformed_examples_are_refused_with_file_place_and_remedy() {
         ),
         (
             entry("1\nhit = false\nt = 1"),
-            ":2: nothing is hit, but there are numbers of a hit",
+            ":2: `hit = false` says that nothing is hit, but there are numbers for a hit",
         ),
         (
             entry("1").replace("inside", "scenes"),
@@ -126,5 +126,5 @@ fn malformed_examples_are_refused_with_file_place_and_remedy() {
     let trees = ["examples", "--new", "build_tree", "--assignment"];
     pinhole(&[trees.as_slice(), &["bounding_volumes"]].concat())
         .expect_code(2)
-        .expect_err("many answers are right");
+        .expect_err("have many right answers");
 }

@@ -100,7 +100,7 @@ impl Assignment {
                     task.shape
                         .map_or("no shape".into(), |shape| format!("the shape `{shape}`")),
                 ),
-                "give a `shape` to tasks that intersect one, and to no others",
+                "give a `shape` to a task that intersects a shape, and to no other task",
             ));
         }
         let is_group = |dropped: &DroppedGroup| {

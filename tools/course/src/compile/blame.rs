@@ -50,7 +50,7 @@ impl Diagnostic {
             .collect();
         let why = match finished.exceeded {
             Some(exceeded) => exceeded.to_string(),
-            None if finished.late => "it waited too long for something".into(),
+            None if finished.late => "it took too long".into(),
             None => finished.status.to_string(),
         };
         let rendered = format!("the compiler gave up ({why})\n{}\n", lines.join("\n"));
@@ -140,8 +140,8 @@ pub fn not_theirs(diagnostics: &[Diagnostic]) -> Error {
             "the program around the answers does not compile:\n{}",
             rendered(diagnostics)
         ),
-        "run this again; if it persists, restore the assignment's `handout` folder and remove \
-         target/pinhole",
+        "run this again; if the problem persists, restore the assignment's `handout` folder and \
+         remove target/pinhole",
     )
 }
 

@@ -175,6 +175,6 @@ pub fn run(
     let asked = sandbox.ask(&program.executable, job, limits, stop, progress);
     asked.or_environment(
         format_args!("cannot ask {}", program.executable.display()),
-        "run this command again; if it persists, remove target/pinhole",
+        "run this command again; if the problem persists, remove target/pinhole",
     )
 }

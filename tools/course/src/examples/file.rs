@@ -68,7 +68,7 @@ impl Entry {
         }
         match hit == Some(false) && !parts.is_empty() {
             true => Err(Error::input(
-                "nothing is hit, but there are numbers of a hit",
+                "`hit = false` says that nothing is hit, but there are numbers for a hit",
                 "remove `hit = false`, or the numbers",
             )),
             false => Ok(Claim { hit, parts }),

@@ -27,7 +27,7 @@ impl Manifest {
         }
         Err(Error::input(
             format!(
-                "the goldens in {} were made by other scripts",
+                "the goldens in {} were made by other versions of the scripts",
                 folder.display()
             ),
             "render all of them again, or name another folder with --out",

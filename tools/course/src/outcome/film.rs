@@ -79,11 +79,11 @@ pub struct Comparison {
     /// Size of film and golden.
     #[cfg_attr(test, schemars(with = "super::tests::ResolutionSchema"))]
     pub resolution: Resolution,
-    /// How many pixels both have.
+    /// How many pixels the film and its golden have.
     pub pixels: usize,
     /// In how many pixels some channel fails.
     pub failing: usize,
-    /// How many are exempt by tolerance.
+    /// How many pixels are exempt.
     pub exempt: usize,
     /// Channel by channel. Empty if what was asked is withheld.
     #[cfg_attr(test, schemars(with = "Vec<super::tests::ChannelSchema>"))]

@@ -44,9 +44,10 @@ pub struct ChannelSchema {
     name: String,
     /// How many pixels miss the golden by more than the tolerance.
     failing: usize,
-    /// How many of them show the right object, which means that this channel itself is wrong.
+    /// How many of the failing pixels show the right object, which means that this channel itself
+    /// is wrong.
     own: usize,
-    /// The pixel that misses it by the most tolerances.
+    /// The pixel that misses the golden by the most tolerances.
     worst: Option<MismatchSchema>,
     /// The smallest rectangle of pixels around all that fail.
     bounds: Option<BoundsSchema>,
@@ -57,13 +58,13 @@ pub struct ChannelSchema {
 #[schemars(rename = "Mismatch")]
 #[allow(dead_code)]
 struct MismatchSchema {
-    /// Its column and row.
+    /// The pixel's column and row.
     pixel: [usize; 2],
     /// The film's sample.
     got: f32,
-    /// The golden's.
+    /// The golden's sample.
     expected: f32,
-    /// How far apart they may be.
+    /// The tolerance: how far apart the two samples may be.
     allowed: f32,
 }
 
@@ -74,7 +75,7 @@ struct MismatchSchema {
 struct BoundsSchema {
     /// Column and row of the bottom left.
     min: [usize; 2],
-    /// Those of the top right.
+    /// Column and row of the top right.
     max: [usize; 2],
 }
 

@@ -44,8 +44,8 @@ impl UserId {
     fn reserve_in(locks: &Path, mut ids: impl Iterator<Item = u32>) -> Result<UserId> {
         let failed = Error::environment(
             format!("cannot reserve a user id in {}", locks.display()),
-            "let root write there (in Apptainer: --writable-tmpfs), because foreign code needs a user \
-             id of its own",
+            "let root write there (in Apptainer: --writable-tmpfs), because each submission runs \
+             with a user id of its own",
         );
         let mut folder = DirBuilder::new();
         folder
@@ -59,7 +59,7 @@ impl UserId {
             .or_fail(&failed)?
             .ok_or_else(|| {
                 Error::environment(
-                    "all user ids for foreign code are taken",
+                    "all user ids for submissions are taken",
                     "wait until another grader on this machine has ended, or use fewer --jobs",
                 )
             })

@@ -25,7 +25,7 @@ impl fmt::Display for ExceededLimit {
             }
             ExceededLimit::Memory(most) => write!(f, "more than {} MiB of memory", most >> 20),
             ExceededLimit::Idle(most) => {
-                write!(f, "it waited {} s for something", most.as_secs_f64())
+                write!(f, "it was idle for {} s", most.as_secs_f64())
             }
         }
     }

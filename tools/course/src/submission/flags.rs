@@ -15,7 +15,7 @@ use super::{Submission, allow_list};
 pub struct Flag {
     /// The task whose file it is.
     pub task: String,
-    /// In that file, from 1.
+    /// The line in the task's file, from 1.
     pub line: usize,
     /// What was found, as the code names it.
     pub what: String,

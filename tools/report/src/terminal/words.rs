@@ -33,7 +33,7 @@ pub fn task_in_words(task: &TaskOutcome) -> String {
 /// Says that withheld scenes are worth points too, if there are any.
 pub fn withheld_in_words(outcome: &Outcome) -> Option<String> {
     let (possible, all) = (outcome.possible, outcome.possible + outcome.withheld);
-    let words = "can be seen here; the rest is for scenes that come with grading";
+    let words = "can be earned here; the rest are for scenes that are used only in grading";
     (outcome.withheld > 0).then(|| format!("{possible} of {all} points {words}"))
 }
 
@@ -58,11 +58,11 @@ pub fn earlier_in_words(earlier: &EarlierOutcome) -> String {
     let file = format!("{}.rs", earlier.task);
     match &earlier.problem {
         None => format!(
-            "The scenes are cast with your {file} of `{}`.",
+            "The scenes are cast with your {file} from `{}`.",
             earlier.assignment
         ),
         Some(problem) => format!(
-            "The scenes are cast with our {file}, and not with yours of `{}`: {}.",
+            "The scenes are cast with our {file} instead of yours from `{}`, because {}.",
             earlier.assignment,
             printable(problem)
         ),

@@ -37,9 +37,9 @@ fn how(kind: &KindPlan, wish: AccuracyTarget) -> String {
     };
     match kind.watched {
         false => format!("f64; proven for every ray: {proven}"),
-        true => format!(
-            "f64 where a filter proves X, and more digits elsewhere; without either: {proven}"
-        ),
+        true => {
+            format!("f64 where a filter proves X, and more digits elsewhere; f64 alone: {proven}")
+        }
     }
 }
 
@@ -59,7 +59,7 @@ pub fn description(plan: &Plan, scene: &str) -> String {
     };
     line(
         "objects",
-        "decided exactly: filtered in f64, then in more digits",
+        "decided exactly: by a filter in f64, or else with more digits",
     );
     for kind in &plan.kinds {
         line(&count(kind.parts, kind.kind), &how(kind, wish));

@@ -78,12 +78,12 @@ pub struct Study {
 
 /// Find the fastest way to render a scene's film with a given accuracy, and explain the choice
 ///
-/// If a film is rendered by this plan, it shows the true object at every pixel, and t and normals
-/// are as accurate as you ask for. (The exception is a t below 2e-308 or above 1.7e308, where f64
-/// has fewer digits or none.) This is proven for every camera ray, not estimated from samples. For
-/// each kind of shape, the output says how accurate f64 arithmetic is, and which hits must be
-/// checked and perhaps computed exactly. It also says whether a bounding volume hierarchy is
-/// worthwhile. The same scene and options always give the same plan.
+/// This way is called a plan. A film that is rendered by it shows the true object at every pixel,
+/// and t and normals are as accurate as you ask for. (The exception is a t below 2e-308 or above
+/// 1.7e308, where f64 has fewer digits or none.) This is proven for every camera ray, not estimated
+/// from samples. For each kind of shape, the output says how accurate f64 arithmetic is, and which
+/// hits must be checked and perhaps computed exactly. It also says whether a bounding volume
+/// hierarchy is worthwhile. The same scene and options always give the same plan.
 ///
 /// Try: cargo pinhole plan bunny --accuracy 1e-6
 #[derive(Args)]
@@ -99,7 +99,7 @@ pub struct Plan {
     #[command(flatten)]
     pub wanted: FilmOptions,
     /// Plan for this resolution instead of the scene's
-    #[arg(long, value_name = "NXxNY", value_parser = resolution)]
+    #[arg(long, value_name = "COLUMNSxROWS", value_parser = resolution)]
     pub resolution: Option<Resolution>,
     /// Print one JSON document on standard output
     #[arg(long)]
@@ -120,7 +120,8 @@ pub struct Render {
     pub assignment: AssignmentOption,
     /// Use the exact caster, which never shows a wrong object and keeps t and normals accurate to
     /// 1e-12. If rounding leaves a decision open, exact arithmetic decides, and the output says how
-    /// often. A triangle's edges are part of it. The rays themselves are rounded to f64 first
+    /// often that happened. A ray that meets a triangle's edge hits the triangle. The rays
+    /// themselves are rounded to f64 first
     #[arg(long)]
     pub exact: bool,
     /// Use the fastest way that is proven to keep t and normals this accurate; `pinhole plan`
@@ -130,7 +131,7 @@ pub struct Render {
     #[command(flatten)]
     pub wanted: FilmOptions,
     /// Render this many pixels instead of the scene's own number; the image plane keeps its size
-    #[arg(long, value_name = "NXxNY", value_parser = resolution)]
+    #[arg(long, value_name = "COLUMNSxROWS", value_parser = resolution)]
     pub resolution: Option<Resolution>,
     /// Write the files to this folder
     #[arg(long, value_name = "DIR", default_value = "render")]
@@ -165,7 +166,8 @@ pub struct Record {
 /// What a planned film should contain.
 #[derive(Args)]
 pub struct FilmOptions {
-    /// Compute only these; everything else is 0 in the film [default: id,depth,normal]
+    /// Compute only these, and the object in any case. If t or normals are left out, they are 0 in
+    /// the film [default: id,depth,normal]
     #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',')]
     pub outputs: Vec<Output>,
 }

@@ -249,6 +249,6 @@ fn a_handout_holds_nothing_of_a_withheld_scene_but_its_points() {
         &["check", "assignments/ray_casting/reference", "--no-report"],
     )
     .expect_code(0)
-    .expect_out("99 of 100 points can be seen here");
+    .expect_out("99 of 100 points can be earned here");
     pinhole(&["golden", "verify", plain(&out.join("golden/ray_casting"))]).expect_code(0);
 }
