@@ -38,7 +38,7 @@ enum SeedInJson {
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct GradingInputs {
-    /// For example, "public goldens and fresh questions".
+    /// What the answers were judged on, for example "public goldens and fresh questions".
     pub judged_on: String,
     /// The seed that the fresh questions were drawn from. Not for students.
     #[cfg_attr(test, schemars(with = "Option<SeedInJson>"))]

@@ -63,16 +63,16 @@ pub struct SceneNeeds {
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Timings {
-    /// All of the following together.
+    /// All stages together.
     pub total: f64,
     /// Building the program.
     pub compiling: f64,
-    /// Running and judging it.
+    /// Running the program and judging its answers.
     pub asking: f64,
     /// Writing the report.
     pub report: f64,
-    /// 1 if an answer was late while other submissions were graded, and this one was therefore
-    /// graded again, alone.
+    /// 1 if an answer was late while other submissions were graded, and this submission was
+    /// therefore graded again, alone.
     pub second_runs: u32,
 }
 
