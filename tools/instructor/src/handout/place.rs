@@ -70,7 +70,11 @@ pub fn write(repository: Repository, out: &Path, force: bool) -> Result<HandoutS
     };
     if written.bytes > MOST_BYTES {
         return Err(Error::input(
-            format!("the repository would be {} MB", written.bytes / 1_000_000),
+            format!(
+                "the repository would have {:.1} MB, but may have at most {} MB",
+                written.bytes as f64 / 1e6,
+                MOST_BYTES / 1_000_000
+            ),
             "withhold the scene with the largest mesh, or render its golden with fewer pixels",
         ));
     }
