@@ -146,7 +146,7 @@ pub fn explained(status: Status) -> &'static str {
              The limit is far above what any right answer needs: look for a loop that does not end."
         }
         Status::Panicked => {
-            "An answer panicked. The message and its line are below; the usual ones are an \
+            "An answer panicked. The message and its line are below. The usual causes are an \
              index out of bounds, an `unwrap` of `None`, and an integer that overflows."
         }
         Status::Unreadable => {

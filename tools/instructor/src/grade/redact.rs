@@ -18,10 +18,10 @@ use pinhole_report::html::{Report, SceneSection};
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Reveal {
-    /// Whether each passes
+    /// Only whether each group and each scene passes
     #[default]
     Points,
-    /// Whether each passes, and how it ended: wrong, panicked, timed out
+    /// In addition, how each ended: wrong, panicked, timed out
     Message,
     /// In addition, how much is wrong, and the pictures
     Picture,
