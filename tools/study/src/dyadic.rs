@@ -2,14 +2,15 @@
 //! sum and product of floats, without rounding, overflow or underflow. The adaptive kernels use
 //! them to decide what their filters cannot.
 //!
-//! The integers are num-bigint's. The oracle uses dashu's rationals instead, so the two share
+//! Long integers are num-bigint's. The oracle uses dashu's rationals instead, so the two share
 //! no code. Expansions (Shewchuk, *Discrete Comput. Geom.* 18, 1997) would be faster, but they
 //! are exact only while no partial product underflows, and this package studies extreme
 //! numbers.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-use num_bigint::{BigInt, Sign};
+use num_bigint::BigInt;
+use num_traits::Signed;
 
 use crate::number::Real;
 use crate::vector::Vector;
@@ -17,8 +18,25 @@ use crate::vector::Vector;
 /// `integer` × 2^`exponent`.
 #[derive(Clone, Debug)]
 pub struct Dyadic {
-    integer: BigInt,
+    integer: Integer,
     exponent: i64,
+}
+
+/// Where many rays hit edges exactly, coordinates tend to have few digits. Products of three or
+/// four of them then fit into 128 bits, which need no memory from the heap.
+#[derive(Clone, Debug)]
+enum Integer {
+    Short(i128),
+    Long(BigInt),
+}
+
+impl Integer {
+    fn long(self) -> BigInt {
+        match self {
+            Integer::Short(value) => value.into(),
+            Integer::Long(value) => value,
+        }
+    }
 }
 
 /// Quotients and roots have at least this many bits.
@@ -34,23 +52,33 @@ impl Dyadic {
             0 => (fraction, -1074),
             _ => (fraction | (1 << 52), field as i64 - 1075),
         };
-        let integer = BigInt::from(if bits >> 63 == 1 { -mantissa } else { mantissa });
+        let zeros = mantissa.trailing_zeros() % 64;
+        let odd = i128::from(mantissa >> zeros);
+        let integer = Integer::Short(if bits >> 63 == 1 { -odd } else { odd });
+        let exponent = exponent + i64::from(zeros);
         Dyadic { integer, exponent }
     }
 
     /// −1, 0 or 1.
     pub fn sign(&self) -> i32 {
-        match self.integer.sign() {
-            Sign::Minus => -1,
-            Sign::NoSign => 0,
-            Sign::Plus => 1,
+        match &self.integer {
+            Integer::Short(value) => value.signum() as i32,
+            Integer::Long(value) => i32::from(value.is_positive()) - i32::from(value.is_negative()),
         }
     }
 
     /// The e with 2^e ≤ |self| < 2^(e + 1); `None` for 0.
     pub fn magnitude(&self) -> Option<i64> {
-        let bits = self.integer.bits() as i64;
+        let bits = self.bits();
         (bits > 0).then_some(self.exponent + bits - 1)
+    }
+
+    /// The number of bits of the integer.
+    fn bits(&self) -> i64 {
+        match &self.integer {
+            Integer::Short(value) => i64::from(128 - value.unsigned_abs().leading_zeros()),
+            Integer::Long(value) => value.bits() as i64,
+        }
     }
 
     /// self × self.
@@ -67,25 +95,26 @@ impl Dyadic {
     /// The square root of a non-negative number, rounded down, with a relative error below
     /// 2⁻¹²⁸.
     pub fn sqrt(&self) -> Dyadic {
-        let up = 2 * BITS - self.integer.bits() as i64;
+        let up = 2 * BITS - self.bits();
         // Makes the remaining exponent even.
         let up = up + (self.exponent - up).rem_euclid(2);
+        let integer = self.integer.clone().long();
         let scaled = match up < 0 {
-            true => &self.integer >> -up,
-            false => &self.integer << up,
+            true => integer >> -up,
+            false => integer << up,
         };
         Dyadic {
-            integer: scaled.sqrt(),
+            integer: Integer::Long(scaled.sqrt()),
             exponent: (self.exponent - up) / 2,
         }
     }
 
     /// self / `divisor`, which is not 0, rounded towards 0 with a relative error below 2⁻¹²⁸.
     pub fn over(&self, divisor: &Dyadic) -> Dyadic {
-        let bits = |number: &Dyadic| number.integer.bits() as i64;
-        let up = (BITS + 1 + bits(divisor) - bits(self)).max(0);
+        let up = (BITS + 1 + divisor.bits() - self.bits()).max(0);
+        let [dividend, divided] = [self, divisor].map(|it| it.integer.clone().long());
         Dyadic {
-            integer: (&self.integer << up) / &divisor.integer,
+            integer: Integer::Long((dividend << up) / divided),
             exponent: self.exponent - up - divisor.exponent,
         }
     }
@@ -93,31 +122,47 @@ impl Dyadic {
     /// The nearest float; infinite if the number is too large. A subnormal result may be the
     /// second nearest float, because it is rounded twice.
     pub fn rounded(&self) -> f64 {
-        let bits = self.integer.bits() as i64;
         // The top 63 bits, with the last bit set if any lower bit is (a sticky bit), so that
         // ties are rounded correctly.
-        let down = (bits - 63).max(0);
-        let top = &self.integer >> down;
-        let zeros = self.integer.trailing_zeros().unwrap_or(0) as i64;
+        let down = (self.bits() - 63).max(0);
+        let integer = self.integer.clone().long();
+        let top = &integer >> down;
+        let zeros = integer.trailing_zeros().unwrap_or(0) as i64;
         let top = i64::try_from(&top).expect("it has 63 bits") | i64::from(zeros < down);
         let power = (self.exponent + down).clamp(-3000, 3000) as i32;
         (top as f64).times_power_of_two(power)
-    }
-
-    /// The integers of two numbers, brought to the smaller of their exponents.
-    fn aligned(self, other: Dyadic) -> (BigInt, BigInt, i64) {
-        let exponent = self.exponent.min(other.exponent);
-        let at = |number: Dyadic| number.integer << (number.exponent - exponent);
-        (at(self), at(other), exponent)
     }
 }
 
 impl Add for Dyadic {
     type Output = Dyadic;
+    #[inline]
     fn add(self, other: Dyadic) -> Dyadic {
-        let (a, b, exponent) = self.aligned(other);
-        let integer = a + b;
-        Dyadic { integer, exponent }
+        let (low, high) = match self.exponent <= other.exponent {
+            true => (self, other),
+            false => (other, self),
+        };
+        let up = high.exponent - low.exponent;
+        match (&low.integer, &high.integer) {
+            // The exponent of a zero means nothing.
+            (_, Integer::Short(0)) => return low,
+            (Integer::Short(0), _) => return high,
+            (&Integer::Short(a), &Integer::Short(b))
+                if up < i64::from(b.unsigned_abs().leading_zeros()) =>
+            {
+                if let Some(sum) = a.checked_add(b << up) {
+                    return Dyadic {
+                        integer: Integer::Short(sum),
+                        exponent: low.exponent,
+                    };
+                }
+            }
+            _ => {}
+        }
+        Dyadic {
+            integer: Integer::Long(low.integer.long() + (high.integer.long() << up)),
+            exponent: low.exponent,
+        }
     }
 }
 
@@ -130,19 +175,30 @@ impl Sub for Dyadic {
 
 impl Neg for Dyadic {
     type Output = Dyadic;
+    #[inline]
     fn neg(self) -> Dyadic {
-        let (integer, exponent) = (-self.integer, self.exponent);
+        let integer = match self.integer {
+            Integer::Short(value) if value > i128::MIN => Integer::Short(-value),
+            value => Integer::Long(-value.long()),
+        };
+        let exponent = self.exponent;
         Dyadic { integer, exponent }
     }
 }
 
 impl Mul for Dyadic {
     type Output = Dyadic;
+    #[inline]
     fn mul(self, other: Dyadic) -> Dyadic {
-        Dyadic {
-            integer: self.integer * other.integer,
-            exponent: self.exponent + other.exponent,
-        }
+        let exponent = self.exponent + other.exponent;
+        let integer = match (self.integer, other.integer) {
+            (Integer::Short(a), Integer::Short(b)) => match (i64::try_from(a), i64::try_from(b)) {
+                (Ok(a), Ok(b)) => Integer::Short(i128::from(a) * i128::from(b)),
+                _ => Integer::Long(BigInt::from(a) * b),
+            },
+            (a, b) => Integer::Long(a.long() * b.long()),
+        };
+        Dyadic { integer, exponent }
     }
 }
 

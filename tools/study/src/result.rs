@@ -320,6 +320,8 @@ pub struct PlanTally {
     pub exact_ids: f64,
     /// CPU time for a ray in plain `f64`.
     pub plain: f64,
+    /// Time for building the tree for plain `f64`, divided by the number of pixels.
+    pub plain_tree: f64,
 }
 
 /// A figure that was promised or measured before, and the one measured now.

@@ -17,6 +17,11 @@ fn any(random: &mut Random) -> f64 {
     }
 }
 
+/// A number whose sums and products with others like it have about 128 bits.
+fn of_moderate_size(random: &mut Random) -> f64 {
+    random.within(-1.0, 1.0) * 2f64.powi(random.below(20) as i32)
+}
+
 #[test]
 fn sums_and_products_of_floats_are_exact() {
     let mut random = Random::new(1, "dyadic");
@@ -28,6 +33,20 @@ fn sums_and_products_of_floats_are_exact() {
         assert_eq!(apart.sign(), 0, "{a:?} {b:?}");
         let parts = a.clone() * c.clone() + b.clone() * c.clone();
         assert_eq!((parts - sum * c).sign(), 0, "{a:?} {b:?}");
+    }
+}
+
+#[test]
+fn sums_of_products_are_near_those_of_floats() {
+    let mut random = Random::new(7, "dyadic");
+    for _ in 0..20_000 {
+        let (mut ours, mut theirs, mut size) = (Dyadic::of(0.0), 0.0, 0.0);
+        for _ in 0..8 {
+            let [a, b] = [0; 2].map(|_| of_moderate_size(&mut random));
+            ours = ours + Dyadic::of(a) * Dyadic::of(b);
+            (theirs, size) = (theirs + a * b, size + (a * b).abs());
+        }
+        assert!((ours.rounded() - theirs).abs() <= 1e-15 * size, "{ours:?}");
     }
 }
 

@@ -23,9 +23,9 @@ use super::Nearest;
 use super::frame::Frame;
 use super::model::{Model, Query};
 use super::slabs::{Boxes, Slabs};
-use super::world::{Part, Primitive, World};
+use super::world::{Part, PartFromCamera, Primitive, World};
+use crate::kernel::Limits;
 use crate::kernel::triangle::{self, PacketFromCamera, TrianglePacket};
-use crate::kernel::{Camera, Limits};
 use crate::number::ROOT_OF_UNIT;
 use crate::shape::Triangle;
 use crate::vector::{Vector, around};
@@ -99,10 +99,15 @@ fn is_near(eye: &Vector<f64>, [low, high]: [Vector<f64>; 2]) -> bool {
 impl Tree {
     /// Builds the tree, and reorders the world's parts to match it.
     pub fn over(world: &mut World) -> Tree {
-        let boxed = |part: &Part| bounds(part).is_some();
-        let parts = std::mem::take(&mut world.parts);
-        let (inside, outside): (Vec<_>, Vec<_>) = parts.into_iter().partition(boxed);
-        let boxes: Vec<_> = inside.iter().filter_map(bounds).collect();
+        // Most of the time here goes into memory for parts, so copy them only once.
+        let mut inside = std::mem::take(&mut world.parts);
+        world.parts.reserve_exact(inside.len());
+        let mut boxes = Vec::with_capacity(inside.len());
+        let is_boundless = |part: &mut Part| {
+            boxes.extend(bounds(part));
+            bounds(part).is_none()
+        };
+        let outside: Vec<Part> = inside.extract_if(.., is_boundless).collect();
         let mut tree = Tree::default();
         if let Some(all) = around(boxes.iter().copied()) {
             let eye = world.camera.and_then(|camera| camera.eye());
@@ -115,7 +120,7 @@ impl Tree {
             });
             let one_each = BvhBuildParams {
                 max_prims_per_leaf: 1,
-                ..BvhBuildParams::medium_build()
+                ..BvhBuildParams::fast_build()
             };
             let boxes: Vec<_> = boxes.collect();
             let twos = build_bvh2(&boxes, one_each, &mut Duration::default());
@@ -125,7 +130,6 @@ impl Tree {
                 ordered: &mut world.parts,
                 tree: &mut tree,
                 reach: world.reach,
-                camera: world.camera,
             };
             tree.root = Some(fours.root());
         }
@@ -278,10 +282,9 @@ struct WideTreeBuilder<'a> {
     ordered: &'a mut Vec<Part>,
     tree: &'a mut Tree,
     reach: super::reach::Reach,
-    camera: Option<Camera>,
 }
 
-impl WideTreeBuilder<'_> {
+impl<'a> WideTreeBuilder<'a> {
     fn root(&mut self) -> u32 {
         if let Some(parts) = self.leaf_parts(0) {
             return self.leaf(&parts);
@@ -319,8 +322,9 @@ impl WideTreeBuilder<'_> {
     }
 
     /// The parts below a binary node, if they fit into a leaf: one part, or up to four triangles.
-    fn leaf_parts(&self, two: usize) -> Option<ArrayVec<Part, 4>> {
-        let (mut waiting, mut parts) = (vec![two], ArrayVec::new());
+    fn leaf_parts(&self, two: usize) -> Option<ArrayVec<&'a Part, 4>> {
+        let (mut waiting, mut parts) = (ArrayVec::<usize, 5>::new(), ArrayVec::new());
+        waiting.push(two);
         while let Some(two) = waiting.pop() {
             let (node, at) = (
                 &self.twos.nodes[two],
@@ -328,13 +332,13 @@ impl WideTreeBuilder<'_> {
             );
             match node.prim_count {
                 0 => waiting.extend([at, at + 1]),
-                _ => parts.push(self.parts[self.twos.primitive_indices[at] as usize]),
+                _ => parts.push(&self.parts[self.twos.primitive_indices[at] as usize]),
             }
             if waiting.len() + parts.len() > parts.capacity() {
                 return None;
             }
         }
-        let is_triangle = |part: &Part| matches!(part.shape, Primitive::Triangle(_));
+        let is_triangle = |part: &&Part| matches!(part.shape, Primitive::Triangle(_));
         (parts.len() == 1 || parts.iter().all(is_triangle)).then_some(parts)
     }
 
@@ -353,10 +357,10 @@ impl WideTreeBuilder<'_> {
         children
     }
 
-    fn leaf(&mut self, parts: &[Part]) -> u32 {
+    fn leaf<'p>(&mut self, parts: &[&'p Part]) -> u32 {
         let first = self.ordered.len() as u32;
-        self.ordered.extend(parts);
-        let triangle = |part: &Part| match part.shape {
+        self.ordered.extend(parts.iter().copied());
+        let triangle = |part: &&Part| match part.shape {
             Primitive::Triangle(triangle) => Some(triangle),
             _ => None,
         };
@@ -369,12 +373,15 @@ impl WideTreeBuilder<'_> {
         let size = most(&triangle::size);
         let away = most(&|triangle| self.reach.away(triangle.corners[0]));
         let limits = triangle::limits(size, away, ROOT_OF_UNIT);
+        let from_camera = |part: &&'p Part| match &part.from_camera {
+            Some(PartFromCamera::Triangle(triangle)) => Some(triangle),
+            _ => None,
+        };
+        let from_camera: ArrayVec<_, 4> = parts.iter().filter_map(from_camera).collect();
         self.tree.leaves.push(Leaf {
-            packet: match &self.camera {
-                None => Packet::General(TrianglePacket::new(&triangles)),
-                Some(camera) => {
-                    Packet::FromCamera(PacketFromCamera::new(&triangles, camera, &limits))
-                }
+            packet: match from_camera.is_empty() {
+                true => Packet::General(TrianglePacket::new(&triangles)),
+                false => Packet::FromCamera(PacketFromCamera::new(&from_camera, &limits)),
             },
             limits,
             count: triangles.len() as u32,

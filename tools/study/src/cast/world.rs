@@ -182,6 +182,7 @@ impl World {
                 }
                 pinhole::Shape::Triangle(corners) => world.add(object, corners_of(corners)),
                 pinhole::Shape::Soup(soup) => {
+                    world.parts.reserve(soup.triangles.len());
                     for corners in &soup.triangles {
                         world.add(object, corners_of(corners));
                     }

@@ -134,10 +134,9 @@ pub struct PacketFromCamera {
 
 impl PacketFromCamera {
     /// Packs one to four triangles, which share the limits of a leaf.
-    pub fn new(triangles: &[Triangle<f64>], camera: &Camera, limits: &Limits) -> PacketFromCamera {
+    pub fn new(triangles: &[&TriangleFromCamera], limits: &Limits) -> PacketFromCamera {
         let lanes = [0, 1, 2, 3].map(|lane| {
-            let triangle = triangles.get(lane).unwrap_or(&triangles[0]);
-            let sides = TriangleFromCamera::new(triangle, camera).sides;
+            let sides = triangles.get(lane).unwrap_or(&triangles[0]).sides;
             let largest = sides.iter().map(Affine::largest).fold(0.0, f64::max);
             let scaled = move |x: f64| x.times_power_of_two(-1 - exponent(largest));
             // Nothing is certain about sides that overflow or have no digits.
