@@ -47,10 +47,12 @@ def draw(rng, group, kind, things):
     """A question of `group` and `kind` about objects that the functions `things` draw, or
     None if it must be drawn again."""
     wanted = _wanted(rng, group)
-    direction = as_f32(rng.uniform(0.5, 2) * unit_vector(rng))
+    # With a long direction, t is so small that no margin can be added to min_t.
+    long = log_uniform(rng, 1, 1e4) if group == "min_t" else 1
+    direction = as_f32(long * rng.uniform(0.5, 2) * unit_vector(rng))
     origin = as_f32(rng.uniform(-3, 3, 3))
     objects = [
-        rng.choice(things)(rng, direction, log_uniform(rng, 0.5, 8), hit) for hit in wanted
+        rng.choice(things)(rng, direction, log_uniform(rng, 0.5, 8) / long, hit) for hit in wanted
     ]
     found = [intersections(thing, direction) for thing in objects]
     if [bool(hits) for hits in found] != wanted:

@@ -55,8 +55,9 @@ def min_t(rng):
 
 
 def direction_length(rng):
-    """|d| from 1e-3 to 1e3, because t counts in units of |d|."""
-    return place(rng, length=log_uniform(rng, 1e-3, 1e3))
+    """|d| from 1e-3 to 1e6, because t counts in units of |d|. For the longest, t is so small
+    that no margin can be added to min_t."""
+    return place(rng, length=log_uniform(rng, 1e-3, 1e6))
 
 
 def stored_normal(rng):

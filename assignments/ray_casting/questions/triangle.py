@@ -41,13 +41,13 @@ def around(rng):
 
 def place(
     rng, *, at=None, side=None, ahead=True, size=None, aspect=None,
-    center=None, away=None, length=None, min_t=None,
+    center=None, away=None, length=None, min_t=None, cosines=(0.2, 1),
 ):
     """A question; arguments that are not given are drawn.
 
     `at` are barycentric coordinates, `side` is 1 for an origin on the side of the
     normal (b - a) x (c - a), `away` the origin's distance in sizes, `min_t` a share
-    of the plane's t.
+    of the plane's t, `cosines` the range of the angle's between ray and normal.
     """
     at = (within(rng) if rng.uniform() < 0.6 else around(rng)) if at is None else at
     side = sign(rng) if side is None else side
@@ -59,7 +59,7 @@ def place(
     share = rng.uniform(0, 0.5) if min_t is None else min_t
     triangle = center + corners(rng, size, aspect)
     a, b, c = triangle
-    back_along = side * tilted_from(rng, normalize(np.cross(b - a, c - a)), 0.2, 1)
+    back_along = side * tilted_from(rng, normalize(np.cross(b - a, c - a)), *cosines)
     distance = away * size
     direction = -back_along * length if ahead else back_along * length
     return ask(
@@ -71,12 +71,16 @@ def place(
 
 
 def plain(rng):
-    """A triangle along the axes, with numbers that need no rounding: the determinant of
-    its 3 x 3 system is exactly 1."""
+    """A triangle in one of the planes x = 0, y = 0 and z = 0, with numbers that need no
+    rounding: the determinant of its 3 x 3 system is exactly 1."""
     over, height = np.array([*rng.integers(1, 4, 2) / 8, 0]), float(rng.integers(1, 5))
     origin = over + np.array([0, 0, height])
     triangle = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
-    return ask(Triangles(triangle[None]), origin, np.array([0, 0, -1]), 0)
+    turn = rng.integers(3)
+    origin, direction, triangle = (
+        np.roll(vectors, turn, axis=-1) for vectors in (origin, np.array([0, 0, -1]), triangle)
+    )
+    return ask(Triangles(triangle[None]), origin, direction, 0)
 
 
 def front(rng):
@@ -85,7 +89,12 @@ def front(rng):
 
 
 def back(rng):
-    """Seen from behind: it is hit too, and its normal stays as it is."""
+    """Seen from behind: it is hit too, and its normal stays as it is. One triangle in ten
+    is seen nearly edge-on, and hit well inside: no bound on the angle tells that it is missed."""
+    if rng.uniform() < 0.1:
+        cosine = log_uniform(rng, 3e-4, 3e-2)
+        at = 0.2 + 0.4 * rng.dirichlet((1, 1, 1))
+        return place(rng, side=-1, at=at, aspect=1, cosines=(cosine, cosine))
     return place(rng, side=-1)
 
 
