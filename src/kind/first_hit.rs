@@ -108,7 +108,7 @@ pub(super) fn conditions(objects: &[Canned], min_t: f64, answer: &Answer) -> Vec
         ),
         Condition::new(
             "the ray meets one in the list before min_t",
-            "nthe ray meets one in the list before min_t",
+            "the ray meets none in the list before min_t",
             objects.iter().any(before),
         ),
     ]

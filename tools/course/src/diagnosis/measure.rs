@@ -153,8 +153,8 @@ fn right_parts(parts: &[(&str, usize)], noun: &str, objects: bool) -> Measuremen
     let names = words::list(names);
     let are = if parts.len() == 1 { "is" } else { "are" };
     let place = match (noun, objects) {
-        (HITS, true) => "in every hit that you find",
-        (HITS, false) => "wherever the object is",
+        (HITS, true) => "in every real hit that you find",
+        (HITS, false) => "wherever the object is right",
         _ => "everywhere",
     };
     Measurement {
@@ -186,7 +186,7 @@ fn decisions(samples: &[Sample]) -> Vec<Measurement> {
         let (some, all) = (wrong.len(), asked.len());
         if good.is_empty() && all >= LEAST {
             let says = match misses {
-                true => format!("You find no hit at all: you miss all {all}."),
+                true => format!("You miss all {all} hits."),
                 false => format!("You find a hit in all {all} questions where there is none."),
             };
             found.push(decision(says, true, Claim::Never { misses }));

@@ -114,7 +114,7 @@ fn unknown_mistake_gets_no_name_but_is_measured() {
     }
     let says = &examination["tasks"][1]["measured"][0]["says"];
     let says = says.as_str().expect("a sentence");
-    assert!(says.starts_with("You find no hit at all"), "{says}");
+    assert!(says.starts_with("You miss all"), "{says}");
     pinhole(&["check", plain(&folder), "--task", "sphere"]).expect_out(says);
 }
 

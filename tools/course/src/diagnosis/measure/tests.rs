@@ -110,7 +110,7 @@ fn a_t_that_is_a_distance_is_multiplied_by_the_directions_length() {
     let law = "t is multiplied by |d|, in all 200 hits.";
     assert_eq!(
         said,
-        [law, "The normal is right in every hit that you find."]
+        [law, "The normal is right in every real hit that you find."]
     );
 }
 
@@ -255,7 +255,7 @@ fn an_axis_with_a_law_is_described_beside_one_without() {
         normal.y += question.ray.direction.x.sin() * question.ray.origin.z.cos();
         Some(Intersection { normal, ..right })
     });
-    let law = "The normal along x is 0.5 too large, is right along z, and is wrong in another \
+    let law = "The normal along x is too large by 0.5, is right along z, and is wrong in another \
                way along y, in all 200 hits.";
     assert_eq!(said[0], law);
 }

@@ -26,7 +26,7 @@ pub fn law(law: &PartLaw, part: usize, sample: &Sample, several: bool) -> String
         PartLaw::Length(Law::Always(length)) => format!("has length {}", number(*length, DIGITS)),
         PartLaw::Length(Law::Quantity(by, k)) => {
             format!(
-                "has the length {}",
+                "is as long as {}",
                 times(*by, sample.quantities[*k].name, 1)
             )
         }
@@ -59,8 +59,8 @@ pub fn law(law: &PartLaw, part: usize, sample: &Sample, several: bool) -> String
 fn one(law: Law, sample: &Sample, unit: &str, axes: &[&str]) -> String {
     let name = |k: usize| sample.quantities[k].name;
     let measured = |by: f64, what: String| match by < 0.0 {
-        true => format!("is {what} too small"),
-        false => format!("is {what} too large"),
+        true => format!("is too small by {what}"),
+        false => format!("is too large by {what}"),
     };
     match law {
         Law::Times(-1.0) => "has the opposite sign".into(),
@@ -87,8 +87,8 @@ fn one(law: Law, sample: &Sample, unit: &str, axes: &[&str]) -> String {
         Law::PlusQuantity(by, k, power) => {
             measured(by, format!("{}{unit}", times(by.abs(), name(k), power)))
         }
-        Law::Always(it) => format!("is always {}", number(it, DIGITS)),
-        Law::Quantity(by, k) => format!("is {}", times(by, name(k), 1)),
+        Law::Always(it) => format!("is always {}{unit}", number(it, DIGITS)),
+        Law::Quantity(by, k) => format!("is {}{unit}", times(by, name(k), 1)),
         Law::Affine(more, by, factor) => {
             let shifted = measured(more, counted(more, unit));
             let stretched = match factor {
@@ -101,14 +101,14 @@ fn one(law: Law, sample: &Sample, unit: &str, axes: &[&str]) -> String {
             let quantity = times(by.abs(), name(k), 1);
             let constant = measured(more, counted(more, unit));
             let sign = if by < 0.0 { "small" } else { "large" };
-            format!("{constant} and {quantity}{unit} too {sign}")
+            format!("{constant} and too {sign} by {quantity}{unit}")
         }
         Law::Other(k) => format!("is {}", sample.others[k].0),
         Law::Axis(by, axis) => {
             let axis = axes[axis];
             match by {
                 1.0 => format!("is what it should be along {axis}"),
-                -1.0 => format!("is what it should be along {axis}, with the opposite sign"),
+                -1.0 => format!("is minus what it should be along {axis}"),
                 by => format!(
                     "is {} times what it should be along {axis}",
                     number(by, DIGITS)
@@ -136,6 +136,7 @@ fn times(by: f64, name: &str, power: i32) -> String {
     };
     match by {
         1.0 => name,
+        -1.0 if name.starts_with("the ") => format!("minus {name}"),
         -1.0 => format!("−{name}"),
         by => format!("{} · {name}", number(by, DIGITS)),
     }
