@@ -114,7 +114,10 @@ pub fn measure(films: &[QuestionsAndAnswers<'_>]) -> Vec<Measurement> {
         wrong_parts.push(PartFinding {
             part,
             about,
-            noun,
+            noun: match noun == HITS && comparable.len() < both.len() {
+                true => "hits of the right object",
+                false => noun,
+            },
             side: None,
             wrong,
             good,
