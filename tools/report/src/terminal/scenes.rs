@@ -63,17 +63,17 @@ fn scene_diagnosis(text: &mut String, of_scene: &Diagnosis, told: &mut BTreeSet<
         indent(text, &diagnosis(of_scene));
         return;
     }
-    for Explanation {
-        mistake, explained, ..
-    } in beliefs
-    {
-        let tasks = mistake.fails.join(", ");
-        let share = share(*explained, of_scene);
-        indent(
-            text,
-            &format!("what you may believe about {tasks} explains {share} is wrong"),
+    let explained = |held: &Explanation| {
+        let (tasks, share) = (
+            held.mistake.fails.join(", "),
+            share(held.explained, of_scene),
         );
-    }
+        format!("what you may believe about {tasks} explains {share} is wrong")
+    };
+    let mut lines: Vec<String> = beliefs.iter().map(explained).collect();
+    // Two beliefs about one task can explain the same share.
+    lines.dedup();
+    indent(text, &lines.join("\n"));
 }
 
 /// The pixel to look at first, and the channel it is wrong in.
