@@ -41,10 +41,15 @@ impl Notation for Plane {
 
     fn quantities(&self, ray: &Ray) -> Vec<Quantity> {
         let along = ray.direction.dot(self.normal).abs();
+        let length = self.normal.length();
         vec![
-            Quantity::new("|n|", self.normal.length()),
+            Quantity::new("|n|", length),
             Quantity::new("|d · n|", along),
-            Quantity::new("|d · n| / |n|", along / self.normal.length()),
+            Quantity::new("|d · n| / |n|", along / length),
+            Quantity::new(
+                "|d · n| / (|d| |n|)",
+                along / ray.direction.length() / length,
+            ),
         ]
     }
 

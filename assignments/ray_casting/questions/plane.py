@@ -4,19 +4,23 @@ A ray is aimed at a target on the plane from a distance; a negative distance put
 the plane behind it, which is a miss.
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from chance import log_uniform, perpendicular, sign, tilted_from, unit_vector
-from kinds.intersect import ask
+from kinds.intersect import Question, ask
 from shapes.plane import Plane
 
 
-def place(rng, *, side=None, ahead=None, point=None, stored=None, length=None, min_t=None):
+def place(
+    rng, *, side=None, ahead=None, point=None, normal=None, stored=None, length=None, min_t=None
+):
     """A question; arguments that are not given are drawn.
 
     `side` is 1 for an origin on the side the normal points to, `ahead` whether the
-    plane lies ahead, `stored` the length of its normal, `min_t` a share of the
-    plane's t.
+    plane lies ahead, `normal` its unit normal, `stored` the length of the normal that is
+    given, `min_t` a share of the plane's t.
     """
     side = sign(rng) if side is None else side
     ahead = rng.uniform() < 0.6 if ahead is None else ahead
@@ -24,7 +28,7 @@ def place(rng, *, side=None, ahead=None, point=None, stored=None, length=None, m
     stored = rng.uniform(0.5, 2) if stored is None else stored
     length = rng.uniform(0.3, 3) if length is None else length
     share = rng.uniform(0, 0.5) if min_t is None else min_t
-    normal = unit_vector(rng)
+    normal = unit_vector(rng) if normal is None else normal
     target = point + rng.uniform(0, 5) * perpendicular(rng, normal)
     away = side * tilted_from(rng, normal, 0.1, 1)
     distance = rng.uniform(1, 8)
@@ -75,10 +79,37 @@ def offset(rng):
     return place(rng, point=rng.uniform(10, 100, 3) * rng.choice((-1, 1), 3))
 
 
+@dataclass(frozen=True)
+class Flattened(Question):
+    """A question about a space that was flattened towards the plane, and the same question
+    before, which Mitsuba answers: flattening changes neither t nor the normal."""
+
+    before: Question
+
+    def answer(self):
+        """Golden and tolerance of the question before."""
+        return self.before.answer()
+
+
+def flattened(rng):
+    """A ray at an angle of 1e-14 to 1e-4 rad to the plane, or a little more.
+
+    The normal lies along an axis, so n . d is a single product, and every right caster can tell
+    the ray from a parallel one. For other normals, the rounding of n . d is about 2.2e-16
+    (`f64::EPSILON`) times |n| |d|. So we accept a caster that takes a smaller n . d for 0.
+    """
+    axis = np.eye(3)[rng.integers(3)]
+    before = place(rng, point=rng.uniform(-3, 3, 3) * (1 - axis), normal=axis)
+    flat = np.where(axis, 2.0 ** -int(rng.integers(14, 44)), 1.0)
+    origin, direction = flat * before.origin, flat * before.direction
+    return Flattened(before.shape, origin, direction, before.min_t, before)
+
+
 def parallel(rng):
     """Rays that reach the plane at an angle of 1.5e-4 to 5e-2 rad, leave it at such an
     angle, or are exactly parallel to it (one in five) and miss. At smaller angles, Mitsuba's
-    own answer changes too much when the ray is tilted for the tolerance.
+    own answer changes too much when the ray is tilted for the tolerance, so those rays are
+    `flattened` (one in five).
 
     In half of the others, d is very short, so that n . d is tiny at any angle: no fixed bound
     on it tells which rays are parallel.
@@ -91,7 +122,10 @@ def parallel(rng):
     """
     stored, length = rng.uniform(0.5, 2), rng.uniform(0.3, 3)
     point = rng.uniform(-3, 3, 3)
-    if rng.uniform() < 0.2:
+    which = rng.uniform()
+    if which < 0.2:
+        return flattened(rng)
+    if which < 0.4:
         x, y, z = np.eye(3)[rng.permutation(3)]
         a, b = rng.uniform(0.3, 3, 2)
         axis, along = (x, a * y + b * z) if rng.uniform() < 0.5 else (x + y, x - y + b * z)

@@ -52,6 +52,19 @@ def test_no_question_is_exempt(task, group, tmp_path):
         assert all((tolerance[c][hit] < 0.02).all() for c in ("N.X", "N.Y", "N.Z"))
 
 
+@pytest.mark.parametrize("bound", (1e-4, 1e-8, 1e-12))
+def test_some_ray_below_any_angle_meets_its_plane(bound, tmp_path):
+    render(ASSIGNMENT, "plane", "parallel", 1, 256, tmp_path)
+    asked, _ = judge.read(tmp_path / "plane.parallel.ask.exr")
+    golden, _ = judge.read(tmp_path / "plane.parallel.exr")
+    d, n = (
+        np.column_stack([asked[f"{name}.{axis}"] for axis in "XYZ"]).astype(float)
+        for name in ("D", "normal")
+    )
+    sine = abs((d * n).sum(axis=1)) / np.linalg.norm(d, axis=1) / np.linalg.norm(n, axis=1)
+    assert (sine[golden["id"] >= 0] < bound).any()
+
+
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_right_caster_passes_random_scenes(seed, tmp_path):
     for index in range(3):
