@@ -65,6 +65,17 @@ def test_some_ray_below_any_angle_meets_its_plane(bound, tmp_path):
     assert (sine[golden["id"] >= 0] < bound).any()
 
 
+@pytest.mark.parametrize(
+    "task, group",
+    (("plane", "direction_length"), ("first_hit", "min_t"), ("triangle_soup", "min_t")),
+)
+def test_some_hits_are_barely_beyond_min_t(task, group, tmp_path):
+    render(ASSIGNMENT, task, group, 1, 256, tmp_path)
+    asked, _ = judge.read(tmp_path / f"{task}.{group}.ask.exr")
+    golden, _ = judge.read(tmp_path / f"{task}.{group}.exr")
+    assert ((golden["id"] >= 0) & (golden["t"] - asked["min_t"] < 1e-3)).sum() > 4
+
+
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_right_caster_passes_random_scenes(seed, tmp_path):
     for index in range(3):
