@@ -83,13 +83,19 @@ const NEVER: [libc::c_long; 48] = [
 /// `open_tree_attr`, which Linux has had since 6.15.
 const OPEN_TREE_ATTR: libc::c_long = 467;
 
-/// The command of `fcntl` that watches a folder.
-const F_NOTIFY: u64 = 1026;
+/// The commands of `fcntl` that watch a folder or lock a file.
+const WATCHES_OR_LOCKS: [libc::c_int; 5] = [
+    libc::F_NOTIFY,
+    libc::F_SETLK,
+    libc::F_SETLKW,
+    libc::F_OFD_SETLK,
+    libc::F_OFD_SETLKW,
+];
 
 /// Calls that only the compiler may make. Without namespaces and Landlock, the names of files in
 /// a folder like `/tmp` would carry one submission's answers to another, even if no file may be
 /// written. So would the times of a file that everyone may write, such as `/dev/null`.
-const NEVER_WHILE_ANSWERING: [libc::c_long; 22] = [
+const NEVER_WHILE_ANSWERING: [libc::c_long; 23] = [
     libc::SYS_socket,
     libc::SYS_socketpair,
     // Makes a file if standard input, a socket, gets a path as its name.
@@ -116,6 +122,8 @@ const NEVER_WHILE_ANSWERING: [libc::c_long; 22] = [
     libc::SYS_openat2,
     // Drops a file's pages from the kernel's cache, and the next program could see that.
     libc::SYS_fadvise64,
+    // All submissions have the C library's file open, and each would notice another one's lock.
+    libc::SYS_flock,
 ];
 
 /// The same calls under the names that only x86-64 still has.
@@ -190,8 +198,10 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
         // Unmapped pages of a shared mapping no longer count as the process's own, but stay in
         // memory until the last page of the mapping is unmapped.
         rules.insert(libc::SYS_mmap, vec![with_flag(3, libc::MAP_SHARED, true)?]);
-        let notifies = SeccompCondition::new(1, Dword, Eq, F_NOTIFY)?;
-        rules.insert(libc::SYS_fcntl, vec![SeccompRule::new(vec![notifies])?]);
+        let is = |command| SeccompCondition::new(1, Dword, Eq, command as u64);
+        let denied = WATCHES_OR_LOCKS.map(|command| SeccompRule::new(vec![is(command)?]));
+        let denied = denied.into_iter().collect::<Result<_, _>>()?;
+        rules.insert(libc::SYS_fcntl, denied);
         // The process was told to end with the grader, and must not be able to change that.
         let outlives = SeccompCondition::new(0, Dword, Eq, libc::PR_SET_PDEATHSIG as u64)?;
         rules.insert(libc::SYS_prctl, vec![SeccompRule::new(vec![outlives])?]);

@@ -135,7 +135,7 @@ const CALL: &str = "
     let here = usize::MAX - 99;";
 
 /// Attacks by system calls: name, and an expression that is true if one of them works.
-const CALLS: [(&str, &str); 10] = [
+const CALLS: [(&str, &str); 11] = [
     // Once most of a shared mapping is unmapped, its memory is counted for no process. The other
     // call takes from a pool that the whole machine shares.
     (
@@ -165,6 +165,10 @@ const CALLS: [(&str, &str); 10] = [
         "[428, 467].into_iter().any(|n| call(n, here, b\"/\\0\".as_ptr() as usize, 1, 0, 0) != -38)",
     ),
     ("empties-the-cache", "call(221, 0, 0, 0, 4, 0) != -38"),
+    (
+        "locks-a-file",
+        "let (null, lock) = (call(2, b\"/dev/null\\0\".as_ptr() as usize, 2, 0, 0, 0), [0_u64; 4]); null >= 0 && (call(73, null as usize, 1, 0, 0, 0) == 0 || [6, 7, 37, 38].into_iter().any(|command| call(72, null as usize, command, &raw const lock as usize, 0, 0) == 0))",
+    ),
     ("outlives-the-grader", "call(157, 1, 0, 0, 0, 0) == 0"),
     (
         "changes-its-priority",
