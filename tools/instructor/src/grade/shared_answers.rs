@@ -7,7 +7,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use serde::Serialize;
 
 use super::provenance::sha256;
@@ -80,7 +80,7 @@ fn words(stream: TokenStream) -> Vec<String> {
             continue;
         };
         match token {
-            TokenTree::Group(group) if is_doc(&group.stream()) => {
+            TokenTree::Group(group) if is_doc(&words, &group) => {
                 // `#[doc]`, or `#![doc]` with a `!` in between.
                 while words.last().is_some_and(|word| word == "#" || word == "!") {
                     words.pop();
@@ -148,10 +148,13 @@ const KEYWORDS: [&str; 20] = [
     "match", "move", "mut", "ref", "return", "self", "true", "while",
 ];
 
-/// Whether a documentation comment becomes this attribute.
-fn is_doc(stream: &TokenStream) -> bool {
-    let first = stream.clone().into_iter().next();
-    matches!(first, Some(TokenTree::Ident(name)) if name == "doc")
+/// Whether a documentation comment becomes an attribute like the one that ends in this group. A
+/// block of code may begin with the name `doc` too, and must not be left out.
+fn is_doc(before: &[String], group: &Group) -> bool {
+    let before = before.iter().rev().find(|word| *word != "!");
+    let first = group.stream().into_iter().next();
+    before.is_some_and(|word| word == "#")
+        && matches!(first, Some(TokenTree::Ident(name)) if name == "doc")
 }
 
 /// Answers that are not the students' own work: the stubs, the reference's and the variants',
@@ -320,6 +323,13 @@ mod tests {
         ] {
             assert_ne!(tokens(other), plain, "{other}");
         }
+    }
+
+    #[test]
+    fn answer_inside_a_block_that_begins_with_doc_is_not_taken_for_the_stub() {
+        let stub = tokens("fn f(x: f64) -> f64 { todo!() }");
+        let hidden = "fn f(x: f64) -> f64 { { doc(); fn doc() {} return x * 2.0; } todo!() }";
+        assert_ne!(tokens(hidden), stub);
     }
 
     #[test]
