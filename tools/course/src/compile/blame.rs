@@ -106,6 +106,7 @@ fn of_level(
             let text = told.entry(task).or_default();
             if text.len() < MOST_TEXT {
                 text.push_str(cut(&diagnostic.rendered));
+                text.truncate(cut(text).len());
             }
         }
     }

@@ -78,7 +78,9 @@ impl Format {
 
 fn parts(record: &Record) -> Vec<Part> {
     let groups = record.got.tasks.iter().flat_map(|task| {
-        // Give help about the whole task once, at the first group that fails.
+        // Say what concerns the whole task once, at the first group that fails. PrairieLearn takes
+        // no results of more than 1 MB.
+        let mut problem = task.file.problem();
         let mut help = Some(help(task));
         task.groups.iter().map(move |group| Part {
             suite: task.name.clone(),
@@ -90,13 +92,13 @@ fn parts(record: &Record) -> Vec<Part> {
                 AnswerFile::Compiled => group.outcome.status(),
                 _ => task.status(),
             },
-            said: match task.file.problem() {
-                Some(problem) => problem,
-                None if group.points == group.possible => "passes".into(),
-                None => {
+            said: match task.file {
+                AnswerFile::Compiled if group.points == group.possible => "passes".into(),
+                AnswerFile::Compiled => {
                     let help = help.take().unwrap_or_default();
                     [&help[..], &shown(group)].concat().join("\n")
                 }
+                _ => problem.take().unwrap_or(task.status().word().into()),
             },
         })
     });
@@ -370,6 +372,25 @@ mod tests {
         }
         assert!(result["tests"][0]["test-name"].is_string());
         assert!(result["tests"][0]["passed"].is_boolean());
+    }
+
+    #[test]
+    fn message_of_the_compiler_is_given_once_for_a_task() {
+        let group = |name: &str| {
+            json!({
+                "name": name, "about": "", "points": 0, "possible": 7,
+                "outcome": { "kind": "unanswered" }, "worst": [], "fails_fresh": false,
+            })
+        };
+        let mut record = serde_json::to_value(graded("ada", 0, 14)).expect("it can be written");
+        record["tasks"] = json!([{
+            "name": "triangle", "chapter": "", "points": 0, "possible": 14,
+            "file": { "state": "does not compile", "compiler": "error: no" }, "diagnosis": null,
+            "groups": [group("edges"), group("front")],
+        }]);
+        let record = serde_json::from_value(record).expect("a record");
+        let said: Vec<String> = parts(&record).into_iter().map(|it| it.said).collect();
+        assert_eq!(said, ["error: no", "does not compile"]);
     }
 
     /// Every text in a document.
