@@ -31,8 +31,7 @@ pub struct Reply {
     searches: Vec<SearchLog>,
     /// How it ended.
     pub ending: Ending,
-    /// The place of a question that was still being answered when time was up, if the submission
-    /// says so.
+    /// The place of a question that was still being answered at the end, if that is known.
     pub still_at: Option<usize>,
     /// How long it took to start: until the first answers came.
     pub start: Duration,

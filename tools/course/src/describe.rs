@@ -92,8 +92,8 @@ pub fn refused(refusal: &Refusal, asked: &QuestionFilm, reply: &Reply) -> Vec<Fa
     facts
 }
 
-/// The question that an answer did not get past: where it panicked, or where it still was when its
-/// time was up. Empty if that is unknown, or the answer is still `todo!`.
+/// The question that an answer did not get past: where it panicked, where it ended its process, or
+/// where it still was when its time was up. Empty if that is unknown, or the answer is still `todo!`.
 pub fn unanswered(asked: &QuestionFilm, reply: &Reply) -> Vec<Fact> {
     let (index, note) = match &reply.ending {
         Ending::Panicked(panic) if !panic.is_unanswered() => (Some(panic.index), None),
@@ -104,6 +104,7 @@ pub fn unanswered(asked: &QuestionFilm, reply: &Reply) -> Vec<Fact> {
                  calls end?",
             ),
         ),
+        Ending::Died(_) => (reply.still_at, None),
         _ => (None, None),
     };
     match (index, asked.job.questions()) {

@@ -271,12 +271,16 @@ fn question_that_stops_an_answer_is_shown() {
             "while self.normal != ray.origin { std::hint::black_box(0); }",
         ),
         (
+            "recursion",
+            "return self.intersect_ray(ray, min_t).map(|at| Intersection { t: at.t + 1.0, ..at });",
+        ),
+        (
             "nan",
             "return Some(Intersection { t: f64::NAN, normal: self.normal });",
         ),
     ];
     for (name, body) in stops {
-        let text = with_body("plane", body);
+        let text = with_body("plane", &format!("if min_t > 0.4 {{ {body} }}"));
         let folder = submission(&trusted(), &format!("stops-{name}"), &[("plane.rs", &text)]);
         let folder = folder.to_str().expect("a plain name");
         let plane = [
@@ -295,7 +299,16 @@ fn question_that_stops_an_answer_is_shown() {
         let labels: Vec<_> = shown.iter().map(|fact| &fact["label"]).collect();
         assert_eq!(labels[..2], ["ray", "plane"], "{name}: {examination:#}");
         let note = labels.iter().any(|label| **label == "note");
-        assert_eq!(note, name != "panic", "{name}: {labels:?}");
+        assert_eq!(note, matches!(name, "loop" | "nan"), "{name}: {labels:?}");
+        for ray in shown.iter().filter(|fact| fact["label"] == "ray") {
+            let min_t = ray["text"]
+                .as_str()
+                .and_then(|text| text.split(" = ").last());
+            assert!(
+                min_t.expect("it is last").parse::<f64>().expect("a number") > 0.4,
+                "{name}: {ray}"
+            );
+        }
     }
 }
 
@@ -321,7 +334,7 @@ fn endless_recursion_aborts_and_its_last_words_are_shown_as_its_own() {
     let folder = folder.to_str().expect("a plain name");
     let ran = pinhole(&["check", folder, "--task", "plane"]).expect_code(1);
     ran.expect_out("it aborted, which happens when a function calls itself without end")
-        .expect_out("has overflowed its stack / fatal runtime error: stack overflow");
+        .expect_out("the last words that it printed are “fatal runtime error: stack overflow");
 }
 
 #[test]

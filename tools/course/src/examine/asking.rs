@@ -68,7 +68,7 @@ impl Examiner<'_> {
         let share = (self.wall / films.len().max(1) as u32).max(LEAST_WALL);
         let ask = |film: &QuestionFilm, part: Option<Reply>| match part {
             Some(part) if part.is_whole() => Ok(part),
-            _ => self.ask(&task.name, &film.job, share),
+            _ => self.ask_alone(task, &film.job, share),
         };
         let films = films.into_iter().zip(parts);
         if !self.asks_several() {
@@ -95,6 +95,30 @@ impl Examiner<'_> {
                 .map(|reply| reply.unwrap_or_else(|panic| resume_unwind(panic)))
                 .collect()
         })
+    }
+
+    /// Asks about one film. If someone waits for the result, and the answer ends its process, for
+    /// instance because its stack overflows, this also finds the first question at which that
+    /// happens. A dead process can't say where it was, so this asks about fewer and fewer questions.
+    fn ask_alone(&self, task: &Task, job: &Job, wall: Duration) -> Result<Reply> {
+        let mut reply = self.ask(&task.name, job, wall)?;
+        if self.interactive
+            && let (Ending::Died(_), Some(questions)) = (&reply.ending, job.questions())
+        {
+            let (mut first, mut end) = (0, questions.len());
+            while end - first > 1 {
+                // Usually it is one of the first. So ask about 1 question, then the next 2, 4, 8
+                // and so on. Once an answer has ended its process, halve.
+                let middle = (2 * first + 1).min(usize::midpoint(first, end));
+                let part = Job::Ask(questions.part(first..middle));
+                match self.ask(&task.name, &part, wall)?.is_whole() {
+                    true => first = middle,
+                    false => end = middle,
+                }
+            }
+            reply.still_at = Some(first);
+        }
+        Ok(reply)
     }
 
     /// Asks about all films of a task in one process. `None` if some answer fails in a way that

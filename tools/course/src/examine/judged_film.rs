@@ -124,13 +124,14 @@ pub fn failure(reply: &Reply, program: &Program, task: Option<&str>) -> Option<F
 /// At most this many characters of a program's last words are shown.
 const MOST_LAST_WORDS: usize = 200;
 
-/// The last two lines that a program printed. Rust says there why it aborts, but the code may print
-/// the same words, so they are shown as its own and believed by nobody.
+/// The last line that a program printed. Rust says there why it aborts, but the code may print the
+/// same words, so they are shown as its own and believed by nobody.
 fn last_words(printed: &str) -> Option<String> {
-    let lines = printed.lines().map(str::trim);
-    let lines: Vec<&str> = lines.filter(|line| !line.is_empty()).collect();
-    let last = lines[lines.len().saturating_sub(2)..].join(" / ");
-    (!last.is_empty()).then(|| last.chars().take(MOST_LAST_WORDS).collect())
+    let last = printed
+        .lines()
+        .map(str::trim)
+        .rfind(|line| !line.is_empty());
+    last.map(|line| line.chars().take(MOST_LAST_WORDS).collect())
 }
 
 /// Code may panic with any message and name any file as the place. So another answer counts as
