@@ -331,7 +331,7 @@ pub struct Target {
     /// What was measured.
     pub about: &'static str,
     /// The promise, in words.
-    pub expected: &'static str,
+    pub expected: String,
     /// The measurement, in words.
     pub measured: String,
     /// Whether the promise is kept.

@@ -3,10 +3,8 @@
 use std::fmt::Write;
 
 use crate::cast::Search;
-use crate::contestants::EXACT;
 use crate::judge::{median_and_worst, rule_of_three};
-use crate::question::Class;
-use crate::result::{Findings, PlanTally, Study, Trade};
+use crate::result::{Findings, PlanTally, Study};
 
 /// The promises beside the measurements, for a terminal.
 pub fn terminal(study: &Study) -> String {
@@ -60,8 +58,8 @@ pub fn summary(study: &Study, plots: &[String]) -> String {
         } else {
             "**falls short**"
         };
-        let measured = target.measured.as_str();
-        [target.about, target.expected, measured, verdict].map(str::to_owned)
+        let (expected, measured) = (&target.expected, &target.measured);
+        [target.about, expected, measured, verdict].map(str::to_owned)
     });
     [
         head,
@@ -73,7 +71,6 @@ pub fn summary(study: &Study, plots: &[String]) -> String {
         secondary(findings),
         scenes(findings),
         plans(findings),
-        choice(findings),
         table("Promises", "what | promised | measured | ", promises),
     ]
     .concat()
@@ -228,51 +225,4 @@ fn plans(findings: &Findings) -> String {
     let columns =
         "accuracy | worst t | worst normal | computed exactly | × exact objects | × plain f64";
     table("Plans, over all scenes", columns, rows)
-}
-
-/// Which kernel to use for which scene, with the measured costs.
-fn choice(findings: &Findings) -> String {
-    if findings.trades.is_empty() {
-        return String::new();
-    }
-    let cost = |class, kernel, numbers| {
-        let of_it = ("sphere", class, kernel, numbers);
-        let is_it = |it: &&Trade| (it.shape, it.class, it.kernel, it.numbers) == of_it;
-        let trade = findings.trades.iter().find(is_it);
-        or_dash(
-            trade.and_then(|it| it.instructions.or(it.nanoseconds)),
-            whole,
-        )
-    };
-    let (everyday, hard) = (Class::Everyday, Class::Hard);
-    let rows = [
-        (
-            "everyday",
-            "the textbook in f64",
-            cost(everyday, "textbook", "f64"),
-        ),
-        (
-            "hard, and a rare speck does no harm",
-            "Haines et al., scaled",
-            cost(hard, "Haines scaled", "f64"),
-        ),
-        (
-            "too large for memory",
-            "f32 data, f64 arithmetic",
-            cost(everyday, "Haines scaled", "f64 on f32"),
-        ),
-        (
-            "judged by its ids",
-            "`pinhole render --exact`",
-            cost(everyday, EXACT, "f64"),
-        ),
-        (
-            "to have t and normals of a known accuracy",
-            "`pinhole plan --accuracy X`",
-            "as above, and more for X below 1e-10".into(),
-        ),
-    ];
-    let columns = "your scene is … | use … | costs, for a ray and a sphere …";
-    let rows = rows.map(|(scene, kernel, cost)| [scene.into(), kernel.into(), cost]);
-    table("Which to use", columns, rows)
 }
