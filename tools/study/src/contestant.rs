@@ -37,55 +37,30 @@ impl<S: Shape<Number = f64>> Contestant<S> {
             name: K::NAME,
             numbers,
             data,
-            answer: answer::<K, S, F>,
-            workload: workload::<K, S, F>,
+            answer: |question| {
+                let (shape, ray, min_t) = narrowed::<S, F>(question);
+                K::intersect(&shape, &K::prepare(&ray), min_t).map(F::wide)
+            },
+            workload: |questions| {
+                let prepared = |question| {
+                    let (shape, ray, min_t) = narrowed::<S, F>(question);
+                    (shape, K::prepare(&ray), min_t)
+                };
+                let pairs: Vec<_> = questions.iter().map(prepared).collect();
+                Box::new(move || {
+                    let pairs = black_box(&pairs).iter();
+                    let hits = pairs.filter_map(|(shape, ray, t)| K::intersect(shape, ray, *t));
+                    black_box(hits.fold(F::zero(), |sum, t| sum + t));
+                })
+            },
         }
     }
 }
 
-fn of<S: Shape<Number = f64>, F: Real>(question: &Question<S>) -> (S::With<F>, Ray<F>, F) {
+fn narrowed<S: Shape<Number = f64>, F: Real>(question: &Question<S>) -> (S::With<F>, Ray<F>, F) {
     (
         question.shape.map(F::of, F::of),
         question.ray.map(F::of, F::of),
         F::of(question.min_t),
     )
-}
-
-fn answer<K, S, F>(question: &Question<S>) -> Option<f64>
-where
-    K: Kernel<S::With<F>, F>,
-    S: Shape<Number = f64>,
-    F: Real,
-{
-    let (shape, ray, min_t) = of::<S, F>(question);
-    K::intersect(&shape, &K::prepare(&ray), min_t).map(F::wide)
-}
-
-fn workload<K, S, F>(questions: &[Question<S>]) -> Workload<'static>
-where
-    K: Kernel<S::With<F>, F>,
-    S: Shape<Number = f64>,
-    F: Real,
-{
-    let prepared = |question| {
-        let (shape, ray, min_t) = of::<S, F>(question);
-        (shape, K::prepare(&ray), min_t)
-    };
-    let pairs: Vec<_> = questions.iter().map(prepared).collect();
-    Box::new(move || {
-        black_box(cast::<K, S, F>(black_box(&pairs)));
-    })
-}
-
-#[inline(never)]
-fn cast<K, S, F>(pairs: &[(S::With<F>, K::PreparedRay, F)]) -> F
-where
-    K: Kernel<S::With<F>, F>,
-    S: Shape<Number = f64>,
-    F: Real,
-{
-    let hits = pairs
-        .iter()
-        .filter_map(|(shape, ray, min_t)| K::intersect(shape, ray, *min_t));
-    hits.fold(F::zero(), |sum, t| sum + t)
 }
