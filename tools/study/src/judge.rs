@@ -64,22 +64,12 @@ const APART: f64 = 64.0;
 /// Whether t is that of the sphere's other side: nearer to the other root, if the roots are further
 /// apart than the radius. Nearly tangent roots are not told apart either: their error is measured
 /// instead.
-fn is_of_other_side<S: HasTruth>(
-    question: &Question<S>,
-    truth: &Truth,
-    root: &Root,
-    t: f64,
-    data: Data,
-) -> bool {
+fn is_of_other_side(truth: &Truth, root: &Root, t: f64, data: Data) -> bool {
     let Some(other) = truth.other.as_ref().map(Root::value) else {
         return false;
     };
-    let [lengths, _, direction] = question.numbers();
-    // The last length of a sphere is its radius.
-    let radius = lengths.last().copied().unwrap_or(0.0).abs();
-    let length = direction.into_iter().fold(0.0, f64::hypot);
-    root.error_in_ulp(other, data) > APART
-        && (other - root.value()).abs() > radius / length
+    truth.are_apart
+        && root.error_in_ulp(other, data) > APART
         && (t - other).abs() < (t - root.value()).abs()
 }
 
@@ -108,7 +98,7 @@ pub fn judge<S: HasTruth>(
             (None, None) => (),
             (None, Some(_)) => tally.false_hits += 1,
             (Some(_), None) => tally.false_misses += 1,
-            (Some(root), Some(t)) if is_of_other_side(question, truth, root, t, data) => {
+            (Some(root), Some(t)) if is_of_other_side(truth, root, t, data) => {
                 tally.wrong_roots += 1;
             }
             (Some(root), Some(t)) => errors.push((at, root.error_in_ulp(t, data))),

@@ -4,10 +4,8 @@
 //! square root. The arithmetic is dashu's. The oracle shares no arithmetic with the kernels,
 //! and tests compare it with a second oracle that uses Python's fractions.
 
-mod plane;
 pub mod scene;
-mod sphere;
-mod triangle;
+mod shapes;
 mod truth;
 
 pub use truth::{Root, Truth};

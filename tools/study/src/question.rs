@@ -1,6 +1,6 @@
 //! The questions that kernels and the oracle are asked, and the types of their numbers.
 
-use std::cell::RefCell;
+use std::cell::Cell;
 
 use serde::Serialize;
 
@@ -60,44 +60,36 @@ pub enum Data {
 }
 
 impl Data {
+    fn pick<T>(self, of_f64: T, of_f32: T) -> T {
+        match self {
+            Data::F64 => of_f64,
+            Data::F32 => of_f32,
+        }
+    }
+
     /// The name in tables.
     pub fn name(self) -> &'static str {
-        match self {
-            Data::F64 => f64::NAME,
-            Data::F32 => f32::NAME,
-        }
+        self.pick(f64::NAME, f32::NAME)
     }
 
     /// The nearest number of this type.
     pub fn round(self, value: f64) -> f64 {
-        match self {
-            Data::F64 => value,
-            Data::F32 => f32::of(value).wide(),
-        }
+        self.pick(value, f32::of(value).wide())
     }
 
     /// The largest number.
     pub fn largest(self) -> f64 {
-        match self {
-            Data::F64 => f64::MAX,
-            Data::F32 => f32::MAX.wide(),
-        }
+        self.pick(f64::MAX, f32::MAX.wide())
     }
 
     /// The number of significant bits.
     pub fn digits(self) -> i32 {
-        match self {
-            Data::F64 => f64::MANTISSA_DIGITS as i32,
-            Data::F32 => f32::MANTISSA_DIGITS as i32,
-        }
+        self.pick(f64::MANTISSA_DIGITS, f32::MANTISSA_DIGITS) as i32
     }
 
     /// The e of the smallest positive number, 2^e.
     pub fn smallest_exponent(self) -> i32 {
-        match self {
-            Data::F64 => -1074,
-            Data::F32 => -149,
-        }
+        self.pick(-1074, -149)
     }
 }
 
@@ -135,28 +127,20 @@ impl<S: Shape<Number = f64, With<f64> = S>> Question<S> {
         self.map(round, round, round, round)
     }
 
-    /// All its numbers except `min_t`: lengths, the normal's and the direction's components.
-    pub fn numbers(&self) -> [Vec<f64>; 3] {
-        let lists = [self.ray.origin.array().to_vec(), Vec::new()].map(RefCell::new);
-        let noted = |at: usize| {
-            let list = &lists[at];
-            move |value: f64| {
-                list.borrow_mut().push(value);
-                value
-            }
-        };
-        let _: S = self.shape.map(noted(0), noted(1));
-        let [lengths, free] = lists.map(RefCell::into_inner);
-        [lengths, free, self.ray.direction.array().to_vec()]
-    }
-
     /// Whether every number is finite and directions and normals are not 0.
     pub fn is_sound(&self) -> bool {
-        let [lengths, free, direction] = self.numbers();
-        let is_zero = |numbers: &[f64]| !numbers.is_empty() && numbers.iter().all(|x| *x == 0.0);
-        let are_finite = [&lengths, &free, &direction, &vec![self.min_t]];
-        let mut all = are_finite.into_iter().flatten();
-        all.all(|x| x.is_finite()) && !is_zero(&free) && !is_zero(&direction)
+        let are_finite = Cell::new(self.ray.is_finite() && self.min_t.is_finite());
+        let normal = Cell::new(None);
+        let length = |x: f64| {
+            are_finite.set(are_finite.get() && x.is_finite());
+            x
+        };
+        let free = |x: f64| {
+            normal.set(Some(f64::max(normal.get().unwrap_or(0.0), x.abs())));
+            length(x)
+        };
+        let _: S = self.shape.map(length, free);
+        are_finite.get() && normal.get() != Some(0.0) && self.ray.direction.largest() > 0.0
     }
 }
 

@@ -13,6 +13,8 @@ pub struct Truth {
     pub t: Option<Root>,
     /// A sphere's other root, which a kernel may return by mistake.
     pub other: Option<Root>,
+    /// Whether these two are further apart than the sphere's radius.
+    pub are_apart: bool,
     /// Whether an exact equality decides: a tangent ray, a hit on an edge, t = `min_t`. Such a
     /// question has a true answer, but a kernel is not blamed for giving another.
     pub is_tie: bool,
@@ -24,6 +26,7 @@ impl Truth {
         Truth {
             t: None,
             other: None,
+            are_apart: false,
             is_tie,
         }
     }
@@ -35,6 +38,7 @@ impl Truth {
             beyond => Truth {
                 t: Some(Root::from(t)),
                 other: None,
+                are_apart: false,
                 is_tie: is_tie || beyond == 0,
             },
         }

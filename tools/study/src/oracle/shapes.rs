@@ -1,10 +1,12 @@
+//! The true answer for each shape.
+
 use dashu_int::UBig;
 use dashu_int::ops::{BitTest, SquareRoot};
 use dashu_ratio::Relaxed;
 
 use super::{Exact, HasTruth, Root, Truth, fraction, sign};
 use crate::question::Question;
-use crate::shape::Sphere;
+use crate::shape::{Plane, Sphere, Triangle};
 
 /// Bits of a computed square root. The roots of the quadratic are formed without cancellation, so
 /// they keep all but a few of these.
@@ -39,9 +41,12 @@ impl HasTruth for Sphere<f64> {
             false => (-(&h + &root) / &a, -(&c / (&h + &root))),
         };
         let (t, other) = if is_near { (near, far) } else { (far, near) };
+        let (t, other) = (Root::from(t), Root::from(other));
+        let length = ray.direction.array().into_iter().fold(0.0, f64::hypot);
         Truth {
-            t: Some(Root::from(t)),
-            other: Some(Root::from(other)),
+            are_apart: (other.value() - t.value()).abs() > shape.radius.abs() / length,
+            t: Some(t),
+            other: Some(other),
             is_tie,
         }
     }
@@ -54,4 +59,44 @@ fn square_root(value: &Relaxed) -> Relaxed {
     let shift = (2 * BITS).saturating_sub(product.bit_len()).div_ceil(2);
     let root = (product << (2 * shift)).sqrt();
     Relaxed::from_parts(root.into(), value.denominator().clone() << shift)
+}
+
+impl HasTruth for Plane<f64> {
+    /// t = n·(p − e) / n·d; a miss if n·d is exactly 0.
+    fn truth(question: &Question<Self>) -> Truth {
+        let Question { shape, ray, min_t } = question;
+        let normal = Exact::of(shape.normal);
+        let along = normal.dot(&Exact::of(ray.direction));
+        let height = normal.dot(&Exact::of(shape.point).minus(&Exact::of(ray.origin)));
+        if sign(&along) == 0 {
+            return Truth::miss(sign(&height) == 0);
+        }
+        Truth::only(height / along, *min_t, false)
+    }
+}
+
+impl HasTruth for Triangle<f64> {
+    /// Solves e − a = α t₁ + β t₂ − t d by Cramer's rule, in fractions. Edges belong to the
+    /// triangle, and a ray that touches one is a tie.
+    fn truth(question: &Question<Self>) -> Truth {
+        let Question { shape, ray, min_t } = question;
+        let [a, b, c] = shape.corners.map(Exact::of);
+        let (t1, t2, d) = (b.minus(&a), c.minus(&a), Exact::of(ray.direction));
+        let from_a = Exact::of(ray.origin).minus(&a);
+        // The determinant |t₁ t₂ −d| is −d·(t₁ × t₂); the others replace one column by e − a.
+        let normal = t1.cross(&t2);
+        let determinant = -d.dot(&normal);
+        if sign(&determinant) == 0 {
+            return Truth::miss(false);
+        }
+        let alpha = d.dot(&t2.cross(&from_a)) / &determinant;
+        let beta = d.dot(&from_a.cross(&t1)) / &determinant;
+        let rest = fraction(1.0) - &alpha - &beta;
+        let signs = [sign(&alpha), sign(&beta), sign(&rest)];
+        if signs.contains(&-1) {
+            return Truth::miss(false);
+        }
+        let t = from_a.dot(&normal) / &determinant;
+        Truth::only(t, *min_t, signs.contains(&0))
+    }
 }
