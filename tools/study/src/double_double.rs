@@ -111,8 +111,7 @@ impl Vector<DoubleDouble> {
     /// `a` − `b`, exactly.
     #[inline(always)]
     pub fn between(a: Vector<f64>, b: Vector<f64>) -> Vector<DoubleDouble> {
-        let less = |a: f64, b: f64| DoubleDouble::sum(a, -b);
-        Vector::new(less(a.x, b.x), less(a.y, b.y), less(a.z, b.z))
+        a.zip(b, |a, b| DoubleDouble::sum(a, -b))
     }
 
     /// The nearest vector of floats.

@@ -58,11 +58,7 @@ fn pbrt([point, error, normal]: [Vector<f32>; 3]) -> Vector<f32> {
         by if by < 0.0 => (x + by).next_down(),
         _ => x,
     };
-    Vector::new(
-        away(point.x, offset.x),
-        away(point.y, offset.y),
-        away(point.z, offset.z),
-    )
+    point.zip(offset, away)
 }
 
 /// Moves each component by a number of ulps (Wächter & Binder, *Ray Tracing Gems*, ch. 6).
@@ -75,11 +71,7 @@ fn integers(point: Vector<f32>, normal: Vector<f32>) -> Vector<f32> {
             false => f32::from_bits(x.to_bits().wrapping_add_signed(steps)),
         }
     };
-    Vector::new(
-        away(point.x, normal.x),
-        away(point.y, normal.y),
-        away(point.z, normal.z),
-    )
+    point.zip(normal, away)
 }
 
 /// Casts `count` rays of each kind from spheres, with every method.

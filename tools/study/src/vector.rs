@@ -38,6 +38,16 @@ impl<F: Ring> Vector<F> {
         }
     }
 
+    /// Applies a function to pairs of components.
+    #[inline(always)]
+    pub fn zip<G, H>(self, other: Vector<G>, function: impl Fn(F, G) -> H) -> Vector<H> {
+        Vector {
+            x: function(self.x, other.x),
+            y: function(self.y, other.y),
+            z: function(self.z, other.z),
+        }
+    }
+
     /// The three components as an array.
     #[inline(always)]
     pub fn array(self) -> [F; 3] {
@@ -97,7 +107,7 @@ impl<F: Ring> Add for Vector<F> {
     type Output = Vector<F>;
     #[inline(always)]
     fn add(self, other: Vector<F>) -> Vector<F> {
-        Vector::new(self.x + other.x, self.y + other.y, self.z + other.z)
+        self.zip(other, F::add)
     }
 }
 
@@ -105,7 +115,7 @@ impl<F: Ring> Sub for Vector<F> {
     type Output = Vector<F>;
     #[inline(always)]
     fn sub(self, other: Vector<F>) -> Vector<F> {
-        Vector::new(self.x - other.x, self.y - other.y, self.z - other.z)
+        self.zip(other, F::sub)
     }
 }
 
@@ -113,19 +123,14 @@ impl<F: Ring> Mul<F> for Vector<F> {
     type Output = Vector<F>;
     #[inline(always)]
     fn mul(self, factor: F) -> Vector<F> {
-        Vector::new(
-            self.x * factor.clone(),
-            self.y * factor.clone(),
-            self.z * factor,
-        )
+        self.map(|x| x * factor.clone())
     }
 }
 
 /// The bounding box of boxes, each given by two opposite corners; `None` if there are none.
 pub fn around(boxes: impl IntoIterator<Item = [Vector<f64>; 2]>) -> Option<[Vector<f64>; 2]> {
-    let by = |pick: fn(f64, f64) -> f64, p: Vector<f64>, q: Vector<f64>| {
-        Vector::new(pick(p.x, q.x), pick(p.y, q.y), pick(p.z, q.z))
+    let wider = |[low, high]: [Vector<f64>; 2], [l, h]: [_; 2]| {
+        [low.zip(l, f64::min), high.zip(h, f64::max)]
     };
-    let wider = |[low, high]: [_; 2], [l, h]: [_; 2]| [by(f64::min, low, l), by(f64::max, high, h)];
     boxes.into_iter().reduce(wider)
 }
