@@ -158,9 +158,9 @@ impl<'a, M: Model> Nearest<'a, '_, M> {
         while hits != 0 {
             let lane = hits.trailing_zeros() as usize & 3;
             hits &= hits - 1;
-            match M::given(met.t[lane], &self.query) {
-                t if t.is_finite() => self.keep(Found::new(&parts[lane], t)),
-                _ => open |= 1 << lane,
+            match met.t[lane].is_finite() {
+                true => self.keep(Found::new(&parts[lane], met.t[lane])),
+                false => open |= 1 << lane,
             }
         }
         match open != 0 && !M::HAS_CAMERA {

@@ -66,8 +66,6 @@ pub trait Model: Sync + 'static {
     /// Tests the triangles of a leaf, with what the camera does not fix in `f32`. The caller tests
     /// undecided ones again, one by one.
     fn meet_leaf(leaf: &Leaf, query: &Query, packed: Vector<f32x4>) -> PacketHits;
-    /// Converts a t from [`Model::meet_leaf`] to multiples of the ray's direction.
-    fn given(t: f64, query: &Query) -> f64;
     /// Whether hit `one` comes before hit `other`.
     fn comes_first(one: &Found, other: &Found, query: &Query, tally: &mut Tally) -> bool;
 }
@@ -108,11 +106,6 @@ impl Model for Plain {
     }
 
     #[inline(always)]
-    fn given(t: f64, _: &Query) -> f64 {
-        t
-    }
-
-    #[inline(always)]
     fn comes_first(one: &Found, other: &Found, _: &Query, _: &mut Tally) -> bool {
         (one.t, one.part.place) < (other.t, other.part.place)
     }
@@ -144,11 +137,6 @@ impl Model for Exact {
             true => four.filtered(&query.scaled, &query.window, &leaf.limits),
             false => four.left_open(),
         }
-    }
-
-    #[inline(always)]
-    fn given(t: f64, query: &Query) -> f64 {
-        query.scaled.unscale(t)
     }
 
     #[inline(always)]
@@ -212,11 +200,6 @@ impl<const HAS_EYE: bool> Model for FromCamera<HAS_EYE> {
             open: four.candidates::<HAS_EYE>(packed),
             ..PacketHits::NOTHING
         }
-    }
-
-    #[inline(always)]
-    fn given(t: f64, _: &Query) -> f64 {
-        t
     }
 
     #[inline(always)]

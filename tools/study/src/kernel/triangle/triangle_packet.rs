@@ -25,7 +25,7 @@ pub struct PacketHits {
     pub hits: u32,
     /// A bit for each triangle whose answer is uncertain.
     pub open: u32,
-    /// The t of each triangle that is hit.
+    /// The t of each triangle that is hit, in multiples of the ray's direction. It may overflow.
     pub t: [f64; 4],
 }
 
@@ -149,7 +149,7 @@ impl TrianglePacket {
             let t = volume / determinant;
             if is_good && t > window.after {
                 met.hits |= 1 << lane;
-                met.t[lane] = t;
+                met.t[lane] = scaled.unscale(t);
             } else if !(is_good && t < window.before) {
                 met.open |= 1 << lane;
             }
