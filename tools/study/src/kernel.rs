@@ -14,15 +14,13 @@ mod filter;
 pub mod plane;
 pub mod sphere;
 pub mod triangle;
-mod widened_kernel;
 
 pub use adaptive::{Adaptive, Filtered, decided};
 pub use camera::Camera;
 pub use filter::{Limits, Tier, Window};
-pub use widened_kernel::WidenedKernel;
 
 use crate::number::Real;
-use crate::shape::Ray;
+use crate::shape::{Ray, Shape};
 
 /// One way to intersect a ray with a shape `S` whose numbers are `F`.
 pub trait Kernel<S, F: Real>: 'static {
@@ -37,4 +35,24 @@ pub trait Kernel<S, F: Real>: 'static {
 
     /// The smallest t ≥ `min_t` at which the ray meets the shape.
     fn intersect(shape: &S, ray: &Self::PreparedRay, min_t: F) -> Option<F>;
+}
+
+/// A kernel that computes in `f64` on `f32` data. t is rounded once, at the end, and products
+/// of two `f32` are exact.
+pub struct WidenedKernel<K>(K);
+
+impl<S: Shape<Number = f32>, K: Kernel<S::With<f64>, f64>> Kernel<S, f32> for WidenedKernel<K> {
+    const NAME: &'static str = K::NAME;
+    type PreparedRay = K::PreparedRay;
+
+    #[inline(always)]
+    fn prepare(ray: &Ray<f32>) -> K::PreparedRay {
+        K::prepare(&ray.map(f32::wide, f32::wide))
+    }
+
+    #[inline(always)]
+    fn intersect(shape: &S, ray: &K::PreparedRay, min_t: f32) -> Option<f32> {
+        // Rounding never takes a t ≥ min_t below min_t, because min_t is an `f32`.
+        K::intersect(&shape.map(f32::wide, f32::wide), ray, min_t.wide()).map(f32::of)
+    }
 }
