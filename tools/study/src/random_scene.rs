@@ -36,8 +36,6 @@ fn shape(corners: [Vector<f64>; 3]) -> Triangle {
     }
 }
 
-const PIXELS: Resolution = Resolution { n_x: 8, n_y: 8 };
-
 /// A scene with objects of any size, in front of the camera or around it.
 fn anywhere(random: &mut Random) -> Scene {
     let scale = power(random, -30.0, 30.0);
@@ -77,17 +75,26 @@ fn anywhere(random: &mut Random) -> Scene {
         objects.push(at_the_eye(random, eye, scale));
     }
     repeat(random, &mut objects, scale);
+    let up = random.unit_across(back);
+    let size = (width, width * random.within(0.5, 2.0));
+    let min_t = [0.0, 0.0, 1.0, power(random, -2.0, 5.0)][random.below(4)];
+    seen_from([eye, back, up], size, projection, min_t, objects)
+}
+
+/// A scene with a camera at the eye that looks away from `back`.
+fn seen_from(
+    frame: [Vector<f64>; 3],
+    size: (f64, f64),
+    projection: Projection,
+    min_t: f64,
+    objects: Vec<Shape>,
+) -> Scene {
+    let [eye, back, up] = frame.map(|vector| glam::DVec3::from(vector.array()));
+    let camera = Camera::new(eye, -back, up, size, projection);
     Scene {
-        camera: Camera::new(
-            eye.array().into(),
-            (back * -1.0).array().into(),
-            random.unit_across(back).array().into(),
-            (width, width * random.within(0.5, 2.0)),
-            projection,
-        )
-        .expect("up is perpendicular to the view"),
-        resolution: PIXELS,
-        min_t: [0.0, 0.0, 1.0, power(random, -2.0, 5.0)][random.below(4)],
+        camera: camera.expect("up is perpendicular to the view"),
+        resolution: Resolution { n_x: 8, n_y: 8 },
+        min_t,
         objects,
     }
 }
@@ -125,19 +132,9 @@ fn on_a_grid(random: &mut Random) -> Scene {
             focal_length: 8.0 * unit,
         },
     };
-    Scene {
-        camera: Camera::new(
-            Vector::new(0.0, 0.0, 8.0 * unit).array().into(),
-            [0.0, 0.0, -1.0].into(),
-            [0.0, 1.0, 0.0].into(),
-            (8.0 * unit, 8.0 * unit),
-            projection,
-        )
-        .expect("up is perpendicular to the view"),
-        resolution: PIXELS,
-        min_t: random.below(3) as f64 * unit.min(1.0),
-        objects,
-    }
+    let frame = [along(2, 8.0 * unit), along(2, 1.0), along(1, 1.0)];
+    let min_t = random.below(3) as f64 * unit.min(1.0);
+    seen_from(frame, (8.0 * unit, 8.0 * unit), projection, min_t, objects)
 }
 
 fn sphere(center: Vector<f64>, radius: f64) -> Shape {
