@@ -1,7 +1,6 @@
 //! Records where, when and how a study was made.
 
 use std::fs;
-use std::path::Path;
 use std::process::Command;
 
 use pinhole_course::shell::PINHOLE;
@@ -49,15 +48,16 @@ fn machine() -> String {
 }
 
 fn commit() -> String {
-    let git = |arguments: &[&str]| {
-        let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let output = Command::new("git")
-            .args(arguments)
-            .current_dir(here)
-            .output();
-        output.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned())
-    };
-    let hash = git(&["rev-parse", "--short=12", "HEAD"]).unwrap_or_default();
-    let changed = git(&["status", "--porcelain", "--untracked-files=no"]).unwrap_or_default();
-    format!("{hash}{}", if changed.is_empty() { "" } else { "+" })
+    let output = Command::new("git")
+        .args([
+            "describe",
+            "--always",
+            "--exclude=*",
+            "--abbrev=12",
+            "--dirty=+",
+        ])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output();
+    let hash = output.map_or(Vec::new(), |output| output.stdout);
+    String::from_utf8_lossy(&hash).trim().to_owned()
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use pinhole::{Film, Scene, ShapeKind};
 
 use crate::cast::model::Plain;
-use crate::cast::world::World;
+use crate::cast::world::{World, vector};
 use crate::cast::{Caster, Search, Seen, Tally};
 use crate::instructions;
 use crate::judge::median_and_worst;
@@ -18,7 +18,6 @@ use crate::random_scene::grid;
 use crate::result::SceneTally;
 use crate::shape::Ray;
 use crate::speed::{Time, Workload, race};
-use crate::vector::Vector;
 
 /// How much of every scene is cast.
 #[derive(Clone, Copy, Debug)]
@@ -221,14 +220,16 @@ fn judged_ways(name: &str, scene: &Scene, share: Share) -> Vec<SceneTally> {
     WAYS.into_iter().zip(times).enumerate().map(tally).collect()
 }
 
-/// Reads object, t and normal of each pixel from a film.
+/// What each pixel of a film shows.
 fn seen_in(film: &Film) -> Vec<Seen> {
-    let channels = pinhole::film::HIT_CHANNELS.map(|name| film.channel(name).unwrap_or_default());
-    let pixel = |at: usize| {
-        let [id, t, x, y, z] = channels.map(|samples| f64::from(samples[at]));
-        (id >= 0.0).then(|| (id as u32, t, Vector::new(x, y, z)))
+    let seen = |at| {
+        let pinhole::Hit {
+            object,
+            intersection,
+        } = film.hit(at)?;
+        Some((object as u32, intersection.t, vector(intersection.normal)))
     };
-    (0..film.resolution().pixels()).map(pixel).collect()
+    (0..film.resolution().pixels()).map(seen).collect()
 }
 
 fn judged(rays: &[Ray<f64>], truths: &[TrueHit], seen: Vec<Seen>) -> SceneTally {
