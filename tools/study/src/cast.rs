@@ -1,10 +1,9 @@
 //! Casts whole scenes, with a choice of kernels.
 //!
 //! [`world`] is the scene as a list of parts, [`tree`] is a bounding volume hierarchy over them
-//! ([`frame`] and [`slabs`] test its boxes), [`search`] decides whether to use it, [`model`]
+//! ([`slabs`] tests its boxes), [`search`] decides whether to use it, [`model`]
 //! chooses the kernels, and [`rays`] and [`reach`] say where rays come from.
 
-pub mod frame;
 pub mod model;
 pub mod rays;
 pub mod reach;

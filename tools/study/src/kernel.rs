@@ -17,7 +17,7 @@ pub mod triangle;
 
 pub use adaptive::{Adaptive, Filtered, decided};
 pub use camera::Camera;
-pub use filter::{Limits, Tier, Window};
+pub use filter::{Limits, ScaledQuery, Tier};
 
 use crate::number::Real;
 use crate::shape::{Ray, Shape};

@@ -7,7 +7,9 @@ use super::world::{Accurate, Part, Primitive, World, of_each};
 use super::{Found, Tally};
 use crate::kernel::sphere::ScaledRay;
 use crate::kernel::triangle::{PacketHits, TrianglePacket};
-use crate::kernel::{Camera, Filtered, Kernel, Tier, Window, decided, plane, sphere, triangle};
+use crate::kernel::{
+    Camera, Filtered, Kernel, ScaledQuery, Tier, decided, plane, sphere, triangle,
+};
 use crate::root::Root;
 use crate::shape::Ray;
 use crate::vector::Vector;
@@ -16,12 +18,10 @@ use crate::vector::Vector;
 pub struct Query<'r> {
     /// The ray as it was given, for exact decisions.
     pub ray: &'r Ray<f64>,
-    /// The scaled ray, for filters and boxes.
-    pub scaled: ScaledRay<f64>,
+    /// The scaled ray with the margins of the filters, for filters and boxes.
+    pub scaled: ScaledQuery,
     /// The smallest t that counts; not negative.
     pub min_t: f64,
-    /// `min_t` in the scaled ray's parameter, with the margins of the filters.
-    window: Window,
     /// Whether the origin is near enough for the parts' precomputed limits to hold.
     is_near: bool,
     /// What the camera does not fix.
@@ -38,9 +38,8 @@ impl<'r> Query<'r> {
         let from = if M::FILTERS { scaled.scale(min_t) } else { 0.0 };
         Query {
             ray,
-            scaled,
+            scaled: ScaledQuery::new(scaled, from),
             min_t,
-            window: Window::new(from),
             is_near: M::HAS_CAMERA || M::FILTERS && world.reach.holds(ray.origin),
             varying,
         }
@@ -134,7 +133,7 @@ impl Model for Exact {
     fn meet_leaf(leaf: &Leaf, query: &Query, _: Vector<f32x4>) -> PacketHits {
         let four = general(leaf);
         match query.is_near {
-            true => four.filtered(&query.scaled, &query.window, &leaf.limits),
+            true => four.filtered(&query.scaled, &leaf.limits),
             false => four.left_open(),
         }
     }
@@ -155,9 +154,8 @@ impl Model for Exact {
 /// The static filter's answer, or `None` if rounding might have changed it.
 #[inline(always)]
 fn filtered(part: &Part, query: &Query) -> Option<Option<f64>> {
-    let (scaled, window, limits) = (&query.scaled, &query.window, &part.limits);
     match query.is_near {
-        true => of_each!(&part.shape, shape => shape.filtered(scaled, window, limits)),
+        true => of_each!(&part.shape, shape => shape.filtered(&query.scaled, &part.limits)),
         false => None,
     }
 }
@@ -175,9 +173,8 @@ impl<const HAS_EYE: bool> Model for FromCamera<HAS_EYE> {
 
     #[inline(always)]
     fn meet<'a>(part: &'a Part, query: &Query, tally: &mut Tally) -> Option<Found<'a>> {
-        let (q, scaled, window) = (query.varying, &query.scaled, &query.window);
         let answer = match &part.from_camera {
-            Some(it) => it.filtered::<HAS_EYE>(q, scaled, window, &part.limits),
+            Some(it) => it.filtered::<HAS_EYE>(query.varying, &query.scaled, &part.limits),
             None => filtered(part, query),
         };
         match answer {

@@ -20,9 +20,8 @@ use obvhs::bvh2::builder::build_bvh2;
 use wide::f32x4;
 
 use super::Nearest;
-use super::frame::Frame;
 use super::model::{Model, Query};
-use super::slabs::{Boxes, Slabs};
+use super::slabs::{Boxes, Frame, Slabs};
 use super::world::{Part, PartFromCamera, Primitive, World};
 use crate::kernel::Limits;
 use crate::kernel::triangle::{self, PacketFromCamera, TrianglePacket};
@@ -170,10 +169,10 @@ impl Tree {
         }
         let Query { scaled, min_t, .. } = &nearest.query;
         if M::HAS_EYE && self.is_around_eye {
-            let slabs = Slabs::from_center(&self.frame, scaled, packed, *min_t);
+            let slabs = Slabs::from_center(&self.frame, &scaled.scaled, packed, *min_t);
             return self.traverse::<M, true>(at, &slabs, world, packed, nearest);
         }
-        match Slabs::of(&self.frame, scaled, *min_t) {
+        match Slabs::of(&self.frame, &scaled.scaled, *min_t) {
             Some(slabs) => self.traverse::<M, false>(at, &slabs, world, packed, nearest),
             None => nearest.consider(&world.parts[..self.boundless]),
         }

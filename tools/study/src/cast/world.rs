@@ -1,9 +1,9 @@
 //! A scene as a list of parts, each of which a kernel can intersect.
 
 use super::reach::Reach;
-use crate::kernel::sphere::{ScaledRay, SphereFromEye};
+use crate::kernel::sphere::SphereFromEye;
 use crate::kernel::triangle::TriangleFromCamera;
-use crate::kernel::{Camera, Limits, Window, plane, sphere, triangle};
+use crate::kernel::{Camera, Limits, ScaledQuery, plane, sphere, triangle};
 use crate::number::{ROOT_OF_UNIT, U};
 use crate::shape::{Plane, Ray, Sphere, Triangle};
 use crate::vector::{Vector, around};
@@ -94,17 +94,14 @@ impl PartFromCamera {
     pub fn filtered<const HAS_EYE: bool>(
         &self,
         q: Vector<f64>,
-        scaled: &ScaledRay<f64>,
-        window: &Window,
+        query: &ScaledQuery,
         limits: &Limits,
     ) -> Option<Option<f64>> {
         match self {
-            PartFromCamera::Sphere(sphere) => sphere.filtered(scaled, window, limits),
-            PartFromCamera::Triangle(triangle) => {
-                triangle.filtered::<HAS_EYE>(q, scaled, window, limits)
-            }
+            PartFromCamera::Sphere(sphere) => sphere.filtered(query, limits),
+            PartFromCamera::Triangle(triangle) => triangle.filtered::<HAS_EYE>(q, query, limits),
             PartFromCamera::Plane(normal, height) => {
-                plane::at_height(*normal, *height, scaled, window, limits)
+                plane::at_height(*normal, *height, query, limits)
             }
         }
     }
@@ -237,7 +234,12 @@ impl World {
             object: object as u32,
             place: self.parts.len() as u32,
             shape,
-            limits: Limits::default(),
+            // These leave everything open, until `settle`.
+            limits: Limits {
+                sign: f64::INFINITY,
+                divisor: f64::INFINITY,
+                dividend: f64::INFINITY,
+            },
             from_camera: None,
             accurate: Accurate::Never,
         });

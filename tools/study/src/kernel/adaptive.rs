@@ -2,7 +2,7 @@
 //! rest is decided in more digits.
 
 use super::sphere::ScaledRay;
-use super::{Kernel, Limits, Tier, Window};
+use super::{Kernel, Limits, ScaledQuery, Tier};
 use crate::root::{Root, rounded};
 use crate::shape::Ray;
 use crate::vector::Vector;
@@ -14,16 +14,11 @@ pub trait Filtered: 'static {
     fn limits_from(&self, origin: Vector<f64>) -> Limits;
 
     /// The filter: the answer, or `None` if rounding might have changed it.
-    fn filtered(
-        &self,
-        scaled: &ScaledRay<f64>,
-        window: &Window,
-        limits: &Limits,
-    ) -> Option<Option<f64>>;
+    fn filtered(&self, query: &ScaledQuery, limits: &Limits) -> Option<Option<f64>>;
 
     /// A slower filter for what the first one leaves open, if there is one.
     #[inline(always)]
-    fn double_double_filter(&self, _: &ScaledRay<f64>, _: &Window) -> Option<Option<f64>> {
+    fn double_double_filter(&self, _: &ScaledQuery) -> Option<Option<f64>> {
         None
     }
 
@@ -59,12 +54,12 @@ pub fn decided(
     ray: &Ray<f64>,
     min_t: f64,
 ) -> (Option<f64>, Tier) {
-    let window = Window::new(scaled.scale(min_t));
+    let query = ScaledQuery::new(*scaled, scaled.scale(min_t));
     let limits = shape.limits_from(scaled.ray.origin);
-    if let Some(answer) = shape.filtered(scaled, &window, &limits) {
+    if let Some(answer) = shape.filtered(&query, &limits) {
         return (answer, Tier::SemiStatic);
     }
-    if let Some(answer) = shape.double_double_filter(scaled, &window) {
+    if let Some(answer) = shape.double_double_filter(&query) {
         return (answer, Tier::DoubleDouble);
     }
     (rounded(shape.exact(ray, min_t)), Tier::Exact)

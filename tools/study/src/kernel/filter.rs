@@ -37,8 +37,7 @@ impl Tier {
     }
 }
 
-/// The thresholds of a filter, used where plain arithmetic compares with 0. The default is
-/// infinite: every question is left to the next tier.
+/// The thresholds of a filter, used where plain arithmetic compares with 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
     /// The sign of the quantity that decides hit or miss is certain if its magnitude exceeds
@@ -52,56 +51,49 @@ pub struct Limits {
     pub dividend: f64,
 }
 
-impl Default for Limits {
-    fn default() -> Limits {
-        let [sign, divisor, dividend] = [f64::INFINITY; 3];
-        Limits {
-            sign,
-            divisor,
-            dividend,
-        }
-    }
-}
-
-/// Which t are certainly at least `min_t`, and which are certainly below it, if their relative
-/// error is at most √u.
+/// A ray with a `min_t`, as filters see it: which t are certainly at least `min_t`, and which are
+/// certainly below it, if their relative error is at most √u?
 ///
 /// For m = `min_t`, t > m (1 + 8√u) + 2 TINY implies t − m > 4√u t + TINY, and t < m (1 − 8√u)
 /// − 2 TINY implies m − t > 4√u max(|t|, m) + TINY. A computed t that is further from m than
 /// 4√u times the larger of the two is on the same side of m as the true t. This holds for m ≥
 /// 0, which everything that casts scenes guarantees. For other m, nothing is certain.
 #[derive(Clone, Copy, Debug)]
-pub struct Window {
-    /// A t above this is certainly not below `min_t`.
+pub struct ScaledQuery {
+    /// The ray.
+    pub scaled: ScaledRay<f64>,
+    /// A t of the scaled ray above this is certainly not below `min_t`.
     pub after: f64,
-    /// A t below this is certainly below `min_t`.
+    /// A t of the scaled ray below this is certainly below `min_t`.
     pub before: f64,
 }
 
-impl Window {
-    /// The window of one `min_t`, in the same parameter as t.
+impl ScaledQuery {
+    /// The query for a `min_t` in multiples of the scaled direction.
     #[inline(always)]
-    pub fn new(min_t: f64) -> Window {
+    pub fn new(scaled: ScaledRay<f64>, min_t: f64) -> ScaledQuery {
         let room = 8.0 * ROOT_OF_UNIT;
-        match min_t >= 0.0 && min_t.is_finite() {
-            true => Window {
-                after: min_t * (1.0 + room) + 2.0 * TINY,
-                before: min_t * (1.0 - room) - 2.0 * TINY,
-            },
-            false => Window {
-                after: f64::INFINITY,
-                before: f64::NEG_INFINITY,
-            },
+        let (after, before) = match min_t >= 0.0 && min_t.is_finite() {
+            true => (
+                min_t * (1.0 + room) + 2.0 * TINY,
+                min_t * (1.0 - room) - 2.0 * TINY,
+            ),
+            false => (f64::INFINITY, f64::NEG_INFINITY),
+        };
+        ScaledQuery {
+            scaled,
+            after,
+            before,
         }
     }
 
     /// The answer for a t of the scaled ray; `None` if it is not certain.
     #[inline(always)]
-    pub fn answer(&self, t: f64, scaled: &ScaledRay<f64>) -> Option<Option<f64>> {
+    pub fn answer(&self, t: f64) -> Option<Option<f64>> {
         if t < self.before {
             return Some(None);
         }
-        let t = (t > self.after).then(|| scaled.unscale(t))?;
+        let t = (t > self.after).then(|| self.scaled.unscale(t))?;
         t.is_finite().then_some(Some(t))
     }
 }

@@ -12,8 +12,7 @@
 //! adds less than 64 times [`TINY`]. Overflow makes a limit infinite or a number NaN; then the
 //! filter does not decide.
 
-use super::sphere::ScaledRay;
-use super::{Filtered, Kernel, Limits, Window};
+use super::{Filtered, Kernel, Limits, ScaledQuery};
 use crate::dyadic::Dyadic;
 use crate::number::{ROOT_OF_UNIT, Real, TINY, U};
 use crate::root::Root;
@@ -54,14 +53,9 @@ impl Filtered for Plane<f64> {
     }
 
     #[inline(always)]
-    fn filtered(
-        &self,
-        scaled: &ScaledRay<f64>,
-        window: &Window,
-        limits: &Limits,
-    ) -> Option<Option<f64>> {
-        let height = self.normal.dot(self.point - scaled.ray.origin);
-        at_height(self.normal, height, scaled, window, limits)
+    fn filtered(&self, query: &ScaledQuery, limits: &Limits) -> Option<Option<f64>> {
+        let height = self.normal.dot(self.point - query.scaled.ray.origin);
+        at_height(self.normal, height, query, limits)
     }
 
     #[cold]
@@ -100,13 +94,12 @@ pub fn limits(plane: &Plane<f64>, away: f64, accuracy: f64) -> Limits {
 pub fn at_height(
     normal: Vector<f64>,
     height: f64,
-    scaled: &ScaledRay<f64>,
-    window: &Window,
+    query: &ScaledQuery,
     limits: &Limits,
 ) -> Option<Option<f64>> {
-    let along = normal.dot(scaled.ray.direction);
+    let along = normal.dot(query.scaled.ray.direction);
     match along.abs() > limits.divisor && height.abs() > limits.dividend {
-        true => window.answer(height / along, scaled),
+        true => query.answer(height / along),
         false => None,
     }
 }

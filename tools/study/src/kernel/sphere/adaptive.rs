@@ -28,9 +28,8 @@
 //! 4. Underflow adds less than 64 times [`TINY`] to each, which the limits include. Overflow
 //!    makes a limit infinite or a number NaN; then the filter does not decide.
 
-use super::haines::ScaledRay;
 use crate::dyadic::Dyadic;
-use crate::kernel::{Filtered, Limits, Window};
+use crate::kernel::{Filtered, Limits, ScaledQuery};
 use crate::number::{ROOT_OF_UNIT, TINY, U};
 use crate::root::Root;
 use crate::shape::{Ray, Sphere};
@@ -47,15 +46,10 @@ impl Filtered for Sphere<f64> {
     }
 
     #[inline(always)]
-    fn filtered(
-        &self,
-        scaled: &ScaledRay<f64>,
-        window: &Window,
-        limits: &Limits,
-    ) -> Option<Option<f64>> {
-        let f = scaled.ray.origin - self.center;
+    fn filtered(&self, query: &ScaledQuery, limits: &Limits) -> Option<Option<f64>> {
+        let f = query.scaled.ray.origin - self.center;
         let r_square = self.radius * self.radius;
-        nearest_root(f, r_square, || f.dot(f) - r_square, scaled, window, limits)
+        nearest_root(f, r_square, || f.dot(f) - r_square, query, limits)
     }
 
     #[cold]
@@ -118,11 +112,10 @@ pub(super) fn nearest_root(
     f: Vector<f64>,
     r_square: f64,
     c: impl FnOnce() -> f64,
-    scaled: &ScaledRay<f64>,
-    window: &Window,
+    query: &ScaledQuery,
     limits: &Limits,
 ) -> Option<Option<f64>> {
-    let d = scaled.ray.direction;
+    let d = query.scaled.ray.direction;
     let (a, h) = (d.dot(d), d.dot(f));
     let l = f - d * (h / a);
     let within = r_square - l.dot(l);
@@ -141,14 +134,14 @@ pub(super) fn nearest_root(
     let (is_ahead, is_inside) = (h < 0.0, c < 0.0);
     if !is_ahead && !is_inside {
         // Both roots are negative, and therefore below any `min_t` that a finite window has.
-        return window.after.is_finite().then_some(None);
+        return query.after.is_finite().then_some(None);
     }
     let q = h.abs() + (a * within).sqrt();
     // From inside, the near root is negative. From outside, it may be below `min_t`.
     let t = match is_ahead {
-        true if !is_inside && c / q >= window.before => c / q,
+        true if !is_inside && c / q >= query.before => c / q,
         true => q / a,
         false => -(c / q),
     };
-    window.answer(t, scaled)
+    query.answer(t)
 }

@@ -1,6 +1,5 @@
 use super::adaptive::nearest_root;
-use super::haines::ScaledRay;
-use crate::kernel::{Limits, Window};
+use crate::kernel::{Limits, ScaledQuery};
 use crate::number::{TINY, U};
 use crate::shape::Sphere;
 use crate::vector::Vector;
@@ -62,18 +61,13 @@ impl SphereFromEye {
 
     /// The answer, or `None` if rounding might have changed it.
     #[inline(always)]
-    pub fn filtered(
-        &self,
-        scaled: &ScaledRay<f64>,
-        window: &Window,
-        limits: &Limits,
-    ) -> Option<Option<f64>> {
-        let d = scaled.ray.direction;
+    pub fn filtered(&self, query: &ScaledQuery, limits: &Limits) -> Option<Option<f64>> {
+        let d = query.scaled.ray.direction;
         let (a, h) = (d.dot(d), d.dot(self.f));
         let is_behind = h >= 0.0 && self.c > limits.dividend;
-        if (is_behind || h * h < a * self.least_c) && window.after.is_finite() {
+        if (is_behind || h * h < a * self.least_c) && query.after.is_finite() {
             return Some(None);
         }
-        nearest_root(self.f, self.r_square, || self.c, scaled, window, limits)
+        nearest_root(self.f, self.r_square, || self.c, query, limits)
     }
 }

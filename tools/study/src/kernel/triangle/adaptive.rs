@@ -28,8 +28,7 @@
 
 use super::double_double_filter;
 use crate::dyadic::Dyadic;
-use crate::kernel::sphere::ScaledRay;
-use crate::kernel::{Filtered, Limits, Window};
+use crate::kernel::{Filtered, Limits, ScaledQuery};
 use crate::number::{ROOT_OF_UNIT, TINY, U};
 use crate::root::Root;
 use crate::shape::{Ray, Triangle};
@@ -50,14 +49,9 @@ impl Filtered for Triangle<f64> {
     /// For a hit, all three volumes have a certain sign, and the relative error of t is at most √u,
     /// because that of its dividend and of its divisor is at most ½√u.
     #[inline(always)]
-    fn filtered(
-        &self,
-        scaled: &ScaledRay<f64>,
-        window: &Window,
-        limits: &Limits,
-    ) -> Option<Option<f64>> {
-        let ([a, b, c], d) = (self.corners, scaled.ray.direction);
-        let (e1, e2, s) = (b - a, c - a, scaled.ray.origin - a);
+    fn filtered(&self, query: &ScaledQuery, limits: &Limits) -> Option<Option<f64>> {
+        let ([a, b, c], d) = (self.corners, query.scaled.ray.direction);
+        let (e1, e2, s) = (b - a, c - a, query.scaled.ray.origin - a);
         let bound = limits.sign;
         let p = d.cross(e2);
         let determinant = e1.dot(p);
@@ -80,18 +74,14 @@ impl Filtered for Triangle<f64> {
         let are_sure = u > bound && v > bound && w > bound;
         let is_good = determinant > limits.divisor && volume.abs() > limits.dividend;
         match are_sure && is_good {
-            true => window.answer(volume / determinant, scaled),
+            true => query.answer(volume / determinant),
             false => None,
         }
     }
 
     #[inline(always)]
-    fn double_double_filter(
-        &self,
-        scaled: &ScaledRay<f64>,
-        window: &Window,
-    ) -> Option<Option<f64>> {
-        double_double_filter(self, scaled, window)
+    fn double_double_filter(&self, query: &ScaledQuery) -> Option<Option<f64>> {
+        double_double_filter(self, query)
     }
 
     /// The answer by exact arithmetic. Edges and corners belong to the triangle: a ray exactly

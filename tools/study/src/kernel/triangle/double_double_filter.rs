@@ -1,6 +1,5 @@
 use crate::double_double::DoubleDouble;
-use crate::kernel::Window;
-use crate::kernel::sphere::ScaledRay;
+use crate::kernel::ScaledQuery;
 use crate::number::{TINY, U};
 use crate::shape::Triangle;
 use crate::vector::Vector;
@@ -32,13 +31,9 @@ use crate::vector::Vector;
 ///    NaN, and comparisons are written so that the filter then does not decide.
 #[cold]
 #[inline(never)]
-pub fn double_double_filter(
-    triangle: &Triangle<f64>,
-    scaled: &ScaledRay<f64>,
-    window: &Window,
-) -> Option<Option<f64>> {
-    let d = scaled.ray.direction.map(DoubleDouble::from);
-    let from_origin = |corner| Vector::between(corner, scaled.ray.origin);
+pub fn double_double_filter(triangle: &Triangle<f64>, query: &ScaledQuery) -> Option<Option<f64>> {
+    let d = query.scaled.ray.direction.map(DoubleDouble::from);
+    let from_origin = |corner| Vector::between(corner, query.scaled.ray.origin);
     let corners = triangle.corners.map(from_origin);
     let largest = corners.map(|corner| corner.rounded().largest());
     let size = largest[0].max(largest[1]).max(largest[2]);
@@ -66,7 +61,7 @@ pub fn double_double_filter(
     let volume = upright(a.dot(b_cross_c).high);
     // The relative errors of dividend and divisor are at most u, so the error of t is at most 3u.
     match U * determinant > bound && U * volume.abs() > bound_of_volume {
-        true => window.answer(volume / determinant, scaled),
+        true => query.answer(volume / determinant),
         false => None,
     }
 }

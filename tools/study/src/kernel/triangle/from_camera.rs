@@ -1,7 +1,6 @@
 use wide::f32x4;
 
-use crate::kernel::sphere::ScaledRay;
-use crate::kernel::{Camera, Limits, Window};
+use crate::kernel::{Camera, Limits, ScaledQuery};
 use crate::number::{Real, exponent};
 use crate::shape::{Ray, Triangle};
 use crate::vector::Vector;
@@ -93,8 +92,7 @@ impl TriangleFromCamera {
     pub fn filtered<const HAS_EYE: bool>(
         &self,
         q: Vector<f64>,
-        scaled: &ScaledRay<f64>,
-        window: &Window,
+        query: &ScaledQuery,
         limits: &Limits,
     ) -> Option<Option<f64>> {
         let bound = limits.sign;
@@ -110,7 +108,7 @@ impl TriangleFromCamera {
         let is_inside = least > bound || most < -bound;
         let is_good = determinant.abs() > limits.divisor && volume.abs() > limits.dividend;
         match is_inside && is_good {
-            true => window.answer(volume / determinant, scaled),
+            true => query.answer(volume / determinant),
             false => None,
         }
     }

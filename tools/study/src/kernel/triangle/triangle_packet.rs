@@ -1,7 +1,6 @@
 use wide::f64x4;
 
-use crate::kernel::sphere::ScaledRay;
-use crate::kernel::{Limits, Window};
+use crate::kernel::{Limits, ScaledQuery};
 use crate::shape::{Ray, Triangle};
 use crate::vector::Vector;
 
@@ -101,13 +100,8 @@ impl TrianglePacket {
 
     /// Tests all lanes like the filter of [`super::adaptive`].
     #[inline(always)]
-    pub fn filtered(
-        &self,
-        scaled: &ScaledRay<f64>,
-        window: &Window,
-        limits: &Limits,
-    ) -> PacketHits {
-        let ray = &scaled.ray;
+    pub fn filtered(&self, query: &ScaledQuery, limits: &Limits) -> PacketHits {
+        let ray = &query.scaled.ray;
         let (origin, d) = (
             ray.origin.map(f64x4::splat),
             ray.direction.map(f64x4::splat),
@@ -147,10 +141,10 @@ impl TrianglePacket {
             let (volume, determinant) = (volumes[lane], determinants[lane]);
             let is_good = determinant > limits.divisor && volume.abs() > limits.dividend;
             let t = volume / determinant;
-            if is_good && t > window.after {
+            if is_good && t > query.after {
                 met.hits |= 1 << lane;
-                met.t[lane] = scaled.unscale(t);
-            } else if !(is_good && t < window.before) {
+                met.t[lane] = query.scaled.unscale(t);
+            } else if !(is_good && t < query.before) {
                 met.open |= 1 << lane;
             }
         }
