@@ -11,6 +11,7 @@ use crate::judge::{Tally, median_and_worst};
 use crate::kernel::Tier;
 use crate::question::{Class, Data};
 use crate::result::{ConditioningErrors, Sweep, TierTally, Trade};
+use crate::scenes::Share;
 use crate::speed::{PAIRS, Time, pool, race};
 
 /// A kernel's name, and the numbers it computes with.
@@ -29,13 +30,12 @@ const COUNTED: usize = 10 * PAIRS;
 pub fn trades<S: HasFamilies>(
     sweeps: &[Sweep],
     errors: &Errors,
-    seconds: f64,
-    counts: bool,
+    share: Share,
     seed: u64,
 ) -> Vec<Trade> {
     let mut trades = Vec::new();
     for class in Class::ALL {
-        let costs = costs::<S>(class, seconds, counts, seed);
+        let costs = costs::<S>(class, share, seed);
         for (entry, errors) in errors {
             let tallies = sweeps
                 .iter()
@@ -70,8 +70,7 @@ pub fn trades<S: HasFamilies>(
 /// Time and instructions of every kernel on a sample of a class.
 fn costs<S: HasFamilies>(
     class: Class,
-    seconds: f64,
-    counts: bool,
+    share: Share,
     seed: u64,
 ) -> BTreeMap<Entry, (Time, Option<f64>)> {
     let mut costs = BTreeMap::new();
@@ -80,13 +79,13 @@ fn costs<S: HasFamilies>(
         let entered = S::contestants().into_iter().enumerate();
         let entered: Vec<_> = entered.filter(|(_, kernel)| kernel.data == data).collect();
         let workloads = entered.iter().map(|(_, kernel)| (kernel.workload)(&asked));
-        let times = race(workloads.collect(), asked.len(), seconds);
+        let times = race(workloads.collect(), asked.len(), share.seconds);
         for ((at, kernel), time) in entered.into_iter().zip(times) {
             let what = format!("{} {} {seed}", S::NAME, class.name());
             let count = || instructions::of_cast(&what, at, asked.len());
             costs.insert(
                 (kernel.name, kernel.numbers),
-                (time, counts.then(count).flatten()),
+                (time, share.instructions.then(count).flatten()),
             );
         }
     }
@@ -94,7 +93,7 @@ fn costs<S: HasFamilies>(
 }
 
 /// Each tier of the exact kernel in `f64`: its share of a class, and its cost.
-pub fn tiers<S: HasFamilies>(seconds: f64, counts: bool, seed: u64) -> Vec<TierTally> {
+pub fn tiers<S: HasFamilies>(share: Share, seed: u64) -> Vec<TierTally> {
     let (at, kernel) = S::exact_kernel();
     let mut tallies = Vec::new();
     for class in Class::ALL {
@@ -108,7 +107,7 @@ pub fn tiers<S: HasFamilies>(seconds: f64, counts: bool, seed: u64) -> Vec<TierT
             }
             decided.truncate(PAIRS);
             let timed = decided.len();
-            let time = race(vec![(kernel.workload)(&decided)], timed, seconds);
+            let time = race(vec![(kernel.workload)(&decided)], timed, share.seconds);
             let what = format!("{} {} {seed} {}", S::NAME, class.name(), tier.name());
             let instructions = || instructions::of_cast(&what, at, timed);
             tallies.push(TierTally {
@@ -118,7 +117,7 @@ pub fn tiers<S: HasFamilies>(seconds: f64, counts: bool, seed: u64) -> Vec<TierT
                 decided: count as u64,
                 asked: all.len() as u64,
                 nanoseconds: time[0].nanoseconds,
-                instructions: counts.then(instructions).flatten(),
+                instructions: share.instructions.then(instructions).flatten(),
             });
         }
     }

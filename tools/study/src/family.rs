@@ -1,7 +1,6 @@
 //! Families of questions. Each sweeps an exponent towards an extreme, until every kernel breaks or
 //! the range of the type ends.
 
-pub mod mesh;
 mod plane;
 mod sphere;
 mod triangle;
@@ -13,6 +12,7 @@ use crate::random::Random;
 use crate::vector::Vector;
 
 /// Questions that get harder, or smaller, or larger, with an exponent.
+#[derive(Clone, Copy)]
 pub struct Family<S> {
     /// One word or two, for `--only` and for file names.
     pub name: &'static str,
@@ -52,6 +52,15 @@ pub trait HasFamilies: HasKernels {
 
     /// The shape, translated.
     fn moved(self, by: Vector<f64>) -> Self;
+}
+
+/// All families of a shape, with each of their exponents.
+pub fn steps<S: HasFamilies>(data: Data) -> impl Iterator<Item = (Family<S>, i32)> {
+    let of_family = move |family: Family<S>| {
+        let exponents = (family.exponents)(data).into_iter();
+        exponents.map(move |exponent| (family, exponent))
+    };
+    S::families().into_iter().flat_map(of_family)
 }
 
 /// 0, 1, …, `last`, in steps of one decade.

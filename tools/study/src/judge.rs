@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::contestant::Contestant;
+use crate::contestants::Contestant;
 use crate::oracle::{HasTruth, Root, Truth};
 use crate::question::{Data, Question};
 

@@ -1,12 +1,12 @@
-//! Counts leaks and double hits: from inside a closed mesh, a ray should hit the surface
-//! exactly once.
+//! Counts leaks and double hits: from inside a closed convex mesh, a ray should hit the surface
+//! exactly once, in whatever direction it goes.
 
-use crate::contestant::Contestant;
-use crate::family::mesh::{Aim, Ball};
-use crate::question::Question;
+use crate::contestants::Contestant;
+use crate::question::{Data, Question};
 use crate::random::Random;
 use crate::result::MeshTally;
-use crate::shape::Triangle;
+use crate::shape::{Ray, Triangle};
+use crate::vector::Vector;
 
 /// Casts rays at edges or vertices with one kernel. The rays are the same for all kernels with
 /// the same type of data.
@@ -35,4 +35,104 @@ pub fn of_kernel(
         tally.double_hits += u64::from(met > 1);
     }
     tally
+}
+
+/// Where a ray is aimed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Aim {
+    /// At a random point on an edge, as nearly as rounding allows.
+    Edge,
+    /// At a corner: the direction is the corner minus the origin, rounded.
+    Vertex,
+}
+
+impl Aim {
+    /// All aims.
+    pub const BOTH: [Aim; 2] = [Aim::Edge, Aim::Vertex];
+}
+
+/// The faces of an octahedron, as indices of its corners +x, −x, +y, −y, +z, −z.
+const OCTAHEDRON: [[usize; 3]; 8] = [
+    [0, 2, 4],
+    [2, 1, 4],
+    [1, 3, 4],
+    [3, 0, 4],
+    [2, 0, 5],
+    [1, 2, 5],
+    [3, 1, 5],
+    [0, 3, 5],
+];
+
+/// An octahedron's faces, each divided into four and projected to the unit sphere. Four faces meet
+/// at the octahedron's own corners, and six at every other vertex.
+fn sphere() -> Vec<[Vector<f64>; 3]> {
+    let axis = |x, y, z| Vector::new(x, y, z);
+    let corners = [
+        axis(1.0, 0.0, 0.0),
+        axis(-1.0, 0.0, 0.0),
+        axis(0.0, 1.0, 0.0),
+        axis(0.0, -1.0, 0.0),
+        axis(0.0, 0.0, 1.0),
+        axis(0.0, 0.0, -1.0),
+    ];
+    // p + q is bit for bit the same as q + p, so neighbours share the new vertex exactly.
+    let between = |p: Vector<f64>, q: Vector<f64>| {
+        let middle = p + q;
+        middle * (1.0 / middle.dot(middle).sqrt())
+    };
+    let cut = |[a, b, c]: [Vector<f64>; 3]| {
+        let (ab, bc, ca) = (between(a, b), between(b, c), between(c, a));
+        [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
+    };
+    let faces = OCTAHEDRON.map(|face| face.map(|at| corners[at]));
+    faces.into_iter().flat_map(cut).collect()
+}
+
+/// Stride and offset of the triangles in [`sphere`] whose three vertices have valence 6, the
+/// usual valence in meshes.
+const VALENCE_SIX: (usize, usize) = (4, 3);
+
+/// A closed convex mesh with coordinates rounded to `data`.
+pub struct Ball {
+    /// Its faces.
+    pub triangles: Vec<Triangle<f64>>,
+    middle: Vector<f64>,
+    data: Data,
+}
+
+impl Ball {
+    /// A random ellipsoid at a random place.
+    pub fn new(random: &mut Random, data: Data) -> Ball {
+        let (x, middle) = (random.unit(), random.unit());
+        let y = random.unit_across(x);
+        let [x, y, z] = [x, y, x.cross(y)].map(|axis| axis * random.within(0.5, 2.0));
+        let place = |p: Vector<f64>| rounded(middle + x * p.x + y * p.y + z * p.z, data);
+        let triangles = sphere().into_iter().map(|face| Triangle {
+            corners: face.map(place),
+        });
+        Ball {
+            triangles: triangles.collect(),
+            middle,
+            data,
+        }
+    }
+
+    /// A ray from inside the mesh, aimed at an edge or a corner.
+    pub fn ray(&self, random: &mut Random, aim: Aim) -> Ray<f64> {
+        let round = |vector| rounded(vector, self.data);
+        let origin = round(self.middle + random.unit() * random.within(0.0, 0.2));
+        let (step, first) = VALENCE_SIX;
+        let at = random.below(self.triangles.len() / step) * step + first;
+        let [a, b, _] = self.triangles[at].corners;
+        let target = match aim {
+            Aim::Edge => round(a + (b - a) * random.within(0.0, 1.0)),
+            Aim::Vertex => a,
+        };
+        let direction = round(target - origin);
+        Ray { origin, direction }
+    }
+}
+
+fn rounded(vector: Vector<f64>, data: Data) -> Vector<f64> {
+    vector.map(|x| data.round(x))
 }

@@ -8,7 +8,7 @@
 //! 3. [`question`], [`family`], [`random`]: the questions that kernels are asked;
 //! 4. [`oracle`], [`judge`], [`breaking`], [`conditioning`]: the true answers, wrong answers,
 //!    where kernels break, and how sensitive questions are;
-//! 5. [`contestant`], [`contestants`], [`speed`], [`instructions`], [`classes`]: the kernels,
+//! 5. [`contestants`], [`speed`], [`instructions`], [`classes`]: the kernels,
 //!    what each costs, and what it gets wrong in each class of questions;
 //! 6. [`leaks`]: closed meshes; [`secondary`]: rays that begin on a surface; [`cast`],
 //!    [`film`], [`random_scene`], [`scenes`]: whole scenes; [`record`]: the long runs;
@@ -21,7 +21,6 @@ pub mod breaking;
 pub mod cast;
 pub mod classes;
 pub mod conditioning;
-pub mod contestant;
 pub mod contestants;
 pub mod double_double;
 pub mod dyadic;

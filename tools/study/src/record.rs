@@ -13,11 +13,11 @@ use rayon::prelude::*;
 use crate::cast::model::Exact;
 use crate::cast::world::{Primitive, World};
 use crate::cast::{Caster, Search, Tally};
-use crate::contestant::Contestant;
+use crate::contestants::Contestant;
 use crate::contestants::HasKernels;
-use crate::family::mesh::{Aim, Ball};
-use crate::family::{HasFamilies, questions};
+use crate::family::{HasFamilies, questions, steps};
 use crate::judge::judge;
+use crate::leaks::{Aim, Ball};
 use crate::plan::plan;
 use crate::plans::kept;
 use crate::question::{Class, Data, Question};
@@ -92,19 +92,17 @@ const BATCH: usize = 500;
 fn of_shape<S: HasFamilies + Into<Primitive>>(kind: Kind, seed: u64) -> Count {
     let kernels = judged::<S>();
     let mut count = Count::default();
-    for family in S::families() {
-        for exponent in (family.exponents)(Data::F64) {
-            if (family.class(exponent) == Class::Everyday) != (kind == Kind::Random) {
-                continue;
-            }
-            let asked = questions(&family, exponent, Data::F64, BATCH, seed);
-            let truths: Vec<_> = asked.iter().map(S::truth).collect();
-            let tallies = kernels.map(|kernel| judge(&kernel, &asked, &truths).0);
-            count.asked += tallies[0].asked;
-            count.hits += tallies[0].hits;
-            let wrong = tallies.iter().map(|it| it.wrong() + it.not_finite);
-            count.wrong += wrong.sum::<u64>();
+    for (family, exponent) in steps(Data::F64) {
+        if (family.class(exponent) == Class::Everyday) != (kind == Kind::Random) {
+            continue;
         }
+        let asked = questions(&family, exponent, Data::F64, BATCH, seed);
+        let truths: Vec<_> = asked.iter().map(S::truth).collect();
+        let tallies = kernels.map(|kernel| judge(&kernel, &asked, &truths).0);
+        count.asked += tallies[0].asked;
+        count.hits += tallies[0].hits;
+        let wrong = tallies.iter().map(|it| it.wrong() + it.not_finite);
+        count.wrong += wrong.sum::<u64>();
     }
     count
 }

@@ -6,10 +6,9 @@ use crate::breaking::breaking;
 use crate::classes::{self, Errors};
 use crate::conditioning::Conditioning;
 use crate::contestants::HasKernels;
-use crate::family::mesh::Aim;
 use crate::family::{Family, HasFamilies, questions};
 use crate::judge::judge;
-use crate::leaks;
+use crate::leaks::{self, Aim};
 use crate::plans;
 use crate::question::Data;
 use crate::result::{Findings, KernelTally, Point, Sweep};
@@ -28,11 +27,7 @@ pub struct Extent {
     pub mesh_rays: usize,
     /// Rays that begin on a surface.
     pub secondary: usize,
-    /// How long each kernel is timed on a class of questions.
-    pub seconds: f64,
-    /// Whether instructions are counted.
-    pub instructions: bool,
-    /// How much of every scene is cast.
+    /// How much of every scene is cast, and how costs are measured, of kernels too.
     pub scenes: Share,
     /// The accuracies that plans are made for.
     pub accuracies: &'static [f64],
@@ -45,8 +40,6 @@ impl Extent {
         questions: 600,
         mesh_rays: 10_000,
         secondary: 2_000,
-        seconds: 0.01,
-        instructions: false,
         scenes: Share {
             step: 7,
             seconds: 0.01,
@@ -60,8 +53,6 @@ impl Extent {
         questions: 4_000,
         mesh_rays: 300_000,
         secondary: 200_000,
-        seconds: 0.15,
-        instructions: true,
         scenes: Share {
             step: 1,
             seconds: 0.15,
@@ -145,10 +136,9 @@ fn of_shape<S: HasFamilies + Conditioning>(
     }
     if is_whole {
         say(&format!("{}: costs", S::NAME));
-        let (seconds, counts) = (extent.seconds, extent.instructions);
-        let trades = classes::trades::<S>(&sweeps, &errors, seconds, counts, seed);
+        let trades = classes::trades::<S>(&sweeps, &errors, extent.scenes, seed);
         findings.trades.extend(trades);
-        let tiers = classes::tiers::<S>(seconds, counts, seed);
+        let tiers = classes::tiers::<S>(extent.scenes, seed);
         findings.tiers.extend(tiers);
         let conditioning = classes::conditioning(S::NAME, &errors);
         findings.conditioning.extend(conditioning);

@@ -6,8 +6,8 @@
 
 use std::time::Duration;
 
-pub use crate::contestant::Workload;
-use crate::family::{HasFamilies, questions};
+pub use crate::contestants::Workload;
+use crate::family::{Family, HasFamilies, questions, steps};
 use crate::question::{Class, Data, Question};
 
 /// Pairs of ray and shape in a workload: few enough to stay in a core's own cache.
@@ -41,17 +41,11 @@ pub fn now() -> Duration {
 /// About `count` questions of a class, evenly from all its families and exponents: the first of
 /// those that are judged.
 pub fn pool<S: HasFamilies>(class: Class, data: Data, count: usize, seed: u64) -> Vec<Question<S>> {
-    let families = S::families();
-    let steps = families.iter().flat_map(|family| {
-        let exponents = (family.exponents)(data).into_iter();
-        let of_class = exponents.filter(|x| family.class(*x) == class);
-        of_class.map(move |exponent| (family, exponent))
-    });
+    let steps = steps(data).filter(|(family, x): &(Family<S>, i32)| family.class(*x) == class);
     let steps: Vec<_> = steps.collect();
     let each = count.div_ceil(steps.len().max(1));
-    let asked = steps
-        .into_iter()
-        .map(|(family, exponent)| questions(family, exponent, data, each, seed));
+    let asked = steps.iter();
+    let asked = asked.map(|(family, exponent)| questions(family, *exponent, data, each, seed));
     let asked: Vec<_> = asked.collect();
     // Interleave the families, so that the branch predictor cannot learn one.
     (0..each)

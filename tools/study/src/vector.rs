@@ -123,7 +123,12 @@ impl<F: Ring> Mul<F> for Vector<F> {
     type Output = Vector<F>;
     #[inline(always)]
     fn mul(self, factor: F) -> Vector<F> {
-        self.map(|x| x * factor.clone())
+        // The last product takes the factor itself, because copying an exact number is slow.
+        Vector::new(
+            self.x * factor.clone(),
+            self.y * factor.clone(),
+            self.z * factor,
+        )
     }
 }
 

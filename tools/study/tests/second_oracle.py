@@ -1,9 +1,10 @@
 """A second oracle for the study, with Python's fractions and decimals.
 
-Reads a question on each line, a shape's name and its numbers as hexadecimal floats, and
-answers with `miss`, or `hit` and t to a hundred decimal digits.
+Reads a question on each line, a shape's name and the bits of its numbers, and answers with
+`miss`, or t as a fraction with a hundred correct digits.
 """
 
+import struct
 import sys
 from decimal import Decimal, localcontext
 from fractions import Fraction
@@ -87,8 +88,9 @@ def main():
         context.prec, context.Emax, context.Emin = DIGITS, 10**9, -(10**9)
         for line in sys.stdin:
             shape, *numbers = line.split()
-            t = shapes[shape]([Fraction(float.fromhex(number)) for number in numbers])
-            print("miss" if t is None else f"hit {t:.105e}")
+            floats = struct.unpack(f">{len(numbers)}d", bytes.fromhex("".join(numbers)))
+            t = shapes[shape]([Fraction(number) for number in floats])
+            print("miss" if t is None else Fraction(t))
 
 
 if __name__ == "__main__":
