@@ -17,7 +17,7 @@ use crate::sandbox::Choice;
 #[derive(Args, Default)]
 pub struct AssignmentOption {
     /// The assignment, by name or folder [default: the one that the given paths or the current
-    /// folder belong to, else this repository's default]
+    /// folder belongs to, else this repository's default]
     #[arg(long = "assignment", value_name = "NAME")]
     pub name: Option<String>,
 }

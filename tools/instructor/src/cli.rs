@@ -165,8 +165,8 @@ impl Grade {
 /// expected and what the code returned. For each task with such a group, also prints the file that
 /// was handed in. Nothing is graded again.
 ///
-/// Don't give the output to students as it is: it may show questions that they must not see, fresh
-/// ones and those about withheld scenes.
+/// Don't give the output to students as it is: it may show fresh questions and questions about
+/// withheld scenes, which they must not see.
 #[derive(Args)]
 pub struct Dispute {
     /// The id of a submission, or the id or name of a person, as in grades.csv

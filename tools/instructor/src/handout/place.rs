@@ -71,7 +71,7 @@ pub fn write(repository: Repository, out: &Path, force: bool) -> Result<HandoutS
     if written.bytes > MOST_BYTES {
         return Err(Error::input(
             format!(
-                "the repository would have {:.1} MB, but may have at most {} MB",
+                "the repository would be {:.1} MB, but may be at most {} MB",
                 written.bytes as f64 / 1e6,
                 MOST_BYTES / 1_000_000
             ),
@@ -104,13 +104,13 @@ fn before(out: &Path, assignment: &str, force: bool) -> Result<Option<HandoutRec
     if !force {
         return taken(
             "already exists and is not empty",
-            "name a new folder, or pass --force to replace what an earlier handout wrote there",
+            "name a new folder, or pass --force to replace an earlier handout there",
         );
     }
     match HandoutRecord::read(out)? {
         Some(record) if record.assignment == assignment => Ok(Some(record)),
         _ => taken(
-            "contains files that no handout of this assignment wrote",
+            "is not an earlier handout of this assignment",
             "name a new folder; --force replaces only an earlier handout",
         ),
     }
@@ -133,7 +133,7 @@ fn replace(fresh: &Path, out: &Path, old: &HandoutRecord, new: &HandoutRecord) -
         let named = changed.iter().take(MOST_NAMED).map(|path| path.as_str());
         return Err(Error::input(
             format!(
-                "{} files in {} have been changed: {}",
+                "changed files in {1} ({0}): {2}",
                 changed.len(),
                 out.display(),
                 named.collect::<Vec<_>>().join(", ")

@@ -78,7 +78,7 @@ pub fn pristine(validator: &Validator) -> Result<PristineVerdicts> {
         |film: &FilmOutcome| matches!(film, FilmOutcome::Unanswered | FilmOutcome::Blocked { .. });
     let (stub, reference) = (&stub.outcome, &reference.outcome);
     let answered = films(stub).filter(|(_, film)| !is_empty(film));
-    faults.extend(answered.map(|(name, _)| format!("the stub counts as answered in {name}")));
+    faults.extend(answered.map(|(name, _)| format!("{name} counts as answered by the stub")));
     let wrong = films(reference).filter(|(_, film)| !film.passes());
     faults.extend(wrong.map(|(name, _)| format!("false fail: the reference fails {name}")));
     Ok(PristineVerdicts {
@@ -198,8 +198,8 @@ fn judge_all(
         if let Some(folder) = overlay.folders.iter().find(is_empty) {
             return Err(Error::input(
                 format!("{} contains no answer file", folder.display()),
-                "put the file that differs from the reference there, or remove the folder and the \
-                 entries that name it",
+                "put into it the answer file that differs from the reference, or remove the folder \
+                 and whatever names it",
             ));
         }
         let base = bases.of(overlay.under);

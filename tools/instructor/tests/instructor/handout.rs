@@ -108,7 +108,7 @@ fn files_of_students_are_not_overwritten() {
     fs::write(foreign.join("thesis.tex"), "mine").expect("it can be written");
     pinhole(&["handout", "--out", plain(&foreign), "--force"])
         .expect_code(2)
-        .expect_err("no handout of this assignment wrote");
+        .expect_err("is not an earlier handout of this assignment");
     let parent = out.parent().expect("it has one");
     let beside = fs::read_dir(parent).expect("it can be read").count();
     assert_eq!(beside, 1, "a folder was left beside");

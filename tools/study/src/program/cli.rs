@@ -124,9 +124,9 @@ pub struct Render {
     /// themselves are rounded to f64 first
     #[arg(long)]
     pub exact: bool,
-    /// Use the fastest way that is proven to keep t and normals this accurate; `pinhole plan`
-    /// explains it
-    #[arg(long, value_name = "X", value_parser = accuracy)]
+    /// Use the fastest way that is proven to keep t and normals as accurate as ACCURACY, a number
+    /// such as 1e-6; `pinhole plan` explains it
+    #[arg(long, value_name = "ACCURACY", value_parser = accuracy)]
     pub plan: Option<f64>,
     #[command(flatten)]
     pub wanted: FilmOptions,
