@@ -231,16 +231,11 @@ pub enum HandInTime<Time> {
 }
 
 /// When these files were handed in, according to their names. The latest time counts, and one late
-/// file makes all of them late. A name that two platforms may have given gives no time.
+/// file makes all of them late. If a name can be read in several ways, the platform's time is one of
+/// those that it gives, so the uploader's part can only make a submission later.
 pub fn handed_in(given: &[String]) -> Option<HandInTime<DateTime>> {
-    let time_in = |name: &String| match platform(name) {
-        Some(name) => name.handed_in,
-        None => {
-            let times = platforms(name).into_iter().map(|name| name.handed_in);
-            times.flatten().find(|time| *time == HandInTime::Late)
-        }
-    };
-    given.iter().filter_map(time_in).max()
+    let names = given.iter().flat_map(|name| platforms(name));
+    names.filter_map(|name| name.handed_in).max()
 }
 
 #[cfg(test)]
@@ -289,11 +284,14 @@ mod tests {
                 &["11-23 - Mallory - Nov 1, 2026 1200 AM - Mann - Nov 25, 2026 1100 PM - hw1.zip"],
                 "2026-11-25T23:00:00",
             ),
-            // The uploader's part of a name gives no time, and doesn't hide that the upload is
-            // late.
+            // The uploader's part of a name doesn't hide that the upload is late.
             (
-                &["malletmallory_13_503_x_attempt_2020-01-01-00-00-00_hw.zip"],
-                "unknown",
+                &["HW1_mm1_attempt_2026-11-25-23-59-01_x_12_501_y.zip"],
+                "2026-11-25T23:59:01",
+            ),
+            (
+                &["11-23 - Mallory - Nov 25, 2026 1100 PM - x_12_501_y.zip"],
+                "2026-11-25T23:00:00",
             ),
             (
                 &["malletmallory_LATE_13_503_x_attempt_2020-01-01-00-00-00_hw.zip"],
