@@ -71,9 +71,12 @@ impl Axis {
         Axis::over(name, all.into_iter().map(f64::from), f64::to_string)
     }
 
-    /// A logarithmic axis for numbers, of which those below 0.1 are at its end.
+    /// A logarithmic axis for numbers, of which those below 0.1 are at its end. It ends at powers of
+    /// ten, so that these are labelled, and not numbers such as 316 between them.
     pub fn logarithmic(name: &str, all: impl Iterator<Item = f64>) -> Axis {
-        Axis::over(name, all.map(|x| x.max(0.1).log10()), power_of_ten)
+        let axis = Axis::over(name, all.map(|x| x.max(0.1).log10()), power_of_ten);
+        let ends = (axis.ends.0.floor(), axis.ends.1.ceil());
+        Axis { ends, ..axis }
     }
 
     /// A logarithmic axis for shares of millions of questions. Its lower end stands for none.
@@ -98,7 +101,17 @@ fn power_of_ten(power: &f64) -> String {
     match *power {
         -2.0..0.0 => number.to_string(),
         0.0..4.0 => format!("{number:.0}"),
-        _ => format!("{number:.0e}"),
+        _ => {
+            let raised = |digit: char| match digit.to_digit(10) {
+                Some(digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit as usize),
+                None => Some('⁻'),
+            };
+            let exponent = format!("{power:.0}");
+            format!(
+                "10{}",
+                exponent.chars().filter_map(raised).collect::<String>()
+            )
+        }
     }
 }
 
