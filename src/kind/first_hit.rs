@@ -88,7 +88,7 @@ pub(super) fn conditions(objects: &[Canned], min_t: f64, answer: &Answer) -> Vec
         ),
         Condition::new(
             "the ray meets only one in the list",
-            "the ray meets several in the list, or none",
+            "the ray meets none or several in the list",
             hits == 1,
         ),
         Condition::new(

@@ -182,11 +182,16 @@ impl Compiler {
     ) -> Result<Attempt> {
         let mut replaced = Replacements::new();
         let mut unclear = Vec::new();
+        let shown_in = match self.names_places {
+            true => place_from_here(submission),
+            false => None,
+        };
+        let shown_in = shown_in.unwrap_or(build::SRC.into());
         for Answer { task, text } in &submission.answers {
             let why = match text {
                 Err(unusable) => Replacement::Unusable(unusable.clone()),
                 Ok(_) if self.allows_everything => continue,
-                Ok(text) => match allow_list::verdict(task, text) {
+                Ok(text) => match allow_list::verdict(&format!("{shown_in}/{task}.rs"), text) {
                     Verdict::Allowed => continue,
                     Verdict::Refused(why) => Replacement::DoesNotCompile(why),
                     Verdict::NotTokens => {
@@ -197,11 +202,6 @@ impl Compiler {
             };
             replaced.insert(task.clone(), why);
         }
-        let shown_in = match self.names_places {
-            true => place_from_here(submission),
-            false => None,
-        };
-        let shown_in = shown_in.unwrap_or(build::SRC.into());
         let mut is_last = false;
         // Each round replaces at least one answer, so there are at most as many rounds.
         for _ in 0..=submission.answers.len() {

@@ -86,11 +86,11 @@ pub enum Verdict {
     NotTokens,
 }
 
-/// Checks the answer to a task.
-pub fn verdict(task: &str, text: &str) -> Verdict {
+/// Checks an answer's text. Messages name its file by this path.
+pub fn verdict(file: &str, text: &str) -> Verdict {
     let refused = |what: &str, line: usize, remedy: &str| {
         Verdict::Refused(format!(
-            "error: {what} is not allowed in an answer\n --> src/{task}.rs:{line}\n  = help: \
+            "error: {what} is not allowed in an answer\n --> {file}:{line}\n  = help: \
              {remedy}\n"
         ))
     };

@@ -5,7 +5,7 @@ use std::path::Path;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use hmac_sha256::Hash;
-use minijinja::{Environment, UndefinedBehavior, context, value::Serde};
+use minijinja::{Environment, HtmlEscape, UndefinedBehavior, context, value::Serde};
 use pinhole::false_colour::{self, Difference};
 use pinhole::film::HIT_CHANNELS;
 use serde_json::{Value, json};
@@ -43,12 +43,23 @@ const SCRIPT: [&str; 5] = [
 pub fn environment(templates: &[(&'static str, &'static str)]) -> Environment<'static> {
     let mut environment = Environment::new();
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    environment.add_filter("code", code);
     for (name, text) in templates {
         environment
             .add_template(name, text)
             .unwrap_or_else(|error| panic!("{name}: {error:#}"));
     }
     environment
+}
+
+/// A text as HTML, with what stands between backquotes as code.
+fn code(text: &str) -> minijinja::Value {
+    let parts = text.split('`').enumerate();
+    let parts = parts.map(|(k, part)| match (k % 2, HtmlEscape(part)) {
+        (0, words) => words.to_string(),
+        (_, code) => format!("<code>{code}</code>"),
+    });
+    minijinja::Value::from_safe_string(parts.collect())
 }
 
 impl Report {

@@ -57,13 +57,13 @@ fn html(diagnosis: Diagnosis) -> String {
 
 #[test]
 fn each_belief_has_three_hints_one_inside_the_other() {
-    let beliefs = vec![belief("A first <b>.", 1.0), belief("A second.", 1.0)];
+    let beliefs = vec![belief("A first <b> `c < d`.", 1.0), belief("A second.", 1.0)];
     let page = html(Diagnosis {
         beliefs,
         reading: Reading::OneOf,
     });
     assert!(page.contains("One of these beliefs explains all that is wrong here"));
-    assert!(page.contains("<q>A first &lt;b&gt;.</q>"));
+    assert!(page.contains("<q>A first &lt;b&gt; <code>c &lt; d</code>.</q>"));
     assert!(page.contains("17 of the public solutions"));
     let hints: Vec<&str> = page.split("<details class=\"hint\">").skip(1).collect();
     assert_eq!(hints.len(), 6);

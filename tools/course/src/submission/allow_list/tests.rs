@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use super::{Verdict, verdict};
 
 fn refusal(text: &str) -> Option<String> {
-    match verdict("plane", text) {
+    match verdict("src/plane.rs", text) {
         Verdict::Refused(why) => Some(why),
         _ => None,
     }
