@@ -122,9 +122,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("scenes", nargs="*", type=Path, metavar="SCENE.toml")
     questions = parser.add_mutually_exclusive_group()
-    questions.add_argument("--questions", type=Path, metavar="ASSIGNMENT", help="also of its tasks")
     questions.add_argument(
-        "--fresh", type=Path, metavar="ASSIGNMENT", help="of its fresh questions and random scenes"
+        "--questions", type=Path, metavar="ASSIGNMENT", help="also fingerprint its questions"
+    )
+    questions.add_argument(
+        "--fresh", type=Path, metavar="ASSIGNMENT",
+        help="also fingerprint its fresh questions and random scenes",
     )
     arguments = parser.parse_args()
     found = {path.stem: of_scene(path) for path in arguments.scenes}

@@ -166,7 +166,7 @@ def main():
     for command in (questions, fresh, ties, random):
         command.add_argument(
             "assignment", type=lambda folder: Path(folder).resolve(), metavar="ASSIGNMENT",
-            help="its folder, with assignment.toml and questions",
+            help="the assignment's folder, with assignment.toml and questions",
         )
         command.add_argument("--seed", type=int, required=True, metavar="N")
     for command in (scenes, questions, fresh, ties, random):

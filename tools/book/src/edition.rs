@@ -48,7 +48,7 @@ impl Edition {
                     return Err(Problem::at(
                         file,
                         line,
-                        "an instructor's part in another",
+                        "an instructor's part inside another one",
                         remedy,
                     ));
                 }

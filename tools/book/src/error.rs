@@ -120,7 +120,7 @@ impl fmt::Display for Error {
                 for problem in problems {
                     writeln!(f, "{problem}")?;
                 }
-                write!(f, "{} to correct", problems.len())
+                write!(f, "problems to correct: {}", problems.len())
             }
             Error::Course(error) => error.fmt(f),
         }

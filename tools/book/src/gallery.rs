@@ -221,7 +221,7 @@ fn alike(strips: &Strips, mistakes: &[MistakeFolder], checkout: &Checkout) -> Ve
         for task in &mistake.fails {
             if let Some(twin) = seen.insert((task, &strip.png), slug) {
                 let path = checkout.inside(&strip_path(slug, checkout));
-                let problem = format!("in the gallery of {task} it is the same picture as {twin}");
+                let problem = format!("in the gallery of {task}, {twin} has the same picture");
                 problems.push(Problem::of(path, problem, AGAIN));
             }
         }

@@ -25,7 +25,7 @@ const KEPT: &str = "tools/book/assets/interactive.js";
 /// The facts about the course that the script uses.
 const FACTS: &str = "book/interactive/src/facts.json";
 
-const AGAIN: &str = "make them again: cargo pinhole book bundle";
+const AGAIN: &str = "make it again: cargo pinhole book bundle";
 
 /// HTML of a figure: its static picture, which the script replaces where it can.
 pub fn shown(

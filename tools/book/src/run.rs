@@ -130,7 +130,7 @@ impl<'a> Runner<'a> {
         if words.next() != Some("pinhole") {
             let remedy = "let the command begin with `pinhole`";
             return Err(wrong(
-                format!("`{}` is not a command of ours", run.command),
+                format!("`{}` is not a `pinhole` command", run.command),
                 remedy,
             )
             .into());
@@ -167,7 +167,7 @@ impl<'a> Runner<'a> {
         }
         for [pattern, with] in &run.replace {
             let pattern = Regex::new(&format!("(?m){pattern}"))
-                .map_err(|error| wrong(error.to_string(), "write a regular expression"))?;
+                .map_err(|error| wrong(error.to_string(), "correct the regular expression"))?;
             text = pattern.replace_all(&text, with.as_str()).into_owned();
         }
         let text: String = text

@@ -80,7 +80,7 @@ fn fingerprint(
     manifest.set_mistakes(&written, folder, assignment)?;
     let mistakes = KnownMistakes::read(folder)?.mistake.len();
     Ok(format!(
-        "{mistakes} mistakes show in {} films",
+        "stored how {mistakes} known mistakes show in {} films",
         written.len()
     ))
 }
@@ -116,7 +116,7 @@ fn refuse_unforced(assignment: &Assignment, arguments: &GoldenRender) -> Result<
     }
     Err(Error::input(
         format!(
-            "{} already contains {} films that this would replace",
+            "{} already contains {} films that this command would replace",
             folder.display(),
             replaced.len()
         ),
@@ -136,8 +136,8 @@ pub fn make(
     let is_own = |scene: &PathBuf| inside(scene, &assignment.folder);
     if arguments.out.is_none() && !scenes.iter().all(is_own) {
         return Err(Error::input(
-            "goldens of scenes that are not the assignment's need a folder of their own",
-            "say where: --out DIR",
+            "not all of these scenes are the assignment's, so their goldens need another folder",
+            "name one with --out DIR",
         ));
     }
     for scene in &scenes {

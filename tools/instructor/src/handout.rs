@@ -79,7 +79,7 @@ pub fn vendor(repository: &Path) -> Result<()> {
         true => Ok(()),
         false => Err(Error::environment(
             format!("cargo vendor: {}", String::from_utf8_lossy(&output.stderr)),
-            "run it once with a network, so that cargo has all dependencies",
+            "run this command once with a network, so that cargo can download all dependencies",
         )),
     }
 }

@@ -164,7 +164,7 @@ fn tiers(findings: &Findings) -> String {
 }
 
 fn secondary(findings: &Findings) -> String {
-    let columns = "shape | method | from the origin of the world | self-hits | lost hits";
+    let columns = "shape | method | distance from the world's origin | self-hits | lost hits";
     let rows = findings.secondary.iter().map(|it| {
         [
             it.shape.into(),

@@ -37,7 +37,7 @@ fn problem(line: &str) -> Option<Problem> {
     let number = place.next()?.trim().parse().ok()?;
     let file = Path::new("book").join(place.next()?.trim());
     let word = told.split_once('(')?.1.split_once(')')?.0;
-    let remedy = "correct it, or add it to book/words.txt if it is right";
+    let remedy = "correct the word, or add it to book/words.txt if it is spelt right";
     Some(Problem::at(
         file,
         number,

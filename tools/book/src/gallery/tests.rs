@@ -87,6 +87,6 @@ fn two_strips_of_one_chapter_with_the_same_picture_are_a_problem() {
         problems.map(|problem| problem.problem).collect()
     };
     assert!(told("another").is_empty());
-    let same = ["in the gallery of sphere it is the same picture as black"];
+    let same = ["in the gallery of sphere, black has the same picture"];
     assert_eq!(told("a picture"), same);
 }

@@ -153,7 +153,7 @@ fn words(record: &Record, mark: &str, evidence: &Evidence) -> String {
     if let Some(most) = record.most_for_scenes {
         let (earned, possible) = record.scene_points();
         text += &format!(
-            "\nscenes {earned} / {possible}, at most {most} because of the tasks they need\n"
+            "\nscenes {earned} / {possible}, at most {most}, because of the tasks that they need\n"
         );
     }
     text

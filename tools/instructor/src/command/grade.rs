@@ -336,10 +336,13 @@ fn refuse_partial_class(roll: &Roll, earlier: &Path) -> Result<()> {
         return Ok(());
     }
     let some: Vec<&str> = absent.iter().copied().take(3).collect();
+    let count = match absent.len() {
+        1 => "1 submission that is".to_owned(),
+        count => format!("{count} submissions that are"),
+    };
     Err(Error::input(
         format!(
-            "{} submissions were graded into this folder, but are not in the paths you gave: {}{}",
-            absent.len(),
+            "the --out folder has results of {count} not in the paths you gave: {}{}",
             some.join(", "),
             if absent.len() > some.len() {
                 ", …"

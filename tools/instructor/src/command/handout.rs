@@ -115,7 +115,7 @@ fn refuse_unforced(stale: &[PathBuf], assignment: &Assignment, arguments: &Hando
             there.join(", "),
             assignment.handout().display()
         ),
-        "look at what they contain; if you don't need it, pass --force",
+        "someone's answers may be in there; if nobody needs them, pass --force",
     ))
 }
 
@@ -140,7 +140,7 @@ fn stubs_in_place(assignment: &Assignment, arguments: &Handout) -> Result<Status
     } else if !arguments.check {
         let (stale, all) = (stale.len(), package.len());
         anstream::println!(
-            "{stale} of {all} files did not match the reference, and were written again"
+            "all {all} files match the reference now; {stale} of them had to be written"
         );
     } else if stale.is_empty() {
         anstream::println!("the handout matches the reference");
@@ -149,7 +149,7 @@ fn stubs_in_place(assignment: &Assignment, arguments: &Handout) -> Result<Status
             anstream::println!("this file does not match the reference: {}", path.display());
         }
         anstream::println!(
-            "if none of your work is in them, make them again: cargo pinhole handout {} --force",
+            "if none of your work is in there, write them again: cargo pinhole handout {} --force",
             assignment.name
         );
     }

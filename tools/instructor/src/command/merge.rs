@@ -112,8 +112,8 @@ fn merged(
         {
             return Err(Error::input(
                 format!(
-                    "{} was graded with other goldens, other fresh questions or another version of \
-                     the assignment",
+                    "{} was not graded with the same goldens, fresh questions and version of the \
+                     assignment as the other parts",
                     part.folder.display()
                 ),
                 "grade all parts with the same assignment and the same --golden, --fresh or --seed",

@@ -42,8 +42,8 @@ pub fn verify(
                 manifest.mitsuba
             ),
             _ => anstream::println!(
-                "restore them (git checkout), or, if they should change, make them again: cargo \
-                 pinhole golden render --force"
+                "restore the files (git checkout); or, if they should change, make them again: \
+                 cargo pinhole golden render --force"
             ),
         }
     }

@@ -129,7 +129,7 @@ pub fn standing(folder: &Path, entry: &Entry) -> Option<Record> {
     Some(match is_of_these {
         true => record,
         false => record.not_graded(
-            "these answers have not been graded; an older mark is for other answers".into(),
+            "these answers have not been graded yet; any older mark is for other answers".into(),
         ),
     })
 }
@@ -240,7 +240,7 @@ fn folder_of(path: &Path) -> &Path {
 fn cannot_write(path: &Path) -> Error {
     Error::environment(
         format!("cannot write {}", path.display()),
-        "free some disk space and check that the folder can be written; run this again to continue",
+        "free some disk space, check that the folder can be written, and run this command again",
     )
 }
 

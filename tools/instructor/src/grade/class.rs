@@ -50,7 +50,7 @@ impl Roll {
         )?;
         serde_json::from_str(&text).or_input(
             format_args!("{}", path.display()),
-            "grade that class again with this version",
+            "grade that class again with this version of Pinhole",
         )
     }
 
@@ -205,7 +205,7 @@ impl<'a> Class<'a> {
             Some(record) => Some((row.entry.id.as_str(), record.explanation.as_str())),
             None => Some((
                 row.entry.id.as_str(),
-                "it has not been graded yet: run `pinhole grade` again",
+                "it has not been graded yet; run `pinhole grade` again",
             )),
         });
         without.collect()

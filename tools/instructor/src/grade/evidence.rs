@@ -59,11 +59,11 @@ impl Evidence {
         let path = out.join(Evidence::file(id));
         let text = std::fs::read_to_string(&path).or_input(
             format_args!("cannot read {}", path.display()),
-            "grade that submission again: this version keeps what `dispute` needs",
+            "grade that submission again: this version of Pinhole keeps what `dispute` needs",
         )?;
         serde_json::from_str(&text).or_input(
             path.display(),
-            "grade that submission again with this version",
+            "grade that submission again with this version of Pinhole",
         )
     }
 }

@@ -183,7 +183,7 @@ fn groups_in(path: &Path) -> Result<Vec<Group>> {
             let called = cell(row, name);
             let mut members = groups.values().flat_map(|group| &group.members);
             if members.any(|other| other == id) {
-                return Err(format!("line {line}: {id} is in two groups"));
+                return Err(format!("line {line}: {id} is already in a group"));
             }
             // Some people are in no group.
             if called.is_empty() {

@@ -58,7 +58,7 @@ pub fn valid(
         return Ok(Err(Some(change)));
     }
     if before.got.submission != entry.name || before.remarks != entry.remarks() {
-        return Ok(Err(Some("other names")));
+        return Ok(Err(Some("other file names")));
     }
     with_current_points(before, cache, assignment).map(Ok)
 }
@@ -94,7 +94,7 @@ pub fn kept(
     if before.is_graded() && !is_old {
         return with_current_points(before, cache, assignment);
     }
-    let why = "it was graded with another version of the assignment: grade the whole class again";
+    let why = "it was graded with another version of the assignment; grade the whole class again";
     Ok(QueueResult {
         fault: is_old.then(|| (before.id.clone(), why.into())),
         record: before.into(),

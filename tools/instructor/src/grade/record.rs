@@ -119,15 +119,15 @@ pub fn explained(status: Status) -> &'static str {
     match status {
         Status::NotGraded => {
             "Grading failed through no fault of yours, so there is no mark. Nothing is \
-             lost: your instructor will grade it again."
+             lost: your instructor will grade your answers again."
         }
         Status::RefusedFile => {
             "A file was not accepted. An answer is one regular UTF-8 text file of at most 256 \
              KiB; links, devices and archives inside archives do not count."
         }
         Status::MissingFile => {
-            "An answer file was not handed in, or has another name. All other answers were \
-             judged; hand in all files of the handout's `src` folder."
+            "An answer file was not handed in, or was handed in under another name. All other \
+             answers were judged; hand in all files of the handout's `src` folder."
         }
         Status::DoesNotCompile => {
             "An answer does not compile, so its stub was judged instead. All other answers were \

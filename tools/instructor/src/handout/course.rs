@@ -60,7 +60,7 @@ fn without_withheld(text: &str, assignment: &Assignment) -> Result<String> {
     if let Some(points) = points.as_value_mut() {
         points
             .decor_mut()
-            .set_suffix(" # of scenes that are used only in grading");
+            .set_suffix(" # the points of scenes that are used only in grading");
     }
     document.insert("withheld", points);
     let finish = assignment.finish.as_ref();

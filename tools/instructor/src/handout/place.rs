@@ -133,12 +133,12 @@ fn replace(fresh: &Path, out: &Path, old: &HandoutRecord, new: &HandoutRecord) -
         let named = changed.iter().take(MOST_NAMED).map(|path| path.as_str());
         return Err(Error::input(
             format!(
-                "changed files in {1} ({0}): {2}",
+                "somebody has changed files in {1} ({0}): {2}",
                 changed.len(),
                 out.display(),
                 named.collect::<Vec<_>>().join(", ")
             ),
-            "nothing was replaced; name a new folder, or move these away first",
+            "nothing was replaced; name a new folder, or move these files away first",
         ));
     }
     for path in new
@@ -195,7 +195,7 @@ fn prune_lock(folder: &Path) -> Result<()> {
     cargo.args(["update", "--workspace", "--offline", "--quiet"]);
     let failed = Error::environment(
         "cargo cannot prune the lock file",
-        "run `cargo fetch` in the checkout, then this again",
+        "run `cargo fetch` in the checkout, then run this command again",
     );
     let output = cargo.output().or_fail(&failed)?;
     match output.status.success() {

@@ -124,9 +124,13 @@ impl<'a> Oracle<'a> {
                         let questions = own.job.questions();
                         let question = questions.map(|all| all.describe(index, &task.name, 17));
                         let (expected, got) = (in_words(expected), in_words(got));
+                        let ended = match &ending {
+                            Ending::Complete => String::new(),
+                            other => format!(" ({other:?})"),
+                        };
                         difference.example = question.map(|question| {
                             let question = terminal::facts(&question);
-                            format!("{question}\nexpected  {expected}\ngot       {got} {ending:?}")
+                            format!("{question}\nexpected  {expected}\ngot       {got}{ended}")
                         });
                     }
                 }

@@ -56,7 +56,7 @@ impl NameCounts {
             _ if names.is_empty() => self.none += 1,
             Reading::Together if names.iter().all(held) => self.right += 1,
             Reading::OneOf if names.iter().any(held) => self.among += 1,
-            _ => self.wrong.push(format!("{film} is called {names:?}")),
+            _ => self.wrong.push(format!("{film} is diagnosed as {names:?}")),
         }
     }
 

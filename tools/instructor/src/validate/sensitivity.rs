@@ -133,7 +133,7 @@ fn cast(validator: &Validator, program: &Program, scene: &Scene) -> Result<Film>
         true => Ok(reply.film(scene.resolution)),
         false => Err(Error::environment(
             format!(
-                "the reference does not cast a disturbed camera: {:?}",
+                "the reference does not cast all rays of a disturbed camera: {:?}",
                 reply.ending
             ),
             "restore the assignment's `reference` folder",

@@ -198,8 +198,8 @@ fn judge_all(
         if let Some(folder) = overlay.folders.iter().find(is_empty) {
             return Err(Error::input(
                 format!("{} contains no answer file", folder.display()),
-                "put into it the answer file that differs from the reference, or remove the folder \
-                 and whatever names it",
+                "put the answer file that differs from the reference into this folder, or remove \
+                 the folder and whatever names it",
             ));
         }
         let base = bases.of(overlay.under);

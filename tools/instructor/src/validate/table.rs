@@ -61,8 +61,9 @@ pub fn validation(validation: &Validation) -> String {
 fn drawn(draws: &Draws) -> String {
     let (answers, groups, asked) = (draws.answers, draws.groups, draws.asked);
     let mut text = format!(
-        "\n{STRONG}fresh questions of many seeds{STRONG:#}  {QUIET}{answers} wrong answers; their \
-         {groups} groups that pass the public questions were asked {asked} times{QUIET:#}\n"
+        "\n{STRONG}fresh questions of many seeds{STRONG:#}  {QUIET}{answers} wrong answers; \
+         {groups} of their groups pass the public questions, and were then asked fresh ones \
+         {asked} times{QUIET:#}\n"
     );
     for group in &draws.caught {
         text += &row(!group.depends_on_the_draw(), "", group.to_string());
@@ -82,7 +83,7 @@ fn submissions(validation: &Validation) -> String {
     text += &row(points == possible, "reference", reference);
     if let Some(mistakes) = &validation.mistakes {
         let compound = mistakes.judged.iter().filter(|judged| !judged.single);
-        let both = format!("; combining several: {}", compound.count());
+        let both = format!("; combined mistakes: {}", compound.count());
         text += &failing("mistakes", mistakes, &both);
         text += &capped(mistakes);
     }
@@ -124,7 +125,7 @@ fn capped(mistakes: &SubmissionVerdicts) -> String {
         format!(", at most {points} ({name})")
     });
     let all = lost.len();
-    let said = format!("{some} of {all} lose points by it{worst}");
+    let said = format!("takes points from {some} of {all}{worst}");
     row(true, "  cap on scenes", said)
 }
 

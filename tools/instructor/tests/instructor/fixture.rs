@@ -216,7 +216,7 @@ fn files_that_a_person_may_have_written_are_replaced_only_with_force() {
         .concat();
         pinhole(&line)
             .expect_code(2)
-            .expect_err("films that this would replace")
+            .expect_err("films that this command would replace")
             .expect_err("pass --force");
     }
 }

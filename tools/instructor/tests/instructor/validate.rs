@@ -111,7 +111,7 @@ fn a_rewrite_of_a_mistake_must_fail_as_well() {
 #[test]
 fn a_compound_is_composed_of_its_beliefs_answers_and_of_their_rewrites() {
     let out = &wrong_verdicts().out;
-    assert!(out.contains("; combining several: 1"), "{out}");
+    assert!(out.contains("; combined mistakes: 1"), "{out}");
     let table = out.split("\n  several known mistakes at once").nth(1);
     let table = table.expect("it counts");
     let tasks = table.lines().nth(1).expect("a row for tasks");

@@ -34,7 +34,7 @@ fn main() {
     });
     let level = match (cfg!(target_feature = "avx2"), cfg!(target_feature = "fma")) {
         (true, true) => "AVX2 and FMA",
-        _ => "the baseline",
+        _ => "the baseline instruction set",
     };
     println!("built for {level}");
     if cfg!(not(embree)) {

@@ -64,17 +64,17 @@ pub fn description(plan: &Plan, scene: &str) -> String {
     for kind in &plan.kinds {
         line(&count(kind.parts, kind.kind), &how(kind, wish));
     }
-    let sign = if plan.search == Search::Boxes.name() {
-        ">"
+    let than = if plan.search == Search::Boxes.name() {
+        "more than"
     } else {
-        "≤"
+        "not more than"
     };
     line(
         "search",
         &format!(
-            "{}, because testing every part takes {} {sign} {} instructions per ray ({} per \
-             sphere, {} per triangle)",
-            plan.search, plan.price_of_all, prices.boxes, prices.sphere, prices.triangle
+            "{}, because testing every part takes {} instructions per ray ({} per sphere, {} per \
+             triangle), {than} the {} that boxes take",
+            plan.search, plan.price_of_all, prices.sphere, prices.triangle, prices.boxes
         ),
     );
     line(

@@ -22,7 +22,7 @@ pub fn run(arguments: &Arguments) -> Result<Status> {
     let only = arguments.only.as_deref();
     if let Some(only) = only.filter(|only| !parts().contains(only)) {
         return Err(Error::input(
-            format!("there is no family {only:?}"),
+            format!("the study has no part {only:?}"),
             format!("name one of {}", parts().join(", ")),
         ));
     }

@@ -55,11 +55,15 @@ impl Roll {
             ("not part of any submission", true, self.ignored.clone()),
             ("who handed in nothing", false, people(&placed.missing)),
             (
-                "read in spite of an unexpected name, encoding or number of uploads",
+                "that were read in spite of an unexpected name, encoding or number of uploads",
                 false,
                 entries(&|it| &it.notes),
             ),
-            ("earlier uploads, not graded", false, superseded.collect()),
+            (
+                "not graded, because there is a later upload",
+                false,
+                superseded.collect(),
+            ),
         ];
         let all = all.into_iter().filter(|(_, _, which)| !which.is_empty());
         all.map(|(what, is_grave, which)| Concern {
@@ -70,18 +74,21 @@ impl Roll {
         .collect()
     }
 
-    /// A sentence that says how many people on the roster are graded (or, before grading, found),
-    /// and how many are affected by each problem.
+    /// A sentence that says how many people on the roster are graded (or, before grading, ready to
+    /// be graded), and how many are affected by each problem.
     pub fn headline(&self, graded: &dyn Fn(&str) -> bool, word: &str) -> String {
         let placed = &self.placed;
-        let count = |ids: &mut dyn Iterator<Item = &String>| ids.filter(|id| graded(id)).count();
+        let count = |count: usize, one: &str, many: &str| match count {
+            1 => format!("1 {one}"),
+            _ => format!("{count} {many}"),
+        };
+        let are = |graded: usize| count(graded, &format!("is {word}"), &format!("are {word}"));
         let mut parts = Vec::new();
         match placed.people {
             Some(people) => {
-                let own = self.people_graded(graded);
-                parts.push(format!(
-                    "of {people} people on the roster, {own} are {word}"
-                ));
+                let own = are(self.people_graded(graded));
+                let people = count(people, "person", "people");
+                parts.push(format!("of {people} on the roster, {own}"));
                 let in_doubt = placed.in_doubt().len();
                 if in_doubt > 0 {
                     parts.push(format!("{in_doubt} in doubt"));
@@ -89,21 +96,20 @@ impl Roll {
                 parts.push(format!("{} handed in nothing", placed.missing.len()));
             }
             None => {
-                let all = self.entries.len();
-                let graded = count(&mut self.entries.iter().map(|entry| &entry.id));
-                parts.push(format!("of {all} submissions, {graded} are {word}"));
+                let all = count(self.entries.len(), "submission", "submissions");
+                let own = self.entries.iter().filter(|entry| graded(&entry.id));
+                parts.push(format!("of {all}, {}", are(own.count())));
             }
         }
         let incomplete = self
             .entries
             .iter()
             .filter(|entry| !entry.unusable.is_empty());
-        let count = |count: usize, one: &str, many: &str| match count {
-            1 => format!("1 {one}"),
-            _ => format!("{count} {many}"),
-        };
-        let incomplete = incomplete.count();
-        parts.push(count(incomplete, "lacks answer files", "lack answer files"));
+        parts.push(count(
+            incomplete.count(),
+            "submission lacks answer files",
+            "submissions lack answer files",
+        ));
         let ignored = self.ignored.len();
         let to_none = "to no submission";
         parts.push(count(

@@ -88,14 +88,14 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
             strangers,
         ),
         (
-            "with several submissions, but nothing says which is the last: no final mark; name a \
-             table of times in a policy, or grade only the one that counts",
+            "with several submissions, but nothing says which is the last: no final mark; list the \
+             times (`times` in policy.toml), or grade only the submission that counts",
             true,
             open.undecided,
         ),
         (
-            "late, but nothing says by how much: no points taken off; name a table of times in the \
-             policy",
+            "late, but nothing says by how much: no points taken off; list the times (`times` in \
+             policy.toml)",
             true,
             open.late_sometime,
         ),
@@ -106,8 +106,8 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
                 open.unknown,
             ),
             true => (
-                "with no time of submission: counted as on time; name a table of times in the \
-                 policy",
+                "with no time of submission: counted as on time; list the times (`times` in \
+                 policy.toml)",
                 true,
                 open.unknown,
             ),

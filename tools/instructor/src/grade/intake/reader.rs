@@ -166,7 +166,7 @@ impl Reader<'_> {
         if path.len() > MOST_PARTS || name.len() > MOST_NAME {
             self.stop(
                 &path,
-                "it contains files in too many folders, or with names that are too long",
+                "it contains files that are nested too deeply, or whose names are too long",
             );
             return None;
         }

@@ -120,7 +120,7 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
         if own.is_empty() {
             let column = table.name(id);
             return Err(format!(
-                "line {line} (`{name}`) is empty in the column `{column}`"
+                "line {line} (`{name}`) has nothing in the column `{column}`"
             ));
         }
         if let Some(other) = people.iter().find(|other| other.id == own) {
@@ -253,7 +253,7 @@ mod tests {
             ("id,name\n1,Ada\n1,Bob\n", "Ada and Bob have the same id, 1"),
             (
                 "id,name\n1,Ada\n,Bob\n",
-                "line 3 (`Bob`) is empty in the column `id`",
+                "line 3 (`Bob`) has nothing in the column `id`",
             ),
             ("id,name\n", "nobody"),
             ("PK\u{3}\u{4}", "export it as CSV"),

@@ -423,7 +423,7 @@ fn utf_16_is_read_and_other_encodings_are_reported() {
         let intake = export.is_of("class", &["ada"]);
         assert_eq!(
             intake.entries[0].notes,
-            ["`sphere.rs` was UTF-16, and was read as UTF-8"]
+            ["`sphere.rs` was in UTF-16, and was converted to UTF-8"]
         );
     }
     export.put("class/ada/plane.rs", b"// caf\xe9");

@@ -21,7 +21,7 @@ pub fn print(roll: &Roll, assignment: &Assignment, as_json: bool) -> Result<Stat
     let nothing_graded = BTreeMap::new();
     let by_policy = marks::rows(roll, &nothing_graded).concerns;
     let concerns = concern::sorted([roll.concerns(), by_policy].concat());
-    let headline = roll.headline(&can_be_graded, "found");
+    let headline = roll.headline(&can_be_graded, "ready to be graded");
     if as_json {
         let document = json!({
             "assignment": assignment.title,

@@ -126,8 +126,8 @@ impl ClassOutput<'_> {
             return Ok(status(&class.concerns));
         }
         anstream::eprintln!(
-            "pinhole: {} of {} submissions have no mark, and grading failed for {}\n  remedy: \
-             see the reasons above; if you run `pinhole grade` again, it grades only these",
+            "pinhole: submissions without a mark: {} of {}; grading failed in this run: {}\n  \
+             remedy: see the reasons above; if you run `pinhole grade` again, it grades only these",
             not_graded.len(),
             class.rows.len(),
             run.faults.len()
@@ -219,8 +219,13 @@ fn words(class: &Class, run: &RunSummary, cache: &ResultCache) -> String {
     let all = class.rows.len();
     let kept = all.saturating_sub(run.graded);
     let minutes = run.seconds / 60.0;
+    let word = if all == 1 {
+        "submission"
+    } else {
+        "submissions"
+    };
     line(format!(
-        "{all} submissions, {} graded now in {:.0} s ({:.0} a minute), {kept} unchanged",
+        "{all} {word}, {} graded now in {:.0} s ({:.0} a minute), {kept} unchanged",
         run.graded,
         run.seconds,
         run.graded as f64 / minutes.max(1e-9)

@@ -14,15 +14,15 @@ const MOST_NAMED: usize = 3;
 /// A row for each group and each scene.
 pub fn table(catches: &DetectionTable) -> String {
     let mut text = format!(
-        "\nOf {} single mistakes, how many fail in each group of questions and in each scene;\n\
+        "\nmistakes: how many single mistakes, of {} in all, fail in this group or scene;\n\
          unique: how many of these fail in no other group, or in no other scene;\n\
-         only here: how many fail nowhere else, neither in a group nor in a scene.",
+         only here: how many of these fail nowhere else, neither in a group nor in a scene.",
         catches.mistakes
     );
     if let Some(mutants) = catches.mutants {
         text += &format!(
-            "\nmutants: how many of {mutants} mutants, which their own task's questions catch, fail\n\
-             in this group, and how many only there."
+            "\nmutants: of the {mutants} mutants that their own task's questions catch, how many\n\
+             fail in this group; only: how many of these fail in no other group."
         );
     }
     text += "\n";

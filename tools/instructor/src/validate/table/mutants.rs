@@ -49,10 +49,10 @@ fn equivalent_row(judged: &MutantVerdict) -> String {
         (true, _) => "the same machine code".into(),
         (false, 0) => {
             let asked = difference.asked + difference.ties;
-            format!("the same answer to all of {asked} questions")
+            format!("the same answer to all {asked} questions")
         }
         (false, some) => format!(
-            "another answer to {some} of {} exact ties, to none of {} other questions",
+            "another answer to {some} of {} exact ties, and to none of {} other questions",
             difference.ties, difference.asked
         ),
     };

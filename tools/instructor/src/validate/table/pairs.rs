@@ -8,7 +8,8 @@ use crate::validate::sentences::Sentences;
 pub fn table(pairs: &Pairs) -> String {
     let names = &pairs.names;
     let said = format!(
-        "{} of {} failing pairs get a right name, {} of them both; {} false names ({} pairs exist)",
+        "{} of {} failing pairs get a right name, and {} of them get both; {} false names \
+         ({} pairs exist)",
         names.right + names.among,
         names.all(),
         pairs.both,
@@ -33,8 +34,8 @@ pub fn sentences(sentences: &Sentences) -> String {
     } = sentences;
     let wrong = sentences.wrong.len();
     let said = format!(
-        "{told} of {tasks} wrong answers are described by a law; {wrong} of {tested} tested \
-         sentences are false"
+        "for {told} of {tasks} wrong answers, a law says how or where they are wrong; {wrong} of \
+         {tested} tested sentences are false"
     );
     let mut text = row(wrong == 0, "  measured", said);
     for untold in &sentences.untold {

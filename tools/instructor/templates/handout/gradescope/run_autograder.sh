@@ -11,7 +11,8 @@ graded=/autograder/graded
 rm -rf "$graded"
 mkdir -m 700 "$graded"
 
-# A folder with one submission. If files are missing, the student should see that.
+# Grade a folder that contains the submission, not the submission itself. Then even a submission
+# without answer files is graded, and the student sees which files are missing.
 class=/autograder/class
 rm -rf "$class"
 mkdir -m 700 "$class"

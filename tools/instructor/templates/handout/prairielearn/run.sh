@@ -6,7 +6,8 @@ mkdir -p /grade/results
 cd /opt/pinhole || exit
 graded=/opt/graded class=/opt/class
 mkdir -m 700 "$graded" "$class"
-# A folder with one submission. If files are missing, the student should see that.
+# Grade a folder that contains the submission, not the submission itself. Then even a submission
+# without answer files is graded, and the student sees which files are missing.
 cp -a /grade/student "$class/submission"
 
 fresh=(--no-fresh)

@@ -80,7 +80,8 @@ fn a_class_from_four_places_is_matched_judged_and_summed_up() {
     on_small_assignment(&[&line[..], &["--dry-run"]].concat())
         .expect_code(1)
         .expect_out("lovelaceada_11: Ada Lovelace [1]: 6 of 6 answer files")
-        .expect_out("of 7 people on the roster, 6 are found; 1 handed in nothing; 1 lacks answer");
+        .expect_out("of 7 people on the roster, 6 are ready to be graded; 1 handed in nothing; ")
+        .expect_out("; 1 submission lacks answer files; ");
     assert!(!Path::new(&out).exists(), "nothing is graded");
 
     let policy = class.path("policy.toml");
@@ -88,7 +89,7 @@ fn a_class_from_four_places_is_matched_judged_and_summed_up() {
     let more = ["--out", &out, "--policy", &policy];
     let ran = on_small_assignment(&[&line[..], &more, &formats.concat()].concat());
     ran.expect_code(1)
-        .expect_out("of 7 people on the roster, 6 are graded; 1 handed in nothing; 1 lacks answer")
+        .expect_out("6 are graded; 1 handed in nothing; 1 submission lacks answer files; ")
         .expect_out("(Emmy Noether [6]): plane.rs is missing")
         .expect_out("`Sphere (1).rs` was taken as `sphere.rs`")
         .expect_out("Gus Ghost [7]");

@@ -183,7 +183,7 @@ fn decoded(bytes: Vec<u8>) -> (Text, Option<&'static str>) {
                 true => (text::of_bytes(bytes), None),
                 false => (
                     Ok(text.into_owned()),
-                    Some("was UTF-16, and was read as UTF-8"),
+                    Some("was in UTF-16, and was converted to UTF-8"),
                 ),
             }
         }
