@@ -42,7 +42,10 @@ pub fn targets(findings: &Findings) -> Vec<Target> {
             "exact kernels: wrong decisions, absurd",
             exact(Class::Absurd),
         ),
-        never("f64 on f32 data, careful kernels: wrong, everyday", careful),
+        never(
+            "f64 on f32 data, careful kernels: wrong decisions, everyday",
+            careful,
+        ),
         error_of_t(findings),
         never("exact triangles: leaks at edges and corners", leaks(EXACT)),
         never(

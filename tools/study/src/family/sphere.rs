@@ -13,7 +13,7 @@ impl HasFamilies for Sphere<f64> {
             Family {
                 name: "distance",
                 axis: "distance / radius = 10^x",
-                meaning: "the same ball from further and further away, aimed half at it and half past it",
+                meaning: "the same ball from further and further away; about half the rays hit it",
                 exponents: |_| decades(9),
                 everyday: 3,
                 ask: |random, x, _| {

@@ -12,7 +12,7 @@ impl HasFamilies for Triangle<f64> {
             Family {
                 name: "distance",
                 axis: "distance / size = 10^x",
-                meaning: "the same triangle from further and further away, aimed at it and around it",
+                meaning: "rays at the same triangle and around it, from further and further away",
                 exponents: |_| decades(9),
                 everyday: 3,
                 ask: |random, x, _| {
