@@ -87,28 +87,28 @@ pub(super) fn conditions(objects: &[Canned], min_t: f64, answer: &Answer) -> Vec
             objects.is_empty(),
         ),
         Condition::new(
-            "the ray meets only one in the list",
-            "the ray meets none or several in the list",
+            "the ray meets only one object in the list",
+            "the ray doesn't meet exactly one object in the list",
             hits == 1,
         ),
         Condition::new(
-            "the ray meets the first in the list",
-            "the ray misses the first in the list",
+            "the ray meets the first object in the list",
+            "the ray misses the first object in the list",
             is(found.first()),
         ),
         Condition::new(
-            "the ray meets the last in the list",
-            "the ray misses the last in the list",
+            "the ray meets the last object in the list",
+            "the ray misses the last object in the list",
             is(found.last()),
         ),
         Condition::new(
-            "the ray misses one in the list",
-            "the ray meets all in the list",
+            "the ray misses an object in the list",
+            "the ray meets every object in the list",
             hits < objects.len(),
         ),
         Condition::new(
-            "the ray meets one in the list before min_t",
-            "the ray meets none in the list before min_t",
+            "the ray meets an object in the list before min_t",
+            "the ray meets no object in the list before min_t",
             objects.iter().any(before),
         ),
     ]
@@ -133,16 +133,22 @@ pub(super) fn others(objects: &[Canned], min_t: f64) -> Vec<(&'static str, Answe
     sorted.sort_by(by_t);
     let farthest = sorted.last().copied();
     let all = [
-        ("that of the first one met in the list", met.first()),
-        ("that of the last one met in the list", met.last()),
-        ("that of the farthest", farthest),
-        ("that of the second nearest", sorted.get(1).copied()),
         (
-            "that of the nearest from t = 0 on",
+            "that of the first object in the list that is met",
+            met.first(),
+        ),
+        (
+            "that of the last object in the list that is met",
+            met.last(),
+        ),
+        ("that of the farthest object", farthest),
+        ("that of the second nearest object", sorted.get(1).copied()),
+        (
+            "that of the nearest object from t = 0 on",
             in_front.iter().min_by(by_t),
         ),
         (
-            "that of the nearest whatever min_t is",
+            "that of the nearest object, whatever min_t is",
             anywhere.iter().min_by(by_t),
         ),
     ];

@@ -158,17 +158,17 @@ impl Question for BoxQuestion {
                 size.min_element() == 0.0,
             ),
             Condition::new(
-                "the ray runs parallel to an axis plane",
+                "a component of d is 0",
                 "no component of d is 0",
                 direction.abs().min_element() == 0.0,
             ),
             Condition::new(
-                "d points down an axis (a component is negative)",
+                "a component of d is negative",
                 "no component of d is negative",
                 direction.min_element() < 0.0,
             ),
             Condition::new(
-                "d points up an axis (a component is positive)",
+                "a component of d is positive",
                 "no component of d is positive",
                 direction.max_element() > 0.0,
             ),
@@ -183,13 +183,13 @@ impl Question for BoxQuestion {
                 count(direction.cmpgt(DVec3::ZERO)) > 1,
             ),
             Condition::new(
-                "the ray enters through a face of the box's min",
-                "the ray does not enter through a face of the box's min",
+                "the ray enters through a face at the box's corner min",
+                "the ray does not enter through a face at the box's corner min",
                 along > 0.0,
             ),
             Condition::new(
-                "the ray enters through a face of the box's max",
-                "the ray does not enter through a face of the box's max",
+                "the ray enters through a face at the box's corner max",
+                "the ray does not enter through a face at the box's corner max",
                 along < 0.0,
             ),
         ]
@@ -207,11 +207,11 @@ impl Question for BoxQuestion {
         };
         vec![
             (
-                "the smallest of min_t and the three entries",
+                "the smallest of min_t and the t at which the ray enters each slab",
                 at(entry.fold(self.min_t, f64::min)),
             ),
             (
-                "the greatest of min_t and the three exits",
+                "the greatest of min_t and the t at which the ray leaves each slab",
                 at(exit.fold(self.min_t, f64::max)),
             ),
             ("the t at which the ray leaves the box", at(leave)),

@@ -58,7 +58,7 @@ impl TreeQuestion {
         let sorts = [
             (
                 Cut::OtherAxis,
-                "divide the triangles along another axis than the one along which their centres \
+                "divide the triangles along an axis other than the one along which their centres \
                  spread most",
             ),
             (

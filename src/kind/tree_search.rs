@@ -321,13 +321,13 @@ impl Question for SearchQuestion {
                 boxes.is_none_or(Option::is_none),
             ),
             Condition::new(
-                "a second child leads to the triangle",
-                "only first children lead to the triangle",
+                "the way to the triangle goes through a second child",
+                "the way to the triangle goes only through first children",
                 way().any(|(_, above)| above.is_second),
             ),
             Condition::new(
-                "a box with the triangle is entered after the box beside it",
-                "each box with the triangle is entered before the box beside it",
+                "a box with the triangle is entered after its sibling",
+                "each box with the triangle is entered before its sibling",
                 way().any(is_later),
             ),
         ]
@@ -342,7 +342,7 @@ impl Question for SearchQuestion {
         let met_in = |leaf: usize| self.met_in(leaf);
         let all = [
             ("that of the farthest triangle", farthest),
-            ("that of the nearest triangle whatever min_t is", nearest),
+            ("that of the nearest triangle, whatever min_t is", nearest),
             (
                 "that of the last triangle met in the leaf",
                 own_leaf.and_then(|leaf| met_in(leaf).last()),

@@ -144,7 +144,7 @@ impl Question for CameraQuestion {
                 scale: 1.0 / per_unit[0].max(per_unit[1]),
                 is_limit: false,
             },
-            of_frame("the way from the eye to the origin", start, origin),
+            of_frame("the vector from the eye to the ray's origin", start, origin),
             of_frame("the direction", direction, along),
         ])
     }
@@ -196,7 +196,7 @@ impl Question for CameraQuestion {
         };
         [
             (
-                "what you get with columns and rows of the frame exchanged",
+                "what you get with the columns and rows of the camera's frame exchanged",
                 turned(frame.transpose()),
             ),
             (

@@ -76,7 +76,7 @@ impl Notation for Sphere {
         let normal = there.normal + step / self.radius * ray.direction;
         let t = there.t + step;
         Some((
-            "that of the other of the two points",
+            "that of the other point where the ray meets the sphere",
             Intersection { t, normal },
         ))
     }

@@ -88,17 +88,17 @@ impl Notation for Triangle {
         vec![
             Condition::new(
                 "the point lies beyond edge ab",
-                "it does not lie beyond ab",
+                "the point does not lie beyond edge ab",
                 ab,
             ),
             Condition::new(
                 "the point lies beyond edge bc",
-                "it does not lie beyond bc",
+                "the point does not lie beyond edge bc",
                 bc,
             ),
             Condition::new(
                 "the point lies beyond edge ca",
-                "it does not lie beyond ca",
+                "the point does not lie beyond edge ca",
                 ca,
             ),
             Condition::new(

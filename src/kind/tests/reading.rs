@@ -128,20 +128,17 @@ fn a_search_knows_how_the_ray_gets_to_a_triangle() {
         };
         Answer::Hit(Some(hit))
     };
-    let second = "a second child leads to the triangle";
+    let second = "the way to the triangle goes through a second child";
     for (triangle, is_second) in [(2, false), (0, true), (9, false)] {
         let conditions = questions.conditions(0, &hit(triangle)).into_iter();
         let met: Vec<&str> = conditions.filter(|it| it.holds).map(|it| it.name).collect();
         assert_eq!(met.contains(&second), is_second, "{met:?}");
-        assert!(
-            !met.iter()
-                .any(|name| name.contains("after the box beside it"))
-        );
+        assert!(!met.iter().any(|name| name.contains("after its sibling")));
     }
     let later = with(with(search(), "2.near", 0.5), "2.far", 2.0);
     let questions = ask("tree_search", &later).unwrap();
     let conditions = questions.conditions(0, &hit(2)).into_iter();
-    let later = "a box with the triangle is entered after the box beside it";
+    let later = "a box with the triangle is entered after its sibling";
     assert!(conditions.filter(|it| it.holds).any(|it| it.name == later));
     let quantities = questions.quantities(0, &hit(2)).into_iter();
     let quantities: Vec<(&str, f64)> = quantities.map(|it| (it.name, it.value)).collect();

@@ -217,12 +217,13 @@ fn decisions(samples: &[Sample]) -> Vec<Measurement> {
             Some(rule) => {
                 let place = words::rule(&rule, wrong[0]);
                 let nearly = rule.nearly(&wrong, &found_rightly);
+                let each = rule.each(&wrong, &found_rightly);
                 let says = match (rule.scope, misses) {
                     (Scope::Exactly, true) => {
                         format!("{counted}: {nearly}exactly those where {place}.")
                     }
                     (Scope::Exactly | Scope::Everywhere, _) => {
-                        format!("{counted}. In {nearly}each of them {place}.")
+                        format!("{counted}. In {each} of them, {place}.")
                     }
                     (Scope::Partly, _) => format!("{counted}{}.", among(&rule, &wrong, misses)),
                 };
@@ -408,9 +409,10 @@ impl<'a> PartFinding<'a> {
         let place = claim.rule().map(|rule| {
             let place = words::rule(rule, self.wrong[0]);
             let nearly = rule.nearly(&self.wrong, &self.good);
+            let each = rule.each(&self.wrong, &self.good);
             match rule.scope {
                 Scope::Exactly => format!(", {nearly}exactly where {place}"),
-                Scope::Everywhere => format!(", in {nearly}each of which {place}"),
+                Scope::Everywhere => format!(", in {each} of which {place}"),
                 Scope::Partly => among(rule, &self.wrong, true),
             }
         });
@@ -426,7 +428,8 @@ impl<'a> PartFinding<'a> {
                     true if *share == 1.0 => format!("{about} {said}, {of}{where_}."),
                     true => format!("{about} {said}, {of}{where_}, with few exceptions."),
                     false => format!(
-                        "{about} {is} wrong {of}{where_}; in about {:.0} % of these {it} {said}.",
+                        "{about} {is} wrong {of}{where_}; in about {:.0} % of the wrong ones, \
+                         {it} {said}.",
                         (100.0 * share).floor()
                     ),
                 }

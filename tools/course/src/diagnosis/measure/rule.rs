@@ -91,6 +91,14 @@ impl Rule {
             && !(self.scope == Scope::Exactly && right.iter().any(|it| self.holds(it)));
         if is_kept { "" } else { "nearly " }
     }
+
+    /// "each", or "nearly all" if the rule has exceptions.
+    pub fn each(&self, wrong: &[&Sample], right: &[&Sample]) -> &'static str {
+        match self.nearly(wrong, right) {
+            "" => "each",
+            _ => "nearly all",
+        }
+    }
 }
 
 /// With fewer samples than this on either side, don't look for a rule. Among so many conditions,

@@ -93,7 +93,7 @@ fn one(law: Law, sample: &Sample, unit: &str, axes: &[&str]) -> String {
             let shifted = measured(more, counted(more, unit));
             let stretched = match factor {
                 Some((k, power)) => one(Law::TimesQuantity(by, k, power), sample, unit, axes),
-                None => one(Law::Times(by), sample, unit, axes),
+                None => format!("multiplied by {}", number(by, DIGITS)),
             };
             format!("{shifted} and then {}", stretched.trim_start_matches("is "))
         }
