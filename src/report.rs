@@ -84,7 +84,7 @@ impl fmt::Display for Death {
             (Death::Exit(code), None) => {
                 format!("it exited with code {code} before it had answered")
             }
-            (_, Some(signal)) => format!("it was killed ({signal}) before it had answered"),
+            (_, Some(signal)) => format!("it was killed before it had answered ({signal})"),
             (_, None) => "it ended for an unknown reason".into(),
         };
         f.write_str(&words)

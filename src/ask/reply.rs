@@ -202,7 +202,7 @@ impl Reply {
         match message {
             Message::Test(index, test) => {
                 let questions = job.questions().filter(|_| index < self.tests.len());
-                let questions = questions.ok_or("it asked for a test for a missing question")?;
+                let questions = questions.ok_or("it asked for a test in an unknown question")?;
                 self.tests[index] += 1;
                 if self.tests[index] as usize > questions.most_tests(index) {
                     let why =

@@ -74,7 +74,7 @@ fn an_exit_code_is_not_reported_as_a_signal() {
     let of = |death: Death| death.to_string();
     assert_eq!(
         of(Death::Signal(9)),
-        "it was killed (SIGKILL) before it had answered"
+        "it was killed before it had answered (SIGKILL)"
     );
     assert_eq!(
         of(Death::Exit(137)),

@@ -83,7 +83,7 @@ impl<'a> Document<'a> {
         Camera::new(eye, view, up, (width, height), projection).ok_or_else(|| {
             self.source.error(
                 table.up.span(),
-                "`up` is parallel to `view`, so it isn't defined which way is right",
+                "`up` is parallel to `view`, so the direction to the camera's right is undefined",
                 "turn `up` away from the line of sight",
             )
         })

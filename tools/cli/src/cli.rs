@@ -18,8 +18,9 @@ use pinhole_course::run_options::{AssignmentOption, RunOptions, resolution};
     bin_name = "pinhole",
     version,
     max_term_width = 100,
-    after_help = "The instructor's repository has more commands, each with --help: golden, grade, merge, \
-                  dispute, handout, validate (for instructors), study, plan (speed and accuracy), book."
+    after_help = "The instructor's repository has more commands, each with --help. For instructors: \
+                  golden, grade, merge, dispute, handout, validate. For the study of speed and \
+                  accuracy: study, plan. For the book: book."
 )]
 pub struct Cli {
     #[command(subcommand)]
@@ -68,8 +69,8 @@ impl Command {
 /// input is closed. With --json, each verdict is one line. The exit code of --watch doesn't depend
 /// on the verdicts.
 ///
-/// Only the answer files in the folder are used. If the folder is outside this repository, the code
-/// is compiled and run in a sandbox.
+/// Only the answer files in the folder DIR are used. If DIR is outside this repository, the code is
+/// compiled and run in a sandbox.
 ///
 /// `check` also writes a report, an HTML file with hints. For every scene that fails, it shows the
 /// expected picture and yours. Click a pixel to see both answers there.
@@ -125,8 +126,8 @@ pub struct Check {
 /// film.exr holds the id, t and normal of each pixel. id.png, depth.png and normal.png show them in
 /// false colours. If Mitsuba has rendered the scene, depth.png uses the same colours for the same
 /// depths as Mitsuba's picture. If the assignment counts the tests of boxes and triangles,
-/// tests.png shows how many tests each pixel took, and expected-tests.png how many our own answers
-/// take.
+/// tests.png shows how many tests each pixel took, and expected-tests.png shows how many tests it
+/// takes with the reference answers.
 ///
 /// If some of your answers are still missing, pixels that need them are taken from Mitsuba's film.
 /// They are faded in the pictures, so that you can see what your own code does already.
@@ -193,7 +194,7 @@ pub struct Explain {
 /// make in this task. An answer catches a mistake if code with that mistake answers differently. A
 /// right example that catches no mistake is too easy.
 ///
-/// To begin, let it write a file with one question of each group, and no answers:
+/// To begin, let the command write a file with one question of each group, and no answers:
 ///
 /// cargo pinhole examples --new sphere
 ///
@@ -228,10 +229,10 @@ pub struct Examples {
 ///
 /// A film passes if it has the golden's size and channels, all its values are finite, and at every
 /// pixel |film − golden| ≤ tolerance in every channel. (Some films have a channel `tests`, which
-/// counts tests of boxes and triangles. There, only the sums over all pixels are compared.) The
-/// tolerances of a golden NAME.exr are in NAME.tol.exr, in the same folder. If OpenImageIO's
-/// oiiotool is installed, it judges the film too. If the two verdicts differ, Pinhole has a bug,
-/// and `diff` says so.
+/// counts tests of boxes and triangles. In that channel, only the sums over all pixels are
+/// compared.) The tolerances of a golden NAME.exr are in NAME.tol.exr, in the same folder. If
+/// OpenImageIO's oiiotool is installed, it judges the film too. If the two verdicts differ, Pinhole
+/// has a bug, and `diff` says so.
 #[derive(Args)]
 pub struct Diff {
     /// The golden film: NAME.exr, with NAME.tol.exr beside it

@@ -90,8 +90,8 @@ impl Program {
         let manifest = checkout.root().join(self.folder).join("Cargo.toml");
         if !manifest.is_file() || HandoutRecord::read(checkout.root())?.is_some() {
             return Err(Error::input(
-                "this is a student's repository, which lacks the commands for instructors, the \
-                 study and the book",
+                "this is a student's repository, which has no commands for instructors, for the \
+                 study or for the book",
                 "run this in the instructor's repository",
             ));
         }
@@ -130,7 +130,7 @@ impl Program {
             .status()
             .or_environment(
                 format_args!("{} does not start", executable.display()),
-                "run `cargo clean`, then this again",
+                "run `cargo clean`, then this command again",
             )?;
         let code = status.code().and_then(|code| u8::try_from(code).ok());
         Ok(ExitCode::from(code.unwrap_or(3)))

@@ -132,7 +132,7 @@ impl Cast {
             );
         } else {
             anstream::println!(
-                "{resolution} pixels in {:.2} s, of which {hits} hit something; cast by {}",
+                "{resolution} pixels in {:.2} s; {hits} of them show an object; cast by {}",
                 self.seconds,
                 printable(&self.by)
             );
@@ -148,12 +148,14 @@ impl Cast {
             anstream::println!("depth.png spans {near} (bright) to {far} (dark) scene units");
             if let (Some(film), Some(scale)) = (&self.tests, scale) {
                 anstream::println!(
-                    "tests.png: {scale} for a pixel, {} in total",
+                    "tests.png: {scale} for a pixel; {} tests in total",
                     number(heat_map::sum(film), 9)
                 );
                 if let Some(expected) = &self.expected_tests {
                     let sum = number(heat_map::sum(expected), 9);
-                    anstream::println!("expected-tests.png: by our answers, {sum} in total");
+                    anstream::println!(
+                        "expected-tests.png: the reference answers take {sum} tests in total"
+                    );
                 }
             }
             for file in written {
@@ -179,7 +181,7 @@ impl Cast {
 impl fmt::Display for Shares {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.yours.is_empty() {
-            true => writeln!(f, "none of this is yours yet")?,
+            true => writeln!(f, "nothing in this film is yours yet")?,
             false => writeln!(f, "yours: {}", self.yours.join(", "))?,
         }
         let golden = self.golden.join(", ");

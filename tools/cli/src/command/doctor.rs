@@ -179,7 +179,7 @@ fn free_space(folder: &Path) -> std::result::Result<f64, String> {
     let free = row.split_whitespace().nth(3).map(str::parse::<f64>);
     match free {
         Some(Ok(kilobytes)) => Ok(kilobytes * 1024.0 / 1e9),
-        _ => Err("df does not say how much is free".into()),
+        _ => Err("df does not say how much space is free".into()),
     }
 }
 
@@ -235,7 +235,7 @@ fn landlock() -> Finding {
     let modules = fs::read_to_string("/sys/kernel/security/lsm");
     Finding::optional(
         "Landlock",
-        "to hide files, by `--sandbox container`; bubblewrap works without it",
+        "by `--sandbox container`, to hide files; bubblewrap works without it",
         match modules {
             Ok(modules) if modules.split(',').any(|name| name.trim() == "landlock") => {
                 Ok("the kernel has it".into())
@@ -257,7 +257,7 @@ fn seccomp() -> Finding {
     };
     Finding::optional(
         "seccomp",
-        "to refuse system calls to other people's code",
+        "to keep other people's code from making dangerous system calls",
         found,
         "use a Linux kernel with CONFIG_SECCOMP_FILTER",
     )
@@ -266,7 +266,7 @@ fn seccomp() -> Finding {
 fn renderer(checkout: &Checkout) -> Finding {
     Finding::optional(
         "Mitsuba",
-        "to render goldens, and for fresh questions in grade",
+        "to render goldens, and to make fresh questions for `grade`",
         mitsuba_version(checkout),
         "run `cargo pinhole golden setup`",
     )

@@ -94,17 +94,13 @@ fn summary(judged: &JudgedExamples) -> String {
         caught, mistakes, ..
     } = judged;
     let of_all = format!("{mistakes} mistakes that people make in this task");
-    match (judged.count(Verdict::Right), caught) {
-        (0, _) => format!("No example is right yet. Right ones can catch {of_all}."),
-        (right, _) if caught == mistakes => {
-            format!("Your {right} right examples catch all {of_all}.")
-        }
-        (right, _) => format!(
-            "Your {} {caught} of {of_all}.",
-            match right {
-                1 => "right example catches".into(),
-                _ => format!("{right} right examples catch"),
-            }
-        ),
+    let right = match judged.count(Verdict::Right) {
+        0 => return format!("No example is right yet. Right ones can catch {of_all}."),
+        1 => "right example catches".into(),
+        right => format!("{right} right examples catch"),
+    };
+    match caught == mistakes {
+        true => format!("Your {right} all {of_all}."),
+        false => format!("Your {right} {caught} of {of_all}."),
     }
 }

@@ -177,7 +177,7 @@ fn print_rays(explanation: &PixelExplanation, scene: &Scene, pixel: Pixel) {
             .map(|at| without_noise(at, size))
         {
             [u, v] if u.is_finite() && v.is_finite() => format!("u = {}, v = {}", show(u), show(v)),
-            _ => "your ray never meets it".into(),
+            _ => "your ray never meets the image plane".into(),
         }
     };
     let (u, v) = (show(expected.u), show(expected.v));

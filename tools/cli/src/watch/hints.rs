@@ -53,7 +53,7 @@ fn on_scenes(state: &State) -> Vec<String> {
         Some(scene) if !scene.diagnosis.is_empty() => known(&scene.diagnosis),
         Some(_) => vec![
             "look: `explain` shows what each of your answers returns for one pixel".into(),
-            "think: which of them is the first whose result you did not expect?".into(),
+            "think: which answer is the first whose result you did not expect?".into(),
         ],
     }
 }

@@ -30,7 +30,7 @@ pub const KEYS: [(char, Key, &str, &str); 9] = [
         'o',
         Key::Report,
         "report",
-        "open the report of what has been judged so far",
+        "open the report, once everything is judged",
     ),
     ('n', Key::Next, "next", "the next task"),
     ('p', Key::Previous, "previous", "the previous task"),

@@ -208,7 +208,7 @@ fn watch_reports_a_missing_file_or_folder_and_its_return() {
     let watch = watch(&folder, &["--task", "plane"]);
     watch.read_to("✓ plane");
     fs::remove_file(folder.join("plane.rs")).expect("it is there");
-    watch.read_to("there is no such file");
+    watch.read_to(".rs is missing");
 
     let elsewhere = folder.with_extension("elsewhere");
     let _from_an_earlier_run = fs::remove_dir_all(&elsewhere);

@@ -156,7 +156,7 @@ impl<R: Read + Seek> Archive<R> {
             .files()
             .filter(|other| other.to_lowercase() == path.to_lowercase());
         if alike.count() > 1 {
-            let why = "there is another whose name differs only in capitals";
+            let why = "there is another file whose name differs only in capitals";
             return Err(AnswerFileProblem::Refused(why.into()));
         }
         let mut bytes = Vec::new();

@@ -50,7 +50,7 @@ fn is_absent(error: &io::Error) -> bool {
 pub fn unreadable(path: &Path) -> Error {
     Error::environment(
         format!("cannot read {}", path.display()),
-        "make it readable for the user who runs this (chmod -R u+rX), and run this again",
+        "make it readable for the user who runs Pinhole (chmod -R u+rX), and run the command again",
     )
 }
 

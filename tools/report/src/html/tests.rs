@@ -161,16 +161,12 @@ fn scenes(of_task: &[Explanation], of_scenes: &[Explanation]) -> String {
 #[test]
 fn a_scene_counts_a_belief_only_if_a_row_above_spelled_it_out() {
     let told = scenes(&[belief("A.", 1.0)], &[belief("A.", 0.5)]);
-    let counted = "what you may believe about sphere explains 50 % of what is wrong";
+    let counted = "the belief above about sphere explains 50 % of what is wrong here";
     assert_eq!(told.matches(counted).count(), 2, "{told}");
     assert!(!told.contains("You may believe"), "{told}");
     let told = scenes(&[], &[belief("A.", 1.0)]);
     assert_eq!(told.matches("You may believe: “A.”").count(), 1, "{told}");
-    assert_eq!(
-        told.matches("what you may believe about").count(),
-        1,
-        "{told}"
-    );
+    assert_eq!(told.matches("the belief above about").count(), 1, "{told}");
 }
 
 #[test]

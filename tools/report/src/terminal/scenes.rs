@@ -68,7 +68,7 @@ fn scene_diagnosis(text: &mut String, of_scene: &Diagnosis, told: &mut BTreeSet<
             held.mistake.fails.join(", "),
             share(held.explained, of_scene),
         );
-        format!("what you may believe about {tasks} explains {share} is wrong")
+        format!("the belief above about {tasks} explains {share} is wrong here")
     };
     let mut lines: Vec<String> = beliefs.iter().map(explained).collect();
     // Two beliefs about one task can explain the same share.

@@ -14,7 +14,7 @@ pub fn task_in_words(task: &TaskOutcome) -> String {
     let passes = |group: &&GroupOutcome| group.outcome.passes();
     let passing = task.groups.iter().filter(passes).count();
     match &task.file {
-        AnswerFile::Missing => "there is no such file".into(),
+        AnswerFile::Missing => format!("the file {}.rs is missing", task.name),
         AnswerFile::Refused { why } => format!("refused: {why}"),
         AnswerFile::DoesNotCompile { .. } => "does not compile".into(),
         AnswerFile::Compiled if task.is_unanswered() => "unanswered".into(),
@@ -62,7 +62,7 @@ pub fn earlier_in_words(earlier: &EarlierOutcome) -> String {
             earlier.assignment
         ),
         Some(problem) => format!(
-            "The scenes are cast with our {file} instead of yours from `{}`, because {}.",
+            "Your {file} from `{}` is not used, because {}. The scenes are cast with ours instead.",
             earlier.assignment,
             printable(problem)
         ),
@@ -74,8 +74,8 @@ pub fn group_in_words(group: &GroupOutcome) -> String {
     let said = outcome_of(&group.outcome, "answers");
     match group.fails_fresh {
         true => format!(
-            "the public questions pass, fresh ones do not: {said}. Ask your instructor, who can \
-             look at them"
+            "{said}. The public questions pass, but fresh questions do not. Ask your instructor, \
+             who can look at the fresh questions"
         ),
         false => said,
     }
@@ -93,7 +93,7 @@ pub fn no_answer(why: &NoAnswer) -> String {
         NoAnswer::NoFile(file) => format!("there is no usable {file}"),
         NoAnswer::DoesNotCompile(file) => format!("{file} does not compile"),
         NoAnswer::Failed(failure) => outcome(failure),
-        NoAnswer::Nothing => "it gave no answer".into(),
+        NoAnswer::Nothing => "your code gave no answer".into(),
     }
 }
 
@@ -166,7 +166,10 @@ fn verdict_in_words(comparison: &Comparison, what: &str) -> String {
 pub fn diagnosis(diagnosis: &Diagnosis) -> String {
     let mut lines = Vec::new();
     if diagnosis.reading == Reading::OneOf {
-        lines.push("One of these beliefs explains it, but the answers don't tell which:".into());
+        lines.push(
+            "One of these beliefs explains what is wrong here, but the answers don't tell which:"
+                .into(),
+        );
     }
     for Explanation {
         mistake, explained, ..
