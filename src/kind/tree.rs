@@ -178,7 +178,7 @@ impl TreeMeasures {
             cost,
         } = *self;
         if largest_leaf == 0 && misplaced == 0 {
-            return "a tree with each triangle in exactly one leaf, within its limits".into();
+            return "a tree that has each triangle in exactly one leaf and exceeds no limit".into();
         }
         let shape = format!("depth {depth}, at most {largest_leaf} triangles in a leaf");
         match misplaced {
