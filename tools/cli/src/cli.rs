@@ -65,8 +65,8 @@ impl Command {
 ///
 /// With --watch, `check` keeps running and judges an answer whenever you save it. Once all tasks
 /// pass, it judges the scenes. Press h for a hint and ? for all keys. Without a terminal, or with
-/// --json, it prints verdicts as they come, until you press Ctrl-C or the pipe to its standard
-/// input is closed. With --json, each verdict is one line. The exit code of --watch doesn't depend
+/// --json, `check` prints verdicts as they come, until you press Ctrl-C or close the pipe to its
+/// standard input. With --json, each verdict is one line. The exit code of --watch doesn't depend
 /// on the verdicts.
 ///
 /// Only the answer files in the folder DIR are used. If DIR is outside this repository, the code is

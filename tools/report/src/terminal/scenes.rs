@@ -50,7 +50,10 @@ fn scene_rows(
         let command = format!("cargo pinhole explain {name} {i} {j} --submission {folder}");
         line(
             text,
-            format!("    {QUIET}worst pixel in {}: {command}{QUIET:#}", channel.name),
+            format!(
+                "    {QUIET}worst pixel in {}: {command}{QUIET:#}",
+                channel.name
+            ),
         );
     }
 }
