@@ -22,13 +22,13 @@ use crate::{figures, gallery, interactive, run};
 /// A part of the check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Part {
-    /// Links, anchors, images, solutions, hints: the built pages
+    /// The built pages: links, anchors, images, solutions, hints
     Pages,
-    /// What commands print
+    /// Whether commands still print what the book shows
     Runs,
-    /// Figures against the programs that make them
+    /// Whether the programs still draw the figures that the book shows
     Figures,
-    /// Galleries against what the mistakes cast
+    /// Whether the mistakes still render the pictures in the galleries
     Galleries,
     /// The interactive figures' types and mathematics (needs Node.js)
     Interactive,

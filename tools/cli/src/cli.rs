@@ -58,16 +58,16 @@ impl Command {
 /// Compile a submission and judge its answers
 ///
 /// An answer is the code that you write for one task. Each task has several groups of questions.
-/// What your code returns is compared with what Mitsuba returns. Then all your answers together
-/// render every scene as a film, which holds the object, t and normal of each pixel. Your film is
-/// compared with Mitsuba's. For each group and scene that fails, you see what was asked, what was
-/// expected and what your code returned.
+/// What your code returns is compared with what the renderer Mitsuba returns. Then all your answers
+/// together render every scene as a film, which holds the object, t and normal of each pixel. Your
+/// film is compared with Mitsuba's. For each group and scene that fails, you see what was asked,
+/// what was expected and what your code returned.
 ///
 /// With --watch, `check` keeps running and judges an answer whenever you save it. Once all tasks
 /// pass, it judges the scenes. Press h for a hint and ? for all keys. Without a terminal, or with
-/// --json, `check` prints verdicts as they come, until you press Ctrl-C or close the pipe to its
-/// standard input. With --json, each verdict is one line. The exit code of --watch doesn't depend
-/// on the verdicts.
+/// --json, `check --watch` prints verdicts as they come, until you press Ctrl-C or close the pipe
+/// to its standard input. With --json, each verdict is one line. The exit code of --watch doesn't
+/// depend on the verdicts.
 ///
 /// Only the answer files in the folder DIR are used. If DIR is outside this repository, the code is
 /// compiled and run in a sandbox.
@@ -130,7 +130,7 @@ pub struct Check {
 /// takes with the reference answers.
 ///
 /// If some of your answers are still missing, pixels that need them are taken from Mitsuba's film.
-/// They are faded in the pictures, so that you can see what your own code does already.
+/// These pixels are faded in the pictures, so that you can see what your own code does already.
 #[derive(Args)]
 pub struct Render {
     /// A scene file, or the name of one of the assignment's scenes
@@ -156,10 +156,10 @@ pub struct Render {
 
 /// Explain one pixel in words
 ///
-/// Shows your ray beside the expected one: first the point where it crosses the image plane, then
-/// the ray itself, in camera space and in world space. After that, you see what your code answers
-/// for each object, everything that it printed, and the first hit. If Mitsuba has rendered this
-/// scene, you also see Mitsuba's ray and first hit.
+/// Shows your ray beside the expected one: first where each crosses the image plane, then the rays
+/// themselves, in camera space and in world space. After that, you see what your code answers for
+/// each object, everything that it printed, and your first hit. If Mitsuba has rendered this scene,
+/// you also see Mitsuba's ray and first hit.
 ///
 /// Try: cargo pinhole explain slide_example 2 3
 #[derive(Args)]
@@ -191,14 +191,15 @@ pub struct Explain {
 /// Do this before you write any code, to find out whether you understand a task. You choose some of
 /// its public questions and write down the answers. For each answer, you see whether Mitsuba gives
 /// the same one. You also see how many mistakes your right answers catch, out of those that people
-/// make in this task. An answer catches a mistake if code with that mistake answers differently. A
-/// right example that catches no mistake is too easy.
+/// make in this task. An answer catches a mistake if code with that mistake answers differently. If
+/// a right answer catches no mistake, its question is too easy.
 ///
-/// To begin, let the command write a file with one question of each group, and no answers:
+/// The questions of a task are in groups. To begin, let the command write a file with one question
+/// of each group, and no answers:
 ///
 /// cargo pinhole examples --new sphere
 ///
-/// An answer looks like this. Three digits are enough:
+/// An example is a question with its answer, and looks like this. Three digits are enough:
 ///
 /// [[example]]
 /// group = "inside"

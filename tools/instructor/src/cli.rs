@@ -16,9 +16,9 @@ use crate::validate::Part;
 /// Commands for instructors: grade a class, make what students get, make goldens, and test the
 /// grading.
 ///
-/// Exit codes: 0 if everything is right; 1 if an answer or a golden is wrong, or there is something
-/// to look at; 2 if a file or an argument is wrong; 3 if something is missing on this machine, or
-/// Pinhole has a bug.
+/// Exit codes: 0 if everything is right; 1 if an answer or a golden is wrong, or something needs
+/// your attention; 2 if a file or an argument is wrong; 3 if something is missing on this machine,
+/// or Pinhole has a bug.
 #[derive(Parser)]
 #[command(name = "pinhole", bin_name = "pinhole", version, max_term_width = 100)]
 pub struct Cli {
@@ -65,15 +65,16 @@ impl Command {
 /// submission is listed first. It has no mark, which is not the same as a zero, and the exit code
 /// is 3.
 ///
-/// The end of the output and the top of class.html list every submission that lacks files, could
-/// belong to several people, or belongs to nobody on the roster, and every file that is part of no
-/// submission. If there are any, the exit code is 1.
+/// The end of the output and the top of class.html list what you should look at: submissions that
+/// lack files, could belong to several people, or belong to nobody on the roster, and files that
+/// are part of no submission. If there are any, the exit code is 1.
 ///
 /// If Mitsuba is installed, `grade` also asks fresh questions, which are drawn from a new seed and
 /// are the same for the whole class. A submission then earns a group's points only if it answers
-/// both the public and the fresh questions of that group correctly. A scene earns no larger share
-/// of its points than the weakest task that it needs. But if the random scenes that are drawn with
-/// the fresh questions need the same tasks and earn a larger share, that share is the limit.
+/// both the public and the fresh questions of that group correctly. Scenes have a limit, too: if
+/// the weakest task that a scene needs earns 60 % of its points, the scene earns at most 60 % of
+/// its own. But random scenes are drawn along with the fresh questions. If these scenes need the
+/// same tasks and earn a larger share of their points, that share is the limit.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions
@@ -92,11 +93,11 @@ pub struct Grade {
     #[arg(long, value_name = "N")]
     pub jobs: Option<usize>,
     /// Judge against the golden films in this folder, and withhold them from students; `pinhole
-    /// golden render my.toml --out DIR` makes them
+    /// golden render SCENE.toml --out DIR` makes them
     #[arg(long, value_name = "DIR")]
     pub golden: Option<PathBuf>,
-    /// How much results and reports show about questions that students don't have: fresh ones,
-    /// withheld scenes, and those of --golden
+    /// How much results and reports show about what students don't have: fresh questions, withheld
+    /// scenes, and the films of --golden
     #[arg(long, value_enum, default_value_t)]
     pub reveal: Reveal,
     /// Draw fresh questions from this seed [default: the seed of OUT/fresh; if there is none, or
@@ -114,7 +115,8 @@ pub struct Grade {
     /// Canvas or Moodle
     #[arg(long, value_name = "CSV")]
     pub roster: Option<PathBuf>,
-    /// A policy.toml: deadlines, late days, extra credit, and changes to individual marks
+    /// A policy.toml, which sets deadlines, late days and extra credit, and changes individual
+    /// marks
     #[arg(long, value_name = "TOML")]
     pub policy: Option<PathBuf>,
     /// Also write results in this format (repeatable)
@@ -136,7 +138,7 @@ pub struct Grade {
     /// The sandbox that all code runs in
     #[arg(long, value_enum, value_name = "SANDBOX", default_value_t)]
     pub sandbox: Choice,
-    /// Run without a sandbox, for your own code only; every result will say so (short for
+    /// Run code without a sandbox, and say so in every result; only for your own code (short for
     /// --sandbox none)
     #[arg(long, conflicts_with = "sandbox")]
     pub trust: bool,
@@ -215,9 +217,10 @@ pub struct Merge {
 /// `todo!`. Signatures and documentation stay.
 ///
 /// With --out, `handout` writes a repository for students: the stubs, the commands for students,
-/// the public scenes and their goldens, tests, a README and a workflow for GitHub. To use it,
-/// students need only Rust and a linker. It contains no right or wrong answers. Of scenes with
-/// `public = false`, it says only how many points they are worth together.
+/// the public scenes and their goldens, tests, a README and a workflow for GitHub. To use the
+/// repository, students need only Rust and a linker. It contains no solutions, and no code with a
+/// known mistake. Of scenes with `public = false`, it says only how many points they are worth
+/// together.
 #[derive(Args)]
 #[command(group = ArgGroup::new("autograder").args(["gradescope", "prairielearn"]).multiple(true))]
 pub struct Handout {
@@ -240,8 +243,8 @@ pub struct Handout {
     /// edition to book/build/student
     #[arg(long, value_name = "DIR", requires = "out")]
     pub book: Option<PathBuf>,
-    /// Overwrite the files of an earlier run. With --out, this writes nothing if anybody has
-    /// changed one of them since; without --out, changes to the stubs are lost
+    /// Overwrite the files of an earlier run. With --out, nothing is written if somebody has
+    /// changed one of these files since then; without --out, changes to the stubs are lost
     #[arg(long, conflicts_with = "check")]
     pub force: bool,
     /// Write an autograder for Gradescope to this file. Keep it to yourself: it contains all
@@ -249,7 +252,7 @@ pub struct Handout {
     #[arg(long, value_name = "FILE.zip")]
     pub gradescope: Option<PathBuf>,
     /// Write a PrairieLearn question and a Dockerfile for its grader to this folder, which must be
-    /// new or empty. Keep it to yourself, too
+    /// new or empty. Keep it to yourself: it contains all goldens and the reference solution
     #[arg(long, value_name = "DIR")]
     pub prairielearn: Option<PathBuf>,
     /// Let the autograder also ask the fresh questions in this folder, because public ones can be
@@ -267,7 +270,7 @@ pub struct Handout {
 
 /// Test the grading: does it catch every known mistake and pass every right answer?
 ///
-/// Judges answers whose verdict is known, in the same way as a student's:
+/// Judges answers whose verdict is known, in the same way as students' answers:
 ///
 /// - the stub must count as unanswered, and the reference and every variant (another right answer)
 ///   must pass;
@@ -279,11 +282,12 @@ pub struct Handout {
 ///
 /// - with --mutants, every copy of the reference with one small fault (a sign, a comparison, a
 ///   constant, …) must fail if it compiles. The exceptions are listed in equivalent.toml, which
-///   says where their answers differ from the reference's. A search must find the same.
+///   says where the answers of each differ from the reference's. A search for such differences must
+///   agree with what the file says.
 ///
-/// The tables show how many mistakes each group of questions and each scene catches, how many of
-/// them nothing else catches, and how small an error each scene detects. The exit code is 0 if
-/// every target is met. Otherwise it is 1, and the missed targets are listed first.
+/// The tables show how many mistakes each group of questions and each scene catches, how many it
+/// alone catches, and how small an error each scene detects. The exit code is 0 if every target is
+/// met. Otherwise it is 1, and the missed targets are listed first.
 #[derive(Args)]
 pub struct Validate {
     /// The assignment, by name or folder

@@ -33,7 +33,7 @@ pub enum Kind {
     Random,
     /// Hard and absurd questions about all shapes, for the exact kernels and the caster.
     Adversarial,
-    /// Rays at the edges and the vertices of a closed mesh, for the caster.
+    /// Rays aimed at the edges and the vertices of a closed mesh, for the caster.
     Edges,
     /// A plan of a random scene, judged at every pixel.
     Plans,

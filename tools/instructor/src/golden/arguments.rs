@@ -17,13 +17,14 @@ pub enum Golden {
 
 /// Render goldens with Mitsuba
 ///
-/// Makes a film and a tolerance film for each scene, two more for its viewing rays, and a manifest
-/// that says what they were made from. Then makes the same films with each known mistake, and
-/// stores what the mistake changes, so that `check` and `diff` can recognise it.
+/// For each scene, makes a film and its tolerance film, and two more films for the scene's viewing
+/// rays. Also makes a manifest that says what all these films were made from. Then makes the same
+/// films with each known mistake, and stores what the mistake changes, so that `check` and `diff`
+/// can recognise the mistake.
 ///
 /// If you name no scene, this makes everything that the assignment has in `golden/`: the films of
-/// its scenes, the films of its questions, and, for
-/// `validate --mutants`, questions in which two values that the code compares are exactly equal.
+/// its scenes, the films of its questions, and, for `validate --mutants`, more questions. In many
+/// of the latter, two values that the code compares are exactly equal.
 ///
 /// A scene is refused if an edge passes through a pixel's centre, or if a pixel's centre lies
 /// close to a plane's horizon. If that happens, move the camera a little.
@@ -37,8 +38,8 @@ pub struct GoldenRender {
     /// scenes]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Make fresh questions and random scenes from this seed, instead of the assignment's own;
-    /// `random` draws a seed that nobody can guess. Needs --out
+    /// Make fresh questions and random scenes from this seed, instead of the assignment's own
+    /// questions and scenes; `random` draws a seed that nobody can guess. Needs --out
     #[arg(long, value_name = "N", value_parser = seed, conflicts_with = "scenes", requires = "out")]
     pub seed: Option<Seed>,
     /// Replace the assignment's own films, on which every mark depends

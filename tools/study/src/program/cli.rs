@@ -48,10 +48,10 @@ impl Command {
 
 /// Measure how fast and how accurate different ways to cast rays are
 ///
-/// There are several ways to intersect a sphere, a plane or a triangle. The study asks all of them
+/// There are several ways to intersect a sphere, a plane or a triangle. The study tries each way on
 /// the same questions, which get harder step by step, and judges the answers with exact arithmetic.
-/// Everyday, hard and absurd questions are counted separately. Then it renders every scene and
-/// judges every pixel.
+/// Everyday, hard and absurd questions are counted separately. Then the study renders every scene
+/// and judges every pixel.
 ///
 /// Writes study.json, summary.md and plots, and prints what Pinhole promises beside what was
 /// measured. The exit code is 0 if all promises about accuracy are kept, and otherwise 1. Promises
@@ -78,12 +78,13 @@ pub struct Study {
 
 /// Find the fastest way to render a scene's film with a given accuracy, and explain the choice
 ///
-/// This way is called a plan. A film that is rendered by it shows the true object at every pixel,
-/// and t and normals are as accurate as you ask for. (The exception is a t below 2e-308 or above
-/// 1.7e308, where f64 has fewer digits or none.) This is proven for every camera ray, not estimated
-/// from samples. For each kind of shape, the output says how accurate f64 arithmetic is, and which
-/// hits must be checked and perhaps computed exactly. It also says whether a bounding volume
-/// hierarchy is worthwhile. The same scene and options always give the same plan.
+/// The way that is found is called a plan. A film that is rendered by the plan shows the true
+/// object at every pixel, and t and normals are as accurate as you ask for. (The exception is a t
+/// below 2e-308 or above 1.7e308, where f64 has fewer digits or none.) The accuracy is proven for
+/// every camera ray, not estimated from samples. For each kind of shape, the output says how
+/// accurate f64 arithmetic is, and which hits must be checked and perhaps computed exactly. It also
+/// says whether a bounding volume hierarchy is worthwhile. The same scene and options always give
+/// the same plan.
 ///
 /// Try: cargo pinhole plan bunny --accuracy 1e-6
 #[derive(Args)]
@@ -120,12 +121,12 @@ pub struct Render {
     pub assignment: AssignmentOption,
     /// Use the exact caster, which never shows a wrong object and keeps t and normals accurate to
     /// 1e-12. If rounding leaves a decision open, exact arithmetic decides, and the output says how
-    /// often that happened. A ray that meets a triangle's edge hits the triangle. The rays
-    /// themselves are rounded to f64 first
+    /// often that happened. A ray that meets a triangle's edge hits the triangle. Before the rays
+    /// are cast, they are rounded to f64
     #[arg(long)]
     pub exact: bool,
     /// Use the fastest way that is proven to keep t and normals as accurate as ACCURACY, a number
-    /// such as 1e-6; `pinhole plan` explains it
+    /// such as 1e-6; `pinhole plan` explains this way
     #[arg(long, value_name = "ACCURACY", value_parser = accuracy)]
     pub plan: Option<f64>,
     #[command(flatten)]
@@ -166,8 +167,8 @@ pub struct Record {
 /// What a planned film should contain.
 #[derive(Args)]
 pub struct FilmOptions {
-    /// Compute only these, and the object in any case. If t or normals are left out, they are 0 in
-    /// the film [default: id,depth,normal]
+    /// Compute only these values; the object is always computed. If t or normals are left out, they
+    /// are 0 in the film [default: id,depth,normal]
     #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',')]
     pub outputs: Vec<Output>,
 }

@@ -24,8 +24,8 @@ pub enum Format {
     Junit,
     /// prairielearn.json: PrairieLearn's results.json
     Prairielearn,
-    /// classroom50.json: Classroom 50's result.json; it names the classroom, the assignment and the
-    /// submission if Classroom 50's runner has set its variables
+    /// classroom50.json: Classroom 50's result.json, which names the classroom, the assignment and
+    /// the submission if Classroom 50's runner has set its environment variables
     Classroom50,
     /// groups.csv in OUT: a line for each group of questions
     Csv,
@@ -33,7 +33,7 @@ pub enum Format {
     Canvas,
     /// moodle.csv in OUT: final marks for Moodle's grading worksheet
     Moodle,
-    /// feedback*.zip in OUT: all reports, packed for Canvas, for Moodle, and by id
+    /// feedback*.zip in OUT: all reports, packed in three ways: for Canvas, for Moodle, and by id
     Feedback,
 }
 
