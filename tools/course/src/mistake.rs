@@ -15,14 +15,14 @@ use crate::error::{Error, Result, ResultExt};
 pub struct Mistake {
     /// The belief, in a student's own words.
     pub belief: String,
-    /// The tasks that it makes wrong. All others keep their points.
+    /// The tasks whose answers the mistake makes wrong. All others keep their points.
     pub fails: Vec<String>,
-    /// How many of the solutions that were read have it, if that was counted.
+    /// How many of the public solutions that were read contain the mistake, if that was counted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub submissions: Option<u32>,
     /// The chapter of the book that helps.
     pub chapter: String,
-    /// The single mistakes that it consists of, if it combines several.
+    /// The single mistakes, if this mistake combines several.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub beliefs: Vec<String>,
     /// Help at three levels.

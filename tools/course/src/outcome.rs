@@ -107,13 +107,13 @@ pub struct Outcome {
     pub schema: u32,
     /// The assignment's title.
     pub assignment: String,
-    /// The folder as the user named it. In a class, the name it was handed in under.
+    /// The folder as the user named it. In a class, the name that it was handed in under.
     pub submission: String,
     /// Whether everything that was asked passes.
     pub passes: bool,
-    /// Points earned; null if it could not be graded, which is not the same as zero.
+    /// Points earned; null if the submission could not be graded, which is not the same as zero.
     pub points: Option<u32>,
-    /// The points that everything that was asked is worth.
+    /// The most points that could be earned in what was asked.
     pub possible: u32,
     /// Points that cannot be earned here, for scenes that students do not have.
     pub withheld: u32,
@@ -121,8 +121,8 @@ pub struct Outcome {
     pub tasks: Vec<TaskOutcome>,
     /// The scenes, in the assignment's order.
     pub scenes: Vec<SceneOutcome>,
-    /// What became of the answer of an earlier assignment. Absent if it was not handed in again, or
-    /// if no scene was cast.
+    /// How an answer to an earlier assignment was used. Absent if no such answer was handed in
+    /// again, or if no scene was cast.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub earlier: Option<EarlierOutcome>,
     /// The beginning of what the student's code printed. Empty if anything that was asked is
@@ -142,8 +142,8 @@ pub struct EarlierOutcome {
     pub task: String,
     /// The earlier assignment.
     pub assignment: String,
-    /// Why scenes were cast without it, as a clause: "it does not compile". Null if they were cast
-    /// with it.
+    /// Why scenes were cast without this answer, as a clause: "it does not compile". Null if they
+    /// were cast with the answer.
     pub problem: Option<String>,
 }
 
@@ -155,7 +155,7 @@ pub struct SceneOutcome {
     pub name: String,
     /// All its points, or 0.
     pub points: u32,
-    /// What it is worth.
+    /// The points that the scene is worth.
     pub possible: u32,
     /// How its film fared.
     pub outcome: FilmOutcome,

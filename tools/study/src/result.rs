@@ -83,7 +83,7 @@ pub struct Sweep {
     pub meaning: &'static str,
     /// The meaning of x.
     pub axis: &'static str,
-    /// The type its numbers are rounded to.
+    /// The type that the questions' numbers are rounded to.
     pub data: &'static str,
     /// The points, in order of x.
     pub points: Vec<Point>,
@@ -95,7 +95,7 @@ pub struct Sweep {
 pub struct Point {
     /// The exponent x.
     pub exponent: i32,
-    /// The class of its questions.
+    /// The class of the questions with this exponent.
     pub class: Class,
     /// The results of all kernels.
     pub kernels: Vec<KernelTally>,
@@ -107,7 +107,7 @@ pub struct Point {
 pub struct KernelTally {
     /// The kernel's name.
     pub kernel: &'static str,
-    /// The numbers it computes with.
+    /// The numbers that the kernel computes with, such as `f64`.
     pub numbers: &'static str,
     /// The tally of its answers.
     #[serde(flatten)]
@@ -120,7 +120,7 @@ pub struct KernelTally {
 pub struct MeshTally {
     /// The kernel's name.
     pub kernel: &'static str,
-    /// The numbers it computes with.
+    /// The numbers that the kernel computes with, such as `f64`.
     pub numbers: &'static str,
     /// `edge` or `vertex`.
     pub aimed_at: &'static str,
@@ -143,7 +143,7 @@ pub struct Trade {
     pub class: Class,
     /// The kernel's name.
     pub kernel: &'static str,
-    /// The numbers it computes with.
+    /// The numbers that the kernel computes with, such as `f64`.
     pub numbers: &'static str,
     /// Questions that were judged.
     pub asked: u64,
@@ -153,7 +153,7 @@ pub struct Trade {
     pub not_finite: u64,
     /// The median error of t, in ulp.
     pub median_ulp: Option<f64>,
-    /// The largest error of t, in the same unit.
+    /// The largest error of t, in ulp.
     pub worst_ulp: Option<f64>,
     /// CPU time for one ray and one shape, in the median round.
     pub nanoseconds: Option<f64>,
@@ -174,7 +174,7 @@ pub struct TierTally {
     pub class: Class,
     /// The tier.
     pub tier: Tier,
-    /// Questions it decided.
+    /// Questions that this tier decided.
     pub decided: u64,
     /// All questions.
     pub asked: u64,
@@ -193,7 +193,7 @@ pub struct ConditioningErrors {
     pub shape: &'static str,
     /// The kernel's name.
     pub kernel: &'static str,
-    /// The numbers it computes with.
+    /// The numbers that the kernel computes with, such as `f64`.
     pub numbers: &'static str,
     /// The condition number is from 10^`decade` to ten times as much.
     pub decade: i32,
@@ -201,7 +201,7 @@ pub struct ConditioningErrors {
     pub hits: u64,
     /// The median error of t, in ulp.
     pub median_ulp: f64,
-    /// The largest error of t, in the same unit.
+    /// The largest error of t, in ulp.
     pub worst_ulp: f64,
 }
 
@@ -215,7 +215,7 @@ pub struct BreakingPoint {
     pub family: &'static str,
     /// The kernel's name.
     pub kernel: &'static str,
-    /// The numbers it computes with.
+    /// The numbers that the kernel computes with, such as `f64`.
     pub numbers: &'static str,
     /// Going up from the easiest exponent, the first at which the kernel is broken.
     pub above: Option<i32>,
@@ -229,7 +229,8 @@ pub struct BreakingPoint {
 pub struct SceneTally {
     /// The scene's name.
     pub scene: String,
-    /// `f64`, `exact`, or `Mitsuba` (the golden film, by rays of its own in `f32`).
+    /// `f64`, `exact`, or `Mitsuba` (the golden film, which Mitsuba made with its own rays in
+    /// `f32`).
     pub model: &'static str,
     /// `brute force` or `boxes`.
     pub search: Option<&'static str>,
@@ -266,7 +267,7 @@ pub struct SceneTally {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Secondary {
-    /// The shape that they leave: `sphere`.
+    /// The shape that the rays leave: `sphere`.
     pub shape: &'static str,
     /// How the origin is moved.
     pub method: &'static str,
@@ -277,7 +278,7 @@ pub struct Secondary {
     /// Those of the rays in `leaving` that hit the surface again, which causes dark specks in
     /// shadows.
     pub self_hits: u64,
-    /// Rays aimed at a surface a thousandth of the size away.
+    /// Rays aimed at a surface that is a thousandth of the sphere's radius away.
     pub near: u64,
     /// Those of the rays in `near` that miss that surface, which causes light leaks.
     pub lost: u64,
@@ -291,7 +292,7 @@ pub struct PlanErrors {
     pub rays: u64,
     /// Rays with a wrong object.
     pub wrong_ids: u64,
-    /// Rays whose t or normal exceeds the requested error.
+    /// Rays whose t or normal has a larger error than was requested.
     pub violations: u64,
     /// The largest relative error of t.
     pub worst_t: f64,
@@ -316,7 +317,7 @@ pub struct PlanTally {
     pub planning: f64,
     /// CPU time for a ray, in the median film.
     pub nanoseconds: f64,
-    /// CPU time for a ray with exact objects, but t and normals not refined.
+    /// CPU time for a ray if only objects are exact, and t and normals are not refined.
     pub exact_ids: f64,
     /// CPU time for a ray in plain `f64`.
     pub plain: f64,
@@ -336,8 +337,8 @@ pub struct Target {
     pub measured: String,
     /// Whether the promise is kept.
     pub met: bool,
-    /// Whether it is a cost: a time, which depends on the machine and its load, or a number of
-    /// instructions. Missing such a target is reported, but does not fail the run.
+    /// Whether the figure is a cost: a time, which depends on the machine and its load, or a number
+    /// of instructions. Missing such a target is reported, but does not fail the run.
     pub is_time: bool,
 }
 

@@ -33,11 +33,12 @@ use words::DIGITS;
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Finding {
-    /// The part of an answer that it is about.
+    /// The part of an answer that the sentence is about.
     pub about: String,
     /// The sentence.
     pub says: String,
-    /// Whether it states a law or where something is wrong; if not, it only counts.
+    /// Whether the sentence says what law the wrong answers follow, or where they are; if not, it
+    /// only counts them.
     pub is_law: bool,
 }
 

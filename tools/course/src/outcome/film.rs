@@ -11,16 +11,16 @@ use super::Status;
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub enum FilmOutcome {
-    /// It was compared with its golden, and passes or fails.
+    /// The film was compared with its golden, and passes or fails.
     Judged(Comparison),
-    /// It can't be compared with its golden.
+    /// The film can't be compared with its golden.
     Refused {
-        /// In words.
+        /// The reason, in words.
         why: String,
     },
     /// The answer is still `todo!`.
     Unanswered,
-    /// It needs another answer, which is still `todo!` or never ends.
+    /// The film needs another answer, which is still `todo!` or never ends.
     Blocked {
         /// The task of that answer.
         by: String,
@@ -43,7 +43,7 @@ pub enum FilmOutcome {
         #[serde(default)]
         whole: bool,
     },
-    /// It took more memory than its limit.
+    /// The process took more memory than its limit.
     #[serde(rename = "out of memory")]
     OutOfMemory {
         /// The limit, in bytes.
@@ -51,12 +51,12 @@ pub enum FilmOutcome {
     },
     /// The process ended early.
     Died {
-        /// In words.
+        /// How it ended, in words.
         how: String,
     },
-    /// It sent something that is not an answer.
+    /// The process sent something that is not an answer.
     Garbled {
-        /// In words.
+        /// What was wrong, in words.
         why: String,
     },
     /// The student may not see what was asked, so the details are withheld.
@@ -85,7 +85,7 @@ pub struct Comparison {
     pub failing: usize,
     /// How many pixels are exempt.
     pub exempt: usize,
-    /// Channel by channel. Empty if what was asked is withheld.
+    /// The verdict on each channel. Empty if what was asked is withheld.
     #[cfg_attr(test, schemars(with = "Vec<super::tests::ChannelSchema>"))]
     pub channels: Vec<ChannelVerdict>,
 }

@@ -20,7 +20,7 @@ pub enum Status {
     /// An answer does not compile.
     #[serde(rename = "does not compile")]
     DoesNotCompile,
-    /// It took more memory than its limit.
+    /// The process took more memory than its limit.
     #[serde(rename = "out of memory")]
     OutOfMemory,
     /// The process ended early.

@@ -33,8 +33,7 @@ pub struct TaskOutcome {
     /// What is measurably wrong in its answers, even if no belief explains it.
     #[serde(default)]
     pub measured: Vec<Finding>,
-    /// The compiler's warnings, if the student's own answer fails. They have colours here, but
-    /// not in documents.
+    /// The compiler's warnings, if the student's own answer fails. In JSON, they have no colours.
     #[serde(default, serialize_with = "without_colours")]
     pub warnings: String,
 }
@@ -45,11 +44,11 @@ pub struct TaskOutcome {
 pub struct GroupOutcome {
     /// The group.
     pub name: String,
-    /// What it asks.
+    /// What the group asks about.
     pub about: String,
     /// All its points, or 0.
     pub points: u32,
-    /// What it is worth.
+    /// The points that the group is worth.
     pub possible: u32,
     /// The outcome of the first film that does not pass, if any.
     pub outcome: FilmOutcome,
@@ -66,19 +65,19 @@ pub struct GroupOutcome {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(tag = "state", rename_all = "lowercase")]
 pub enum AnswerFile {
-    /// It was judged. In all other states, its stub was judged instead.
+    /// The answer in the file was judged. In all other states, the stub was judged instead.
     Compiled,
     /// It is not there.
     Missing,
     /// It is not a regular UTF-8 file, or it is too long.
     Refused {
-        /// In words.
+        /// The reason, in words.
         why: String,
     },
     /// The compiler refused it.
     #[serde(rename = "does not compile")]
     DoesNotCompile {
-        /// The compiler's messages about it. They have colours here, but not in documents.
+        /// The compiler's messages about the file. In JSON, they have no colours.
         #[serde(serialize_with = "without_colours")]
         compiler: String,
     },

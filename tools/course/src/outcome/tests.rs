@@ -18,9 +18,9 @@ use crate::submission::AnswerFileProblem;
 #[schemars(rename = "Fact")]
 #[allow(dead_code)]
 pub struct FactSchema {
-    /// What it is about, in a word.
+    /// What the fact is about, in a word.
     label: String,
-    /// In words; a line break where a second line is needed.
+    /// The fact in words, with a line break where a second line is needed.
     text: String,
 }
 
@@ -47,7 +47,7 @@ pub struct ChannelSchema {
     /// How many of the failing pixels show the right object, which means that this channel itself
     /// is wrong.
     own: usize,
-    /// The pixel that misses the golden by the most tolerances.
+    /// The pixel whose error is largest, as a multiple of its tolerance.
     worst: Option<MismatchSchema>,
     /// The smallest rectangle of pixels around all that fail.
     bounds: Option<BoundsSchema>,

@@ -14,7 +14,7 @@ use pinhole_course::rust_tool::rust_tool;
 use pinhole_course::seed::Seed;
 use pinhole_course::submission::{AnswerFileProblem, Submission};
 
-/// The hashes and settings behind a mark. Equal ones give equal marks.
+/// The hashes and settings behind a mark. If all of them are equal, so are the marks.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Provenance {
@@ -47,9 +47,9 @@ pub struct GradingInputs {
     pub goldens: String,
     /// The hash of the fresh goldens' manifest.
     pub fresh: Option<String>,
-    /// The hash of tasks, groups and scenes, without their points, and of an earlier assignment's
-    /// goldens if one of its answers is judged. If only points change, marks are computed again
-    /// from stored outcomes.
+    /// The hash of tasks, groups and scenes, without their points, and, if an answer to an earlier
+    /// assignment is judged, of that assignment's goldens. If only points change, marks are
+    /// computed again from stored outcomes.
     pub assignment: String,
     pub tool: Tool,
     /// The sandbox that the student's code ran in.

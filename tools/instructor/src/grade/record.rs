@@ -19,9 +19,9 @@ pub use self::summary::{PartSummary, RecordSummary, TaskSummary};
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Record {
-    /// Its folder under `submissions`.
+    /// The submission's folder under `submissions`.
     pub id: String,
-    /// How it ended: the worst status of its tasks and scenes.
+    /// How the submission ended: the worst status of its tasks and scenes.
     #[serde(rename = "outcome")]
     #[cfg_attr(test, schemars(with = "tests::StatusReference"))]
     pub status: Status,
@@ -31,7 +31,7 @@ pub struct Record {
     #[serde(flatten)]
     #[cfg_attr(test, schemars(skip))]
     pub got: Outcome,
-    /// How its files were read, if something was unusual.
+    /// How the submission's files were read, if something was unusual.
     pub remarks: Vec<String>,
     /// Fresh scenes. They earn nothing, but limit what `scenes` may earn.
     #[cfg_attr(test, schemars(with = "Vec<tests::SceneReference>"))]

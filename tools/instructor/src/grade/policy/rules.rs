@@ -4,14 +4,14 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-/// How judged points become final marks. Files are named relative to this one.
+/// How judged points become final marks. Paths of files are relative to the folder of this file.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct Rules {
     /// The zone of all times without an offset, such as `Europe/Berlin`.
     pub time_zone: Option<String>,
-    /// When it was due: `2026-11-20 23:59`.
+    /// When the assignment was due: `2026-11-20 23:59`.
     pub deadline: Option<String>,
     /// How much later still counts as on time: `15 minutes`.
     pub grace: Option<String>,
@@ -34,7 +34,7 @@ pub struct Rules {
     pub rounding: Option<Rounding>,
     /// Changes to single people's marks, made by hand.
     pub adjust: Vec<Adjustment>,
-    /// What the gradebook calls the assignment: in Canvas `Homework 1 (22)`, with its number.
+    /// What the gradebook calls the assignment. In Canvas, include the number: `Homework 1 (22)`.
     pub gradebook_column: Option<String>,
 }
 
@@ -46,7 +46,7 @@ pub enum Attempts {
     /// The one handed in last.
     #[default]
     Last,
-    /// The one with the best mark, after lateness.
+    /// The one with the best mark, after the deduction for lateness.
     Best,
 }
 
@@ -99,9 +99,9 @@ pub enum PercentageBase {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct LateDays {
-    /// How many each person has.
+    /// How many of these days each person has.
     pub budget: u32,
-    /// The `grades.csv` files of earlier assignments, which say how many days are spent.
+    /// The `grades.csv` files of earlier assignments, which say how many days have been spent.
     #[serde(default)]
     pub spent: Vec<String>,
 }
@@ -113,7 +113,7 @@ pub struct LateDays {
 pub struct ExtraCredit {
     /// Names of tasks, or `scenes`.
     pub parts: Vec<String>,
-    /// The mark never exceeds this many percent.
+    /// The mark never exceeds this many percent of the possible points.
     #[serde(default)]
     pub at_most: Option<f64>,
 }
@@ -151,9 +151,9 @@ pub enum Direction {
 pub struct Adjustment {
     /// The id of the person whose mark changes.
     pub id: String,
-    /// Points to add; below 0, to take off.
+    /// Points to add, or, if negative, to take off.
     pub points: f64,
-    /// Why. The student reads it.
+    /// The reason, which the student reads.
     pub reason: String,
 }
 
