@@ -1,6 +1,6 @@
 # The three checks that CONTRIBUTING.md explains. They are scripts, so `just` is not needed.
 
-# Formatting and unit tests. Needs only Rust, and takes 15 seconds once they are compiled.
+# Formatting and unit tests. Needs only Rust, and takes 15 seconds once the tests are compiled.
 quick:
     .ci/quick
 
