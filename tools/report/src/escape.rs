@@ -1,4 +1,4 @@
-//! Untrusted text made safe to show in a terminal.
+//! Untrusted text made safe to show in a terminal or a spreadsheet.
 
 use pinhole_course::shell::in_shell;
 
@@ -16,6 +16,22 @@ pub fn printable(text: &str) -> String {
 /// One word of a command line that people can copy from a terminal or a page.
 pub fn printable_word(word: &str) -> String {
     printable(&in_shell(word))
+}
+
+/// One cell of a table, made safe for a terminal, and for a spreadsheet, which could read a name as
+/// a formula. A program that separates cells by semicolons may also find a formula after a semicolon.
+pub fn printable_cell(cell: &str) -> String {
+    let cell = printable(cell);
+    let part = |part: &str| match part.trim_start().starts_with(is_formulas) {
+        true => format!("'{part}"),
+        false => part.to_owned(),
+    };
+    cell.split(';').map(part).collect::<Vec<_>>().join(";")
+}
+
+/// Whether a formula may begin with this character. Full-width characters count too.
+fn is_formulas(c: char) -> bool {
+    "=+-@|＝＋－＠｜".contains(c)
 }
 
 /// The compiler's messages, line by line. Colours are kept.
@@ -82,6 +98,34 @@ pub fn printable_json(document: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn no_cell_is_a_formula_or_holds_a_control_character() {
+        for cell in [
+            "=1+1",
+            " =1",
+            "+1",
+            "-1",
+            "@A1",
+            "\t=1",
+            "\r=1",
+            "＝1+1",
+            "＋1",
+            "－1",
+            "＠x",
+            "\u{a0}=1",
+            "\u{3000}=1",
+            "|calc",
+            "x;=HYPERLINK(\"http\",\"a\")",
+            "x; =1",
+        ] {
+            let safe = printable_cell(cell);
+            let is_formula = |part: &str| part.trim_start().starts_with(is_formulas);
+            assert!(!safe.split(';').any(is_formula), "{safe}");
+            assert!(!safe.contains(char::is_control), "{safe}");
+        }
+        assert_eq!(printable_cell("Ada; Bob"), "Ada; Bob");
+    }
 
     #[test]
     fn a_word_of_a_command_is_quoted_and_holds_no_control_character() {

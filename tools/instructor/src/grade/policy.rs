@@ -28,7 +28,8 @@ pub struct Policy {
     extensions: BTreeMap<String, Timestamp>,
     /// When something was handed in, by a person's id, number or login, or a submission's name.
     pub times: BTreeMap<String, Vec<Timestamp>>,
-    /// Late days that were spent on earlier assignments, by id.
+    /// Late days that were spent on earlier assignments, by id as `grades.csv` writes it: see
+    /// [`printable_cell`](pinhole_report::escape::printable_cell).
     spent: BTreeMap<String, u32>,
     pub groups: Vec<Group>,
 }
@@ -232,6 +233,8 @@ fn late_days_in(path: &Path) -> Result<Vec<(String, u32)>> {
 
 #[cfg(test)]
 mod tests {
+    use pinhole_report::escape::printable_cell;
+
     use super::*;
 
     #[test]
@@ -282,5 +285,24 @@ mod tests {
         let plain = read("id, group\nada,T\n bob ,T\neve,t\n").expect("it is a list");
         assert_eq!(plain.len(), 2);
         assert_eq!(plain[0].members, ["ada", "bob"]);
+    }
+
+    #[test]
+    fn late_days_are_spent_by_people_whose_id_looks_like_a_formula() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let ids = ["ada", "-mal@example.org", "=eve;+1"];
+        let lines = ids.map(|id| format!("{},2\n", printable_cell(id)));
+        let grades = format!("id,late_days\n{}", lines.concat());
+        fs::write(folder.path().join("grades.csv"), grades).expect("there is room");
+        let rules = folder.path().join("policy.toml");
+        let budget = "[late_days]\nbudget = 3\nspent = ['grades.csv']\n";
+        let late = "[late]\npercent = 10\nper = 'day'\n";
+        fs::write(
+            &rules,
+            format!("time_zone = 'UTC'\ndeadline = '2026-11-20 23:59'\n{late}{budget}"),
+        )
+        .expect("there is room");
+        let policy = Policy::read(&rules).expect("it is a policy");
+        assert_eq!(ids.map(|id| policy.late_days_left(id)), [1, 1, 1]);
     }
 }

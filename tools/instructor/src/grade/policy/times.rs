@@ -9,6 +9,7 @@ use super::rules::LatenessUnit;
 use crate::grade::intake::Entry;
 use crate::grade::intake::names::{self, HandInTime, Sign};
 use crate::grade::intake::roster::Person;
+use pinhole_report::escape::printable_cell;
 
 /// Whether a submission is late, and how late.
 #[derive(Clone, Debug, PartialEq)]
@@ -137,7 +138,8 @@ impl Policy {
     /// How many late days a person has left.
     pub fn late_days_left(&self, id: &str) -> u32 {
         let budget = self.rules.late_days.as_ref().map_or(0, |it| it.budget);
-        budget.saturating_sub(self.spent.get(id).copied().unwrap_or(0))
+        let spent = self.spent.get(&printable_cell(id));
+        budget.saturating_sub(spent.copied().unwrap_or(0))
     }
 }
 
