@@ -58,12 +58,20 @@ fn for_moodle(row: &Row) -> Option<String> {
     Some(format!("{folder}_assignsubmission_file/report.html"))
 }
 
-/// For sending in other ways: the report is named by the person's id.
+/// For sending in other ways: the report is named by the person's id. Other characters are written
+/// as in a URL, so that no two people, whose ids may be addresses that they chose, share a folder.
 fn for_others(row: &Row) -> Option<String> {
-    let name = row.person.map_or(&row.entry.id, |person| &person.id);
+    let id = row.person.map_or(&row.entry.id, |person| &person.id);
     let is_plain = |c: char| c.is_alphanumeric() || "._-@".contains(c);
-    let name = name.replace(|c| !is_plain(c), "_");
-    Some(format!("{name}/report.html"))
+    let encoded = |c: char| {
+        let bytes = c.to_string().into_bytes().into_iter();
+        bytes.map(|byte| format!("%{byte:02X}")).collect()
+    };
+    let name = id.chars().map(|c| match is_plain(c) {
+        true => c.to_string(),
+        false => encoded(c),
+    });
+    Some(format!("{}/report.html", name.collect::<String>()))
 }
 
 fn archive(
@@ -95,6 +103,8 @@ fn archive(
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
     use crate::grade::intake::Entry;
     use crate::grade::intake::matching::Proof;
@@ -132,12 +142,29 @@ mod tests {
         row.mark = Some(Mark::judged(judged));
         assert!(!may_be_sent(&row, true) && may_be_sent(&row, false));
         assert_eq!(for_others(&row).as_deref(), Some("7/report.html"));
-        let ada = Person {
-            id: "ada".into(),
-            ..Person::default()
+        let own = |id: &str| {
+            let person = Person {
+                id: id.into(),
+                ..Person::default()
+            };
+            let row = Row {
+                person: Some(&person),
+                ..row.clone()
+            };
+            assert!(may_be_sent(&row, true));
+            for_others(&row).expect("it has a name")
         };
-        row.person = Some(&ada);
-        assert!(may_be_sent(&row, true));
-        assert_eq!(for_others(&row).as_deref(), Some("ada/report.html"));
+        assert_eq!(own("ada"), "ada/report.html");
+        // Nobody can choose an address that has somebody else's folder.
+        let addresses = [
+            "a+b@x.org",
+            "a_b@x.org",
+            "a%2Bb@x.org",
+            "a b@x.org",
+            "a’b@x.org",
+            "a 19b@x.org",
+        ];
+        let folders: BTreeSet<String> = addresses.map(own).into();
+        assert_eq!(folders.len(), addresses.len(), "{folders:?}");
     }
 }
