@@ -188,9 +188,14 @@ fn counted<'a>(
         return Some(first);
     }
     match policy.rules.attempts {
+        // Of two equally good ones, the one that spends fewer late days counts. Otherwise, one
+        // member of a group could spend those of the others.
         Attempts::Best => attempts.iter().max_by(|a, b| {
-            let points = |it: &Attempt| it.mark(policy, person).map_or(-1.0, |mark| mark.last);
-            points(a).total_cmp(&points(b))
+            let [a, b] = [a, b].map(|it| it.mark(policy, person));
+            let points = |mark: &Option<Mark>| mark.as_ref().map_or(-1.0, |mark| mark.last);
+            let late_days = |mark: &Option<Mark>| mark.as_ref().map_or(0, |mark| mark.late_days);
+            let by_points = points(&a).total_cmp(&points(&b));
+            by_points.then(late_days(&b).cmp(&late_days(&a)))
         }),
         Attempts::Last => {
             let time = |it: &Attempt| match it.time {

@@ -93,6 +93,23 @@ fn the_last_or_the_best_attempt_counts_and_each_person_has_one_mark() {
 }
 
 #[test]
+fn an_attempt_that_is_no_better_spends_no_late_days() {
+    // The second is eve's, who hands in for ada too.
+    let entries = vec![entry("one", "ada", EARLY), entry("two", "eve", LATE)];
+    let rules = format!("attempts = 'best'\n{RULES}[late_days]\nbudget = 1\n");
+    let roll = roll(entries, &rules, &[("team", &["ada", "eve"])]);
+    let late_days = |points: [u32; 2]| {
+        let records = records(&[("one", points[0]), ("two", points[1])]);
+        let rows = rows(&roll, &records);
+        let marks = rows.own.iter().chain(&rows.shared);
+        let marks = marks.filter_map(|row| row.mark.as_ref());
+        marks.map(|mark| mark.late_days).collect::<Vec<_>>()
+    };
+    assert_eq!(late_days([60, 60]), [0, 0]);
+    assert_eq!(late_days([60, 61]), [1, 1]);
+}
+
+#[test]
 fn each_person_has_one_mark_even_without_a_policy() {
     let records = records(&[("one", 60), ("two", 65)]);
     let of = |given: [&str; 2]| {
