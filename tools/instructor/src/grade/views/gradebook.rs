@@ -9,6 +9,7 @@ use crate::grade::intake::Entry;
 use crate::grade::intake::names::{Platform, platform};
 use crate::grade::intake::roster::Person;
 use crate::grade::policy::mark::{Mark, number};
+use pinhole_report::escape::printable;
 
 /// For Canvas: Grades, Import. `lib/gradebook_importer.rb` in Canvas's source (canvas-lms) wants
 /// `Student` and `ID` first, `Section` before the assignments, and at most the two SIS columns
@@ -29,7 +30,7 @@ pub fn canvas(class: &Class) -> String {
     for (person, mark, row) in class.gradebook() {
         let login = person.logins.first().cloned().unwrap_or_default();
         table.line(&[
-            person.name.clone(),
+            canvas_name(person),
             accounts.number(person, row),
             students_id(person),
             login,
@@ -38,6 +39,12 @@ pub fn canvas(class: &Class) -> String {
         ]);
     }
     table.for_machines()
+}
+
+/// A person's name, for Canvas. Canvas takes every line whose name contains `Points Possible` for the
+/// one that says what the assignment is worth, and people may choose their name.
+fn canvas_name(person: &Person) -> String {
+    printable(&person.name).replace("Points Possible", "Points possible")
 }
 
 /// For Moodle: the assignment's “Upload grading worksheet”, or the gradebook's import from
@@ -152,5 +159,19 @@ mod tests {
             accounts.number(person, &row)
         });
         assert_eq!(numbers.collect::<Vec<_>>(), ["", "", "79"]);
+    }
+
+    #[test]
+    fn nobody_can_be_called_like_the_line_with_the_points_possible() {
+        for name in ["Points Possible", "Eve Points Possible", "Points\tPossible"] {
+            let person = Person {
+                name: name.into(),
+                ..Person::default()
+            };
+            let mut table = Table::new(&["Student"]);
+            table.line(&[canvas_name(&person)]);
+            let text = table.for_machines();
+            assert!(!text.contains("Points Possible"), "{text}");
+        }
     }
 }
