@@ -108,7 +108,7 @@ pub fn tiers<S: HasFamilies>(share: Share, seed: u64) -> Vec<TierTally> {
             decided.truncate(PAIRS);
             let timed = decided.len();
             let time = race(vec![(kernel.workload)(&decided)], timed, share.seconds);
-            let what = format!("{} {} {seed} {}", S::NAME, class.name(), tier.name());
+            let what = format!("{} {} {seed} {tier:?}", S::NAME, class.name());
             let instructions = || instructions::of_cast(&what, at, timed);
             tallies.push(TierTally {
                 shape: S::NAME,
@@ -139,7 +139,7 @@ pub fn cast<S: HasFamilies>(what: &str, kernel: usize, casts: u32) -> bool {
         let tier = words.next();
         let count = if tier.is_some() { COUNTED } else { PAIRS };
         let mut asked = pool::<S>(class, kernel.data, count, seed);
-        asked.retain(|it| tier.is_none_or(|tier| S::tier(it).name() == tier));
+        asked.retain(|it| tier.is_none_or(|tier| format!("{:?}", S::tier(it)) == tier));
         asked.truncate(PAIRS);
         let mut cast = (kernel.workload)(&asked);
         (0..casts).for_each(|_| cast());

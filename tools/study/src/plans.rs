@@ -6,14 +6,13 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-use crate::cast::model::Plain;
 use crate::cast::world::World;
 use crate::cast::{Caster, Search, Tally};
 use crate::oracle::scene::{Errors, TrueHit, errors};
 use crate::plan::casting::PlannedCaster;
 use crate::plan::{AccuracyTarget, EXACT_OBJECTS, plan};
 use crate::result::{PlanErrors, PlanTally};
-use crate::scenes::{self, Share};
+use crate::scenes::{self, Share, Stage};
 use crate::speed::{Workload, race};
 
 /// The requested accuracies.
@@ -33,22 +32,16 @@ pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<Plan
         planning.push(least_time(|| plan(&scene, wish).map(drop)) / pixels);
         castings.push(plan(&scene, wish)?.1.every(share.step));
     }
-    let unwatched = PlannedCaster::new(&scene, EXACT_OBJECTS)?.every(share.step);
-    let (truths, rays) = (unwatched.truths(), unwatched.rays());
-    let plain = || Caster::new(World::of(&scene.objects));
-    let plain_tree = least_time(plain) / pixels;
-    let plain = plain();
-    let search = Search::cheaper(&plain.world.parts);
+    let stage = Stage::new(&scene, share.step);
+    let (truths, rays) = (stage.exact.truths(), stage.exact.rays());
+    let plain_tree = least_time(|| Caster::new(World::of(&scene.objects))) / pixels;
+    let search = Search::cheaper(stage.exact.parts());
 
-    let all = castings.iter().chain([&unwatched]);
+    let planned = castings.iter();
     let mut films: Vec<Workload> = Vec::new();
-    films.extend(all.map(|casting| Box::new(|| casting.cast()) as Workload));
-    films.push(Box::new(|| {
-        for ray in black_box(rays) {
-            let found = plain.first::<Plain>(search, ray, scene.min_t, &mut Tally::default());
-            black_box(found.map(|found| (found.t, found.part.shape.normal(ray, found.t))));
-        }
-    }));
+    films.extend(planned.map(|casting| Box::new(|| casting.cast()) as Workload));
+    films.push(Box::new(|| stage.cast(None)));
+    films.push(Box::new(|| stage.cast(Some(search))));
     let times = race(films, rays.len(), share.seconds);
     let [.., exact_ids, plain] = times.as_slice() else {
         unreachable!("the last two are always there");

@@ -31,9 +31,10 @@ pub struct Share {
 }
 
 /// A scene ready to be cast.
-struct Stage {
+pub struct Stage {
     plain: Caster,
-    exact: PlannedCaster,
+    /// The exact caster, with the rays that all ways cast.
+    pub exact: PlannedCaster,
     min_t: f64,
 }
 
@@ -46,7 +47,11 @@ const WAYS: [(&str, Option<Search>); 3] = [
 ];
 
 impl Stage {
-    fn new(scene: &Scene, step: usize) -> Stage {
+    /// Prepares a scene, of which every `step`-th ray is cast.
+    ///
+    /// # Panics
+    /// If a ray of the camera overflows.
+    pub fn new(scene: &Scene, step: usize) -> Stage {
         let exact = PlannedCaster::new(scene, EXACT_OBJECTS).expect("its rays are finite");
         Stage {
             plain: Caster::new(World::of(&scene.objects)),
@@ -75,9 +80,9 @@ impl Stage {
         (seen, tally)
     }
 
-    /// Casts all rays, for timing. It does not read a clock, because rustix's clock does not
-    /// work under valgrind.
-    fn cast(&self, search: Option<Search>) {
+    /// Casts all rays in plain `f64` with this search, or exactly, for timing. It does not read
+    /// a clock, because rustix's clock does not work under valgrind.
+    pub fn cast(&self, search: Option<Search>) {
         match search {
             Some(Search::BruteForce) => self.cast_plainly(Search::BruteForce),
             Some(Search::Boxes) => self.cast_plainly(Search::Boxes),

@@ -26,17 +26,6 @@ pub enum Tier {
     Exact,
 }
 
-impl Tier {
-    /// The name in tables.
-    pub fn name(self) -> &'static str {
-        match self {
-            Tier::SemiStatic => "semi-static filter",
-            Tier::DoubleDouble => "double-double",
-            Tier::Exact => "exact",
-        }
-    }
-}
-
 /// The thresholds of a filter, used where plain arithmetic compares with 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {

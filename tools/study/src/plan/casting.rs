@@ -31,12 +31,6 @@ pub struct PlannedCaster {
     normals: Vec<Vector<f64>>,
 }
 
-const NO_NORMAL: Vector<f64> = Vector {
-    x: 0.0,
-    y: 0.0,
-    z: 0.0,
-};
-
 /// Whether t is far from subnormal numbers and from overflow.
 #[inline(always)]
 fn has_digits(t: f64) -> bool {
@@ -53,7 +47,7 @@ impl PlannedCaster {
             return Err(format!("the ray of pixel {pixel} overflows"));
         }
         let normal = |part: &Part| match &part.shape {
-            Primitive::Sphere(_) => NO_NORMAL,
+            Primitive::Sphere(_) => Vector::default(),
             Primitive::Plane(plane) => plane.normal.unit(),
             Primitive::Triangle(triangle) => normal_of(triangle).0,
         };
@@ -114,7 +108,11 @@ impl PlannedCaster {
             }
         };
         let t = if self.wish.depth { t } else { 0.0 };
-        let normal = if self.wish.normal { normal } else { NO_NORMAL };
+        let normal = if self.wish.normal {
+            normal
+        } else {
+            Vector::default()
+        };
         Some((part.object, t, normal))
     }
 
@@ -122,7 +120,7 @@ impl PlannedCaster {
     #[inline(always)]
     fn normal(&self, part: &Part, ray: &Ray<f64>, t: f64) -> Vector<f64> {
         match &part.shape {
-            _ if !self.wish.normal => NO_NORMAL,
+            _ if !self.wish.normal => Vector::default(),
             Primitive::Sphere(sphere) => {
                 // The hit is at this distance from the centre, so there is no need for a square root.
                 (ray.origin - sphere.center + ray.direction * t) * (1.0 / sphere.radius)
