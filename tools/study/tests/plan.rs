@@ -39,6 +39,7 @@ fn scenes_that_once_broke_plans_keep_their_promise() {
         "endless_triangle",
         "endless_edge",
         "far_eye",
+        "inside_huge_sphere",
     ] {
         keeps_its_promise(&hostile(name), &[1e-2, 1e-6, 1e-9, 1e-12, 1e-13]);
     }

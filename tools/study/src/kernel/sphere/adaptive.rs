@@ -26,7 +26,9 @@
 //!    (a ≥ 1); this gives [`Limits::divisor`]. c is the dividend. The same holds for any other
 //!    accuracy in place of √u, with 64u/accuracy and 3136u²/accuracy².
 //! 4. Underflow adds less than 64 times [`TINY`] to each, which the limits include. Overflow
-//!    makes a limit infinite or a number NaN; then the filter does not decide.
+//!    makes a limit infinite or a number NaN; then the filter does not decide. In q, the product
+//!    a (r² − |l|²) is below 12r². If it overflows, so does 64r², and all limits but the dividend's
+//!    are infinite.
 
 use crate::dyadic::Dyadic;
 use crate::kernel::{Filtered, Limits, ScaledQuery};
@@ -95,7 +97,9 @@ pub fn limits(sphere: &Sphere<f64>, size: f64, accuracy: f64) -> Limits {
     let r = sphere.radius.abs();
     let (size_square, r_square) = (size * size, r * r);
     let underflow = 128.0 * TINY;
-    let sign = 64.0 * ROOT_OF_UNIT * r_square + 32.0 * ROOT_OF_UNIT * (U * size_square) + underflow;
+    // 64 r² is computed first, so that overflow shows up in the limit.
+    let sign =
+        ROOT_OF_UNIT * (64.0 * r_square) + 32.0 * ROOT_OF_UNIT * (U * size_square) + underflow;
     let lost = U / accuracy;
     Limits {
         sign,
