@@ -243,7 +243,7 @@ mod message {
                 max_t: 1.0,
             },
         );
-        refused(&hits(1), &[test], "missing question");
+        refused(&hits(1), &[test], "unknown question");
     }
 
     /// A search knows a question only by tests of it, and each of these is counted, whatever a

@@ -57,7 +57,10 @@ fn html(diagnosis: Diagnosis) -> String {
 
 #[test]
 fn each_belief_has_three_hints_one_inside_the_other() {
-    let beliefs = vec![belief("A first <b> `c < d`.", 1.0), belief("A second.", 1.0)];
+    let beliefs = vec![
+        belief("A first <b> `c < d`.", 1.0),
+        belief("A second.", 1.0),
+    ];
     let page = html(Diagnosis {
         beliefs,
         reading: Reading::OneOf,
