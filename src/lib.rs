@@ -47,7 +47,7 @@
 //! assert!(!verdict.passes());
 //! assert_eq!(
 //!     verdict.to_string(),
-//!     "fails: 1 of 2 pixels are wrong\n  \
+//!     "fails: 1 of 2 pixels is wrong\n  \
 //!      t    1 pixel; worst at (1, 0): got 1.5, expected 1.25 ± 1e−6"
 //! );
 //! ```

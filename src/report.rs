@@ -12,6 +12,7 @@ impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.failing.len(), self.resolution.pixels()) {
             (0, all) => write!(f, "passes: all {all} pixels agree")?,
+            (1, all) => write!(f, "fails: 1 of {all} pixels is wrong")?,
             (wrong, all) => write!(f, "fails: {wrong} of {all} pixels are wrong")?,
         }
         for channel in self.channels.iter().filter(|channel| channel.failing > 0) {
@@ -27,11 +28,15 @@ impl fmt::Display for ChannelVerdict {
         let (Some(worst), Some(bounds)) = (self.worst, self.bounds) else {
             return write!(f, "{:<4} agrees everywhere", self.name);
         };
+        let pixels = match self.failing {
+            1 => "1 pixel".into(),
+            some => format!("{some} pixels"),
+        };
         if self.own == 0 {
             return write!(
                 f,
-                "{:<4} {} pixels, only where the object is wrong",
-                self.name, self.failing
+                "{:<4} {pixels}, only where the object is wrong",
+                self.name
             );
         }
         let digits = digits_to_tell(&worst);
@@ -40,13 +45,9 @@ impl fmt::Display for ChannelVerdict {
             ("id", id) => format!("object {id}"),
             (_, value) => number(f64::from(value), digits),
         };
-        match self.failing {
-            1 => write!(f, "{:<4} 1 pixel", self.name)?,
-            some => write!(
-                f,
-                "{:<4} {some} pixels, {} to {}",
-                self.name, bounds.min, bounds.max
-            )?,
+        write!(f, "{:<4} {pixels}", self.name)?;
+        if self.failing > 1 {
+            write!(f, ", {} to {}", bounds.min, bounds.max)?;
         }
         let (got, expected) = (shown(worst.got), shown(worst.expected));
         write!(

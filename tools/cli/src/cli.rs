@@ -230,10 +230,10 @@ pub struct Examples {
 ///
 /// A film passes if it has the golden's size and channels, all its values are finite, and at every
 /// pixel |film − golden| ≤ tolerance in every channel. (Some films have a channel `tests`, which
-/// counts tests of boxes and triangles. In that channel, only the sums over all pixels are
-/// compared.) The tolerances of a golden NAME.exr are in NAME.tol.exr, in the same folder. If
-/// OpenImageIO's oiiotool is installed, it judges the film too. If the two verdicts differ, Pinhole
-/// has a bug, and `diff` says so.
+/// counts tests of boxes and triangles. In that channel, the sum of |film − golden| over all pixels
+/// is compared with the sum of the tolerances.) The tolerances of a golden NAME.exr are in
+/// NAME.tol.exr, in the same folder. If OpenImageIO's oiiotool is installed, it judges the film too.
+/// If the two verdicts differ, Pinhole has a bug, and `diff` says so.
 #[derive(Args)]
 pub struct Diff {
     /// The golden film: NAME.exr, with NAME.tol.exr beside it
@@ -249,8 +249,9 @@ pub struct Diff {
     /// Write the report to this file [default: report.html in the folder of --out]
     #[arg(long, value_name = "FILE")]
     pub report: Option<PathBuf>,
-    /// The scene that the films show, so that the report can name its objects: a scene file, or
-    /// the name of one of the assignment's scenes [default: the scene of this golden]
+    /// The scene that the films show: a scene file, or the name of one of the assignment's
+    /// scenes. With it, the report can name the scene's objects [default: the scene of this
+    /// golden]
     #[arg(long, value_name = "SCENE")]
     pub scene: Option<String>,
     /// Print one JSON document on standard output

@@ -98,7 +98,7 @@ pub fn fingerprints(
     }
     let failed = Error::environment(
         "cannot tell whether the golden scripts have changed",
-        "install Python 3.11 or newer, and restore the scripts",
+        "install Python 3.11 or newer; if a script is missing or broken, restore it",
     );
     let python = system_python().map_err(|error| failed.because(error.problem))?;
     let mut command = Command::new(python);
@@ -120,7 +120,8 @@ fn complete(command: &mut Command, purpose: &str) -> Result<()> {
     }
     Err(Error::environment(
         format!("cannot {purpose}: {command:?} failed"),
-        "see the message above; this needs Python 3.11 with venv, and access to a package index",
+        "see the message above; this needs Python 3.11 or newer, with venv, and access to a package \
+         index",
     ))
 }
 

@@ -98,8 +98,8 @@ pub enum Choice {
     Auto,
     /// Linux namespaces, made by bubblewrap
     Bubblewrap,
-    /// For root in a container that is thrown away afterwards: another user id, and Landlock, a
-    /// part of the Linux kernel
+    /// If you are root in a container that is thrown away afterwards: another user id, and
+    /// Landlock, a part of the Linux kernel
     Container,
     /// Like `container`, but for kernels without Landlock; weaker, because only file permissions
     /// protect the container's files

@@ -85,7 +85,10 @@ fn said(example: &JudgedExample) -> String {
         (Verdict::Right, _) => String::new(),
         (Verdict::Unanswered, _) => "has no answer yet".into(),
         (Verdict::Wrong, ["hit"]) => "Mitsuba disagrees about whether there is a hit".into(),
-        (Verdict::Wrong, parts) => format!("Mitsuba gives another {}", parts.join(" and another ")),
+        (Verdict::Wrong, parts) => format!(
+            "Mitsuba gives a different {}",
+            parts.join(" and a different ")
+        ),
     }
 }
 
@@ -95,9 +98,9 @@ fn summary(judged: &JudgedExamples) -> String {
     } = judged;
     let of_all = format!("{mistakes} mistakes that people make in this task");
     let right = match judged.count(Verdict::Right) {
-        0 => return format!("No example is right yet. Right ones can catch {of_all}."),
-        1 => "right example catches".into(),
-        right => format!("{right} right examples catch"),
+        0 => return format!("No example is correct yet. Correct ones can catch {of_all}."),
+        1 => "correct example catches".into(),
+        right => format!("{right} correct examples catch"),
     };
     match caught == mistakes {
         true => format!("Your {right} all {of_all}."),

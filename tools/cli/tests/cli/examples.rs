@@ -42,13 +42,13 @@ question = 0
 ✗ behind 0    Mitsuba disagrees about whether there is a hit
       ray       e = (0.995187, 1.64379, 0.851272), d = (1.14329, 0.0358736, 2.01817), min_t = 0
       sphere    c = (0.177377, 1.55632, −0.552883), r = 0.779484
-✗ outside 0    Mitsuba gives another t
+✗ outside 0    Mitsuba gives a different t
       ray       e = (1.32633, −1.68963, −2.51568), d = (−0.409965, 0.370522, 0.123017), min_t = 0.682183
       sphere    c = (0.00838233, −0.274514, −2.05823), r = 0.356689
 ? min_t 0    has no answer yet
       ray       e = (−0.604397, 0.621652, 1.47262), d = (0.0654969, −0.544595, −1.21249), min_t = 4.76395
       sphere    c = (−0.936986, −1.41048, −2.63703), r = 1.20715
-Your right example catches 19 of 25 mistakes that people make in this task.
+Your correct example catches 19 of 25 mistakes that people make in this task.
 ";
     assert_eq!(ran.out, shown);
 }
@@ -78,7 +78,7 @@ fn examples_begin_with_a_file_of_questions() {
     let text = fs::read_to_string(file).expect("it was written");
     let ran = pinhole(&["examples", file]).expect_code(0);
     assert_eq!(ran.out.matches("has no answer yet").count(), 9);
-    ran.expect_out("No example is right yet. Right ones can catch 25 mistakes");
+    ran.expect_out("No example is correct yet. Correct ones can catch 25 mistakes");
     pinhole(&new)
         .expect_code(2)
         .expect_err("does not exist yet");
@@ -122,7 +122,7 @@ fn malformed_examples_are_refused_with_file_place_and_remedy() {
             .expect_err("remedy: ");
     }
     let ran = examples("examples-infinite", &entry("1\nt = inf"), &[]);
-    ran.expect_code(1).expect_out("Mitsuba gives another t");
+    ran.expect_code(1).expect_out("Mitsuba gives a different t");
     let trees = ["examples", "--new", "build_tree", "--assignment"];
     pinhole(&[trees.as_slice(), &["bounding_volumes"]].concat())
         .expect_code(2)

@@ -158,6 +158,7 @@ pub fn facts(facts: &[Fact]) -> String {
 fn verdict_in_words(comparison: &Comparison, what: &str) -> String {
     match comparison.failing {
         0 => "passes".into(),
+        1 => format!("1 of {} {what} is wrong", comparison.pixels),
         wrong => format!("{wrong} of {} {what} are wrong", comparison.pixels),
     }
 }

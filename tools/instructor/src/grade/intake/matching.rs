@@ -54,10 +54,7 @@ fn named<'a>(name: &str, people: &'a [Person]) -> Vec<&'a Person> {
         (&folded, &ascii),
     ];
     let found = folds.iter().map(|(fold, fold_roster)| {
-        let person = match fold(name) {
-            person if person.is_empty() => return Vec::new(),
-            person => person,
-        };
+        let person = fold(name);
         let is = |other: &&Person| turned(&other.name, fold_roster).contains(&person);
         people.iter().filter(is).collect::<Vec<_>>()
     });

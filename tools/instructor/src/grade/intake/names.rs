@@ -319,6 +319,7 @@ mod tests {
         let anonymous = Some(("anon", "x7Kp2", 501));
         assert_eq!(canvas("anon_x7Kp2_501_hw1.zip"), anonymous);
         assert_eq!(canvas("bnon_x7Kp2_501_hw1.zip"), None);
+        assert_eq!(canvas("anon_x7Kp23_501_hw1.zip"), None);
         let moodle = PlatformName::moodle("Ada Lovelace_2001_assignsubmission_file_").next();
         assert_eq!(
             moodle.map(|it| (it.person, it.number)),
@@ -332,11 +333,19 @@ mod tests {
             bright.map(|it| (it.person, it.rest)),
             Some(("Ada Lovelace", "Bob - Nov 1, 2026 1207 AM - x"))
         );
+        let bright = PlatformName::brightspace("11-x - Ada Lovelace - Nov 21, 2026 1207 AM - hw");
+        assert!(bright.is_none());
         let black = PlatformName::blackboard("HW_1_al1_attempt_2026-11-20-23-59-01.txt");
         assert_eq!(
             black.map(|it| (it.person, it.rest)),
             Some(("HW_1_al1", ".txt"))
         );
+        for other in [
+            "HW_1_al1_attempt_2026-11-20-23-59-01x",
+            "_attempt_2026-11-20-23-59-01",
+        ] {
+            assert!(PlatformName::blackboard(other).is_none(), "{other}");
+        }
         let both = platforms("malletmallory_13_503_x_20231234_assignsubmission_file.zip");
         assert_eq!(both.len(), 2);
     }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::grade::intake::names;
+use crate::grade::intake::{matching, names};
 
 /// An entry with the signs that its name gives.
 fn entry(name: &str) -> Entry {
@@ -54,6 +54,8 @@ fn is(name: &str, id: &str) {
     let placed = place(&entries(&[name]), Some(&people()));
     let found = placed.of.get(name).map(|person| person.id.as_str());
     assert_eq!(found, Some(id), "{name}: {placed:?}");
+    assert!(placed.several.is_empty(), "{name}: {placed:?}");
+    assert_eq!(placed.people, Some(people().len()));
 }
 
 #[test]
@@ -203,7 +205,37 @@ fn a_date_in_an_uploads_own_name_is_not_mistaken_for_an_account() {
         assert_eq!(placed.of.len(), 1, "{placed:?}");
         assert_eq!(placed.of[names[1]].id, "s1");
         assert!(placed.ambiguous.contains_key(names[0]), "{placed:?}");
+        assert!(placed.in_doubt().iter().all(|person| person.id != "s1"));
     }
+}
+
+#[test]
+fn the_name_of_a_group_finds_its_only_member() {
+    let mut people = people();
+    people[0].group = Some("team-7".into());
+    let placed = place(&entries(&["team-7"]), Some(&people));
+    assert_eq!(placed.of["team-7"].id, "s1", "{placed:?}");
+}
+
+#[test]
+fn a_persons_name_may_begin_with_the_first_or_the_last_name() {
+    let ada = person("s1", "Ada Lovelace");
+    for (name, is_hers) in [
+        ("Lovelace, Ada", true),
+        ("ada lovelace", true),
+        ("Ada", false),
+        ("Ada Byron", false),
+        ("", false),
+    ] {
+        assert_eq!(matching::is_name(name, &ada), is_hers, "{name}");
+    }
+}
+
+#[test]
+fn a_name_of_one_word_is_not_looked_for_among_other_words() {
+    let plato = person("s9", "Plato");
+    let placed = place(&entries(&["homework1-plato"]), Some(&[plato]));
+    assert!(placed.of.is_empty(), "{placed:?}");
 }
 
 #[test]
