@@ -127,6 +127,7 @@ fn document(path: &Path) -> Result<DocumentMut> {
 
 fn leave_tests_at_home(manifest: &mut DocumentMut) {
     manifest.remove("bench");
+    manifest.remove("test");
     manifest.remove("dev-dependencies");
     if let Some(targets) = manifest.get_mut("target").and_then(Item::as_table_mut) {
         for (_, target) in targets.iter_mut() {
