@@ -90,7 +90,8 @@ impl Bubblewrap {
     /// Checks that a program can run inside.
     pub fn self_test(&self) -> io::Result<()> {
         let limits = Limits::of_compiler();
-        let mut command = self.walled(&limits, Purpose::Answer);
+        let mut command = self.bare();
+        self.confine(&mut command, &limits, Purpose::Answer);
         let program = "/usr/bin/true";
         command.args(["--read", program, "--", program]);
         let output = command.output()?;
@@ -142,12 +143,6 @@ impl Bubblewrap {
         command
     }
 
-    fn walled(&self, limits: &Limits, purpose: Purpose) -> Command {
-        let mut command = self.bare();
-        self.confine(&mut command, limits, purpose);
-        command
-    }
-
     /// Bubblewrap with the arguments that every program needs. Callers add more.
     fn bare(&self) -> Command {
         let mut command = Command::new(BWRAP);
@@ -161,7 +156,7 @@ impl Bubblewrap {
         };
         let fixed = "--unshare-ipc --unshare-pid --unshare-net --unshare-uts \
              --unshare-cgroup-try --hostname submission --die-with-parent --new-session \
-             --clearenv --cap-drop ALL";
+             --cap-drop ALL";
         let files = "--ro-bind /usr /usr --symlink usr/lib /lib --symlink usr/lib64 /lib64 \
              --symlink usr/bin /bin --dev /dev --remount-ro /dev";
         command.args(fixed.split_whitespace());
@@ -207,14 +202,10 @@ fn counts_by_namespace() -> bool {
 }
 
 fn bind(command: &mut Command, how: &str, path: &Path) {
-    // Bubblewrap itself would make parent folders that only root may enter.
-    let mut above: Vec<&Path> = path.ancestors().skip(1).collect();
-    above.retain(|folder| !folder.starts_with("/usr") && folder.parent().is_some());
-    for folder in above
-        .into_iter()
-        .rev()
-        .filter(|folder| *folder != Path::new("/tmp"))
-    {
+    // Bubblewrap itself would make parent folders that only root may enter. It leaves those alone
+    // that exist.
+    let above: Vec<&Path> = path.ancestors().skip(1).collect();
+    for folder in above.into_iter().rev() {
         command.args(["--perms", "0755", "--dir"]).arg(folder);
     }
     command.arg(how).arg(path).arg(path);
