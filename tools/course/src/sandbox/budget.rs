@@ -24,6 +24,10 @@ pub struct Budget {
 /// After this many exceeded limits, everything else gets only its shortest time.
 const MOST_LOST: u32 = 2;
 
+/// Nothing is started with less time than this. If bubblewrap is killed while it makes its
+/// namespaces, which takes it a small part of this time, it leaves a process behind.
+const LEAST: Duration = Duration::from_secs(1);
+
 /// Compiling may take the whole time divided by this. Right answers take a hundredth.
 const COMPILING: u32 = 4;
 
@@ -36,15 +40,15 @@ impl Budget {
         }
     }
 
-    /// The time that is left on the clock; if there is none, how much there was in total. The time
-    /// in which it was kept from running doesn't count, up to as much again.
+    /// The time that is left on the clock; if that is too little to start anything, how much there
+    /// was in total. The time in which it was kept from running doesn't count, up to as much again.
     pub fn left(&self) -> Result<Duration, Duration> {
         let Some((begun, whole)) = self.whole else {
             return Ok(Duration::MAX);
         };
         let starved = *self.starved.lock().unwrap_or_else(PoisonError::into_inner);
         match (whole + starved.min(whole)).saturating_sub(begun.elapsed()) {
-            Duration::ZERO => Err(whole),
+            left if left < LEAST => Err(whole),
             left => Ok(left),
         }
     }
@@ -87,6 +91,7 @@ mod tests {
         assert!(budget.is_done_compiling() && !Budget::default().is_done_compiling());
         let hour = Duration::from_secs(3600);
         assert!(Budget::of(hour).left().is_ok_and(|left| left <= hour));
+        assert!(Budget::of(Duration::from_millis(900)).left().is_err());
         assert!(!Budget::of(hour).is_done_compiling());
         assert_eq!(Budget::default().left(), Ok(Duration::MAX));
     }
