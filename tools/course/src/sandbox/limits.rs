@@ -143,3 +143,51 @@ fn wall_of(cpu: Duration) -> Duration {
 fn cores() -> u64 {
     std::thread::available_parallelism().map_or(1, usize::from) as u64
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SECOND: Duration = Duration::from_secs(1);
+
+    #[test]
+    fn an_answer_gets_every_core_until_the_clock_ends_it_and_writes_no_file() {
+        let wall = 10 * SECOND;
+        let limits = Limits::of_answers(wall);
+        assert_eq!(
+            (limits.wall, limits.silence, limits.idle),
+            (wall, wall, wall)
+        );
+        let cores = std::thread::available_parallelism().unwrap().get() as u32;
+        assert!(limits.cpu > wall * cores && limits.cpu < (wall + SECOND) * cores + 5 * SECOND);
+        // The watchdog sees what is used before the kernel refuses more.
+        assert!(limits.memory >= 1 << 30 && limits.memory < limits.address_space);
+        assert!((8..=32).contains(&(limits.processes - u64::from(cores))));
+        assert_eq!((limits.file_size, limits.open_files), (0, 64));
+    }
+
+    #[test]
+    fn an_author_waits_a_fifteenth_of_the_time_for_a_silent_answer_but_at_least_two_seconds() {
+        let silence = |wall: u32| Limits::of_own_answers(wall * SECOND).silence;
+        assert_eq!(
+            [1, 15, 30, 60].map(silence),
+            [1, 2, 2, 4].map(|it: u32| it * SECOND)
+        );
+    }
+
+    #[test]
+    fn limits_of_the_processor_give_the_clock_twice_as_long_and_end_what_waits() {
+        let (long, short) = (16 * SECOND, SECOND / 2);
+        let limits = Limits::of_processor(long, short);
+        let clock = 34 * SECOND;
+        assert_eq!(
+            (limits.cpu, limits.wall, limits.silence),
+            (long, clock, clock)
+        );
+        assert_eq!(limits.idle, SECOND);
+        // An answer may need this long for a task, whatever the submission has lost.
+        assert_eq!(limits.shortest, SECOND);
+        assert_eq!(limits.shortened().cpu, SECOND);
+        assert_eq!(Limits::of_answers(long).shortened().cpu, SECOND);
+    }
+}
