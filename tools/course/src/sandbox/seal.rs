@@ -34,6 +34,7 @@ pub fn is_ours(program: &Path) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sandbox::Sandbox;
 
     #[test]
     fn program_that_another_could_have_changed_is_not_ours() {
@@ -46,6 +47,10 @@ mod tests {
         let mode = |mode| fs::set_permissions(&program, Permissions::from_mode(mode)).unwrap();
         mode(0o772);
         assert!(!is_ours(&program), "anybody may write it");
+        assert!(
+            Sandbox::Trusted.is_sealed(&program),
+            "trusted code needs no seal"
+        );
         mode(0o711);
         let link = folder.path().join("link");
         std::os::unix::fs::symlink(&program, &link).unwrap();

@@ -45,4 +45,9 @@ fn only_a_program_that_took_its_processor_time_is_late_by_the_kernels_limit() {
         let loops = ending(&format!("{limit}; while :; do :; done"), short);
         assert_eq!(loops, Ending::TimedOut(short), "{limit}");
     }
+    let ends_itself = ending(
+        "ulimit -S -t 1; trap 'exit 3' XCPU; while :; do :; done",
+        short,
+    );
+    assert_eq!(ends_itself, Ending::Died(Death::Exit(3)));
 }

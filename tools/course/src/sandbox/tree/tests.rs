@@ -77,7 +77,7 @@ fn a_tree_that_takes_too_long_on_the_processor_is_ended() {
         ..limits()
     };
     // Without a sandbox, this process must end by itself.
-    let line = "ulimit -t 5; (while :; do :; done) & wait";
+    let line = "ulimit -t 2; (while :; do :; done) & wait";
     let finished = finish(shell(line), &limits, |pid| Watch::tree(pid, limits));
     assert_eq!(
         finished.expect("there is a shell").exceeded,
@@ -102,7 +102,7 @@ fn a_tree_that_sleeps_is_ended_and_one_that_works_is_not() {
     );
     // It is ready to run, although the processor may have no time for it.
     assert_eq!(
-        exceeded("ulimit -t 9; nice -n 19 sh -c 'while :; do :; done'"),
+        exceeded("ulimit -t 9; exec nice -n 19 sh -c 'while :; do :; done'"),
         None
     );
 }
