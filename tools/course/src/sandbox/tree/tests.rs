@@ -73,7 +73,8 @@ fn a_tree_that_takes_too_much_memory_is_ended_though_each_process_takes_little()
 #[test]
 fn a_tree_that_takes_too_long_on_the_processor_is_ended() {
     let limits = Limits {
-        cpu: Duration::from_millis(300),
+        // The kernel counts in hundredths of a second.
+        cpu: Duration::from_millis(305),
         ..limits()
     };
     // Without a sandbox, this process must end by itself.
@@ -100,6 +101,9 @@ fn a_tree_that_sleeps_is_ended_and_one_that_works_is_not() {
         exceeded("sleep 15 & wait"),
         Some(ExceededLimit::Idle(limits.idle))
     );
+    let naps = "ulimit -t 9; while :; do sleep 0.2; i=0; while [ $i -lt 100000 ]; do i=$((i+1)); \
+                done; done";
+    assert_eq!(exceeded(naps), None, "each nap is short");
     // It is ready to run, although the processor may have no time for it.
     assert_eq!(
         exceeded("ulimit -t 9; exec nice -n 19 sh -c 'while :; do :; done'"),
