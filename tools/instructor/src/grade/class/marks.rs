@@ -148,11 +148,12 @@ impl Attempt {
     fn new(at: usize, row: &Row, policy: &Policy, people: &[&Person]) -> Attempt {
         let extra = policy.rules.extra_credit.as_ref();
         let extra = extra.map_or(&[][..], |it| &it.parts);
+        let time = policy.handed_in(row.entry, row.person);
         Attempt {
             at,
             id: row.entry.id.clone(),
-            lateness: policy.lateness(row.entry, people),
-            time: policy.handed_in(row.entry, row.person),
+            lateness: policy.lateness(time, people),
+            time,
             judged: row
                 .record
                 .and_then(|record| JudgedPoints::of(record, extra)),

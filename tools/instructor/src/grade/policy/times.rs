@@ -115,13 +115,13 @@ impl Policy {
         Some(due.to_zoned(self.zone()))
     }
 
-    /// Whether a submission meets the deadline of the people who handed it in.
-    pub fn lateness(&self, entry: &Entry, people: &[&Person]) -> Lateness {
+    /// Whether something that was handed in at this time meets the deadline of these people.
+    pub fn lateness(&self, at: Option<HandInTime<Timestamp>>, people: &[&Person]) -> Lateness {
         let Some(due) = self.due(people) else {
             return Lateness::InTime;
         };
         let grace = self.rules.grace.as_deref().and_then(|it| grace(it).ok());
-        match self.handed_in(entry, people.first().copied()) {
+        match at {
             None => Lateness::Unknown,
             // A person with an extension may still have met their own deadline.
             Some(HandInTime::Late) => Lateness::LateSometime,

@@ -110,6 +110,21 @@ fn an_attempt_that_is_no_better_spends_no_late_days() {
 }
 
 #[test]
+fn a_member_of_a_group_is_as_late_as_the_table_of_times_says() {
+    let entries = vec![entry("one", "ada", "ada"), entry("two", "eve", "eve")];
+    let mut roll = roll(entries, RULES, &[("team", &["ada", "eve"])]);
+    let policy = roll.policy.as_mut().expect("it has one");
+    for (id, day) in [("ada", 20), ("eve", 25)] {
+        let time = format!("2026-11-{day}T11:00:00Z").parse();
+        let time = time.expect("it is a time");
+        policy.times.insert(id.into(), vec![time]);
+    }
+    let records = records(&[("one", 60), ("two", 95)]);
+    let expected = ["eve", "ada"].map(|id| (id.to_owned(), "two".to_owned(), 45.0));
+    assert_eq!(finals(&rows(&roll, &records)), expected);
+}
+
+#[test]
 fn each_person_has_one_mark_even_without_a_policy() {
     let records = records(&[("one", 60), ("two", 65)]);
     let of = |given: [&str; 2]| {
