@@ -26,12 +26,25 @@ pub struct Policy {
     /// The deadline, and the deadlines of people who have their own, by id.
     deadline: Option<Timestamp>,
     extensions: BTreeMap<String, Timestamp>,
-    /// When something was handed in, by a person's id, number or login, or a submission's name.
-    pub times: BTreeMap<String, Vec<Timestamp>>,
+    /// When something was handed in, by a person's id, number or login, or a submission's name. One
+    /// person's number or login may be another's id, so each time says which of them it stands
+    /// beside.
+    pub times: BTreeMap<String, Vec<(TimeKey, Timestamp)>>,
     /// Late days that were spent on earlier assignments, by id as `grades.csv` writes it: see
     /// [`printable_cell`](pinhole_report::escape::printable_cell).
     spent: BTreeMap<String, u32>,
     pub groups: Vec<Group>,
+}
+
+/// What identifies a person or a submission in a table of times.
+#[derive(Clone, Copy, Debug, Deserialize, Eq, PartialEq, Serialize)]
+pub enum TimeKey {
+    /// A person's id, or a submission's name.
+    Id,
+    /// The platform's number for a person.
+    Number,
+    /// A login or an e-mail address.
+    Login,
 }
 
 /// People who hand in one answer together.
@@ -43,14 +56,19 @@ pub struct Group {
 }
 
 /// Names of the column that identifies the person in a table.
-const WHO: [&str; 7] = [
-    "id",
-    "idnumber",
-    "sisuserid",
-    "sid",
-    "studentid",
-    "identifier",
-    "submission",
+const WHO: [(&str, TimeKey); 12] = [
+    ("id", TimeKey::Id),
+    ("idnumber", TimeKey::Id),
+    ("sisuserid", TimeKey::Id),
+    ("sid", TimeKey::Id),
+    ("studentid", TimeKey::Id),
+    ("identifier", TimeKey::Number),
+    ("submission", TimeKey::Id),
+    ("emailaddress", TimeKey::Login),
+    ("email", TimeKey::Login),
+    ("login", TimeKey::Login),
+    ("sisloginid", TimeKey::Login),
+    ("username", TimeKey::Login),
 ];
 
 impl Policy {
@@ -128,7 +146,10 @@ fn cell(row: &csv::StringRecord, column: usize) -> &str {
     row.get(column).unwrap_or_default().trim()
 }
 
-fn times_in(path: &Path, zone: Option<&TimeZone>) -> Result<BTreeMap<String, Vec<Timestamp>>> {
+fn times_in(
+    path: &Path,
+    zone: Option<&TimeZone>,
+) -> Result<BTreeMap<String, Vec<(TimeKey, Timestamp)>>> {
     const TIME: [&str; 6] = [
         "time",
         "submissiontime",
@@ -139,15 +160,14 @@ fn times_in(path: &Path, zone: Option<&TimeZone>) -> Result<BTreeMap<String, Vec
     ];
     let remedy = "save it as a CSV file whose first line is: id,time";
     Table::read(path, "list of times", remedy, |table| {
-        let who: Vec<usize> = WHO.iter().filter_map(|it| table.column(&[it])).collect();
-        let others = ["emailaddress", "email", "login", "sisloginid", "username"];
-        let others = others.iter().filter_map(|it| table.column(&[it]));
-        let who: Vec<usize> = who.into_iter().chain(others).collect();
+        let who = WHO.iter();
+        let who = who.filter_map(|(name, kind)| Some((*kind, table.column(&[name])?)));
+        let who: Vec<(TimeKey, usize)> = who.collect();
         if who.is_empty() {
-            table.needed_column(&WHO)?;
+            table.needed_column(&WHO.map(|(name, _)| name))?;
         }
         let time = table.needed_column(&TIME)?;
-        let mut times: BTreeMap<String, Vec<Timestamp>> = BTreeMap::new();
+        let mut times: BTreeMap<String, Vec<(TimeKey, Timestamp)>> = BTreeMap::new();
         for (line, row) in &table.rows {
             // This person has handed in nothing.
             if matches!(cell(row, time), "" | "-") {
@@ -155,10 +175,11 @@ fn times_in(path: &Path, zone: Option<&TimeZone>) -> Result<BTreeMap<String, Vec
             }
             let at = times::timestamp(cell(row, time), zone);
             let at = at.map_err(|why| format!("line {line}: {why}"))?;
-            for who in who.iter().map(|column| cell(row, *column)) {
+            for (kind, column) in &who {
+                let who = cell(row, *column);
                 let who = who.strip_prefix("Participant ").unwrap_or(who);
                 if !who.is_empty() {
-                    times.entry(who.to_owned()).or_default().push(at);
+                    times.entry(who.to_owned()).or_default().push((*kind, at));
                 }
             }
         }
@@ -285,6 +306,43 @@ mod tests {
         let plain = read("id, group\nada,T\n bob ,T\neve,t\n").expect("it is a list");
         assert_eq!(plain.len(), 2);
         assert_eq!(plain[0].members, ["ada", "bob"]);
+    }
+
+    #[test]
+    fn nobody_is_late_because_their_id_is_anothers_login_or_number() {
+        use crate::grade::class::marks::tests::entry;
+        use crate::grade::intake::names::HandInTime;
+
+        let folder = tempfile::tempdir().expect("there is room");
+        let path = folder.path().join("times.csv");
+        let list = "Identifier,ID number,login,time\n\
+            Participant 2001,77,bob,2026-11-20 10:00\n\
+            Participant 2002,78,77,2026-11-27 10:00\n\
+            Participant 77,79,eve,2026-11-28 10:00\n\
+            Participant 2004,,zoe,2026-11-19 10:00\n";
+        fs::write(&path, list).expect("there is room");
+        let policy = Policy {
+            times: times_in(&path, Some(&TimeZone::UTC)).expect("it is a list of times"),
+            ..Policy::default()
+        };
+        let day = |id: &str, number: &str, login: &str| {
+            let person = Person {
+                id: id.into(),
+                number: Some(number.into()),
+                logins: vec![login.into()],
+                ..Person::default()
+            };
+            let entry = entry("one", id, "one");
+            match policy.handed_in(&entry, Some(&person)) {
+                Some(HandInTime::At(time)) => time.strftime("%d").to_string(),
+                other => panic!("{id}: {other:?}"),
+            }
+        };
+        assert_eq!(day("77", "2001", "bob"), "20");
+        assert_eq!(day("78", "2002", "77"), "27");
+        assert_eq!(day("79", "77", "eve"), "28");
+        // The list has no id for this person, and the roster has her login in its place.
+        assert_eq!(day("zoe", "2004", "zoe"), "19");
     }
 
     #[test]

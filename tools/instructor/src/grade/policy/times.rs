@@ -4,8 +4,8 @@ use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
 use jiff::{SignedDuration, Span, Timestamp, Unit, Zoned};
 
-use super::Policy;
 use super::rules::LatenessUnit;
+use super::{Policy, TimeKey};
 use crate::grade::intake::Entry;
 use crate::grade::intake::names::{self, HandInTime, Sign};
 use crate::grade::intake::roster::Person;
@@ -83,22 +83,30 @@ impl Policy {
         person: Option<&Person>,
     ) -> Option<HandInTime<Timestamp>> {
         let given = [&entry.id, &entry.name];
-        let of_entry = given.into_iter().find_map(|name| self.times.get(name));
-        let of_person = || {
-            let person = person?;
+        let mut keys: Vec<_> = given.map(|name| (TimeKey::Id, name)).to_vec();
+        if let Some(person) = person {
             let signs = entry.signs.iter().filter_map(|sign| match sign {
                 Sign::Account { number, .. } => Some(number),
                 Sign::Login(_) | Sign::Plain(_) => None,
             });
-            let keys = std::iter::once(&person.id);
-            let keys = keys.chain(&person.number).chain(&person.logins);
-            keys.chain(signs).find_map(|key| self.times.get(key))
-        };
+            keys.push((TimeKey::Id, &person.id));
+            keys.extend(person.number.iter().map(|it| (TimeKey::Number, it)));
+            keys.extend(person.logins.iter().map(|it| (TimeKey::Login, it)));
+            keys.extend(signs.map(|it| (TimeKey::Number, it)));
+        }
         // If one person has several times, we don't know which belongs to this submission. The
         // last one is never too early.
-        let listed = of_entry.or_else(of_person).and_then(|all| all.iter().max());
+        let latest = |kind: Option<TimeKey>, name: &String| {
+            let all = self.times.get(name)?.iter();
+            let all = all.filter(|(own, _)| kind.is_none_or(|kind| kind == *own));
+            all.map(|(_, time)| *time).max()
+        };
+        let own = keys
+            .iter()
+            .find_map(|(kind, name)| latest(Some(*kind), name));
+        let listed = own.or_else(|| keys.iter().find_map(|(_, name)| latest(None, name)));
         if let Some(time) = listed {
-            return Some(HandInTime::At(*time));
+            return Some(HandInTime::At(time));
         }
         let zone = self.zone();
         let named = names::handed_in(&entry.given)?;

@@ -2,6 +2,7 @@ use super::*;
 use crate::grade::intake::matching::Proof;
 use crate::grade::intake::names::Sign;
 use crate::grade::intake::placement;
+use crate::grade::policy::TimeKey;
 use crate::grade::policy::rules::Rules;
 use crate::grade::record::tests::graded;
 
@@ -117,7 +118,7 @@ fn a_member_of_a_group_is_as_late_as_the_table_of_times_says() {
     for (id, day) in [("ada", 20), ("eve", 25)] {
         let time = format!("2026-11-{day}T11:00:00Z").parse();
         let time = time.expect("it is a time");
-        policy.times.insert(id.into(), vec![time]);
+        policy.times.insert(id.into(), vec![(TimeKey::Id, time)]);
     }
     let records = records(&[("one", 60), ("two", 95)]);
     let expected = ["eve", "ada"].map(|id| (id.to_owned(), "two".to_owned(), 45.0));
