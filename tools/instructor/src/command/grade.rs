@@ -56,7 +56,6 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let made = match (&arguments.fresh, arguments.no_fresh) {
         (_, true) => None,
         (Some(folder), _) => {
-            fresh::reserve(folder, fresh::Purpose::Grading)?;
             let seed = Manifest::read(folder)?.probe_seed;
             Some((Goldens::read(folder, &assignment)?, seed))
         }
@@ -70,6 +69,9 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
             questions.find_or_make(&assignment, checkout)?
         }
     };
+    if let Some((questions, _)) = &made {
+        fresh::reserve(&questions.folder, fresh::Purpose::Grading)?;
+    }
     for folder in [Some(folder), made.as_ref().map(|(fresh, _)| &fresh.folder)]
         .into_iter()
         .flatten()

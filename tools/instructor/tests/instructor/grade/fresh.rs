@@ -108,6 +108,35 @@ fn memorised_films_earn_nothing() {
     assert_eq!(again["graded_now"], 0);
 }
 
+#[test]
+fn questions_that_grade_has_drawn_are_refused_for_feedback() {
+    let class = Class::new("drawn-questions");
+    let (entry, out) = (class.path("class/ada"), class.path("out"));
+    class.hand_in("ada", &[]);
+    // Grading finds these questions as if it had drawn them in an earlier run.
+    let drawn = class.path("out/fresh");
+    for folder in ["", "probes", "scenes"] {
+        fs::create_dir_all(format!("{drawn}/{folder}")).expect("there is room");
+        let files = fs::read_dir(fresh_goldens().join(folder)).expect("it is there");
+        for file in files.flatten().map(|file| file.path()) {
+            let name = file.file_name().and_then(|name| name.to_str());
+            let name = name.expect("a plain name");
+            if file.is_file() && name != ".purpose" {
+                let place = format!("{drawn}/{folder}/{name}");
+                fs::copy(file, place).expect("there is room");
+            }
+        }
+    }
+    pinhole(&["grade", &entry, "--out", &out]).expect_code(0);
+    let archive = class.path("autograder.zip");
+    let feedback = ["handout", "--gradescope", &archive, "--fresh", &drawn];
+    let refused = pinhole(&feedback).expect_code(2).err;
+    assert!(
+        refused.contains("already been used for grading"),
+        "{refused}"
+    );
+}
+
 /// The key that identifies a triangle, and the line of Rust that computes it.
 fn key(triangle: &Triangle) -> u64 {
     let numbers = triangle.corners.iter().flat_map(|corner| corner.to_array());
