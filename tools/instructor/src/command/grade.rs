@@ -45,7 +45,11 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let new: Vec<Entry> = roll.entries.clone();
     let earlier = cache.path(class::ROLL);
     let roll = match (roll.is_class, arguments.shard) {
-        (false, None) if earlier.exists() => roll.into_class(Roll::read(&earlier)?),
+        (false, None) if earlier.exists() => {
+            let class = Roll::read(&earlier)?;
+            refuse_chosen_names(&roll, &class)?;
+            roll.into_class(class)
+        }
         (true, None) => {
             refuse_partial_class(&roll, &earlier)?;
             roll
@@ -360,10 +364,33 @@ fn refuse_partial_class(roll: &Roll, earlier: &Path) -> Result<()> {
     ))
 }
 
+/// Refuses to replace a submission by an archive whose author may have given it that name.
+fn refuse_chosen_names(roll: &Roll, class: &Roll) -> Result<()> {
+    let is_weaker = |new: &&Entry| {
+        let mut same = class.entries.iter().filter(|old| old.id == new.id);
+        same.any(|old| new.at_most < old.at_most)
+    };
+    let Some(new) = roll.entries.iter().find(is_weaker) else {
+        return Ok(());
+    };
+    Err(Error::input(
+        format!(
+            "{} would replace the submission {} in the --out folder, but an archive's author may \
+             have chosen its name",
+            new.name, new.id
+        ),
+        format!(
+            "if it is theirs, unpack it into a folder named {}, and pass that folder",
+            new.id
+        ),
+    ))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::grade::class::marks::tests::{entry, roll};
+    use crate::grade::intake::matching::Proof;
 
     #[test]
     fn a_number_names_no_group() {
@@ -373,6 +400,21 @@ mod tests {
             know_groups(&roll.policy.expect("there is a policy"), &mut people);
             let groups = people.iter().filter_map(|person| person.group.as_deref());
             assert_eq!(groups.filter(|group| *group == name).count(), known);
+        }
+    }
+
+    #[test]
+    fn an_archive_does_not_replace_a_folder_of_its_name() {
+        let named = |at_most| {
+            let mut roll = roll(vec![entry("ada", "ada", "ada")], "time_zone = 'UTC'", &[]);
+            roll.entries[0].at_most = at_most;
+            roll
+        };
+        let [folder, archive] = [Proof::Id, Proof::Name].map(named);
+        let refused = refuse_chosen_names(&archive, &folder).expect_err("eve may have named it");
+        assert!(refused.problem.contains("would replace"), "{refused}");
+        for (new, old) in [(&folder, &archive), (&archive, &archive)] {
+            refuse_chosen_names(new, old).expect("it proves as much as the old one");
         }
     }
 
