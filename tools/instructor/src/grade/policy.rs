@@ -311,7 +311,8 @@ mod tests {
     #[test]
     fn nobody_is_late_because_their_id_is_anothers_login_or_number() {
         use crate::grade::class::marks::tests::entry;
-        use crate::grade::intake::names::HandInTime;
+        use crate::grade::intake::Entry;
+        use crate::grade::intake::names::{HandInTime, Sign};
 
         let folder = tempfile::tempdir().expect("there is room");
         let path = folder.path().join("times.csv");
@@ -325,15 +326,18 @@ mod tests {
             times: times_in(&path, Some(&TimeZone::UTC)).expect("it is a list of times"),
             ..Policy::default()
         };
-        let day = |id: &str, number: &str, login: &str| {
+        let handed_in = |entry: &Entry, id: &str, number: Option<&str>, login: &str| {
             let person = Person {
                 id: id.into(),
-                number: Some(number.into()),
+                number: number.map(str::to_owned),
                 logins: vec![login.into()],
                 ..Person::default()
             };
+            policy.handed_in(entry, Some(&person))
+        };
+        let day = |id: &str, number: &str, login: &str| {
             let entry = entry("one", id, "one");
-            match policy.handed_in(&entry, Some(&person)) {
+            match handed_in(&entry, id, Some(number), login) {
                 Some(HandInTime::At(time)) => time.strftime("%d").to_string(),
                 other => panic!("{id}: {other:?}"),
             }
@@ -343,6 +347,13 @@ mod tests {
         assert_eq!(day("79", "77", "eve"), "28");
         // The list has no id for this person, and the roster has her login in its place.
         assert_eq!(day("zoe", "2004", "zoe"), "19");
+        let mut of_group = entry("one", "80", "one");
+        of_group.signs = vec![Sign::Account {
+            number: "2002".into(),
+            name: "Team".into(),
+            may_be_group: true,
+        }];
+        assert_eq!(handed_in(&of_group, "80", None, "ian"), None);
     }
 
     #[test]

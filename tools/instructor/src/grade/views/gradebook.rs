@@ -6,7 +6,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::csv::Table;
 use crate::grade::class::{Class, Row};
 use crate::grade::intake::Entry;
-use crate::grade::intake::names::{Platform, platform};
+use crate::grade::intake::matching::is_name;
+use crate::grade::intake::names::{Platform, PlatformName, platform};
 use crate::grade::intake::roster::Person;
 use crate::grade::policy::mark::{Mark, number};
 use pinhole_report::escape::printable;
@@ -132,7 +133,11 @@ impl Accounts {
         // The number in what was handed in is that of the person who uploaded it, not of the
         // others in the group.
         let mut names = names.filter(|name| name.platform == self.of && !row.is_shared);
-        let named = names.next().map(|name| name.number.to_owned());
+        // Moodle may write a group's number, which may be another person's too.
+        let may_be_groups =
+            |it: &PlatformName| it.platform == Platform::Moodle && !is_name(it.person, person);
+        let named = names.next().filter(|name| !may_be_groups(name));
+        let named = named.map(|name| name.number.to_owned());
         let named = named.filter(|number| !self.contested.contains(number));
         person.number.clone().or(named).unwrap_or_default()
     }
@@ -159,6 +164,21 @@ mod tests {
             accounts.number(person, &row)
         });
         assert_eq!(numbers.collect::<Vec<_>>(), ["", "", "79"]);
+    }
+
+    #[test]
+    fn the_number_of_a_group_on_moodle_is_no_members() {
+        let entries = vec![
+            entry("one", "ada", "Team A_3001_assignsubmission_file"),
+            entry("two", "eve", "eve Name of_2002_assignsubmission_file"),
+        ];
+        let roll = roll(entries, "time_zone = 'UTC'", &[("Team A", &["ada", "bob"])]);
+        let accounts = Accounts::new(&roll.entries, Platform::Moodle);
+        let records = BTreeMap::new();
+        let rows = rows(&roll, &records);
+        let all = rows.own.iter().chain(&rows.shared);
+        let numbers = all.map(|row| accounts.number(row.person.expect("a person"), row));
+        assert_eq!(numbers.collect::<Vec<_>>(), ["", "2002", ""]);
     }
 
     #[test]
