@@ -72,6 +72,12 @@ pub fn is_name(name: &str, person: &Person) -> bool {
         .is_some_and(|name| ways.contains(name))
 }
 
+/// Whether a number that a platform wrote beside this name is the person's. If it may be a group's
+/// number, the name must be the person's too, because somebody else may have the same number.
+pub fn is_own_number(number: &str, name: &str, may_be_group: bool, person: &Person) -> bool {
+    !may_be_group || person.number.as_deref() == Some(number) || is_name(name, person)
+}
+
 /// How well a sign proves who handed something in.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize)]
 #[serde(rename_all = "snake_case")]

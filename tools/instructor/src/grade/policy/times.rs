@@ -7,7 +7,7 @@ use jiff::{SignedDuration, Span, Timestamp, Unit, Zoned};
 use super::rules::LatenessUnit;
 use super::{Policy, TimeKey};
 use crate::grade::intake::Entry;
-use crate::grade::intake::matching::is_name;
+use crate::grade::intake::matching::is_own_number;
 use crate::grade::intake::names::{self, HandInTime, Sign};
 use crate::grade::intake::roster::Person;
 use pinhole_report::escape::printable_cell;
@@ -86,13 +86,12 @@ impl Policy {
         let given = [&entry.id, &entry.name];
         let mut keys: Vec<_> = given.map(|name| (TimeKey::Id, name)).to_vec();
         if let Some(person) = person {
-            // The number of a group may be another person's too.
             let signs = entry.signs.iter().filter_map(|sign| match sign {
                 Sign::Account {
                     number,
                     name,
                     may_be_group,
-                } if !may_be_group || is_name(name, person) => Some(number),
+                } if is_own_number(number, name, *may_be_group, person) => Some(number),
                 _ => None,
             });
             keys.push((TimeKey::Id, &person.id));

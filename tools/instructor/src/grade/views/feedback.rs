@@ -5,6 +5,7 @@ use std::io::{Cursor, Write};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
+use super::gradebook::has_number_of;
 use super::report;
 use crate::grade::cache::ResultCache;
 use crate::grade::class::{Class, Row};
@@ -49,11 +50,15 @@ fn for_canvas(row: &Row) -> Option<String> {
 }
 
 /// Moodle's “Upload multiple feedback files in a zip”: folders as in its export. Their numbers say
-/// whose they are (`mod/assign/feedback/file/importziplib.php` in Moodle's source).
+/// whose they are (`mod/assign/feedback/file/importziplib.php` in Moodle's source). A group's number
+/// may be somebody else's (`mod/assign/classes/downloader.php`), so it gets no folder.
 fn for_moodle(row: &Row) -> Option<String> {
     let names = row.entry.given.iter();
     let mut names = names.filter_map(|name| platform(name));
     let name = names.find(|it| it.platform == Platform::Moodle && !row.is_shared)?;
+    if row.person.is_some_and(|it| !has_number_of(&name, it)) {
+        return None;
+    }
     let folder = name.submission;
     Some(format!("{folder}_assignsubmission_file/report.html"))
 }
@@ -110,6 +115,30 @@ mod tests {
     use crate::grade::intake::matching::Proof;
     use crate::grade::intake::roster::Person;
     use crate::grade::policy::mark::{JudgedPoints, Mark};
+
+    #[test]
+    fn a_groups_report_has_no_folder_with_the_groups_number() {
+        use crate::grade::class::marks::tests::entry;
+
+        let person = Person {
+            name: "Ada Lovelace".into(),
+            ..Person::default()
+        };
+        let folder = |name: &str| {
+            let entry = entry("one", "ada", &format!("{name}_assignsubmission_file"));
+            for_moodle(&Row {
+                entry: &entry,
+                person: Some(&person),
+                record: None,
+                mark: None,
+                not_counted: None,
+                is_shared: false,
+            })
+        };
+        let own = "Ada Lovelace_2001_assignsubmission_file/report.html";
+        assert_eq!(folder("Ada Lovelace_2001").as_deref(), Some(own));
+        assert_eq!(folder("Team A_3001"), None);
+    }
 
     #[test]
     fn a_submission_that_belongs_to_nobody_is_not_sent_to_anybody() {

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::csv::Table;
 use crate::grade::class::{Class, Row};
 use crate::grade::intake::Entry;
-use crate::grade::intake::matching::is_name;
+use crate::grade::intake::matching::is_own_number;
 use crate::grade::intake::names::{Platform, PlatformName, platform};
 use crate::grade::intake::roster::Person;
 use crate::grade::policy::mark::{Mark, number};
@@ -105,6 +105,12 @@ fn students_id(person: &Person) -> String {
     }
 }
 
+/// Whether the number in a platform's name is this person's.
+pub fn has_number_of(name: &PlatformName, person: &Person) -> bool {
+    let may_be_group = name.platform == Platform::Moodle;
+    is_own_number(name.number, name.person, may_be_group, person)
+}
+
 /// The platform's numbers for people.
 struct Accounts {
     of: Platform,
@@ -133,10 +139,7 @@ impl Accounts {
         // The number in what was handed in is that of the person who uploaded it, not of the
         // others in the group.
         let mut names = names.filter(|name| name.platform == self.of && !row.is_shared);
-        // Moodle may write a group's number, which may be another person's too.
-        let may_be_groups =
-            |it: &PlatformName| it.platform == Platform::Moodle && !is_name(it.person, person);
-        let named = names.next().filter(|name| !may_be_groups(name));
+        let named = names.next().filter(|name| has_number_of(name, person));
         let named = named.map(|name| name.number.to_owned());
         let named = named.filter(|number| !self.contested.contains(number));
         person.number.clone().or(named).unwrap_or_default()
