@@ -105,6 +105,7 @@ pub fn find(
     people: Option<&[Person]>,
 ) -> Result<Intake> {
     let is_on_roster = |name: &str| people.is_some_and(|it| matching::is_somebody(name, it));
+    let is_id = |name: &str| people.is_some_and(|it| matching::is_id(name, it));
     let is_task = |name: &str| task_names::task_of(name, assignment).is_some();
     let is_answer =
         |name: &str| is_task(name) || names::platforms(name).iter().any(|it| is_task(it.rest));
@@ -116,6 +117,7 @@ pub fn find(
             is_only: paths.len() == 1,
             found: reader::read(path, &is_answer)?,
             is_on_roster: &is_on_roster,
+            is_id: &is_id,
         };
         source.unwrap();
         sources.push(source);

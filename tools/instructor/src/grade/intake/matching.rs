@@ -124,6 +124,14 @@ pub fn is_somebody(name: &str, people: &[Person]) -> bool {
     !meant(&Sign::Plain(name.into()), people).1.is_empty()
 }
 
+/// Whether this is the id or the login that the university gave to somebody.
+pub fn is_id(name: &str, people: &[Person]) -> bool {
+    let is = |own: &String| own.eq_ignore_ascii_case(name);
+    people
+        .iter()
+        .any(|it| is(&it.id) || it.logins.iter().any(is))
+}
+
 /// The people whose login ends a text, each with the title before the login. Whether the title
 /// is the assignment's is not known here.
 pub fn titled<'a, 't>(sign: &'t Sign, people: &'a [Person]) -> Vec<(&'t str, &'a Person)> {

@@ -17,6 +17,8 @@ pub struct Source<'a> {
     pub found: Vec<FoundFile>,
     /// Whether somebody on the roster has this name or id.
     pub is_on_roster: &'a dyn Fn(&str) -> bool,
+    /// Whether somebody on the roster has this id or login.
+    pub is_id: &'a dyn Fn(&str) -> bool,
 }
 
 /// The folders at the top of the course's repository. They are not submissions.
@@ -86,6 +88,11 @@ impl Source<'_> {
                 && !self.is_person(&self.name)
                 && self.names_people(&self.found);
         }
+        // One person's folder may contain folders with names of others. People can choose their
+        // own names, and so be called like the folder of a class, but that contains no answers.
+        if (self.is_id)(&self.name) || self.holds_answers() && self.is_person(&self.name) {
+            return false;
+        }
         let tops = tops(self.found.clone());
         if tops.keys().any(|top| self.is_person(top)) {
             return true;
@@ -104,7 +111,7 @@ impl Source<'_> {
     /// the handed-out repository has them.
     fn holds_answers(&self) -> bool {
         let is_own = |path: &[String]| match path {
-            [_] => true,
+            [name] => names::platforms(name).is_empty(),
             [src, _] => src == "src",
             [handout, src, _] => handout == "handout" && src == "src",
             [assignments, _, handout, src, _] => {

@@ -26,6 +26,44 @@ fn an_archive_with_other_peoples_names_is_one_submission() {
 }
 
 #[test]
+fn a_folder_named_after_a_person_is_no_class() {
+    let person = |id: &str, name: &str| Person {
+        id: id.into(),
+        name: name.into(),
+        ..Person::default()
+    };
+    let people = [
+        person("bob", "Bob Brown"),
+        person("eve", "Eve Malory"),
+        person("mm", "class"),
+    ];
+    let export = Export::new();
+    for others in ["bob", "Bob Brown_2001_assignsubmission_file"] {
+        let forged = answers(&format!("{others}/"), "forged");
+        export.put_all("eve", [answers("", "eve"), forged.clone()].concat());
+        export.put_all(
+            "Eve Malory",
+            [answers("src/", "eve"), forged.clone()].concat(),
+        );
+        export.put_all("alone/eve", forged.clone());
+        export.put_all("class", forged);
+        let names = |folder: &str| -> Vec<String> {
+            let found = find(&[export.path(folder)], &assignment(), Some(&people));
+            let entries = found.expect("it can be read").entries.into_iter();
+            entries.map(|entry| entry.given.concat()).collect()
+        };
+        assert_eq!(names("eve"), ["eve"]);
+        assert_eq!(names("Eve Malory"), ["Eve Malory"]);
+        assert_eq!(names("alone/eve"), ["eve"]);
+        // Somebody who is called like the folder of the class doesn't make it theirs.
+        assert_eq!(names("class"), [others]);
+        for folder in ["eve", "Eve Malory", "alone", "class"] {
+            fs::remove_dir_all(export.path(folder)).expect("it is there");
+        }
+    }
+}
+
+#[test]
 fn a_persons_name_that_looks_like_another_account_replaces_nobody() {
     let export = Export::new();
     for [ada, mallory] in [
