@@ -12,8 +12,9 @@ use crate::grade::cache::{ResultCache, pretty, standing};
 use crate::grade::class::{self, Roll};
 use crate::grade::grader::clock::Pace;
 use crate::grade::grader::{Grader, fresh};
+use crate::grade::intake::placement::Placement;
 use crate::grade::intake::roster::Person;
-use crate::grade::intake::{self, Entry, placement, roster};
+use crate::grade::intake::{self, Entry, roster};
 use crate::grade::policy::Policy;
 use crate::grade::provenance::{self, GradingInputs, Tool};
 use crate::grade::queue::{GradeQueue, QueueResult, kept, valid};
@@ -300,17 +301,18 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
         know_groups(policy, people);
     }
     let intake = intake::find(&arguments.paths, assignment, people.as_deref())?;
-    let mut placed = placement::place(&intake.entries, people.as_deref());
-    placed.superseded = intake.superseded;
     let mut roll = Roll {
         entries: intake.entries,
         people,
-        placed,
+        placed: Placement {
+            superseded: intake.superseded,
+            ..Placement::default()
+        },
         ignored: intake.ignored,
         is_class: intake.is_class,
         policy,
     };
-    roll.find_groups();
+    roll.place();
     Ok(roll)
 }
 

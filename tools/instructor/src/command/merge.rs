@@ -27,7 +27,7 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     let (mut roll, parts) = read(&arguments.shards)?;
     if let Some(path) = &arguments.policy {
         roll.policy = Some(Policy::read(path)?);
-        roll.find_groups();
+        roll.place();
     }
     let cache = ResultCache::open(&arguments.out)?;
     let is_out =

@@ -62,17 +62,18 @@ impl Roll {
         class.entries.extend(self.entries);
         class.entries.sort_by(|a, b| a.id.cmp(&b.id));
         class.people = self.people.or(class.people);
-        let mut superseded = std::mem::take(&mut class.placed.superseded);
-        superseded.extend(self.placed.superseded);
+        class.placed.superseded.extend(self.placed.superseded);
         class.policy = self.policy.or(class.policy);
-        class.placed = placement::place(&class.entries, class.people.as_deref());
-        class.placed.superseded = superseded;
-        class.find_groups();
+        class.place();
         class
     }
 
-    /// Removes from the list of missing people those whose group has handed something in.
-    pub fn find_groups(&mut self) {
+    /// Finds each submission's person, and the people who have handed in nothing, not even with a
+    /// group.
+    pub fn place(&mut self) {
+        let superseded = std::mem::take(&mut self.placed.superseded);
+        self.placed = placement::place(&self.entries, self.people.as_deref());
+        self.placed.superseded = superseded;
         let mut missing = std::mem::take(&mut self.placed.missing);
         let of = self.placed.of.values();
         let handed_in: BTreeSet<&str> = of

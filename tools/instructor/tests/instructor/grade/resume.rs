@@ -274,3 +274,30 @@ fn grader_fault_is_not_a_zero_and_keeps_the_finished_grade() {
         .expect_code(3)
         .expect_out("not graded: ada: cannot write");
 }
+
+#[test]
+fn a_merge_without_groups_lists_those_who_handed_in_nothing_themselves() {
+    let class = Class::new("merge-without-groups");
+    let (entry, out) = (class.path("class/ada"), class.path("out"));
+    let put = |name: &str, text: &str| {
+        fs::write(class.folder.join(name), text).expect("there is room");
+        class.path(name)
+    };
+    let roster = put("roster.csv", "id,name\nada,Ada Lovelace\nbob,Bob Brown\n");
+    put("groups.csv", "id,group\nada,T\nbob,T\n");
+    let groups = put("groups.toml", "time_zone = 'UTC'\ngroups = 'groups.csv'\n");
+    let alone = put("alone.toml", "time_zone = 'UTC'\n");
+    let line = ["grade", &entry, "--no-fresh", "--out", &out];
+    on_small_assignment(&[&line[..], &["--roster", &roster, "--policy", &groups]].concat())
+        .expect_code(0)
+        .expect_out("0 handed in nothing");
+    let merged = class.path("merged");
+    on_small_assignment(&["merge", &out, "--policy", &alone, "--out", &merged])
+        .expect_code(0)
+        .expect_out("1 handed in nothing");
+    let grades = class.read("merged/grades.csv");
+    assert!(
+        grades.contains("bob,Bob Brown,,,,,nothing handed in"),
+        "{grades}"
+    );
+}

@@ -1,7 +1,6 @@
 use super::*;
 use crate::grade::intake::matching::Proof;
 use crate::grade::intake::names::Sign;
-use crate::grade::intake::placement;
 use crate::grade::policy::TimeKey;
 use crate::grade::policy::rules::Rules;
 use crate::grade::record::tests::graded;
@@ -41,13 +40,12 @@ pub fn roll(entries: Vec<Entry>, rules: &str, groups: &[(&str, &[&str])]) -> Rol
         .collect();
     let people = Some(["ada", "bob", "eve"].map(person).to_vec());
     let mut roll = Roll {
-        placed: placement::place(&entries, people.as_deref()),
         entries,
         people,
         policy: Some(policy),
         ..Roll::default()
     };
-    roll.find_groups();
+    roll.place();
     roll
 }
 
