@@ -75,13 +75,25 @@ impl Roll {
         self.placed = placement::place(&self.entries, self.people.as_deref());
         self.placed.superseded = superseded;
         let mut missing = std::mem::take(&mut self.placed.missing);
-        let of = self.placed.of.values();
-        let handed_in: BTreeSet<&str> = of
-            .flat_map(|person| self.team_of(person))
-            .map(|person| person.id.as_str())
-            .collect();
+        let handed_in = self.handed_in();
         missing.retain(|person| !handed_in.contains(person.id.as_str()));
         self.placed.missing = missing;
+    }
+
+    /// The ids of the people who have handed something in, alone or with a group.
+    fn handed_in(&self) -> BTreeSet<&str> {
+        let of = self.placed.of.values();
+        let people = of.flat_map(|person| self.team_of(person));
+        people.map(|person| person.id.as_str()).collect()
+    }
+
+    /// People who may have handed something in, though it is not certain which, and whose group has
+    /// handed in nothing.
+    pub fn in_doubt(&self) -> Vec<&Person> {
+        let handed_in = self.handed_in();
+        let mut people = self.placed.in_doubt();
+        people.retain(|person| !handed_in.contains(person.id.as_str()));
+        people
     }
 
     /// Everyone who gets the mark for what a person hands in: the person alone, or the person's

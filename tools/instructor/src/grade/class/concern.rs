@@ -89,7 +89,7 @@ impl Roll {
                 let own = are(self.people_graded(graded));
                 let people = count(people, "person", "people");
                 parts.push(format!("of {people} on the roster, {own}"));
-                let in_doubt = placed.in_doubt().len();
+                let in_doubt = self.in_doubt().len();
                 if in_doubt > 0 {
                     parts.push(format!("{in_doubt} in doubt"));
                 }

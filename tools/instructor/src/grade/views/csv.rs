@@ -64,7 +64,7 @@ pub fn grades(class: &Class, assignment: &Assignment) -> String {
     }
     let placed = &class.roll.placed;
     let missing = placed.missing.iter().map(|it| (it, "nothing handed in"));
-    let in_doubt = placed.in_doubt().into_iter().map(|it| (it, "in doubt"));
+    let in_doubt = class.roll.in_doubt().into_iter().map(|it| (it, "in doubt"));
     for (person, outcome) in missing.chain(in_doubt) {
         let mut line = vec![
             person.id.clone(),

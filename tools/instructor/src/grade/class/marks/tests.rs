@@ -179,6 +179,18 @@ fn a_group_is_graded_once_and_marked_for_all() {
 }
 
 #[test]
+fn nobody_is_in_doubt_whose_group_has_handed_in() {
+    let in_doubt = |groups: &[(&str, &[&str])]| {
+        let both = entry("two", "bob eve", "bob eve");
+        let roll = roll(vec![entry("one", "ada", "ada"), both], RULES, groups);
+        let people = roll.in_doubt().into_iter().map(|person| person.id.clone());
+        people.collect::<Vec<_>>()
+    };
+    assert_eq!(in_doubt(&[]), ["bob", "eve"]);
+    assert_eq!(in_doubt(&[("team", &["ada", "bob"])]), ["eve"]);
+}
+
+#[test]
 fn unknown_lateness_and_unknown_ids_are_listed() {
     let rules = format!("{RULES}[[adjust]]\nid = 'adda'\npoints = 5\nreason = 'talk'\n");
     let entries = vec![
