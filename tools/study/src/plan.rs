@@ -6,7 +6,7 @@
 //! 2. [`bounds`] tells for each part how accurate t must be, so that t and the normal are as
 //!    accurate as requested. The filters' limits are chosen accordingly, once for the whole film.
 //! 3. [`casting`] casts by the plan. A hit that a filter leaves open is computed by [`refined`].
-//! 4. [`description`] describes the plan in words.
+//! 4. [`description`](crate::summary::description) describes the plan in words.
 //!
 //! All of this is proven for every ray, if t is a normal `f64`; any other t is rounded to the
 //! nearest `f64`, which may be far from it. Nothing is sampled or timed, so the same scene has the
@@ -14,7 +14,6 @@
 
 pub mod bounds;
 pub mod casting;
-pub mod description;
 pub mod refined;
 
 use pinhole::Scene;

@@ -1,6 +1,4 @@
-//! The study's report: a page in Markdown, and lines for a terminal.
-
-use std::fmt::Write;
+//! Texts for people: the study's page in Markdown, its promises, and the description of a plan.
 
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::{Serde, Value};
@@ -8,38 +6,42 @@ use minijinja::{Environment, context};
 use serde::Serialize;
 
 use crate::judge::{median_and_worst, rule_of_three};
+use crate::plan::Plan;
 use crate::result::Study;
 
 /// The promises beside the measurements, for a terminal.
 pub fn terminal(study: &Study) -> String {
-    let mut text = String::new();
-    let lengths = study.targets.iter().map(|t| t.about.chars().count());
-    let width = lengths.max().unwrap_or(0);
-    for target in &study.targets {
-        let (mark, verdict) = match target.met {
-            true => ("✓", "pass"),
-            false => ("✗", "falls short"),
-        };
-        let (about, expected, measured) = (&target.about, &target.expected, &target.measured);
-        let _ = writeln!(
-            text,
-            "{mark} {about:width$}  {expected:>24}  {measured}  {verdict}"
-        );
-    }
-    let met = study.targets.iter().filter(|target| target.met).count();
-    let _ = write!(text, "{met} of {} promises are kept", study.targets.len());
-    text
+    filled(include_str!("../templates/promises.txt"), Serde(study))
+}
+
+/// Describes a plan for the named scene, for a terminal.
+pub fn description(plan: &Plan, scene: &str) -> String {
+    let values = context! { scene, ..Value::from(Serde(plan)) };
+    filled(include_str!("../templates/plan.txt"), values)
 }
 
 /// The Markdown page, with the plots that were drawn. It shows a [`Study`], or the document
 /// that one was written to.
 pub fn summary(study: &impl Serialize, plots: &[String]) -> String {
+    let values = context! { plots => Serde(plots), ..Value::from(Serde(study)) };
+    filled(include_str!("../templates/summary.md"), values)
+}
+
+/// A template with these values, and one line end after its last line.
+fn filled(template: &str, values: impl Into<Value>) -> String {
     let mut page = Environment::new();
     // Lines with only a tag leave no blank line.
     let mut syntax = SyntaxConfig::builder();
     page.set_syntax(syntax.trim_blocks(true).build().expect("it is the default"));
+    page.add_filter("left", |text: String, width: usize| {
+        format!("{text:width$}")
+    });
+    page.add_filter("right", |text: String, width: usize| {
+        format!("{text:>width$}")
+    });
     page.add_filter("share", share);
     page.add_filter("short", |number| or_dash(number, short));
+    page.add_filter("exponential", |number: f64| format!("{number:e}"));
     page.add_filter("scientific", |number| {
         or_dash(number, |number| format!("{number:.0e}"))
     });
@@ -47,14 +49,9 @@ pub fn summary(study: &impl Serialize, plots: &[String]) -> String {
         or_dash(number, |number| format!("{number:.digits$}"))
     });
     page.add_filter("median_time_over", median_time_over);
-    let text = page.render_str(
-        include_str!("../templates/summary.md"),
-        context! { plots => Serde(plots), ..Value::from(Serde(study)) },
-    );
-    text.expect("the template fits the study's fields")
-        .trim_end()
-        .to_owned()
-        + "\n"
+    let text = page.render_str(template, values.into());
+    let text = text.expect("the template fits the fields");
+    text.trim_end().to_owned() + "\n"
 }
 
 /// A share of wrong answers; if there are none, the upper bound that this proves.

@@ -7,9 +7,9 @@ use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};
 use pinhole_report::program::Status;
-use pinhole_study::plan::description::description;
 use pinhole_study::plan::plan;
 use pinhole_study::scenes;
+use pinhole_study::summary::description;
 use serde_json::json;
 
 use crate::cli::Plan;

@@ -66,7 +66,7 @@ fn write(study: &Study, arguments: &Arguments) -> Result<()> {
     match arguments.json {
         true => anstream::println!("{document}"),
         false => anstream::println!(
-            "{}\nwritten to {}",
+            "{}written to {}",
             summary::terminal(study),
             folder.display()
         ),
