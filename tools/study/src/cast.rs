@@ -1,13 +1,11 @@
 //! Casts whole scenes, with a choice of kernels.
 //!
 //! [`world`] is the scene as a list of parts, [`tree`] is a bounding volume hierarchy over them
-//! ([`slabs`] tests its boxes), [`search`] decides whether to use it, [`model`]
-//! chooses the kernels, and [`rays`] and [`reach`] say where rays come from.
+//! ([`slabs`] tests its boxes), [`model`] chooses the kernels, and [`rays`] and [`reach`] say where rays come from.
 
 pub mod model;
 pub mod rays;
 pub mod reach;
-pub mod search;
 pub mod slabs;
 pub mod tree;
 pub mod world;
@@ -19,7 +17,6 @@ use wide::f32x4;
 use crate::shape::Ray;
 use crate::vector::Vector;
 use model::{Model, Query};
-pub use search::Search;
 use tree::{Leaf, Tree};
 use world::{Accurate, Part, View, World};
 
@@ -81,7 +78,7 @@ impl<'a> Found<'a> {
     }
 }
 
-/// A scene with its acceleration structure.
+/// A scene with its acceleration structure, if it has one.
 pub struct Caster {
     /// The parts of the scene.
     pub world: World,
@@ -89,19 +86,14 @@ pub struct Caster {
 }
 
 impl Caster {
-    /// Computes the filters' limits for all parts, and builds the tree.
-    pub fn new(world: World) -> Caster {
-        Caster::prepared(world, None)
-    }
-
-    /// Prepares to cast the rays of one camera: see [`model::FromCamera`].
-    pub fn from_camera(world: World, view: View) -> Caster {
-        Caster::prepared(world, Some(view))
-    }
-
-    fn prepared(mut world: World, view: Option<View>) -> Caster {
+    /// Computes the filters' limits for all parts, and builds the tree. Without boxes, every part
+    /// is tested. With a view, it casts only the rays of one camera: see [`model::FromCamera`].
+    pub fn new(mut world: World, view: Option<View>, has_boxes: bool) -> Caster {
         world.settle(view);
-        let tree = Tree::over(&mut world);
+        let tree = match has_boxes {
+            true => Tree::over(&mut world),
+            false => Tree::default(),
+        };
         Caster { world, tree }
     }
 
@@ -109,7 +101,6 @@ impl Caster {
     #[inline]
     pub fn first<M: Model>(
         &self,
-        search: Search,
         ray: &Ray<f64>,
         min_t: f64,
         tally: &mut Tally,
@@ -120,10 +111,7 @@ impl Caster {
             found: None,
             model: PhantomData::<M>,
         };
-        match search {
-            Search::BruteForce => nearest.consider(&self.world.parts),
-            Search::Boxes => self.tree.search(&self.world, &mut nearest),
-        }
+        self.tree.search(&self.world, &mut nearest);
         nearest.found
     }
 }

@@ -6,6 +6,7 @@ use pinhole::{Film, Hit, Intersection, Scene};
 use serde::Serialize;
 
 use crate::cast::Seen;
+use crate::plan::casting::PlannedCaster;
 use crate::plan::{AccuracyTarget, Plan, plan};
 
 /// What it took to cast a film.
@@ -39,7 +40,8 @@ pub const EXACT: AccuracyTarget = AccuracyTarget {
 /// Plans a scene and casts it by that plan.
 pub fn planned(scene: &Scene, wish: AccuracyTarget) -> Result<(Film, Report), String> {
     let start = Instant::now();
-    let (plan, casting) = plan(scene, wish)?;
+    let casting = PlannedCaster::new(scene, wish)?;
+    let plan = plan(&casting);
     let planning_seconds = start.elapsed().as_secs_f64();
     let start = Instant::now();
     let (seen, tally) = casting.film();

@@ -7,10 +7,10 @@ use std::path::Path;
 use std::time::Instant;
 
 use crate::cast::world::World;
-use crate::cast::{Caster, Search, Tally};
+use crate::cast::{Caster, Tally};
 use crate::oracle::scene::{Errors, TrueHit, errors};
 use crate::plan::casting::PlannedCaster;
-use crate::plan::{AccuracyTarget, EXACT_OBJECTS, plan};
+use crate::plan::{AccuracyTarget, EXACT_OBJECTS};
 use crate::result::{PlanErrors, PlanTally};
 use crate::scenes::{self, Share, Stage};
 use crate::speed::{Workload, race};
@@ -29,19 +29,19 @@ pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<Plan
             accuracy: *accuracy,
             ..EXACT_OBJECTS
         };
-        planning.push(least_time(|| plan(&scene, wish).map(drop)) / pixels);
-        castings.push(plan(&scene, wish)?.1.every(share.step));
+        let plan = || PlannedCaster::new(&scene, wish);
+        planning.push(least_time(plan) / pixels);
+        castings.push(plan()?.every(share.step));
     }
     let stage = Stage::new(&scene, share.step);
     let (truths, rays) = (stage.exact.truths(), stage.exact.rays());
-    let plain_tree = least_time(|| Caster::new(World::of(&scene.objects))) / pixels;
-    let search = Search::cheaper(stage.exact.parts());
+    let plain_tree = least_time(|| Caster::new(World::of(&scene.objects), None, true)) / pixels;
 
     let planned = castings.iter();
     let mut films: Vec<Workload> = Vec::new();
     films.extend(planned.map(|casting| Box::new(|| casting.cast()) as Workload));
     films.push(Box::new(|| stage.cast(None)));
-    films.push(Box::new(|| stage.cast(Some(search))));
+    films.push(Box::new(|| stage.cast(Some(stage.exact.has_boxes))));
     let times = race(films, rays.len(), share.seconds);
     let [.., exact_ids, plain] = times.as_slice() else {
         unreachable!("the last two are always there");

@@ -12,13 +12,13 @@ use rayon::prelude::*;
 
 use crate::cast::model::Exact;
 use crate::cast::world::{Primitive, World};
-use crate::cast::{Caster, Search, Tally};
+use crate::cast::{Caster, Tally};
 use crate::contestants::Contestant;
 use crate::contestants::HasKernels;
 use crate::family::{HasFamilies, questions, steps};
 use crate::judge::judge;
 use crate::leaks::{Aim, Ball};
-use crate::plan::plan;
+use crate::plan::casting::PlannedCaster;
 use crate::plans::kept;
 use crate::question::{Class, Data, Question};
 use crate::random::Random;
@@ -113,8 +113,8 @@ fn judged<S: HasKernels + Into<Primitive>>() -> [Contestant<S>; 2] {
     let answer = |question: &Question<S>| {
         let mut world = World::default();
         world.add(0, question.shape.into());
-        let (caster, mut tally) = (Caster::new(world), Tally::default());
-        let found = caster.first::<Exact>(Search::Boxes, &question.ray, question.min_t, &mut tally);
+        let (caster, mut tally) = (Caster::new(world, None, true), Tally::default());
+        let found = caster.first::<Exact>(&question.ray, question.min_t, &mut tally);
         found.map(|found| found.t)
     };
     [kernel, Contestant { answer, ..kernel }]
@@ -128,12 +128,12 @@ fn edges(seed: u64) -> Count {
     for face in &ball.triangles {
         world.add(0, Primitive::Triangle(*face));
     }
-    let caster = Caster::new(world);
+    let caster = Caster::new(world, None, true);
     let mut count = Count::default();
     for aim in Aim::BOTH {
         for _ in 0..BATCH {
             let (ray, mut tally) = (ball.ray(&mut random, aim), Tally::default());
-            let met = caster.first::<Exact>(Search::Boxes, &ray, 0.0, &mut tally);
+            let met = caster.first::<Exact>(&ray, 0.0, &mut tally);
             count.asked += 1;
             count.wrong += u64::from(met.is_none());
             count.exact += tally.exact;
@@ -146,7 +146,7 @@ fn edges(seed: u64) -> Count {
 /// input with the casters: the scene and the camera's rays, rounded to `f64`.
 fn planned(seed: u64) -> Count {
     let (scene, wish) = random_scene::drawn(seed);
-    let (_, casting) = plan(&scene, wish).expect("an f64 can reach the accuracy");
+    let casting = PlannedCaster::new(&scene, wish).expect("an f64 can reach the accuracy");
     let truths = casting.truths();
     let (kept, tally) = kept(&casting, &truths);
     Count {

@@ -8,12 +8,12 @@ use pinhole::{Film, Scene, ShapeKind};
 
 use crate::cast::model::Plain;
 use crate::cast::world::{World, vector};
-use crate::cast::{Caster, Search, Seen, Tally};
+use crate::cast::{Caster, Seen, Tally};
 use crate::instructions;
 use crate::judge::median_and_worst;
 use crate::oracle::scene::{Errors, TrueHit, errors};
-use crate::plan::EXACT_OBJECTS;
 use crate::plan::casting::PlannedCaster;
+use crate::plan::{EXACT_OBJECTS, search_name};
 use crate::random_scene::grid;
 use crate::result::SceneTally;
 use crate::shape::Ray;
@@ -32,19 +32,17 @@ pub struct Share {
 
 /// A scene ready to be cast.
 pub struct Stage {
-    plain: Caster,
+    /// Plain `f64`, without and with boxes.
+    plain: [Caster; 2],
     /// The exact caster, with the rays that all ways cast.
     pub exact: PlannedCaster,
     min_t: f64,
 }
 
-/// The ways to cast a scene: the name in tables, and for plain `f64` the search. Exact casting
-/// chooses the cheaper search.
-const WAYS: [(&str, Option<Search>); 3] = [
-    ("f64", Some(Search::BruteForce)),
-    ("f64", Some(Search::Boxes)),
-    ("exact", None),
-];
+/// The ways to cast a scene: the name in tables, and for plain `f64` whether it has boxes. Exact
+/// casting chooses the cheaper search.
+const WAYS: [(&str, Option<bool>); 3] =
+    [("f64", Some(false)), ("f64", Some(true)), ("exact", None)];
 
 impl Stage {
     /// Prepares a scene, of which every `step`-th ray is cast.
@@ -54,46 +52,41 @@ impl Stage {
     pub fn new(scene: &Scene, step: usize) -> Stage {
         let exact = PlannedCaster::new(scene, EXACT_OBJECTS).expect("its rays are finite");
         Stage {
-            plain: Caster::new(World::of(&scene.objects)),
+            plain: [false, true]
+                .map(|has_boxes| Caster::new(World::of(&scene.objects), None, has_boxes)),
             exact: exact.every(step),
             min_t: scene.min_t,
         }
     }
 
     #[inline(always)]
-    fn plain(&self, search: Search, ray: &Ray<f64>, tally: &mut Tally) -> Seen {
-        let found = self.plain.first::<Plain>(search, ray, self.min_t, tally)?;
+    fn plain(&self, has_boxes: bool, ray: &Ray<f64>, tally: &mut Tally) -> Seen {
+        let found = self.plain[usize::from(has_boxes)].first::<Plain>(ray, self.min_t, tally)?;
         let normal = found.part.shape.normal(ray, found.t);
         Some((found.part.object, found.t, normal))
     }
 
     /// What every ray sees.
-    fn film(&self, search: Option<Search>) -> (Vec<Seen>, Tally) {
-        let Some(search) = search else {
+    fn film(&self, plain: Option<bool>) -> (Vec<Seen>, Tally) {
+        let Some(has_boxes) = plain else {
             return self.exact.film();
         };
         let mut tally = Tally::default();
         let rays = self.exact.rays().iter();
         let seen = rays
-            .map(|ray| self.plain(search, ray, &mut tally))
+            .map(|ray| self.plain(has_boxes, ray, &mut tally))
             .collect();
         (seen, tally)
     }
 
-    /// Casts all rays in plain `f64` with this search, or exactly, for timing. It does not read
-    /// a clock, because rustix's clock does not work under valgrind.
-    pub fn cast(&self, search: Option<Search>) {
-        match search {
-            Some(Search::BruteForce) => self.cast_plainly(Search::BruteForce),
-            Some(Search::Boxes) => self.cast_plainly(Search::Boxes),
-            None => self.exact.cast(),
-        }
-    }
-
-    #[inline(always)]
-    fn cast_plainly(&self, search: Search) {
+    /// Casts all rays in plain `f64`, with or without boxes, or exactly, for timing. It does not
+    /// read a clock, because rustix's clock does not work under valgrind.
+    pub fn cast(&self, plain: Option<bool>) {
+        let Some(has_boxes) = plain else {
+            return self.exact.cast();
+        };
         for ray in black_box(self.exact.rays()) {
-            black_box(self.plain(search, ray, &mut Tally::default()));
+            black_box(self.plain(has_boxes, ray, &mut Tally::default()));
         }
     }
 }
@@ -199,18 +192,18 @@ fn judged_ways(name: &str, scene: &Scene, share: Share) -> Vec<SceneTally> {
         stage.exact.parts(),
         stage.exact.truths(),
     );
-    let films = WAYS.map(|(_, search)| Box::new(move || stage.cast(search)) as Workload);
+    let films = WAYS.map(|(_, plain)| Box::new(move || stage.cast(plain)) as Workload);
     let times = race(films.into(), rays.len(), share.seconds);
-    let cheaper = Search::cheaper(parts);
-    let tally = |(at, ((model, search), time)): (usize, ((&'static str, Option<Search>), Time))| {
-        let (seen, tally) = stage.film(search);
-        let search = search.unwrap_or(cheaper);
-        let is_counted = share.instructions && search == cheaper;
+    let cheaper = stage.exact.has_boxes;
+    let tally = |(at, ((model, plain), time)): (usize, ((&'static str, Option<bool>), Time))| {
+        let (seen, tally) = stage.film(plain);
+        let has_boxes = plain.unwrap_or(cheaper);
+        let is_counted = share.instructions && has_boxes == cheaper;
         let count = || instructions::of_cast(&format!("{SCENE}{name}"), at, rays.len());
         SceneTally {
             scene: name.into(),
             model,
-            search: Some(search.name()),
+            search: Some(search_name(has_boxes)),
             parts: parts.len() as u64,
             nanoseconds: Some(time.nanoseconds),
             instructions: is_counted.then(count).flatten(),

@@ -4,7 +4,7 @@
 use pinhole_study::cast::model::{Exact, FromCamera, Model, exact};
 use pinhole_study::cast::rays::{camera, rays};
 use pinhole_study::cast::world::{Part, Primitive, View, World};
-use pinhole_study::cast::{Caster, Search, Tally};
+use pinhole_study::cast::{Caster, Tally};
 use pinhole_study::kernel::Camera;
 use pinhole_study::oracle::scene::sight;
 use pinhole_study::random::Random;
@@ -22,13 +22,8 @@ fn world_of(shapes: impl IntoIterator<Item = Primitive>) -> World {
 }
 
 /// The place of the part that is seen first, and its t.
-fn first<M: Model>(
-    caster: &Caster,
-    search: Search,
-    ray: &Ray<f64>,
-    min_t: f64,
-) -> Option<(u32, f64)> {
-    let found = caster.first::<M>(search, ray, min_t, &mut Tally::default())?;
+fn first(caster: &Caster, ray: &Ray<f64>, min_t: f64) -> Option<(u32, f64)> {
+    let found = caster.first::<Exact>(ray, min_t, &mut Tally::default())?;
     Some((found.part.place, found.t))
 }
 
@@ -108,26 +103,20 @@ fn seen_alike<M: Model>() -> [usize; 2] {
         rays.retain(|ray| ray.is_finite() && ray.direction.largest() > 0.0);
         let required = [1e-11, 1e-13][random.below(2)];
         let required_t = &|_: &_, _| required;
-        let anywhere = Caster::new(world.clone());
-        let caster = match M::HAS_CAMERA {
-            true => Caster::from_camera(
-                world,
-                View {
-                    camera: camera(&scene, &rays),
-                    required_t,
-                },
-            ),
-            false => Caster::new(world),
-        };
+        let anywhere = Caster::new(world.clone(), None, false);
+        let view = M::HAS_CAMERA.then(|| View {
+            camera: camera(&scene, &rays),
+            required_t,
+        });
+        let casters = [false, true].map(|has_boxes| Caster::new(world.clone(), view, has_boxes));
         for ray in rays {
-            let place =
-                first::<Exact>(&anywhere, Search::BruteForce, &ray, 0.0).map(|(place, _)| place);
-            for search in [Search::BruteForce, Search::Boxes] {
-                let found = caster.first::<M>(search, &ray, 0.0, &mut Tally::default());
+            let place = first(&anywhere, &ray, 0.0).map(|(place, _)| place);
+            for caster in &casters {
+                let found = caster.first::<M>(&ray, 0.0, &mut Tally::default());
                 assert_eq!(
                     found.map(|found| found.part.place),
                     place,
-                    "{search:?}, {seed}, {ray:?}"
+                    "{seed}, {ray:?}"
                 );
                 let Some(found) = found else { continue };
                 hits += 1;
@@ -169,13 +158,13 @@ fn hit_one_ulp_before_min_t_is_not_seen() {
             let radius = random.within(0.1, 1.5);
             Primitive::Sphere(Sphere { center, radius })
         });
-        let caster = Caster::new(world_of(balls));
+        let caster = Caster::new(world_of(balls), None, true);
         for _ in 0..200 {
             let ray = Ray {
                 origin: random.unit() * random.within(0.0, 9.0),
                 direction: random.unit(),
             };
-            let from = |min_t| first::<Exact>(&caster, Search::Boxes, &ray, min_t);
+            let from = |min_t| first(&caster, &ray, min_t);
             let Some((_, t)) = from(0.0) else { continue };
             met += 1;
             for min_t in [t.next_down().max(0.0), t, t.next_up()] {
@@ -196,15 +185,16 @@ fn hit_one_ulp_before_min_t_is_not_seen() {
 /// so that it seems to run parallel to the plane.
 #[test]
 fn plane_is_hit_if_scaling_the_direction_underflows() {
-    let caster = Caster::new(world_of([Primitive::Plane(Plane {
+    let plane = Primitive::Plane(Plane {
         point: Vector::new(0.0, 5e-301, 0.0),
         normal: Vector::new(0.0, 1.0, 0.0),
-    })]));
+    });
+    let caster = Caster::new(world_of([plane]), None, true);
     let ray = Ray {
         origin: Vector::default(),
         direction: Vector::new(1e300, 1e-300, 0.0),
     };
-    let seen = first::<Exact>(&caster, Search::Boxes, &ray, 0.0);
+    let seen = first(&caster, &ray, 0.0);
     assert_eq!(seen, Some((0, 0.5)));
 }
 
@@ -219,14 +209,14 @@ fn boxes_lose_no_hit_with_subnormal_t() {
             radius: radius * unit,
         })
     };
-    let caster = Caster::new(world_of([ball(8.0, 7.45, 10.0), ball(0.0, 2.3, 1.0)]));
     let ray = Ray {
         origin: Vector::default(),
         direction: Vector::new(0.0, 0.0, 2f64.powi(1023)),
     };
-    for search in [Search::BruteForce, Search::Boxes] {
-        let seen = first::<Exact>(&caster, search, &ray, 0.0).map(|(place, _)| place);
-        assert_eq!(seen, Some(1), "{search:?}");
+    for has_boxes in [false, true] {
+        let world = world_of([ball(8.0, 7.45, 10.0), ball(0.0, 2.3, 1.0)]);
+        let seen = first(&Caster::new(world, None, has_boxes), &ray, 0.0);
+        assert_eq!(seen.map(|(place, _)| place), Some(1), "{has_boxes}");
     }
 }
 
@@ -252,14 +242,15 @@ fn normals_of_tiny_and_huge_triangles_are_accurate() {
 /// The square of this direction's length underflows to 0.
 #[test]
 fn judge_handles_a_direction_whose_square_underflows() {
-    let caster = Caster::new(world_of([Primitive::Sphere(Sphere {
+    let sphere = Primitive::Sphere(Sphere {
         center: Vector::new(0.0, 0.0, -1e10),
         radius: 9e9,
-    })]));
+    });
+    let caster = Caster::new(world_of([sphere]), None, true);
     let ray = Ray {
         origin: Vector::new(5e9, 0.0, 0.0),
         direction: Vector::new(0.0, 0.0, -1e-163),
     };
-    assert!(first::<Exact>(&caster, Search::Boxes, &ray, 0.0).is_some());
+    assert!(first(&caster, &ray, 0.0).is_some());
     assert!(sight(&caster.world.parts, &ray, 0.0).is_some());
 }

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use pinhole::{Camera, Projection, Scene};
 use pinhole_study::film::{EXACT, planned};
+use pinhole_study::plan::casting::PlannedCaster;
 use pinhole_study::plan::{AccuracyTarget, plan};
 use pinhole_study::plans::kept;
 use pinhole_study::scenes::{files, read};
@@ -21,7 +22,7 @@ fn hostile(name: &str) -> Scene {
 #[track_caller]
 fn keeps_its_promise(scene: &Scene, accuracies: &[f64]) {
     for accuracy in accuracies {
-        let (_, casting) = plan(scene, wish(*accuracy)).expect("a plan");
+        let casting = PlannedCaster::new(scene, wish(*accuracy)).expect("a plan");
         let (kept, _) = kept(&casting, &casting.truths());
         let is_kept = kept.violations + kept.wrong_ids == 0;
         assert!(is_kept, "{accuracy:e}: {kept:#?}");
@@ -89,8 +90,8 @@ fn plan_says_that_the_caster_watches_hits() {
     let mut scene = hostile("five_balls_1e11");
     scene.camera.projection = Projection::Orthographic;
     let spheres = |accuracy| {
-        let (plan, _) = plan(&scene, wish(accuracy)).expect("a plan");
-        plan.kinds[0].clone()
+        let casting = PlannedCaster::new(&scene, wish(accuracy)).expect("a plan");
+        plan(&casting).kinds[0].clone()
     };
     let worst = spheres(1e-4).worst_normal.expect("a bound");
     let watched = [0.9, 1.1, 10.0].map(|times| spheres(times * worst).watched);
@@ -109,7 +110,7 @@ fn distant_eye_opens_as_few_boxes_as_a_near_one() {
         scene.camera.projection = Projection::Perspective {
             focal_length: distance,
         };
-        let (_, casting) = plan(&scene, wish(1e-6)).expect("a plan");
+        let casting = PlannedCaster::new(&scene, wish(1e-6)).expect("a plan");
         casting.film().1.tests
     };
     let (near, far) = (tests(20.0), tests(2e8));
@@ -121,8 +122,8 @@ fn planning_a_scene_twice_gives_the_same_plan() {
     for file in files() {
         let scene = read(&file).expect("it is a scene");
         let [one, other] = [0; 2].map(|_| {
-            let (plan, _) = plan(&scene, wish(1e-6)).expect("a plan");
-            serde_json::to_string(&plan).expect("JSON")
+            let casting = PlannedCaster::new(&scene, wish(1e-6)).expect("a plan");
+            serde_json::to_string(&plan(&casting)).expect("JSON")
         });
         assert_eq!(one, other, "{}", file.display());
     }
@@ -138,7 +139,7 @@ fn rays_that_overflow_are_rejected() {
     let size = (f64::MAX, f64::MAX);
     let camera = Camera::new(scene.camera.eye, view, glam::DVec3::Y, size, perspective);
     scene.camera = camera.expect("up is not parallel to the view");
-    let why = plan(&scene, EXACT).err().unwrap_or_default();
+    let why = PlannedCaster::new(&scene, EXACT).err().unwrap_or_default();
     assert!(
         why.starts_with("the ray of pixel (0, 2) overflows"),
         "{why}"

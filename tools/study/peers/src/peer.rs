@@ -9,7 +9,7 @@ use obvhs::cwbvh::builder::build_cwbvh_from_tris;
 use obvhs::ray::RayHit;
 use pinhole_study::cast::model::{Exact, FromCamera, Model, Plain};
 use pinhole_study::cast::world::{Primitive, View, World};
-use pinhole_study::cast::{Caster, Search, Tally};
+use pinhole_study::cast::{Caster, Tally};
 use pinhole_study::kernel::Camera;
 use pinhole_study::shape::Triangle;
 use pinhole_study::speed::now;
@@ -82,22 +82,19 @@ pub fn ours<M: Model>(mesh: &Mesh, rays: &[Ray]) -> Cast {
         let corners = corners.map(wide);
         world.add(0, Primitive::Triangle(Triangle { corners }));
     }
-    let caster = match M::HAS_CAMERA {
-        false => Caster::new(world),
-        true => {
-            let eye = rays[0].origin.map(f64::from);
-            let camera = Camera::Perspective { eye };
-            let required_t = &|_: &_, _| f64::INFINITY;
-            Caster::from_camera(world, View { camera, required_t })
-        }
-    };
+    let eye = rays[0].origin.map(f64::from);
+    let view = M::HAS_CAMERA.then_some(View {
+        camera: Camera::Perspective { eye },
+        required_t: &|_: &_, _| f64::INFINITY,
+    });
+    let caster = Caster::new(world, view, true);
     let rays: Vec<_> = rays
         .iter()
         .map(|ray| ray.map(f64::from, f64::from))
         .collect();
     Box::new(move || {
         let mut tally = Tally::default();
-        let mut first = |ray| caster.first::<M>(Search::Boxes, ray, 0.0, &mut tally);
+        let mut first = |ray| caster.first::<M>(ray, 0.0, &mut tally);
         let t = |ray| first(ray).map_or(f64::INFINITY, |found| found.t);
         rays.iter().map(t).collect()
     })

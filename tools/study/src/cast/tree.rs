@@ -64,7 +64,7 @@ pub enum Packet {
     FromCamera(PacketFromCamera),
 }
 
-/// A tree over the parts of a world.
+/// A tree over the parts of a world. The default has no box.
 #[derive(Clone, Debug, Default)]
 pub struct Tree {
     frame: Frame,

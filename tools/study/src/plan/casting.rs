@@ -6,13 +6,13 @@ use std::hint::black_box;
 use pinhole::Scene;
 use rayon::prelude::*;
 
-use super::AccuracyTarget;
 use super::bounds::{normal_of, required_t};
 use super::refined::refined;
+use super::{AccuracyTarget, FINEST, PRICES, price_of_all};
 use crate::cast::model::FromCamera;
 use crate::cast::rays::{camera, rays};
 use crate::cast::world::{Part, Primitive, View, World};
-use crate::cast::{Caster, Found, Search, Seen, Tally};
+use crate::cast::{Caster, Found, Seen, Tally};
 use crate::kernel::Camera;
 use crate::oracle::scene::{TrueHit, sight};
 use crate::shape::Ray;
@@ -23,9 +23,10 @@ use crate::vector::Vector;
 pub struct PlannedCaster {
     /// What is requested.
     pub wish: AccuracyTarget,
+    /// Whether boxes are cheaper than testing every part.
+    pub has_boxes: bool,
     rays: Vec<Ray<f64>>,
     min_t: f64,
-    search: Search,
     caster: Caster,
     /// The normals of planes and triangles, by [`Part::place`].
     normals: Vec<Vector<f64>>,
@@ -38,9 +39,10 @@ fn has_digits(t: f64) -> bool {
 }
 
 impl PlannedCaster {
-    /// Prepares the parts of a scene for the rays of its camera. An error if the camera's numbers
-    /// are so large that a ray overflows.
+    /// Plans a scene for an accuracy of [`FINEST`] or coarser, and prepares its parts for the rays
+    /// of its camera. An error if the camera's numbers are so large that a ray overflows.
     pub fn new(scene: &Scene, wish: AccuracyTarget) -> Result<PlannedCaster, String> {
+        debug_assert!(wish.accuracy >= FINEST, "{wish:?}");
         let (world, rays) = (World::of(&scene.objects), rays(scene));
         if let Some(index) = rays.iter().position(|ray| !ray.is_finite()) {
             let pixel = scene.resolution.pixel(index);
@@ -56,12 +58,13 @@ impl PlannedCaster {
             camera: camera(scene, &rays),
             required_t: &|shape, distance| required_t(shape, distance, wish),
         };
+        let has_boxes = price_of_all(&world.parts) > PRICES.boxes;
         Ok(PlannedCaster {
             wish,
+            has_boxes,
             min_t: scene.min_t,
-            search: Search::cheaper(&world.parts),
             normals,
-            caster: Caster::from_camera(world, view),
+            caster: Caster::new(world, Some(view), has_boxes),
             rays,
         })
     }
@@ -91,12 +94,10 @@ impl PlannedCaster {
     /// Casts one ray. t and normal are 0 if they are not requested.
     #[inline]
     fn see(&self, ray: &Ray<f64>, tally: &mut Tally) -> Seen {
-        let (caster, search, min_t) = (&self.caster, self.search, self.min_t);
+        let (caster, min_t) = (&self.caster, self.min_t);
         let found = match caster.world.camera {
-            Some(Camera::Perspective { .. }) => {
-                caster.first::<FromCamera<true>>(search, ray, min_t, tally)
-            }
-            _ => caster.first::<FromCamera<false>>(search, ray, min_t, tally),
+            Some(Camera::Perspective { .. }) => caster.first::<FromCamera<true>>(ray, min_t, tally),
+            _ => caster.first::<FromCamera<false>>(ray, min_t, tally),
         };
         let Found { part, t, .. } = found?;
         let (t, normal) = match found?.is_accurate && has_digits(t) {

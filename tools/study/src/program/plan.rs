@@ -7,6 +7,7 @@ use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};
 use pinhole_report::program::Status;
+use pinhole_study::plan::casting::PlannedCaster;
 use pinhole_study::plan::plan;
 use pinhole_study::scenes;
 use pinhole_study::summary::description;
@@ -17,7 +18,8 @@ use crate::cli::Plan;
 pub fn run(checkout: &Checkout, arguments: &Plan) -> Result<Status> {
     let assignment = arguments.assignment.find(checkout, None)?;
     let (scene, file, _) = scene(&arguments.scene, arguments.resolution, &assignment)?;
-    let (plan, _) = plan(&scene, arguments.wanted.wish(arguments.accuracy)).map_err(unplannable)?;
+    let wish = arguments.wanted.wish(arguments.accuracy);
+    let plan = plan(&PlannedCaster::new(&scene, wish).map_err(unplannable)?);
     match arguments.json {
         true => anstream::println!("{:#}", json!(plan)),
         false => {
