@@ -51,9 +51,6 @@ impl Tally {
     }
 }
 
-/// What a caster sees: object, t and normal; `None` for a miss.
-pub type Seen = Option<(u32, f64, Vector<f64>)>;
-
 /// The part that a ray meets first, and where.
 #[derive(Clone, Copy, Debug)]
 pub struct Found<'a> {
@@ -111,7 +108,10 @@ impl Caster {
             found: None,
             model: PhantomData::<M>,
         };
-        self.tree.search(&self.world, &mut nearest);
+        match self.tree.root {
+            Some(root) => self.tree.search(root, &self.world, &mut nearest),
+            None => nearest.consider(&self.world.parts),
+        }
         nearest.found
     }
 }

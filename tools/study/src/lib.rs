@@ -11,7 +11,7 @@
 //! 5. [`contestants`], [`speed`], [`instructions`], [`classes`]: the kernels,
 //!    what each costs, and what it gets wrong in each class of questions;
 //! 6. [`leaks`]: closed meshes; [`secondary`]: rays that begin on a surface; [`cast`],
-//!    [`film`], [`random_scene`], [`scenes`]: whole scenes; [`record`]: the long runs;
+//!    [`random_scene`], [`scenes`]: whole scenes; [`record`]: the long runs;
 //! 7. [`plan`]: the cheapest way to cast a scene accurately enough, and [`plans`], which checks
 //!    this;
 //! 8. [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the whole
@@ -25,7 +25,6 @@ pub mod contestants;
 pub mod double_double;
 pub mod dyadic;
 pub mod family;
-pub mod film;
 pub mod instructions;
 pub mod judge;
 pub mod kernel;

@@ -42,6 +42,13 @@ pub const EXACT_OBJECTS: AccuracyTarget = AccuracyTarget {
     normal: true,
 };
 
+/// What an exact film promises besides the true object at every pixel. The accuracy is far
+/// beyond the digits of the film's own `f32`.
+pub const EXACT_FILM: AccuracyTarget = AccuracyTarget {
+    accuracy: 1e-12,
+    ..EXACT_OBJECTS
+};
+
 /// The plan for one kind of shape.
 #[derive(Clone, Debug, Serialize)]
 pub struct KindPlan {

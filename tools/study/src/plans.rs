@@ -77,8 +77,8 @@ fn least_time<T>(prepare: impl Fn() -> T) -> f64 {
 /// Casts all rays by a plan, and judges the result by the truth.
 pub fn kept(casting: &PlannedCaster, truths: &[TrueHit]) -> (PlanErrors, Tally) {
     let (rays, wish) = (casting.rays(), casting.wish);
-    let (seen, tally) = casting.film();
-    let Errors { wrong_ids, of_hits } = errors(rays, truths, seen);
+    let (hits, tally) = casting.hits();
+    let Errors { wrong_ids, of_hits } = errors(rays, truths, hits);
     let t = |(t, _): &(f64, f64)| if wish.depth { *t } else { 0.0 };
     let normal = |(_, normal): &(f64, f64)| if wish.normal { *normal } else { 0.0 };
     let is_kept = |hit: &&_| t(hit) <= wish.accuracy && normal(hit) <= wish.accuracy;

@@ -32,7 +32,7 @@ fn power(random: &mut Random, low: f64, high: f64) -> f64 {
 
 fn shape(corners: [Vector<f64>; 3]) -> Triangle {
     Triangle {
-        corners: corners.map(|corner| corner.array().into()),
+        corners: corners.map(|corner| corner.into()),
     }
 }
 
@@ -89,7 +89,7 @@ fn seen_from(
     min_t: f64,
     objects: Vec<Shape>,
 ) -> Scene {
-    let [eye, back, up] = frame.map(|vector| glam::DVec3::from(vector.array()));
+    let [eye, back, up] = frame.map(glam::DVec3::from);
     let camera = Camera::new(eye, -back, up, size, projection);
     Scene {
         camera: camera.expect("up is perpendicular to the view"),
@@ -139,7 +139,7 @@ fn on_a_grid(random: &mut Random) -> Scene {
 
 fn sphere(center: Vector<f64>, radius: f64) -> Shape {
     Shape::Sphere(pinhole::Sphere {
-        center: center.array().into(),
+        center: center.into(),
         radius,
     })
 }
@@ -148,8 +148,8 @@ fn plane(point: Vector<f64>, normal: Vector<f64>) -> Shape {
     let is_any = normal.largest() > 0.0;
     let normal = if is_any { normal } else { along(2, 1.0) };
     Shape::Plane(pinhole::Plane {
-        point: point.array().into(),
-        normal: normal.array().into(),
+        point: point.into(),
+        normal: normal.into(),
     })
 }
 
@@ -221,7 +221,7 @@ fn repeat(random: &mut Random, objects: &mut Vec<Shape>, size: f64) {
     for _ in 0..random.below(4) {
         let mut again = objects[random.below(objects.len())].clone();
         let hair = [0.0, size * power(random, -17.0, -3.0)][random.below(2)];
-        let by: glam::DVec3 = (random.unit() * hair).array().into();
+        let by: glam::DVec3 = (random.unit() * hair).into();
         match &mut again {
             Shape::Sphere(sphere) => sphere.center += by,
             Shape::Plane(plane) => plane.point += by,

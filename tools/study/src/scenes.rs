@@ -4,11 +4,11 @@
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 
-use pinhole::{Film, Scene, ShapeKind};
+use pinhole::{Film, Hit, Intersection, Scene, ShapeKind};
 
 use crate::cast::model::Plain;
-use crate::cast::world::{World, vector};
-use crate::cast::{Caster, Seen, Tally};
+use crate::cast::world::World;
+use crate::cast::{Caster, Tally};
 use crate::instructions;
 use crate::judge::median_and_worst;
 use crate::oracle::scene::{Errors, TrueHit, errors};
@@ -60,23 +60,28 @@ impl Stage {
     }
 
     #[inline(always)]
-    fn plain(&self, has_boxes: bool, ray: &Ray<f64>, tally: &mut Tally) -> Seen {
+    fn plain(&self, has_boxes: bool, ray: &Ray<f64>, tally: &mut Tally) -> Option<Hit> {
         let found = self.plain[usize::from(has_boxes)].first::<Plain>(ray, self.min_t, tally)?;
-        let normal = found.part.shape.normal(ray, found.t);
-        Some((found.part.object, found.t, normal))
+        Some(Hit {
+            object: found.part.object as usize,
+            intersection: Intersection {
+                t: found.t,
+                normal: found.part.shape.normal(ray, found.t).into(),
+            },
+        })
     }
 
     /// What every ray sees.
-    fn film(&self, plain: Option<bool>) -> (Vec<Seen>, Tally) {
+    fn hits(&self, plain: Option<bool>) -> (Vec<Option<Hit>>, Tally) {
         let Some(has_boxes) = plain else {
-            return self.exact.film();
+            return self.exact.hits();
         };
         let mut tally = Tally::default();
         let rays = self.exact.rays().iter();
-        let seen = rays
+        let hits = rays
             .map(|ray| self.plain(has_boxes, ray, &mut tally))
             .collect();
-        (seen, tally)
+        (hits, tally)
     }
 
     /// Casts all rays in plain `f64`, with or without boxes, or exactly, for timing. It does not
@@ -167,12 +172,13 @@ pub fn studied(file: &Path, share: Share) -> Result<Vec<SceneTally>, pinhole::Er
     let mut tallies = judged_ways(&name, &scene, share);
     if let Some(film) = golden(&name) {
         let casting = Stage::new(&scene, share.step).exact;
-        let seen = seen_in(&film).into_iter().step_by(share.step).collect();
+        let pixels = (0..film.resolution().pixels()).step_by(share.step);
+        let hits = pixels.map(|at| film.hit(at)).collect();
         tallies.push(SceneTally {
             scene: name,
             model: "Mitsuba",
             parts: casting.parts().len() as u64,
-            ..judged(casting.rays(), &casting.truths(), seen)
+            ..judged(casting.rays(), &casting.truths(), hits)
         });
     }
     Ok(tallies)
@@ -196,7 +202,7 @@ fn judged_ways(name: &str, scene: &Scene, share: Share) -> Vec<SceneTally> {
     let times = race(films.into(), rays.len(), share.seconds);
     let cheaper = stage.exact.has_boxes;
     let tally = |(at, ((model, plain), time)): (usize, ((&'static str, Option<bool>), Time))| {
-        let (seen, tally) = stage.film(plain);
+        let (hits, tally) = stage.hits(plain);
         let has_boxes = plain.unwrap_or(cheaper);
         let is_counted = share.instructions && has_boxes == cheaper;
         let count = || instructions::of_cast(&format!("{SCENE}{name}"), at, rays.len());
@@ -212,26 +218,14 @@ fn judged_ways(name: &str, scene: &Scene, share: Share) -> Vec<SceneTally> {
             double_double: tally.double_double,
             exact: tally.exact,
             close_calls: tally.close_calls,
-            ..judged(rays, &truths, seen)
+            ..judged(rays, &truths, hits)
         }
     };
     WAYS.into_iter().zip(times).enumerate().map(tally).collect()
 }
 
-/// What each pixel of a film shows.
-fn seen_in(film: &Film) -> Vec<Seen> {
-    let seen = |at| {
-        let pinhole::Hit {
-            object,
-            intersection,
-        } = film.hit(at)?;
-        Some((object as u32, intersection.t, vector(intersection.normal)))
-    };
-    (0..film.resolution().pixels()).map(seen).collect()
-}
-
-fn judged(rays: &[Ray<f64>], truths: &[TrueHit], seen: Vec<Seen>) -> SceneTally {
-    let Errors { wrong_ids, of_hits } = errors(rays, truths, seen);
+fn judged(rays: &[Ray<f64>], truths: &[TrueHit], hits: Vec<Option<Hit>>) -> SceneTally {
+    let Errors { wrong_ids, of_hits } = errors(rays, truths, hits);
     let [median_t, worst_t] = median_and_worst(of_hits.iter().map(|hit| hit.0));
     SceneTally {
         rays: rays.len() as u64,

@@ -132,6 +132,12 @@ impl<F: Ring> Mul<F> for Vector<F> {
     }
 }
 
+impl From<Vector<f64>> for glam::DVec3 {
+    fn from(vector: Vector<f64>) -> glam::DVec3 {
+        vector.array().into()
+    }
+}
+
 /// The bounding box of boxes, each given by two opposite corners; `None` if there are none.
 pub fn around(boxes: impl IntoIterator<Item = [Vector<f64>; 2]>) -> Option<[Vector<f64>; 2]> {
     let wider = |[low, high]: [Vector<f64>; 2], [l, h]: [_; 2]| {

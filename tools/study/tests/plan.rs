@@ -2,21 +2,30 @@
 
 use std::path::Path;
 
-use pinhole::{Camera, Projection, Scene};
-use pinhole_study::film::{EXACT, planned};
-use pinhole_study::plan::casting::PlannedCaster;
-use pinhole_study::plan::{AccuracyTarget, plan};
+use pinhole::{Camera, Film, Projection, Scene};
+use pinhole_study::plan::casting::{PlannedCaster, film};
+use pinhole_study::plan::{AccuracyTarget, EXACT_FILM, plan};
 use pinhole_study::plans::kept;
 use pinhole_study::scenes::{files, read};
 
 fn wish(accuracy: f64) -> AccuracyTarget {
-    AccuracyTarget { accuracy, ..EXACT }
+    AccuracyTarget {
+        accuracy,
+        ..EXACT_FILM
+    }
 }
 
 /// Reads a test scene that a plan once got wrong.
 fn hostile(name: &str) -> Scene {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenes");
     read(&folder.join(format!("{name}.toml"))).expect("it is a scene")
+}
+
+/// The film of a test scene.
+fn filmed(name: &str, wish: AccuracyTarget) -> Film {
+    let scene = hostile(name);
+    let casting = PlannedCaster::new(&scene, wish).expect("a plan");
+    film(scene.resolution, casting.hits().0)
 }
 
 #[track_caller]
@@ -49,7 +58,7 @@ fn scenes_that_once_broke_plans_keep_their_promise() {
 /// The triangle's hypotenuse runs exactly through the centres of 8 pixels.
 #[test]
 fn edges_are_hits() {
-    let (film, _) = planned(&hostile("closed_edge"), EXACT).expect("a film");
+    let film = filmed("closed_edge", EXACT_FILM);
     let ids = film.channel("id").expect("objects");
     let hits = ids.iter().filter(|id| **id >= 0.0).count();
     assert_eq!(hits, 20, "{ids:?}");
@@ -67,7 +76,7 @@ fn all_samples_of_a_film_are_finite() {
         .into_iter()
         .flat_map(|name| [(name, 1e-2), (name, 1e-12)])
     {
-        let (film, _) = planned(&hostile(name), wish(accuracy)).expect("a film");
+        let film = filmed(name, wish(accuracy));
         for channel in film.channels() {
             let are_finite = channel.samples.iter().all(|sample| sample.is_finite());
             assert!(are_finite, "{name} {}: {:?}", channel.name, channel.samples);
@@ -77,7 +86,7 @@ fn all_samples_of_a_film_are_finite() {
 
 #[test]
 fn hit_beyond_the_largest_f32_is_seen_at_that_depth() {
-    let (film, _) = planned(&hostile("far_triangle"), EXACT).expect("a film");
+    let film = filmed("far_triangle", EXACT_FILM);
     let [id, t] = ["id", "t"].map(|name| film.channel(name).expect("it is there"));
     assert!(id.iter().all(|id| *id == 0.0), "{id:?}");
     assert!(t.iter().all(|t| *t == f32::MAX), "{t:?}");
@@ -111,7 +120,7 @@ fn distant_eye_opens_as_few_boxes_as_a_near_one() {
             focal_length: distance,
         };
         let casting = PlannedCaster::new(&scene, wish(1e-6)).expect("a plan");
-        casting.film().1.tests
+        casting.hits().1.tests
     };
     let (near, far) = (tests(20.0), tests(2e8));
     assert!(far < 2 * near, "{near} tests from near, {far} from afar");
@@ -139,7 +148,9 @@ fn rays_that_overflow_are_rejected() {
     let size = (f64::MAX, f64::MAX);
     let camera = Camera::new(scene.camera.eye, view, glam::DVec3::Y, size, perspective);
     scene.camera = camera.expect("up is not parallel to the view");
-    let why = PlannedCaster::new(&scene, EXACT).err().unwrap_or_default();
+    let why = PlannedCaster::new(&scene, EXACT_FILM)
+        .err()
+        .unwrap_or_default();
     assert!(
         why.starts_with("the ray of pixel (0, 2) overflows"),
         "{why}"

@@ -71,7 +71,7 @@ pub struct Tree {
     /// Whether the frame's centre is the eye, from which all rays start.
     is_around_eye: bool,
     /// The root node or the only leaf; `None` if no part has a finite box.
-    root: Option<u32>,
+    pub(super) root: Option<u32>,
     nodes: Vec<Node>,
     leaves: Vec<Leaf>,
     /// Parts from this index on are in no box.
@@ -160,9 +160,13 @@ impl Tree {
 
     /// Tests all parts that a ray may hit first.
     #[inline(always)]
-    pub(super) fn search<'a, M: Model>(&self, world: &'a World, nearest: &mut Nearest<'a, '_, M>) {
+    pub(super) fn search<'a, M: Model>(
+        &self,
+        at: u32,
+        world: &'a World,
+        nearest: &mut Nearest<'a, '_, M>,
+    ) {
         nearest.consider(&world.parts[self.boundless..]);
-        let Some(at) = self.root else { return };
         let packed = nearest.query.varying.map(|q| f32x4::splat(q as f32));
         if at & LEAF != 0 {
             return self.meet(at, world, packed, nearest);

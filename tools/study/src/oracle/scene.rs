@@ -4,10 +4,10 @@
 use std::cmp::Ordering;
 
 use dashu_ratio::Relaxed;
+use pinhole::Hit;
 
 use super::{Exact, HasTruth, Root, Truth, sign};
-use crate::cast::Seen;
-use crate::cast::world::{Part, Primitive, of_each};
+use crate::cast::world::{Part, Primitive, of_each, vector};
 use crate::question::Question;
 use crate::shape::Ray;
 use crate::vector::Vector;
@@ -27,12 +27,13 @@ pub struct Errors {
 }
 
 /// Compares answers with the truth.
-pub fn errors(rays: &[Ray<f64>], truths: &[TrueHit], answers: Vec<Seen>) -> Errors {
+pub fn errors(rays: &[Ray<f64>], truths: &[TrueHit], answers: Vec<Option<Hit>>) -> Errors {
     let mut errors = Errors::default();
-    for ((ray, truth), seen) in rays.iter().zip(truths).zip(answers) {
-        match (truth, seen) {
+    for ((ray, truth), answer) in rays.iter().zip(truths).zip(answers) {
+        match (truth, answer) {
             (None, None) => (),
-            (Some((part, root)), Some((object, t, direction))) if part.object == object => {
+            (Some((part, root)), Some(hit)) if part.object as usize == hit.object => {
+                let (t, direction) = (hit.intersection.t, vector(hit.intersection.normal));
                 // Use both sine and cosine, because the sine alone is also small near π.
                 let truth = normal(&part.shape, ray, root);
                 let off = truth.cross(direction);

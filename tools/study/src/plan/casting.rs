@@ -3,7 +3,7 @@
 
 use std::hint::black_box;
 
-use pinhole::Scene;
+use pinhole::{Film, Hit, Intersection, Resolution, Scene};
 use rayon::prelude::*;
 
 use super::bounds::{normal_of, required_t};
@@ -12,7 +12,7 @@ use super::{AccuracyTarget, FINEST, PRICES, price_of_all};
 use crate::cast::model::FromCamera;
 use crate::cast::rays::{camera, rays};
 use crate::cast::world::{Part, Primitive, View, World};
-use crate::cast::{Caster, Found, Seen, Tally};
+use crate::cast::{Caster, Found, Tally};
 use crate::kernel::Camera;
 use crate::oracle::scene::{TrueHit, sight};
 use crate::shape::Ray;
@@ -93,7 +93,7 @@ impl PlannedCaster {
 
     /// Casts one ray. t and normal are 0 if they are not requested.
     #[inline]
-    fn see(&self, ray: &Ray<f64>, tally: &mut Tally) -> Seen {
+    fn see(&self, ray: &Ray<f64>, tally: &mut Tally) -> Option<Hit> {
         let (caster, min_t) = (&self.caster, self.min_t);
         let found = match caster.world.camera {
             Some(Camera::Perspective { .. }) => caster.first::<FromCamera<true>>(ray, min_t, tally),
@@ -114,7 +114,13 @@ impl PlannedCaster {
         } else {
             Vector::default()
         };
-        Some((part.object, t, normal))
+        Some(Hit {
+            object: part.object as usize,
+            intersection: Intersection {
+                t,
+                normal: normal.into(),
+            },
+        })
     }
 
     /// The normal at a hit, computed with rounding.
@@ -131,7 +137,7 @@ impl PlannedCaster {
     }
 
     /// Casts all rays, on all cores.
-    pub fn film(&self) -> (Vec<Seen>, Tally) {
+    pub fn hits(&self) -> (Vec<Option<Hit>>, Tally) {
         let cast = |rays: &[Ray<f64>]| {
             let mut tally = Tally::default();
             let see = |ray| self.see(ray, &mut tally);
@@ -141,8 +147,8 @@ impl PlannedCaster {
         let tally = pieces
             .iter()
             .fold(Tally::default(), |sum, (_, tally)| sum.plus(*tally));
-        let seen = pieces.into_iter().flat_map(|(seen, _)| seen).collect();
-        (seen, tally)
+        let hits = pieces.into_iter().flat_map(|(hits, _)| hits).collect();
+        (hits, tally)
     }
 
     /// Casts all rays on this thread, for timing.
@@ -151,4 +157,14 @@ impl PlannedCaster {
             black_box(self.see(ray, &mut Tally::default()));
         }
     }
+}
+
+/// The film of these hits. Its samples must be finite: a t beyond the largest `f32` becomes that
+/// number.
+pub fn film(resolution: Resolution, mut hits: Vec<Option<Hit>>) -> Film {
+    let largest = f64::from(f32::MAX);
+    for hit in hits.iter_mut().flatten() {
+        hit.intersection.t = hit.intersection.t.clamp(-largest, largest);
+    }
+    Film::of_hits(resolution, &hits)
 }

@@ -1,11 +1,14 @@
 //! `pinhole render --exact` and `--plan`: casts a film with the study's casters.
 
+use std::time::Instant;
+
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::shell::PINHOLE;
 use pinhole_report::cast::Cast;
 use pinhole_report::program::Status;
-use pinhole_study::film;
+use pinhole_study::plan::casting::{PlannedCaster, film};
+use pinhole_study::plan::{EXACT_FILM, plan};
 use serde_json::json;
 
 use super::plan::{scene, unplannable};
@@ -21,36 +24,51 @@ pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
     let assignment = arguments.assignment.find(checkout, None)?;
     let (scene, _, golden) = scene(&arguments.scene, arguments.resolution, &assignment)?;
     let wish = match arguments.plan {
-        None => film::EXACT,
+        None => EXACT_FILM,
         Some(accuracy) => arguments.wanted.wish(accuracy),
     };
-    let (film, report) = film::planned(&scene, wish).map_err(unplannable)?;
+    let start = Instant::now();
+    let casting = PlannedCaster::new(&scene, wish).map_err(unplannable)?;
+    let plan = plan(&casting);
+    let planning_seconds = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    let (hits, tally) = casting.hits();
+    let seconds = start.elapsed().as_secs_f64();
+    let report = json!({
+        // Wall times of casting, and of planning, which includes building the tree.
+        "seconds": seconds,
+        "planning_seconds": planning_seconds,
+        // Tests of a ray against a part, and those that no filter could decide.
+        "tests": tally.tests,
+        "fallbacks": tally.exact,
+        // Comparisons of two t that were decided exactly.
+        "close_calls": tally.close_calls,
+        // Pixels whose t and normal had to be computed exactly.
+        "exact_hits": tally.exact_hits,
+        "plan": plan,
+    });
     let spent = format!(
         "{} of {} tests, {} comparisons, and t and normals of {} pixels needed exact arithmetic",
-        report.fallbacks, report.tests, report.close_calls, report.exact_hits
+        tally.exact, tally.tests, tally.close_calls, tally.exact_hits
     );
     let (by, exact, planned) = match arguments.plan {
-        None => (
-            format!("the exact caster: {spent}"),
-            Some(json!(report)),
-            None,
-        ),
+        None => (format!("the exact caster: {spent}"), Some(report), None),
         Some(accuracy) => {
             let why = format!(
                 "why: {PINHOLE} plan {} --accuracy {accuracy:e}",
                 arguments.scene
             );
             let by = format!("the plan for {accuracy:e}: {spent}; {why}");
-            (by, None, Some(json!(report)))
+            (by, None, Some(report))
         }
     };
     let cast = Cast {
         tests: None,
         expected_tests: None,
         scene: arguments.scene.clone(),
-        film,
+        film: film(scene.resolution, hits),
         by,
-        seconds: report.seconds,
+        seconds,
         problem: None,
         printed: String::new(),
         exact,

@@ -140,7 +140,6 @@ const FOLDERS: [(&str, &[&str]); 8] = [
             "leaks",
             "plan",
             "random_scene",
-            "film",
             "instructions",
             "secondary",
             "scenes",
