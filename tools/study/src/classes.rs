@@ -5,49 +5,45 @@
 use std::collections::BTreeMap;
 
 use crate::conditioning::decade;
+use crate::extent::Extent;
 use crate::family::HasFamilies;
 use crate::instructions;
 use crate::judge::{Tally, median_and_worst};
 use crate::kernel::Tier;
 use crate::question::{Class, Data};
-use crate::result::{ConditioningErrors, Sweep, TierTally, Trade};
-use crate::scenes::Share;
+use crate::result::{ConditioningErrors, KernelTally, Sweep, TierTally, Trade};
 use crate::speed::{PAIRS, Time, pool, race};
 
 /// A kernel's name, and the numbers it computes with.
 pub type Entry = (&'static str, &'static str);
 
-/// The class of a question, the error of its t in ulp, and its condition number.
-pub type Error = (Class, f64, f64);
-
-/// All errors of one shape's kernels.
-pub type Errors = BTreeMap<Entry, Vec<Error>>;
-
 /// Questions per class on which the shares of the tiers are counted.
 const COUNTED: usize = 10 * PAIRS;
 
-/// Cost and wrong decisions of every kernel, by class.
-pub fn trades<S: HasFamilies>(
+/// The points of these sweeps in one class, or in several.
+fn points(
     sweeps: &[Sweep],
-    errors: &Errors,
-    share: Share,
-    seed: u64,
-) -> Vec<Trade> {
+    is_wanted: impl Fn(Class) -> bool,
+) -> impl Iterator<Item = &KernelTally> {
+    let points = sweeps.iter().flat_map(|sweep| &sweep.points);
+    let points = points.filter(move |point| is_wanted(point.class));
+    points.flat_map(|point| &point.kernels)
+}
+
+/// Cost and wrong decisions of every kernel, by class.
+pub fn trades<S: HasFamilies>(sweeps: &[Sweep], extent: &Extent) -> Vec<Trade> {
     let mut trades = Vec::new();
     for class in Class::ALL {
-        let costs = costs::<S>(class, share, seed);
-        for (entry, errors) in errors {
-            let tallies = sweeps
-                .iter()
-                .flat_map(|sweep| &sweep.points)
-                .filter(|point| point.class == class)
-                .flat_map(|point| &point.kernels)
-                .filter(|judged| (judged.kernel, judged.numbers) == *entry);
-            let tallies: Vec<&Tally> = tallies.map(|judged| &judged.tally).collect();
-            let sum = |of: fn(&Tally) -> u64| tallies.iter().map(|tally| of(tally)).sum::<u64>();
-            let of_class = errors.iter().filter(|error| error.0 == class);
-            let [median_ulp, worst_ulp] = median_and_worst(of_class.map(|error| error.1));
-            let cost = costs.get(entry);
+        let mut judged: BTreeMap<Entry, Vec<&KernelTally>> = BTreeMap::new();
+        for it in points(sweeps, |it| it == class) {
+            judged.entry((it.kernel, it.numbers)).or_default().push(it);
+        }
+        let costs = costs::<S>(class, extent);
+        for (entry, judged) in judged {
+            let sum = |of: fn(&Tally) -> u64| judged.iter().map(|it| of(&it.tally)).sum::<u64>();
+            let errors = judged.iter().flat_map(|it| &it.errors);
+            let [median_ulp, worst_ulp] = median_and_worst(errors.map(|error| error.0));
+            let (time, instructions) = &costs[&entry];
             trades.push(Trade {
                 shape: S::NAME,
                 class,
@@ -58,9 +54,9 @@ pub fn trades<S: HasFamilies>(
                 not_finite: sum(|tally| tally.not_finite),
                 median_ulp,
                 worst_ulp,
-                nanoseconds: cost.map(|cost| cost.0.nanoseconds),
-                spread: cost.map(|cost| cost.0.spread),
-                instructions: cost.and_then(|cost| cost.1),
+                nanoseconds: Some(time.nanoseconds),
+                spread: Some(time.spread),
+                instructions: *instructions,
             });
         }
     }
@@ -68,36 +64,30 @@ pub fn trades<S: HasFamilies>(
 }
 
 /// Time and instructions of every kernel on a sample of a class.
-fn costs<S: HasFamilies>(
-    class: Class,
-    share: Share,
-    seed: u64,
-) -> BTreeMap<Entry, (Time, Option<f64>)> {
+fn costs<S: HasFamilies>(class: Class, extent: &Extent) -> BTreeMap<Entry, (Time, Option<f64>)> {
     let mut costs = BTreeMap::new();
     for data in [Data::F64, Data::F32] {
-        let asked = pool::<S>(class, data, PAIRS, seed);
+        let asked = pool::<S>(class, data, PAIRS, extent.seed);
         let entered = S::contestants().into_iter().enumerate();
         let entered: Vec<_> = entered.filter(|(_, kernel)| kernel.data == data).collect();
         let workloads = entered.iter().map(|(_, kernel)| (kernel.workload)(&asked));
-        let times = race(workloads.collect(), asked.len(), share.seconds);
+        let times = race(workloads.collect(), asked.len(), extent.seconds);
         for ((at, kernel), time) in entered.into_iter().zip(times) {
-            let what = format!("{} {} {seed}", S::NAME, class.name());
+            let what = format!("{} {} {}", S::NAME, class.name(), extent.seed);
             let count = || instructions::of_cast(&what, at, asked.len());
-            costs.insert(
-                (kernel.name, kernel.numbers),
-                (time, share.instructions.then(count).flatten()),
-            );
+            let instructions = extent.instructions.then(count).flatten();
+            costs.insert((kernel.name, kernel.numbers), (time, instructions));
         }
     }
     costs
 }
 
 /// Each tier of the exact kernel in `f64`: its share of a class, and its cost.
-pub fn tiers<S: HasFamilies>(share: Share, seed: u64) -> Vec<TierTally> {
+pub fn tiers<S: HasFamilies>(extent: &Extent) -> Vec<TierTally> {
     let (at, kernel) = S::exact_kernel();
     let mut tallies = Vec::new();
     for class in Class::ALL {
-        let all = pool::<S>(class, Data::F64, COUNTED, seed);
+        let all = pool::<S>(class, Data::F64, COUNTED, extent.seed);
         for tier in [Tier::SemiStatic, Tier::DoubleDouble, Tier::Exact] {
             let mut decided = all.clone();
             decided.retain(|question| S::tier(question) == tier);
@@ -107,8 +97,8 @@ pub fn tiers<S: HasFamilies>(share: Share, seed: u64) -> Vec<TierTally> {
             }
             decided.truncate(PAIRS);
             let timed = decided.len();
-            let time = race(vec![(kernel.workload)(&decided)], timed, share.seconds);
-            let what = format!("{} {} {seed} {tier:?}", S::NAME, class.name());
+            let time = race(vec![(kernel.workload)(&decided)], timed, extent.seconds);
+            let what = format!("{} {} {} {tier:?}", S::NAME, class.name(), extent.seed);
             let instructions = || instructions::of_cast(&what, at, timed);
             tallies.push(TierTally {
                 shape: S::NAME,
@@ -117,7 +107,7 @@ pub fn tiers<S: HasFamilies>(share: Share, seed: u64) -> Vec<TierTally> {
                 decided: count as u64,
                 asked: all.len() as u64,
                 nanoseconds: time[0].nanoseconds,
-                instructions: share.instructions.then(instructions).flatten(),
+                instructions: extent.instructions.then(instructions).flatten(),
             });
         }
     }
@@ -148,26 +138,26 @@ pub fn cast<S: HasFamilies>(what: &str, kernel: usize, casts: u32) -> bool {
 }
 
 /// Errors of t in everyday and hard questions, by decade of the condition number.
-pub fn conditioning(shape: &'static str, errors: &Errors) -> Vec<ConditioningErrors> {
-    let mut all = Vec::new();
-    for (&(kernel, numbers), errors) in errors {
-        let mut decades: BTreeMap<i32, Vec<f64>> = BTreeMap::new();
-        for (_, ulp, condition) in errors.iter().filter(|it| it.0 < Class::Absurd) {
-            decades.entry(decade(*condition)).or_default().push(*ulp);
-        }
-        for (decade, errors) in decades {
-            let hits = errors.len() as u64;
-            let [median, worst] = median_and_worst(errors);
-            all.push(ConditioningErrors {
-                shape,
-                kernel,
-                numbers,
-                decade,
-                hits,
-                median_ulp: median.unwrap_or_default(),
-                worst_ulp: worst.unwrap_or_default(),
-            });
+pub fn conditioning(shape: &'static str, sweeps: &[Sweep]) -> Vec<ConditioningErrors> {
+    let mut decades: BTreeMap<_, Vec<f64>> = BTreeMap::new();
+    for it in points(sweeps, |class| class < Class::Absurd) {
+        for (ulp, condition) in &it.errors {
+            let key = (it.kernel, it.numbers, decade(*condition));
+            decades.entry(key).or_default().push(*ulp);
         }
     }
-    all
+    let of_decade = |((kernel, numbers, decade), errors): (_, Vec<f64>)| {
+        let hits = errors.len() as u64;
+        let [median, worst] = median_and_worst(errors);
+        ConditioningErrors {
+            shape,
+            kernel,
+            numbers,
+            decade,
+            hits,
+            median_ulp: median.unwrap_or_default(),
+            worst_ulp: worst.unwrap_or_default(),
+        }
+    };
+    decades.into_iter().map(of_decade).collect()
 }

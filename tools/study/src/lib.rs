@@ -14,7 +14,7 @@
 //!    [`random_scene`], [`scenes`]: whole scenes; [`record`]: the long runs;
 //! 7. [`plan`]: the cheapest way to cast a scene accurately enough, and [`plans`], which checks
 //!    this;
-//! 8. [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the whole
+//! 8. [`extent`], [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the whole
 //!    study, and its reports.
 
 pub mod breaking;
@@ -24,6 +24,7 @@ pub mod conditioning;
 pub mod contestants;
 pub mod double_double;
 pub mod dyadic;
+pub mod extent;
 pub mod family;
 pub mod instructions;
 pub mod judge;

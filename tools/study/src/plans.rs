@@ -8,32 +8,30 @@ use std::time::Instant;
 
 use crate::cast::world::World;
 use crate::cast::{Caster, Tally};
+use crate::extent::Extent;
 use crate::oracle::scene::{Errors, TrueHit, errors};
 use crate::plan::casting::PlannedCaster;
 use crate::plan::{AccuracyTarget, EXACT_OBJECTS};
 use crate::result::{PlanErrors, PlanTally};
-use crate::scenes::{self, Share, Stage};
+use crate::scenes::{self, Stage};
 use crate::speed::{Workload, race};
 
-/// The requested accuracies.
-pub const ACCURACIES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
-
 /// Plans a scene for each accuracy, and judges a share of its pixels.
-pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<PlanTally>, String> {
+pub fn studied(file: &Path, extent: &Extent) -> Result<Vec<PlanTally>, String> {
     let scene = scenes::read(file).map_err(|error| error.to_string())?;
     let pixels = scene.resolution.pixels() as f64;
     let mut castings = Vec::new();
     let mut planning = Vec::new();
-    for accuracy in accuracies {
+    for accuracy in extent.accuracies {
         let wish = AccuracyTarget {
             accuracy: *accuracy,
             ..EXACT_OBJECTS
         };
         let plan = || PlannedCaster::new(&scene, wish);
         planning.push(least_time(plan) / pixels);
-        castings.push(plan()?.every(share.step));
+        castings.push(plan()?.every(extent.step));
     }
-    let stage = Stage::new(&scene, share.step);
+    let stage = Stage::new(&scene, extent.step);
     let (truths, rays) = (stage.exact.truths(), stage.exact.rays());
     let plain_tree = least_time(|| Caster::new(World::of(&scene.objects), None, true)) / pixels;
 
@@ -42,7 +40,7 @@ pub fn studied(file: &Path, share: Share, accuracies: &[f64]) -> Result<Vec<Plan
     films.extend(planned.map(|casting| Box::new(|| casting.cast()) as Workload));
     films.push(Box::new(|| stage.cast(None)));
     films.push(Box::new(|| stage.cast(Some(stage.exact.has_boxes))));
-    let times = race(films, rays.len(), share.seconds);
+    let times = race(films, rays.len(), extent.seconds);
     let [.., exact_ids, plain] = times.as_slice() else {
         unreachable!("the last two are always there");
     };

@@ -25,21 +25,16 @@ const LINES: &str = "solid lines: f64; dashes: f32";
 const MARKS: &str = "discs: f64; rings: f64 on f32 data; crosses: f32";
 const ERROR: &str = "median error of t, in ulp";
 
-/// Draws every plot that the study has data for, and returns the names of the files. A study of
-/// one family plots that family, for every shape that has it.
+/// Draws every plot that the study has data for, and returns the names of the files.
 pub fn draw(study: &Study, folder: &Path) -> std::io::Result<Vec<String>> {
     let findings = &study.findings;
     let mut plots = Vec::new();
-    for wide in findings.families.iter().filter(|it| it.data == "f64") {
-        let name = (wide.shape, wide.family);
-        let is_shown = findings.trades.is_empty() || FAMILIES.contains(&name);
-        if is_shown && wide.points.len() > 1 {
-            let is_same = |it: &&Sweep| (it.shape, it.family) == name;
-            let both: Vec<_> = findings.families.iter().filter(is_same).collect();
+    if !findings.families.is_empty() {
+        for name in FAMILIES {
+            let is_it = |it: &&Sweep| (it.shape, it.family) == name;
+            let both: Vec<_> = findings.families.iter().filter(is_it).collect();
             plots.push((format!("{}-{}.svg", name.0, name.1), sweep(&both)));
         }
-    }
-    if !findings.trades.is_empty() {
         let trade = |shape| (format!("trade-{shape}.svg"), trade(findings, shape));
         plots.extend(SHAPES.map(trade));
     }

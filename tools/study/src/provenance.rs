@@ -5,17 +5,18 @@ use std::process::Command;
 
 use pinhole_course::shell::PINHOLE;
 
+use crate::extent::Extent;
 use crate::result::Provenance;
 
 /// The provenance of this run.
-pub fn provenance(mode: &str, seed: u64) -> Provenance {
+pub fn provenance(extent: &Extent) -> Provenance {
     Provenance {
         machine: machine(),
         date: jiff::Timestamp::now().strftime("%F").to_string(),
         commit: commit(),
         command: command(),
-        mode: mode.into(),
-        seed,
+        mode: extent.name.into(),
+        seed: extent.seed,
         features: if cfg!(target_feature = "fma") {
             "fma"
         } else {

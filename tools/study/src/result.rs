@@ -112,6 +112,10 @@ pub struct KernelTally {
     /// The tally of its answers.
     #[serde(flatten)]
     pub tally: Tally,
+    /// The error of each t that is not a wrong decision, in ulp, and its question's condition
+    /// number.
+    #[serde(skip)]
+    pub errors: Vec<(f64, f64)>,
 }
 
 /// One kernel on closed meshes.

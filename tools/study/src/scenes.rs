@@ -9,6 +9,7 @@ use pinhole::{Film, Hit, Intersection, Scene, ShapeKind};
 use crate::cast::model::Plain;
 use crate::cast::world::World;
 use crate::cast::{Caster, Tally};
+use crate::extent::Extent;
 use crate::instructions;
 use crate::judge::median_and_worst;
 use crate::oracle::scene::{Errors, TrueHit, errors};
@@ -18,17 +19,6 @@ use crate::random_scene::grid;
 use crate::result::SceneTally;
 use crate::shape::Ray;
 use crate::speed::{Time, Workload, race};
-
-/// How much of every scene is cast.
-#[derive(Clone, Copy, Debug)]
-pub struct Share {
-    /// Every `step`-th ray is cast; 1 for all.
-    pub step: usize,
-    /// How long each way to cast the scene is timed.
-    pub seconds: f64,
-    /// Whether instructions of whole films are counted.
-    pub instructions: bool,
-}
 
 /// A scene ready to be cast.
 pub struct Stage {
@@ -167,12 +157,13 @@ fn golden(name: &str) -> Option<Film> {
 }
 
 /// Judges every way to cast a scene of the assignment, and Mitsuba's film of it if there is one.
-pub fn studied(file: &Path, share: Share) -> Result<Vec<SceneTally>, pinhole::Error> {
+pub fn studied(file: &Path, extent: &Extent) -> Result<Vec<SceneTally>, pinhole::Error> {
     let (name, scene) = (name_of(file), read(file)?);
-    let mut tallies = judged_ways(&name, &scene, share);
+    let stage = Stage::new(&scene, extent.step);
+    let mut tallies = judged_ways(&name, &stage, extent);
     if let Some(film) = golden(&name) {
-        let casting = Stage::new(&scene, share.step).exact;
-        let pixels = (0..film.resolution().pixels()).step_by(share.step);
+        let casting = &stage.exact;
+        let pixels = (0..film.resolution().pixels()).step_by(extent.step);
         let hits = pixels.map(|at| film.hit(at)).collect();
         tallies.push(SceneTally {
             scene: name,
@@ -185,26 +176,25 @@ pub fn studied(file: &Path, share: Share) -> Result<Vec<SceneTally>, pinhole::Er
 }
 
 /// Judges every way to cast a scene of small integers.
-pub fn of_grid(seed: u64, share: Share) -> Vec<SceneTally> {
+pub fn of_grid(seed: u64, extent: &Extent) -> Vec<SceneTally> {
     // A grid has few rays.
-    let share = Share { step: 1, ..share };
-    judged_ways(&format!("{GRID}{seed}"), &grid(seed), share)
+    let stage = Stage::new(&grid(seed), 1);
+    judged_ways(&format!("{GRID}{seed}"), &stage, extent)
 }
 
-fn judged_ways(name: &str, scene: &Scene, share: Share) -> Vec<SceneTally> {
-    let stage = &Stage::new(scene, share.step);
+fn judged_ways(name: &str, stage: &Stage, extent: &Extent) -> Vec<SceneTally> {
     let (rays, parts, truths) = (
         stage.exact.rays(),
         stage.exact.parts(),
         stage.exact.truths(),
     );
     let films = WAYS.map(|(_, plain)| Box::new(move || stage.cast(plain)) as Workload);
-    let times = race(films.into(), rays.len(), share.seconds);
+    let times = race(films.into(), rays.len(), extent.seconds);
     let cheaper = stage.exact.has_boxes;
     let tally = |(at, ((model, plain), time)): (usize, ((&'static str, Option<bool>), Time))| {
         let (hits, tally) = stage.hits(plain);
         let has_boxes = plain.unwrap_or(cheaper);
-        let is_counted = share.instructions && has_boxes == cheaper;
+        let is_counted = extent.instructions && has_boxes == cheaper;
         let count = || instructions::of_cast(&format!("{SCENE}{name}"), at, rays.len());
         SceneTally {
             scene: name.into(),

@@ -6,6 +6,7 @@ use std::sync::LazyLock;
 use pinhole_study::conditioning::{self, Conditioning};
 use pinhole_study::contestants::Contestant;
 use pinhole_study::contestants::{EXACT, HasKernels};
+use pinhole_study::extent::{Extent, Part};
 use pinhole_study::family::{Family, HasFamilies, questions, steps};
 use pinhole_study::judge::{Tally, judge};
 use pinhole_study::kernel::{Kernel, sphere, triangle};
@@ -13,7 +14,7 @@ use pinhole_study::leaks::{self, Aim};
 use pinhole_study::oracle::HasTruth;
 use pinhole_study::question::{Class, Question};
 use pinhole_study::result::{Findings, Trade};
-use pinhole_study::run::{Extent, run};
+use pinhole_study::run::run;
 use pinhole_study::secondary;
 use pinhole_study::shape::{Plane, Sphere, Triangle};
 use pinhole_study::targets::targets;
@@ -154,15 +155,20 @@ fn exact_kernels_are_never_wrong() {
     exact_kernels_survive::<Triangle<f64>>();
 }
 
+/// The part `classes` of a study with few questions.
+fn judged_classes(questions: usize) -> Findings {
+    let extent = Extent {
+        only: Some(Part::Classes),
+        seed: SEED,
+        questions,
+        ..Extent::QUICK
+    };
+    run(&extent, &|_| ())
+}
+
 /// Wrong and judged decisions of one kernel in one class, on few questions.
 fn traded(shape: &str, class: Class, kernel: &str, numbers: &str) -> (u64, u64) {
-    static FINDINGS: LazyLock<Findings> = LazyLock::new(|| {
-        let extent = Extent {
-            questions: 60,
-            ..Extent::QUICK
-        };
-        run(&extent, SEED, Some("classes"), &|_| ())
-    });
+    static FINDINGS: LazyLock<Findings> = LazyLock::new(|| judged_classes(60));
     let is_it = |it: &&Trade| {
         (it.shape, it.class) == (shape, class) && (it.kernel, it.numbers) == (kernel, numbers)
     };
@@ -220,11 +226,7 @@ fn secondary_rays_hit_their_own_surface_unless_their_origin_is_offset() {
 
 #[test]
 fn repeated_study_gives_identical_sweeps() {
-    let extent = Extent {
-        questions: 20,
-        ..Extent::QUICK
-    };
-    let sweeps = || run(&extent, SEED, Some("sliver"), &|_| ()).families;
-    let [first, second] = [sweeps(), sweeps()].map(|s| serde_json::to_string(&s).expect("JSON"));
+    let sweeps = || serde_json::to_string(&judged_classes(20).families).expect("JSON");
+    let (first, second) = (sweeps(), sweeps());
     assert!(first.len() > 1000 && first == second);
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
 use pinhole::Resolution;
 use pinhole_course::run_options::{AssignmentOption, resolution};
+use pinhole_study::extent::{Extent, Part};
 use pinhole_study::plan::{AccuracyTarget, FINEST};
 use pinhole_study::record::Kind;
 
@@ -64,12 +65,11 @@ pub struct Study {
     /// Write the files to this folder
     #[arg(long, value_name = "DIR", default_value = "study")]
     pub out: PathBuf,
-    /// Run only this part: a family of questions (distance, surface, …), or classes, mesh, plans,
-    /// scenes or secondary
-    #[arg(long, value_name = "FAMILY")]
-    pub only: Option<String>,
+    /// Run only this part
+    #[arg(long, value_enum, value_name = "PART")]
+    pub only: Option<Part>,
     /// The seed of random questions
-    #[arg(long, value_name = "N", default_value_t = 20_261_121)]
+    #[arg(long, value_name = "N", default_value_t = Extent::FULL.seed)]
     pub seed: u64,
     /// Print one JSON document on standard output
     #[arg(long)]
@@ -160,7 +160,7 @@ pub struct Record {
     #[arg(long, value_name = "N", default_value_t = 1_000)]
     pub rounds: u64,
     /// The seed of random questions
-    #[arg(long, value_name = "N", default_value_t = 20_261_121)]
+    #[arg(long, value_name = "N", default_value_t = Extent::FULL.seed)]
     pub seed: u64,
 }
 

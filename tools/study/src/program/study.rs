@@ -5,9 +5,10 @@ use std::fs;
 use indicatif::ProgressBar;
 use pinhole_course::error::{Error, Result};
 use pinhole_report::program::Status;
+use pinhole_study::extent::Extent;
 use pinhole_study::provenance::provenance;
 use pinhole_study::result::{SCHEMA, Study};
-use pinhole_study::run::{Extent, parts, run as ask};
+use pinhole_study::run::run as ask;
 use pinhole_study::targets::targets;
 use pinhole_study::{plots, summary};
 
@@ -15,17 +16,15 @@ use crate::cli::Study as Arguments;
 
 /// Succeeds if all promises are kept, not counting times.
 pub fn run(arguments: &Arguments) -> Result<Status> {
-    let extent = match arguments.quick {
+    let whole = match arguments.quick {
         true => Extent::QUICK,
         false => Extent::FULL,
     };
-    let only = arguments.only.as_deref();
-    if let Some(only) = only.filter(|only| !parts().contains(only)) {
-        return Err(Error::input(
-            format!("the study has no part {only:?}"),
-            format!("name one of {}", parts().join(", ")),
-        ));
-    }
+    let extent = Extent {
+        only: arguments.only,
+        seed: arguments.seed,
+        ..whole
+    };
     let bar = ProgressBar::new_spinner();
     bar.enable_steady_tick(std::time::Duration::from_millis(100));
     let say = |what: &str| match bar.is_hidden() {
@@ -33,8 +32,8 @@ pub fn run(arguments: &Arguments) -> Result<Status> {
         false => bar.set_message(what.to_owned()),
     };
     // Record this before the run, because the work tree may change during it.
-    let provenance = provenance(extent.name, arguments.seed);
-    let findings = ask(&extent, arguments.seed, only, &say);
+    let provenance = provenance(&extent);
+    let findings = ask(&extent, &say);
     bar.finish_and_clear();
     let study = Study {
         schema: SCHEMA.into(),

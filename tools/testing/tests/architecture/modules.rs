@@ -119,6 +119,7 @@ const FOLDERS: [(&str, &[&str]); 8] = [
     (
         "tools/study/src",
         &[
+            "extent",
             "number",
             "vector",
             "double_double",
