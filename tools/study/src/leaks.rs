@@ -51,30 +51,15 @@ impl Aim {
     pub const BOTH: [Aim; 2] = [Aim::Edge, Aim::Vertex];
 }
 
-/// The faces of an octahedron, as indices of its corners +x, −x, +y, −y, +z, −z.
-const OCTAHEDRON: [[usize; 3]; 8] = [
-    [0, 2, 4],
-    [2, 1, 4],
-    [1, 3, 4],
-    [3, 0, 4],
-    [2, 0, 5],
-    [1, 2, 5],
-    [3, 1, 5],
-    [0, 3, 5],
-];
-
 /// An octahedron's faces, each divided into four and projected to the unit sphere. Four faces meet
 /// at the octahedron's own corners, and six at every other vertex.
 fn sphere() -> Vec<[Vector<f64>; 3]> {
-    let axis = |x, y, z| Vector::new(x, y, z);
-    let corners = [
-        axis(1.0, 0.0, 0.0),
-        axis(-1.0, 0.0, 0.0),
-        axis(0.0, 1.0, 0.0),
-        axis(0.0, -1.0, 0.0),
-        axis(0.0, 0.0, 1.0),
-        axis(0.0, 0.0, -1.0),
-    ];
+    let ring = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)];
+    let ring = ring.map(|(x, y)| Vector::new(x, y, 0.0));
+    let [up, down] = [1.0, -1.0].map(|z| Vector::new(0.0, 0.0, z));
+    let side = |at: usize| [ring[at], ring[(at + 1) % 4]];
+    let upper = (0..4).map(side).map(|[p, q]| [p, q, up]);
+    let lower = (0..4).map(side).map(|[p, q]| [q, p, down]);
     // p + q is bit for bit the same as q + p, so neighbours share the new vertex exactly.
     let between = |p: Vector<f64>, q: Vector<f64>| {
         let middle = p + q;
@@ -84,8 +69,7 @@ fn sphere() -> Vec<[Vector<f64>; 3]> {
         let (ab, bc, ca) = (between(a, b), between(b, c), between(c, a));
         [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
     };
-    let faces = OCTAHEDRON.map(|face| face.map(|at| corners[at]));
-    faces.into_iter().flat_map(cut).collect()
+    upper.chain(lower).flat_map(cut).collect()
 }
 
 /// Stride and offset of the triangles in [`sphere`] whose three vertices have valence 6, the

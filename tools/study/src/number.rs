@@ -6,10 +6,6 @@ use num_traits::Float;
 
 /// `f32` or `f64`: a binary floating-point number, rounded to nearest (IEEE 754).
 pub trait Real: Float + Debug + Send + Sync + 'static {
-    /// The name in tables.
-    const NAME: &'static str;
-    /// The largest relative error of one rounding: 2⁻²⁴ or 2⁻⁵³.
-    const UNIT_ROUNDOFF: Self;
     /// Rounds to this type.
     fn of(value: f64) -> Self;
     /// The same number as an `f64`.
@@ -38,10 +34,8 @@ pub fn exponent(value: f64) -> i32 {
 }
 
 macro_rules! real {
-    ($type:ident, $bits:ident, $mantissa:expr, $unit:expr) => {
+    ($type:ident, $bits:ident, $mantissa:expr) => {
         impl Real for $type {
-            const NAME: &'static str = stringify!($type);
-            const UNIT_ROUNDOFF: Self = $unit;
             #[inline(always)]
             fn of(value: f64) -> Self {
                 value as $type
@@ -74,5 +68,5 @@ macro_rules! real {
     };
 }
 
-real!(f32, u32, 23, 5.960_464_5e-8);
-real!(f64, u64, 52, U);
+real!(f32, u32, 23);
+real!(f64, u64, 52);

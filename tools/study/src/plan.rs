@@ -21,7 +21,7 @@ use serde::Serialize;
 use crate::cast::world::{Accurate, KINDS, PROVEN_T, Part, Primitive};
 use crate::kernel::sphere::at_most;
 use crate::vector::{Vector, around};
-use bounds::{OF_UNIT, normal_of, of_normal};
+use bounds::of_normal;
 use casting::PlannedCaster;
 
 /// What a user wants from a film. Objects are the true ones in any case.
@@ -125,12 +125,15 @@ pub const FINEST: f64 = 2e-15;
 
 /// The plan that a caster follows.
 pub fn plan(casting: &PlannedCaster) -> Plan {
-    let origins = around(casting.rays().iter().map(|ray| [ray.origin; 2])).unwrap_or_default();
+    let [low, high] = around(casting.rays().iter().map(|ray| [ray.origin; 2])).unwrap_or_default();
+    let worst_normal = |part: &&Part| {
+        let away = |origin: Vector<f64>| (origin - part.shape.anchor()).largest();
+        of_normal(&part.shape, at_most(away(low).max(away(high))), PROVEN_T)
+    };
     let all = casting.parts();
     let kind = |kind| {
         let parts: Vec<&Part> = all.iter().filter(|it| it.shape.kind() == kind).collect();
-        let worst = parts.iter().map(|part| worst_normal(&part.shape, origins));
-        let worst_normal = worst.fold(0.0, f64::max);
+        let worst_normal = parts.iter().map(worst_normal).fold(0.0, f64::max);
         (!parts.is_empty()).then(|| KindPlan {
             kind,
             parts: parts.len(),
@@ -146,17 +149,5 @@ pub fn plan(casting: &PlannedCaster) -> Plan {
         search: search_name(casting.has_boxes),
         price_of_all: price_of_all(all),
         prices: PRICES,
-    }
-}
-
-/// Largest error of a part's normal, for all rays that start in this box.
-fn worst_normal(shape: &Primitive, [low, high]: [Vector<f64>; 2]) -> f64 {
-    match shape {
-        Primitive::Plane(_) => OF_UNIT,
-        Primitive::Triangle(triangle) => normal_of(triangle).1,
-        Primitive::Sphere(sphere) => {
-            let away = |corner: Vector<f64>| (corner - sphere.center).largest();
-            of_normal(sphere, at_most(away(low).max(away(high))), PROVEN_T)
-        }
     }
 }

@@ -69,7 +69,7 @@ impl Data {
 
     /// The name in tables.
     pub fn name(self) -> &'static str {
-        self.pick(f64::NAME, f32::NAME)
+        self.pick("f64", "f32")
     }
 
     /// The nearest number of this type.

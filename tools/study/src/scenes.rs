@@ -226,23 +226,3 @@ fn judged(rays: &[Ray<f64>], truths: &[TrueHit], hits: Vec<Option<Hit>>) -> Scen
         ..SceneTally::default()
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn scene_with_a_shape_without_kernel_is_rejected() {
-        let file = std::env::temp_dir().join(format!("pinhole-disk-{}.toml", std::process::id()));
-        let scene = files().remove(0);
-        let scene = std::fs::read_to_string(scene).expect("it is committed");
-        let camera = scene.split("[[object]]").next().expect("a camera");
-        let disk =
-            "[[object]]\ntype = \"disk\"\ncenter = [0, 0, 0]\nnormal = [0, 0, 1]\nradius = 1\n";
-        std::fs::write(&file, format!("{camera}{disk}")).expect("room on the disk");
-        let error = read(&file).expect_err("there is no kernel for a disk");
-        std::fs::remove_file(&file).expect("it was written");
-        let problem = "shape not supported: object 0 is a disk";
-        assert!(error.problem.starts_with(problem), "{error}");
-    }
-}

@@ -34,7 +34,7 @@ fn refined(sphere: &Sphere<f32>, point: Vector<f32>) -> [Vector<f32>; 3] {
 
 /// γₙ = n u / (1 − n u) (Higham, §3.1).
 fn gamma(n: f32) -> f32 {
-    let bound = n * f32::UNIT_ROUNDOFF;
+    let bound = n * f32::EPSILON / 2.0;
     bound / (1.0 - bound)
 }
 

@@ -1,6 +1,6 @@
 //! Tests that plans reach the requested accuracy, and that they are reproducible.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use pinhole::{Camera, Film, Projection, Scene};
 use pinhole_study::plan::casting::{PlannedCaster, film};
@@ -15,10 +15,15 @@ fn wish(accuracy: f64) -> AccuracyTarget {
     }
 }
 
+/// The file of a test scene.
+fn file(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenes");
+    folder.join(format!("{name}.toml"))
+}
+
 /// Reads a test scene that a plan once got wrong.
 fn hostile(name: &str) -> Scene {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenes");
-    read(&folder.join(format!("{name}.toml"))).expect("it is a scene")
+    read(&file(name)).expect("it is a scene")
 }
 
 /// The film of a test scene.
@@ -53,6 +58,13 @@ fn scenes_that_once_broke_plans_keep_their_promise() {
     ] {
         keeps_its_promise(&hostile(name), &[1e-2, 1e-6, 1e-9, 1e-12, 1e-13]);
     }
+}
+
+#[test]
+fn scene_with_a_shape_without_kernel_is_rejected() {
+    let error = read(&file("disk")).expect_err("there is no kernel for a disk");
+    let problem = "shape not supported: object 0 is a disk";
+    assert!(error.problem.starts_with(problem), "{error}");
 }
 
 /// The triangle's hypotenuse runs exactly through the centres of 8 pixels.
@@ -110,7 +122,7 @@ fn plan_says_that_the_caster_watches_hits() {
 /// From a distant eye, all boxes are the same in a frame of `f32` numbers around the eye.
 #[test]
 fn distant_eye_opens_as_few_boxes_as_a_near_one() {
-    let is_bunny = |file: &std::path::PathBuf| file.ends_with("ray_casting/scenes/bunny.toml");
+    let is_bunny = |file: &PathBuf| file.ends_with("ray_casting/scenes/bunny.toml");
     let file = files().into_iter().find(is_bunny).expect("the bunny");
     let mut scene = read(&file).expect("it is a scene");
     (scene.camera.width, scene.camera.height) = (16.0, 9.0);

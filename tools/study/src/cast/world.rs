@@ -3,7 +3,7 @@
 use super::reach::Reach;
 use crate::kernel::sphere::SphereFromEye;
 use crate::kernel::triangle::TriangleFromCamera;
-use crate::kernel::{Camera, Limits, ScaledQuery, plane, sphere, triangle};
+use crate::kernel::{Camera, Filtered, Limits, ScaledQuery, plane};
 use crate::number::{ROOT_OF_UNIT, U};
 use crate::shape::{Plane, Ray, Sphere, Triangle};
 use crate::vector::{Vector, around};
@@ -211,13 +211,7 @@ impl World {
                 Accurate::IfFiltered => (required - OF_OPERATIONS).min(ROOT_OF_UNIT),
                 _ => ROOT_OF_UNIT,
             };
-            part.limits = match &part.shape {
-                Primitive::Sphere(shape) => sphere::limits(shape, distance, accuracy),
-                Primitive::Plane(shape) => plane::limits(shape, away, accuracy),
-                Primitive::Triangle(shape) => {
-                    triangle::limits(triangle::size(shape), away, accuracy)
-                }
-            };
+            part.limits = of_each!(&part.shape, shape => shape.limits(away, distance, accuracy));
             part.from_camera = view.and_then(|view| PartFromCamera::new(&part.shape, &view.camera));
             if let Some(PartFromCamera::Sphere(sphere)) = &part.from_camera {
                 let limits = &mut part.limits;
@@ -262,11 +256,7 @@ impl Primitive {
     /// The point that kernels subtract from a ray's origin: a sphere's centre, a plane's point
     /// or a triangle's first corner.
     pub fn anchor(&self) -> Vector<f64> {
-        match self {
-            Primitive::Sphere(sphere) => sphere.center,
-            Primitive::Plane(plane) => plane.point,
-            Primitive::Triangle(triangle) => triangle.corners[0],
-        }
+        of_each!(self, shape => shape.anchor())
     }
 
     /// Two opposite corners of its bounding box; `None` for a plane.

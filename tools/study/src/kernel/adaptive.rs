@@ -1,17 +1,22 @@
 //! Kernels that are never wrong about hit or miss: a filter answers nearly every question, and the
 //! rest is decided in more digits.
 
-use super::sphere::ScaledRay;
+use super::sphere::{ScaledRay, at_most};
 use super::{Kernel, Limits, ScaledQuery, Tier};
+use crate::number::ROOT_OF_UNIT;
 use crate::root::{Root, rounded};
 use crate::shape::Ray;
 use crate::vector::Vector;
 
 /// A shape with a filter and an exact decision. The proofs are in its own file.
 pub trait Filtered: 'static {
-    /// The filter's limits for rays from this origin. Where the filter answers with a t, its
-    /// relative error is at most √u.
-    fn limits_from(&self, origin: Vector<f64>) -> Limits;
+    /// The point that kernels subtract from a ray's origin.
+    fn anchor(&self) -> Vector<f64>;
+
+    /// The filter's limits for rays whose origin is up to `distance` from the anchor, and up to
+    /// `away` in each component. Where the filter answers with a t, `accuracy` bounds its relative
+    /// error, besides the rounding of the final operations; it is at most √u.
+    fn limits(&self, away: f64, distance: f64, accuracy: f64) -> Limits;
 
     /// The filter: the answer, or `None` if rounding might have changed it.
     fn filtered(&self, query: &ScaledQuery, limits: &Limits) -> Option<Option<f64>>;
@@ -55,7 +60,8 @@ pub fn decided(
     min_t: f64,
 ) -> (Option<f64>, Tier) {
     let query = ScaledQuery::new(*scaled, scaled.scale(min_t));
-    let limits = shape.limits_from(scaled.ray.origin);
+    let away = (scaled.ray.origin - shape.anchor()).largest();
+    let limits = shape.limits(away, at_most(away), ROOT_OF_UNIT);
     if let Some(answer) = shape.filtered(&query, &limits) {
         return (answer, Tier::SemiStatic);
     }

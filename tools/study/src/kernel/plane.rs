@@ -14,7 +14,7 @@
 
 use super::{Filtered, Kernel, Limits, ScaledQuery};
 use crate::dyadic::Dyadic;
-use crate::number::{ROOT_OF_UNIT, Real, TINY, U};
+use crate::number::{Real, TINY, U};
 use crate::root::Root;
 use crate::shape::{Plane, Ray};
 use crate::vector::Vector;
@@ -47,9 +47,19 @@ impl<F: Real> Kernel<Plane<F>, F> for ShiftedOrigin {
 }
 
 impl Filtered for Plane<f64> {
+    fn anchor(&self) -> Vector<f64> {
+        self.point
+    }
+
     #[inline(always)]
-    fn limits_from(&self, origin: Vector<f64>) -> Limits {
-        limits(self, (self.point - origin).largest(), ROOT_OF_UNIT)
+    fn limits(&self, away: f64, _: f64, accuracy: f64) -> Limits {
+        let size = 3.0 * self.normal.largest();
+        let good = |largest: f64| 2.0 / accuracy * (8.0 * U * (size * largest) + 64.0 * TINY);
+        Limits {
+            sign: 0.0,
+            divisor: good(2.0),
+            dividend: good(away),
+        }
     }
 
     #[inline(always)]
@@ -73,19 +83,6 @@ impl Filtered for Plane<f64> {
             return None;
         }
         Some(Root::fraction(height, down))
-    }
-}
-
-/// The filter's limits for rays whose origin is up to `away` from the plane's point in each
-/// component. `accuracy` bounds the relative error of t, besides the final division's.
-#[inline(always)]
-pub fn limits(plane: &Plane<f64>, away: f64, accuracy: f64) -> Limits {
-    let size = 3.0 * plane.normal.largest();
-    let good = |largest: f64| 2.0 / accuracy * (8.0 * U * (size * largest) + 64.0 * TINY);
-    Limits {
-        sign: 0.0,
-        divisor: good(2.0),
-        dividend: good(away),
     }
 }
 

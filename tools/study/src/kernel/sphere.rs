@@ -5,7 +5,7 @@ mod from_eye;
 mod haines;
 mod textbook;
 
-pub use adaptive::{at_most, limits};
+pub use adaptive::at_most;
 pub use from_eye::SphereFromEye;
 pub use haines::{Haines, ScaledRay, plainly};
 pub use textbook::Textbook;

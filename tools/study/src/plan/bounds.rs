@@ -1,7 +1,7 @@
 //! Bounds on the rounding errors of a hit by the exact caster.
 //!
 //! The exact caster is never wrong about which parts a ray hits, or which of them comes first. For
-//! every ray and every scene, its t is proven to [`PROVEN_T`](crate::cast::world::PROVEN_T). [`of_normal`] and [`normal_of`] bound
+//! every ray and every scene, its t is proven to [`PROVEN_T`](crate::cast::world::PROVEN_T). [`of_normal`] bounds
 //! the error of a normal, in the manner of Higham, *Accuracy and Stability of Numerical Algorithms*,
 //! 2nd ed., §§2–3. They count first-order terms, with constants rounded up to cover the rest.
 //! [`required_t`] turns this around: how accurate must t be?
@@ -21,7 +21,7 @@ use crate::vector::Vector;
 const IN_RANGE: std::ops::RangeInclusive<f64> = 7.1e-46..=1.4e45;
 
 /// Largest angle by which normalising a vector turns it.
-pub const OF_UNIT: f64 = 8.0 * U;
+const OF_UNIT: f64 = 8.0 * U;
 
 /// The relative error, from a bound on the absolute error and the computed magnitude; infinite
 /// if the error is too large for that.
@@ -49,26 +49,31 @@ pub fn required_t(shape: &Primitive, distance: f64, wish: AccuracyTarget) -> f64
     let for_normal = match shape {
         _ if !wish.normal => f64::INFINITY,
         Primitive::Sphere(sphere) => {
-            // See `of_normal`, where t's error counts 1.1 times.
+            // See `of_sphere`, where t's error counts 1.1 times.
             wish.accuracy / (1.3 * (1.0 + distance / sphere.radius))
         }
         _ => f64::INFINITY,
     };
     let of_t = for_depth.min(for_normal);
-    let turned = match shape {
-        _ if !wish.normal => 0.0,
-        Primitive::Plane(_) => OF_UNIT,
-        Primitive::Triangle(triangle) => normal_of(triangle).1,
-        Primitive::Sphere(sphere) => of_normal(sphere, distance, of_t),
-    };
-    if turned <= wish.accuracy { of_t } else { 0.0 }
+    match !wish.normal || of_normal(shape, distance, of_t) <= wish.accuracy {
+        true => of_t,
+        false => 0.0,
+    }
 }
 
-/// Largest error of a sphere's normal in radians, given the origin's distance from the centre and
-/// the relative error of t. The error of
-/// (e − c) + t d is u|e − c|, plus the error of t times |t d| ≤ |e − c| + r, plus roundings of
+/// Largest error of a normal in radians, given the origin's distance from the shape's anchor and
+/// the relative error of t.
+pub fn of_normal(shape: &Primitive, distance: f64, of_t: f64) -> f64 {
+    match shape {
+        Primitive::Plane(_) => OF_UNIT,
+        Primitive::Triangle(triangle) => normal_of(triangle).1,
+        Primitive::Sphere(sphere) => of_sphere(sphere, distance, of_t),
+    }
+}
+
+/// The error of (e − c) + t d is u|e − c|, plus the error of t times |t d| ≤ |e − c| + r, plus roundings of
 /// both. Divided by r, it is the angle.
-pub fn of_normal(sphere: &Sphere<f64>, distance: f64, of_t: f64) -> f64 {
+fn of_sphere(sphere: &Sphere<f64>, distance: f64, of_t: f64) -> f64 {
     let r = sphere.radius;
     let moved = of_t * (distance + r) + 4.0 * U * (distance + r);
     match are_in_range([r]) {

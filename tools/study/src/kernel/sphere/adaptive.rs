@@ -38,13 +38,26 @@ use crate::shape::{Ray, Sphere};
 use crate::vector::Vector;
 
 impl Filtered for Sphere<f64> {
+    fn anchor(&self) -> Vector<f64> {
+        self.center
+    }
+
     #[inline(always)]
-    fn limits_from(&self, origin: Vector<f64>) -> Limits {
-        limits(
-            self,
-            at_most((origin - self.center).largest()),
-            ROOT_OF_UNIT,
-        )
+    fn limits(&self, _: f64, distance: f64, accuracy: f64) -> Limits {
+        let r = self.radius.abs();
+        let (square, r_square) = (distance * distance, r * r);
+        let underflow = 128.0 * TINY;
+        // 64 r² is computed first, so that overflow shows up in the limit.
+        let sign =
+            ROOT_OF_UNIT * (64.0 * r_square) + 32.0 * ROOT_OF_UNIT * (U * square) + underflow;
+        let lost = U / accuracy;
+        Limits {
+            sign,
+            divisor: 64.0 * lost * distance * (r + 6.0 * U * distance)
+                + 4096.0 * lost * lost * square
+                + sign,
+            dividend: 16.0 * lost * (square + r_square) + underflow,
+        }
     }
 
     #[inline(always)]
@@ -88,26 +101,6 @@ impl Filtered for Sphere<f64> {
 #[inline(always)]
 pub fn at_most(largest: f64) -> f64 {
     1.74 * largest
-}
-
-/// The filter's limits for rays whose origin is up to `size` from the centre. `accuracy` bounds the
-/// relative error of t, besides the rounding of the final operations; it is at most √u.
-#[inline(always)]
-pub fn limits(sphere: &Sphere<f64>, size: f64, accuracy: f64) -> Limits {
-    let r = sphere.radius.abs();
-    let (size_square, r_square) = (size * size, r * r);
-    let underflow = 128.0 * TINY;
-    // 64 r² is computed first, so that overflow shows up in the limit.
-    let sign =
-        ROOT_OF_UNIT * (64.0 * r_square) + 32.0 * ROOT_OF_UNIT * (U * size_square) + underflow;
-    let lost = U / accuracy;
-    Limits {
-        sign,
-        divisor: 64.0 * lost * size * (r + 6.0 * U * size)
-            + 4096.0 * lost * lost * size_square
-            + sign,
-        dividend: 16.0 * lost * (size_square + r_square) + underflow,
-    }
 }
 
 /// The filter, given f, r² and c.

@@ -39,7 +39,7 @@ impl SphereFromEye {
         })
     }
 
-    /// A smaller [`Limits::divisor`] than that of [`super::limits`], for eyes that are not near the
+    /// A smaller [`Limits::divisor`] than that of [`super::adaptive`], for eyes that are not near the
     /// surface: infinite for others.
     ///
     /// The error of the root in q is at most a (12u r|f| + 72u²|f|² + 4u r²) / root, and that of h

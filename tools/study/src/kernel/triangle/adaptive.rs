@@ -29,19 +29,19 @@
 use super::double_double_filter;
 use crate::dyadic::Dyadic;
 use crate::kernel::{Filtered, Limits, ScaledQuery};
-use crate::number::{ROOT_OF_UNIT, TINY, U};
+use crate::number::{TINY, U};
 use crate::root::Root;
 use crate::shape::{Ray, Triangle};
 use crate::vector::Vector;
 
 impl Filtered for Triangle<f64> {
+    fn anchor(&self) -> Vector<f64> {
+        self.corners[0]
+    }
+
     #[inline(always)]
-    fn limits_from(&self, origin: Vector<f64>) -> Limits {
-        limits(
-            size(self),
-            (origin - self.corners[0]).largest(),
-            ROOT_OF_UNIT,
-        )
+    fn limits(&self, away: f64, _: f64, accuracy: f64) -> Limits {
+        limits(size(self), away, accuracy)
     }
 
     /// The filter: the answer, or `None` if rounding might have changed it.
