@@ -1,11 +1,10 @@
 //! Casts whole scenes, with a choice of kernels.
 //!
 //! [`world`] is the scene as a list of parts, [`tree`] is a bounding volume hierarchy over them
-//! ([`slabs`] tests its boxes), [`model`] chooses the kernels, and [`rays`] and [`reach`] say where rays come from.
+//! ([`slabs`] tests its boxes), [`model`] chooses the kernels, and [`rays`] says where rays come from.
 
 pub mod model;
 pub mod rays;
-pub mod reach;
 pub mod slabs;
 pub mod tree;
 pub mod world;

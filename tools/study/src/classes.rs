@@ -7,12 +7,11 @@ use std::collections::BTreeMap;
 use crate::conditioning::decade;
 use crate::extent::Extent;
 use crate::family::HasFamilies;
-use crate::instructions;
 use crate::judge::{Tally, median_and_worst};
 use crate::kernel::Tier;
 use crate::question::{Class, Data};
 use crate::result::{ConditioningErrors, KernelTally, Sweep, TierTally, Trade};
-use crate::speed::{PAIRS, Time, pool, race};
+use crate::speed::{self, PAIRS, Time, pool, race};
 
 /// A kernel's name, and the numbers it computes with.
 pub type Entry = (&'static str, &'static str);
@@ -74,7 +73,7 @@ fn costs<S: HasFamilies>(class: Class, extent: &Extent) -> BTreeMap<Entry, (Time
         let times = race(workloads.collect(), asked.len(), extent.seconds);
         for ((at, kernel), time) in entered.into_iter().zip(times) {
             let what = format!("{} {} {}", S::NAME, class.name(), extent.seed);
-            let count = || instructions::of_cast(&what, at, asked.len());
+            let count = || speed::instructions(&what, at, asked.len());
             let instructions = extent.instructions.then(count).flatten();
             costs.insert((kernel.name, kernel.numbers), (time, instructions));
         }
@@ -99,7 +98,7 @@ pub fn tiers<S: HasFamilies>(extent: &Extent) -> Vec<TierTally> {
             let timed = decided.len();
             let time = race(vec![(kernel.workload)(&decided)], timed, extent.seconds);
             let what = format!("{} {} {} {tier:?}", S::NAME, class.name(), extent.seed);
-            let instructions = || instructions::of_cast(&what, at, timed);
+            let instructions = || speed::instructions(&what, at, timed);
             tallies.push(TierTally {
                 shape: S::NAME,
                 class,

@@ -8,7 +8,7 @@
 //! 3. [`question`], [`family`], [`random`]: the questions that kernels are asked;
 //! 4. [`oracle`], [`judge`], [`breaking`], [`conditioning`]: the true answers, wrong answers,
 //!    where kernels break, and how sensitive questions are;
-//! 5. [`contestants`], [`speed`], [`instructions`], [`classes`]: the kernels,
+//! 5. [`contestants`], [`speed`], [`classes`]: the kernels,
 //!    what each costs, and what it gets wrong in each class of questions;
 //! 6. [`leaks`]: closed meshes; [`secondary`]: rays that begin on a surface; [`cast`],
 //!    [`random_scene`], [`scenes`]: whole scenes; [`record`]: the long runs;
@@ -26,7 +26,6 @@ pub mod double_double;
 pub mod dyadic;
 pub mod extent;
 pub mod family;
-pub mod instructions;
 pub mod judge;
 pub mod kernel;
 pub mod leaks;

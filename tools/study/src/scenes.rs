@@ -10,7 +10,6 @@ use crate::cast::model::Plain;
 use crate::cast::world::World;
 use crate::cast::{Caster, Tally};
 use crate::extent::Extent;
-use crate::instructions;
 use crate::judge::median_and_worst;
 use crate::oracle::scene::{Errors, TrueHit, errors};
 use crate::plan::casting::PlannedCaster;
@@ -18,7 +17,7 @@ use crate::plan::{EXACT_OBJECTS, search_name};
 use crate::random_scene::grid;
 use crate::result::SceneTally;
 use crate::shape::Ray;
-use crate::speed::{Time, Workload, race};
+use crate::speed::{self, Time, Workload, race};
 
 /// A scene ready to be cast.
 pub struct Stage {
@@ -195,7 +194,7 @@ fn judged_ways(name: &str, stage: &Stage, extent: &Extent) -> Vec<SceneTally> {
         let (hits, tally) = stage.hits(plain);
         let has_boxes = plain.unwrap_or(cheaper);
         let is_counted = extent.instructions && has_boxes == cheaper;
-        let count = || instructions::of_cast(&format!("{SCENE}{name}"), at, rays.len());
+        let count = || speed::instructions(&format!("{SCENE}{name}"), at, rays.len());
         SceneTally {
             scene: name.into(),
             model,

@@ -1,9 +1,12 @@
-//! Measures how long kernels take.
+//! Measures how long kernels take, and counts their instructions.
 //!
 //! All kernels of a shape take turns, round after round, so that anything that slows the
 //! machine slows all of them. The result is each kernel's median round, in CPU time of this
-//! thread, which other programs do not lengthen.
+//! thread, which other programs do not lengthen. The instructions of a kernel or a scene are
+//! counted with callgrind. Unlike times, they repeat exactly.
 
+use std::env;
+use std::process::Command;
 use std::time::Duration;
 
 pub use crate::contestants::Workload;
@@ -87,4 +90,27 @@ fn of_rounds(mut times: Vec<f64>, casts: f64) -> Time {
         nanoseconds: times[middle] / casts,
         spread: width / 2.0 / times[middle],
     }
+}
+
+/// What the program prints when it has finished all its casts.
+pub const DONE: &str = "cast\n";
+
+/// Instructions per ray of one way to cast something; `None` without valgrind.
+///
+/// Runs this program under valgrind twice, with different numbers of casts, and divides the
+/// difference. This excludes start-up and set-up.
+pub fn instructions(what: &str, way: usize, rays: usize) -> Option<f64> {
+    let with = |casts: u32| {
+        let mut valgrind = Command::new("valgrind");
+        valgrind.args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]);
+        valgrind.arg(env::current_exe().ok()?);
+        valgrind.args(["cast", what, &way.to_string(), &casts.to_string()]);
+        let output = valgrind.output().ok()?;
+        // Valgrind reports a count even for a program that crashes half-way.
+        output.stdout.ends_with(DONE.as_bytes()).then_some(())?;
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        let line = said.lines().find(|line| line.contains("Collected :"))?;
+        line.rsplit(' ').next()?.parse::<f64>().ok()
+    };
+    Some((with(3)? - with(1)?) / (2.0 * rays as f64))
 }

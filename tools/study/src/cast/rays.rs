@@ -1,10 +1,15 @@
-//! The rays of a scene's camera.
+//! Where rays come from: the rays of a scene's camera, and a region that contains most ray origins.
+//! Error bounds for all rays that start inside it are computed once per part instead of once per
+//! ray.
 
 use pinhole::{Projection, Scene};
 
-use super::world::vector;
+use super::world::{Part, Primitive, vector};
 use crate::kernel::Camera;
+use crate::kernel::sphere::at_most;
+use crate::number::Real;
 use crate::shape::Ray;
+use crate::vector::{Vector, around};
 
 /// The camera, as filters see it.
 pub fn camera(scene: &Scene, rays: &[Ray<f64>]) -> Camera {
@@ -36,4 +41,82 @@ pub fn rays(scene: &Scene) -> Vec<Ray<f64>> {
         }
     };
     (0..resolution.pixels()).map(through).collect()
+}
+
+/// A cube around a scene, several times as large as the scene.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Reach {
+    center: Vector<f64>,
+    /// Half the cube's side.
+    radius: f64,
+}
+
+/// A camera is seldom further away than this many times the scene's size.
+const SIZES: f64 = 8.0;
+
+impl Reach {
+    /// The reach of a scene: around its bounded parts and the points of its planes.
+    pub fn around(parts: &[Part]) -> Reach {
+        let ends = |part: &Part| {
+            let anchor = part.shape.anchor();
+            part.shape.bounds().unwrap_or([anchor, anchor])
+        };
+        let Some([low, high]) = around(parts.iter().map(ends)) else {
+            return Reach::default();
+        };
+        let center = low * 0.5 + high * 0.5;
+        let size = (high - center).largest();
+        // Planes have no size: use their distance from the origin, or at least 1.
+        let is_flat = parts
+            .iter()
+            .all(|part| matches!(part.shape, Primitive::Plane(_)));
+        let size = if is_flat {
+            size.max(center.largest()).max(1.0)
+        } else {
+            size
+        };
+        Reach {
+            center,
+            radius: SIZES * size,
+        }
+    }
+
+    /// The reach of a camera: four times as large as necessary, because some errors grow with the
+    /// distance of the origin from the centre.
+    pub fn of(camera: &Camera) -> Reach {
+        match *camera {
+            Camera::Perspective { eye } => Reach {
+                center: eye,
+                radius: 0.0,
+            },
+            Camera::Orthographic { scaled, exponent } => Reach {
+                center: scaled.ray.origin,
+                radius: 4f64.times_power_of_two(exponent),
+            },
+        }
+    }
+
+    /// The largest distance, in each component, between `anchor` and a ray origin within reach.
+    /// The rounding here is covered by the slack in every bound.
+    pub fn away(&self, anchor: Vector<f64>) -> f64 {
+        (anchor - self.center).largest() + self.radius
+    }
+
+    /// The largest distance between `anchor` and a ray origin within reach.
+    pub fn distance(&self, anchor: Vector<f64>) -> f64 {
+        let apart = anchor - self.center;
+        let apart = match apart.largest() {
+            // The square neither overflows nor vanishes.
+            1e-140..1e140 => apart.dot(apart).sqrt(),
+            largest => at_most(largest),
+        };
+        apart + at_most(self.radius)
+    }
+
+    /// Whether a ray from this origin is within reach. For other rays, kernels compute bounds
+    /// of their own, which takes longer.
+    #[inline(always)]
+    pub fn holds(&self, origin: Vector<f64>) -> bool {
+        (origin - self.center).largest() <= self.radius
+    }
 }

@@ -284,7 +284,7 @@ struct WideTreeBuilder<'a> {
     parts: &'a [Part],
     ordered: &'a mut Vec<Part>,
     tree: &'a mut Tree,
-    reach: super::reach::Reach,
+    reach: super::rays::Reach,
 }
 
 impl<'a> WideTreeBuilder<'a> {

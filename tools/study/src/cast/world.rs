@@ -1,6 +1,6 @@
 //! A scene as a list of parts, each of which a kernel can intersect.
 
-use super::reach::Reach;
+use super::rays::Reach;
 use crate::kernel::sphere::SphereFromEye;
 use crate::kernel::triangle::TriangleFromCamera;
 use crate::kernel::{Camera, Filtered, Limits, ScaledQuery, plane};

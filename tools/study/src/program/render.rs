@@ -1,7 +1,11 @@
-//! `pinhole render --exact` and `--plan`: casts a film with the study's casters.
+//! `pinhole plan` explains how to cast a scene, and why. `pinhole render --exact` and `--plan` cast
+//! its film.
 
+use std::path::PathBuf;
 use std::time::Instant;
 
+use pinhole::{Resolution, Scene};
+use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::shell::PINHOLE;
@@ -9,12 +13,47 @@ use pinhole_report::cast::Cast;
 use pinhole_report::program::Status;
 use pinhole_study::plan::casting::{PlannedCaster, film};
 use pinhole_study::plan::{EXACT_FILM, plan};
+use pinhole_study::scenes;
+use pinhole_study::summary::description;
 use serde_json::json;
 
-use super::plan::{scene, unplannable};
-use crate::cli::Render;
+use crate::cli::{Plan, Render};
 
-pub fn run(checkout: &Checkout, arguments: &Render) -> Result<Status> {
+pub fn explain(checkout: &Checkout, arguments: &Plan) -> Result<Status> {
+    let assignment = arguments.assignment.find(checkout, None)?;
+    let (scene, file, _) = scene(&arguments.scene, arguments.resolution, &assignment)?;
+    let wish = arguments.wanted.wish(arguments.accuracy);
+    let plan = plan(&PlannedCaster::new(&scene, wish).map_err(unplannable)?);
+    match arguments.json {
+        true => anstream::println!("{:#}", json!(plan)),
+        false => {
+            let name = file.file_stem().unwrap_or_default().to_string_lossy();
+            anstream::print!("{}", description(&plan, &name));
+        }
+    }
+    Ok(Status::Well)
+}
+
+/// Finds a scene by name or file. Returns the scene, at another resolution if one is given, its
+/// file, and its golden if one is committed.
+fn scene(
+    named: &str,
+    resolution: Option<Resolution>,
+    assignment: &Assignment,
+) -> Result<(Scene, PathBuf, Option<PathBuf>)> {
+    let (_, golden) = assignment.find_scene(named)?;
+    let file = assignment.find_scene_file(named)?;
+    let mut scene = scenes::read(&file)?;
+    scene.resolution = resolution.unwrap_or(scene.resolution);
+    Ok((scene, file, golden))
+}
+
+/// Turns the study's message into an error.
+fn unplannable(problem: String) -> Error {
+    Error::input(problem, "use smaller numbers for the camera")
+}
+
+pub fn render(checkout: &Checkout, arguments: &Render) -> Result<Status> {
     if arguments.plan.is_none() && !arguments.wanted.outputs.is_empty() {
         return Err(Error::input(
             "--outputs needs a plan",

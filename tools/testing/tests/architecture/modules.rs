@@ -141,7 +141,6 @@ const FOLDERS: [(&str, &[&str]); 8] = [
             "leaks",
             "plan",
             "random_scene",
-            "instructions",
             "secondary",
             "scenes",
             "classes",
