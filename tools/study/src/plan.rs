@@ -24,30 +24,12 @@ use crate::vector::{Vector, around};
 use bounds::of_normal;
 use casting::PlannedCaster;
 
-/// What a user wants from a film. Objects are the true ones in any case.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct AccuracyTarget {
-    /// The largest relative error of t, and the largest angle of a normal in radians.
-    pub accuracy: f64,
-    /// Whether t is requested.
-    pub depth: bool,
-    /// Whether the normal is requested.
-    pub normal: bool,
-}
+/// The accuracy that exact casting needs for the true object at every pixel. t and normal are as
+/// accurate as the exact caster leaves them.
+pub const EXACT_OBJECTS: f64 = f64::INFINITY;
 
-/// The true object at every pixel. t and normal are as accurate as the exact caster leaves them.
-pub const EXACT_OBJECTS: AccuracyTarget = AccuracyTarget {
-    accuracy: f64::INFINITY,
-    depth: true,
-    normal: true,
-};
-
-/// What an exact film promises besides the true object at every pixel. The accuracy is far
-/// beyond the digits of the film's own `f32`.
-pub const EXACT_FILM: AccuracyTarget = AccuracyTarget {
-    accuracy: 1e-12,
-    ..EXACT_OBJECTS
-};
+/// The accuracy of t and normals in an exact film: far beyond the digits of the film's own `f32`.
+pub const EXACT_FILM: f64 = 1e-12;
 
 /// The plan for one kind of shape.
 #[derive(Clone, Debug, Serialize)]
@@ -68,8 +50,9 @@ pub struct KindPlan {
 /// A plan for one scene.
 #[derive(Clone, Debug, Serialize)]
 pub struct Plan {
-    /// The accuracy and outputs that were requested.
-    pub wish: AccuracyTarget,
+    /// The requested accuracy: the largest relative error of t, and the largest angle of a normal in
+    /// radians.
+    pub accuracy: f64,
     /// The number of pixels.
     pub pixels: usize,
     /// The plans of the kinds that occur in the scene.
@@ -143,7 +126,7 @@ pub fn plan(casting: &PlannedCaster) -> Plan {
         })
     };
     Plan {
-        wish: casting.wish,
+        accuracy: casting.accuracy,
         pixels: casting.rays().len(),
         kinds: KINDS.into_iter().filter_map(kind).collect(),
         search: search_name(casting.has_boxes),

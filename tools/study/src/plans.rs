@@ -11,7 +11,6 @@ use crate::cast::{Caster, Tally};
 use crate::extent::Extent;
 use crate::oracle::scene::{Errors, TrueHit, errors};
 use crate::plan::casting::PlannedCaster;
-use crate::plan::{AccuracyTarget, EXACT_OBJECTS};
 use crate::result::{PlanErrors, PlanTally};
 use crate::scenes::{self, Stage};
 use crate::speed::{Workload, race};
@@ -23,11 +22,7 @@ pub fn studied(file: &Path, extent: &Extent) -> Result<Vec<PlanTally>, String> {
     let mut castings = Vec::new();
     let mut planning = Vec::new();
     for accuracy in extent.accuracies {
-        let wish = AccuracyTarget {
-            accuracy: *accuracy,
-            ..EXACT_OBJECTS
-        };
-        let plan = || PlannedCaster::new(&scene, wish);
+        let plan = || PlannedCaster::new(&scene, *accuracy);
         planning.push(least_time(plan) / pixels);
         castings.push(plan()?.every(extent.step));
     }
@@ -49,7 +44,7 @@ pub fn studied(file: &Path, extent: &Extent) -> Result<Vec<PlanTally>, String> {
         let (kept, tally) = kept(casting, &truths);
         PlanTally {
             scene: name.clone().into(),
-            accuracy: casting.wish.accuracy,
+            accuracy: casting.accuracy,
             kept,
             exact_hits: tally.exact_hits,
             planning: planning[at],
@@ -74,18 +69,16 @@ fn least_time<T>(prepare: impl Fn() -> T) -> f64 {
 
 /// Casts all rays by a plan, and judges the result by the truth.
 pub fn kept(casting: &PlannedCaster, truths: &[TrueHit]) -> (PlanErrors, Tally) {
-    let (rays, wish) = (casting.rays(), casting.wish);
+    let rays = casting.rays();
     let (hits, tally) = casting.hits();
     let Errors { wrong_ids, of_hits } = errors(rays, truths, hits);
-    let t = |(t, _): &(f64, f64)| if wish.depth { *t } else { 0.0 };
-    let normal = |(_, normal): &(f64, f64)| if wish.normal { *normal } else { 0.0 };
-    let is_kept = |hit: &&_| t(hit) <= wish.accuracy && normal(hit) <= wish.accuracy;
+    let is_kept = |(t, normal): &&(f64, f64)| t.max(*normal) <= casting.accuracy;
     let kept = PlanErrors {
         rays: rays.len() as u64,
         wrong_ids,
         violations: (of_hits.len() - of_hits.iter().filter(is_kept).count()) as u64,
-        worst_t: of_hits.iter().map(t).fold(0.0, f64::max),
-        worst_normal: of_hits.iter().map(normal).fold(0.0, f64::max),
+        worst_t: of_hits.iter().map(|hit| hit.0).fold(0.0, f64::max),
+        worst_normal: of_hits.iter().map(|hit| hit.1).fold(0.0, f64::max),
     };
     (kept, tally)
 }

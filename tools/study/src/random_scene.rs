@@ -6,23 +6,17 @@
 
 use pinhole::{Camera, Projection, Resolution, Scene, Shape, Triangle, TriangleSoup};
 
-use crate::plan::AccuracyTarget;
 use crate::random::Random;
 use crate::vector::Vector;
 
-/// The scene of a seed, and the request to plan for.
-pub fn drawn(seed: u64) -> (Scene, AccuracyTarget) {
+/// The scene of a seed, and the accuracy to plan for.
+pub fn drawn(seed: u64) -> (Scene, f64) {
     let mut random = Random::new(seed, "plans");
     let scene = match random.below(3) {
         0 => on_a_grid(&mut random),
         _ => anywhere(&mut random),
     };
-    let wish = AccuracyTarget {
-        accuracy: power(&mut random, -14.5, -4.0),
-        depth: random.below(4) > 0,
-        normal: random.below(4) > 0,
-    };
-    (scene, wish)
+    (scene, power(&mut random, -14.5, -4.0))
 }
 
 /// A random power of ten, with an exponent from `low` to `high`.

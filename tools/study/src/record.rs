@@ -145,8 +145,8 @@ fn edges(seed: u64) -> Count {
 /// Casts a random scene by its plan. The judge computes with fractions and shares only its
 /// input with the casters: the scene and the camera's rays, rounded to `f64`.
 fn planned(seed: u64) -> Count {
-    let (scene, wish) = random_scene::drawn(seed);
-    let casting = PlannedCaster::new(&scene, wish).expect("an f64 can reach the accuracy");
+    let (scene, accuracy) = random_scene::drawn(seed);
+    let casting = PlannedCaster::new(&scene, accuracy).expect("an f64 can reach the accuracy");
     let truths = casting.truths();
     let (kept, tally) = kept(&casting, &truths);
     Count {

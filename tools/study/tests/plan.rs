@@ -4,16 +4,9 @@ use std::path::{Path, PathBuf};
 
 use pinhole::{Camera, Film, Projection, Scene};
 use pinhole_study::plan::casting::{PlannedCaster, film};
-use pinhole_study::plan::{AccuracyTarget, EXACT_FILM, plan};
+use pinhole_study::plan::{EXACT_FILM, plan};
 use pinhole_study::plans::kept;
 use pinhole_study::scenes::{files, read};
-
-fn wish(accuracy: f64) -> AccuracyTarget {
-    AccuracyTarget {
-        accuracy,
-        ..EXACT_FILM
-    }
-}
 
 /// The file of a test scene.
 fn file(name: &str) -> PathBuf {
@@ -27,16 +20,16 @@ fn hostile(name: &str) -> Scene {
 }
 
 /// The film of a test scene.
-fn filmed(name: &str, wish: AccuracyTarget) -> Film {
+fn filmed(name: &str, accuracy: f64) -> Film {
     let scene = hostile(name);
-    let casting = PlannedCaster::new(&scene, wish).expect("a plan");
+    let casting = PlannedCaster::new(&scene, accuracy).expect("a plan");
     film(scene.resolution, casting.hits().0)
 }
 
 #[track_caller]
 fn keeps_its_promise(scene: &Scene, accuracies: &[f64]) {
     for accuracy in accuracies {
-        let casting = PlannedCaster::new(scene, wish(*accuracy)).expect("a plan");
+        let casting = PlannedCaster::new(scene, *accuracy).expect("a plan");
         let (kept, _) = kept(&casting, &casting.truths());
         let is_kept = kept.violations + kept.wrong_ids == 0;
         assert!(is_kept, "{accuracy:e}: {kept:#?}");
@@ -88,7 +81,7 @@ fn all_samples_of_a_film_are_finite() {
         .into_iter()
         .flat_map(|name| [(name, 1e-2), (name, 1e-12)])
     {
-        let film = filmed(name, wish(accuracy));
+        let film = filmed(name, accuracy);
         for channel in film.channels() {
             let are_finite = channel.samples.iter().all(|sample| sample.is_finite());
             assert!(are_finite, "{name} {}: {:?}", channel.name, channel.samples);
@@ -111,7 +104,7 @@ fn plan_says_that_the_caster_watches_hits() {
     let mut scene = hostile("five_balls_1e11");
     scene.camera.projection = Projection::Orthographic;
     let spheres = |accuracy| {
-        let casting = PlannedCaster::new(&scene, wish(accuracy)).expect("a plan");
+        let casting = PlannedCaster::new(&scene, accuracy).expect("a plan");
         plan(&casting).kinds[0].clone()
     };
     let worst = spheres(1e-4).worst_normal.expect("a bound");
@@ -131,7 +124,7 @@ fn distant_eye_opens_as_few_boxes_as_a_near_one() {
         scene.camera.projection = Projection::Perspective {
             focal_length: distance,
         };
-        let casting = PlannedCaster::new(&scene, wish(1e-6)).expect("a plan");
+        let casting = PlannedCaster::new(&scene, 1e-6).expect("a plan");
         casting.hits().1.tests
     };
     let (near, far) = (tests(20.0), tests(2e8));
@@ -143,7 +136,7 @@ fn planning_a_scene_twice_gives_the_same_plan() {
     for file in files() {
         let scene = read(&file).expect("it is a scene");
         let [one, other] = [0; 2].map(|_| {
-            let casting = PlannedCaster::new(&scene, wish(1e-6)).expect("a plan");
+            let casting = PlannedCaster::new(&scene, 1e-6).expect("a plan");
             serde_json::to_string(&plan(&casting)).expect("JSON")
         });
         assert_eq!(one, other, "{}", file.display());

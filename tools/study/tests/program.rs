@@ -20,7 +20,6 @@ fn studied(part: &str) -> (Option<i32>, String, PathBuf) {
 #[test]
 fn each_part_is_measured_and_written() {
     for (part, list) in [
-        ("classes", "families"),
         ("mesh", "meshes"),
         ("scenes", "scenes"),
         ("plans", "plans"),

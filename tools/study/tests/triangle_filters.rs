@@ -54,7 +54,7 @@ fn double_double_decisions_are_true() {
             );
         }
     }
-    let are_many = decided > 20_000 && distant > 1_000 && open > 10_000;
+    let are_many = decided > 20_000 && distant > 500 && open > 10_000;
     assert!(are_many, "{decided}, {distant}, {open}");
 }
 

@@ -10,7 +10,6 @@
 //! checked first, from the sizes of the factors (`IN_RANGE`). Outside this range nothing is
 //! certain, and the hit is computed exactly.
 
-use super::AccuracyTarget;
 use crate::cast::world::Primitive;
 use crate::number::U;
 use crate::shape::{Sphere, Triangle};
@@ -37,25 +36,16 @@ pub(super) fn are_in_range(sizes: impl IntoIterator<Item = f64>) -> bool {
     sizes.into_iter().all(|size| IN_RANGE.contains(&size))
 }
 
-/// The largest relative error of t with which every hit has the requested accuracy: infinite if t
-/// does not matter, and 0 if no error is small enough. `distance` is the largest distance of an
-/// origin from the shape's anchor.
-pub fn required_t(shape: &Primitive, distance: f64, wish: AccuracyTarget) -> f64 {
-    let for_depth = if wish.depth {
-        wish.accuracy
-    } else {
-        f64::INFINITY
+/// The largest relative error of t with which every hit has the requested accuracy; 0 if no error is
+/// small enough. `distance` is the largest distance of an origin from the shape's anchor.
+pub fn required_t(shape: &Primitive, distance: f64, accuracy: f64) -> f64 {
+    let of_t = match shape {
+        // See `of_sphere`, where t's error counts 1.1 times.
+        Primitive::Sphere(sphere) => accuracy / (1.3 * (1.0 + distance / sphere.radius)),
+        _ => accuracy,
     };
-    let for_normal = match shape {
-        _ if !wish.normal => f64::INFINITY,
-        Primitive::Sphere(sphere) => {
-            // See `of_sphere`, where t's error counts 1.1 times.
-            wish.accuracy / (1.3 * (1.0 + distance / sphere.radius))
-        }
-        _ => f64::INFINITY,
-    };
-    let of_t = for_depth.min(for_normal);
-    match !wish.normal || of_normal(shape, distance, of_t) <= wish.accuracy {
+    let of_t = of_t.min(accuracy);
+    match of_normal(shape, distance, of_t) <= accuracy {
         true => of_t,
         false => 0.0,
     }

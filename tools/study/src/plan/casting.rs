@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::bounds::{normal_of, required_t};
 use super::refined::refined;
-use super::{AccuracyTarget, FINEST, PRICES, price_of_all};
+use super::{FINEST, PRICES, price_of_all};
 use crate::cast::model::FromCamera;
 use crate::cast::rays::{camera, rays};
 use crate::cast::world::{Part, Primitive, View, World};
@@ -21,8 +21,8 @@ use crate::vector::Vector;
 /// A scene ready to be cast by a plan, and the rays of its camera. It casts no others, because its
 /// filters are only right for these.
 pub struct PlannedCaster {
-    /// What is requested.
-    pub wish: AccuracyTarget,
+    /// The accuracy that is requested for t and normals.
+    pub accuracy: f64,
     /// Whether boxes are cheaper than testing every part.
     pub has_boxes: bool,
     rays: Vec<Ray<f64>>,
@@ -41,8 +41,8 @@ fn has_digits(t: f64) -> bool {
 impl PlannedCaster {
     /// Plans a scene for an accuracy of [`FINEST`] or coarser, and prepares its parts for the rays
     /// of its camera. An error if the camera's numbers are so large that a ray overflows.
-    pub fn new(scene: &Scene, wish: AccuracyTarget) -> Result<PlannedCaster, String> {
-        debug_assert!(wish.accuracy >= FINEST, "{wish:?}");
+    pub fn new(scene: &Scene, accuracy: f64) -> Result<PlannedCaster, String> {
+        debug_assert!(accuracy >= FINEST, "{accuracy:e}");
         let (world, rays) = (World::of(&scene.objects), rays(scene));
         if let Some(index) = rays.iter().position(|ray| !ray.is_finite()) {
             let pixel = scene.resolution.pixel(index);
@@ -56,11 +56,11 @@ impl PlannedCaster {
         let normals = world.parts.iter().map(normal).collect();
         let view = View {
             camera: camera(scene, &rays),
-            required_t: &|shape, distance| required_t(shape, distance, wish),
+            required_t: &|shape, distance| required_t(shape, distance, accuracy),
         };
         let has_boxes = price_of_all(&world.parts) > PRICES.boxes;
         Ok(PlannedCaster {
-            wish,
+            accuracy,
             has_boxes,
             min_t: scene.min_t,
             normals,
@@ -91,7 +91,7 @@ impl PlannedCaster {
         &self.caster.world.parts
     }
 
-    /// Casts one ray. t and normal are 0 if they are not requested.
+    /// Casts one ray.
     #[inline]
     fn see(&self, ray: &Ray<f64>, tally: &mut Tally) -> Option<Hit> {
         let (caster, min_t) = (&self.caster, self.min_t);
@@ -108,12 +108,6 @@ impl PlannedCaster {
                 (refined.t, refined.normal)
             }
         };
-        let t = if self.wish.depth { t } else { 0.0 };
-        let normal = if self.wish.normal {
-            normal
-        } else {
-            Vector::default()
-        };
         Some(Hit {
             object: part.object as usize,
             intersection: Intersection {
@@ -127,7 +121,6 @@ impl PlannedCaster {
     #[inline(always)]
     fn normal(&self, part: &Part, ray: &Ray<f64>, t: f64) -> Vector<f64> {
         match &part.shape {
-            _ if !self.wish.normal => Vector::default(),
             Primitive::Sphere(sphere) => {
                 // The hit is at this distance from the centre, so there is no need for a square root.
                 (ray.origin - sphere.center + ray.direction * t) * (1.0 / sphere.radius)

@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
+use clap::{ArgGroup, Args, Parser, Subcommand};
 use pinhole::Resolution;
 use pinhole_course::run_options::{AssignmentOption, resolution};
 use pinhole_study::extent::{Extent, Part};
-use pinhole_study::plan::{AccuracyTarget, FINEST};
+use pinhole_study::plan::FINEST;
 use pinhole_study::record::Kind;
 
 /// Measures speed and accuracy in ray casting, and casts scenes as accurately as you ask for.
@@ -97,8 +97,6 @@ pub struct Plan {
     /// and the true one, in radians
     #[arg(long, value_name = "X", value_parser = accuracy)]
     pub accuracy: f64,
-    #[command(flatten)]
-    pub wanted: FilmOptions,
     /// Plan for this resolution instead of the scene's
     #[arg(long, value_name = "COLUMNSxROWS", value_parser = resolution)]
     pub resolution: Option<Resolution>,
@@ -129,8 +127,6 @@ pub struct Render {
     /// such as 1e-6; `pinhole plan` explains this way
     #[arg(long, value_name = "ACCURACY", value_parser = accuracy)]
     pub plan: Option<f64>,
-    #[command(flatten)]
-    pub wanted: FilmOptions,
     /// Render this many pixels instead of the scene's own number; the image plane keeps its size
     #[arg(long, value_name = "COLUMNSxROWS", value_parser = resolution)]
     pub resolution: Option<Resolution>,
@@ -164,41 +160,9 @@ pub struct Record {
     pub seed: u64,
 }
 
-/// What a planned film should contain.
-#[derive(Args)]
-pub struct FilmOptions {
-    /// Compute only these values; the object is always computed. If t or normals are left out, they
-    /// are 0 in the film [default: id,depth,normal]
-    #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',')]
-    pub outputs: Vec<Output>,
-}
-
-/// What is computed for a pixel.
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-pub enum Output {
-    /// The object
-    Id,
-    /// The ray parameter t of the hit
-    Depth,
-    /// The unit normal
-    Normal,
-}
-
 fn accuracy(text: &str) -> Result<f64, String> {
     let accuracy = text.parse().ok().filter(|x| (FINEST..=1.0).contains(x));
     accuracy.ok_or_else(|| {
         format!("`{text}` is not an accuracy between {FINEST:e} and 1, such as 1e-6")
     })
-}
-
-impl FilmOptions {
-    /// What the user wants from a plan: everything, unless they say otherwise.
-    pub fn wish(&self, accuracy: f64) -> AccuracyTarget {
-        let wants = |output| self.outputs.is_empty() || self.outputs.contains(&output);
-        AccuracyTarget {
-            accuracy,
-            depth: wants(Output::Depth),
-            normal: wants(Output::Normal),
-        }
-    }
 }

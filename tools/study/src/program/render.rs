@@ -22,8 +22,8 @@ use crate::cli::{Plan, Render};
 pub fn explain(checkout: &Checkout, arguments: &Plan) -> Result<Status> {
     let assignment = arguments.assignment.find(checkout, None)?;
     let (scene, file, _) = scene(&arguments.scene, arguments.resolution, &assignment)?;
-    let wish = arguments.wanted.wish(arguments.accuracy);
-    let plan = plan(&PlannedCaster::new(&scene, wish).map_err(unplannable)?);
+    let casting = PlannedCaster::new(&scene, arguments.accuracy).map_err(unplannable)?;
+    let plan = plan(&casting);
     match arguments.json {
         true => anstream::println!("{:#}", json!(plan)),
         false => {
@@ -54,20 +54,11 @@ fn unplannable(problem: String) -> Error {
 }
 
 pub fn render(checkout: &Checkout, arguments: &Render) -> Result<Status> {
-    if arguments.plan.is_none() && !arguments.wanted.outputs.is_empty() {
-        return Err(Error::input(
-            "--outputs needs a plan",
-            "give the accuracy of the plan with --plan X",
-        ));
-    }
     let assignment = arguments.assignment.find(checkout, None)?;
     let (scene, _, golden) = scene(&arguments.scene, arguments.resolution, &assignment)?;
-    let wish = match arguments.plan {
-        None => EXACT_FILM,
-        Some(accuracy) => arguments.wanted.wish(accuracy),
-    };
     let start = Instant::now();
-    let casting = PlannedCaster::new(&scene, wish).map_err(unplannable)?;
+    let casting =
+        PlannedCaster::new(&scene, arguments.plan.unwrap_or(EXACT_FILM)).map_err(unplannable)?;
     let plan = plan(&casting);
     let planning_seconds = start.elapsed().as_secs_f64();
     let start = Instant::now();
