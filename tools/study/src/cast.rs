@@ -1,8 +1,10 @@
 //! Casts whole scenes, with a choice of kernels.
 //!
 //! [`world`] is the scene as a list of parts, [`tree`] is a bounding volume hierarchy over them
-//! ([`slabs`] tests its boxes), [`model`] chooses the kernels, and [`rays`] says where rays come from.
+//! ([`slabs`] tests its boxes), [`model`] chooses the kernels, [`bounds`] tells how
+//! accurate their t must be, and [`rays`] says where rays come from.
 
+pub mod bounds;
 pub mod model;
 pub mod rays;
 pub mod slabs;
@@ -57,7 +59,7 @@ pub struct Found<'a> {
     pub part: &'a Part,
     /// The ray parameter of the hit, in multiples of the ray's direction.
     pub t: f64,
-    /// Whether t is as accurate as the [`View`] requires.
+    /// Whether t is as accurate as its [`View`] requires.
     pub is_accurate: bool,
 }
 

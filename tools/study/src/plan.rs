@@ -3,7 +3,7 @@
 //!
 //! 1. Which object is first is always decided exactly. This costs a few instructions per ray,
 //!    and also proves t to [`PROVEN_T`].
-//! 2. [`bounds`] tells for each part how accurate t must be, so that t and the normal are as
+//! 2. [`bounds`](crate::cast::bounds) tells for each part how accurate t must be, so that t and the normal are as
 //!    accurate as requested. The filters' limits are chosen accordingly, once for the whole film.
 //! 3. [`casting`] casts by the plan. A hit that a filter leaves open is computed by [`refined`].
 //! 4. [`description`](crate::summary::description) describes the plan in words.
@@ -12,16 +12,15 @@
 //! nearest `f64`, which may be far from it. Nothing is sampled or timed, so the same scene has the
 //! same plan on every machine.
 
-pub mod bounds;
 pub mod casting;
 pub mod refined;
 
 use serde::Serialize;
 
+use crate::cast::bounds::of_normal;
 use crate::cast::world::{Accurate, KINDS, PROVEN_T, Part, Primitive};
 use crate::kernel::sphere::at_most;
 use crate::vector::{Vector, around};
-use bounds::of_normal;
 use casting::PlannedCaster;
 
 /// The accuracy that exact casting needs for the true object at every pixel. t and normal are as

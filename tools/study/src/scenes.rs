@@ -4,7 +4,7 @@
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 
-use pinhole::{Film, Hit, Intersection, Scene, ShapeKind};
+use pinhole::{Film, Hit, Intersection, Scene, Shape};
 
 use crate::cast::model::Plain;
 use crate::cast::world::World;
@@ -124,29 +124,22 @@ pub fn files() -> Vec<PathBuf> {
     files
 }
 
-/// The shapes with kernels; a soup consists of triangles.
-const SHAPES: [ShapeKind; 4] = [
-    ShapeKind::Sphere,
-    ShapeKind::Plane,
-    ShapeKind::Triangle,
-    ShapeKind::Soup,
-];
-
 /// A scene, if there are kernels for all its shapes.
 ///
 /// # Errors
 /// If it cannot be read, or has a shape that the study does not support.
 pub fn read(file: &Path) -> Result<Scene, pinhole::Error> {
     let scene = Scene::read(file)?;
-    let odd = scene.objects.iter().enumerate().find_map(|(k, shape)| {
-        let kind = shape.kind();
-        (!SHAPES.contains(&kind)).then(|| format!("object {k} is a {kind}"))
-    });
-    odd.map_or(Ok(scene), |odd| {
-        let problem = format!("shape not supported: {odd}, and the study has no kernel for it");
-        let remedy = "leave it out, or name another scene";
-        Err(pinhole::Error::new(file, problem, remedy))
-    })
+    for (k, shape) in scene.objects.iter().enumerate() {
+        use Shape::{Plane, Soup, Sphere, Triangle};
+        if !matches!(shape, Sphere(_) | Plane(_) | Triangle(_) | Soup(_)) {
+            let odd = format!("object {k} is a {}", shape.kind());
+            let problem = format!("shape not supported: {odd}, and the study has no kernel for it");
+            let remedy = "leave it out, or name another scene";
+            return Err(pinhole::Error::new(file, problem, remedy));
+        }
+    }
+    Ok(scene)
 }
 
 /// Mitsuba's film of a scene of the assignment.

@@ -81,7 +81,7 @@ fn through(random: &mut Random, parts: &[Part]) -> Ray<f64> {
 
 /// Hits, and hits with an accurate t, of rays that all searches and casters see alike.
 fn seen_alike<M: Model>() -> [usize; 2] {
-    let mut random = Random::new(5, M::NAME);
+    let mut random = Random::new(5, "camera");
     let [mut hits, mut accurate] = [0; 2];
     for seed in 0..1_000 {
         let (scene, _) = random_scene::drawn(seed);
@@ -101,12 +101,11 @@ fn seen_alike<M: Model>() -> [usize; 2] {
             };
         }
         rays.retain(|ray| ray.is_finite() && ray.direction.largest() > 0.0);
-        let required = [1e-11, 1e-13][random.below(2)];
-        let required_t = &|_: &_, _| required;
+        let accuracy = [1e-11, 1e-13][random.below(2)];
         let anywhere = Caster::new(world.clone(), None, false);
         let view = M::HAS_CAMERA.then(|| View {
             camera: camera(&scene, &rays),
-            required_t,
+            accuracy,
         });
         let casters = [false, true].map(|has_boxes| Caster::new(world.clone(), view, has_boxes));
         for ray in rays {
@@ -123,7 +122,7 @@ fn seen_alike<M: Model>() -> [usize; 2] {
                 if found.is_accurate {
                     let root = exact(&found.part.shape, &ray, 0.0).expect("it is hit");
                     let t = root.rounded();
-                    let is_near = (found.t - t).abs() <= required * t;
+                    let is_near = (found.t - t).abs() <= accuracy * t;
                     assert!(is_near, "{} instead of {t}: {ray:?}", found.t);
                     accurate += 1;
                 }

@@ -85,7 +85,7 @@ pub fn ours<M: Model>(mesh: &Mesh, rays: &[Ray]) -> Cast {
     let eye = rays[0].origin.map(f64::from);
     let view = M::HAS_CAMERA.then_some(View {
         camera: Camera::Perspective { eye },
-        required_t: &|_: &_, _| f64::INFINITY,
+        accuracy: f64::INFINITY,
     });
     let caster = Caster::new(world, view, true);
     let rays: Vec<_> = rays

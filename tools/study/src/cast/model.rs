@@ -48,8 +48,6 @@ impl<'r> Query<'r> {
 
 /// A choice of kernels.
 pub trait Model: Sync + 'static {
-    /// The name in tables.
-    const NAME: &'static str;
     /// Bound on the relative error of t: the true first hit may be this much further than the t
     /// found.
     const SLACK: f64;
@@ -82,7 +80,6 @@ fn general(leaf: &Leaf) -> &TrianglePacket {
 pub struct Plain;
 
 impl Model for Plain {
-    const NAME: &'static str = "f64";
     const SLACK: f64 = 0.0;
     const FILTERS: bool = false;
 
@@ -118,7 +115,6 @@ pub struct Exact;
 const APART: f64 = 4.0 * 1.1e-8;
 
 impl Model for Exact {
-    const NAME: &'static str = "exact";
     const SLACK: f64 = APART;
     const FILTERS: bool = true;
 
@@ -165,7 +161,6 @@ fn filtered(part: &Part, query: &Query) -> Option<Option<f64>> {
 pub struct FromCamera<const HAS_EYE: bool>;
 
 impl<const HAS_EYE: bool> Model for FromCamera<HAS_EYE> {
-    const NAME: &'static str = "exact, for one camera";
     const SLACK: f64 = APART;
     const FILTERS: bool = true;
     const HAS_CAMERA: bool = true;

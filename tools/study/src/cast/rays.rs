@@ -4,7 +4,7 @@
 
 use pinhole::{Projection, Scene};
 
-use super::world::{Part, Primitive, vector};
+use super::world::{Part, vector};
 use crate::kernel::Camera;
 use crate::kernel::sphere::at_most;
 use crate::number::Real;
@@ -65,19 +65,9 @@ impl Reach {
             return Reach::default();
         };
         let center = low * 0.5 + high * 0.5;
-        let size = (high - center).largest();
-        // Planes have no size: use their distance from the origin, or at least 1.
-        let is_flat = parts
-            .iter()
-            .all(|part| matches!(part.shape, Primitive::Plane(_)));
-        let size = if is_flat {
-            size.max(center.largest()).max(1.0)
-        } else {
-            size
-        };
         Reach {
             center,
-            radius: SIZES * size,
+            radius: SIZES * (high - center).largest(),
         }
     }
 

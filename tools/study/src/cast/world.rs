@@ -1,5 +1,6 @@
 //! A scene as a list of parts, each of which a kernel can intersect.
 
+use super::bounds::required_t;
 use super::rays::Reach;
 use crate::kernel::sphere::SphereFromEye;
 use crate::kernel::triangle::TriangleFromCamera;
@@ -109,12 +110,11 @@ impl PartFromCamera {
 
 /// The camera whose rays are cast, and how accurate its hits are to be.
 #[derive(Clone, Copy)]
-pub struct View<'a> {
+pub struct View {
     /// The camera.
     pub camera: Camera,
-    /// The largest relative error of t that a hit may have; 0 if none is small enough. The second
-    /// argument is the largest distance of a ray's origin from the part's anchor.
-    pub required_t: &'a dyn Fn(&Primitive, f64) -> f64,
+    /// The largest relative error that t may have, and the largest angle of a normal in radians.
+    pub accuracy: f64,
 }
 
 /// Which hits of a part are as accurate as a [`View`] requires.
@@ -201,7 +201,8 @@ impl World {
         for part in &mut self.parts {
             let away = self.reach.away(part.shape.anchor());
             let distance = self.reach.distance(part.shape.anchor());
-            let required = view.map_or(0.0, |view| (view.required_t)(&part.shape, distance));
+            let required =
+                view.map_or(0.0, |view| required_t(&part.shape, distance, view.accuracy));
             part.accurate = match required {
                 PROVEN_T.. => Accurate::Always,
                 LEAST_REQUIRED.. => Accurate::IfFiltered,

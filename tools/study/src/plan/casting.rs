@@ -6,9 +6,9 @@ use std::hint::black_box;
 use pinhole::{Film, Hit, Intersection, Resolution, Scene};
 use rayon::prelude::*;
 
-use super::bounds::{normal_of, required_t};
 use super::refined::refined;
 use super::{FINEST, PRICES, price_of_all};
+use crate::cast::bounds::normal_of;
 use crate::cast::model::FromCamera;
 use crate::cast::rays::{camera, rays};
 use crate::cast::world::{Part, Primitive, View, World};
@@ -56,7 +56,7 @@ impl PlannedCaster {
         let normals = world.parts.iter().map(normal).collect();
         let view = View {
             camera: camera(scene, &rays),
-            required_t: &|shape, distance| required_t(shape, distance, accuracy),
+            accuracy,
         };
         let has_boxes = price_of_all(&world.parts) > PRICES.boxes;
         Ok(PlannedCaster {

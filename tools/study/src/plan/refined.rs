@@ -1,7 +1,7 @@
 //! Hits with more digits than the filters leave them: in double-double arithmetic or, if even that
 //! loses too many, exactly.
 
-use super::bounds::are_in_range;
+use crate::cast::bounds::are_in_range;
 use crate::cast::model::exact;
 use crate::cast::world::Primitive;
 use crate::double_double::DoubleDouble;

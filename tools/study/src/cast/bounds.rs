@@ -1,7 +1,7 @@
 //! Bounds on the rounding errors of a hit by the exact caster.
 //!
 //! The exact caster is never wrong about which parts a ray hits, or which of them comes first. For
-//! every ray and every scene, its t is proven to [`PROVEN_T`](crate::cast::world::PROVEN_T). [`of_normal`] bounds
+//! every ray and every scene, its t is proven to [`PROVEN_T`](super::world::PROVEN_T). [`of_normal`] bounds
 //! the error of a normal, in the manner of Higham, *Accuracy and Stability of Numerical Algorithms*,
 //! 2nd ed., §§2–3. They count first-order terms, with constants rounded up to cover the rest.
 //! [`required_t`] turns this around: how accurate must t be?
@@ -10,7 +10,7 @@
 //! checked first, from the sizes of the factors (`IN_RANGE`). Outside this range nothing is
 //! certain, and the hit is computed exactly.
 
-use crate::cast::world::Primitive;
+use super::world::Primitive;
 use crate::number::U;
 use crate::shape::{Sphere, Triangle};
 use crate::vector::Vector;
@@ -32,7 +32,7 @@ fn part(error: f64, computed: f64) -> f64 {
 }
 
 /// Whether bounds are valid for factors of these sizes.
-pub(super) fn are_in_range(sizes: impl IntoIterator<Item = f64>) -> bool {
+pub fn are_in_range(sizes: impl IntoIterator<Item = f64>) -> bool {
     sizes.into_iter().all(|size| IN_RANGE.contains(&size))
 }
 
