@@ -103,11 +103,8 @@ fn of_method(
         let (question, place) = (Sphere::plain(&mut random), random.unit() * offset);
         let sphere = question.shape.moved(place);
         let narrow = sphere.map(f32::of, f32::of);
-        let origin = question.ray.origin + place;
-        let ray = Ray {
-            origin,
-            ..question.ray
-        };
+        let mut ray = question.ray;
+        ray.origin = ray.origin + place;
         let ray = ray.map(f32::of, f32::of);
         let Some(t) = meet(&narrow, &ray, 0.0) else {
             continue;
@@ -134,9 +131,9 @@ fn of_method(
             origin,
             direction: on[2],
         };
-        tally.near += 1;
         let near = near.map(f32::of, f32::of);
         tally.lost += u64::from(meet(&near, &towards, min_t).is_none());
     }
+    tally.near = tally.leaving;
     tally
 }

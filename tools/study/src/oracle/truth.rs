@@ -7,7 +7,7 @@ use crate::number::{Real, exponent};
 use crate::question::Data;
 
 /// The true answer to a question.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Truth {
     /// The first intersection, if there is one.
     pub t: Option<Root>,
@@ -24,10 +24,8 @@ impl Truth {
     /// A miss, which may be a tie.
     pub fn miss(is_tie: bool) -> Truth {
         Truth {
-            t: None,
-            other: None,
-            are_apart: false,
             is_tie,
+            ..Truth::default()
         }
     }
 
@@ -37,9 +35,8 @@ impl Truth {
             -1 => Truth::miss(false),
             beyond => Truth {
                 t: Some(Root::from(t)),
-                other: None,
-                are_apart: false,
                 is_tie: is_tie || beyond == 0,
+                ..Truth::default()
             },
         }
     }

@@ -2,8 +2,8 @@
 
 use std::fs;
 
-use indicatif::ProgressBar;
 use pinhole_course::error::{Error, Result};
+use pinhole_course::progress::Progress;
 use pinhole_report::program::Status;
 use pinhole_study::extent::Extent;
 use pinhole_study::provenance::provenance;
@@ -25,16 +25,11 @@ pub fn run(arguments: &Arguments) -> Result<Status> {
         seed: arguments.seed,
         ..whole
     };
-    let bar = ProgressBar::new_spinner();
-    bar.enable_steady_tick(std::time::Duration::from_millis(100));
-    let say = |what: &str| match bar.is_hidden() {
-        true => anstream::eprintln!("{what}"),
-        false => bar.set_message(what.to_owned()),
-    };
+    let progress = Progress::new();
     // Record this before the run, because the work tree may change during it.
     let provenance = provenance(&extent);
-    let findings = ask(&extent, &say);
-    bar.finish_and_clear();
+    let findings = ask(&extent, &|what| progress.say(what));
+    progress.clear();
     let study = Study {
         schema: SCHEMA.into(),
         provenance,
