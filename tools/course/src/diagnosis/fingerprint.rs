@@ -58,12 +58,11 @@ pub fn fingerprints(films: &[FilmComparison<'_>]) -> Vec<Option<Fingerprint>> {
 }
 
 impl Fingerprint {
-    /// The place in the scattered order up to which the first `most` of its sample have every pixel
-    /// that the mistake gets wrong.
-    pub fn known_to(&self, most: usize) -> u64 {
-        let sample = self.sample.iter().take(most);
-        let last = sample.clone().map(|witness| scattered(witness.pixel));
-        match self.failing > sample.len() {
+    /// The place in the scattered order up to which its sample has every pixel that the mistake gets
+    /// wrong.
+    pub fn known_to(&self) -> u64 {
+        let last = self.sample.iter().map(|witness| scattered(witness.pixel));
+        match self.failing > self.sample.len() {
             true => last.max().unwrap_or(0),
             false => u64::MAX,
         }

@@ -188,7 +188,7 @@ pub fn partial<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<Vec<&'a
 
 /// The pair that is least apart from the films, or what all pairs share that are hardly farther:
 /// a belief that all likely pairs share is likely.
-pub fn most_likely(mut pairs: Vec<([&str; 2], f64)>) -> Option<Vec<&str>> {
+fn most_likely(mut pairs: Vec<([&str; 2], f64)>) -> Option<Vec<&str>> {
     pairs.sort_by(|(_, a), (_, b)| a.total_cmp(b));
     let (best, least) = *pairs.first()?;
     pairs.retain(|(_, apart)| *apart <= 2.0 * least + LEAST);

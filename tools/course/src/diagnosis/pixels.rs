@@ -1,8 +1,9 @@
-//! Two mistakes in one answer, compared with the films pixel by pixel.
+//! One mistake or two in an answer, compared with the films pixel by pixel.
 //!
-//! Where only one of the two shows, the answer has that mistake's value. Where both show, their
-//! errors add up, as offsets do, and mistakes about different parts. If one of them leaves a miss
-//! there, or the golden has one, the answer has the value of either.
+//! Where only one of two mistakes shows, the answer has that mistake's value. Where both show, it has
+//! the value of either, or their errors add up, as offsets do, or it has another value, which says
+//! nothing about the two. Those mistakes are named that leave the least unexplained, if every
+//! explanation without them leaves much more.
 
 use std::collections::BTreeMap;
 
@@ -11,17 +12,22 @@ use rayon::prelude::*;
 
 use super::evidence::Evidence;
 use super::fingerprint::{Fingerprint, scattered};
-use super::parts::most_likely;
 
-/// A mistake is named only if it explains at least this share of what the other leaves unexplained.
-/// The one new false name among all pairs of `pinhole validate --pairs` reached 0.87.
-const ENOUGH: f64 = 0.9;
+/// The best explanation must explain at least this share of the pixels that count. This limit and
+/// the next three were chosen by the pairs of `pinhole validate --pairs`.
+const ENOUGH: f64 = 0.75;
 
-/// Each of the two must explain at least this many pixels that the other alone does not.
+/// A mistake is named only if the answer has its value in at least this share of the pixels that it
+/// spoils and that count.
+const ENOUGH_OF_OWN: f64 = 0.7;
+
+/// A mistake more in an explanation costs as much as this many unexplained pixels, because each of
+/// two must explain so many that the other alone does not.
 const LEAST: usize = 12;
 
-/// Compare a pair in about this many pixels first, evenly taken from all films. Most pairs fail there.
-const FIRST: usize = 128;
+/// A mistake is named only if every explanation without it costs this many times as much and two
+/// mistakes more: first without sums of errors, then with them.
+const DEARER: [usize; 2] = [3, 2];
 
 /// How far apart two factors or errors may be, relative to their size, and still be the same.
 const SAME: f64 = 0.01;
@@ -34,20 +40,36 @@ struct ShownFilm<'a> {
     wrong: Vec<u64>,
 }
 
-/// How two mistakes together agree with films, in pixels.
-#[derive(Clone, Copy, Debug, Default)]
-struct PairAgreement {
-    /// How many are wrong or predicted to be wrong.
-    compared: usize,
-    /// How many of these have the predicted values.
-    shared: usize,
-    /// How many of these each mistake explains, and the other alone does not.
-    needs: [usize; 2],
+/// One mistake, or two, that may explain the films, and how many pixels it explains.
+struct Explanation<'a> {
+    mistakes: Vec<&'a str>,
+    /// Whether the errors of two may add up.
+    adds: bool,
+    /// How many pixels are ignored, because both mistakes show there and the answer has another
+    /// wrong value.
+    ignored: usize,
+    /// How many others are wrong or predicted to be wrong. These count.
+    counted: usize,
+    /// How many of these have a predicted value.
+    explained: usize,
+    /// The same for each mistake, in the pixels that it predicts to be wrong.
+    own: Vec<Own>,
 }
 
-/// The two beliefs that together explain the films pixel by pixel, or the one that all likely
-/// pairs share.
-pub fn together<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<Vec<&'a str>> {
+/// One mistake's part of an explanation, in pixels.
+#[derive(Clone, Default)]
+struct Own {
+    /// How many it predicts to be wrong and that count.
+    counted: usize,
+    /// How many of these have its value.
+    explained: usize,
+    /// How many of these the other mistake alone does not explain.
+    needs: usize,
+}
+
+/// The one or two beliefs that explain the films pixel by pixel, if every explanation without them is
+/// much worse. If `adds`, the errors of two may add up.
+pub fn likely<'a>(films: &[Evidence], candidates: &[&'a str], adds: bool) -> Option<Vec<&'a str>> {
     // One wrong film is not enough to tell two beliefs apart.
     if films.iter().filter(|film| film.failing > 0).count() < 2 {
         return None;
@@ -62,34 +84,34 @@ pub fn together<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<Vec<&'
     let candidates = candidates.iter().filter(shows).filter(answers);
     let candidates: Vec<&'a str> = candidates.copied().collect();
     let films: Vec<ShownFilm> = films.iter().map(ShownFilm::new).collect::<Option<_>>()?;
-    let pairs = candidates.iter().enumerate();
-    let pairs = pairs.flat_map(|(place, one)| {
+    let sets = candidates.iter().enumerate().flat_map(|(place, one)| {
         let others = candidates[place + 1..].iter();
-        others.map(move |other| [*one, *other])
+        let pairs = others.map(|other| vec![*one, *other]);
+        std::iter::once(vec![*one]).chain(pairs)
     });
-    let pairs: Vec<[&str; 2]> = pairs.collect();
-    let agreement = |pair: &[&'a str; 2]| {
-        let first = PairAgreement::of(&films, *pair, FIRST.div_ceil(films.len()));
-        if first.is_hopeless() {
-            return None;
-        }
-        let agreement = PairAgreement::of(&films, *pair, usize::MAX);
-        let needs_both = agreement.needs.iter().all(|needs| *needs >= LEAST);
-        needs_both.then_some((*pair, agreement))
-    };
-    let pairs: Vec<_> = pairs.par_iter().filter_map(agreement).collect();
-    let closest = pairs.iter().min_by_key(|(_, agreement)| agreement.apart());
-    let (closest, agreement) = *closest?;
-    let apart = pairs
-        .iter()
-        .map(|(pair, agreement)| (*pair, agreement.apart() as f64));
-    let mut named = most_likely(apart.collect())?;
-    named.retain(|belief| {
-        let place = closest.iter().position(|it| it == belief);
-        let mut others = candidates.iter().filter(|other| *other != belief);
-        place.is_some_and(|place| agreement.explained(place) >= ENOUGH)
+    let sets: Vec<Vec<&str>> = sets.collect();
+    let explanations = sets
+        .into_par_iter()
+        .map(|set| Explanation::of(&films, set, adds));
+    let explanations: Vec<Explanation> = explanations
+        .filter(|it| it.own.iter().all(|own| own.needs >= LEAST))
+        .collect();
+    let best = explanations.iter().min_by_key(|it| it.cost())?;
+    let explained = best.explained as f64;
+    if explained < ENOUGH * best.counted as f64 || explained < 2.0 * best.ignored as f64 {
+        return None;
+    }
+    let limit = DEARER[usize::from(adds)] * best.cost() + 2 * LEAST;
+    let is_certain = |belief: &str, own: &Own| {
+        let is_needed = |it: &Explanation| it.cost() >= limit || it.mistakes.contains(&belief);
+        let mut others = candidates.iter().filter(|other| **other != belief);
+        own.explained as f64 >= ENOUGH_OF_OWN * own.counted as f64
+            && explanations.iter().all(is_needed)
             && !others.any(|other| is_multiple(&films, belief, other))
-    });
+    };
+    let named = best.mistakes.iter().zip(&best.own);
+    let named = named.filter(|(belief, own)| is_certain(belief, own));
+    let named: Vec<&str> = named.map(|(belief, _)| *belief).collect();
     (!named.is_empty()).then_some(named)
 }
 
@@ -99,17 +121,17 @@ fn is_multiple(films: &[ShownFilm], one: &str, other: &str) -> bool {
     let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
     let mut factor: Option<f64> = None;
     for shown in films {
-        for both in shown.known([one, other], usize::MAX).1.values() {
-            let errors = both.map(|witness| shown.film.error(witness?));
-            let [Some(one), Some(other)] = errors else {
+        for both in shown.known(&[one, other]).1.values() {
+            let errors = both.iter().map(|witness| shown.film.error((*witness)?));
+            let [Some(one), Some(other)] = &errors.collect::<Vec<_>>()[..] else {
                 return false;
             };
-            let own = dot(&one, &other) / dot(&one, &one);
-            let rest: Vec<f64> = one.iter().zip(&other).map(|(a, b)| b - own * a).collect();
+            let own = dot(one, other) / dot(one, one);
+            let rest: Vec<f64> = one.iter().zip(other).map(|(a, b)| b - own * a).collect();
             let factor = *factor.get_or_insert(own);
             // If a mistake has no error here, the factor is NaN, and neither comparison holds.
             let is_same = (own - factor).abs() <= SAME * factor.abs()
-                && dot(&rest, &rest) <= (SAME * SAME) * dot(&other, &other);
+                && dot(&rest, &rest) <= (SAME * SAME) * dot(other, other);
             if !is_same {
                 return false;
             }
@@ -132,70 +154,74 @@ impl<'a> ShownFilm<'a> {
         })
     }
 
-    /// The pixels that two mistakes get wrong, with what each leaves there, up to the place in the
-    /// scattered order to which both are known by at most this many witnesses of each.
-    fn known(
-        &self,
-        pair: [&str; 2],
-        most: usize,
-    ) -> (u64, BTreeMap<usize, [Option<&'a Witness>; 2]>) {
-        let prints = pair.map(|slug| self.prints.get(slug));
-        let known_to = prints.iter().flatten().map(|print| print.known_to(most));
+    /// The pixels that these mistakes get wrong, with what each leaves there, up to the place in the
+    /// scattered order to which all are known.
+    fn known(&self, mistakes: &[&str]) -> (u64, BTreeMap<usize, Vec<Option<&'a Witness>>>) {
+        let prints = mistakes.iter().map(|slug| self.prints.get(*slug));
+        let known_to = prints.clone().flatten().map(Fingerprint::known_to);
         let known_to = known_to.min().unwrap_or(u64::MAX);
-        let mut pixels: BTreeMap<usize, [Option<&Witness>; 2]> = BTreeMap::new();
-        for (place, print) in prints.into_iter().enumerate() {
-            let sample = print.into_iter().flat_map(|print| &print.sample).take(most);
+        let mut pixels: BTreeMap<usize, Vec<Option<&Witness>>> = BTreeMap::new();
+        for (place, print) in prints.enumerate() {
+            let sample = print.into_iter().flat_map(|print| &print.sample);
             for witness in sample.filter(|witness| scattered(witness.pixel) <= known_to) {
-                pixels.entry(witness.pixel).or_default()[place] = Some(witness);
+                let all = pixels.entry(witness.pixel);
+                all.or_insert_with(|| vec![None; mistakes.len()])[place] = Some(witness);
             }
         }
         (known_to, pixels)
     }
 }
 
-impl PairAgreement {
-    fn of(films: &[ShownFilm], pair: [&str; 2], most: usize) -> PairAgreement {
-        let mut sum = PairAgreement::default();
+impl<'a> Explanation<'a> {
+    fn of(films: &[ShownFilm], mistakes: Vec<&'a str>, adds: bool) -> Explanation<'a> {
+        let mut explanation = Explanation {
+            adds,
+            ignored: 0,
+            counted: 0,
+            explained: 0,
+            own: vec![Own::default(); mistakes.len()],
+            mistakes,
+        };
         for film in films {
-            sum.add(film, pair, most);
+            explanation.add(film);
         }
-        sum
+        explanation
     }
 
-    /// Adds the pixels of a film for which it is known what both mistakes leave there.
-    fn add(&mut self, shown: &ShownFilm, pair: [&str; 2], most: usize) {
+    /// Adds the pixels of a film for which it is known what every mistake leaves there.
+    fn add(&mut self, shown: &ShownFilm) {
         let film = shown.film;
-        let (known_to, pixels) = shown.known(pair, most);
+        let (known_to, pixels) = shown.known(&self.mistakes);
         let wrong = shown.wrong.partition_point(|place| *place <= known_to);
         let predicted = pixels.keys().filter(|pixel| film.is_wrong(**pixel));
-        self.compared += pixels.len() + wrong - predicted.count();
-        for both in pixels.values() {
-            let [one, other] = both.map(|it| it.is_some_and(|it| film.shows(it)));
-            let sum = match both {
-                [Some(one), Some(other)] => film.sum(one, other),
+        self.counted += wrong - predicted.count();
+        for (pixel, left) in &pixels {
+            let shows = |left: &Option<&Witness>| left.is_some_and(|left| film.shows(left));
+            let sum = match left.as_slice() {
+                [Some(one), Some(other)] if self.adds => film.sum(one, other),
                 _ => None,
             };
-            if sum.map_or(one || other, |sum| film.shows(&sum)) {
-                self.shared += 1;
-                self.needs[0] += usize::from(!other);
-                self.needs[1] += usize::from(!one);
+            let is_sum = sum.is_some_and(|sum| film.shows(&sum));
+            let is_explained = is_sum || left.iter().any(shows);
+            let both_show = left.len() == 2 && left.iter().all(Option::is_some);
+            if both_show && !is_explained && film.is_wrong(*pixel) {
+                self.ignored += 1;
+                continue;
+            }
+            self.counted += 1;
+            self.explained += usize::from(is_explained);
+            for (place, own) in self.own.iter_mut().enumerate() {
+                let mut others = left.iter().enumerate().filter(|(other, _)| *other != place);
+                let is_own = is_sum || shows(&left[place]);
+                own.counted += usize::from(left[place].is_some());
+                own.explained += usize::from(is_own);
+                own.needs += usize::from(is_own && !others.any(|(_, left)| shows(left)));
             }
         }
     }
 
-    /// Of what one mistake leaves unexplained, the share that the other explains.
-    fn explained(&self, place: usize) -> f64 {
-        let needs = self.needs[place];
-        needs as f64 / (needs + self.apart()) as f64
-    }
-
-    /// Whether so much disagrees that the rest can't make up for it. If few pixels are known, all
-    /// of them count, because then a distant pair may still make a close one doubtful.
-    fn is_hopeless(&self) -> bool {
-        self.apart() > FIRST / 2 - LEAST && 2 * self.apart() > self.compared
-    }
-
-    fn apart(&self) -> usize {
-        self.compared - self.shared
+    /// How much it leaves unexplained, and how many mistakes it takes.
+    fn cost(&self) -> usize {
+        self.counted - self.explained + LEAST * self.mistakes.len()
     }
 }

@@ -15,9 +15,6 @@ const ENOUGH: f64 = 0.9;
 /// The limit if no film has any values. Whatever misses most hits would agree with such films.
 const EXACT: f64 = 0.99;
 
-/// The limit for two beliefs in one task, which spoil each other's pixels where both apply.
-const ENOUGH_TOGETHER: f64 = 0.8;
-
 /// If a smaller share of a film's pixels than this disagrees, rounding may be the reason.
 const FEW: f64 = 0.01;
 
@@ -41,7 +38,7 @@ impl KnownMistakes {
             .collect();
         let mut alone: Vec<(&str, Sum)> = candidates
             .iter()
-            .map(|slug| (*slug, Sum::of(films, &[slug])))
+            .map(|slug| (*slug, Sum::of(films, slug)))
             .filter(|(slug, _)| films.iter().all(|film| explains(slug, film)))
             .filter(|(_, sum)| has_values || sum.agreement() >= EXACT)
             .collect();
@@ -61,11 +58,10 @@ impl KnownMistakes {
         if !has_values {
             return Diagnosis::default();
         }
-        let pair = pair(films, &candidates).map(|pair| pair.to_vec());
-        let held = pair
+        let held = pixels::likely(films, &candidates, false)
             .or_else(|| parts::partial(films, &candidates))
-            .or_else(|| pixels::together(films, &candidates));
-        let explained = |slug: &str| Sum::of(films, &[slug]).explained();
+            .or_else(|| pixels::likely(films, &candidates, true));
+        let explained = |slug: &str| Sum::of(films, slug).explained();
         let held = held.unwrap_or_default().into_iter();
         let beliefs = held.filter_map(|slug| self.explanation(slug, explained(slug)));
         Diagnosis::of(beliefs.collect(), Reading::Together)
@@ -73,7 +69,7 @@ impl KnownMistakes {
 
     /// A belief, and how much it explains of these films, even if other things are wrong too.
     pub fn explanation_of(&self, slug: &str, films: &[Evidence]) -> Option<Explanation> {
-        self.explanation(slug, Sum::of(films, &[slug]).explained())
+        self.explanation(slug, Sum::of(films, slug).explained())
     }
 
     fn explanation(&self, slug: &str, explained: f64) -> Option<Explanation> {
@@ -88,51 +84,8 @@ impl KnownMistakes {
 
 /// Whether a belief predicts a whole film, its right pixels and its wrong ones.
 fn explains(slug: &str, film: &Evidence) -> bool {
-    let sum = Sum::of(std::slice::from_ref(film), &[slug]);
+    let sum = Sum::of(std::slice::from_ref(film), slug);
     sum.agreement() >= ENOUGH || sum.apart <= FEW
-}
-
-/// The two beliefs that explain the films together, if there is only one such pair. Each must
-/// show somewhere without the other, and must explain that film alone.
-fn pair<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<[&'a str; 2]> {
-    let shows = |slug: &str, film: &Evidence| film.agreement(slug).predicted > 0.0;
-    let partial: Vec<&'a str> = candidates
-        .iter()
-        .copied()
-        .filter(|slug| {
-            let mut own = films.iter().filter(|film| shows(slug, film));
-            own.any(|film| explains(slug, film))
-        })
-        .collect();
-    let mut pairs = Vec::new();
-    for (place, one) in partial.iter().enumerate() {
-        for other in &partial[place + 1..] {
-            let alone = |this: &str, that: &str| {
-                let mut own = films
-                    .iter()
-                    .filter(|film| shows(this, film) && !shows(that, film))
-                    .peekable();
-                own.peek().is_some() && own.all(|film| explains(this, film))
-            };
-            let mut neither = films
-                .iter()
-                .filter(|film| !shows(one, film) && !shows(other, film));
-            let sum = Sum::of(films, &[one, other]);
-            if alone(one, other)
-                && alone(other, one)
-                && neither.all(|film| explains(one, film))
-                && sum.agreement() >= ENOUGH_TOGETHER
-            {
-                pairs.push(([*one, *other], sum));
-            }
-        }
-    }
-    pairs.sort_by(|(_, a), (_, b)| a.apart.total_cmp(&b.apart));
-    match pairs.as_slice() {
-        [(best, _)] => Some(*best),
-        [(best, sum), (_, next), ..] if !next.is_like(sum) => Some(*best),
-        _ => None,
-    }
 }
 
 /// Sums over films, each counted as a share of its pixels, so that a large film does not
@@ -141,39 +94,33 @@ fn pair<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<[&'a str; 2]> 
 struct Sum {
     /// What is wrong in the films.
     failing: f64,
-    /// What is wrong and has the values that the beliefs predict.
+    /// What is wrong and has the values that the belief predicts.
     shared: f64,
-    /// What the beliefs predict to be wrong, but is right.
+    /// What the belief predicts to be wrong, but is right.
     absent: f64,
-    /// What is wrong only in the films, wrong only by the beliefs, or wrong in different ways.
+    /// What is wrong only in the films, wrong only by the belief, or wrong in different ways.
     apart: f64,
     /// The sum for a single pixel of each film.
     grain: f64,
 }
 
 impl Sum {
-    fn of(films: &[Evidence], beliefs: &[&str]) -> Sum {
+    fn of(films: &[Evidence], belief: &str) -> Sum {
         let mut sum = Sum::default();
         for film in films {
             let share = 1.0 / film.pixels.max(1) as f64;
             let failing = film.failing as f64;
-            let agreements = beliefs.iter().map(|slug| film.agreement(slug));
-            let mut shared = 0.0;
-            let mut apart = 0.0;
-            for agreement in agreements {
-                shared += agreement.shared;
-                apart += agreement.apart(film.failing);
-                sum.absent += share * (agreement.predicted - agreement.touched);
-            }
+            let agreement = film.agreement(belief);
             sum.failing += share * failing;
-            sum.shared += share * shared.min(failing);
-            sum.apart += share * apart;
+            sum.shared += share * agreement.shared.min(failing);
+            sum.absent += share * (agreement.predicted - agreement.touched);
+            sum.apart += share * agreement.apart(film.failing);
             sum.grain = sum.grain.max(share);
         }
         sum
     }
 
-    /// 1 if the beliefs predict exactly what is wrong, 0 if they predict none of it.
+    /// 1 if the belief predicts exactly what is wrong, 0 if it predicts none of it.
     fn agreement(&self) -> f64 {
         // Pixels that are predicted, but wrong in another way, are counted in `failing`
         // already.

@@ -351,7 +351,28 @@ fn a_mistake_that_explains_nothing_by_itself_is_not_named_beside_another() {
         })
     };
     let named = diagnosis(&known, &[&given(7), &given(2000)]);
-    assert!(named.is_empty(), "{named:?}");
+    assert_eq!(names(&named), ["shift"]);
+}
+
+#[test]
+fn a_belief_is_named_beside_an_unknown_mistake_if_it_explains_most_pixels() {
+    let (shift, growth) = (everywhere(|_| 0.5), everywhere(growing));
+    let known: [(&str, &[&Film]); 2] = [
+        ("shift", &[&shift, &shift]),
+        ("growth", &[&growth, &growth]),
+    ];
+    let given = |from: usize, unknown: usize| {
+        everywhere(move |pixel| match pixel {
+            _ if pixel < from => growing(pixel),
+            _ if pixel < from + unknown => 0.25,
+            _ => 0.5,
+        })
+    };
+    let named = |film: &Film| diagnosis(&known, &[film, film]);
+    assert_eq!(names(&named(&given(0, 180))), ["shift"]);
+    assert!(named(&given(0, 320)).is_empty());
+    // In 300 of 1000 pixels, the answer has the values of growth.
+    assert_eq!(names(&named(&given(300, 0))), ["growth", "shift"]);
 }
 
 #[test]
