@@ -1,7 +1,7 @@
 //! How well a known mistake agrees with a film part by part: objects, t, the normal, and its
 //! length. Parts matter because another part may be wrong by a second mistake.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use pinhole::comparison::FilmComparison;
 use rayon::prelude::*;
@@ -10,12 +10,14 @@ use super::evidence::Evidence;
 use super::fingerprint::Fingerprint;
 
 /// A mistake compared with one part of a film, in pixels.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Default)]
 struct PartAgreement {
     /// How many the mistake gets wrong, of those where the film lets us see it.
     predicted: f64,
-    /// How many of these are wrong in the mistake's own way.
-    shared: f64,
+    /// Those of the sample that are wrong in the mistake's own way.
+    same: Vec<usize>,
+    /// How many pixels each pixel of the sample stands for.
+    weight: f64,
     /// How many of these are right.
     absent: f64,
 }
@@ -54,7 +56,25 @@ impl<'a> FilmParts<'a> {
     fn part(&self, slug: &str, part: usize) -> PartAgreement {
         let agreements = self.agreements.get(slug);
         let agreement = agreements.and_then(|parts| parts.get(part));
-        agreement.copied().unwrap_or_default()
+        agreement.cloned().unwrap_or_default()
+    }
+
+    /// How many pixels are wrong in a part as one of these beliefs says, and how many are right
+    /// although one of them says otherwise.
+    fn shared_and_absent(&self, part: usize, beliefs: &[&str]) -> (f64, f64) {
+        let mut counted = BTreeSet::new();
+        let (mut shared, mut absent) = (0.0, 0.0);
+        for belief in beliefs {
+            let agreement = self.part(belief, part);
+            // Count a pixel that both explain only once.
+            let new = agreement
+                .same
+                .iter()
+                .filter(|pixel| counted.insert(**pixel));
+            shared += agreement.weight * new.count() as f64;
+            absent += agreement.absent;
+        }
+        (shared, absent)
     }
 }
 
@@ -63,12 +83,17 @@ impl PartAgreement {
     fn of(film: &FilmComparison<'_>, print: &Fingerprint) -> Vec<PartAgreement> {
         let weight = print.failing as f64 / print.sample.len().max(1) as f64;
         let of_part = |part: usize| {
-            let mut agreement = PartAgreement::default();
+            let mut agreement = PartAgreement {
+                weight,
+                ..PartAgreement::default()
+            };
             for witness in print.sample.iter().filter(|it| film.shows_part(part, it)) {
                 agreement.predicted += weight;
                 match film.is_part_wrong(part, witness.pixel) {
                     false => agreement.absent += weight,
-                    true if film.is_part_same(part, witness) => agreement.shared += weight,
+                    true if film.is_part_same(part, witness) => {
+                        agreement.same.push(witness.pixel);
+                    }
                     true => {}
                 }
             }
@@ -95,12 +120,7 @@ const LEAST: f64 = 24.0;
 /// Whether these beliefs together explain what is wrong in a part of a film.
 fn explains(film: &FilmParts, part: usize, beliefs: &[&str], enough: f64) -> bool {
     let failing = film.failing.get(part).copied().unwrap_or(0.0);
-    let (mut shared, mut absent) = (0.0, 0.0);
-    for belief in beliefs {
-        let agreement = film.part(belief, part);
-        shared += agreement.shared;
-        absent += agreement.absent;
-    }
+    let (shared, absent) = film.shared_and_absent(part, beliefs);
     let few = FEW * film.pixels as f64;
     let apart = failing - shared.min(failing) + absent;
     apart <= few || shared.min(failing) >= enough * (failing + absent)
@@ -234,10 +254,7 @@ fn apart(films: &[FilmParts], parts: usize, beliefs: &[&str]) -> f64 {
     let mut sum = 0.0;
     for film in films {
         for part in 0..parts.min(film.failing.len()) {
-            let agreements = beliefs.iter().map(|belief| film.part(belief, part));
-            let (shared, absent) = agreements.fold((0.0, 0.0), |(shared, absent), it| {
-                (shared + it.shared, absent + it.absent)
-            });
+            let (shared, absent) = film.shared_and_absent(part, beliefs);
             let failing = film.failing[part];
             sum += failing - f64::min(shared, failing) + absent;
         }

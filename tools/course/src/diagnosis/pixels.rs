@@ -25,9 +25,12 @@ const ENOUGH_OF_OWN: f64 = 0.7;
 /// two must explain so many that the other alone does not.
 const LEAST: usize = 12;
 
-/// A mistake is named only if every explanation without it costs this many times as much and two
-/// mistakes more: first without sums of errors, then with them.
-const DEARER: [usize; 2] = [3, 2];
+/// A mistake is named only if every explanation without it costs at least this many times as much
+/// and two mistakes more: first without sums of errors, then with them.
+const DEARER: [f64; 2] = [3.0, 2.0];
+
+/// The same for a mistake beside one that is named.
+const PARTNER_DEARER: f64 = 1.5;
 
 /// How far apart two factors or errors may be, relative to their size, and still be the same.
 const SAME: f64 = 0.01;
@@ -101,18 +104,25 @@ pub fn likely<'a>(films: &[Evidence], candidates: &[&'a str], adds: bool) -> Opt
     if explained < ENOUGH * best.counted as f64 || explained < 2.0 * best.ignored as f64 {
         return None;
     }
-    let limit = DEARER[usize::from(adds)] * best.cost() + 2 * LEAST;
-    let is_certain = |belief: &str, own: &Own| {
-        let is_needed = |it: &Explanation| it.cost() >= limit || it.mistakes.contains(&belief);
+    let is_dearer_without = |belief: &str, times: f64| {
+        let limit = times * best.cost() as f64 + 2.0 * LEAST as f64;
+        let mut without = explanations
+            .iter()
+            .filter(|it| !it.mistakes.contains(&belief));
         let mut others = candidates.iter().filter(|other| **other != belief);
-        own.explained as f64 >= ENOUGH_OF_OWN * own.counted as f64
-            && explanations.iter().all(is_needed)
+        without.all(|it| it.cost() as f64 >= limit)
             && !others.any(|other| is_multiple(&films, belief, other))
     };
-    let named = best.mistakes.iter().zip(&best.own);
-    let named = named.filter(|(belief, own)| is_certain(belief, own));
-    let named: Vec<&str> = named.map(|(belief, _)| *belief).collect();
-    (!named.is_empty()).then_some(named)
+    let is_certain = |(belief, own): (&&str, &Own)| {
+        own.explained as f64 >= ENOUGH_OF_OWN * own.counted as f64
+            && is_dearer_without(belief, DEARER[usize::from(adds)])
+    };
+    if !best.mistakes.iter().zip(&best.own).any(is_certain) {
+        return None;
+    }
+    let mut named = best.mistakes.clone();
+    named.retain(|belief| is_dearer_without(belief, PARTNER_DEARER));
+    Some(named)
 }
 
 /// Whether one mistake's errors are a multiple of the other's, by the same factor in every pixel. A
