@@ -50,7 +50,7 @@ pub struct GoldenRender {
     pub no_mistakes: bool,
 }
 
-/// Update what is stored about known mistakes beside existing goldens; doesn't need Mitsuba
+/// Update what is stored beside existing goldens about known mistakes; doesn't need Mitsuba
 ///
 /// Stores beside each golden what each mistake changes in the film, so that `check` and `diff` can
 /// recognise the mistake. `golden render` does this too. Use this command when only mistakes have
@@ -63,7 +63,7 @@ pub struct GoldenMistakes {
     pub dir: Option<PathBuf>,
 }
 
-/// Check that the goldens, and the scenes and scripts that they were made from, match the manifest
+/// Check that the goldens, and the scenes and scripts that they were made from, match `manifest.toml`
 #[derive(Args)]
 pub struct GoldenVerify {
     #[command(flatten)]
