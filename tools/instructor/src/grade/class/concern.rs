@@ -46,9 +46,9 @@ impl Roll {
             ("whose owner is uncertain", true, ambiguous.collect()),
             ("not on the roster", true, self.names(&placed.unknown)),
             (
-                "matched by a name that people can choose themselves: check them, or add the \
-                 platform's numbers (column `number`) or GitHub logins (column `github`) to the \
-                 roster",
+                "matched by a name or an address that people can choose themselves: check them, or \
+                 add the platform's numbers (column `number`), logins (column `login`) or GitHub \
+                 logins (column `github`) to the roster",
                 false,
                 self.names(&placed.by_name),
             ),

@@ -91,19 +91,39 @@ pub enum Proof {
     Id,
 }
 
-/// The people with this id or login, as the university assigned them. Only if there are none, those
-/// whose e-mail address begins like this, because people may choose addresses elsewhere.
+/// Whether the university assigned a person's id. A login on GitHub may stand in for one.
+fn has_assigned_id(person: &Person) -> bool {
+    person.github.as_ref() != Some(&person.id)
+}
+
+/// The people with this id or login, as the university assigned them.
 fn with_id<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let id = folded(id);
     let is = |text: &str| !id.is_empty() && is_folded(&id, text);
-    let whole = |person: &&Person| is(&person.id) || person.logins.iter().any(|it| is(it));
-    let local = |person: &&Person| {
+    let whole = |person: &&Person| {
+        has_assigned_id(person) && is(&person.id) || person.logins.iter().any(|it| is(it))
+    };
+    people.iter().filter(whole).collect()
+}
+
+/// The people whose e-mail address begins like this, or who have this login on GitHub instead of an
+/// id. They may have chosen them.
+fn with_chosen_login<'a>(login: &str, people: &'a [Person]) -> Vec<&'a Person> {
+    let login = folded(login);
+    let is = |text: &str| !login.is_empty() && is_folded(&login, text);
+    let has = |person: &&Person| {
         let mut logins = person.logins.iter();
         logins.any(|it| it.split_once('@').is_some_and(|(local, _)| is(local)))
+            || !has_assigned_id(person) && is(&person.id)
     };
-    let found: Vec<&Person> = people.iter().filter(whole).collect();
+    people.iter().filter(has).collect()
+}
+
+/// The people with this id or login or, if there are none, those who may have chosen it.
+fn with_any_login<'a>(login: &str, people: &'a [Person]) -> Vec<&'a Person> {
+    let found = with_id(login, people);
     match found.is_empty() {
-        true => people.iter().filter(local).collect(),
+        true => with_chosen_login(login, people),
         false => found,
     }
 }
@@ -127,9 +147,8 @@ pub fn is_somebody(name: &str, people: &[Person]) -> bool {
 /// Whether this is the id or the login that the university gave to somebody.
 pub fn is_id(name: &str, people: &[Person]) -> bool {
     let is = |own: &String| own.eq_ignore_ascii_case(name);
-    people
-        .iter()
-        .any(|it| is(&it.id) || it.logins.iter().any(is))
+    let mut people = people.iter();
+    people.any(|it| has_assigned_id(it) && is(&it.id) || it.logins.iter().any(is))
 }
 
 /// The people whose login ends a text, each with the title before the login. Whether the title
@@ -169,7 +188,8 @@ fn words(text: &str) -> Vec<String> {
 /// The people whose id is one of a text's words.
 fn with_id_among<'a>(text: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let mut found: Vec<&Person> = Vec::new();
-    for person in words(text).iter().flat_map(|word| with_id(word, people)) {
+    let words = words(text);
+    for person in words.iter().flat_map(|word| with_any_login(word, people)) {
         if !found.contains(&person) {
             found.push(person);
         }
@@ -205,7 +225,17 @@ fn named_among<'a>(text: &str, people: &'a [Person]) -> Vec<&'a Person> {
 pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) {
     let owners = || titled(sign, people).into_iter().map(|(_, person)| person);
     match sign {
-        Sign::Login(_) => (Proof::Id, owners().collect()),
+        Sign::Login(text) => {
+            let is_assigned = |(title, person): (&str, &Person)| {
+                let mut all = [&person.id].into_iter().chain(&person.logins);
+                all.any(|own| own.eq_ignore_ascii_case(&text[title.len()..]))
+            };
+            let proof = match titled(sign, people).into_iter().all(is_assigned) {
+                true => Proof::Id,
+                false => Proof::Name,
+            };
+            (proof, owners().collect())
+        }
         Sign::Account {
             number,
             name,
@@ -213,8 +243,9 @@ pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) 
         } => account(number, name, *may_be_group, people),
         Sign::Plain(name) => {
             let by_id = || with_id(name, people);
-            // A chosen login or group name may be made to look like somebody's name, or like the
-            // assignment's title and somebody's login. Then nobody knows which is meant.
+            let by_login = || with_chosen_login(name, people);
+            // A chosen login or group name may be made to look like somebody's name, or
+            // like the assignment's title and somebody's login. Then nobody knows which is meant.
             let by_name = || {
                 let mut found = named(name, people);
                 if found.is_empty() {
@@ -222,13 +253,17 @@ pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) 
                 }
                 found.extend(calling_themselves(name, people, |it| it.github.as_ref()));
                 found.extend(calling_themselves(name, people, |it| it.group.as_ref()));
+                if !found.is_empty() {
+                    found.extend(by_login());
+                }
                 found
             };
             let by_word = || with_id_among(name, people);
             let by_words = || named_among(name, people);
-            let ways: [(Proof, &dyn Fn() -> Vec<&'a Person>); 4] = [
+            let ways: [(Proof, &dyn Fn() -> Vec<&'a Person>); 5] = [
                 (Proof::Id, &by_id),
                 (Proof::Id, &by_name),
+                (Proof::Name, &by_login),
                 (Proof::Name, &by_word),
                 (Proof::Hint, &by_words),
             ];
@@ -270,7 +305,7 @@ fn account<'a>(
         return (proof, vec![person]);
     }
     let mut by_name = named(name, people);
-    by_name.extend(with_id(name, people));
+    by_name.extend(with_any_login(name, people));
     by_name.extend(calling_themselves(name, people, |it| it.group.as_ref()));
     by_name.retain(|other| other.number.is_none());
     // A number in a name may equal somebody else's id by chance.

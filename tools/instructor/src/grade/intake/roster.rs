@@ -98,7 +98,8 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
     // In Classroom 50's roster, `username` is the login on GitHub.
     let is_classroom = of(&["githubid"]).is_some();
     let github = of(&GITHUB).or(of(&["username"]).filter(|_| is_classroom));
-    let logins: Vec<usize> = LOGIN.iter().filter_map(|name| of(&[name])).collect();
+    let logins = LOGIN.iter().filter_map(|name| of(&[name]));
+    let logins: Vec<usize> = logins.filter(|at| Some(*at) != github).collect();
 
     let mut people: Vec<Person> = Vec::new();
     for (line, row) in &table.rows {

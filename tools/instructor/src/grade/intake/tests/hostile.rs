@@ -378,6 +378,55 @@ fn a_chosen_login_or_group_name_takes_nobodys_submission() {
 }
 
 #[test]
+fn a_chosen_address_or_login_like_somebodys_name_takes_nobodys_submission() {
+    let by_address = "id,name,email\n2001,Ada Lovelace,al@uni.edu\n2003,Bob Boole,bob@uni.edu\n\
+        2002,Mallory Mann,";
+    let by_login = "username,name,github_id,student_id\nal,Ada Lovelace,1,2001\n\
+        bob,Bob Boole,3,2003\n";
+    let by_id = "username,name,github_id\nal,Ada Lovelace,1\nbob,Bob Boole,3\n";
+    for (list, folder) in [
+        (
+            format!("{by_address}ada.lovelace@evil.org\n"),
+            "Ada Lovelace",
+        ),
+        (format!("{by_address}al123@evil.org\n"), "al123"),
+        (
+            format!("{by_address}al123@evil.org\n"),
+            "HW1_al123_attempt_2026-11-20-23-59-01",
+        ),
+        (
+            format!("{by_login}AdaLovelace,Mallory Mann,2,2002\n"),
+            "Ada Lovelace",
+        ),
+        (
+            format!("{by_id}AdaLovelace,Mallory Mann,2\n"),
+            "Ada Lovelace",
+        ),
+    ] {
+        let export = Export::new();
+        export.put_all(&format!("class/{folder}"), answers("", "ada"));
+        export.put_all("class/Bob Boole", answers("", "bob"));
+        let (_, placed) = placed(&export, &["class"], &list);
+        let is_listed = placed.ambiguous.len() + placed.by_name.len() == 1;
+        assert!(is_listed, "{folder}: {placed:#?}");
+    }
+}
+
+#[test]
+fn a_login_on_github_like_the_class_takes_no_class() {
+    for list in [
+        "username,name,github_id,student_id\nal,Ada Lovelace,1,2001\nclass,Mallory Mann,2,2002\n",
+        "username,name,github_id\nal,Ada Lovelace,1\nclass,Mallory Mann,2\n",
+    ] {
+        let export = Export::new();
+        export.put_all("class/al", answers("", "ada"));
+        let (_, placed) = placed(&export, &["class"], list);
+        assert_eq!(placed.missing.len(), 1, "{placed:#?}");
+        assert_eq!(placed.missing[0].name, "Mallory Mann");
+    }
+}
+
+#[test]
 fn an_e_mail_address_elsewhere_puts_nobodys_submission_in_doubt() {
     let export = Export::new();
     export.put_all("class/2001", answers("", "ada"));
