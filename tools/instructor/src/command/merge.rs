@@ -41,10 +41,11 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     let made_with = OnceLock::new();
     let version = provenance::of_assignment(&assignment)?;
     let results = roll.entries.par_iter_mut().map(|entry| {
-        let Some(before) = merged(&entry.id, &parts, &cache, &made_with)? else {
+        let Some((before, graded)) = merged(&entry.id, &parts, &cache, &made_with)? else {
             return Ok(None);
         };
-        entry.answers = Some(before.provenance.answers.clone());
+        // Another part may list an earlier or a later submission of this name.
+        *entry = graded.clone();
         kept(before, &cache, &assignment, &version).map(Some)
     });
     let results: Vec<Option<QueueResult>> = results.collect::<Result<_>>()?;
@@ -82,25 +83,25 @@ struct Part<'a> {
 }
 
 /// Puts a submission's result into the merged class: its mark or, if no part has a mark, the
-/// reason. `None` if no part has the submission. All marks must be made with the same goldens,
-/// fresh questions and assignment.
-fn merged(
+/// reason. Also returns the submission that it is for. `None` if no part has the submission. All
+/// marks must be made with the same goldens, fresh questions and assignment.
+fn merged<'a>(
     id: &str,
-    parts: &[Part],
+    parts: &'a [Part],
     cache: &ResultCache,
     made_with: &OnceLock<GradingInputs>,
-) -> Result<Option<Record>> {
+) -> Result<Option<(Record, &'a Entry)>> {
     let to = cache.of(id);
     let mut not_graded = None;
     for part in parts {
         let from = part.folder.join("submissions").join(id);
-        let record = part
-            .entries
-            .get(id)
-            .and_then(|entry| standing(&from, entry));
-        let Some(record) = record else { continue };
+        let entry = part.entries.get(id);
+        let found = entry.and_then(|entry| Some((standing(&from, entry)?, entry)));
+        let Some((record, entry)) = found else {
+            continue;
+        };
         if !record.is_graded() {
-            not_graded.get_or_insert(record);
+            not_graded.get_or_insert((record, entry));
             continue;
         }
         let own = &record.provenance.made_with;
@@ -132,9 +133,9 @@ fn merged(
         }
         link(&report, &to.join("report.html"))?;
         link(&from.join("result.json"), &to.join("result.json"))?;
-        return Ok(Some(record));
+        return Ok(Some((record, entry)));
     }
-    if let Some(record) = &not_graded {
+    if let Some((record, _)) = &not_graded {
         write_unflushed(&to.join("result.json"), pretty(record)?.as_bytes())?;
     }
     Ok(not_graded)

@@ -301,3 +301,34 @@ fn a_merge_without_groups_lists_those_who_handed_in_nothing_themselves() {
         "{grades}"
     );
 }
+
+#[test]
+fn a_merge_takes_lateness_from_the_submission_that_was_graded() {
+    let class = Class::new("merge-late");
+    let folder = class.folder.join("few");
+    let put = |name: &str| {
+        fs::create_dir_all(folder.join(name)).expect("there is room");
+        fs::write(folder.join(name).join("plane.rs"), "// mine").expect("there is room");
+    };
+    put("lovelaceada_2001_501_hw");
+    put("boolebob_2002_502_hw");
+    let policy = class.folder.join("policy.toml");
+    let rules = "time_zone = 'UTC'\ndeadline = '2026-11-20 23:59'\n";
+    fs::write(policy, rules).expect("there is room");
+    let (few, policy) = (class.path("few"), class.path("policy.toml"));
+    let (one, two, merged) = (class.path("one"), class.path("two"), class.path("merged"));
+    let grade = |out: &str, shard: &str| {
+        let line = ["grade", &few, "--no-fresh", "--out", out, "--shard", shard];
+        on_small_assignment(&[&line[..], &["--policy", &policy]].concat()).expect_code(1);
+    };
+    grade(&two, "2/2");
+    // Bob hands in again, late, before the first part is graded.
+    fs::remove_dir_all(folder.join("boolebob_2002_502_hw")).expect("it is there");
+    put("boolebob_LATE_2002_503_hw");
+    grade(&one, "1/2");
+    for parts in [[&one, &two], [&two, &one]] {
+        on_small_assignment(&["merge", parts[0], parts[1], "--out", &merged])
+            .expect_code(1)
+            .expect_out("late, but nothing says by how much");
+    }
+}
