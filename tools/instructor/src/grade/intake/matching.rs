@@ -294,20 +294,25 @@ fn account<'a>(
     people: &'a [Person],
 ) -> (Proof, Vec<&'a Person>) {
     let own = |other: &&Person| other.number.as_deref() == Some(number);
+    let mut of_group = calling_themselves(name, people, |it| it.group.as_ref());
     if let Some(person) = people.iter().find(own) {
-        let is_named =
-            share_word(name, &person.name) || !named(name, std::slice::from_ref(person)).is_empty();
-        let proof = match (is_named, may_be_group) {
-            (true, _) => Proof::Id,
+        let is_named = !named(name, std::slice::from_ref(person)).is_empty();
+        let is_like = is_named || share_word(name, &person.name);
+        // A group may be called like the person whose number it has.
+        let proof = match (is_like, may_be_group) {
+            (true, false) => Proof::Id,
+            (true, true) if is_named => Proof::Id,
             (false, true) => Proof::Hint,
-            (false, false) => Proof::Name,
+            _ => Proof::Name,
         };
-        return (proof, vec![person]);
+        let of_group = of_group.find(|_| may_be_group);
+        return (proof, [person].into_iter().chain(of_group).collect());
     }
     let mut by_name = named(name, people);
     by_name.extend(with_any_login(name, people));
-    by_name.extend(calling_themselves(name, people, |it| it.group.as_ref()));
     by_name.retain(|other| other.number.is_none());
+    // On Moodle, the number is the group's.
+    by_name.extend(of_group.filter(|it| may_be_group || it.number.is_none()));
     // A number in a name may equal somebody else's id by chance.
     let is_id = |other: &&Person| other.number.is_none() && other.id == number;
     let by_id: Vec<&Person> = people.iter().filter(is_id).collect();

@@ -182,6 +182,27 @@ fn a_groups_number_on_moodle_is_not_mistaken_for_a_persons() {
 }
 
 #[test]
+fn a_group_with_somebodys_number_and_a_word_of_their_name_does_not_stand_for_them() {
+    let mut people = people();
+    people[0].number = Some("2001".into());
+    people[3].number = Some("2004".into());
+    people[3].group = Some("Ada fans".into());
+    let name = "Ada fans_2001_assignsubmission_file";
+    let placed = place(&entries(&[name]), Some(&people));
+    assert_eq!(placed.ambiguous[name].len(), 2, "{placed:?}");
+    // The group's members have numbers of their own.
+    let name = "Ada fans_3001_assignsubmission_file";
+    let placed = place(&entries(&[name]), Some(&people));
+    assert_eq!(placed.of[name].id, "s4", "{placed:?}");
+    let name = "adafans_3001_501_hw.zip";
+    let placed = place(&entries(&[name]), Some(&people));
+    assert!(
+        placed.of.is_empty(),
+        "Canvas writes a person's number: {placed:?}"
+    );
+}
+
+#[test]
 fn a_date_in_an_uploads_own_name_is_not_mistaken_for_an_account() {
     let mut people = people();
     people[0].number = Some("11".into());
