@@ -67,12 +67,15 @@ fn for_moodle(row: &Row) -> Option<String> {
 /// as in a URL, so that no two people, whose ids may be addresses that they chose, share a folder.
 fn for_others(row: &Row) -> Option<String> {
     let id = row.person.map_or(&row.entry.id, |person| &person.id);
-    let is_plain = |c: char| c.is_alphanumeric() || "._-@".contains(c);
+    // A folder called `..` is the one above, and Windows leaves out a dot at the end.
+    let is_inner = |at: usize| at > 0 && at + 1 < id.len();
+    let is_plain =
+        |at: usize, c: char| c.is_alphanumeric() || "_-@".contains(c) || c == '.' && is_inner(at);
     let encoded = |c: char| {
         let bytes = c.to_string().into_bytes().into_iter();
         bytes.map(|byte| format!("%{byte:02X}")).collect()
     };
-    let name = id.chars().map(|c| match is_plain(c) {
+    let name = id.char_indices().map(|(at, c)| match is_plain(at, c) {
         true => c.to_string(),
         false => encoded(c),
     });
@@ -184,6 +187,9 @@ mod tests {
             for_others(&row).expect("it has a name")
         };
         assert_eq!(own("ada"), "ada/report.html");
+        assert_eq!(own(".."), "%2E%2E/report.html");
+        assert_eq!(own("ada."), "ada%2E/report.html");
+        assert_eq!(own("a.l@x.org"), "a.l@x.org/report.html");
         // Nobody can choose an address that has somebody else's folder.
         let addresses = [
             "a+b@x.org",
