@@ -39,8 +39,10 @@ pub struct Policy {
 /// What identifies a person or a submission in a table of times.
 #[derive(Clone, Copy, Debug, Deserialize, Eq, PartialEq, Serialize)]
 pub enum TimeKey {
-    /// A person's id, or a submission's name.
+    /// A person's id.
     Id,
+    /// A submission's name.
+    Submission,
     /// The platform's number for a person.
     Number,
     /// A login or an e-mail address.
@@ -63,7 +65,7 @@ const WHO: [(&str, TimeKey); 12] = [
     ("sid", TimeKey::Id),
     ("studentid", TimeKey::Id),
     ("identifier", TimeKey::Number),
-    ("submission", TimeKey::Id),
+    ("submission", TimeKey::Submission),
     ("emailaddress", TimeKey::Login),
     ("email", TimeKey::Login),
     ("login", TimeKey::Login),
@@ -354,6 +356,36 @@ mod tests {
             may_be_group: true,
         }];
         assert_eq!(handed_in(&of_group, "80", None, "ian"), None);
+    }
+
+    #[test]
+    fn a_submission_named_like_somebody_elses_id_has_its_owners_time() {
+        use crate::grade::class::marks::tests::entry;
+        use crate::grade::intake::names::HandInTime;
+
+        let folder = tempfile::tempdir().expect("there is room");
+        let path = folder.path().join("times.csv");
+        // Bob has left the course, and Eve has chosen his id for her login on GitHub.
+        let list = "id,submission,time\nbob,,2026-11-19 10:00\neve,,2026-11-25 10:00\n\
+            ada,,2026-11-20 10:00\nada,first,2026-11-18 10:00\n";
+        fs::write(&path, list).expect("there is room");
+        let policy = Policy {
+            times: times_in(&path, Some(&TimeZone::UTC)).expect("it is a list of times"),
+            ..Policy::default()
+        };
+        let day = |id: &str, name: &str| {
+            let person = Person {
+                id: id.into(),
+                ..Person::default()
+            };
+            match policy.handed_in(&entry(name, id, name), Some(&person)) {
+                Some(HandInTime::At(time)) => time.strftime("%d").to_string(),
+                other => panic!("{id}: {other:?}"),
+            }
+        };
+        assert_eq!(day("eve", "bob"), "25");
+        assert_eq!(day("ada", "first"), "18");
+        assert_eq!(day("ada", "second"), "20");
     }
 
     #[test]

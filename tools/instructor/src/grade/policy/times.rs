@@ -84,7 +84,7 @@ impl Policy {
         person: Option<&Person>,
     ) -> Option<HandInTime<Timestamp>> {
         let given = [&entry.id, &entry.name];
-        let mut keys: Vec<_> = given.map(|name| (TimeKey::Id, name)).to_vec();
+        let mut keys: Vec<_> = given.map(|name| (TimeKey::Submission, name)).to_vec();
         if let Some(person) = person {
             let signs = entry.signs.iter().filter_map(|sign| match sign {
                 Sign::Account {
