@@ -13,7 +13,6 @@ use crate::grade::class::{self, Roll};
 use crate::grade::grader::clock::Pace;
 use crate::grade::grader::{Grader, fresh};
 use crate::grade::intake::placement::Placement;
-use crate::grade::intake::roster::Person;
 use crate::grade::intake::{self, Entry, roster};
 use crate::grade::policy::Policy;
 use crate::grade::provenance::{self, GradingInputs, Tool};
@@ -298,7 +297,7 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
     let roster = arguments.roster.as_ref();
     let mut people = roster.map(|path| roster::read(path)).transpose()?;
     if let (Some(policy), Some(people)) = (&policy, &mut people) {
-        know_groups(policy, people);
+        class::know_groups(policy, people);
     }
     let intake = intake::find(&arguments.paths, assignment, people.as_deref())?;
     let mut roll = Roll {
@@ -314,18 +313,6 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
     };
     roll.place();
     Ok(roll)
-}
-
-/// Lets a submission with the name of a group count as handed in by one of its members. A number
-/// alone names no group, because browsers add numbers to the names of files.
-fn know_groups(policy: &Policy, people: &mut [Person]) {
-    let is_number = |name: &str| name.chars().all(|c| c.is_ascii_digit());
-    for group in policy.groups.iter().filter(|it| !is_number(&it.name)) {
-        let mut all = people.iter_mut();
-        if let Some(person) = all.find(|person| group.members.contains(&person.id)) {
-            person.group = Some(group.name.clone());
-        }
-    }
 }
 
 /// Refuses a class that lacks submissions which were graded into the same folder before. It may be
@@ -399,7 +386,7 @@ mod tests {
         for (name, known) in [("team 7", 1), ("7", 0)] {
             let mut roll = roll(Vec::new(), "time_zone = 'UTC'", &[(name, &["ada", "bob"])]);
             let mut people = roll.people.take().expect("there are people");
-            know_groups(&roll.policy.expect("there is a policy"), &mut people);
+            class::know_groups(&roll.policy.expect("there is a policy"), &mut people);
             let groups = people.iter().filter_map(|person| person.group.as_deref());
             assert_eq!(groups.filter(|group| *group == name).count(), known);
         }

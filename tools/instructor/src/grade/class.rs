@@ -71,6 +71,9 @@ impl Roll {
     /// Finds each submission's person, and the people who have handed in nothing, not even with a
     /// group.
     pub fn place(&mut self) {
+        if let (Some(policy), Some(people)) = (&self.policy, &mut self.people) {
+            know_groups(policy, people);
+        }
         let superseded = std::mem::take(&mut self.placed.superseded);
         self.placed = placement::place(&self.entries, self.people.as_deref());
         self.placed.superseded = superseded;
@@ -107,6 +110,19 @@ impl Roll {
         people
             .filter(|other| group.members.contains(&other.id))
             .collect()
+    }
+}
+
+/// Lets a submission with the name of a group count as handed in by one of its members. A number
+/// alone names no group, because browsers add numbers to the names of files.
+pub fn know_groups(policy: &Policy, people: &mut [Person]) {
+    people.iter_mut().for_each(|person| person.group = None);
+    let is_number = |name: &str| name.chars().all(|c| c.is_ascii_digit());
+    for group in policy.groups.iter().filter(|it| !is_number(&it.name)) {
+        let mut all = people.iter_mut();
+        if let Some(person) = all.find(|person| group.members.contains(&person.id)) {
+            person.group = Some(group.name.clone());
+        }
     }
 }
 

@@ -303,6 +303,41 @@ fn a_merge_without_groups_lists_those_who_handed_in_nothing_themselves() {
 }
 
 #[test]
+fn a_groups_submission_stays_its_members_when_another_is_added_or_a_class_is_merged() {
+    let class = Class::new("added-with-groups");
+    let put = |name: &str, text: &str| {
+        let path = class.folder.join(name);
+        fs::create_dir_all(path.parent().expect("it is below")).expect("there is room");
+        fs::write(path, text).expect("there is room");
+        class.path(name)
+    };
+    put("few/Team B/plane.rs", "// ours");
+    put("few/Cleo Clark/plane.rs", "// mine");
+    put("cleo/plane.rs", "// mine");
+    let roster = put(
+        "roster.csv",
+        "id,name\nada,Ada Ash\nbob,Bob Boole\ncleo,Cleo Clark\n",
+    );
+    put("groups.csv", "id,group\nada,Team B\nbob,Team B\n");
+    let policy = put("policy.toml", "groups = 'groups.csv'\n");
+    let (few, one, out) = (class.path("few"), class.path("cleo"), class.path("out"));
+    let line = ["grade", "--no-fresh", "--roster", &roster, "--out"];
+    on_small_assignment(&[&line[..], &[&out, &few, "--policy", &policy]].concat())
+        .expect_code(1)
+        .expect_out("0 handed in nothing");
+    on_small_assignment(&[&line[..], &[&out, &one]].concat())
+        .expect_code(1)
+        .expect_out("0 handed in nothing");
+    let (bare, merged) = (class.path("bare"), class.path("merged"));
+    on_small_assignment(&[&line[..], &[&bare, &few]].concat())
+        .expect_code(1)
+        .expect_out("2 handed in nothing");
+    on_small_assignment(&["merge", &bare, "--policy", &policy, "--out", &merged])
+        .expect_code(1)
+        .expect_out("0 handed in nothing");
+}
+
+#[test]
 fn a_merge_takes_lateness_from_the_submission_that_was_graded() {
     let class = Class::new("merge-late");
     let folder = class.folder.join("few");
