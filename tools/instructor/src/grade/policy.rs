@@ -7,7 +7,7 @@ pub mod mark;
 pub mod rules;
 pub mod times;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
@@ -201,6 +201,7 @@ fn groups_in(path: &Path) -> Result<Vec<Group>> {
         // decides or, if there is none, the name as it is written.
         let key = table.column(&["canvasgroupid", "groupid"]).unwrap_or(name);
         let mut groups: BTreeMap<&str, Group> = BTreeMap::new();
+        let mut alone = BTreeSet::new();
         for (line, row) in &table.rows {
             let mut ids = who.iter().map(|column| cell(row, *column));
             let id = ids.find(|id| !id.is_empty()).unwrap_or_default();
@@ -211,7 +212,14 @@ fn groups_in(path: &Path) -> Result<Vec<Group>> {
             }
             // Some people are in no group.
             if called.is_empty() {
+                alone.insert(id);
                 continue;
+            }
+            // One person's number on Canvas may be another's id.
+            if alone.contains(id) {
+                return Err(format!(
+                    "line {line}: {id} is already listed, without a group"
+                ));
             }
             let (own, is_number) = match cell(row, key) {
                 number if key != name && !number.is_empty() => (number, true),
@@ -276,6 +284,18 @@ mod tests {
             groups,
             [("Team A", &["S1".to_owned(), "12".to_owned()][..])]
         );
+    }
+
+    #[test]
+    fn nobody_joins_a_group_because_their_id_is_anothers_number_on_canvas() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let path = folder.path().join("groups.csv");
+        let (ada, eve) = ("11,12,\n", "12,,T\n");
+        for rows in [[ada, eve], [eve, ada]] {
+            let list = format!("canvas_user_id,user_id,group_name\n{}", rows.concat());
+            fs::write(&path, list).expect("there is room");
+            groups_in(&path).expect_err("nobody knows who is in the group");
+        }
     }
 
     #[test]

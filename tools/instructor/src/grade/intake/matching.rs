@@ -298,14 +298,14 @@ fn account<'a>(
     if let Some(person) = people.iter().find(own) {
         let is_named = !named(name, std::slice::from_ref(person)).is_empty();
         let is_like = is_named || share_word(name, &person.name);
-        // A group may be called like the person whose number it has.
         let proof = match (is_like, may_be_group) {
             (true, false) => Proof::Id,
             (true, true) if is_named => Proof::Id,
             (false, true) => Proof::Hint,
             _ => Proof::Name,
         };
-        let of_group = of_group.find(|_| may_be_group);
+        // A group's name may have a word in common with the person whose number it has.
+        let of_group = of_group.find(|_| may_be_group && !is_named);
         return (proof, [person].into_iter().chain(of_group).collect());
     }
     let mut by_name = named(name, people);

@@ -97,6 +97,7 @@ impl Policy {
             keys.push((TimeKey::Id, &person.id));
             keys.extend(person.number.iter().map(|it| (TimeKey::Number, it)));
             keys.extend(person.logins.iter().map(|it| (TimeKey::Login, it)));
+            keys.extend(person.github.iter().map(|it| (TimeKey::Login, it)));
             keys.extend(signs.map(|it| (TimeKey::Number, it)));
         }
         // If one person has several times, we don't know which belongs to this submission. The

@@ -190,7 +190,13 @@ fn a_group_with_somebodys_number_and_a_word_of_their_name_does_not_stand_for_the
     let name = "Ada fans_2001_assignsubmission_file";
     let placed = place(&entries(&[name]), Some(&people));
     assert_eq!(placed.ambiguous[name].len(), 2, "{placed:?}");
+    // Nobody can put a person's own submission in doubt by a group's name.
+    people[3].group = Some("Ada Lovelace".into());
+    let name = "Ada Lovelace_2001_assignsubmission_file";
+    let placed = place(&entries(&[name]), Some(&people));
+    assert_eq!(placed.of[name].id, "s1", "{placed:?}");
     // The group's members have numbers of their own.
+    people[3].group = Some("Ada fans".into());
     let name = "Ada fans_3001_assignsubmission_file";
     let placed = place(&entries(&[name]), Some(&people));
     assert_eq!(placed.of[name].id, "s4", "{placed:?}");
