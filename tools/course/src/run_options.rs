@@ -16,8 +16,8 @@ use crate::sandbox::Choice;
 /// The option that names an assignment.
 #[derive(Args, Default)]
 pub struct AssignmentOption {
-    /// The assignment, by name or folder [default: the one that the given paths belong to, else
-    /// that of the current folder, else this repository's default]
+    /// The assignment, by name or folder [default: that of the files or folders that you name,
+    /// else that of the current folder, else this repository's default]
     #[arg(long = "assignment", value_name = "NAME")]
     pub name: Option<String>,
 }

@@ -218,9 +218,9 @@ pub struct Merge {
 ///
 /// With --out, `handout` writes a repository for students: the stubs, the commands for students,
 /// the public scenes and their goldens, tests, a README and a workflow for GitHub. To use the
-/// repository, students need only Rust and a linker. It contains no solutions, and no code with a
-/// known mistake. Of scenes with `public = false`, it says only how many points they are worth
-/// together.
+/// repository, students need only Rust and a linker. It contains neither solutions nor the wrong
+/// answers by which `check` recognises mistakes. About scenes with `public = false`, it says only
+/// how many points they are worth together.
 #[derive(Args)]
 #[command(group = ArgGroup::new("autograder").args(["gradescope", "prairielearn"]).multiple(true))]
 pub struct Handout {
