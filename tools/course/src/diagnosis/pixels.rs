@@ -17,10 +17,6 @@ use super::fingerprint::{Fingerprint, scattered};
 /// the next three were chosen by the pairs of `pinhole validate --pairs`.
 const ENOUGH: f64 = 0.75;
 
-/// A mistake is named only if the answer has its value in at least this share of the pixels that it
-/// spoils and that count.
-const ENOUGH_OF_OWN: f64 = 0.7;
-
 /// A mistake more in an explanation costs as much as this many unexplained pixels, because each of
 /// two must explain so many that the other alone does not.
 const LEAST: usize = 12;
@@ -55,19 +51,8 @@ struct Explanation<'a> {
     counted: usize,
     /// How many of these have a predicted value.
     explained: usize,
-    /// The same for each mistake, in the pixels that it predicts to be wrong.
-    own: Vec<Own>,
-}
-
-/// One mistake's part of an explanation, in pixels.
-#[derive(Clone, Default)]
-struct Own {
-    /// How many it predicts to be wrong and that count.
-    counted: usize,
-    /// How many of these have its value.
-    explained: usize,
-    /// How many of these the other mistake alone does not explain.
-    needs: usize,
+    /// How many of these each mistake explains, and the other alone does not.
+    needs: Vec<usize>,
 }
 
 /// The one or two beliefs that explain the films pixel by pixel, if every explanation without them is
@@ -97,7 +82,7 @@ pub fn likely<'a>(films: &[Evidence], candidates: &[&'a str], adds: bool) -> Opt
         .into_par_iter()
         .map(|set| Explanation::of(&films, set, adds));
     let explanations: Vec<Explanation> = explanations
-        .filter(|it| it.own.iter().all(|own| own.needs >= LEAST))
+        .filter(|it| it.needs.iter().all(|needs| *needs >= LEAST))
         .collect();
     let best = explanations.iter().min_by_key(|it| it.cost())?;
     let explained = best.explained as f64;
@@ -113,11 +98,9 @@ pub fn likely<'a>(films: &[Evidence], candidates: &[&'a str], adds: bool) -> Opt
         without.all(|it| it.cost() as f64 >= limit)
             && !others.any(|other| is_multiple(&films, belief, other))
     };
-    let is_certain = |(belief, own): (&&str, &Own)| {
-        own.explained as f64 >= ENOUGH_OF_OWN * own.counted as f64
-            && is_dearer_without(belief, DEARER[usize::from(adds)])
-    };
-    if !best.mistakes.iter().zip(&best.own).any(is_certain) {
+    let dearer = DEARER[usize::from(adds)];
+    let mut mistakes = best.mistakes.iter();
+    if !mistakes.any(|belief| is_dearer_without(belief, dearer)) {
         return None;
     }
     let mut named = best.mistakes.clone();
@@ -189,7 +172,7 @@ impl<'a> Explanation<'a> {
             ignored: 0,
             counted: 0,
             explained: 0,
-            own: vec![Own::default(); mistakes.len()],
+            needs: vec![0; mistakes.len()],
             mistakes,
         };
         for film in films {
@@ -220,12 +203,10 @@ impl<'a> Explanation<'a> {
             }
             self.counted += 1;
             self.explained += usize::from(is_explained);
-            for (place, own) in self.own.iter_mut().enumerate() {
+            for (place, needs) in self.needs.iter_mut().enumerate() {
                 let mut others = left.iter().enumerate().filter(|(other, _)| *other != place);
                 let is_own = is_sum || shows(&left[place]);
-                own.counted += usize::from(left[place].is_some());
-                own.explained += usize::from(is_own);
-                own.needs += usize::from(is_own && !others.any(|(_, left)| shows(left)));
+                *needs += usize::from(is_own && !others.any(|(_, left)| shows(left)));
             }
         }
     }

@@ -373,6 +373,7 @@ fn a_belief_is_named_beside_an_unknown_mistake_if_it_explains_most_pixels() {
     assert!(named(&given(0, 320)).is_empty());
     // In 300 of 1000 pixels, the answer has the values of growth.
     assert_eq!(names(&named(&given(300, 0))), ["growth", "shift"]);
+    assert_eq!(names(&named(&given(100, 120))), ["shift"]);
     let most = everywhere(|pixel| if pixel < 800 { 0.5 } else { 0.0 });
     let known: [(&str, &[&Film]); 2] = [("shift", &[&shift, &shift]), ("most", &[&most, &most])];
     let given = given(0, 180);
