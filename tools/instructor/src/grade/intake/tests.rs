@@ -1,6 +1,7 @@
 //! Submissions as platforms export them and as people pack them.
 
 mod hostile;
+mod hostile_files;
 
 use std::fs;
 
