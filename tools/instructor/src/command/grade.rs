@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use crate::cli::Grade;
 use crate::grade::cache::{ResultCache, pretty, standing};
-use crate::grade::class::{self, Roll};
+use crate::grade::class::{self, Roll, replace};
 use crate::grade::grader::clock::Pace;
 use crate::grade::grader::{Grader, fresh};
 use crate::grade::intake::placement::Placement;
@@ -24,7 +24,7 @@ use crate::grade::views::summary::{ClassOutput, RunSummary};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::Compiler;
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::Result;
 use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
 use pinhole_course::progress::Progress;
@@ -47,11 +47,13 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let roll = match (roll.is_class, arguments.shard) {
         (false, None) if earlier.exists() => {
             let class = Roll::read(&earlier)?;
-            refuse_chosen_names(&roll, &class)?;
+            replace::refuse_chosen_names(&roll, &class)?;
             roll.into_class(class)
         }
         (true, None) => {
-            refuse_partial_class(&roll, &earlier)?;
+            let one = "to add or replace submissions, pass the path of each, not of the folder \
+                       around them";
+            replace::refuse_partial_class(&roll, &earlier, one)?;
             roll
         }
         _ => roll,
@@ -315,71 +317,10 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
     Ok(roll)
 }
 
-/// Refuses a class that lacks submissions which were graded into the same folder before. It may be
-/// a folder with one late submission, and everyone else would be listed as absent.
-fn refuse_partial_class(roll: &Roll, earlier: &Path) -> Result<()> {
-    // A class of another version is graded again.
-    let Ok(class) = Roll::read(earlier) else {
-        return Ok(());
-    };
-    // An id may change if somebody hands in something whose name differs only in capitals.
-    let is_same = |a: &Entry, b: &Entry| a.id == b.id || a.name == b.name;
-    let is_here = |one: &&Entry| roll.entries.iter().any(|entry| is_same(entry, one));
-    let all = class.entries.iter().filter(|_| class.is_class);
-    let absent: Vec<&str> = all.filter(|it| !is_here(it)).map(|it| &*it.id).collect();
-    if absent.is_empty() {
-        return Ok(());
-    }
-    let some: Vec<&str> = absent.iter().copied().take(3).collect();
-    let count = match absent.len() {
-        1 => "1 submission that is".to_owned(),
-        count => format!("{count} submissions that are"),
-    };
-    Err(Error::input(
-        format!(
-            "the --out folder has results of {count} not in the paths you gave: {}{}",
-            some.join(", "),
-            if absent.len() > some.len() {
-                ", …"
-            } else {
-                ""
-            }
-        ),
-        format!(
-            "to add or replace submissions, pass the path of each, not of the folder around them; \
-             to drop those that are missing now, first delete {}",
-            earlier.display()
-        ),
-    ))
-}
-
-/// Refuses to replace a submission by an archive whose author may have given it that name.
-fn refuse_chosen_names(roll: &Roll, class: &Roll) -> Result<()> {
-    let is_weaker = |new: &&Entry| {
-        let mut same = class.entries.iter().filter(|old| old.id == new.id);
-        same.any(|old| new.at_most < old.at_most)
-    };
-    let Some(new) = roll.entries.iter().find(is_weaker) else {
-        return Ok(());
-    };
-    Err(Error::input(
-        format!(
-            "{} would replace the submission {} in the --out folder, but an archive's author may \
-             have chosen its name",
-            new.name, new.id
-        ),
-        format!(
-            "if it is theirs, unpack it into a folder named {}, and pass that folder",
-            new.id
-        ),
-    ))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grade::class::marks::tests::{entry, roll};
-    use crate::grade::intake::matching::Proof;
+    use crate::grade::class::marks::tests::roll;
 
     #[test]
     fn a_number_names_no_group() {
@@ -390,47 +331,5 @@ mod tests {
             let groups = people.iter().filter_map(|person| person.group.as_deref());
             assert_eq!(groups.filter(|group| *group == name).count(), known);
         }
-    }
-
-    #[test]
-    fn an_archive_does_not_replace_a_folder_of_its_name() {
-        let named = |at_most| {
-            let mut roll = roll(vec![entry("ada", "ada", "ada")], "time_zone = 'UTC'", &[]);
-            roll.entries[0].at_most = at_most;
-            roll
-        };
-        let [folder, archive] = [Proof::Id, Proof::Name].map(named);
-        let refused = refuse_chosen_names(&archive, &folder).expect_err("eve may have named it");
-        assert!(refused.problem.contains("would replace"), "{refused}");
-        for (new, old) in [(&folder, &archive), (&archive, &archive)] {
-            refuse_chosen_names(new, old).expect("it proves as much as the old one");
-        }
-    }
-
-    #[test]
-    fn a_folder_with_one_late_submission_does_not_replace_the_class() {
-        let of = |ids: &[&str]| {
-            let entries = ids.iter().map(|id| entry(id, id, id)).collect();
-            let rules = "time_zone = 'UTC'";
-            Roll {
-                is_class: true,
-                ..roll(entries, rules, &[])
-            }
-        };
-        let folder = tempfile::tempdir().expect("there is room");
-        let earlier = folder.path().join(class::ROLL);
-        refuse_partial_class(&of(&["ada"]), &earlier).expect("nothing was graded before");
-        let text = serde_json::to_string(&of(&["ada", "bob"])).expect("it is JSON");
-        fs::write(&earlier, text).expect("there is room");
-        refuse_partial_class(&of(&["ada", "bob", "eve"]), &earlier).expect("all are here");
-        // Somebody hands in `Ada`, and so the id of ada's answers becomes `ada.2`.
-        let mut new = of(&["Ada", "ada.2", "bob"]);
-        new.entries[1].name = "ada".into();
-        refuse_partial_class(&new, &earlier).expect("all are here");
-        let error = refuse_partial_class(&of(&["bob"]), &earlier).expect_err("ada is absent");
-        assert!(
-            error.to_string().contains("the paths you gave: ada"),
-            "{error}"
-        );
     }
 }

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use crate::cli::Merge;
 use crate::grade::cache::{ResultCache, link, pretty, standing, write_unflushed};
-use crate::grade::class::{self, ROLL, Roll};
+use crate::grade::class::{self, Change, ROLL, Roll, replace};
 use crate::grade::evidence::Evidence;
 use crate::grade::intake::Entry;
 use crate::grade::policy::Policy;
@@ -29,6 +29,8 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
         roll.policy = Some(Policy::read(path)?);
         roll.place();
     }
+    let earlier = arguments.out.join(ROLL);
+    replace::refuse_partial_class(&roll, &earlier, "name another folder with --out")?;
     let cache = ResultCache::open(&arguments.out)?;
     let is_out =
         |part: &&PathBuf| fs::canonicalize(part).ok() == fs::canonicalize(&arguments.out).ok();
@@ -41,18 +43,25 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     let made_with = OnceLock::new();
     let version = provenance::of_assignment(&assignment)?;
     let results = roll.entries.par_iter_mut().map(|entry| {
-        let Some((before, graded)) = merged(&entry.id, &parts, &cache, &made_with)? else {
+        let Some(Merged {
+            record,
+            entry: graded,
+            others,
+        }) = merged(&entry.id, &parts, &cache, &made_with)?
+        else {
             return Ok(None);
         };
         // Another part may list an earlier or a later submission of this name.
         *entry = graded.clone();
-        kept(before, &cache, &assignment, &version).map(Some)
+        let result = kept(record, &cache, &assignment, &version)?;
+        Ok(Some((result, others)))
     });
-    let results: Vec<Option<QueueResult>> = results.collect::<Result<_>>()?;
+    let results: Vec<Option<(QueueResult, Vec<Change>)>> = results.collect::<Result<_>>()?;
     let mut records = BTreeMap::new();
     let mut run = RunSummary::default();
     let mut are_old = false;
-    for result in results.into_iter().flatten() {
+    for (result, others) in results.into_iter().flatten() {
+        run.changes.extend(others);
         run.changes.extend(result.change);
         are_old |= result.fault.is_some();
         records.insert(result.record.id.clone(), result.record);
@@ -82,17 +91,37 @@ struct Part<'a> {
     entries: BTreeMap<String, Entry>,
 }
 
-/// Puts a submission's result into the merged class: its mark or, if no part has a mark, the
-/// reason. Also returns the submission that it is for. `None` if no part has the submission. All
-/// marks must be made with the same goldens, fresh questions and assignment.
+/// A submission's result in the merged class.
+struct Merged<'a> {
+    record: Record,
+    /// The submission that the result is for.
+    entry: &'a Entry,
+    /// How the mark differs from those in later parts.
+    others: Vec<Change>,
+}
+
+impl<'a> Merged<'a> {
+    fn new(record: Record, entry: &'a Entry) -> Self {
+        let others = Vec::new();
+        Merged {
+            record,
+            entry,
+            others,
+        }
+    }
+}
+
+/// Puts a submission's result into the merged class: the mark in the first part that has one or, if
+/// no part has a mark, the reason. `None` if no part has the submission. All marks must be made with
+/// the same goldens, fresh questions and assignment.
 fn merged<'a>(
     id: &str,
     parts: &'a [Part],
     cache: &ResultCache,
     made_with: &OnceLock<GradingInputs>,
-) -> Result<Option<(Record, &'a Entry)>> {
+) -> Result<Option<Merged<'a>>> {
     let to = cache.of(id);
-    let mut not_graded = None;
+    let mut merged: Option<Merged> = None;
     for part in parts {
         let from = part.folder.join("submissions").join(id);
         let entry = part.entries.get(id);
@@ -101,7 +130,7 @@ fn merged<'a>(
             continue;
         };
         if !record.is_graded() {
-            not_graded.get_or_insert((record, entry));
+            merged.get_or_insert(Merged::new(record, entry));
             continue;
         }
         let own = &record.provenance.made_with;
@@ -120,6 +149,12 @@ fn merged<'a>(
                 "grade all parts with the same assignment and the same --golden, --fresh or --seed",
             ));
         }
+        if let Some(merged) = merged.as_mut().filter(|it| it.record.is_graded()) {
+            merged
+                .others
+                .extend(Change::between(&record, &merged.record));
+            continue;
+        }
         let report = from.join("report.html");
         if !report.is_file() {
             return Err(Error::input(
@@ -133,12 +168,12 @@ fn merged<'a>(
         }
         link(&report, &to.join("report.html"))?;
         link(&from.join("result.json"), &to.join("result.json"))?;
-        return Ok(Some((record, entry)));
+        merged = Some(Merged::new(record, entry));
     }
-    if let Some((record, _)) = &not_graded {
-        write_unflushed(&to.join("result.json"), pretty(record)?.as_bytes())?;
+    if let Some(merged) = merged.as_ref().filter(|it| !it.record.is_graded()) {
+        write_unflushed(&to.join("result.json"), pretty(&merged.record)?.as_bytes())?;
     }
-    Ok(not_graded)
+    Ok(merged)
 }
 
 /// The parts, and the roll of the class, on which all of them must agree.

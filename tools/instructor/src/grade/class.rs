@@ -2,6 +2,7 @@
 
 pub mod concern;
 pub mod marks;
+pub mod replace;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

@@ -344,7 +344,7 @@ mod tests {
             Participant 77,79,eve,2026-11-28 10:00\n\
             Participant 2004,,zoe,2026-11-19 10:00\n";
         fs::write(&path, list).expect("there is room");
-        let policy = Policy {
+        let mut policy = Policy {
             times: times_in(&path, Some(&TimeZone::UTC)).expect("it is a list of times"),
             ..Policy::default()
         };
@@ -376,6 +376,23 @@ mod tests {
             may_be_group: true,
         }];
         assert_eq!(handed_in(&of_group, "80", None, "ian"), None);
+
+        fs::write(&path, "login,time\n77,2026-11-27 10:00\n").expect("there is room");
+        policy.times = times_in(&path, Some(&TimeZone::UTC)).expect("it is a list of times");
+        let entry = entry("one", "ada", "one");
+        let of = |login: &str| {
+            let logins = vec![login.into()];
+            let id = "77".into();
+            policy.handed_in(
+                &entry,
+                Some(&Person {
+                    id,
+                    logins,
+                    ..Person::default()
+                }),
+            )
+        };
+        assert!(of("bob").is_none() && of("77").is_some());
     }
 
     #[test]

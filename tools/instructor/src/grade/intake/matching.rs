@@ -258,11 +258,19 @@ pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) 
                 }
                 found
             };
+            // A name without a space may be the login of somebody whose login the roster lacks. After
+            // a title, it is a login.
+            let is_login_of_nobody =
+                !name.contains(char::is_whitespace) && owners().next().is_none();
+            let by_name_proof = match is_login_of_nobody {
+                true => Proof::Name,
+                false => Proof::Id,
+            };
             let by_word = || with_id_among(name, people);
             let by_words = || named_among(name, people);
             let ways: [(Proof, &dyn Fn() -> Vec<&'a Person>); 5] = [
                 (Proof::Id, &by_id),
-                (Proof::Id, &by_name),
+                (by_name_proof, &by_name),
                 (Proof::Name, &by_login),
                 (Proof::Name, &by_word),
                 (Proof::Hint, &by_words),

@@ -95,11 +95,21 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
     // An archive's author may have chosen a title that makes all others overlong.
     let given = entries.iter().filter(|entry| entry.at_most == Proof::Id);
     let titles: BTreeSet<String> = given.filter_map(title).collect();
-    let titles = titles.iter().map(String::as_str).collect();
+    let titles: BTreeSet<&str> = titles.iter().map(String::as_str).collect();
+    // If no other name begins like this, nothing shows where the title ends and the login begins.
+    let is_lone = |title: &&str| {
+        let names = entries.iter().filter(|entry| entry.name.starts_with(title));
+        names.take(2).count() < 2
+    };
+    let lone: BTreeSet<&str> = titles.iter().copied().filter(is_lone).collect();
     let mut of: BTreeMap<&str, Vec<(Proof, &Entry, &Person)>> = BTreeMap::new();
     for entry in entries {
-        let (proof, found) = owners(entry, people);
-        let is_overlong = title(entry).is_some_and(|title| is_overlong(&title, &titles));
+        let (mut proof, found) = owners(entry, people);
+        let title = title(entry);
+        if title.as_ref().is_some_and(|it| lone.contains(&**it)) {
+            proof = proof.min(Proof::Name);
+        }
+        let is_overlong = title.is_some_and(|title| is_overlong(&title, &titles));
         match found[..] {
             [] => placed.unknown.push(entry.id.clone()),
             [person] if proof > Proof::Hint && !is_overlong => {

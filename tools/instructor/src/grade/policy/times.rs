@@ -85,6 +85,9 @@ impl Policy {
     ) -> Option<HandInTime<Timestamp>> {
         let given = [&entry.id, &entry.name];
         let mut keys: Vec<_> = given.map(|name| (TimeKey::Submission, name)).to_vec();
+        if person.is_none() {
+            keys.extend(given.map(|name| (TimeKey::Id, name)));
+        }
         if let Some(person) = person {
             let signs = entry.signs.iter().filter_map(|sign| match sign {
                 Sign::Account {
@@ -102,16 +105,12 @@ impl Policy {
         }
         // If one person has several times, we don't know which belongs to this submission. The
         // last one is never too early.
-        let latest = |kind: Option<TimeKey>, name: &String| {
-            let all = self.times.get(name)?.iter();
-            let all = all.filter(|(own, _)| kind.is_none_or(|kind| kind == *own));
-            all.map(|(_, time)| *time).max()
+        let latest = |(kind, name): &(TimeKey, &String)| {
+            let all = self.times.get(*name)?.iter();
+            let own = all.filter(|(own, _)| own == kind);
+            own.map(|(_, time)| *time).max()
         };
-        let own = keys
-            .iter()
-            .find_map(|(kind, name)| latest(Some(*kind), name));
-        let listed = own.or_else(|| keys.iter().find_map(|(_, name)| latest(None, name)));
-        if let Some(time) = listed {
+        if let Some(time) = keys.iter().find_map(latest) {
             return Some(HandInTime::At(time));
         }
         let zone = self.zone();

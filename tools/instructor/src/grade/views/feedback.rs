@@ -1,5 +1,6 @@
 //! Everyone's report, in archives that course systems distribute to students.
 
+use std::collections::BTreeMap;
 use std::io::{Cursor, Write};
 
 use zip::ZipWriter;
@@ -71,15 +72,33 @@ fn for_others(row: &Row) -> Option<String> {
     let is_inner = |at: usize| at > 0 && at + 1 < id.len();
     let is_plain =
         |at: usize, c: char| c.is_alphanumeric() || "_-@".contains(c) || c == '.' && is_inner(at);
-    let encoded = |c: char| {
-        let bytes = c.to_string().into_bytes().into_iter();
-        bytes.map(|byte| format!("%{byte:02X}")).collect()
-    };
-    let name = id.char_indices().map(|(at, c)| match is_plain(at, c) {
+    Some(format!("{}/report.html", percent_encoded(id, is_plain)))
+}
+
+/// Writes all other characters as in a URL.
+fn percent_encoded(text: &str, is_plain: impl Fn(usize, char) -> bool) -> String {
+    let encoded = text.char_indices().map(|(at, c)| match is_plain(at, c) {
         true => c.to_string(),
-        false => encoded(c),
+        false => {
+            let bytes = c.to_string().into_bytes().into_iter();
+            bytes.map(|byte| format!("%{byte:02X}")).collect()
+        }
     });
-    Some(format!("{}/report.html", name.collect::<String>()))
+    encoded.collect()
+}
+
+/// Writes the capitals of names that differ in nothing else as in a URL, because Windows would
+/// unpack two folders with such names into one.
+fn distinguish(names: Vec<&mut String>) {
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    for name in &names {
+        *counts.entry(name.to_lowercase()).or_default() += 1;
+    }
+    for name in names {
+        if counts[&name.to_lowercase()] > 1 {
+            *name = percent_encoded(name, |_, c| !c.is_uppercase());
+        }
+    }
 }
 
 fn archive(
@@ -89,11 +108,12 @@ fn archive(
 ) -> Result<Option<Vec<u8>>> {
     let failed = Error::environment("cannot pack the reports", "free some memory");
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    let mut is_empty = true;
     let has_roster = class.roll.people.is_some();
     let rows = class.all_rows().filter(|row| may_be_sent(row, has_roster));
-    for row in rows {
-        let Some(name) = name(row) else { continue };
+    let mut named: Vec<(String, &Row)> = rows.filter_map(|row| Some((name(row)?, row))).collect();
+    distinguish(named.iter_mut().map(|(name, _)| name).collect());
+    let is_empty = named.is_empty();
+    for (name, row) in named {
         let path = cache.of(&row.entry.id).join("report.html");
         let page = std::fs::read_to_string(&path).or_environment(
             format_args!("cannot read {}", path.display()),
@@ -103,7 +123,6 @@ fn archive(
         let options = SimpleFileOptions::default();
         zip.start_file(name, options).or_fail(&failed)?;
         zip.write_all(page.as_bytes()).or_fail(&failed)?;
-        is_empty = false;
     }
     let bytes = zip.finish().or_fail(&failed)?.into_inner();
     Ok((!is_empty).then_some(bytes))
@@ -201,5 +220,12 @@ mod tests {
         ];
         let folders: BTreeSet<String> = addresses.map(own).into();
         assert_eq!(folders.len(), addresses.len(), "{folders:?}");
+    }
+
+    #[test]
+    fn no_two_reports_share_a_folder_on_windows() {
+        let mut names = ["ADA", "bob", "Ada", "ada", "Bo"].map(str::to_owned);
+        distinguish(names.each_mut().into());
+        assert_eq!(names, ["%41%44%41", "bob", "%41da", "ada", "Bo"]);
     }
 }

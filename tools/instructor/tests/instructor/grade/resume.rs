@@ -151,6 +151,23 @@ fn shards_merge_to_the_grades_of_one_run() {
     let merge = ["merge", &one, &two, "--out", &merged, "--json"];
     let told = on_small_assignment(&merge).expect_code(1).json();
     assert_eq!(told["points"]["dora"], 100, "{told}");
+
+    // The same submission may have different marks in two parts.
+    class.hand_in("dora", &[("plane.rs", &wrong_plane())]);
+    class.grade("wrong", &["--shard", "2/2"]).expect_code(1);
+    let wrong = class.path("wrong");
+    on_small_assignment(&["merge", &one, &two, &wrong, "--out", &merged])
+        .expect_code(1)
+        .expect_out("changed: dora: ");
+
+    // A merge does not replace another class.
+    class.hand_in("zed", &[]);
+    class.grade("other", &["--shard", "1/9"]);
+    let (other, out) = (class.path("other"), class.path("merged-other"));
+    on_small_assignment(&["merge", &other, "--out", &out]).expect_code(3);
+    on_small_assignment(&["merge", &one, &two, "--out", &out])
+        .expect_code(2)
+        .expect_err("that is missing now: zed");
 }
 
 #[test]

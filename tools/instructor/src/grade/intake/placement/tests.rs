@@ -277,3 +277,33 @@ fn several_submissions_by_one_person_are_all_listed() {
     assert_eq!(placed.several.len(), 1);
     assert_eq!(placed.of.len(), 2);
 }
+
+#[test]
+fn a_name_that_may_be_a_login_is_listed() {
+    // `samlee` may be the login of somebody else, because the roster has no logins.
+    for (name, is_listed) in [("samlee", true), ("plato", true), ("Ada Lovelace", false)] {
+        let people = [
+            person("s4", "Sam Lee"),
+            person("s9", "Plato"),
+            person("s1", "Ada Lovelace"),
+        ];
+        let placed = place(&entries(&[name]), Some(&people));
+        assert_eq!(placed.of.len(), 1, "{name}");
+        assert_eq!(placed.by_name == [name], is_listed, "{name}");
+    }
+}
+
+#[test]
+fn a_login_after_a_title_that_no_other_repository_has_is_listed() {
+    let mut people = people();
+    people[0].github = Some("ada".into());
+    people[1].github = Some("grace".into());
+    let alone = place(&entries(&["hw1-x-ada"]), Some(&people));
+    assert_eq!(alone.of["hw1-x-ada"].id, "s1");
+    assert_eq!(alone.by_name, ["hw1-x-ada"]);
+    for other in ["hw1-grace", "hw1-somebody"] {
+        let both = place(&entries(&["hw1-ada", other]), Some(&people));
+        assert_eq!(both.of["hw1-ada"].id, "s1");
+        assert!(both.by_name.is_empty(), "{both:?}");
+    }
+}
