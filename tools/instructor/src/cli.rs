@@ -142,7 +142,7 @@ pub struct Grade {
     /// --sandbox none)
     #[arg(long, conflicts_with = "sandbox")]
     pub trust: bool,
-    /// Show on standard error how long each stage took, for all submissions together
+    /// Print to standard error how long each stage took, summed over all submissions
     #[arg(long)]
     pub timings: bool,
     /// Print one JSON document on standard output

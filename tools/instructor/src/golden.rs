@@ -136,7 +136,7 @@ pub fn make(
     let is_own = |scene: &PathBuf| inside(scene, &assignment.folder);
     if arguments.out.is_none() && !scenes.iter().all(is_own) {
         return Err(Error::input(
-            "not all of these scenes are the assignment's, so their goldens need another folder",
+            "not all of these scenes belong to the assignment, so their goldens need another folder",
             "name one with --out DIR",
         ));
     }

@@ -48,8 +48,9 @@ mod tests {
 
     use super::*;
 
-    /// Two tasks with these points of 10, and two scenes that pass: the first, of 3 points,
-    /// needs both tasks, the second, of 5, only `plane`.
+    /// The most for two scenes that pass, if two tasks have earned these points out of 10. The
+    /// first scene is worth 3 points and needs both tasks. The second is worth 5 and needs only
+    /// `plane`.
     fn most(sphere: u32, plane: u32, fresh: u32, fresh_needs: &[&str]) -> u32 {
         let task = |name: &str, points: u32| {
             json!({

@@ -67,7 +67,7 @@ fn attempts(id: &str, roll: &Roll, submissions: &Path) -> BTreeMap<String, Recor
     own.filter_map(record).collect()
 }
 
-/// What the policy makes of the points.
+/// The final mark, and each change that the policy made to the points.
 fn mark_in_words(mark: Option<&Mark>, not_counted: Option<&str>) -> String {
     let mut text = String::new();
     if let Some(mark) = mark {

@@ -218,7 +218,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
             let done = worked.iter().chain(done).map(|it| &it.record);
             let records = done.map(|record| (record.id.clone(), record.clone()));
             let records = records.collect();
-            // If it can't be written, the run's end says so.
+            // If this fails, the final write reports the error.
             let _ = output.write_so_far(&roll, &records);
         };
         let queue = GradeQueue {
@@ -285,7 +285,7 @@ fn judged_on(own: bool, fresh: bool, walls: Choice) -> String {
         true => format!("{goldens} and fresh questions"),
         false => format!("{goldens} only"),
     };
-    // Without a sandbox, an answer could come from anywhere.
+    // Without a sandbox, the code could have got its answers from anywhere.
     match walls {
         Choice::None => format!("{asked}, without a sandbox"),
         _ => asked,
@@ -323,7 +323,7 @@ mod tests {
     use crate::grade::class::marks::tests::roll;
 
     #[test]
-    fn a_number_names_no_group() {
+    fn a_number_alone_does_not_name_a_group() {
         for (name, known) in [("team 7", 1), ("7", 0)] {
             let mut roll = roll(Vec::new(), "time_zone = 'UTC'", &[(name, &["ada", "bob"])]);
             let mut people = roll.people.take().expect("there are people");

@@ -115,7 +115,7 @@ fn refuse_unforced(stale: &[PathBuf], assignment: &Assignment, arguments: &Hando
             there.join(", "),
             assignment.handout().display()
         ),
-        "someone's answers may be in there; if nobody needs them, pass --force",
+        "these files may contain someone's answers; if nobody needs them, pass --force",
     ))
 }
 
@@ -149,7 +149,7 @@ fn stubs_in_place(assignment: &Assignment, arguments: &Handout) -> Result<Status
             anstream::println!("this file does not match the reference: {}", path.display());
         }
         anstream::println!(
-            "if none of your work is in there, write them again: cargo pinhole handout {} --force",
+            "if these files contain none of your work, write them again: cargo pinhole handout {} --force",
             assignment.name
         );
     }

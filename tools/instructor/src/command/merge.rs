@@ -86,8 +86,8 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
 /// One of the folders that are merged.
 struct Part<'a> {
     folder: &'a Path,
-    /// The submissions that it has files of, by id. They are listed once, because looking for each
-    /// submission in each part is slow on a shared file system.
+    /// The submissions whose results it has, by id. The folder is listed only once, because looking
+    /// for each submission in each part is slow on a shared file system.
     entries: BTreeMap<String, Entry>,
 }
 

@@ -24,7 +24,7 @@ pub enum Golden {
 ///
 /// If you name no scene, this makes everything that the assignment has in `golden/`: the films of
 /// its scenes, the films of its questions, and, for `validate --mutants`, more questions. In many
-/// of the latter, two values that the code compares are exactly equal.
+/// of these, two values that the code compares are exactly equal.
 ///
 /// A scene is refused if an edge passes through a pixel's centre, or if a pixel's centre lies
 /// close to a plane's horizon. If that happens, move the camera a little.
@@ -50,7 +50,7 @@ pub struct GoldenRender {
     pub no_mistakes: bool,
 }
 
-/// Update what is stored beside existing goldens about known mistakes; doesn't need Mitsuba
+/// Update what is stored about known mistakes beside existing goldens; doesn't need Mitsuba
 ///
 /// Stores beside each golden what each mistake changes in the film, so that `check` and `diff` can
 /// recognise the mistake. `golden render` does this too. Use this command when only mistakes have
@@ -63,7 +63,8 @@ pub struct GoldenMistakes {
     pub dir: Option<PathBuf>,
 }
 
-/// Check that the goldens, and the scenes and scripts that they were made from, match `manifest.toml`
+/// Check that the goldens, and the scenes and scripts that they were made from, match
+/// `manifest.toml`
 #[derive(Args)]
 pub struct GoldenVerify {
     #[command(flatten)]

@@ -1,4 +1,5 @@
-//! `pinhole golden verify`: checks that committed goldens are what their scenes and scripts make.
+//! `pinhole golden verify`: checks that the goldens match the manifest, and that so do the scenes
+//! and scripts that they were made from.
 
 use std::path::Path;
 

@@ -21,7 +21,7 @@ pub struct ResultCache {
 }
 
 impl ResultCache {
-    /// Opens the folder for one grader alone.
+    /// Opens the folder, and locks it against other graders.
     pub fn open(folder: &Path) -> Result<ResultCache> {
         let submissions = folder.join("submissions");
         fs::create_dir_all(&submissions).or_fail(&cannot_write(&submissions))?;
@@ -117,9 +117,9 @@ impl ResultCache {
     }
 }
 
-/// The record of a submission in its folder: its grade, or why it has none. A grade is not valid any
-/// more if it is for other answers, because the run that was to grade these was stopped, or because
-/// another shard has graded them since. Nor is it valid if grading newer answers has failed.
+/// The record of a submission in its folder: its grade, or why it has none. A grade for other
+/// answers than the current ones is not valid. Such a grade remains if the run that should have
+/// graded the current answers was stopped, if another shard has graded them, or if grading failed.
 pub fn standing(folder: &Path, entry: &Entry) -> Option<Record> {
     let record = last(folder)?;
     let is_of_these = entry

@@ -69,8 +69,8 @@ impl Roll {
         class
     }
 
-    /// Finds each submission's person, and the people who have handed in nothing, not even with a
-    /// group.
+    /// Finds each submission's person, and the people for whom nothing was handed in, not even by
+    /// their group.
     pub fn place(&mut self) {
         if let (Some(policy), Some(people)) = (&self.policy, &mut self.people) {
             know_groups(policy, people);
@@ -91,8 +91,8 @@ impl Roll {
         people.map(|person| person.id.as_str()).collect()
     }
 
-    /// People who may have handed something in, though it is not certain which, and whose group has
-    /// handed in nothing.
+    /// People who may have handed in a submission whose owner is uncertain, and whose group has
+    /// handed in nothing else.
     pub fn in_doubt(&self) -> Vec<&Person> {
         let handed_in = self.handed_in();
         let mut people = self.placed.in_doubt();
@@ -114,8 +114,8 @@ impl Roll {
     }
 }
 
-/// Lets a submission with the name of a group count as handed in by one of its members. A number
-/// alone names no group, because browsers add numbers to the names of files.
+/// Lets a submission with the name of a group count as handed in by one of its members. Groups
+/// whose name is only a number are left out, because browsers add numbers to the names of files.
 pub fn know_groups(policy: &Policy, people: &mut [Person]) {
     people.iter_mut().for_each(|person| person.group = None);
     let is_number = |name: &str| name.chars().all(|c| c.is_ascii_digit());

@@ -44,7 +44,7 @@ pub struct Grader<'a> {
     pub compiler: &'a Compiler,
     pub sandbox: &'a Sandbox,
     pub pace: &'a Pace,
-    /// The folder of programs while they are asked.
+    /// The folder that contains each submission's programs while they run.
     pub programs: &'a Path,
     pub made_with: &'a GradingInputs,
 }
@@ -82,7 +82,7 @@ impl Grader<'_> {
     /// Grades a submission. If the grader itself fails, the record says so, the submission gets
     /// no mark instead of a zero, and other submissions are still graded.
     ///
-    /// `None` if an answer or the compiler was late and the submission did not run `alone`: see
+    /// `None` if an answer or the compiler took too long and the submission was not `alone`: see
     /// [`clock`].
     pub fn grade(&self, entry: &Entry, submission: &Submission, alone: bool) -> Option<Grade> {
         let clock = SubmissionClock::new(self.pace, alone);

@@ -26,9 +26,9 @@ pub struct Policy {
     /// The deadline, and the deadlines of people who have their own, by id.
     deadline: Option<Timestamp>,
     extensions: BTreeMap<String, Timestamp>,
-    /// When something was handed in, by a person's id, number or login, or a submission's name. One
-    /// person's number or login may be another's id, so each time says which of them it stands
-    /// beside.
+    /// When something was handed in. The key is a person's id, number or login, or a submission's
+    /// name. One person's number or login may be another's id, so each time is stored with the kind
+    /// of its key.
     pub times: BTreeMap<String, Vec<(TimeKey, Timestamp)>>,
     /// Late days that were spent on earlier assignments, by id as `grades.csv` writes it: see
     /// [`printable_cell`](pinhole_report::escape::printable_cell).
@@ -130,8 +130,8 @@ impl Policy {
         groups.find(|group| group.members.iter().any(|member| member == id))
     }
 
-    /// Ids in the policy that nobody on the roster has. Probably an id is misspelt, and someone
-    /// waits for an extension or an adjustment.
+    /// Ids in the policy that nobody on the roster has. Such an id is probably misspelt, and
+    /// someone is waiting for an extension or an adjustment.
     pub fn strangers(&self, people: &[Person]) -> Vec<String> {
         let by_hand = self.rules.adjust.iter().map(|by_hand| &by_hand.id);
         let grouped = self.groups.iter().flat_map(|group| &group.members);
@@ -191,14 +191,14 @@ fn times_in(
 
 fn groups_in(path: &Path) -> Result<Vec<Group>> {
     let remedy = "save it as a CSV file whose first line is: id,group";
-    // A person without an id of the university has Canvas's number as an id.
+    // The id of a person without a university id is Canvas's number.
     const MEMBER: [&str; 5] = ["id", "userid", "sisuserid", "idnumber", "canvasuserid"];
     Table::read(path, "list of groups", remedy, |table| {
         table.needed_column(&MEMBER)?;
         let who: Vec<usize> = MEMBER.iter().filter_map(|it| table.column(&[it])).collect();
         let name = table.needed_column(&["group", "groupname", "team"])?;
-        // People may name their group like another one. So the platform's number of the group
-        // decides or, if there is none, the name as it is written.
+        // Two groups may have similar names. So groups are told apart by the platform's number or,
+        // if there is none, by the name as it is written.
         let key = table.column(&["canvasgroupid", "groupid"]).unwrap_or(name);
         let mut groups: BTreeMap<&str, Group> = BTreeMap::new();
         let mut alone = BTreeSet::new();
@@ -269,7 +269,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn canvas_lists_people_without_an_id_of_the_university_by_its_own_number() {
+    fn people_without_a_university_id_are_in_groups_by_their_number_on_canvas() {
         let folder = tempfile::tempdir().expect("there is room");
         let path = folder.path().join("groups.csv");
         let list = "name,canvas_user_id,user_id,login_id,sections,group_name,canvas_group_id,group_id\n\

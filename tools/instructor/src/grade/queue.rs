@@ -21,8 +21,8 @@ pub struct GradeQueue<'a> {
     pub grader: &'a Grader<'a>,
     pub cache: &'a ResultCache,
     pub progress: GradingProgress<'a>,
-    /// Called with the results so far, from time to time and before late submissions are graded
-    /// again.
+    /// Called with the results so far, from time to time and before submissions that exceeded a
+    /// time limit are graded again.
     pub so_far: &'a (dyn Fn(&[QueueResult]) + Sync),
 }
 
@@ -108,8 +108,8 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 impl GradeQueue<'_> {
-    /// Grades all entries, `jobs` at a time. A submission that is late while others are graded is
-    /// graded again at the end, alone.
+    /// Grades all entries, `jobs` at a time. A submission that exceeds a time limit while others
+    /// are graded is graded again at the end, alone.
     pub fn work(&self, entries: &[Entry], jobs: usize) -> Vec<QueueResult> {
         let next = AtomicUsize::new(0);
         let all = Mutex::new((Vec::new(), Instant::now()));

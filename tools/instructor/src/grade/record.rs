@@ -71,8 +71,8 @@ pub struct Timings {
     pub asking: f64,
     /// Writing the report.
     pub report: f64,
-    /// 1 if an answer was late while other submissions were graded, and this submission was
-    /// therefore graded again, alone.
+    /// 1 if an answer exceeded its time limit while other submissions were graded, and this
+    /// submission was therefore graded again, alone.
     pub second_runs: u32,
 }
 
@@ -98,8 +98,8 @@ impl Record {
         (earned.min(most), scenes.map(|scene| scene.possible).sum())
     }
 
-    /// How each task ended, except those that were judged, and how files were read: "panicked:
-    /// sphere, plane".
+    /// How each task ended that was not judged, such as "panicked: sphere, plane", and how files
+    /// were read.
     pub fn notes(&self) -> String {
         let of = |status: Status| {
             let tasks = self.got.tasks.iter();

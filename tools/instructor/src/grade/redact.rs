@@ -1,8 +1,8 @@
 //! Removes what students must not see from an outcome and its report.
 //!
-//! Detailed results would let a student who may hand in often reconstruct a withheld scene from
-//! pictures, panic messages, exit codes or times. So whatever is revealed, nothing that the
-//! student's code prints there is ever shown.
+//! From detailed results, a student who may hand in often could reconstruct a withheld scene: from
+//! pictures, panic messages, exit codes or times. So what the student's code prints when it is
+//! asked about withheld scenes is never shown, however much `--reveal` shows.
 
 #[cfg(test)]
 mod tests;
@@ -120,7 +120,8 @@ pub fn redact_scene(scene: &mut SceneOutcome, reveal: Reveal) {
 /// The outcome of a film, without any text from the student.
 fn redacted(outcome: &FilmOutcome, reveal: Reveal) -> FilmOutcome {
     match outcome {
-        // An answer can choose the number of wrong questions, and could send a message with it.
+        // Code can choose how many questions it answers wrongly, and send a message with that
+        // number.
         FilmOutcome::Judged(comparison) if reveal > Reveal::Message => {
             let mut comparison = comparison.clone();
             if reveal < Reveal::Full {

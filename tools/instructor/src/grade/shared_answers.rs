@@ -3,7 +3,7 @@
 //!
 //! Short answers may coincide by chance, so rare matches count more. A match counts in bits: log₂
 //! of the number of right answers divided by the number of those that match. Six equal loops over
-//! triangles in a class of ten have less than one bit. A match never costs points.
+//! triangles in a class of ten are worth less than one bit. A match never costs points.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -148,8 +148,8 @@ const KEYWORDS: [&str; 20] = [
     "match", "move", "mut", "ref", "return", "self", "true", "while",
 ];
 
-/// Whether a documentation comment becomes an attribute like the one that ends in this group. A
-/// block of code may begin with the name `doc` too, and must not be left out.
+/// Whether this group, in brackets, ends an attribute that a documentation comment became. A block
+/// of code may also begin with the name `doc`, and must not be left out.
 fn is_doc(before: &[String], group: &Group) -> bool {
     let before = before.iter().rev().find(|word| *word != "!");
     let first = group.stream().into_iter().next();
@@ -235,8 +235,8 @@ impl KnownAnswers {
 pub fn pairs(alike: &[SharedAnswer]) -> Vec<SharedPair> {
     /// The most pairs that are listed.
     const MOST: usize = 20;
-    /// The most pairs of groups that are compared. A class of thousands may have too many for
-    /// all; those with the rarest answers come first.
+    /// The most pairs of groups that are compared. A class of thousands may have too many to
+    /// compare them all; those with the rarest answers come first.
     const COMPARED: usize = 100_000;
     // An answer that half of the class has says nothing about a pair.
     let rare: Vec<&SharedAnswer> = alike.iter().filter(|shared| shared.bits >= 1.0).collect();

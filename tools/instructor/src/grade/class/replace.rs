@@ -6,9 +6,10 @@ use super::Roll;
 use crate::grade::intake::Entry;
 use pinhole_course::error::{Error, Result};
 
-/// Refuses a class that lacks submissions of the class in the `--out` folder, of which `earlier` is
-/// the roll. It may be a folder with one late submission, and everyone else would be listed as
-/// absent; or it may be another class. `instead` says what else the user may have meant to do.
+/// Refuses a class that lacks submissions of the class in the `--out` folder, whose roll is the file
+/// `earlier`. The user may have passed a folder with only one late submission, and everyone else
+/// would then be listed as absent. Or the folder may hold another class. `instead` says what the user
+/// may want to do.
 pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Result<()> {
     // A class of another version is graded again.
     let Ok(class) = Roll::read(earlier) else {
@@ -50,12 +51,13 @@ pub fn refuse_chosen_names(roll: &Roll, class: &Roll) -> Result<()> {
     };
     Err(Error::input(
         format!(
-            "{} would replace the submission {} in the --out folder, but an archive's author may \
-             have chosen its name",
+            "{} would replace the submission {} in the --out folder, but the author of an archive \
+             can choose its name",
             new.name, new.id
         ),
         format!(
-            "if it is theirs, unpack it into a folder named {}, and pass that folder",
+            "if it belongs to the same person, unpack it into a folder named {}, and pass that \
+             folder",
             new.id
         ),
     ))

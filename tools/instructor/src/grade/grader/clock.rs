@@ -1,10 +1,10 @@
 //! How long an answer may take: a limit in processor seconds, at least a hundred times what the
 //! reference took for the same questions in the same run.
 //!
-//! Jobs run at the same time, and a busy machine must not cost students points. So if an answer
-//! or the compiler is late while other submissions are graded, the whole submission is put back.
-//! When all others are done, it is graded again with nothing else running. If it is late then, it
-//! counts as late.
+//! Jobs run at the same time, and a busy machine must not cost students points. So if an answer or
+//! the compiler exceeds its limit while other submissions are graded, the whole submission is put
+//! off. When all others are done, it is graded again with nothing else running. What exceeds its
+//! limit then has timed out.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -25,8 +25,8 @@ use pinhole_course::sandbox::{Limits, Sandbox, time_of_children};
 /// An answer may take this many times the reference's own time.
 const TIMES: u32 = 100;
 
-/// By how much a measured time may be too short: the counts of user time and of system time may
-/// each lag by a tick.
+/// A measured time may be too short by this much, because the counts of user time and of system
+/// time may each lag by a tick.
 const TICKS: Duration = Duration::from_millis(20);
 
 /// The reference's own limit.
@@ -139,7 +139,7 @@ pub struct SubmissionClock<'a> {
 }
 
 impl<'a> SubmissionClock<'a> {
-    /// A clock that has seen no late answer yet.
+    /// A clock for which nothing has exceeded its limit yet.
     pub fn new(pace: &'a Pace, alone: bool) -> SubmissionClock<'a> {
         SubmissionClock {
             pace,
@@ -153,8 +153,8 @@ impl<'a> SubmissionClock<'a> {
         self.alone
     }
 
-    /// The error that ends the examination, because something was late while other submissions
-    /// were graded.
+    /// The error that ends the examination, because something exceeded its limit while other
+    /// submissions were graded.
     pub fn late(&self) -> Error {
         self.late.store(true, Ordering::Relaxed);
         Error::environment(
@@ -163,7 +163,7 @@ impl<'a> SubmissionClock<'a> {
         )
     }
 
-    /// Whether something was late. If so, the submission must be graded again, alone.
+    /// Whether something exceeded its limit. If so, the submission must be graded again, alone.
     pub fn was_late(&self) -> bool {
         self.late.load(Ordering::Relaxed)
     }
@@ -174,7 +174,7 @@ impl Clock for SubmissionClock<'_> {
         self.pace.limits(what)
     }
 
-    /// Ends the examination if an answer was late while other submissions were graded.
+    /// Ends the examination if an answer exceeded its limit while other submissions were graded.
     /// [`was_late`](SubmissionClock::was_late) then returns true.
     fn check(&self, reply: &Reply) -> Result<()> {
         match reply.ending {

@@ -37,7 +37,7 @@ pub struct Placement {
 }
 
 impl Placement {
-    /// People who may have handed in one of these submissions, though it is not certain which.
+    /// People without a submission of their own who may have handed in an ambiguous one.
     pub fn in_doubt(&self) -> Vec<&Person> {
         let mut people: Vec<&Person> = Vec::new();
         let placed = |person: &Person| self.of.values().any(|other| other.id == person.id);

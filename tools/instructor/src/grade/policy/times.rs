@@ -103,8 +103,8 @@ impl Policy {
             keys.extend(person.github.iter().map(|it| (TimeKey::Login, it)));
             keys.extend(signs.map(|it| (TimeKey::Number, it)));
         }
-        // If one person has several times, we don't know which belongs to this submission. The
-        // last one is never too early.
+        // If one person has several times, we don't know which belongs to this submission. Take the
+        // last one, so that nobody gets away with being late.
         let latest = |(kind, name): &(TimeKey, &String)| {
             let all = self.times.get(*name)?.iter();
             let own = all.filter(|(own, _)| own == kind);

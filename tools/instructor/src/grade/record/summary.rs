@@ -22,7 +22,7 @@ pub struct RecordSummary {
     pub scene_points: (u32, u32),
     /// See [`Record::notes`].
     pub notes: String,
-    /// How many flags its answers have.
+    /// How many places in its answers the instructor may want to look at.
     pub flags: usize,
     pub judged_on: String,
     /// How long grading took.

@@ -25,7 +25,7 @@ impl GradingProgress<'_> {
         }
     }
 
-    /// Reports that a submission is graded again, alone, because an answer was late.
+    /// Reports that a submission is graded again, alone, because an answer exceeded its time limit.
     pub fn again_alone(&self, id: &str) {
         self.line.say(&again_line(id));
     }
