@@ -1,8 +1,8 @@
 //! What a tree saves as meshes grow: `cargo bench -p pinhole-book`.
 //!
-//! The meshes are those of the chapter "What it bought, and what it cost", and larger: triangles
-//! scattered by a fixed sequence; the more there are, the smaller they are. Times are of one
-//! thread. The last table counts the tests, which are the same on every machine.
+//! The meshes are those of the chapter "What it bought, and what it cost", and larger ones. Their
+//! triangles are scattered by a fixed sequence, and are smaller the more there are. One thread does
+//! all the work. The last table counts the tests, which are the same on every machine.
 
 use std::sync::LazyLock;
 

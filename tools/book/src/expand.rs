@@ -32,7 +32,7 @@ pub struct Sources {
 }
 
 impl Sources {
-    /// Reads them. The numbers are those of [`worked::values`](crate::worked::values).
+    /// Reads the sources. The numbers are those of [`worked::values`](crate::worked::values).
     pub fn read(values: Values, checkout: &Checkout) -> Result<Sources> {
         Ok(Sources {
             checkout: checkout.clone(),

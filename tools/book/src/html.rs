@@ -8,7 +8,7 @@ pub fn escaped(text: &str) -> String {
         .replace('"', "&quot;")
 }
 
-/// Text in which what is between backticks is code.
+/// Text as HTML, with what is between backticks as code.
 pub fn with_code(text: &str) -> String {
     let mut shown = String::new();
     for (place, part) in text.split('`').enumerate() {

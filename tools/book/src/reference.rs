@@ -54,7 +54,7 @@ impl Reference {
         }
     }
 
-    /// Where a ray meets a shape, alone.
+    /// Where a ray meets a single shape.
     pub fn intersect(&self, shape: &Shape, ray: Ray, min_t: f64) -> Result<Option<Intersection>> {
         let question = ShapeQuestion {
             shape: shape.clone(),
@@ -86,7 +86,7 @@ impl Reference {
         answers.into_iter().map(ray).collect()
     }
 
-    /// Where each of these rays meets a shape, alone.
+    /// Where each of these rays meets a single shape.
     pub fn intersect_all(
         &self,
         shape: &Shape,
@@ -107,7 +107,7 @@ impl Reference {
         answers.into_iter().map(met).collect()
     }
 
-    /// Where a ray meets each of these triangles that it meets.
+    /// Where a ray meets these triangles: t for each of them, without those that it misses.
     pub fn each(&self, triangles: &[Triangle], ray: Ray, min_t: f64) -> Result<Vec<f64>> {
         let question = |triangle: &Triangle| ShapeQuestion {
             shape: Shape::Triangle(*triangle),

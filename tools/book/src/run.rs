@@ -1,5 +1,5 @@
-//! Commands and their output. It is captured once, shown in the book, and compared in every
-//! check.
+//! Commands and their output. The output is captured once, shown in the book, and compared in
+//! every check.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -2,12 +2,12 @@
 //!
 //! The unit sphere is at distance `far` from the origin, where the rays begin. Each ray leads to
 //! a point (x, y) of the plane through the centre. However large the distance, the picture should
-//! stay the same. No way is a solution of the sphere's task, because none computes t.
+//! stay the same. None of the ways solves the sphere's task, because none computes t.
 
 use glam::{DVec3, dvec3};
 
 /// The direction from the origin to the sphere, and the two axes of the picture. They are not
-/// axes of space, because along those many roundings happen to be exact.
+/// axes of space, because many roundings happen to be exact along those.
 const AXIS: DVec3 = dvec3(0.36, 0.48, 0.8);
 const RIGHT: DVec3 = dvec3(0.8, -0.6, 0.0);
 const UP: DVec3 = dvec3(0.48, 0.64, -0.6);

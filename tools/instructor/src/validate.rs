@@ -46,7 +46,7 @@ pub use table::validation as table;
 pub struct Plan {
     /// The parts to judge, in any order. The stub and the reference are always judged.
     pub parts: Vec<Part>,
-    /// Whether to judge all pairs of beliefs, and not only a few of each task.
+    /// Whether to judge all pairs of beliefs, and not only a few for each task.
     pub all_pairs: bool,
     /// Folders of fresh questions, if draws are compared.
     pub draws: Option<PathBuf>,

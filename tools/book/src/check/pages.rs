@@ -25,7 +25,7 @@ pub struct Page {
     pub headings: Vec<String>,
     /// For each image, drawing and canvas: its name, and its alternative text.
     pub images: Vec<(String, Option<String>)>,
-    /// Its paragraphs and points, without formulas and code.
+    /// Its paragraphs and list items, without formulas and code.
     pub prose: Vec<String>,
     /// Directives that were not expanded.
     pub directives: Vec<String>,

@@ -1,5 +1,5 @@
-//! What a task asks of a student, as far as the text and the code say: words to read, and lines
-//! to write.
+//! How much work a task is for a student: how many words there are to read, and how many lines to
+//! write.
 
 use pinhole_course::checkout::Checkout;
 

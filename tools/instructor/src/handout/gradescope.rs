@@ -86,11 +86,12 @@ pub fn write(
     Ok(HandoutSize { files, bytes })
 }
 
-/// The wall time of one process, for the default limit of processor time in `grade`.
+/// How long one process may take by the wall clock, for the default limit of processor time in
+/// `grade`.
 const LIMIT: Duration = Duration::from_secs(4 * 2 + 2);
 
-/// The processor time of a process once a submission has exceeded two limits, with one thread. It
-/// is a hundred times what the reference takes for the questions of most tasks.
+/// The processor time that each process has once a submission has exceeded two limits. We assume
+/// one thread. In most tasks, this is a hundred times what the reference takes.
 const SHORTEST: Duration = Duration::from_secs(4);
 
 /// How long a submission takes if no answer ever ends: one process at the full limit beside other

@@ -80,7 +80,8 @@ pub fn write(repository: Repository, out: &Path, force: bool) -> Result<HandoutS
     }
     match old {
         None => {
-            // Removes an empty folder. If it is there and not empty, `before` has refused it.
+            // Removes an empty folder. If the folder were not empty, `before` would have refused
+            // it.
             let _absent = fs::remove_dir(out);
             fs::rename(&fresh.0, out).or_fail(&cannot(out))?;
         }

@@ -20,7 +20,7 @@ const DOCKERFILE: &str = include_str!("../../templates/handout/prairielearn/Dock
 const RUN: &str = include_str!("../../templates/handout/prairielearn/run.sh");
 const README: &str = include_str!("../../templates/handout/prairielearn/README.md");
 
-/// Writes it to a folder that is new or empty.
+/// Writes the question to a folder that is new or empty.
 pub fn write(
     assignment: &Assignment,
     checkout: &Checkout,
@@ -94,7 +94,7 @@ fn question(assignment: &Assignment) -> Result<Files> {
 }
 
 /// The question's UUID. PrairieLearn recognises questions by it, so it must be the same every
-/// time. It has version 8 of RFC 9562, which leaves the bits to us.
+/// time. It has version 8 of RFC 9562, which lets us choose the bits.
 fn uuid(name: &str) -> String {
     let hash = sha256(format!("pinhole question {name}").as_bytes());
     let (a, b, c, d, e) = (

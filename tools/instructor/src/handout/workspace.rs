@@ -65,7 +65,7 @@ impl Workspace<'_> {
         top["workspace"]["metadata"]["pinhole"]["default-assignment"] =
             value(&self.assignment.name);
         if let Some(workspace) = top["workspace"].as_table_mut() {
-            // The peers are not handed out.
+            // The excluded folder, `tools/study/peers`, is not handed out.
             workspace.remove("exclude");
         }
         top["workspace"]["members"] = list(&members);

@@ -25,18 +25,18 @@ use pinhole_report::terminal;
 /// How a mutant's answers differ from the reference's.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Difference {
-    /// Whether both are the same machine code, byte for byte. Only that is a proof; a search is
-    /// not.
+    /// Whether both are the same machine code, byte for byte. That proves that the mutant is no
+    /// mistake; a search that finds no difference doesn't.
     pub same_program: bool,
     /// How many questions are not ties.
     pub asked: usize,
     /// How many questions are ties in exact arithmetic.
     pub ties: usize,
-    /// How many of the questions that are not ties have another answer.
+    /// How many of the questions that are not ties the mutant answers differently.
     pub elsewhere: usize,
     /// The first of these questions, in words.
     pub example: Option<String>,
-    /// How many of the ties have another answer.
+    /// How many of the ties the mutant answers differently.
     pub on_ties: usize,
 }
 

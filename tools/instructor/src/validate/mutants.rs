@@ -61,7 +61,7 @@ pub enum Fate {
 /// reference takes less than a second.
 const WALL: Duration = Duration::from_secs(10);
 
-/// The share of mutants with wrong numbers that must get a law.
+/// A law must be found for at least this share of the mutants whose numbers are wrong.
 const ENOUGH_TOLD: f64 = 0.9;
 
 /// Judges the mutants of every answer whose names contain `named`.

@@ -19,13 +19,13 @@ use pinhole_course::submission::Submission;
 /// The file's name in an assignment.
 const FILE: &str = "pairs.toml";
 
-/// How many pairs of each task are judged without `--pairs`.
+/// How many pairs are judged for each task without `--pairs`.
 const SAMPLE: usize = 5;
 
 /// The share of pairs for which at least one belief must be named.
 const ENOUGH: f64 = 0.8;
 
-/// The share of pairs that must get a law.
+/// A law must be found for at least this share of the pairs.
 const ENOUGH_TOLD: f64 = 0.95;
 
 /// A belief as edits of the reference.
@@ -69,7 +69,7 @@ struct Pair {
     text: String,
 }
 
-/// Judges pairs whose names contain `named`: a few of each task, or all.
+/// Judges pairs whose names contain `named`: a few for each task, or all.
 pub fn judge(validator: &Validator, named: &str, all: bool) -> Result<Option<Pairs>> {
     let path = validator.assignment.folder.join(FILE);
     let Ok(text) = fs::read_to_string(&path) else {

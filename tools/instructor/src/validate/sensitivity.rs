@@ -34,7 +34,7 @@ pub struct Sensitivity {
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
     /// Every ray misses its pixel's centre by this many pixels, along the rows or along the
-    /// columns. The direction that is detected later counts.
+    /// columns. Only a shift that is detected in both directions counts as detected.
     CameraShift,
     /// The image plane is too far away by this share of its distance.
     FocalLength,

@@ -38,7 +38,7 @@ fn every_documented_command_is_run_or_has_a_reason_not_to_be() {
     );
     assert!(
         stale.is_empty(),
-        "listed in commands.toml, but nowhere printed: {stale:#?}"
+        "listed in commands.toml, but printed nowhere: {stale:#?}"
     );
 }
 

@@ -28,7 +28,7 @@ const ASSIGNMENTS: [&str; 2] = ["assignments", "tools/instructor/tests/fixture/a
 /// Fields of shapes, except `point` and `normal`, which any geometry has.
 const FIELDS: [&str; 5] = ["center", "radius", "corners", "obj", "triangles"];
 
-/// Terms in which a name has nothing to do with the task.
+/// Terms that contain the name of a task or an assignment only by chance.
 const TERMS: [&str; 4] = ["image plane", "image_plane", "disk space", "on a disk"];
 
 #[test]

@@ -63,7 +63,7 @@ pub fn may_be_forgotten(method: &str) -> bool {
     )
 }
 
-/// What may follow a method that begins to iterate over a list.
+/// What may be inserted after a method that begins to iterate over a list.
 pub fn detours(method: &str) -> &'static [&'static str] {
     match method {
         "iter" | "into_iter" => &[".rev()", ".skip(1)", ".take(1)"],
@@ -72,7 +72,7 @@ pub fn detours(method: &str) -> &'static [&'static str] {
     }
 }
 
-/// Whether `a.method(b)` is not `b.method(a)`.
+/// Whether `a.method(b)` differs from `b.method(a)`.
 pub fn is_one_sided(method: &str) -> bool {
     matches!(method, "cross" | "total_cmp")
 }

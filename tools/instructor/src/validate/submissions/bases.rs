@@ -14,8 +14,8 @@ use pinhole_course::submission::Submission;
 pub enum OverlayBase {
     /// The reference's.
     Reference,
-    /// The reference's. The overlay's belief is treated as unknown, because the stored films are
-    /// its own.
+    /// The reference's. The overlay's belief is treated as unknown, because its stored films were
+    /// made with this very overlay.
     ReferenceUnaware,
     /// A mixture of variants, with a different one for each task; the number selects the mixture.
     /// The program then shares nothing but the belief with the program whose films are stored.
