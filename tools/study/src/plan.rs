@@ -49,8 +49,8 @@ pub struct KindPlan {
 /// A plan for one scene.
 #[derive(Clone, Debug, Serialize)]
 pub struct Plan {
-    /// The requested accuracy: the largest relative error of t, and the largest angle of a normal in
-    /// radians.
+    /// The requested accuracy: the largest relative error of t, and the largest angle of a normal
+    /// in radians.
     pub accuracy: f64,
     /// The number of pixels.
     pub pixels: usize,
@@ -64,11 +64,11 @@ pub struct Plan {
     pub prices: Prices,
 }
 
-/// Costs of the exact caster per ray, in instructions, which repeat exactly, unlike times. They were
-/// measured with callgrind. For spheres and triangles, `render --plan` cast scenes of 1 to 3 parts
-/// that all rays miss, at two resolutions, and the difference of the two counts was divided by the
-/// difference in pixels. `boxes` is what the hierarchy of the scene `inside_a_box` adds to the tests
-/// in its leaves.
+/// Costs of the exact caster per ray. They are numbers of instructions, because these repeat
+/// exactly, unlike times. They were measured with callgrind. For spheres and triangles, `render
+/// --plan` cast scenes of 1 to 3 parts that all rays miss, at two resolutions, and the difference
+/// of the two counts was divided by the difference in pixels. `boxes` is what the hierarchy of the
+/// scene `inside_a_box` adds to the tests in its leaves.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Prices {
     /// Testing one sphere.

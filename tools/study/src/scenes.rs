@@ -60,7 +60,7 @@ impl Stage {
         })
     }
 
-    /// What every ray sees.
+    /// What each ray hits, and the work that this took.
     fn hits(&self, plain: Option<bool>) -> (Vec<Option<Hit>>, Tally) {
         let Some(has_boxes) = plain else {
             return self.exact.hits();

@@ -61,7 +61,7 @@ pub fn targets(findings: &Findings) -> Vec<Target> {
             objects(&findings.grids),
         ),
         never(
-            "plans: pixels off by more than wished",
+            "plans: pixels less accurate than requested",
             plans(|it| it.kept.violations),
         ),
         never(
@@ -69,31 +69,31 @@ pub fn targets(findings: &Findings) -> Vec<Target> {
             plans(|it| it.kept.wrong_ids),
         ),
         cost(
-            "exact casting: extra instructions per ray, against f64",
+            "exact casting: extra instructions per ray, compared with f64",
             [25.0, 50.0],
             median_and_worst(instructions(&findings.scenes).map(|[p, q]| p - q)),
             0,
         ),
         cost(
-            "exact casting on grids: instructions ÷ those of f64",
+            "exact casting on grids: instructions ÷ instructions in f64",
             [any, 3.0],
             median_and_worst(instructions(&findings.grids).map(|[p, q]| p / q)),
             2,
         ),
         cost(
-            "plans: time ÷ that of exact objects alone",
+            "plans: time ÷ time for exact objects alone",
             [any, 1.0],
             ratio(|it| it.nanoseconds / it.exact_ids),
             2,
         ),
         cost(
-            "plans: time ÷ that of plain f64",
+            "plans: time ÷ time in plain f64",
             [1.0, any],
             ratio(|it| it.nanoseconds / it.plain),
             2,
         ),
         cost(
-            "planning: time ÷ that of a film by plain f64 with its tree",
+            "planning: time ÷ time for a film in plain f64, with its tree",
             [any, 1.0],
             ratio(|it| it.planning / (it.plain_tree + it.plain)),
             2,

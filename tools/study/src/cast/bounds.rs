@@ -1,10 +1,10 @@
 //! Bounds on the rounding errors of a hit by the exact caster.
 //!
 //! The exact caster is never wrong about which parts a ray hits, or which of them comes first. For
-//! every ray and every scene, its t is proven to [`PROVEN_T`](super::world::PROVEN_T). [`of_normal`] bounds
-//! the error of a normal, in the manner of Higham, *Accuracy and Stability of Numerical Algorithms*,
-//! 2nd ed., §§2–3. They count first-order terms, with constants rounded up to cover the rest.
-//! [`required_t`] turns this around: how accurate must t be?
+//! every ray and every scene, its t is proven to [`PROVEN_T`](super::world::PROVEN_T).
+//! [`of_normal`] bounds the error of a normal, in the manner of Higham, *Accuracy and Stability of
+//! Numerical Algorithms*, 2nd ed., §§2–3. It counts first-order terms, with constants rounded up to
+//! cover the rest. [`required_t`] turns this around: how accurate must t be?
 //!
 //! These bounds are relative, so they hold only if no number underflows or overflows. This is
 //! checked first, from the sizes of the factors (`IN_RANGE`). Outside this range nothing is
@@ -36,8 +36,8 @@ pub fn are_in_range(sizes: impl IntoIterator<Item = f64>) -> bool {
     sizes.into_iter().all(|size| IN_RANGE.contains(&size))
 }
 
-/// The largest relative error of t with which every hit has the requested accuracy; 0 if no error is
-/// small enough. `distance` is the largest distance of an origin from the shape's anchor.
+/// The largest relative error of t with which every hit has the requested accuracy; 0 if no error
+/// is small enough. `distance` is the largest distance of an origin from the shape's anchor.
 pub fn required_t(shape: &Primitive, distance: f64, accuracy: f64) -> f64 {
     let of_t = match shape {
         // See `of_sphere`, where t's error counts 1.1 times.
@@ -61,8 +61,8 @@ pub fn of_normal(shape: &Primitive, distance: f64, of_t: f64) -> f64 {
     }
 }
 
-/// The error of (e − c) + t d is u|e − c|, plus the error of t times |t d| ≤ |e − c| + r, plus roundings of
-/// both. Divided by r, it is the angle.
+/// The error of (e − c) + t d is u|e − c|, plus the error of t times |t d| ≤ |e − c| + r, plus
+/// roundings of both. Divided by r, it is the angle.
 fn of_sphere(sphere: &Sphere<f64>, distance: f64, of_t: f64) -> f64 {
     let r = sphere.radius;
     let moved = of_t * (distance + r) + 4.0 * U * (distance + r);

@@ -24,7 +24,7 @@ pub struct Query<'r> {
     pub min_t: f64,
     /// Whether the origin is near enough for the parts' precomputed limits to hold.
     is_near: bool,
-    /// What the camera does not fix.
+    /// What the camera does not fix of the ray: the q of [`Camera`].
     pub varying: Vector<f64>,
 }
 

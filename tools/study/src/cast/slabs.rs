@@ -23,10 +23,10 @@
 //! the computed near and far sides of all these boxes. A box that contains a hit is therefore
 //! skipped only if the hit lies beyond the horizon, that is, if a nearer hit is already known.
 //!
-//! If all rays start at the frame's centre, t = p / d needs no offset. The inverse is made smaller by
-//! 8u for near sides and larger by 8u for far ones. d, its inverse, that factor's product and the
-//! product with p are each rounded once, so the relative error is below 4.1u. Components of d below 2⁻¹⁰⁰ are
-//! replaced, which moves the ray by less than the margin of [`Frame::boxed`].
+//! If all rays start at the frame's centre, t = p / d needs no offset. The inverse is made smaller
+//! by 8u for near sides and larger by 8u for far ones. d, its inverse, that factor's product and
+//! the product with p are each rounded once, so the relative error is below 4.1u. Components of d
+//! below 2⁻¹⁰⁰ are replaced, which moves the ray by less than the margin of [`Frame::boxed`].
 
 use wide::f32x4;
 
@@ -97,7 +97,7 @@ impl Frame {
 
 /// A ray prepared for the slab test.
 pub struct Slabs {
-    /// For near sides, and for far sides.
+    /// The direction's inverses, for near sides and for far sides.
     inverse: [[f32x4; 3]; 2],
     /// The offsets to subtract for near sides, and for far sides.
     offset: [[f32x4; 3]; 2],

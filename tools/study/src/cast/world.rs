@@ -55,7 +55,7 @@ pub struct Part {
     pub shape: Primitive,
     /// The filters' limits for rays from within [`World::reach`].
     pub limits: Limits,
-    /// What the camera fixes.
+    /// The constants for the rays of the camera, if there is one.
     pub from_camera: Option<PartFromCamera>,
     /// Which of its hits are accurate enough.
     pub accurate: Accurate,
@@ -120,11 +120,11 @@ pub struct View {
 /// Which hits of a part are as accurate as a [`View`] requires.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Accurate {
-    /// None is certain to be.
+    /// No hit is certain to be.
     Never,
-    /// Those that the camera's filter decides.
+    /// The hits that the camera's filter decides.
     IfFiltered,
-    /// All.
+    /// All hits.
     Always,
 }
 
@@ -190,8 +190,8 @@ impl World {
         world
     }
 
-    /// Computes the filters' limits of all parts, and what the camera fixes. Call it when the list
-    /// is complete.
+    /// Computes the filters' limits of all parts, and their constants for the camera. Call it when
+    /// the list is complete.
     pub fn settle(&mut self, view: Option<View>) {
         self.reach = match view {
             Some(view) => Reach::of(&view.camera),
@@ -229,7 +229,7 @@ impl World {
             object: object as u32,
             place: self.parts.len() as u32,
             shape,
-            // These leave everything open, until `settle`.
+            // With these limits, the filters decide nothing. `settle` computes the real ones.
             limits: Limits {
                 sign: f64::INFINITY,
                 divisor: f64::INFINITY,

@@ -10,8 +10,8 @@ use serde::Serialize;
 use super::sphere::ScaledRay;
 use crate::number::{ROOT_OF_UNIT, TINY};
 
-/// The stages of an exact kernel, cheapest first: the value names the one that decided. A whole
-/// scene has a static filter before these.
+/// The stages of an exact kernel, cheapest first: the value names the one that decided. When whole
+/// scenes are cast, a static filter comes before these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub enum Tier {

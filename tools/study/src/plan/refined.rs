@@ -1,5 +1,5 @@
-//! Hits with more digits than the filters leave them: in double-double arithmetic or, if even that
-//! loses too many, exactly.
+//! Computes hits more accurately than the filters do: in double-double arithmetic or, if even that
+//! loses too many digits, exactly.
 
 use crate::cast::bounds::are_in_range;
 use crate::cast::model::exact;
@@ -100,8 +100,8 @@ fn of_plane(plane: &Plane<f64>, ray: &Ray<f64>) -> Option<(DoubleDouble, Vector<
     Some((ratio(volumes, [error(sizes[1]), error(2.0)])?, n))
 }
 
-/// n = e₁ × e₂ has components up to 2M², with an error of at most 32u² M². So the error of n·d is at
-/// most 576u² M², and that of n·(a − e) at most 288u² S M².
+/// n = e₁ × e₂ has components up to 2M², with an error of at most 32u² M². So the error of n·d is
+/// at most 576u² M², and that of n·(a − e) at most 288u² S M².
 fn of_triangle(
     triangle: &Triangle<f64>,
     ray: &Ray<f64>,

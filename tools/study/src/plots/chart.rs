@@ -71,8 +71,8 @@ impl Axis {
         Axis::over(name, all.into_iter().map(f64::from), f64::to_string)
     }
 
-    /// A logarithmic axis for numbers, of which those below 0.1 are at its end. It ends at powers of
-    /// ten, so that these are labelled, and not numbers such as 316 between them.
+    /// A logarithmic axis for numbers. Those below 0.1 are drawn at its lower end. Both ends are
+    /// powers of ten, so that powers of ten are labelled, and not numbers such as 316 between them.
     pub fn logarithmic(name: &str, all: impl Iterator<Item = f64>) -> Axis {
         let axis = Axis::over(name, all.map(|x| x.max(0.1).log10()), power_of_ten);
         let ends = (axis.ends.0.floor(), axis.ends.1.ceil());

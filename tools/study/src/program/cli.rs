@@ -78,13 +78,12 @@ pub struct Study {
 
 /// Find the fastest way to render a scene's film with a given accuracy, and explain the choice
 ///
-/// The way that is found is called a plan. A film that is rendered by the plan shows the true
-/// object at every pixel, and t and normals are as accurate as you ask for. (The exception is a t
-/// below 2e-308 or above 1.7e308, where f64 has fewer digits or none.) The accuracy is proven for
-/// every camera ray, not estimated from samples. For each kind of shape, the output says how
-/// accurate f64 arithmetic is, and which hits must be checked and perhaps computed exactly. It also
-/// says whether a bounding volume hierarchy is worthwhile. The same scene and options always give
-/// the same plan.
+/// This way is called a plan. A film that is rendered by a plan shows the true object at every
+/// pixel, and its t and normals are as accurate as you ask for. (The exception is a t below 2e-308
+/// or above 1.7e308, where f64 has fewer digits or none.) The accuracy is proven for every camera
+/// ray, not estimated from samples. For each kind of shape, the output says how accurate f64
+/// arithmetic is, and which hits must be checked and perhaps computed exactly. It also says whether
+/// a bounding volume hierarchy is worthwhile. The same scene and options always give the same plan.
 ///
 /// Try: cargo pinhole plan bunny --accuracy 1e-6
 #[derive(Args)]
@@ -123,8 +122,8 @@ pub struct Render {
     /// are cast, they are rounded to f64
     #[arg(long)]
     pub exact: bool,
-    /// Use the fastest way that is proven to keep t and normals as accurate as ACCURACY, a number
-    /// such as 1e-6; `pinhole plan` explains this way
+    /// Use the fastest plan that is proven to keep t and normals as accurate as ACCURACY, a number
+    /// such as 1e-6; `pinhole plan` explains it
     #[arg(long, value_name = "ACCURACY", value_parser = accuracy)]
     pub plan: Option<f64>,
     /// Render this many pixels instead of the scene's own number; the image plane keeps its size

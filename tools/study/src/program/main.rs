@@ -42,7 +42,7 @@ fn run_rounds(arguments: &Record) -> Status {
     let end = arguments.from + arguments.rounds;
     let (mut from, mut is_well) = (arguments.from, true);
     while from < end {
-        // Report every thousand rounds, so that a crash loses at most those.
+        // Report every thousand rounds, so that a crash loses at most a thousand.
         let to = end.min(from + 1_000);
         let count = record(arguments.kind, from..to, arguments.seed);
         let (asked, wrong) = (count.asked, count.wrong);

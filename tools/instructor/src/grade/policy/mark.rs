@@ -163,12 +163,12 @@ impl Policy {
             return points;
         };
         // Binary fractions may be slightly above or below the intended decimal number.
-        const HAIR: f64 = 1e-9;
+        const TOLERANCE: f64 = 1e-9;
         let steps = points / rounding.to;
         let steps = match rounding.direction {
-            Direction::Nearest => (steps + 0.5 + HAIR).floor(),
-            Direction::Up => (steps - HAIR).ceil(),
-            Direction::Down => (steps + HAIR).floor(),
+            Direction::Nearest => (steps + 0.5 + TOLERANCE).floor(),
+            Direction::Up => (steps - TOLERANCE).ceil(),
+            Direction::Down => (steps + TOLERANCE).floor(),
         };
         exact(steps * rounding.to).max(0.0)
     }

@@ -23,9 +23,10 @@ impl Affine {
     }
 }
 
-/// The filter of [`super::adaptive`] for the rays of one camera. A ray passes each side of the triangle on the
-/// left or on the right. If it passes all three on the same side, it hits. Which one it is, is the
-/// sign of a volume, and the volumes are affine functions of q: three multiplications each.
+/// The filter of [`super::adaptive`] for the rays of one camera. A ray passes each side of the
+/// triangle on the left or on the right. If it passes all three on the same side, it hits. The sign
+/// of a volume says on which side it passes, and the volumes are affine functions of q: three
+/// multiplications each.
 ///
 /// # Why the filter is right
 ///
