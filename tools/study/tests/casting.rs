@@ -133,7 +133,7 @@ fn seen_alike<M: Model>() -> [usize; 2] {
 }
 
 #[test]
-fn boxes_lose_no_hit_and_cameras_see_what_rays_from_anywhere_see() {
+fn boxes_lose_no_hit_and_casters_for_one_camera_agree_with_those_for_any_ray() {
     let [hits, _] = seen_alike::<Exact>();
     assert!(hits > 10_000, "{hits}");
     for [hits, accurate] in [

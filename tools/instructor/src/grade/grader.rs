@@ -39,7 +39,7 @@ pub struct Grader<'a> {
     pub goldens: &'a Goldens,
     /// Fresh questions; a group earns its points only if it passes these too.
     pub fresh: Option<&'a Goldens>,
-    /// What is withheld, and how much of it is shown. The same applies to fresh questions.
+    /// What is withheld, and how much of it is shown. As much is shown of fresh questions.
     pub withheld: Withheld,
     pub compiler: &'a Compiler,
     pub sandbox: &'a Sandbox,

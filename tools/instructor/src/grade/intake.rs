@@ -56,8 +56,8 @@ pub struct Entry {
     /// The answer files that are missing or refused: one message for each problem.
     pub unusable: Vec<String>,
     /// The hashes of its answers, if they could be read: see
-    /// [`Provenance::answers`](provenance::Provenance::answers). A mark for other answers is not its
-    /// mark.
+    /// [`Provenance::answers`](provenance::Provenance::answers). A mark that was given to other
+    /// answers is not valid for this submission.
     #[serde(default)]
     pub answers: Option<Vec<(String, String)>>,
     /// Its answers, or why the machine could not read them.
@@ -76,7 +76,8 @@ impl Entry {
     }
 }
 
-/// Two shards have the same class if these fields are equal. Answers may change in between.
+/// Two shards have graded the same class if these fields are equal. Answers may differ, because
+/// they may have changed between the two runs.
 impl PartialEq for Entry {
     fn eq(&self, other: &Entry) -> bool {
         let key = |entry: &Entry| (entry.id.clone(), entry.name.clone(), entry.signs.clone());

@@ -18,7 +18,7 @@ use pinhole_course::submission::{AnswerFileProblem, Submission};
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Provenance {
-    /// The answers: task, and the hash of the file or why there is none.
+    /// For each task, the hash of the answer's file, or why there is none.
     pub answers: Vec<(String, String)>,
     #[serde(flatten)]
     pub made_with: GradingInputs,

@@ -1,8 +1,8 @@
 //! Removes what students must not see from an outcome and its report.
 //!
 //! From detailed results, a student who may hand in often could reconstruct a withheld scene: from
-//! pictures, panic messages, exit codes or times. So what the student's code prints when it is
-//! asked about withheld scenes is never shown, however much `--reveal` shows.
+//! pictures, panic messages, exit codes or times. So no text from the student's code is shown if
+//! it could be about withheld questions, however much `--reveal` shows.
 
 #[cfg(test)]
 mod tests;

@@ -35,7 +35,7 @@ fn copy(name: &str) -> std::path::PathBuf {
 }
 
 #[test]
-fn committed_goldens_are_in_step_and_a_changed_byte_is_noticed() {
+fn committed_goldens_match_their_manifest_and_a_changed_byte_is_noticed() {
     pinhole(&["golden", "verify"])
         .expect_code(0)
         .expect_out("match their manifest");
@@ -66,7 +66,7 @@ fn missing_and_foreign_films_are_noticed() {
 }
 
 #[test]
-fn a_comment_leaves_goldens_in_step_and_another_number_or_script_does_not() {
+fn goldens_stay_valid_after_a_new_comment_but_not_after_another_number_or_script() {
     let folder = fresh(&trusted(), "stale");
     let scene = folder.join("mine.toml");
     let own = root().join("assignments/ray_casting/scenes/slide_example.toml");

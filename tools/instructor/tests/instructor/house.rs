@@ -7,7 +7,7 @@ use std::process::Command;
 use pinhole_testing::{TASKS, fresh, pinhole, root, trusted};
 
 #[test]
-fn the_handout_is_in_step_with_the_reference_and_holds_no_answer() {
+fn the_handout_matches_the_reference_and_holds_no_answer() {
     pinhole(&["handout", "--check"]).expect_code(0);
     let course = root().join("assignments/ray_casting");
     for task in TASKS {
@@ -39,8 +39,8 @@ fn the_handout_is_in_step_with_the_reference_and_holds_no_answer() {
 fn handout_tests(settings: &[(&str, &str)], workspace: &Path) -> (bool, String) {
     let cargo = std::env::var("CARGO").unwrap_or("cargo".into());
     let mut command = Command::new(cargo);
-    // Test the packages that `tools/test` tests together, because cargo would build others again, with
-    // other features.
+    // Test the packages that `tools/test` tests together, because cargo would build others again,
+    // with other features.
     let others = ["--exclude", "pinhole-book", "--exclude", "pinhole-study"];
     command
         .current_dir(root())

@@ -201,7 +201,7 @@ fn escaped_mutant_is_a_fault_unless_listed_as_equivalent() {
 }
 
 #[test]
-fn a_list_of_mutants_that_is_out_of_step_is_named() {
+fn wrong_and_outdated_entries_in_the_list_of_mutants_are_named() {
     let _alone = MUTANTS.lock().unwrap_or_else(PoisonError::into_inner);
     let course = assignment("out-of-step");
     let only_these = ["--only", "mutants", "--named", &of_the_discriminant()];

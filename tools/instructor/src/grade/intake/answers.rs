@@ -18,9 +18,9 @@ use pinhole_course::submission::{Answer, AnswerFileProblem, Submission};
 #[derive(Clone, Debug)]
 pub struct Choice {
     pub submission: Submission,
-    /// What was done to read them. The answers are judged as they were meant.
+    /// What had to be done to read them. It is certain that these answers were meant.
     pub notes: Vec<String>,
-    /// Why other answers may be meant. The instructor should look at these.
+    /// Why other answers may have been meant, which the instructor should check.
     pub doubts: Vec<String>,
 }
 

@@ -43,8 +43,9 @@ fn turned(name: &str, fold: &dyn Fn(&str) -> String) -> Vec<String> {
     (0..words.len()).map(turned).collect()
 }
 
-/// The people with this name. Platforms keep accents, drop them, or drop letters that have one. Only
-/// the roster's name may lose letters: a name with other letters of its own is somebody else's.
+/// The people with this name. Platforms keep accents, drop them, or drop the letters that have
+/// them. So letters of the roster's name may be missing in this one. But if this one has a letter
+/// that the roster's lacks, it is somebody else's.
 fn named<'a>(name: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let ascii = |text: &str| -> String { folded(text).chars().filter(char::is_ascii).collect() };
     type Fold<'f> = &'f dyn Fn(&str) -> String;
@@ -128,7 +129,7 @@ fn with_any_login<'a>(login: &str, people: &'a [Person]) -> Vec<&'a Person> {
     }
 }
 
-/// The people who, or whose groups, have chosen to be called this.
+/// The people who have chosen this name for themselves or for their groups.
 fn calling_themselves<'a>(
     name: &str,
     people: &'a [Person],
@@ -292,9 +293,10 @@ fn share_word(name: &str, other: &str) -> bool {
     words(name).iter().any(|word| others.contains(word))
 }
 
-/// The people that an account may belong to. The platform's number decides, because people
-/// may change their names, unless it may be a group's number. A number beside another name is
-/// listed, because the name of an archive may be its author's choice.
+/// The people that an account may belong to. The platform's number decides, because people may
+/// change their names, unless the number may be a group's. If the number stands beside a name that
+/// isn't the person's, the instructor should check it, because the author of an archive may have
+/// chosen both.
 fn account<'a>(
     number: &str,
     name: &str,

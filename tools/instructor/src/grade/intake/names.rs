@@ -10,7 +10,7 @@
 //! - Brightspace: `NUMBER-NUMBER - First Last - Nov 20, 2026 1159 PM - name.zip`, or a folder
 //!   with this name up to the time; `index.html` beside them lists all.
 //!
-//! The uploader chooses what follows, so it says nothing about the person or the time.
+//! The uploader chooses the rest of a name, so it says nothing about the person or the time.
 
 use jiff::civil::DateTime;
 use serde::{Deserialize, Serialize};
@@ -71,7 +71,7 @@ impl PlatformName<'_> {
     }
 
     /// All ways to read a name as Canvas writes it. A person's name there may contain `_` and
-    /// numbers, and so look like somebody else's.
+    /// numbers, and so look like somebody else's name.
     fn canvas(name: &str) -> impl Iterator<Item = PlatformName<'_>> {
         let ends = name.match_indices('_').map(|(at, _)| at);
         ends.filter_map(|at| PlatformName::canvas_of(name, &name[..at]))
@@ -87,7 +87,7 @@ impl PlatformName<'_> {
             "text.html" | "link.html" => ("0", rest),
             _ => rest.split_once('_')?,
         };
-        // The mark of a late submission is not a part of the name, except before `anon`.
+        // Canvas's `LATE` is not a part of the person's name, except before `anon`.
         let ends_late = person
             .rsplit_once('_')
             .is_some_and(|(_, last)| last.eq_ignore_ascii_case("late"));
@@ -195,9 +195,9 @@ fn is_number(text: &str) -> bool {
 /// The longest name that a platform gives, because no common file system has longer ones.
 const MOST_BYTES: usize = 255;
 
-/// All ways to read a name as a platform's. An uploader can make it look like two people's or two
-/// platforms' names; then nobody knows which it is. The way in which the person's name ends first
-/// comes first.
+/// All ways to read a name as a platform's. An uploader can make a name look as if it were two
+/// people's, or came from two platforms; then nobody knows which it is. The first of these ways has
+/// the shortest name of a person.
 pub fn platforms(name: &str) -> Vec<PlatformName<'_>> {
     // In an archive, a name may be long enough to be read in thousands of ways. No platform gives
     // names with a backslash, and in a ZIP file of reports they could lead out of a folder.
@@ -231,8 +231,8 @@ pub enum HandInTime<Time> {
 }
 
 /// When these files were handed in, according to their names. The latest time counts, and one late
-/// file makes all of them late. If a name can be read in several ways, the platform's time is one of
-/// those that it gives, so the uploader's part can only make a submission later.
+/// file makes all of them late. If a name can be read in several ways, one of them gives the
+/// platform's time. So what the uploader adds can only make a submission later.
 pub fn handed_in(given: &[String]) -> Option<HandInTime<DateTime>> {
     let names = given.iter().flat_map(|name| platforms(name));
     names.filter_map(|name| name.handed_in).max()

@@ -1,7 +1,7 @@
 //! Finds each submission's person on the roster. It never guesses: a submission that could belong
-//! to several people, or contradicts itself, is listed, and belongs to nobody until the roster says
-//! so. A person found only by a name is believed if nothing contradicts it, and the submission is
-//! listed.
+//! to several people, or whose names contradict each other, is listed, and belongs to nobody until
+//! the roster settles whose it is. If only a name says who the person is, and nothing contradicts
+//! it, the name is believed, but the submission is listed.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -60,8 +60,8 @@ fn owners<'a>(entry: &Entry, people: &'a [Person]) -> (Proof, Vec<&'a Person>) {
         }
     }
     let agree = |of: &Vec<&Person>| of.iter().all(|it| found == [*it]) && !of.is_empty();
-    // A file's own name can look like a part of the platform's, as in
-    // `lovelaceada_11_501_hw_2026_11_20.zip`. It follows the platform's part.
+    // The name that the uploader gave a file can look like what the platform adds, as in
+    // `lovelaceada_11_501_hw_2026_11_20.zip`. The platform's part comes first.
     let is_first = |all: &[(Proof, Vec<&Person>)]| match all {
         [(Proof::Id, of), others @ ..] => agree(of) && others.iter().all(|(_, of)| of.is_empty()),
         _ => false,
@@ -74,8 +74,8 @@ fn owners<'a>(entry: &Entry, people: &'a [Person]) -> (Proof, Vec<&'a Person>) {
     (proof.min(entry.at_most), found)
 }
 
-/// Whether a title begins with another title, which shows that the login after it is only the end
-/// of a longer login: beside `HW1_ada`, the login in `HW1_x_bob` is not `bob`.
+/// Whether a title begins with another title. The rest of it is then a part of the login: beside
+/// `HW1_ada`, the login in `HW1_x_bob` is not `bob`, but `x_bob`.
 fn is_overlong(title: &str, titles: &BTreeSet<&str>) -> bool {
     let mut others = titles.iter();
     others.any(|other| *other != title && title.starts_with(other))

@@ -88,7 +88,7 @@ struct Reader<'a> {
     found: Vec<FoundFile>,
     /// What may still be read of each submission, by its path.
     of_each: BTreeMap<Vec<String>, SubmissionReadBudget>,
-    /// What may still be read of the archive that is read.
+    /// What may still be read of the whole archive, if an archive is read.
     whole: Option<Rc<Limits>>,
 }
 
@@ -156,7 +156,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The path of a file in an archive, if it is looked at.
+    /// The path of a file in an archive, if the file is to be looked at.
     fn enter(&mut self, folder: &[String], name: &str) -> Option<Vec<String>> {
         let parts = name.split('/').take(MOST_PARTS + 1).map(str::to_owned);
         let path: Vec<String> = folder.iter().cloned().chain(parts).collect();

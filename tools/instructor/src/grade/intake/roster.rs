@@ -31,8 +31,9 @@ pub struct Person {
 }
 
 /// Names of columns, in lower case and without spaces: ours, and those of Canvas's gradebook,
-/// Moodle's lists in English and German, and the rosters of GitHub's classrooms. If a table has several of them, the first in this list
-/// counts. In the line of a person who has no id there, the next one counts.
+/// Moodle's lists in English and German, and the rosters of GitHub's classrooms. If a table has
+/// several of them, the first in this list counts. If a person has no id in that column, the next
+/// column counts.
 const ID: [&str; 12] = [
     "sisuserid",
     "idnumber",
@@ -108,8 +109,8 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
             Some(_) => cell(name).to_owned(),
             None => parts.map(cell).join(" ").trim().to_owned(),
         };
-        // Skip the lines of Canvas's gradebook that are about no student: how grades are posted, the
-        // possible points, and the test student.
+        // Skip the lines of Canvas's gradebook that are about no student: how grades are posted,
+        // the possible points, and the test student.
         let mut own = ids.iter().map(|at| cell(Some(*at)));
         let own = own
             .find(|own| !own.is_empty())

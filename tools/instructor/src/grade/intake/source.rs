@@ -67,8 +67,8 @@ impl Source<'_> {
         !names::platforms(name).is_empty() || (self.is_on_roster)(stem)
     }
 
-    /// Whether most of what is at the top has a person's name. A single other name makes no
-    /// difference, as that of Moodle's default group.
+    /// Whether most of what is at the top has a person's name. A single other name, such as that of
+    /// Moodle's default group, makes no difference.
     fn names_people(&self, found: &[FoundFile]) -> bool {
         let tops = found.iter().filter_map(|found| found.path.first());
         let tops: BTreeSet<&String> = tops.collect();
@@ -88,8 +88,9 @@ impl Source<'_> {
                 && !self.is_person(&self.name)
                 && self.names_people(&self.found);
         }
-        // One person's folder may contain folders with names of others. People can choose their
-        // own names, and so be called like the folder of a class, but that contains no answers.
+        // One person's folder may contain folders with names of others. But somebody may have
+        // chosen the name of the class's folder. That folder contains no answers itself, so it is
+        // still a class.
         if (self.is_id)(&self.name) || self.holds_answers() && self.is_person(&self.name) {
             return false;
         }

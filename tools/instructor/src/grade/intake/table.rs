@@ -13,7 +13,7 @@ pub struct Table {
     pub first_line: String,
     /// The columns' names, in lower case and without spaces.
     header: Vec<String>,
-    /// The other lines, with their numbers in the file. Cells have the spaces around them.
+    /// The other lines, with their numbers in the file. Cells keep the spaces around their text.
     pub rows: Vec<(u64, csv::StringRecord)>,
 }
 

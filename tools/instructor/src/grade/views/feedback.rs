@@ -51,8 +51,8 @@ fn for_canvas(row: &Row) -> Option<String> {
 }
 
 /// Moodle's “Upload multiple feedback files in a zip”: folders as in its export. Their numbers say
-/// whose they are (`mod/assign/feedback/file/importziplib.php` in Moodle's source). A group's number
-/// may be somebody else's (`mod/assign/classes/downloader.php`), so it gets no folder.
+/// whose they are (`mod/assign/feedback/file/importziplib.php` in Moodle's source). A group's
+/// number may be somebody else's (`mod/assign/classes/downloader.php`), so it gets no folder.
 fn for_moodle(row: &Row) -> Option<String> {
     let names = row.entry.given.iter();
     let mut names = names.filter_map(|name| platform(name));
@@ -64,8 +64,9 @@ fn for_moodle(row: &Row) -> Option<String> {
     Some(format!("{folder}_assignsubmission_file/report.html"))
 }
 
-/// For sending in other ways: the report is named by the person's id. Other characters are written
-/// as in a URL, so that no two people, whose ids may be addresses that they chose, share a folder.
+/// For sending in other ways: the report is named by the person's id. Characters that are not safe
+/// in file names are written as in a URL. So no two people share a folder, even if their ids are
+/// addresses that they chose themselves.
 fn for_others(row: &Row) -> Option<String> {
     let id = row.person.map_or(&row.entry.id, |person| &person.id);
     // A folder called `..` is the one above, and Windows leaves out a dot at the end.

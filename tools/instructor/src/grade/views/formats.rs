@@ -78,8 +78,8 @@ impl Format {
 
 fn parts(record: &Record) -> Vec<Part> {
     let groups = record.got.tasks.iter().flat_map(|task| {
-        // Say what concerns the whole task once, at the first group that fails. PrairieLearn takes
-        // no results of more than 1 MB.
+        // Say what concerns the whole task only once, at the first group that fails, because
+        // PrairieLearn takes no results of more than 1 MB.
         let mut problem = task.file.problem();
         let mut help = Some(help(task));
         task.groups.iter().map(move |group| Part {
@@ -201,9 +201,9 @@ fn prairielearn(record: &Record) -> Value {
 }
 
 /// Follows <https://github.com/foundation50/classroom50/wiki/Advanced-Autograding>, “The
-/// `result.json` contract”, and `schemas/result-v1.schema.json` there. The runner's environment names
-/// the classroom, the assignment and the submission; the runner itself adds the owner and the kind of
-/// assignment. `None` without a mark, so that the runner reports an error of its own.
+/// `result.json` contract”, and `schemas/result-v1.schema.json` there. The runner's environment
+/// names the classroom, the assignment and the submission; the runner itself adds the owner and the
+/// kind of assignment. `None` without a mark, so that the runner reports an error of its own.
 fn classroom50(record: &Record, runner: &dyn Fn(&str) -> Option<String>) -> Option<Value> {
     let points = record.got.points?;
     let tests = parts(record).into_iter().map(|part| {

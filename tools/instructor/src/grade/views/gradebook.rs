@@ -14,9 +14,9 @@ use pinhole_report::escape::printable;
 
 /// For Canvas: Grades, Import. `lib/gradebook_importer.rb` in Canvas's source (canvas-lms) wants
 /// `Student` and `ID` first, `Section` before the assignments, and at most the two SIS columns
-/// between. It finds a student by `ID`, then by `SIS User ID`, by `SIS Login ID`, or by name. A line
-/// with `Points Possible` sets what the assignment is worth. `Name (number)` refers to an existing
-/// assignment.
+/// between. It finds a student by `ID`, then by `SIS User ID`, by `SIS Login ID`, or by name. A
+/// line with `Points Possible` sets what the assignment is worth. `Name (number)` refers to an
+/// existing assignment.
 pub fn canvas(class: &Class) -> String {
     let policy = class.roll.policy.as_ref();
     let column = policy.and_then(|policy| policy.rules.gradebook_column.clone());
@@ -42,17 +42,18 @@ pub fn canvas(class: &Class) -> String {
     table.for_machines()
 }
 
-/// A person's name, for Canvas. Canvas takes every line whose name contains `Points Possible` for the
-/// one that says what the assignment is worth, and people may choose their name.
+/// A person's name, for Canvas. Canvas takes every line whose name contains `Points Possible` for
+/// the one that says what the assignment is worth, and people may choose their name.
 fn canvas_name(person: &Person) -> String {
     printable(&person.name).replace("Points Possible", "Points possible")
 }
 
-/// For Moodle: the assignment's “Upload grading worksheet”, or the gradebook's import from
-/// CSV, where `ID number` identifies the person. The first
-/// (`mod/assign/feedback/offline/importgradeslib.php` in Moodle's source) needs `Identifier`, `Grade`
-/// and `Last modified (grade)`, in the language of the person who uploads. It passes over grades that
-/// were changed after that time, unless told otherwise, and grades above the assignment's maximum.
+/// For Moodle: the assignment's “Upload grading worksheet”, or the gradebook's import from CSV,
+/// where `ID number` identifies the person. The first
+/// (`mod/assign/feedback/offline/importgradeslib.php` in Moodle's source) needs `Identifier`,
+/// `Grade` and `Last modified (grade)`, in the language of the person who uploads. It skips grades
+/// above the assignment's maximum and, unless told otherwise, grades that were changed after that
+/// time.
 pub fn moodle(class: &Class) -> String {
     let mut table = Table::new(&[
         "Identifier",
@@ -114,8 +115,8 @@ pub fn has_number_of(name: &PlatformName, person: &Person) -> bool {
 /// The platform's numbers for people.
 struct Accounts {
     of: Platform,
-    /// The numbers that stand in names of several submissions. The platform wrote only one of these
-    /// names.
+    /// The numbers that occur in the names of several submissions. The platform wrote only one of
+    /// these names.
     contested: BTreeSet<String>,
 }
 
@@ -153,7 +154,7 @@ mod tests {
     use crate::grade::class::marks::tests::{entry, roll};
 
     #[test]
-    fn a_number_in_the_names_of_two_people_is_neithers() {
+    fn a_number_in_the_names_of_two_people_belongs_to_neither() {
         let entries = vec![
             entry("one", "ada", "ada_77_501_hw.zip"),
             entry("two", "bob", "bob_77_999_hw.zip"),
@@ -170,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn the_number_of_a_group_on_moodle_is_no_members() {
+    fn the_number_of_a_group_on_moodle_is_not_taken_for_a_members() {
         let entries = vec![
             entry("one", "ada", "Team A_3001_assignsubmission_file"),
             entry("two", "eve", "eve Name of_2002_assignsubmission_file"),
@@ -185,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn nobody_can_be_called_like_the_line_with_the_points_possible() {
+    fn no_students_name_is_taken_for_the_line_points_possible() {
         for name in ["Points Possible", "Eve Points Possible", "Points\tPossible"] {
             let person = Person {
                 name: name.into(),

@@ -179,7 +179,7 @@ fn a_group_is_graded_once_and_marked_for_all() {
 }
 
 #[test]
-fn nobody_is_in_doubt_whose_group_has_handed_in() {
+fn people_whose_group_has_handed_in_are_not_in_doubt() {
     let in_doubt = |groups: &[(&str, &[&str])]| {
         let both = entry("two", "bob eve", "bob eve");
         let roll = roll(vec![entry("one", "ada", "ada"), both], RULES, groups);

@@ -43,7 +43,7 @@ impl Limit {
     }
 }
 
-/// Nobody's archive takes longer, even on a slow disk.
+/// Even on a slow disk, no student's ordinary archive takes longer.
 const MOST_TIME: Duration = Duration::from_secs(60);
 pub const TOO_SLOW: &str = "reading it takes longer than a minute";
 

@@ -25,7 +25,7 @@ fn an_archive_with_other_peoples_names_is_one_submission() {
 }
 
 #[test]
-fn a_folder_named_after_a_person_is_no_class() {
+fn a_folder_named_after_a_person_is_not_a_class() {
     let person = |id: &str, name: &str| Person {
         id: id.into(),
         name: name.into(),
@@ -54,7 +54,7 @@ fn a_folder_named_after_a_person_is_no_class() {
         assert_eq!(names("eve"), ["eve"]);
         assert_eq!(names("Eve Malory"), ["Eve Malory"]);
         assert_eq!(names("alone/eve"), ["eve"]);
-        // Somebody who is called like the folder of the class doesn't make it theirs.
+        // The folder of the class doesn't become the submission of somebody who has its name.
         assert_eq!(names("class"), [others]);
         for folder in ["eve", "Eve Malory", "alone", "class"] {
             fs::remove_dir_all(export.path(folder)).expect("it is there");
@@ -292,7 +292,7 @@ fn a_chosen_address_or_login_like_somebodys_name_takes_nobodys_submission() {
 }
 
 #[test]
-fn a_login_on_github_like_the_class_takes_no_class() {
+fn a_login_on_github_with_the_name_of_the_class_does_not_take_the_class() {
     for list in [
         "username,name,github_id,student_id\nal,Ada Lovelace,1,2001\nclass,Mallory Mann,2,2002\n",
         "username,name,github_id\nal,Ada Lovelace,1\nclass,Mallory Mann,2\n",
@@ -406,7 +406,7 @@ fn a_short_title_chosen_by_an_uploader_moves_nobodys_mark() {
 }
 
 #[test]
-fn a_name_that_leads_out_of_a_folder_is_no_platforms() {
+fn a_name_that_leads_out_of_a_folder_is_not_a_platforms() {
     let name = "evil_77_assignsubmission_file_";
     assert_eq!(names::platforms(name).len(), 1);
     assert_eq!(names::platforms(&format!(r"..\..\{name}")), []);

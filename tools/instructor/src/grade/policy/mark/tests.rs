@@ -118,7 +118,7 @@ fn no_mark_is_below_zero_and_none_rises_with_lateness() {
 }
 
 #[test]
-fn a_day_late_is_the_same_time_tomorrow_even_when_clocks_change() {
+fn a_day_late_ends_at_the_same_time_tomorrow_even_when_clocks_change() {
     // In Berlin, 25 October 2026 has 25 hours.
     let due: Zoned = "2026-10-24 23:59[Europe/Berlin]".parse().expect("a time");
     let next: Zoned = "2026-10-25 23:59[Europe/Berlin]".parse().expect("a time");
