@@ -1,4 +1,5 @@
-//! Asks the compiled reference like any submission: it is a process of its own, not linked.
+//! Asks the compiled reference like any submission. It runs in a process of its own, and is not
+//! linked into this program.
 //!
 //! No tool may import a submission. So a number that the book attributes to the reference comes
 //! from the very program that is judged against Mitsuba.

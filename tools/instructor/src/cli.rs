@@ -61,9 +61,9 @@ impl Command {
 /// and OUT/class.html. All code runs in a sandbox.
 ///
 /// You can stop `grade` at any time and run it again. It continues where it stopped, and grades
-/// again only what has changed. If the machine or Pinhole fails to grade a submission, that
-/// submission is listed first. It has no mark, which is not the same as a zero, and the exit code
-/// is 3.
+/// again only what has changed. If a submission can't be graded because the machine or Pinhole
+/// fails, it is listed first. It has no mark, which is not the same as a zero, and the exit code is
+/// 3.
 ///
 /// The end of the output and the top of class.html list what you should look at: submissions that
 /// lack files, could belong to several people, or belong to nobody on the roster, and files that
@@ -73,8 +73,8 @@ impl Command {
 /// are the same for the whole class. A submission then earns a group's points only if it answers
 /// both the public and the fresh questions of that group correctly. Scenes have a limit, too: if
 /// the weakest task that a scene needs earns 60 % of its points, the scene earns at most 60 % of
-/// its own. But random scenes are drawn along with the fresh questions. If these scenes need the
-/// same tasks and earn a larger share of their points, that share is the limit.
+/// its own. But random scenes are drawn, too, along with the fresh questions. If these need the
+/// same tasks and earn a larger share of their points, the limit is that larger share.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions

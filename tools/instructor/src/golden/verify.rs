@@ -1,5 +1,5 @@
-//! `pinhole golden verify`: checks that the goldens match the manifest, and that so do the scenes
-//! and scripts that they were made from.
+//! `pinhole golden verify`: checks that the goldens, and the scenes and scripts that they were made
+//! from, match the manifest.
 
 use std::path::Path;
 

@@ -82,7 +82,7 @@ pub fn with_current_points(
     })
 }
 
-/// As [`with_current_points`], for a submission whose answers are not at hand. If it was graded
+/// Like [`with_current_points`], but for a submission whose answers this run has not read. If it was graded
 /// with another version of the assignment, it keeps its points, and its fault says so.
 pub fn kept(
     before: Record,

@@ -1,4 +1,4 @@
-//! Finds each person's mark: which submission counts, and what the policy makes of its points.
+//! Finds each person's mark: which submission counts, and how the policy changes its points.
 
 use std::collections::BTreeMap;
 

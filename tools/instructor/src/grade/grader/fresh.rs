@@ -113,7 +113,7 @@ pub enum Purpose {
 /// into archives.
 const PURPOSE: &str = ".purpose";
 
-/// Reserves a folder of fresh questions for one purpose, for ever.
+/// Reserves a folder of fresh questions for one purpose. It can never serve the other one.
 ///
 /// # Errors
 /// If the folder has been used for the other purpose.

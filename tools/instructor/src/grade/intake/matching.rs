@@ -14,7 +14,7 @@ fn folded(text: &str) -> String {
     kept.flat_map(char::to_lowercase).collect()
 }
 
-/// Whether this is what [`folded`] makes of a text. It makes no copy of ASCII text, because every
+/// Whether [`folded`] turns a text into this one. ASCII text is not copied for this, because every
 /// submission is compared with everyone on the roster.
 fn is_folded(folded_text: &str, text: &str) -> bool {
     let plain = text.bytes().filter(u8::is_ascii_alphanumeric);

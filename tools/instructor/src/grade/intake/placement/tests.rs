@@ -79,7 +79,7 @@ fn accents_find_their_people_however_they_are_written() {
     is("mu\u{308}llerzoe\u{308}_1_2_a.zip", "s3");
     is("Zoe\u{308} Mu\u{308}ller", "s3");
     is("mullerzoe_1_2_a.zip", "s3");
-    // Letters that the roster doesn't have are no accents.
+    // A letter that the roster's name lacks is not just an accent.
     for name in [
         "Ada Lovelace學_777_assignsubmission_file",
         "lovelaceada學_1_2_a.zip",
@@ -148,7 +148,7 @@ fn names_that_people_choose_are_listed_and_yield_to_names_that_they_do_not_choos
     assert_eq!(placed.of.len(), 1);
     assert_eq!(placed.of["s1"].id, "s1");
     assert!(placed.ambiguous.contains_key(named), "{placed:?}");
-    // A name among other words proves nothing: it may be a login.
+    // A name among other words proves nothing, because it may be a login.
     let placed = place(&entries(&["hw1-ada-lovelace"]), Some(&people()));
     assert!(placed.ambiguous.contains_key("hw1-ada-lovelace") && placed.of.is_empty());
 }

@@ -1,4 +1,5 @@
-//! Attacks by uploaders: archives, links and names that would harm whoever reads them.
+//! Attacks by uploaders: archives, links and names that would harm the people or programs that read
+//! them.
 
 use super::hostile::placed;
 use super::*;
