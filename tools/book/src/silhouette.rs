@@ -78,7 +78,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn near_a_sphere_all_ways_agree_and_far_away_only_the_foot_is_right() {
+    fn near_a_sphere_all_ways_agree_and_far_away_only_the_foot_of_the_perpendicular_is_right() {
         for (name, meets) in WAYS {
             assert_eq!(wrong(meets, 10.0), 0, "{name}");
         }

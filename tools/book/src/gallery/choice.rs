@@ -184,7 +184,7 @@ mod tests {
     }
 
     #[test]
-    fn richer_of_two_equally_distinct_pictures_is_chosen() {
+    fn more_colourful_of_two_equally_distinct_pictures_is_chosen() {
         let candidates = [candidate(
             "one",
             vec![shot("a", [BLACK; 4]), shot("b", [BLACK, BLUE, BLACK, BLUE])],

@@ -100,7 +100,7 @@ fn goldens_are_not_verified_if_their_scripts_cannot_be_compared() {
 }
 
 #[test]
-fn a_scene_renders_to_the_same_bytes_twice_and_passes_against_the_committed() {
+fn a_scene_renders_to_the_same_bytes_twice_and_passes_against_the_committed_golden() {
     let (first, second) = (fresh(&trusted(), "render-1"), fresh(&trusted(), "render-2"));
     for folder in [&first, &second] {
         pinhole(&[
@@ -173,7 +173,7 @@ obj = "edge.obj"
 }
 
 #[test]
-fn fresh_probes_and_scenes_are_a_whole_set_of_goldens() {
+fn fresh_questions_and_scenes_are_a_complete_set_of_goldens() {
     let folder = fresh_goldens();
     verify(&folder).expect_code(0);
     let tasks = TASKS

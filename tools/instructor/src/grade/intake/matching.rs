@@ -338,7 +338,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn texts_are_compared_as_they_are_folded() {
+    fn is_folded_agrees_with_folded() {
         for text in ["Ada.Lovelace@x.org", "a_1", "", "Zoë", "İpek", "e\u{301}"] {
             assert!(is_folded(&folded(text), text), "{text}");
             assert!(!is_folded("somebody else", text), "{text}");

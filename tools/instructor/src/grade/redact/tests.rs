@@ -230,7 +230,7 @@ fn student_output_on_withheld_questions_is_removed() {
 }
 
 #[test]
-fn revealing_points_hides_pixel_counts_and_endings() {
+fn revealing_only_points_hides_pixel_counts_and_endings() {
     let scene = |outcome| SceneOutcome::new("exam".into(), 5, outcome, Some(0.25));
     for (outcome, said) in [
         (

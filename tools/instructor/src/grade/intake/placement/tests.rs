@@ -182,7 +182,7 @@ fn a_groups_number_on_moodle_is_not_mistaken_for_a_persons() {
 }
 
 #[test]
-fn a_group_with_somebodys_number_and_a_word_of_their_name_does_not_stand_for_them() {
+fn a_group_with_somebodys_number_and_a_word_of_their_name_is_not_taken_for_them() {
     let mut people = people();
     people[0].number = Some("2001".into());
     people[3].number = Some("2004".into());

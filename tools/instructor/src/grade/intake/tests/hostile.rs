@@ -185,7 +185,7 @@ fn a_login_that_looks_like_somebodys_name_proves_nothing() {
 }
 
 #[test]
-fn a_files_name_does_not_continue_our_sentence() {
+fn a_file_name_cannot_pose_as_a_part_of_our_message() {
     let export = Export::new();
     export.put_all("class/ada", answers("", "ada"));
     fs::remove_file(export.path("class/ada/sphere.rs")).expect("it was there");
