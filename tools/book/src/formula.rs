@@ -33,7 +33,7 @@ impl Formulas {
             "" => Err("a formula with nothing in it".into()),
             latex => match self.0.convert_with_local_state(latex, display) {
                 Ok(converted) => Ok(inert(&converted.mathml)),
-                Err(error) => Err(format!("`{latex}` cannot be set: {error}")),
+                Err(error) => Err(format!("`{latex}` cannot be typeset: {error}")),
             },
         }
     }
@@ -80,9 +80,9 @@ mod tests {
     }
 
     #[test]
-    fn a_formula_that_cannot_be_set_is_an_error_that_quotes_it() {
+    fn a_formula_that_cannot_be_typeset_is_an_error_that_quotes_it() {
         let error = Formulas::default().inline(r"\frac{1}{").unwrap_err();
-        assert!(error.contains(r"`\frac{1}{` cannot be set"), "{error}");
+        assert!(error.contains(r"`\frac{1}{` cannot be typeset"), "{error}");
         assert!(Formulas::default().display(r"\nosuchcommand").is_err());
         assert!(Formulas::default().inline(" ").is_err());
     }

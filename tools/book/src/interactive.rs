@@ -80,7 +80,7 @@ pub fn npm(arguments: &[&str], checkout: &Checkout) -> Result<std::result::Resul
         started(&folder, &["ci", "--silent", "--no-audit", "--no-fund"])?.map_err(|said| {
             Error::environment(
                 format!("npm ci: {said}"),
-                "see that npm reaches its registry",
+                "make sure that npm can reach its registry",
             )
         })?;
     }

@@ -49,7 +49,7 @@ pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Status> {
     progress.clear();
     if let Some(named) = arguments.named.as_ref().filter(|_| validation.is_empty()) {
         return Err(Error::input(
-            format!("nothing that would be judged has {named:?} in its name"),
+            format!("nothing to judge has {named:?} in its name"),
             "pass part of a name that the tables list, such as `mistakes/` or `bunny`",
         ));
     }

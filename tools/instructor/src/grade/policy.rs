@@ -197,8 +197,8 @@ fn groups_in(path: &Path) -> Result<Vec<Group>> {
         table.needed_column(&MEMBER)?;
         let who: Vec<usize> = MEMBER.iter().filter_map(|it| table.column(&[it])).collect();
         let name = table.needed_column(&["group", "groupname", "team"])?;
-        // Two groups may have similar names. So groups are told apart by the platform's number or,
-        // if there is none, by the name as it is written.
+        // Two groups may have the same name, or nearly so. They are told apart by the platform's
+        // number or, if there is none, by the name exactly as it is written.
         let key = table.column(&["canvasgroupid", "groupid"]).unwrap_or(name);
         let mut groups: BTreeMap<&str, Group> = BTreeMap::new();
         let mut alone = BTreeSet::new();

@@ -169,7 +169,7 @@ fn goldens_match_and_the_grading_meets_every_target() {
 fn name_that_matches_nothing_is_an_error() {
     run(&["validate", "--named", "no_such_thing"])
         .expect_code(2)
-        .expect_err("nothing that would be judged has \"no_such_thing\" in its name");
+        .expect_err("nothing to judge has \"no_such_thing\" in its name");
 }
 
 /// A copy of the assignment's folders that one test may change.

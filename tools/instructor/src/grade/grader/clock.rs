@@ -3,8 +3,8 @@
 //!
 //! Jobs run at the same time, and a busy machine must not cost students points. So if an answer or
 //! the compiler exceeds its limit while other submissions are graded, the whole submission is put
-//! off. When all others are done, it is graded again with nothing else running. What exceeds its
-//! limit then has timed out.
+//! off. When all others are done, it is graded again with nothing else running. Only what
+//! exceeds its limit then, too, has timed out.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
