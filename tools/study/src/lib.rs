@@ -14,8 +14,8 @@
 //!    [`random_scene`], [`scenes`]: whole scenes; [`record`]: the long runs;
 //! 7. [`plan`]: the cheapest way to cast a scene accurately enough, and [`plans`], which checks
 //!    this;
-//! 8. [`extent`], [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the whole
-//!    study, and its reports.
+//! 8. [`extent`], [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the
+//!    whole study, and its reports.
 
 pub mod breaking;
 pub mod cast;

@@ -1,10 +1,11 @@
 //! Plans the cheapest way to cast a scene with the requested accuracy, and proves that the
 //! accuracy is reached.
 //!
-//! 1. Which object is first is always decided exactly. This costs a few instructions per ray,
-//!    and also proves t to [`PROVEN_T`].
-//! 2. [`bounds`](crate::cast::bounds) tells for each part how accurate t must be, so that t and the normal are as
-//!    accurate as requested. The filters' limits are chosen accordingly, once for the whole film.
+//! 1. Which object a ray hits first is always decided exactly. This costs a few instructions per
+//!    ray, and also proves t to [`PROVEN_T`].
+//! 2. [`bounds`](crate::cast::bounds) tells for each part how accurate t must be, so that t and the
+//!    normal are as accurate as requested. The filters' limits are chosen accordingly, once for the
+//!    whole film.
 //! 3. [`casting`] casts by the plan. A hit that a filter leaves open is computed by [`refined`].
 //! 4. [`description`](crate::summary::description) describes the plan in words.
 //!

@@ -21,8 +21,8 @@ fn meet(sphere: &Sphere<f32>, ray: &Ray<f32>, min_t: f32) -> Option<f32> {
     sphere::Haines::intersect(sphere, &sphere::Haines::prepare(ray), min_t)
 }
 
-/// Given a computed hit: the point as nearly on the surface as `f32` allows, a bound on its error in
-/// each component, and a unit normal. pbrt-v4, §6.8.5: γ₅ for the refined point relative to the
+/// Given a computed hit: the point as nearly on the surface as `f32` allows, a bound on its error
+/// in each component, and a unit normal. pbrt-v4, §6.8.5: γ₅ for the refined point relative to the
 /// centre, plus the rounding of the sum.
 fn refined(sphere: &Sphere<f32>, point: Vector<f32>) -> [Vector<f32>; 3] {
     let normal = (point - sphere.center).unit();

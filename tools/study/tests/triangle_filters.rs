@@ -15,9 +15,9 @@ fn twice_decided(triangle: &Triangle<f64>, ray: &Ray<f64>, min_t: f64) -> Option
     double_double_filter(triangle, &ScaledQuery::new(scaled, scaled.scale(min_t)))
 }
 
-/// A ray at distance `hair` from the world's origin, aimed from there at the middle of an edge. With
-/// `hair` = 0 it hits the edge exactly, because corners are multiples of 2^−50 and their sum is not
-/// rounded. `back` tells how far behind the world's origin the ray begins.
+/// A ray at distance `hair` from the world's origin, aimed from there at the middle of an edge.
+/// With `hair` = 0 it hits the edge exactly, because corners are multiples of 2^−50 and their sum
+/// is not rounded. `back` tells how far behind the world's origin the ray begins.
 fn beside_an_edge(random: &mut Random, hair: f64, back: f64) -> (Triangle<f64>, Ray<f64>) {
     let fine = 2f64.powi(50);
     let [a, b, c] = [0; 3].map(|_| random.unit().map(|x| (x * fine).round() / fine));

@@ -82,8 +82,8 @@ pub fn with_current_points(
     })
 }
 
-/// Like [`with_current_points`], but for a submission whose answers this run has not read. If it was
-/// graded with another version of the assignment, it keeps its points, and its fault says so.
+/// Like [`with_current_points`], but for a submission whose answers this run has not read. If it
+/// was graded with another version of the assignment, it keeps its points, and its fault says so.
 pub fn kept(
     before: Record,
     cache: &ResultCache,

@@ -1,5 +1,5 @@
-//! Casts by a plan. Which object is first is decided exactly. t and the normal are computed in
-//! `f64` if that is proven to be accurate enough, and with more digits otherwise.
+//! Casts by a plan. Which object a ray hits first is decided exactly. t and the normal are computed
+//! in `f64` if that is proven to be accurate enough, and with more digits otherwise.
 
 use std::hint::black_box;
 
@@ -122,7 +122,8 @@ impl PlannedCaster {
     fn normal(&self, part: &Part, ray: &Ray<f64>, t: f64) -> Vector<f64> {
         match &part.shape {
             Primitive::Sphere(sphere) => {
-                // The hit is at this distance from the centre, so there is no need for a square root.
+                // The hit is at this distance from the centre, so there is no need for a square
+                // root.
                 (ray.origin - sphere.center + ray.direction * t) * (1.0 / sphere.radius)
             }
             _ => self.normals[part.place as usize],

@@ -1,14 +1,14 @@
 //! Parses the names that learning platforms give to submissions.
 //!
 //! - Canvas: `lastfirst_USER_FILE_name.zip` or `lastfirst_LATE_USER_FILE_name.zip`; a later
-//!   upload has a greater FILE (`lib/content_zipper.rb` in the source of canvas-lms). What students
-//!   typed in is `lastfirst_USER_text.html`, a link `lastfirst_USER_link.html`. If the assignment is
-//!   graded anonymously, `lastfirst` is `anon` and USER a random word.
+//!   upload has a greater FILE (`lib/content_zipper.rb` in the source of canvas-lms). Text that a
+//!   student typed in is `lastfirst_USER_text.html`, and a link is `lastfirst_USER_link.html`. If
+//!   the assignment is graded anonymously, `lastfirst` is `anon`, and USER is a random word.
 //! - Moodle: `First Last_NUMBER_assignsubmission_file`, which names a folder or begins a file's
 //!   name (`mod/assign/classes/downloader.php` in its source).
 //! - Blackboard: `TITLE_LOGIN_attempt_2026-11-20-23-59-01_name.zip`.
 //! - Brightspace: `NUMBER-NUMBER - First Last - Nov 20, 2026 1159 PM - name.zip`, or a folder
-//!   with this name up to the time; `index.html` beside them lists all.
+//!   with this name up to the time; the file `index.html` beside them lists all submissions.
 //!
 //! The uploader chooses the rest of a name, so it says nothing about the person or the time.
 

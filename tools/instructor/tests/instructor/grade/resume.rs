@@ -137,8 +137,8 @@ fn shards_merge_to_the_grades_of_one_run() {
             .is_file()
     );
 
-    // A new submission moves all later ones into the other part. The part that had dora before still
-    // has the mark of her older answers.
+    // A new submission moves all later ones into the other part. The part that had dora before
+    // still has the mark of her older answers.
     assert!(class.result("1-2", "dora")["points"].as_u64() < Some(100));
     class.hand_in("dora", &[]);
     class.hand_in("aaron", &[]);

@@ -39,8 +39,8 @@ impl SphereFromEye {
         })
     }
 
-    /// A smaller [`Limits::divisor`] than that of [`super::adaptive`], for eyes that are not near the
-    /// surface: infinite for others.
+    /// A smaller [`Limits::divisor`] than that of [`super::adaptive`], for eyes that are not near
+    /// the surface: infinite for others.
     ///
     /// The error of the root in q is at most a (12u r|f| + 72u²|f|² + 4u r²) / root, and that of h
     /// at most 4u|d||f|. If q² is a|c| or more, which it always is, both together are below half
