@@ -17,7 +17,7 @@ pub fn table(diagnoses: &Diagnoses) -> String {
         ("known mistakes in other code", &diagnoses.rewrites),
         ("several known mistakes at once", &diagnoses.compounds),
         (
-            "mistakes left out of the known ones, so that no name is right",
+            "mistakes treated as unknown, so that every name is false",
             &diagnoses.unmet,
         ),
     ];
