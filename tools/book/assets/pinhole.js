@@ -1,4 +1,4 @@
-// What is wider than the page scrolls on its own; then the keyboard must reach it.
+// Whatever is wider than the page scrolls on its own, so the keyboard must be able to reach it.
 const reachable = () => {
     for (const element of document.querySelectorAll(".formula, .table-wrapper, pre code, figure")) {
         if (element.scrollWidth > element.clientWidth) {
@@ -11,7 +11,7 @@ const reachable = () => {
 addEventListener("load", reachable);
 addEventListener("resize", reachable);
 
-// Paper cannot be unfolded: printing opens what is folded, and closes it afterwards.
+// Unfold everything before printing, and fold it again afterwards.
 let opened = [];
 addEventListener("beforeprint", () => {
     opened = [...document.querySelectorAll("details:not([open])")];
