@@ -149,7 +149,8 @@ fn stubs_in_place(assignment: &Assignment, arguments: &Handout) -> Result<Status
             anstream::println!("this file does not match the reference: {}", path.display());
         }
         anstream::println!(
-            "if these files contain none of your work, write them again: cargo pinhole handout {} --force",
+            "if these files contain none of your work, write them again: cargo pinhole handout {} \
+             --force",
             assignment.name
         );
     }

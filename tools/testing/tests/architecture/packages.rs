@@ -80,8 +80,8 @@ fn the_harness_is_built_once_for_students_and_instructors() {
     for package in harness.keys() {
         assert_eq!(
             student[package], instructor[package],
-            "{package} is built twice, and so is everything that needs it: give it the same features in \
-             both programs"
+            "{package} is built twice, and so is everything that needs it: give it the same \
+             features in both programs"
         );
     }
 }
