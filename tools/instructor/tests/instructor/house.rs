@@ -63,7 +63,7 @@ fn no_setting_of_insta_turns_a_wrong_film_green_or_touches_a_golden() {
     let workspace = fresh(&trusted(), "insta");
     let snapshots = "assignments/ray_casting/tests/snapshots";
     let copy = workspace.join(snapshots);
-    // insta names the folder by way of the package, which must exist as well.
+    // insta's path to the folder leads through the package's folder, which must exist, too.
     for package in ["handout", "reference"] {
         let folder = workspace.join("assignments/ray_casting").join(package);
         fs::create_dir_all(folder).expect("it can be made");

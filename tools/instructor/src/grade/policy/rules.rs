@@ -55,7 +55,7 @@ pub enum Attempts {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Late {
-    /// This many percent for every hour or day that has begun.
+    /// The percentage to take off for each hour or day that has begun since the deadline.
     pub percent: f64,
     /// An hour or a day.
     pub per: LatenessUnit,
