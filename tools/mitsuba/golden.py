@@ -15,6 +15,8 @@ from importlib import import_module
 from importlib.metadata import version
 from pathlib import Path
 
+SEED = "PINHOLE_SEED"
+
 
 def render_scene(path, folder):
     """One scene's four films."""
@@ -168,7 +170,11 @@ def main():
             "assignment", type=lambda folder: Path(folder).resolve(), metavar="ASSIGNMENT",
             help="the assignment's folder, with assignment.toml and questions",
         )
-        command.add_argument("--seed", type=int, required=True, metavar="N")
+        # Other users can read the arguments of a program, but not its environment.
+        command.add_argument(
+            "--seed", type=int, required=SEED not in os.environ, default=os.environ.get(SEED),
+            metavar="N", help=f"by default, the environment variable {SEED}",
+        )
     for command in (scenes, questions, fresh, ties, random):
         command.add_argument("--out", type=Path, required=True, metavar="DIR")
         command.add_argument("--jobs", type=int, default=2, metavar="N")

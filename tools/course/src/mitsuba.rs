@@ -11,6 +11,7 @@ use serde::Deserialize;
 use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
 use crate::progress::Progress;
+use crate::seed::Seed;
 
 /// The folder of the Python environment.
 pub fn environment(checkout: &Checkout) -> PathBuf {
@@ -161,13 +162,15 @@ pub struct RenderResult {
     pub refusal: Option<Error>,
 }
 
-/// Runs `golden.py` and returns what it made.
+/// Runs `golden.py` and returns what it made. The scripts get the seed, if there is one, where other
+/// users of the machine can't read it.
 ///
 /// # Errors
 /// If the environment is missing, or the scripts fail.
 pub fn render(
     checkout: &Checkout,
     arguments: &[&OsStr],
+    seed: Option<Seed>,
     progress: &Progress,
 ) -> Result<RenderResult> {
     let python = interpreter(&environment(checkout));
@@ -185,6 +188,7 @@ pub fn render(
         .arg(scripts(checkout).join("golden.py"))
         .args(arguments)
         .env("PYTHONDONTWRITEBYTECODE", "1")
+        .envs(seed.map(|seed| ("PINHOLE_SEED", seed.to_string())))
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()

@@ -143,10 +143,20 @@ pub fn make(
     for scene in &scenes {
         Scene::read(scene)?;
     }
-    fs::create_dir_all(&folder).or_input(
-        format_args!("cannot make {}", folder.display()),
-        "name a folder you may write to",
-    )?;
+    // Nobody may read fresh questions before they are asked.
+    let is_secret = arguments.out.is_some() && arguments.seed.is_some();
+    fs::create_dir_all(&folder)
+        .and_then(|()| {
+            if is_secret {
+                make_private(&folder)
+            } else {
+                Ok(())
+            }
+        })
+        .or_input(
+            format_args!("cannot make {}", folder.display()),
+            "name a folder you may write to",
+        )?;
 
     let progress = Progress::new();
     progress.say("Mitsuba");
@@ -165,7 +175,7 @@ pub fn make(
     if !scenes.is_empty() {
         let mut line: Vec<OsString> = vec!["scenes".into()];
         line.extend(scenes.iter().map(OsString::from));
-        let rendered = python(checkout, line, &staging, &progress)?;
+        let rendered = python(checkout, line, None, &staging, &progress)?;
         enter(&mut manifest, &rendered, &staging)?;
         let made = |scene: &&PathBuf| {
             let stem = scene.file_stem().unwrap_or_default();
@@ -182,8 +192,8 @@ pub fn make(
         }
     }
     if let Some(seed) = arguments.seed {
-        let line = drawn("random-scenes", assignment, seed);
-        let rendered = python(checkout, line, &staging, &progress)?;
+        let line = drawn("random-scenes", assignment);
+        let rendered = python(checkout, line, Some(seed), &staging, &progress)?;
         enter(&mut manifest, &rendered, &staging)?;
         for item in &rendered.items {
             let scene = staging
@@ -198,14 +208,14 @@ pub fn make(
             Some(seed) => ("fresh-questions", seed),
             None => ("questions", COMMITTED_SEED),
         };
-        let line = drawn(what, assignment, seed);
-        let rendered = python(checkout, line, &staging, &progress)?;
+        let line = drawn(what, assignment);
+        let rendered = python(checkout, line, Some(seed), &staging, &progress)?;
         enter(&mut manifest, &rendered, &staging)?;
         manifest.probe_seed = Some(seed);
     }
     if whole {
-        let line = drawn("ties", assignment, COMMITTED_SEED);
-        let rendered = python(checkout, line, &staging, &progress)?;
+        let line = drawn("ties", assignment);
+        let rendered = python(checkout, line, Some(COMMITTED_SEED), &staging, &progress)?;
         enter(&mut manifest, &rendered, &staging)?;
     }
     publish(&staging, &folder)?;
@@ -276,22 +286,33 @@ fn scenes(arguments: &GoldenRender, assignment: &Assignment) -> Result<Vec<PathB
     arguments.scenes.iter().map(find).collect()
 }
 
+/// Makes a folder private, so that nobody else on the machine can look inside.
+pub fn make_private(folder: &Path) -> std::io::Result<()> {
+    #[cfg(unix)]
+    {
+        let mode = std::os::unix::fs::PermissionsExt::from_mode(0o700);
+        fs::set_permissions(folder, mode)?;
+    }
+    #[cfg(not(unix))]
+    let _nobody_else_is_here = folder;
+    Ok(())
+}
+
 /// The arguments that make the scripts draw scenes, questions or ties from a seed.
-fn drawn(what: &str, assignment: &Assignment, seed: Seed) -> Vec<OsString> {
-    let folder = assignment.folder.clone().into();
-    let seed = seed.to_string().into();
-    vec![what.into(), folder, "--seed".into(), seed]
+fn drawn(what: &str, assignment: &Assignment) -> Vec<OsString> {
+    vec![what.into(), assignment.folder.clone().into()]
 }
 
 fn python(
     checkout: &Checkout,
     mut line: Vec<OsString>,
+    seed: Option<Seed>,
     folder: &Path,
     progress: &Progress,
 ) -> Result<RenderResult> {
     line.extend(["--out".into(), folder.into()]);
     let line: Vec<&OsStr> = line.iter().map(OsString::as_os_str).collect();
-    mitsuba::render(checkout, &line, progress)
+    mitsuba::render(checkout, &line, seed, progress)
 }
 
 fn enter(manifest: &mut Manifest, rendered: &RenderResult, folder: &Path) -> Result<()> {

@@ -7,8 +7,8 @@
 use pinhole_course::outcome::{Outcome, SceneOutcome};
 
 /// The most that scenes may earn. Each scene that passes gets its points times the smallest share
-/// of points among the tasks it needs, and the sum is rounded up. If fresh scenes that need the
-/// same tasks earn a larger share, theirs counts.
+/// of points among the tasks it needs, and the sum is rounded up. If the share of fresh scenes that
+/// pass is larger, and they need the same tasks, their share counts.
 ///
 /// `needs` says which tasks each scene needs, and which the fresh scenes need together.
 pub fn most_for_scenes(
@@ -17,7 +17,7 @@ pub fn most_for_scenes(
     needs: &[Vec<&str>],
     fresh_needs: &[&str],
 ) -> u32 {
-    let of_fresh = share(fresh.iter().map(|scene| (scene.points, scene.possible)));
+    let of_fresh = share(fresh.iter().map(|scene| (scene.outcome.passes().into(), 1)));
     let capped = outcome.scenes.iter().zip(needs).map(|(scene, needs)| {
         let tasks = outcome.tasks.iter();
         // A task whose groups are all dropped doesn't count here.
@@ -48,7 +48,8 @@ mod tests {
 
     use super::*;
 
-    /// The most for two scenes that pass, if two tasks have earned these points out of 10. The
+    /// The most for two scenes that pass, if two tasks have earned these points out of 10, and so
+    /// many of nine fresh scenes pass, which are worth nothing themselves. The
     /// first scene is worth 3 points and needs both tasks. The second is worth 5 and needs only
     /// `plane`.
     fn most(sphere: u32, plane: u32, fresh: u32, fresh_needs: &[&str]) -> u32 {
@@ -69,7 +70,14 @@ mod tests {
         outcome.tasks = serde_json::from_value(tasks).expect("two tasks");
         let scenes = json!([scene("both", 3, 3), scene("plane", 5, 5)]);
         outcome.scenes = serde_json::from_value(scenes).expect("two scenes");
-        let fresh = json!([scene("random_0", fresh, 9)]);
+        let random = (0..9).map(|k| {
+            let mut scene = scene("random", 0, 0);
+            scene["outcome"] = json!({
+                "kind": "withheld", "passes": k < fresh, "ended": "timed out", "points_only": false,
+            });
+            scene
+        });
+        let fresh = random.collect();
         let fresh: Vec<SceneOutcome> = serde_json::from_value(fresh).expect("a scene");
         let needs = [vec!["sphere", "plane"], vec!["plane"]];
         most_for_scenes(&outcome, &fresh, &needs, fresh_needs)

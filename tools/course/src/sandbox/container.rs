@@ -6,9 +6,9 @@
 //! everything else that is secret must be closed to the code's user. So the files that the code
 //! needs are in a folder outside the checkout.
 
-use std::fs::{self, DirBuilder, Permissions};
+use std::fs::{self, DirBuilder, File, Permissions};
 use std::io;
-use std::os::unix::fs::{DirBuilderExt, PermissionsExt, chown};
+use std::os::unix::fs::{DirBuilderExt, MetadataExt, OpenOptionsExt, PermissionsExt, chown};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Arc;
@@ -251,28 +251,86 @@ const SYSTEM: [&str; 6] = [
 #[derive(Debug)]
 struct Scratch {
     folder: PathBuf,
+    /// Held as long as the folder is in use. The kernel releases it when this process ends.
+    _lock: File,
 }
 
 impl Scratch {
     fn new() -> Result<Scratch> {
         static NEXT: AtomicU32 = AtomicU32::new(0);
+        let parent = std::env::temp_dir();
+        Scratch::remove_left_behind(&parent);
         let number = NEXT.fetch_add(1, Ordering::Relaxed);
-        let name = format!("pinhole-container-{}-{number}", std::process::id());
-        let folder = std::env::temp_dir().join(name);
-        // A killed process that had the same id may have left it behind.
-        let _absent = fs::remove_dir_all(&folder);
-        let made = DirBuilder::new().mode(0o711).create(&folder);
-        made.and_then(|()| fs::set_permissions(&folder, Permissions::from_mode(0o711)))
-            .or_environment(
-                format_args!("cannot make {}", folder.display()),
-                "remove it, or set TMPDIR to another folder",
-            )?;
-        Ok(Scratch { folder })
+        let name = format!("{SCRATCH}{}-{number}", std::process::id());
+        // Under this name, nobody removes the folder before it is locked.
+        let (new, folder) = (parent.join(format!(".{name}")), parent.join(name));
+        let make = || -> io::Result<File> {
+            let _absent = fs::remove_dir_all(&new);
+            DirBuilder::new().mode(0o711).create(&new)?;
+            fs::set_permissions(&new, Permissions::from_mode(0o711))?;
+            let lock = lock(&new)?;
+            lock.lock()?;
+            fs::rename(&new, &folder)?;
+            Ok(lock)
+        };
+        let _lock = make().or_fail(&Error::environment(
+            format!("cannot make {}", folder.display()),
+            "remove it, or set TMPDIR to another folder",
+        ))?;
+        Ok(Scratch { folder, _lock })
     }
+
+    /// Removes the folders of processes that were killed. They may hold answers that later code,
+    /// which gets the same user id, could read.
+    fn remove_left_behind(parent: &Path) {
+        for entry in fs::read_dir(parent).into_iter().flatten().flatten() {
+            let is_scratch = entry.file_name().to_string_lossy().starts_with(SCRATCH);
+            let is_own = || {
+                entry
+                    .metadata()
+                    .is_ok_and(|it| it.is_dir() && it.uid() == 0)
+            };
+            let is_free = || lock(&entry.path()).is_ok_and(|lock| lock.try_lock().is_ok());
+            if is_scratch && is_own() && is_free() {
+                let _tried_again_next_time = fs::remove_dir_all(entry.path());
+            }
+        }
+    }
+}
+
+/// How the names of scratch folders begin.
+const SCRATCH: &str = "pinhole-container-";
+
+/// The file whose lock shows that a scratch folder is in use.
+fn lock(folder: &Path) -> io::Result<File> {
+    let mut options = File::options();
+    options.write(true).create(true).truncate(false).mode(0o600);
+    options.open(folder.join(".lock"))
 }
 
 impl Drop for Scratch {
     fn drop(&mut self) {
         let _left_in_the_container = fs::remove_dir_all(&self.folder);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_scratch_folders_of_processes_that_have_ended_are_removed() {
+        let parent = tempfile::tempdir().expect("there is room");
+        let [used, left] =
+            ["used", "left"].map(|name| parent.path().join(format!("{SCRATCH}{name}")));
+        for folder in [&used, &left] {
+            fs::create_dir(folder).expect("there is room");
+        }
+        let held = lock(&used).expect("it can be locked");
+        held.lock().expect("nobody else has it");
+        Scratch::remove_left_behind(parent.path());
+        // Only root has scratch folders.
+        let is_root = rustix::process::getuid().is_root();
+        assert_eq!((used.exists(), left.exists()), (true, !is_root));
     }
 }

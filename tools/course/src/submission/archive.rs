@@ -164,6 +164,16 @@ impl<R: Read + Seek> Archive<R> {
         text::of_bytes(bytes)
     }
 
+    /// How many bytes a file takes in the archive, as the archive claims; 0 if it isn't there.
+    pub fn packed_length(&mut self, path: &str) -> u64 {
+        let Some(index) = self.files.get(path) else {
+            return 0;
+        };
+        self.left.set(MOST_READ);
+        let raw = self.zip.by_index_raw(*index);
+        raw.map_or(0, |raw| raw.compressed_size())
+    }
+
     /// Unpacks the first `most` bytes of a file, ignoring the length that the archive claims.
     ///
     /// # Errors

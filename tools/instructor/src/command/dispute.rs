@@ -91,9 +91,12 @@ fn id_of(named: &str, roll: &Roll) -> Result<String> {
         let person = roll.placed.of.get(id);
         let mut team = person.into_iter().flat_map(|person| roll.team_of(person));
         let mut perhaps = roll.placed.ambiguous.get(id).into_iter().flatten();
-        id == named || team.any(is_named) || perhaps.any(is_named)
+        team.any(is_named) || perhaps.any(is_named)
     };
     let ids = roll.entries.iter().map(|entry| entry.id.clone());
+    if let Some(id) = ids.clone().find(|id| id == named) {
+        return Ok(id);
+    }
     let found: Vec<String> = ids.filter(|id| is_meant(id)).collect();
     match &found[..] {
         [id] => Ok(id.clone()),
@@ -204,6 +207,12 @@ mod tests {
         ] {
             assert_eq!(id_of(named, &roll).expect("it is there"), "one");
         }
+        // Each of a group's submissions is found by its own id.
+        let entries = vec![entry("one", "ada", "ada"), entry("bob", "bob", "bob")];
+        let both =
+            crate::grade::class::marks::tests::roll(entries, RULES, &[("team", &["ada", "bob"])]);
+        assert_eq!(id_of("bob", &both).expect("it is there"), "bob");
+        assert!(id_of("ada", &both).is_err());
         let error = id_of("Name of nobody", &roll).expect_err("nobody has this name");
         assert!(error.to_string().contains("no submission by"), "{error}");
     }

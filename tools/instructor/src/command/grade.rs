@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 use rayon::prelude::*;
 
 use crate::cli::Grade;
+use crate::golden::make_private;
 use crate::grade::cache::{ResultCache, pretty, standing};
 use crate::grade::class::{self, Roll, replace};
 use crate::grade::grader::clock::Pace;
@@ -24,7 +25,7 @@ use crate::grade::views::summary::{ClassOutput, RunSummary};
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::Compiler;
-use pinhole_course::error::Result;
+use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
 use pinhole_course::progress::Progress;
@@ -195,7 +196,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     if !to_grade.is_empty() {
         progress.say("building");
         let compiler = Compiler::new(&assignment, checkout, &sandbox)?;
-        let programs = programs(&sandbox.scratch(checkout), &cache);
+        let programs = programs(&sandbox, checkout, &cache)?;
         progress.say("asking the reference");
         let judges: Vec<&Goldens> = [Some(&goldens), made.as_ref().map(|(fresh, _)| fresh)]
             .into_iter()
@@ -264,13 +265,21 @@ fn jobs(arguments: &Grade) -> usize {
 
 /// The folder for this class's programs. Deletes programs that a killed run may have left. The
 /// folder isn't in `--out`, because the user that runs the students' code may have no access there.
-fn programs(scratch: &Path, cache: &ResultCache) -> PathBuf {
+fn programs(sandbox: &Sandbox, checkout: &Checkout, cache: &ResultCache) -> Result<PathBuf> {
+    let grading = sandbox.scratch(checkout).join("grading");
     let out = cache.path("");
     let out = out.canonicalize().unwrap_or(out);
     let name = provenance::sha256(out.as_os_str().as_encoded_bytes());
-    let programs = scratch.join("grading").join(&name[..16]);
+    let programs = grading.join(&name[..16]);
     let _absent = fs::remove_dir_all(&programs);
-    programs
+    // In a container, the user that runs the code must be able to reach the folder, but can't list
+    // the one around it.
+    if grading.starts_with(checkout.scratch()) {
+        fs::create_dir_all(&grading)
+            .and_then(|()| make_private(&grading))
+            .or_fail(&Error::file(&grading))?;
+    }
+    Ok(programs)
 }
 
 /// Students read this text, so it must not name the seed, from which anyone could make the

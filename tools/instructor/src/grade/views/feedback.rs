@@ -1,6 +1,6 @@
 //! Everyone's report, in archives that course systems distribute to students.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{Cursor, Write};
 
 use zip::ZipWriter;
@@ -88,16 +88,24 @@ fn percent_encoded(text: &str, is_plain: impl Fn(usize, char) -> bool) -> String
     encoded.collect()
 }
 
-/// Writes the capitals of names that differ in nothing else as in a URL, because Windows would
-/// unpack two folders with such names into one.
+/// Makes all names differ. Writes the capitals of names that differ in nothing else as in a URL,
+/// because Windows would unpack two folders with such names into one. Numbers the reports of equal
+/// names, which two exports without a roster may have.
 fn distinguish(names: Vec<&mut String>) {
     let mut counts: BTreeMap<String, usize> = BTreeMap::new();
     for name in &names {
         *counts.entry(name.to_lowercase()).or_default() += 1;
     }
+    let mut taken = BTreeSet::new();
     for name in names {
         if counts[&name.to_lowercase()] > 1 {
             *name = percent_encoded(name, |_, c| !c.is_uppercase());
+        }
+        let stem = name.trim_end_matches(".html").to_owned();
+        let mut number = 2;
+        while !taken.insert(name.clone()) {
+            *name = format!("{stem}-{number}.html");
+            number += 1;
         }
     }
 }
@@ -131,8 +139,6 @@ fn archive(
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeSet;
-
     use super::*;
     use crate::grade::intake::Entry;
     use crate::grade::intake::matching::Proof;
@@ -228,5 +234,8 @@ mod tests {
         let mut names = ["ADA", "bob", "Ada", "ada", "Bo"].map(str::to_owned);
         distinguish(names.each_mut().into());
         assert_eq!(names, ["%41%44%41", "bob", "%41da", "ada", "Bo"]);
+        let mut equal = ["a/report.html", "a/report.html"].map(str::to_owned);
+        distinguish(equal.each_mut().into());
+        assert_eq!(equal, ["a/report.html", "a/report-2.html"]);
     }
 }

@@ -19,6 +19,8 @@ pub struct Limits {
     pub passed: Limit,
     /// How many files are looked at.
     pub files: Limit,
+    /// What an archive's submissions may take without counting for the archive, in all.
+    reserved: Limit,
     until: Option<Instant>,
     whole: Option<Rc<Limits>>,
 }
@@ -26,20 +28,28 @@ pub struct Limits {
 /// What is left of an amount, and the amount in words.
 pub struct Limit {
     left: Cell<u64>,
+    /// How much of it does not count for the archive around the submission.
+    own: Cell<u64>,
     said: &'static str,
 }
 
 impl Limit {
     fn new(most: u64, said: &'static str) -> Limit {
-        let left = Cell::new(most);
-        Limit { left, said }
+        Limit {
+            left: Cell::new(most),
+            own: Cell::new(0),
+            said,
+        }
     }
 
-    /// Spends some of it, if that much is left; otherwise, all of it.
-    fn spend(&self, amount: u64) -> Result<(), &'static str> {
+    /// Spends some of it, if that much is left; otherwise, all of it. Returns how much counts for
+    /// the archive around the submission.
+    fn spend(&self, amount: u64) -> Result<u64, &'static str> {
         let left = self.left.get().checked_sub(amount);
         self.left.set(left.unwrap_or(0));
-        left.map(drop).ok_or(self.said)
+        let own = self.own.get();
+        self.own.set(own.saturating_sub(amount));
+        left.map(|_| amount.saturating_sub(own)).ok_or(self.said)
     }
 }
 
@@ -65,6 +75,7 @@ impl Limits {
                 "it unpacks to more than 20 times its length",
             ),
             files: Limit::new(u64::MAX, ""),
+            reserved: Limit::new(more, ""),
             until: None,
             whole: None,
         }
@@ -78,8 +89,22 @@ impl Limits {
             unpacked: Limit::new(1 << 30, "it unpacks to more than 1 GiB"),
             passed: Limit::new(4 << 30, "it contains more than 4 GiB to read through"),
             files: Limit::new(100_000, "it contains more than 100000 files"),
+            reserved: Limit::new(0, ""),
             until: Some(Instant::now() + MOST_TIME),
             whole,
+        }
+    }
+
+    /// Reserves 20 times the length of a submission's file in an archive for this submission, so
+    /// that others, however much they unpack to, leave enough for it. Files that share their bytes
+    /// get no more than 20 times the length of the whole archive.
+    pub fn reserve(&self, length: u64) {
+        let Some(whole) = &self.whole else { return };
+        let own = length.saturating_mul(20);
+        if whole.reserved.spend(own).is_ok() {
+            for limit in [&self.kept, &self.unpacked, &self.passed] {
+                limit.own.set(limit.own.get() + own);
+            }
         }
     }
 
@@ -89,9 +114,9 @@ impl Limits {
         if self.is_late() {
             return Err(TOO_SLOW);
         }
-        of(self).spend(amount)?;
+        let counts = of(self).spend(amount)?;
         match &self.whole {
-            Some(whole) => whole.spend(of, amount),
+            Some(whole) => whole.spend(of, counts),
             None => Ok(()),
         }
     }

@@ -80,6 +80,9 @@ fn walk(reader: &mut Reader, file: File, path: &[String], depth: usize) -> Resul
             reader.pass(&inside, kind.is_file());
             continue;
         }
+        if depth == 0 {
+            reader.limits(&inside).reserve(entry.size());
+        }
         let mut copy = |most: u64, to: &mut dyn Write| {
             let copied = io::copy(&mut (&mut entry).take(most), to);
             copied

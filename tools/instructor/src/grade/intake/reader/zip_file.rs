@@ -32,6 +32,10 @@ pub fn read(
             reader.pass(&inside, true);
             continue;
         }
+        if depth == 0 {
+            let length = archive.packed_length(&name);
+            reader.limits(&inside).reserve(length);
+        }
         let mut copy = |most: u64, to: &mut dyn Write| {
             archive.unpack(&name, most, to).map_err(|why| match why {
                 AnswerFileProblem::Refused(why) => ReadFailure::Refused(why),

@@ -246,6 +246,27 @@ fn files_that_share_their_bytes_are_limited_together() {
 }
 
 #[test]
+fn nobody_leaves_too_little_to_unpack_for_the_rest_of_a_class() {
+    let export = Export::new();
+    let own =
+        |name: &str, file: &str| format!("{name}_200{}_assignsubmission_file/{file}", name.len());
+    let ada = zip(&answers("", "ada"));
+    let mut class = vec![(own("Zoe Ada", "hw1.zip"), ada)];
+    // Each of these unpacks to a little less than 1 GiB, and all together to more than an archive may.
+    for file in ["a.zip", "b.zip", "c.zip"] {
+        class.push((own("Eve Mallory", file), shared_zeros(15)));
+    }
+    export.put("class.zip", &zip(&class));
+    let intake = export.find("class.zip");
+    let [eve, zoe] = &intake.entries[..] else {
+        panic!("{:?}", intake.entries)
+    };
+    assert!(!eve.unusable.is_empty(), "{eve:?}");
+    assert_eq!(zoe.unusable, Vec::<String>::new());
+    assert!(zoe.submission.is_ok(), "{zoe:?}");
+}
+
+#[test]
 fn no_name_harms_its_readers() {
     let words = [
         "_",
