@@ -59,21 +59,22 @@ impl Command {
 ///
 /// An answer is the code that you write for one task. Each task has several groups of questions.
 /// What your code returns is compared with what the renderer Mitsuba returns. Then all your answers
-/// together render every scene as a film, which holds the object, t and normal of each pixel. Your
-/// film is compared with Mitsuba's. For each group and scene that fails, you see what was asked,
-/// what was expected and what your code returned.
+/// together render every scene as a film, and your film is compared with Mitsuba's. For each pixel,
+/// a film holds the object that the ray hits, the ray's parameter t at the hit, and the surface
+/// normal there. For each group and scene that fails, you see what was asked, what was expected and
+/// what your code returned.
 ///
 /// With --watch, `check` keeps running and judges an answer whenever you save it. Once all tasks
 /// pass, it judges the scenes. Press h for a hint and ? for all keys. Without a terminal, or with
 /// --json, `check --watch` prints verdicts as they come, until you press Ctrl-C or close the pipe
-/// to its standard input. With --json, each verdict is one line. The exit code of --watch doesn't
-/// depend on the verdicts.
+/// to its standard input. With --json, each verdict is one line. With --watch, the exit code
+/// doesn't depend on the verdicts.
 ///
 /// Only the answer files in the folder DIR are used. If DIR is outside this repository, the code is
 /// compiled and run in a sandbox.
 ///
-/// `check` also writes a report, an HTML file with hints. For every scene that fails, it shows the
-/// expected picture and yours. Click a pixel to see both answers there.
+/// `check` also writes a report, an HTML file with hints. For every scene that fails, the report
+/// shows the expected picture and yours. Click a pixel in it to see both answers.
 #[derive(Args)]
 pub struct Check {
     /// The folder with the answer files, or a folder whose subfolder `src` has them [default: the
@@ -107,7 +108,7 @@ pub struct Check {
     /// Open the page of the book that helps with the first thing that is wrong
     #[arg(long, conflicts_with_all = ["json", "watch"])]
     pub read: bool,
-    /// Also write the answers to this ZIP file, to hand in
+    /// Also pack your answers into this ZIP file, so that you can hand them in
     #[arg(long, value_name = "FILE", conflicts_with = "watch")]
     pub pack: Option<PathBuf>,
     /// Show how long each stage took
@@ -123,11 +124,12 @@ pub struct Check {
 
 /// Render a scene, and write its film and pictures
 ///
-/// film.exr holds the id, t and normal of each pixel. id.png, depth.png and normal.png show them in
-/// false colours. If Mitsuba has rendered the scene, depth.png uses the same colours for the same
-/// depths as Mitsuba's picture. If the assignment counts the tests of boxes and triangles,
-/// tests.png shows how many tests each pixel took, and expected-tests.png shows how many tests it
-/// takes with the reference answers.
+/// For each pixel, film.exr holds the id of the object that the ray hits, the ray's parameter t at
+/// the hit, and the surface normal there. id.png, depth.png and normal.png show these three in
+/// false colours. If Mitsuba has rendered the scene, a depth has the same colour in depth.png as in
+/// Mitsuba's picture. If the assignment counts how often rays are tested against boxes and
+/// triangles, tests.png shows how many tests each pixel took. expected-tests.png shows how many
+/// tests it takes with the reference answers.
 ///
 /// If some of your answers are still missing, pixels that need them are taken from Mitsuba's film.
 /// These pixels are faded in the pictures, so that you can see what your own code does already.
@@ -141,7 +143,7 @@ pub struct Render {
     pub submission: Option<PathBuf>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Render this many pixels instead of the scene's own number; the image plane keeps its size
+    /// Render at this resolution instead of the scene's own; the image plane keeps its size
     #[arg(long, value_name = "COLUMNSxROWS", value_parser = resolution)]
     pub resolution: Option<Resolution>,
     /// Write the files to this folder
@@ -190,16 +192,16 @@ pub struct Explain {
 ///
 /// Do this before you write any code, to find out whether you understand a task. You choose some of
 /// its public questions and write down the answers. For each answer, you see whether Mitsuba gives
-/// the same one. You also see how many mistakes your right answers catch, out of those that people
-/// make in this task. An answer catches a mistake if code with that mistake answers differently. If
-/// a right answer catches no mistake, its question is too easy.
+/// the same one. You also see how many of the mistakes that people make in this task your right
+/// answers catch. An answer catches a mistake if code with that mistake answers differently. If a
+/// right answer catches no mistake, its question is too easy.
 ///
-/// The questions of a task are in groups. To begin, let the command write a file with one question
-/// of each group, and no answers:
+/// The questions of a task come in groups. To begin, let the command write a file that has one
+/// question from each group, without answers:
 ///
 /// cargo pinhole examples --new sphere
 ///
-/// An example is a question with its answer, and looks like this. Three digits are enough:
+/// An example is a question with its answer. It looks like this; three digits are enough:
 ///
 /// [[example]]
 /// group = "inside"
@@ -208,9 +210,9 @@ pub struct Explain {
 /// t = 1.25
 /// normal = [0, 0.6, 0.8]
 ///
-/// Where nothing is hit, write `hit = false` and no numbers. You may leave a part out, such as the
-/// normal, but then no mistake in that part is caught. An example without any answer is shown as a
-/// question. No points depend on examples.
+/// Where nothing is hit, write `hit = false` and no numbers. You may leave out a part of the
+/// answer, such as the normal, but then the example can't catch mistakes in that part. If an
+/// example has no answer yet, you see its question in words. You get no points for examples.
 #[derive(Args)]
 #[command(verbatim_doc_comment)]
 pub struct Examples {
@@ -228,12 +230,13 @@ pub struct Examples {
 
 /// Compare a film, made by any program, with a golden film
 ///
-/// A film passes if it has the golden's size and channels, all its values are finite, and at every
-/// pixel |film − golden| ≤ tolerance in every channel. (Some films have a channel `tests`, which
-/// counts tests of boxes and triangles. In that channel, the sum of |film − golden| over all pixels
-/// is compared with the sum of the tolerances.) The tolerances of a golden NAME.exr are in
-/// NAME.tol.exr, in the same folder. If OpenImageIO's oiiotool is installed, it judges the film too.
-/// If the two verdicts differ, Pinhole has a bug, and `diff` says so.
+/// A golden film is one that Mitsuba has rendered. Your film passes if it has the golden's size and
+/// channels, all its values are finite, and |film − golden| ≤ tolerance in every channel of every
+/// pixel. (Some films have a channel `tests`, which counts tests of boxes and triangles. In that
+/// channel, the sum of |film − golden| over all pixels is compared with the sum of the tolerances.)
+/// The tolerances of a golden NAME.exr are in NAME.tol.exr, in the same folder. If OpenImageIO's
+/// oiiotool is installed, it judges the film too. If the two verdicts differ, Pinhole has a bug,
+/// and `diff` says so.
 #[derive(Args)]
 pub struct Diff {
     /// The golden film: NAME.exr, with NAME.tol.exr beside it
@@ -261,8 +264,8 @@ pub struct Diff {
 
 /// Replace an answer with its stub, the code that you started from
 ///
-/// Your answer is kept in the same folder. The name of the copy ends in .old, and if you reset the
-/// answer again, in .old2, and so on.
+/// Your answer is kept in the same folder, under a name that ends in .old. If you reset the answer
+/// again, the next copy's name ends in .old2, and so on.
 #[derive(Args)]
 pub struct Reset {
     /// The task
@@ -277,12 +280,12 @@ pub struct Reset {
     pub json: bool,
 }
 
-/// Check this machine for what Pinhole needs
+/// Check whether this machine has what Pinhole needs
 ///
 /// Lists what Pinhole uses, such as the Rust compiler and a linker, and says whether each was
-/// found. In the instructor's repository, the list includes the sandbox and Mitsuba. For
-/// anything missing, you also see what it is used for and how to get it. Only the Rust compiler, a
-/// linker and enough free disk space are required. If one of these is missing, the exit code is 3.
+/// found. In the instructor's repository, the list includes the sandbox and Mitsuba. If something
+/// is missing, you also see what it is used for and how to get it. Only the Rust compiler, a linker
+/// and enough free disk space are required. If one of these is missing, the exit code is 3.
 #[derive(Args)]
 pub struct Doctor {
     /// Print one JSON document on standard output
@@ -298,7 +301,7 @@ pub struct Doctor {
 /// pinhole completions bash > ~/.local/share/bash-completion/completions/pinhole
 #[derive(Args)]
 pub struct Completions {
-    /// The shell to write for
+    /// The shell that will run the script
     pub shell: clap_complete::Shell,
 }
 

@@ -96,10 +96,10 @@ pub enum Choice {
     /// Bubblewrap for `grade` and for code from outside this repository; otherwise no sandbox
     #[default]
     Auto,
-    /// Linux namespaces, made by bubblewrap
+    /// Linux namespaces, made by the program bubblewrap
     Bubblewrap,
-    /// If you are root in a container that is thrown away afterwards: another user id, and
-    /// Landlock, a part of the Linux kernel
+    /// Another user id and Landlock, a security feature of the Linux kernel; only for root in a
+    /// container that is thrown away afterwards
     Container,
     /// Like `container`, but for kernels without Landlock; weaker, because only file permissions
     /// protect the container's files
