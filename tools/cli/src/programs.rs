@@ -1,6 +1,6 @@
-//! Passes on subcommands that other programs of the course have, with all arguments, as cargo
-//! does with `cargo-CMD`. Such a program is built when it is first needed, so a student's
-//! build doesn't compile it.
+//! Some subcommands belong to other programs of the course. This passes them on with all their
+//! arguments, as cargo does for `cargo-CMD`. Such a program is built when it is first needed, so a
+//! student's build doesn't compile it.
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -95,15 +95,15 @@ impl Program {
                 "run this in the instructor's repository",
             ));
         }
-        // Build in the checkout, but run in the user's folder, because paths are relative to it.
-        // `cargo run` there would obey that folder's settings.
+        // Build in the checkout, but run in the user's folder, because paths are relative to it. We
+        // don't use `cargo run`, because in the user's folder it would obey the settings there.
         let mut cargo = rust_tool("cargo", checkout.root());
         cargo
             .args(["build", "--release", "--manifest-path"])
             .arg(manifest)
             .arg("--message-format=json-render-diagnostics")
             .stderr(Stdio::inherit());
-        // Optimisation settings that only this file can hold.
+        // This file holds settings for optimisation that apply to this program alone.
         let settings = checkout.root().join(self.folder).join("release.toml");
         if settings.is_file() {
             cargo.arg("--config").arg(settings);

@@ -83,7 +83,7 @@ impl Cast {
         written.extend(pictures);
         let mut scale = None;
         if let Some(tests) = &self.tests {
-            // Films side by side need one scale.
+            // Films that are shown side by side need the same scale.
             let expected = self.expected_tests.as_ref();
             let films = [Some(tests), expected].into_iter().flatten();
             scale = HeatScale::of(&films.collect::<Vec<_>>());

@@ -18,8 +18,9 @@ pub fn printable_word(word: &str) -> String {
     printable(&in_shell(word))
 }
 
-/// One cell of a table, made safe for a terminal, and for a spreadsheet, which could read a name as
-/// a formula. A program that separates cells by semicolons may also find a formula after a semicolon.
+/// One cell of a table, made safe for a terminal and for a spreadsheet, which could take a name for
+/// a formula. If the spreadsheet splits cells at semicolons, there may be a formula after a
+/// semicolon, too.
 pub fn printable_cell(cell: &str) -> String {
     let cell = printable(cell);
     let part = |part: &str| match part.trim_start().starts_with(is_formulas) {

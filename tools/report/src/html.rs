@@ -105,8 +105,8 @@ pub struct RepeatCommands {
 }
 
 impl Report {
-    /// The report of an examination by the golden films in a folder. `again` is the command that
-    /// repeats it.
+    /// The report of an examination that used the golden films in a folder. `again` is the command
+    /// that repeats it.
     ///
     /// # Errors
     /// If a scene file cannot be read any more.

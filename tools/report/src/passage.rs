@@ -45,7 +45,7 @@ impl Passage {
     pub fn open(&self, root: &Path) -> String {
         let Some(book) = built(root) else {
             return match has_sources(root) {
-                true => "the book is not built yet: cargo pinhole book build".into(),
+                true => "the book is not built yet; to build it, run: cargo pinhole book build".into(),
                 false => "the book is not in this repository: ask your instructor for it".into(),
             };
         };
@@ -56,7 +56,8 @@ impl Passage {
         }
     }
 
-    /// The sections that help with these beliefs, each once. Without a belief, the chapter.
+    /// The sections that help with these beliefs, each listed once. If there are no beliefs, the
+    /// chapter.
     pub fn against(diagnosis: &Diagnosis, chapter: &str) -> Vec<Passage> {
         let mut passages: Vec<Passage> = Vec::new();
         for held in &diagnosis.beliefs {
@@ -73,8 +74,8 @@ impl Passage {
 }
 
 impl Passage {
-    /// The file to read it in: the page, in a student's repository, or the chapter's source, in
-    /// the course's checkout. `None` without a book.
+    /// The file in which to read the passage. In a student's repository, this is the page; in the
+    /// course's checkout, it is the chapter's source. `None` if there is no book.
     fn file(&self, root: &Path) -> Option<PathBuf> {
         let (page, _) = self.page.split_once('#').unwrap_or((&self.page, ""));
         let source = Path::new(page).with_extension("md");

@@ -98,7 +98,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
         None if arguments.no_report => None,
         None => Some(default_report),
     };
-    // Show the verdict first: it matters more than a report that could not be written.
+    // Show the verdict even if the report could not be written, because it matters more.
     let written = path.map(|path| {
         timed("write the report", || {
             let mut report =
@@ -156,7 +156,8 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
     })
 }
 
-/// Where to continue: in the task to begin with, or else in the first that lacks points.
+/// Says which file to edit next: that of the task to begin with if it lacks points, or else that of
+/// the first task that does.
 fn show_next(assignment: &Assignment, submission: &Submission, outcome: &Outcome) {
     let failing = || outcome.tasks.iter().filter(|task| !task.passes());
     let start = failing().find(|task| task.name == assignment.start);

@@ -26,7 +26,8 @@ use pinhole_report::{json, pictures, terminal};
 
 pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Status> {
     let golden = Golden::read(&arguments.golden)?;
-    // An unreadable film is wrong, like one of the wrong size.
+    // A film that can't be read is judged wrong, like a film of the wrong size. A film that isn't
+    // there is an error.
     if !arguments.film.is_file() {
         let problem = format!("there is no film file {}", arguments.film.display());
         return Err(Error::input(problem, "name the film to judge"));
@@ -46,7 +47,8 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Status> {
         None => None,
     };
     let passes = matches!(&verdict, Ok(Ok(verdict)) if verdict.passes());
-    // Another reader may accept a damaged file; the judges disagree only about a film that both have.
+    // oiiotool may accept a damaged file that we refuse. Compare verdicts only if both judges could
+    // read the film.
     if let (Some(second), Ok(_)) = (&second, &film)
         && second.passes != passes
     {
@@ -230,7 +232,7 @@ fn draw(folder: &Path, golden: &Golden, film: &Film) -> Result<Vec<String>> {
         format_args!("cannot write to {}", folder.display()),
         "name a folder you may write to",
     )?;
-    // Show t and not depth: a film does not know its camera, and the two are proportional.
+    // Show t and not depth, because a film does not know its camera. The two are proportional.
     let range = false_colour::depth_range(golden.film(), 1.0);
     let mut written = Vec::new();
     for (prefix, film) in [("expected", golden.film()), ("got", film)] {

@@ -64,7 +64,7 @@ impl Finding {
     }
 }
 
-/// Less free space than this, in gigabytes, is reported. A build takes about one.
+/// Report less free space than this, in gigabytes. A build takes about 1 GB.
 const ENOUGH_SPACE: f64 = 2.0;
 
 pub fn run(checkout: &Checkout, arguments: &Doctor) -> Result<Status> {

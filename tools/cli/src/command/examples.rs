@@ -25,7 +25,7 @@ pub fn run(checkout: &Checkout, arguments: &Examples) -> Result<Status> {
         let shown = printable(&file.display().to_string());
         match arguments.json {
             true => anstream::println!("{:#}", json!({ "task": task, "file": shown })),
-            false => anstream::println!("wrote {shown}; the comments in it say how to go on"),
+            false => anstream::println!("wrote {shown}; the comments in it say what to do next"),
         }
         return Ok(Status::Well);
     }

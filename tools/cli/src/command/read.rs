@@ -12,7 +12,7 @@ use pinhole_report::passage::{self, Passage};
 pub fn open(passage: &Passage, checkout: &Checkout) {
     let root = checkout.root();
     if passage::built(root).is_none() && passage::has_sources(root) && is_wanted() {
-        // If the book can't be built, the program that builds it has said why.
+        // If the build fails, the program that builds the book has already said why.
         let _built_or_not = std::env::current_exe()
             .and_then(|pinhole| Command::new(pinhole).args(["book", "build"]).status());
     }

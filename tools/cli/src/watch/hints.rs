@@ -1,4 +1,5 @@
-//! The hints, from where to look to what to read. Each press of a key shows one more.
+//! The hints: first where to look, then what to think about, and last what to read. Each press of a
+//! key shows one more.
 
 use super::order::Item;
 use super::state::State;

@@ -20,7 +20,7 @@ use pinhole_course::outcome::{Examination, Outcome, TaskOutcome};
 use pinhole_course::progress::Progress;
 use pinhole_course::submission::flags::flags;
 
-/// Takes orders. A new one replaces the last.
+/// Takes orders. A new order replaces the one before.
 pub struct Judge {
     course: Arc<Course>,
     /// Built again after a failure, because the folder of the harness may have been deleted.
@@ -30,7 +30,7 @@ pub struct Judge {
     threads: Vec<JoinHandle<()>>,
 }
 
-/// How long a cancelled compiler has to end.
+/// How long a cancelled compiler may take to end.
 const LAST_WORDS: Duration = Duration::from_secs(3);
 
 impl Judge {

@@ -23,8 +23,8 @@ impl Item {
     }
 }
 
-/// An order to judge some items of some answers, in this sequence. A new order cancels the
-/// last.
+/// An order to judge some items of some answers, in this sequence. A new order cancels the one
+/// before.
 #[derive(Clone, Debug)]
 pub struct Order {
     /// The order's number. Results of older orders are stale.

@@ -21,8 +21,8 @@ pub struct Plain {
     width: usize,
 }
 
-/// Ends the watch when standard input closes, if it is a pipe, because the program at its other
-/// end is gone.
+/// If standard input is a pipe, ends the watch when it closes, because then the program at its
+/// other end is gone.
 pub fn listen(events: Sender<Event>) {
     if is_pipe() {
         thread::spawn(move || {

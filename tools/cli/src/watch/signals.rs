@@ -25,7 +25,7 @@ pub fn listen(events: &Sender<Event>) -> Result<()> {
     Ok(())
 }
 
-/// This system has none.
+/// This system has no such signals.
 #[cfg(not(unix))]
 pub fn listen(_: &Sender<Event>) -> Result<()> {
     Ok(())

@@ -62,11 +62,11 @@ pub struct State {
     again: RepeatCommands,
 }
 
-/// What goes with a verdict.
+/// What is known about a verdict.
 struct Stamp {
     /// The answers it judges.
     generation: u64,
-    /// How long after their save it came.
+    /// How long after the save of these answers it came.
     after_save: Option<Duration>,
     /// What the student's code printed.
     printed: String,

@@ -40,8 +40,8 @@ pub struct BeliefReference {
 }
 
 impl Beliefs {
-    /// `None` if no belief is named. A belief in `told` is only referred to, because an earlier
-    /// section explains it.
+    /// `None` if no belief is named. A belief in `told` gets only a reference to the earlier
+    /// section that explains it.
     pub fn of(diagnosis: &Diagnosis, told: &[BeliefReference]) -> Option<Beliefs> {
         let one_of = diagnosis.reading == Reading::OneOf && diagnosis.beliefs.len() > 1;
         let most = diagnosis.beliefs.iter().map(|held| held.explained);

@@ -36,7 +36,7 @@ const SCRIPT: [&str; 5] = [
     include_str!("../../templates/viewer.js"),
 ];
 
-/// Our templates, by name. A template that uses a value it was not given is an error.
+/// Our templates, by name. If a template uses a value that it was not given, that is an error.
 ///
 /// # Panics
 /// If a template has a mistake in its syntax.
@@ -52,7 +52,7 @@ pub fn environment(templates: &[(&'static str, &'static str)]) -> Environment<'s
     environment
 }
 
-/// A text as HTML, with what stands between backquotes as code.
+/// A text as HTML. Whatever is between backquotes becomes code.
 fn code(text: &str) -> minijinja::Value {
     let parts = text.split('`').enumerate();
     let parts = parts.map(|(k, part)| match (k % 2, HtmlEscape(part)) {

@@ -12,7 +12,7 @@ use pinhole::judge::Golden;
 use super::cause::{Cause, PixelCauses, samples};
 use super::window::Window;
 
-/// A higher level takes twice the time to deflate and saves a twentieth of the size.
+/// A higher level takes twice as long and makes the result only a twentieth smaller.
 const EFFORT: u8 = 4;
 
 /// The pixels of a window: which channels miss; the cause (0 if nothing is wrong, otherwise one

@@ -58,7 +58,7 @@ fn scene_rows(
     }
 }
 
-/// If a row above has spelled a belief out, only its share is given here.
+/// If a row above has already spelled out a belief, this gives only its share.
 fn scene_diagnosis(text: &mut String, of_scene: &Diagnosis, told: &mut BTreeSet<String>) {
     let beliefs = &of_scene.beliefs;
     if !beliefs.iter().all(|held| told.contains(&held.slug)) {

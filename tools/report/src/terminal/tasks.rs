@@ -66,8 +66,8 @@ pub fn rows(text: &mut String, task: &TaskOutcome, width: usize, extent: Extent)
     }
 }
 
-/// Without an explanation, a question is shown for this many failing groups. With one, for the
-/// first.
+/// If no belief explains what is wrong, a question is shown for each of this many failing groups.
+/// Otherwise, only for the first.
 const MOST_SHOWN: usize = 3;
 
 /// Failing groups, the first of them with a question that shows the failure.

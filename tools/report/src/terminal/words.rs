@@ -53,7 +53,7 @@ pub fn scene_in_words(scene: &SceneOutcome) -> String {
     }
 }
 
-/// What was made of an answer to a task of an earlier assignment, in one line.
+/// How an answer to a task of an earlier assignment was used, in one line.
 pub fn earlier_in_words(earlier: &EarlierOutcome) -> String {
     let file = format!("{}.rs", earlier.task);
     match &earlier.problem {
@@ -74,8 +74,7 @@ pub fn group_in_words(group: &GroupOutcome) -> String {
     let said = outcome_of(&group.outcome, "answers");
     match group.fails_fresh {
         true => format!(
-            "{said}. The public questions pass, but fresh questions do not. Ask your instructor, \
-             who can look at the fresh questions"
+            "{said}. The public questions pass, but fresh questions, which only the grader has, do not. Ask your instructor, who can look at them"
         ),
         false => said,
     }
@@ -188,10 +187,11 @@ pub fn diagnosis(diagnosis: &Diagnosis) -> String {
     lines.join("\n")
 }
 
-/// How much one belief of a diagnosis explains: “98 % of”, “part of”. If several beliefs explain
-/// something together, no shares are given: what two of them spoil together is in neither share, so
-/// it would look as if a third belief were missing. Nor is a small share given: the belief was
-/// named for a part of the answers, such as t, and an answer counts only if all its parts agree.
+/// How much one belief of a diagnosis explains: “98 % of”, “part of”. If several beliefs together
+/// explain what is wrong, no shares are given, because an answer that two of them spoil is in
+/// neither share, and it would look as if a third belief were missing. A small share isn't given
+/// either. In that case, the belief was named for one part of the answers, such as t, but the share
+/// counts only answers in which every part agrees.
 pub fn share(explained: f64, diagnosis: &Diagnosis) -> String {
     match (diagnosis.beliefs.len(), diagnosis.reading) {
         (2.., Reading::Together) => "part of what".into(),
@@ -200,7 +200,7 @@ pub fn share(explained: f64, diagnosis: &Diagnosis) -> String {
     }
 }
 
-/// A share of “what is wrong”, or “all that is wrong” only if the share is exactly that.
+/// A share of “what is wrong”. It is “all that is wrong” only if the share is exactly 1.
 pub fn share_of_what(share: f64) -> String {
     match share {
         share if share >= 1.0 => "all that".into(),

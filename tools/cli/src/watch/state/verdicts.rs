@@ -101,8 +101,8 @@ impl State {
         let is_task = |item: &&Item| **item != Item::Scenes;
         let tasks: Vec<&Item> = self.items.iter().filter(is_task).collect();
         if tasks.iter().all(|task| self.is_full(task)) && self.items.contains(&Item::Scenes) {
-            // This is the last stage. An answer may call another, so verdicts beside older
-            // answers are renewed first.
+            // Only the scenes are left. But an answer may call another one, so first renew verdicts
+            // that were reached with older versions of the other answers.
             let stale = self.not_current();
             if !stale.is_empty() {
                 self.go_to(Item::Scenes);
