@@ -19,9 +19,9 @@ impl Checkout {
         Checkout { root: root.into() }
     }
 
-    /// The checkout this program was built from or, if that is gone, the one around the
-    /// program's own file. Not the one around the current folder: that may be a student's, with
-    /// goldens and settings of its own.
+    /// The checkout that this program was built from or, if that is gone, the one around the
+    /// program's own file. The current folder doesn't count, because it may be a student's, with
+    /// its own goldens and settings.
     pub fn find() -> Result<Checkout> {
         let program = env::current_exe().unwrap_or_default();
         let built_from = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -109,7 +109,7 @@ impl Checkout {
             .or_fail(&Error::file(&path))
     }
 
-    /// Whether a folder is in the checkout. The user trusts the code there anyway.
+    /// Whether a folder is in the checkout. The user trusts the code there in any case.
     pub fn contains(&self, folder: &Path) -> bool {
         match (folder.canonicalize(), self.root.canonicalize()) {
             (Ok(folder), Ok(root)) => folder.starts_with(root),

@@ -40,8 +40,8 @@ pub struct Program {
     pub replaced: Replacements,
     /// The tasks whose answer is still the stub: it was replaced, or is what was handed out.
     pub stubs: BTreeSet<String>,
-    /// The same program with our answer to the task of an earlier assignment, if this one has the
-    /// student's and the others compile with ours.
+    /// The same program with our answer to the task of an earlier assignment. `None` if the
+    /// student's answer is not used anyway, or if the other answers don't compile with ours.
     pub with_ours: Option<PathBuf>,
     /// What the compiler warned about, by task.
     pub warnings: BTreeMap<String, String>,
@@ -203,7 +203,8 @@ impl Compiler {
             replaced.insert(task.clone(), why);
         }
         let mut is_last = false;
-        // Each round replaces at least one answer, so there are at most as many rounds.
+        // Each round but the last replaces at least one answer, so there are at most this many
+        // rounds.
         for _ in 0..=submission.answers.len() {
             if enough(&replaced) {
                 return Ok(Attempt::Enough);
@@ -259,7 +260,8 @@ impl Compiler {
                                 {
                                     return Ok(Attempt::Late);
                                 }
-                                // Other answers need something that only theirs has.
+                                // The student's other answers need something that our answer
+                                // doesn't have.
                                 BuildResult::Refused { .. } => None,
                             }
                         }

@@ -37,7 +37,7 @@ pub fn worst(verdict: &Verdict, asked: &QuestionFilm, reply: &Reply) -> Vec<Fact
         None => "nothing".into(),
     };
     facts.extend([Fact::new("expected", expected), Fact::new("got", got)]);
-    // An object is right or wrong. For all other channels, show the tolerance too.
+    // An object is either right or wrong. All other channels have a tolerance, so show it too.
     if channel.name != "id" {
         let parts = questions.parts(index, &questions.expected(asked.golden.film(), index));
         let mut limits = parts.iter().flatten().filter(|part| part.is_limit);

@@ -223,7 +223,8 @@ impl Examiner<'_> {
                         facts
                     }
                     Some(Err(refusal)) => describe::refused(refusal, film, reply),
-                    // Which question it is, only the student's code says.
+                    // Only the student's code says at which question it stopped, and when a class
+                    // is graded, we don't believe it.
                     None if self.interactive => describe::unanswered(film, reply),
                     None => Vec::new(),
                 };

@@ -45,7 +45,9 @@ impl Passage {
     pub fn open(&self, root: &Path) -> String {
         let Some(book) = built(root) else {
             return match has_sources(root) {
-                true => "the book is not built yet; to build it, run: cargo pinhole book build".into(),
+                true => {
+                    "the book is not built yet; to build it, run: cargo pinhole book build".into()
+                }
                 false => "the book is not in this repository: ask your instructor for it".into(),
             };
         };

@@ -1,7 +1,8 @@
 //! The compiled harness that submissions are linked against.
 //!
-//! We call `rustc` with the library that cargo has already built, so an edit shows after about
-//! 0.15 s. With a cargo package for every submission, each would compile the harness again.
+//! We call `rustc` with the library that cargo has already built, so compiling an edited answer
+//! takes about 0.15 s. If every submission were a cargo package, each would compile the harness
+//! again.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -38,7 +38,7 @@ pub struct Agreement {
     pub touched: f64,
     /// How many are wrong exactly as the mistake predicts.
     pub shared: f64,
-    /// How many of the pixels that distinguish it from similar mistakes disagree with
+    /// Some pixels distinguish it from similar mistakes. This is how many of these disagree with
     /// it.
     pub denied: f64,
 }

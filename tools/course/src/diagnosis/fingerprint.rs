@@ -1,8 +1,8 @@
 //! The fingerprint of a known mistake in a film: a sample of the pixels it gets wrong,
 //! with the values it leaves there.
 //!
-//! Whole films of every mistake would take many times the space of the goldens. A sample says as
-//! much, because a belief is a rule and shows wherever it applies.
+//! Whole films of every mistake would take many times the space of the goldens. A sample is enough,
+//! because a belief is a rule, so its errors show wherever the rule applies.
 
 use pinhole::comparison::{FilmComparison, Witness};
 

@@ -1,10 +1,10 @@
 //! What is measurably wrong in the answers to a task, even if no known mistake explains
 //! it.
 //!
-//! Reading order: [`sample`] holds a question with both answers, part by part. [`law`] says
-//! how a wrong part follows from the right one, and [`rule`] where it is wrong. [`single`]
-//! finds rounding to `f32`, and [`steps`] looks at how an answer was found. [`words`] writes the sentences, and [`claim`] tests them on other
-//! questions.
+//! Reading order: [`sample`] holds a question with both answers, part by part. [`law`] says how a
+//! wrong part follows from the right one, and [`rule`] where it is wrong. [`single`] finds answers
+//! that were rounded to `f32`, and [`steps`] looks at how an answer was found. [`words`] writes the
+//! sentences, and [`claim`] tests them on other questions.
 //!
 //! Laws and rules are found on one half of the questions, and reported only if they hold on
 //! the other half.
@@ -65,7 +65,7 @@ const MOST_SEARCHED: usize = 160;
 /// From this share on, hits are missed, or invented, nearly everywhere.
 const NEARLY_ALL: f64 = 0.85;
 
-/// If less than one in this many of the hits can be compared, these say little about the others.
+/// If fewer than one in this many hits can be compared, they say little about the other hits.
 const LEAST_SEEN: usize = 4;
 
 /// What the samples of a part are called if only hits have that part.
@@ -103,7 +103,8 @@ pub fn measure(films: &[QuestionsAndAnswers<'_>]) -> Vec<Measurement> {
         let (good, wrong): (Vec<&Sample>, Vec<&Sample>) =
             comparable.iter().partition(|sample| sample.is_right(part));
         if wrong.is_empty() {
-            // Where a task has no hits, no place is named, so it must be right everywhere.
+            // In a task without hits, the sentence can't say where the part is right, so it must be
+            // right everywhere.
             let is_everywhere = noun == HITS || good.len() == both.len();
             let is_seen = good.len() >= LEAST
                 && good.len() * LEAST_SEEN >= hits
@@ -344,8 +345,8 @@ impl<'a> PartFinding<'a> {
         }
     }
 
-    /// Two sentences instead of one, if the part follows a law where a condition holds, and another
-    /// law where it doesn't.
+    /// Two sentences instead of one, if the part follows one law where a condition holds, and
+    /// another law where it doesn't.
     fn sides(&self, whole: &Claim) -> Option<Vec<Measurement>> {
         let is_clear = |claim: &Claim| match claim {
             Claim::Part { law, share, .. } => *share >= ALL && law.is_complete(),
@@ -485,15 +486,16 @@ impl<'a> PartFinding<'a> {
         };
         let (fitted, tested) = (share(true)?, share(false)?);
         let share = fitted.min(tested);
-        // If any value up to a limit is right, a value that only some answers share says nothing.
+        // If a golden only limits a part, many values are right, so it says nothing that some
+        // answers have the same one.
         let is_always = matches!(law, PartLaw::Whole(law::Law::Always(_)));
         let is_limited = self.wrong.iter().any(|it| it.is_limited(self.part));
         let least = match is_always && is_limited {
             true => ALL,
             false => LEAST_SHARE,
         };
-        // A share of a few is not known well enough to be told, and a few may agree with another
-        // answer by chance.
+        // If only a few samples follow the law, don't report it: their share is too uncertain, and
+        // a few may agree with another answer by chance.
         let follow = share * self.wrong.len() as f64;
         let is_other = matches!(law, PartLaw::Whole(law::Law::Other(_)));
         let is_known = follow >= 2.0 * LEAST as f64 || share >= ALL && !is_other;

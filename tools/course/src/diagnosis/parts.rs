@@ -12,18 +12,19 @@ use super::fingerprint::Fingerprint;
 /// A mistake compared with one part of a film, in pixels.
 #[derive(Clone, Default)]
 struct PartAgreement {
-    /// How many the mistake gets wrong, of those where the film lets us see it.
+    /// How many pixels the mistake gets wrong, counting only those in which the film lets us see
+    /// it.
     predicted: f64,
-    /// Those of the sample that are wrong in the mistake's own way.
+    /// The pixels of the sample that are wrong in the mistake's own way.
     same: Vec<usize>,
     /// How many pixels each pixel of the sample stands for.
     weight: f64,
-    /// How many of these are right.
+    /// How many of the pixels in `predicted` are right in the film.
     absent: f64,
 }
 
-/// A film part by part. It takes longer to make than all else, so it is made only if no belief
-/// explains whole films.
+/// A film part by part. Making it takes longer than the rest of a diagnosis, so it is made only if
+/// no belief explains whole films.
 struct FilmParts<'a> {
     /// How many pixels there are.
     pixels: usize,
@@ -206,8 +207,8 @@ pub fn partial<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<Vec<&'a
     }
 }
 
-/// The pair that is least apart from the films, or what all pairs share that are hardly farther:
-/// a belief that all likely pairs share is likely.
+/// The pair of beliefs that differs least from the films. If other pairs differ hardly more, only
+/// the belief that all of these pairs share, because it is likely whichever pair is the right one.
 fn most_likely(mut pairs: Vec<([&str; 2], f64)>) -> Option<Vec<&str>> {
     pairs.sort_by(|(_, a), (_, b)| a.total_cmp(b));
     let (best, least) = *pairs.first()?;

@@ -1,9 +1,9 @@
 //! One mistake or two in an answer, compared with the films pixel by pixel.
 //!
-//! Where only one of two mistakes shows, the answer has that mistake's value. Where both show, it has
-//! the value of either, or their errors add up, as offsets do, or it has another value, which says
-//! nothing about the two. Those mistakes are named that leave the least unexplained, if every
-//! explanation without them leaves much more.
+//! Where only one of two mistakes shows, the answer has that mistake's value. Where both show, the
+//! answer may have the value of either, or their errors may add up, as offsets do. If it has any
+//! other value there, that says nothing about the two. We name the mistakes that leave the least
+//! unexplained, if every explanation without them leaves much more unexplained.
 
 use std::collections::BTreeMap;
 
@@ -14,18 +14,19 @@ use super::evidence::Evidence;
 use super::fingerprint::{Fingerprint, scattered};
 
 /// The best explanation must explain at least this share of the pixels that count. This limit and
-/// the next three were chosen by the pairs of `pinhole validate --pairs`.
+/// the next three were chosen with the pairs of `pinhole validate --pairs`.
 const ENOUGH: f64 = 0.75;
 
-/// A mistake more in an explanation costs as much as this many unexplained pixels, because each of
-/// two must explain so many that the other alone does not.
+/// Each mistake in an explanation costs as much as this many unexplained pixels. If there are two,
+/// each must explain at least this many pixels that the other does not.
 const LEAST: usize = 12;
 
-/// A mistake is named only if every explanation without it costs at least this many times as much
-/// and two mistakes more: first without sums of errors, then with them.
+/// A mistake is named only if every explanation without it costs at least this many times as much,
+/// plus the cost of two mistakes. The first number is for explanations in which errors don't add
+/// up, and the second for those in which they may.
 const DEARER: [f64; 2] = [3.0, 2.0];
 
-/// The same for a mistake beside one that is named.
+/// The same factor for a second mistake, if the first one is named.
 const PARTNER_DEARER: f64 = 1.5;
 
 /// How far apart two factors or errors may be, relative to their size, and still be the same.

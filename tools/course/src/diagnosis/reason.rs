@@ -12,7 +12,8 @@ use super::{Diagnosis, Explanation, Reading, parts, pixels};
 /// and more (`pinhole validate` measures it), while a coincidence rarely exceeds one half.
 const ENOUGH: f64 = 0.9;
 
-/// The limit if no film has any values. Whatever misses most hits would agree with such films.
+/// The limit if no film has any values. Any mistake that misses most hits would agree with such
+/// films.
 const EXACT: f64 = 0.99;
 
 /// If a smaller share of a film's pixels than this disagrees, rounding may be the reason.

@@ -35,7 +35,8 @@ impl JudgedFilm {
     pub fn picture(&self, asked: &QuestionFilm, reply: &Reply) -> Option<Picture> {
         let film = self.film.as_ref()?;
         let (channel, worst) = describe::worst_of(self.verdict()?)?;
-        // Here, all hits are right. The tests of a search with wrong hits would mean nothing.
+        // If this channel fails, all hits are right. If a search's hits were wrong, the number of
+        // its tests would mean nothing.
         if channel.name == TESTS {
             return Some(Picture::Tests {
                 golden: asked.golden.film().clone(),
@@ -124,8 +125,8 @@ pub fn failure(reply: &Reply, program: &Program, task: Option<&str>) -> Option<F
 /// At most this many characters of a program's last words are shown.
 const MOST_LAST_WORDS: usize = 200;
 
-/// The last line that a program printed. Rust says there why it aborts, but the code may print the
-/// same words, so they are shown as its own and believed by nobody.
+/// The last line that a program printed. Rust says there why it aborts. But a student's code may
+/// print the same words, so we quote them as the code's own and draw no conclusions from them.
 fn last_words(printed: &str) -> Option<String> {
     let last = printed
         .lines()

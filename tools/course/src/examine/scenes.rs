@@ -48,8 +48,9 @@ impl Examiner<'_> {
     }
 
     /// Replies to the scenes that one process can cast, by name. Starting a process for each would
-    /// take a tenth more time. A withheld scene is cast in a process of its own:
-    /// results show wrong pixels of public scenes, which must not tell what a withheld one shows.
+    /// take a tenth more time. A withheld scene is cast in a process of its own. Otherwise, code
+    /// that has seen it could put what it saw into wrong pixels of a public scene, which results
+    /// show.
     fn cast_together(
         &self,
         scenes: &[&GoldenScene],

@@ -24,8 +24,8 @@ pub struct Questions {
 }
 
 /// Groups that one process is asked about. A process that sees pixels of scenes, which may be
-/// withheld, is asked about nothing else. Otherwise, it could answer a public question with what it
-/// has seen, and results show wrong answers to public questions.
+/// withheld, is asked about nothing else. Otherwise, its code could hide what it has seen in a
+/// wrong answer to a public question, which results show.
 #[derive(Debug)]
 pub struct Batch {
     /// How many groups.

@@ -17,7 +17,7 @@ pub enum Claim {
     Nearly { misses: bool },
     /// Hits are missed, or invented, where the rule says.
     Decision { misses: bool, rule: Rule },
-    /// This share of the wrong values of a part follow a law, where the rule says so. If there is a
+    /// This share of a part's wrong values follows a law, where the rule says so. If there is a
     /// side, only the samples on that side count.
     Part {
         part: usize,
@@ -30,7 +30,8 @@ pub enum Claim {
     Where { part: usize, rule: Rule },
     /// A part has single precision.
     Single { part: usize },
-    /// This share of the steps of an answer are of a sort, the one at this place in the list.
+    /// This share of an answer's steps is of the sort that the tally at this place in the list
+    /// counts.
     Steps { tally: usize, share: f64 },
     /// Parts are right.
     Right { parts: Vec<usize> },
@@ -54,7 +55,7 @@ impl Claim {
         }
     }
 
-    /// Where it says that something is wrong.
+    /// The rule that says where something is wrong, if it has one.
     pub fn rule(&self) -> Option<&Rule> {
         match self {
             Claim::Part { rule, .. } => rule.as_ref(),

@@ -46,7 +46,7 @@ pub enum AxisLaw {
     Right,
     /// It follows a law.
     Follows(Law),
-    /// It is wrong, and no law is known.
+    /// It is wrong, and no law for it is known.
     Unknown,
 }
 
@@ -293,7 +293,7 @@ pub fn best(samples: &[&Sample], part: usize) -> Option<PartLaw> {
         let least = best.as_ref().map_or(0, |(most, _)| most + most / 20);
         let mut follow = 0;
         for (seen, sample) in samples.iter().enumerate() {
-            // Most laws fail early, and need not be compared with every sample.
+            // Most laws fail early, so there is no need to compare them with every sample.
             if follow + (samples.len() - seen) <= least {
                 return;
             }

@@ -114,7 +114,7 @@ const LEAST_COVERED: usize = 4;
 /// The simplest rule that separates the wrong samples from the right ones. It is found on one
 /// half of the samples and must hold on the other.
 pub fn find(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Option<Rule> {
-    // A few exceptions are too few to find a rule for.
+    // A rule can't be found for only a few wrong samples.
     if wrong.len() < LEAST || right.len() < LEAST.max(wrong.len() / 30) {
         return None;
     }
@@ -148,8 +148,8 @@ pub fn find(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Option<Rul
     let is_telling = |rule: &Rule| {
         let telling = match rule.literals[0] {
             Literal::Holds(..) => TELLING,
-            // The bound fits these samples. For all samples, the best bound may be a little
-            // further out.
+            // The bound was chosen for these samples. For all samples, the best bound may be a
+            // little further out.
             Literal::Below(..) | Literal::Above(..) => 0.5 * TELLING,
         };
         share(&rule.literals[0]) <= telling && stands(rule)
