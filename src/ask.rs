@@ -1,8 +1,8 @@
 //! The asker's side: starts a submission, sends it a job, and reads its answers without
 //! trusting them.
 //!
-//! What comes back is bounded in time and size, must be well formed, must answer
-//! every question once, and is only ever data to be judged.
+//! What comes back is limited in time and size, must be well formed, and must answer every question
+//! once. It is only data to be judged, and is never executed.
 
 mod ending;
 mod reply;
@@ -35,7 +35,7 @@ pub struct Limit {
 }
 
 /// How much time a process has had so far. The clock may stand still while the machine is busy with
-/// other work: a process that got no processor is not silent.
+/// other work, because a process that gets no processor time can't answer.
 pub type Clock = Box<dyn FnMut() -> Duration>;
 
 /// A clock that never stands still.
@@ -76,11 +76,11 @@ const PULSE: Duration = Duration::from_millis(50);
 /// The most output that is kept. The rest is read and thrown away.
 pub const MOST_PRINTED: usize = 64 * 1024;
 
-/// The longest message that is accepted. A chunk of hits takes about 45 bytes for each, one of
-/// trees up to 4 KiB, so no message of ours is longer.
+/// The longest message that is accepted. In a chunk, a hit takes about 45 bytes and a tree up to 4
+/// KiB, so no message of ours is longer.
 const MOST_MESSAGE: usize = CHUNK * 4096 + 4 * MOST_PANIC_TEXT;
 
-/// Runs `command`, a built submission, on `job` for a limited time.
+/// Runs `command`, a built submission, on `job`, for a limited time.
 ///
 /// Passes the number of answers so far to `progress`. The process has ended when this returns.
 ///
@@ -174,8 +174,8 @@ fn is_broken(error: &io::Error) -> bool {
     matches!(error.kind(), BrokenPipe | ConnectionReset | UnexpectedEof)
 }
 
-/// Reads a pipe to its end on a separate thread, but keeps only the beginning. Calls `enough`
-/// when the beginning is as long as it may be.
+/// Reads a pipe to its end on a separate thread, but keeps only the beginning. Calls `enough` once
+/// it has as much as is kept.
 fn drain(
     pipe: Option<impl Read + Send + 'static>,
     enough: impl FnOnce() + Send + 'static,
@@ -189,8 +189,8 @@ fn drain(
                 enough();
             }
             let rest = beginning.and_then(|_| io::copy(&mut pipe, &mut io::sink()));
-            // A broken pipe ends the text. If nobody waits for the text any more, it is not
-            // needed.
+            // A broken pipe ends the text. If nobody waits for the text any more, sending it fails,
+            // which does no harm.
             let _ = (rest, sender.send(kept));
         });
     }
@@ -199,8 +199,8 @@ fn drain(
 
 /// What was printed; nothing if a process left behind still holds the pipe.
 fn printed(pipe: Receiver<Vec<u8>>) -> String {
-    // A loaded machine may need a while. Wait for it, because only this text says why a process
-    // aborted.
+    // On a busy machine, this may take a while. Wait for the text, because nothing else says why a
+    // process aborted.
     let bytes = pipe
         .recv_timeout(Duration::from_secs(2))
         .unwrap_or_default();

@@ -39,11 +39,12 @@ pub enum Projection {
 }
 
 impl Camera {
-    /// A camera at `eye` that looks along `view` with `up` somewhere above.
+    /// A camera at `eye` that looks along `view`, turned so that `up` points towards the top of the
+    /// picture.
     ///
     /// Neither vector needs unit length, and `up` need not be perpendicular to `view`: w =
-    /// −normalize(view), u = normalize(view × up), v = w × u. `None` if they are parallel or one
-    /// of them is zero, because they define no frame then.
+    /// −normalize(view), u = normalize(view × up), v = w × u. `None` if they are parallel or one of
+    /// them is zero, because then they define no frame.
     ///
     /// ```
     /// use glam::DVec3;
@@ -65,7 +66,8 @@ impl Camera {
         let forward = view.try_normalize()?;
         let w = -forward;
         let u = forward.cross(up.try_normalize()?);
-        // The sine of the angle between the two; below this limit the frame is noise.
+        // This is the sine of the angle between the two. Below this limit, rounding errors would
+        // decide the frame.
         if u.length() < PARALLEL {
             return None;
         }

@@ -1,7 +1,8 @@
 //! A film beside its golden, part by part, for finding out why it is wrong.
 //!
-//! The judge decides, and this explains: which pixels are wrong, which part of an answer is wrong
-//! there, and whether the wrong values are those that a known mistake leaves.
+//! The judge decides whether a film passes. This module finds out which pixels are wrong, which
+//! part of an answer is wrong there, and whether the wrong values are those that a known mistake
+//! leaves.
 
 use crate::film::{Film, MISS};
 use crate::judge::Golden;
@@ -15,8 +16,9 @@ pub struct Witness {
     pub values: Vec<f32>,
 }
 
-/// How far, relative to its size, a value may be from a mistake's and still be the same
-/// value computed by another route: 32-bit arithmetic stays well below.
+/// A value counts as a mistake's value if they differ by no more than this share of their size.
+/// They may have been computed in different ways, and the rounding errors of 32-bit arithmetic stay
+/// well below this.
 const SAME: f32 = 1e-5;
 
 /// Where a golden's tolerance is wider than [`SAME`], use the tolerance, up to this limit.
@@ -126,7 +128,8 @@ impl<'a> FilmComparison<'a> {
             })
     }
 
-    /// By how much each value of a witness is too large. `None` if it is a miss, or the golden is.
+    /// By how much each value of a witness is too large. `None` if the witness or the golden is a
+    /// miss.
     pub fn error(&self, witness: &Witness) -> Option<Vec<f64>> {
         let expected: Vec<f32> = self.expected.iter().map(|it| it[witness.pixel]).collect();
         if self.is_miss(&expected) || self.is_miss(&witness.values) {

@@ -38,8 +38,8 @@ pub fn object(id: usize) -> Rgb<u8> {
     Rgb(OBJECTS[id % OBJECTS.len()].map(|value| (f32::from(value) * shade) as u8))
 }
 
-/// Depth from near (bright) to far (dark) over `range`, in scene units. A depth outside the range
-/// gets the colour of the nearer end.
+/// Depth from near (bright) to far (dark) over `range`, in scene units. A depth beyond one end of
+/// the range gets the colour of that end.
 ///
 /// `depth_per_t` is the camera's (see [`Camera::depth_per_t`](crate::Camera::depth_per_t)).
 pub fn depth(film: &Film, depth_per_t: f64, range: Range<f64>) -> RgbImage {
@@ -69,8 +69,8 @@ pub fn normal(film: &Film) -> RgbImage {
 /// by at least a thousandth of the nearest depth. Otherwise, the picture of a wall that faces the
 /// camera would show rounding errors.
 ///
-/// Take it from the golden where there is one, for film and golden alike: with a range of its own,
-/// a film whose depths are all doubled would look right.
+/// If there is a golden, take the range from it for both films, because a film whose depths are all
+/// doubled would look right with a range of its own.
 pub fn depth_range(film: &Film, depth_per_t: f64) -> Range<f64> {
     let samples = film
         .channel("id")
@@ -133,8 +133,8 @@ impl Difference {
         ),
     ];
 
-    /// Its colour. All three differ from each other and from the faint background for
-    /// colour-blind readers too.
+    /// Its colour. Colour-blind readers, too, can tell all three from each other and from the faint
+    /// background.
     pub fn colour(self) -> Rgb<u8> {
         Rgb(match self {
             Difference::Object => [255, 120, 20],

@@ -11,8 +11,8 @@ use crate::words::number;
 
 /// Which colour stands for how many tests.
 ///
-/// Films side by side share one scale: with a scale of its own, a film that took ten times
-/// as many tests everywhere would look right.
+/// Films that are shown side by side share one scale, because a film that took ten times as many
+/// tests everywhere would look right with a scale of its own.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeatScale {
     most: f64,

@@ -1,12 +1,12 @@
 //! The judge and its one rule.
 //!
-//! Same size, same channels, all finite; then at **every** pixel
-//! |film − golden| ≤ tolerance in every channel. No percentage of pixels is
-//! allowed to differ: what may differ, and by how much, is written pixel by pixel
-//! in the tolerance film, which comes from Mitsuba like the golden itself.
+//! A film passes if it has the golden's size and channels, all its values are finite, and |film −
+//! golden| ≤ tolerance in every channel of **every** pixel. There is no share of pixels that may be
+//! wrong. Instead, the tolerance film, which comes from Mitsuba like the golden, says for each
+//! pixel how far a film may differ.
 //!
-//! Work is judged by its sum. The channel [`TESTS`], if there is one, passes at every pixel if
-//! the sum of its distances from the golden is at most the sum of its tolerances.
+//! One channel, [`TESTS`], counts work, and is judged by its sum. It passes at every pixel if the
+//! sum of its distances from the golden is at most the sum of its tolerances.
 //!
 //! [`oiiotool`](crate::oiiotool) states the same rule as a command line of
 //! OpenImageIO's. Both compute in 32-bit floats, and must agree on every film.
@@ -172,7 +172,8 @@ struct Comparison<'a> {
     got: &'a [f32],
     expected: &'a [f32],
     allowed: &'a [f32],
-    /// Whether the channel counts work, and there is not too much of it.
+    /// Whether the channel counts work, and the sum of its distances from the golden is small
+    /// enough.
     is_little_work: bool,
 }
 

@@ -1,4 +1,4 @@
-//! The harness of Pinhole: everything around a ray casting assignment except its answers.
+//! The harness of Pinhole: the code around a submission's answers.
 //!
 //! A *submission* is a few small files of a student's code. Its only output is a *film*,
 //! which is judged only by comparing it with a *golden* film made by Mitsuba. The harness

@@ -1,9 +1,9 @@
 //! The second judge: the one rule as a command line of OpenImageIO's `oiiotool`.
 //!
-//! It shares no code with [`judge`](crate::judge), so that a mistake in either
-//! shows as a disagreement. `oiiotool --diff` alone would not do: it passes NaN,
-//! films whose margin is black, and films without some channel, so guards come
-//! first, as commands of the same tool.
+//! It shares no code with [`judge`](crate::judge), so that a mistake in either shows as a
+//! disagreement. `oiiotool --diff` alone is not enough, because it passes films that hold NaN, lack
+//! a channel, or differ in size only by a black margin. So guards come first, as commands of the
+//! same tool.
 
 use std::env;
 use std::ffi::OsString;

@@ -1,8 +1,8 @@
 //! An answer part by part, and what is known of a question: the numbers that a diagnosis
 //! compares.
 //!
-//! Shapes and kinds of questions provide them, so that the code that measures errors
-//! need not know any of them.
+//! Shapes and kinds of questions provide these, so the code that measures errors does not need to
+//! know any shape or kind.
 
 use crate::ray::Ray;
 

@@ -23,9 +23,9 @@ pub struct Scene {
     pub camera: Camera,
     /// How many pixels the film has.
     pub resolution: Resolution,
-    /// Intersections before this t do not count. In multiples of a ray's direction:
-    /// 1 is a perspective camera's image plane, 0 its eye. Never negative: nothing
-    /// behind the eye is seen.
+    /// Intersections before this t do not count. In multiples of a ray's direction: 1 is a
+    /// perspective camera's image plane, 0 its eye. Never negative, because nothing behind the eye
+    /// is seen.
     pub min_t: f64,
     /// In file order; an object's place in this list is its id.
     pub objects: Vec<Shape>,

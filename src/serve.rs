@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use crate::job::{self, CHUNK, Job, MOST_PANIC_TEXT, Message, Panic};
 use crate::kind::{self, AnswerFn, TestResult, WireAnswer};
 
-/// The argument that makes a submission answer. Without it, a person has started the program.
+/// The argument that makes a submission answer. If it is missing, a person has started the program.
 pub const ANSWER: &str = "answer";
 
 /// The exit code if the answers could not be sent.
@@ -219,7 +219,7 @@ fn answer_job(
         progress.set(chunk, Progress::IDLE);
         let message = match answered {
             Ok(answers) => Message::Answers { first, answers },
-            // Two cores may fail at once; one report is enough.
+            // Several cores may fail at the same time, but one report is enough.
             Err(_) if stop.swap(true, Ordering::Relaxed) => return Ok(()),
             Err(failure) => failure,
         };

@@ -20,8 +20,8 @@ pub struct Reply {
     pub(super) missing: usize,
     /// How many tests each answer took, if they are counted; otherwise empty.
     pub tests: Vec<u32>,
-    /// How many tests the submission says that each pixel of a scene took, if it counts them;
-    /// otherwise empty. For pictures only.
+    /// How many tests each pixel of a scene took, as the submission says; empty if it doesn't count
+    /// them. They are only for pictures.
     pub own_tests: Vec<u32>,
     /// The boxes of the upper nodes of each tree, for pictures; empty if no trees came.
     pub outlines: Vec<Vec<NodeBox>>,
@@ -58,7 +58,7 @@ impl Reply {
         }
     }
 
-    /// The reply to a job that was not sent, because others had already ended like this.
+    /// The reply to a job that was not sent, because earlier jobs ended like this.
     pub fn unasked(job: &Job, ending: Ending) -> Reply {
         Reply {
             ending,
@@ -120,8 +120,8 @@ impl Reply {
         }
     }
 
-    /// The tests that the submission says it took for each pixel of a scene, as a film of
-    /// their own, because nothing is judged by them.
+    /// How many tests each pixel of a scene took, as the submission says. They are a film of their
+    /// own, because nothing is judged by them.
     pub fn own_tests(&self, resolution: Resolution) -> Option<Film> {
         let film = Film::new(resolution, Vec::new());
         let counts = (!self.own_tests.is_empty()).then_some(&self.own_tests);
@@ -206,7 +206,7 @@ impl Reply {
                 self.tests[index] += 1;
                 if self.tests[index] as usize > questions.most_tests(index) {
                     let why =
-                        "it asked for more than ten times as many tests as the whole tree takes";
+                        "it asked for more than ten times as many tests as the tree has boxes and triangles";
                     return Err(why.into());
                 }
                 let result = questions.test(index, test);

@@ -20,8 +20,8 @@ use crate::error::Error;
 /// The most samples that a film may have in all its channels together. They fill 1 GiB.
 const MOST_SAMPLES: usize = 1 << 28;
 
-/// Deflate can't compress data further than this, so a file that claims to hold more is
-/// damaged or hostile. Believing it would allocate memory that is never filled.
+/// Deflate can't compress data by a larger factor than this, so a file that claims to hold more is
+/// damaged or hostile. If we believed it, we would allocate memory that is never filled.
 const MOST_COMPRESSION: usize = 1100;
 
 pub(super) fn read(path: &Path) -> Result<Film, Error> {

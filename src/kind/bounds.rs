@@ -126,7 +126,7 @@ impl Question for BoundsQuestion {
                 points.iter().all(|point| point.max_element() < 0.0),
             ),
         ];
-        // Whether a corner alone sticks out to one side of an axis, down (−1) or up.
+        // Whether this corner alone is the lowest (`side` −1) or the highest along some axis.
         let sticks_out = |corner: usize, side: f64| match self {
             BoundsQuestion::Boxes(..) => false,
             BoundsQuestion::Triangle(Triangle { corners }) => (0..3).any(|axis| {

@@ -22,7 +22,7 @@ pub struct BoxQuestion {
     pub max_t: f64,
 }
 
-/// A film can't hold infinity, so a `max_t` of this much or more means that there is no limit.
+/// A question film can't hold infinity, so a `max_t` of this or more means that there is no limit.
 const ENDLESS: f64 = 1e30;
 
 impl BoxQuestion {

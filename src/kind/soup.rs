@@ -50,7 +50,7 @@ impl Question for SoupQuestion {
         first_hit::conditions(&self.soup.triangles, self.min_t, answer)
     }
 
-    /// The soup is one object, so an answer doesn't say which triangle is met.
+    /// The soup is one object, so an answer does not say which triangle is met.
     fn others(&self, _: &Answer) -> Vec<(&'static str, Answer)> {
         let others = first_hit::others(&self.soup.triangles, self.min_t).into_iter();
         let alone = |(name, other): (_, Answer)| {

@@ -26,7 +26,7 @@ const MOST_BOXES: usize = 64;
 /// What the expected number of tests is called.
 const TESTS: &str = "the expected number of tests";
 
-/// Of a long list of boxes, this many lines are shown. The report draws them all.
+/// How many lines of a long list of boxes are shown. The report draws all boxes.
 const MOST_SHOWN: usize = 6;
 
 /// An answer has at most this many nodes and places in leaves, ten times what it needs.
@@ -193,8 +193,8 @@ impl TreeMeasures {
         }
     }
 
-    /// What can be right or wrong in a tree. One with misplaced triangles has no expected
-    /// number of tests.
+    /// What can be right or wrong in a tree. A tree with misplaced triangles has no expected number
+    /// of tests.
     fn parts(&self) -> Vec<Part> {
         let part = |name, value, channels| Part {
             name,

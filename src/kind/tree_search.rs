@@ -156,8 +156,8 @@ impl SearchQuestion {
         })
     }
 
-    /// The first leaf in which a triangle is met, if of two boxes the one that is entered first is
-    /// looked into first.
+    /// The first leaf in which a triangle is met, by a search that of two boxes always looks first
+    /// into the one that the ray enters first.
     fn first_leaf(&self) -> Option<usize> {
         let mut waiting = vec![0];
         while let Some(node) = waiting.pop() {

@@ -39,8 +39,8 @@ impl Notation for Sphere {
         format!("c = {center}, r = {radius}")
     }
 
-    /// The discriminant is computed from the distance of the ray's line to the centre, because
-    /// b² − 4ac cancels.
+    /// The discriminant is computed from the distance of the ray's line to the centre, because the
+    /// subtraction in b² − 4ac loses digits.
     fn quantities(&self, ray: &Ray) -> Vec<Quantity> {
         let Ray { origin, direction } = *ray;
         let apart = (self.center - origin).reject_from(direction).length();

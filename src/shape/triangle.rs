@@ -16,8 +16,9 @@ pub struct Triangle {
     pub corners: [DVec3; 3],
 }
 
-/// Below this sine of the angle at its first corner a triangle is flat: decimals such
-/// as 0.3 are rounded, which lifts corners off a line by about 1e-16 of their size.
+/// A triangle counts as flat if the sine of the angle at its first corner is below this. The limit
+/// is not 0, because rounding of decimals such as 0.3 moves corners off their line by about 1e-16
+/// of their size.
 const ON_ONE_LINE: f64 = 1e-14;
 
 /// The unit vector from one corner to another; 0 if they coincide. Halved and divided by its

@@ -71,8 +71,8 @@ fn work(mismatch: Mismatch, asked: &QuestionFilm, reply: &Reply) -> String {
     )
 }
 
-/// The first question whose answer is not a finite number, and what was given. Empty if the film was
-/// refused for another reason.
+/// The first question whose answer is not a finite number, and what was given. Empty if the film
+/// was refused for another reason.
 pub fn refused(refusal: &Refusal, asked: &QuestionFilm, reply: &Reply) -> Vec<Fact> {
     let (Some(questions), Refusal::NotFinite { pixel, .. }) = (asked.job.questions(), refusal)
     else {
@@ -92,8 +92,8 @@ pub fn refused(refusal: &Refusal, asked: &QuestionFilm, reply: &Reply) -> Vec<Fa
     facts
 }
 
-/// The question that an answer did not get past: where it panicked, where it ended its process, or
-/// where it still was when its time was up. Empty if that is unknown, or the answer is still `todo!`.
+/// The question that an answer did not get past: it panicked there, ended its process, or was still
+/// working when its time was up. Empty if that is unknown, or the answer is still `todo!`.
 pub fn unanswered(asked: &QuestionFilm, reply: &Reply) -> Vec<Fact> {
     let (index, note) = match &reply.ending {
         Ending::Panicked(panic) if !panic.is_unanswered() => (Some(panic.index), None),

@@ -27,8 +27,8 @@ use crate::goldens::questions::QuestionFilm;
 pub use file::new_file;
 use file::{Entry, File};
 
-/// A number of an example is right if it differs by no more than this share of the number, or of
-/// the longest axis of its vector, and the judge's tolerance. Three digits are enough.
+/// A number in an example may be off by the judge's tolerance plus this share of the number, or of
+/// the largest component of its vector. So three digits are enough.
 const SLACK: f64 = 1e-3;
 
 /// How many digits of a question's numbers are shown.
@@ -81,7 +81,7 @@ pub enum Verdict {
     Right,
     /// It gives another answer.
     Wrong,
-    /// The file has no answer yet.
+    /// The example has no answer yet.
     Unanswered,
 }
 
@@ -244,9 +244,9 @@ impl<'a> Asked<'a> {
         });
         let ids = film.golden.film().channel(HIT_CHANNELS[0]);
         let is_asked = |part: &str| match part {
-            // A question about a single object is not about its number.
+            // A question about a single object does not ask for the object's number.
             "object" => ids.is_some_and(|ids| ids.iter().any(|id| *id > 0.0)),
-            // Only questions about a shape say what its normals are.
+            // Only questions about a shape give enough information to work out its normals.
             "normal" => task.shape.is_some(),
             _ => true,
         };

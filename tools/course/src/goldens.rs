@@ -36,7 +36,7 @@ pub struct GoldenScene {
     /// The film is `NAME.exr`.
     pub name: String,
     /// How to name the scene on the command line: by its name if it belongs to the assignment,
-    /// else by its file.
+    /// otherwise by its file.
     pub argument: String,
     /// The scene file.
     pub file: PathBuf,

@@ -65,7 +65,7 @@ pub fn patiently<T>(what: &str, record: &Path, work: impl FnOnce() -> T) -> T {
     });
     let made = work();
     drop(working);
-    // The thread only prints, and ends at once.
+    // The thread only prints, so it ends at once.
     let _ended = teller.join();
     let took = start.elapsed();
     if took > MOST_SILENCE {

@@ -111,7 +111,7 @@ pub enum Choice {
 /// How a submission's processes are started.
 #[derive(Clone, Debug)]
 pub enum Sandbox {
-    /// Like any program that the user starts. For code in the checkout.
+    /// Like any program that the user starts. This is for code in the checkout.
     Trusted,
     /// In namespaces of their own.
     #[cfg(target_os = "linux")]
@@ -202,8 +202,8 @@ impl Sandbox {
         Sandbox::bubblewrap(checkout, "the code", secrets)
     }
 
-    /// The folder for the harness and the programs, in a place that sandboxed code can reach if
-    /// it must.
+    /// The folder for the harness and the programs. If sandboxed code must reach it, it is in a
+    /// place where that is possible.
     pub fn scratch(&self, checkout: &Checkout) -> PathBuf {
         match self {
             #[cfg(target_os = "linux")]
@@ -357,10 +357,10 @@ impl Sandbox {
                     reply.ending = Ending::TimedOut(most)
                 }
                 Some(ExceededLimit::Memory(most)) => reply.ending = Ending::OutOfMemory(most),
-                // The watchdog was late, and the kernel's own limit ended it. Code can send itself
-                // the same signal, so the processor time of all that we have started since then
-                // decides. Other submissions that ran at the same time count too, but a late
-                // submission is graded again, alone.
+                // The watchdog was late, and the kernel's own limit ended the process. Code can
+                // send itself the same signal, so look at the processor time of everything that we
+                // have started since then. That includes other submissions that ran at the same
+                // time, but a late submission is graded again, alone.
                 None if matches!(death.possible_signal(), Some(SIGXCPU | SIGKILL))
                     && took > limits.cpu =>
                 {

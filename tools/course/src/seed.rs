@@ -6,7 +6,8 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-/// The seed has 128 bits, so that nobody who learns some questions can try all seeds.
+/// The seed has 128 bits, so that nobody can find it from some of the questions by trying all
+/// seeds.
 ///
 /// The scripts hash its decimal digits together with the name of what is drawn. A small number
 /// therefore draws the same questions as in earlier versions, which had only small seeds.

@@ -58,8 +58,8 @@ pub fn fingerprints(films: &[FilmComparison<'_>]) -> Vec<Option<Fingerprint>> {
 }
 
 impl Fingerprint {
-    /// The place in the scattered order up to which its sample has every pixel that the mistake gets
-    /// wrong.
+    /// The place in the scattered order up to which its sample has every pixel that the mistake
+    /// gets wrong.
     pub fn known_to(&self) -> u64 {
         let last = self.sample.iter().map(|witness| scattered(witness.pixel));
         match self.failing > self.sample.len() {

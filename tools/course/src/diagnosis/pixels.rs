@@ -56,8 +56,8 @@ struct Explanation<'a> {
     needs: Vec<usize>,
 }
 
-/// The one or two beliefs that explain the films pixel by pixel, if every explanation without them is
-/// much worse. If `adds`, the errors of two may add up.
+/// The one or two beliefs that explain the films pixel by pixel, if every explanation without them
+/// is much worse. If `adds`, the errors of two may add up.
 pub fn likely<'a>(films: &[Evidence], candidates: &[&'a str], adds: bool) -> Option<Vec<&'a str>> {
     // One wrong film is not enough to tell two beliefs apart.
     if films.iter().filter(|film| film.failing > 0).count() < 2 {
@@ -148,8 +148,8 @@ impl<'a> ShownFilm<'a> {
         })
     }
 
-    /// The pixels that these mistakes get wrong, with what each leaves there, up to the place in the
-    /// scattered order to which all are known.
+    /// The pixels that these mistakes get wrong, with what each leaves there, up to the place in
+    /// the scattered order to which all are known.
     fn known(&self, mistakes: &[&str]) -> (u64, BTreeMap<usize, Vec<Option<&'a Witness>>>) {
         let prints = mistakes.iter().map(|slug| self.prints.get(*slug));
         let known_to = prints.clone().flatten().map(Fingerprint::known_to);

@@ -94,8 +94,8 @@ impl Examiner<'_> {
     }
 }
 
-/// What a reply's ending means for the answers; `None` if all is well so far. `task` is the task that
-/// was asked alone.
+/// What a reply's ending means for the answers; `None` if all is well so far. `task` is the task
+/// that was asked alone.
 pub fn failure(reply: &Reply, program: &Program, task: Option<&str>) -> Option<FilmOutcome> {
     Some(match &reply.ending {
         Ending::Complete => return None,

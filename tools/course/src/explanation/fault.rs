@@ -6,7 +6,7 @@ use super::PixelExplanation;
 use crate::assignment::{Assignment, Task};
 
 /// An explanation calls two numbers different only if they differ by more than this share of
-/// themselves, or of 1. Only goldens and their tolerances can tell closer numbers apart.
+/// themselves, or of 1. To tell closer numbers apart, you need the goldens' tolerances.
 const CLEAR: f64 = 1e-3;
 
 impl PixelExplanation {

@@ -67,8 +67,8 @@ pub fn arguments(command: &mut Command, limits: &Limits, purpose: Purpose, uid: 
         command.arg("--compiles");
     }
     // The kernel counts whole seconds of single processes, while a watchdog outside counts the
-    // whole tree. On a busy machine, the watchdog may be late. The extra seconds make the same
-    // loop always end the same way.
+    // whole tree. On a busy machine, the watchdog may be late. With the extra seconds, the same
+    // loop still always ends in the same way.
     let cpu = limits.cpu.as_secs() + 5;
     for (name, value) in [
         ("--cpu", cpu),
@@ -115,8 +115,8 @@ fn give_up(confine: &Confine) -> Result<(), String> {
         step("group", thread::set_thread_res_gid(group, group, group))?;
         step("user", thread::set_thread_res_uid(user, user, user))?;
     }
-    // Otherwise, the code could write to the terminal of the person who grades. Bubblewrap's
-    // processes are in a session of their own already, and then this fails.
+    // Otherwise, the code could write to the terminal of the person who grades. This fails in
+    // bubblewrap, whose processes have a session of their own already.
     let _alone = rustix::process::setsid();
     // This comes after changing the user, which would undo it.
     let end_with_parent = rustix::process::set_parent_process_death_signal(Some(Signal::KILL));

@@ -48,7 +48,7 @@ impl Container {
     pub fn new(checkout: &Checkout, secrets: &[PathBuf], accepts_modes: bool) -> Result<Container> {
         if !rustix::process::getuid().is_root() {
             return Err(Error::environment(
-                "only root can run code as another user, and --sandbox container needs that",
+                "--sandbox container runs code as another user, and only root can do that",
                 "run this as root inside the container, or use --sandbox bubblewrap",
             ));
         }

@@ -61,8 +61,8 @@ pub fn finish(
             let mut kept = Vec::new();
             let beginning = (&mut pipe).take(MOST_SAID as u64).read_to_end(&mut kept);
             let rest = beginning.and_then(|_| io::copy(&mut pipe, &mut io::sink()));
-            // A broken pipe ends the text. If nobody waits for the text any more, it is not
-            // needed.
+            // A broken pipe ends the text. If nobody waits for the text any more, sending it fails,
+            // which does no harm.
             let _ = (rest, sender.send(kept));
         });
     }

@@ -4,11 +4,11 @@ use std::time::Duration;
 
 /// Bounds on one process and all processes that it starts.
 ///
-/// A mark must not depend on what else the machine does. So `cpu` counts the processor's seconds,
-/// of all threads and processes together, and `wall` is only for code that waits for something.
-/// Choose `cpu` at least a hundred times what the reference takes, and count a timeout only if it
-/// happens again when the submission runs alone, because jobs share caches, memory and the
-/// processor's clock speed.
+/// A mark must not depend on what else the machine does. So `cpu` counts seconds of processor time,
+/// summed over all threads and processes, and `wall` is only for code that waits for something.
+/// Even processor time depends a little on other jobs, because they share caches, memory and the
+/// processor's clock speed. So choose `cpu` at least a hundred times what the reference takes, and
+/// count a timeout only if it happens again when the submission runs alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Seconds of processor time, summed over the whole tree.
@@ -22,9 +22,10 @@ pub struct Limits {
     pub idle: Duration,
     /// Bytes in use by all processes together.
     pub memory: u64,
-    /// Bytes of address space of each process. Beyond it, the kernel refuses more. An answer's is
-    /// larger than `memory`, so that the watchdog sees what the answer uses before the kernel
-    /// makes it abort like an answer that merely prints Rust's words for that.
+    /// Bytes of address space of each process. Beyond it, the kernel refuses more. For an answer,
+    /// it is larger than `memory`, so that the watchdog sees too much memory in use before the
+    /// kernel refuses more. A refusal would make the answer abort with a message from Rust, which
+    /// any answer could print itself.
     pub address_space: u64,
     /// Processes and threads together.
     pub processes: u64,
@@ -45,8 +46,8 @@ const SHORTEST: Duration = Duration::from_secs(1);
 /// Twenty times what right answers take to compile.
 const SHORTEST_OF_COMPILER: Duration = Duration::from_secs(5);
 
-/// Code that is limited in processor time has nothing to wait for: no network and no other
-/// process.
+/// Code that is limited in processor time has nothing to wait for, because it has no network and no
+/// other process.
 const IDLE: Duration = Duration::from_secs(1);
 
 /// The compiler waits for files, and on some file systems that looks like sleeping.
@@ -55,7 +56,7 @@ const IDLE_COMPILER: Duration = Duration::from_secs(5);
 /// The shortest silence after which we give up on an answer while its author waits.
 const LEAST_SILENCE: Duration = Duration::from_secs(2);
 
-/// How many threads the code may have besides those that answer on all cores.
+/// How many threads the code may have in addition to those that answer on all cores.
 const SPARE_PROCESSES: u64 = 32;
 
 impl Limits {

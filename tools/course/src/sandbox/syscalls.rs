@@ -1,8 +1,8 @@
 //! The system calls that untrusted code may not make.
 //!
-//! This list says what is denied and not what is allowed. The compiler and its linker come with
-//! the machine, so a list of the calls they need would soon be out of date. All other calls still
-//! face the rest of the sandbox.
+//! This list says what is denied and not what is allowed. The compiler and its linker come with the
+//! machine, so a list of the calls they need would soon be out of date. The rest of the sandbox
+//! still restricts all other calls.
 
 use std::collections::BTreeMap;
 
@@ -92,9 +92,9 @@ const WATCHES_OR_LOCKS: [libc::c_int; 5] = [
     libc::F_OFD_SETLKW,
 ];
 
-/// Calls that only the compiler may make. Without namespaces and Landlock, the names of files in
-/// a folder like `/tmp` would carry one submission's answers to another, even if no file may be
-/// written. So would the times of a file that everyone may write, such as `/dev/null`.
+/// Calls that only the compiler may make. Without namespaces and Landlock, one submission could
+/// pass answers to another by the names of files in a folder like `/tmp`, even if no file may be
+/// written. It could also use the times of a file that everyone may write, such as `/dev/null`.
 const NEVER_WHILE_ANSWERING: [libc::c_long; 23] = [
     libc::SYS_socket,
     libc::SYS_socketpair,

@@ -42,9 +42,10 @@ pub fn linker(sysroot: &Path) -> Vec<OsString> {
     arguments
 }
 
-/// What a program needs to start: the libraries of this one, which is also written in Rust. Reading
-/// any other file of the system would leave a trace for programs that run later: the file's pages
-/// are in the kernel's cache and, where files may change, the time of the last access is new.
+/// The libraries that a program needs to start. They are those that this program uses, because it
+/// is written in Rust, too. Reading any other file of the system would leave a trace for programs
+/// that run later: the file's pages are in the kernel's cache and, where files may change, the time
+/// of the last access is new.
 pub fn libraries() -> Vec<PathBuf> {
     let maps = fs::read_to_string("/proc/self/maps").unwrap_or_default();
     let mapped = maps.lines().filter_map(|line| line.split_once(" /"));

@@ -52,8 +52,8 @@ pub fn own_clock(pid: u32) -> Clock {
         let (now, used) = (Instant::now(), used_by(pid));
         let passed = now - last.0;
         // Threads that sleep most of the time may be awake whenever we look, so ask the kernel how
-        // long they waited. It adds that up when a thread gets its turn. If none had a turn, or the
-        // kernel doesn't count, all that we know is whether one is ready now.
+        // long they waited. The kernel adds up this time whenever a thread gets its turn. If no
+        // thread had a turn, or the kernel doesn't count, we know only whether one is ready now.
         let waited = match used.is_busy && used.turns == last.1.turns {
             true => passed,
             false => passed.min(used.waited.saturating_sub(last.1.waited)),

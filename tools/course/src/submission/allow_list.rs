@@ -151,8 +151,8 @@ pub(super) fn finding(tokens: &[(Token, usize)]) -> Option<(String, &'static str
     }
 }
 
-/// As much of a word as a message shows. A hostile answer may be one long word, and its results
-/// repeat the message at each group.
+/// The part of a word that a message shows. A hostile answer may be one long word, and its results
+/// repeat the message for each group.
 fn beginning(word: &str) -> &str {
     &word[..word.floor_char_boundary(100)]
 }

@@ -1,5 +1,4 @@
-//! A submission in a ZIP file. Nothing is unpacked to disk, and only the answers are unpacked at
-//! all.
+//! A submission in a ZIP file. Only the answers are unpacked, and only into memory.
 
 use std::cell::Cell;
 use std::collections::BTreeMap;

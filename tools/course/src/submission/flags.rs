@@ -160,7 +160,7 @@ const KEYWORDS: [&str; 10] = [
     "use", "pub", "as", "in", "return", "dyn", "impl", "mut", "if", "match",
 ];
 
-/// Which path a word belongs to, followed through the braces of a `use`. It borrows the words,
+/// The path that a word belongs to, even inside the braces of a `use`. It borrows the words,
 /// because a hostile answer may repeat long ones thousands of times.
 #[derive(Default)]
 struct Paths<'t> {

@@ -66,9 +66,9 @@ pub fn open(path: &Path) -> io::Result<File> {
     options.open(path)
 }
 
-/// A file's name for people to read. Different names look different, even if they are not UTF-8: a
-/// byte that is not, and a `%` that could be mistaken for such a byte, are written as in URLs. So is
-/// a backtick, which would end a quoted name in a message.
+/// A file's name for people to read. Different names look different, even if they are not UTF-8,
+/// because bytes that are not UTF-8 are written as in URLs. So is a `%` that could be mistaken for
+/// the beginning of such a byte, and a backtick, which would end a quoted name in a message.
 pub fn name(bytes: &[u8]) -> String {
     let mut name = String::new();
     for chunk in bytes.utf8_chunks() {

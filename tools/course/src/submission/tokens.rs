@@ -27,8 +27,8 @@ pub const PATH: char = '∷';
 /// If it can't be split into tokens.
 pub fn tokens(text: &str) -> Result<Vec<(Token, usize)>, LexError> {
     let tokens = text.parse().map(flat);
-    // Otherwise, the library would keep every text until this thread ends, to know where its tokens
-    // are.
+    // Otherwise, the library would keep every text until this thread ends, because it remembers
+    // where tokens are.
     proc_macro2::extra::invalidate_current_thread_spans();
     tokens
 }
