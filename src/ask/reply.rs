@@ -205,8 +205,8 @@ impl Reply {
                 let questions = questions.ok_or("it asked for a test in an unknown question")?;
                 self.tests[index] += 1;
                 if self.tests[index] as usize > questions.most_tests(index) {
-                    let why =
-                        "it asked for more than ten times as many tests as the tree has boxes and triangles";
+                    let why = "it asked for more than ten times as many tests as the tree has \
+                               boxes and triangles";
                     return Err(why.into());
                 }
                 let result = questions.test(index, test);

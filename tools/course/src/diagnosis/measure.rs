@@ -254,7 +254,7 @@ fn among(rule: &Rule, wrong: &[&Sample], all: bool) -> String {
     match all {
         true => format!(", among them all {count} where {place}"),
         // A condition on a wrong hit can't be tested where no hit was found, so don't claim "all".
-        false => format!("; in {count} of them {place}"),
+        false => format!("; in {count} of these, {place}"),
     }
 }
 
@@ -439,7 +439,7 @@ impl<'a> PartFinding<'a> {
             Claim::Count => match self.lost() {
                 0 => format!("{about} {is} {wrong} {of}{excess}."),
                 lost => format!(
-                    "{about} {is} wrong {of}; in {lost} {it} {is} infinite or not a number."
+                    "{about} {is} wrong {of}; in {lost} of these, {it} {is} infinite or not a number."
                 ),
             },
             _ => format!("{about} {is} {wrong} {of}{where_}{excess}."),
