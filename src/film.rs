@@ -27,7 +27,7 @@ pub const BOX_CHANNELS: [&str; 6] = ["min.X", "min.Y", "min.Z", "max.X", "max.Y"
 /// The channels of a film about trees; see [`TreeMeasures`].
 pub const TREE_CHANNELS: [&str; 4] = ["misplaced", "depth", "leaf", "cost"];
 
-/// The channel that counts tests, which some films have besides those of hits.
+/// The channel that counts tests. Some films have it in addition to the channels of hits.
 pub const TESTS: &str = "tests";
 
 /// The id of a pixel whose ray hits nothing.

@@ -13,8 +13,8 @@
 //! 3. [`film`], [`judge`], [`oiiotool`], [`comparison`]: what a cast produces, what judges it,
 //!    and how it differs;
 //! 4. [`words`], [`report`], [`false_colour`], [`part`]: how people look at it;
-//! 5. [`kind`], [`job`], [`serve`](mod@serve), [`ask`](mod@ask): the seam between harness
-//!    and submission.
+//! 5. [`kind`], [`job`], [`serve`](mod@serve), [`ask`](mod@ask): how harness and
+//!    submission talk to each other.
 //!
 //! Lengths are in scene units, angles in radians, numbers in `f64` until a film
 //! rounds them to `f32`. Pixel (i, j) is column i from the left, row j from the

@@ -13,8 +13,8 @@ pub type Corners = [DVec3; 3];
 
 /// Reads every face of an OBJ file as triangles, in file order.
 ///
-/// Polygons become fans around their first corner. Normals, texture coordinates,
-/// groups and materials are ignored: a triangle's normal comes from its corners.
+/// Polygons become fans around their first corner. Normals, texture coordinates, groups and
+/// materials are ignored, because a triangle's normal comes from its corners.
 ///
 /// # Errors
 /// If the file cannot be read, is not an OBJ file, or has no face; if a face names a vertex that

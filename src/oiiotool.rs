@@ -175,7 +175,7 @@ fn arguments(layout: &Film) -> Vec<OsString> {
     line
 }
 
-/// Exit code 0 is not enough: the tool fills a missing channel with 0 and only warns.
+/// Exit code 0 is not enough, because the tool fills a missing channel with 0 and only warns.
 fn verdict(output: &Output) -> SecondVerdict {
     let said = String::from_utf8_lossy(&output.stderr);
     let first = said.lines().next().unwrap_or_default().to_owned();

@@ -66,7 +66,7 @@ pub struct Tally {
 }
 
 impl Part {
-    /// Whether it says which object is hit: a name, not a measure.
+    /// Whether it says which object is hit, so that its value is a name and not a measurement.
     pub fn is_object(&self) -> bool {
         self.channels == ["id"]
     }

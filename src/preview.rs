@@ -17,7 +17,7 @@ use crate::shape::{Shape, ShapeKind};
 /// about one.
 pub type TaskKind = (Kind, Option<ShapeKind>);
 
-/// A film that is made of a submission's answers as far as they go.
+/// A film that is made with those answers of a submission that exist so far.
 #[derive(Clone, Debug)]
 pub struct Preview {
     /// What it shows.

@@ -259,7 +259,7 @@ pub(crate) enum Cut {
     OffMiddle,
     /// On another axis.
     OtherAxis,
-    /// On no axis are the centres of one child all on one side of those of the other.
+    /// On no axis, because on every axis, the centres of the two children are mixed.
     Mixed,
 }
 

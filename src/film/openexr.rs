@@ -37,7 +37,7 @@ pub(super) fn read(path: &Path) -> Result<Film, Error> {
     }
     let bytes =
         fs::read(path).map_err(|error| refuse(format!("cannot read this film: {error}")))?;
-    // The bytes are untrusted: a panic in the decoder must not end this program.
+    // The bytes are untrusted, so a panic in the decoder must not end this program.
     let decoded = catch_unwind(AssertUnwindSafe(|| decode(&bytes)));
     let image = match decoded {
         Ok(image) => image.map_err(&refuse)?,

@@ -156,8 +156,8 @@ impl SearchQuestion {
         })
     }
 
-    /// The first leaf in which a triangle is met, by a search that of two boxes always looks first
-    /// into the one that the ray enters first.
+    /// The first leaf in which a search meets a triangle, if it always looks first into the box
+    /// that the ray enters first.
     fn first_leaf(&self) -> Option<usize> {
         let mut waiting = vec![0];
         while let Some(node) = waiting.pop() {

@@ -6,8 +6,8 @@ use crate::words::number;
 
 /// An object whose intersections with one ray are known beforehand.
 ///
-/// Question films use it to judge the search for the nearest object without any real
-/// shape: it answers with what Mitsuba found for the real object that it replaces.
+/// Question films use it to judge the search for the nearest object without any real shape. It
+/// answers with what Mitsuba found for the real object that it replaces.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Canned {
     /// Everything the ray meets, in increasing t.

@@ -8,13 +8,13 @@ use crate::part::{Condition, Quantity};
 use crate::ray::Ray;
 use crate::words::{number, vector};
 
-/// All points p of a plane, (p − `center`) · `normal` = 0, no farther than `radius` from
-/// `center`: a flat disk, edge included.
+/// A flat disk, edge included: all points p of the plane (p − `center`) · `normal` = 0 that are at
+/// most `radius` away from `center`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Disk {
     /// World space, scene units.
     pub center: DVec3,
-    /// Perpendicular to the disk, as the scene file has it: of any length but zero.
+    /// Perpendicular to the disk, as in the scene file. It may have any length but zero.
     pub normal: DVec3,
     /// Scene units, positive.
     pub radius: f64,

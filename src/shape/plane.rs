@@ -13,7 +13,7 @@ use crate::words::vector;
 pub struct Plane {
     /// Any point of the plane; world space, scene units.
     pub point: DVec3,
-    /// Perpendicular to the plane, as the scene file has it: of any length but zero.
+    /// Perpendicular to the plane, as in the scene file. It may have any length but zero.
     pub normal: DVec3,
 }
 

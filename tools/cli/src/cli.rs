@@ -74,7 +74,7 @@ impl Command {
 /// compiled and run in a sandbox.
 ///
 /// `check` also writes a report, an HTML file with hints. For every scene that fails, the report
-/// shows the expected picture and yours. Click a pixel in it to see both answers.
+/// shows the expected picture and yours. Click a pixel there to see both answers.
 #[derive(Args)]
 pub struct Check {
     /// The folder with the answer files, or a folder whose subfolder `src` has them [default: the
@@ -192,9 +192,9 @@ pub struct Explain {
 ///
 /// Do this before you write any code, to find out whether you understand a task. You choose some of
 /// its public questions and write down the answers. For each answer, you see whether Mitsuba gives
-/// the same one. You also see how many of the mistakes that people make in this task your right
-/// answers catch. An answer catches a mistake if code with that mistake answers differently. If a
-/// right answer catches no mistake, its question is too easy.
+/// the same one. Your right answers are also tried on mistakes that people make in this task. An
+/// answer catches a mistake if code with that mistake answers differently. You see how many
+/// mistakes your answers catch. If a right answer catches none, its question is too easy.
 ///
 /// The questions of a task come in groups. To begin, let the command write a file that has one
 /// question from each group, without answers:

@@ -38,7 +38,8 @@ pub struct Program {
     pub executable: PathBuf,
     /// Answers that were replaced by their stubs, and why.
     pub replaced: Replacements,
-    /// The tasks whose answer is still the stub: it was replaced, or is what was handed out.
+    /// The tasks whose answer is the stub, either because it was replaced or because it is still
+    /// what was handed out.
     pub stubs: BTreeSet<String>,
     /// The same program with our answer to the task of an earlier assignment. `None` if the
     /// student's answer is not used anyway, or if the other answers don't compile with ours.

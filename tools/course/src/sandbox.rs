@@ -202,8 +202,8 @@ impl Sandbox {
         Sandbox::bubblewrap(checkout, "the code", secrets)
     }
 
-    /// The folder for the harness and the programs. If sandboxed code must reach it, it is in a
-    /// place where that is possible.
+    /// The folder for the harness and the programs. If sandboxed code needs this folder, it lies
+    /// where the code can reach it.
     pub fn scratch(&self, checkout: &Checkout) -> PathBuf {
         match self {
             #[cfg(target_os = "linux")]

@@ -50,7 +50,7 @@ const MOST_PRINTED_LINES: usize = 200;
 /// The contents of the page.
 #[derive(Debug, Serialize)]
 pub struct Report {
-    /// The title: the assignment's, or the film's name.
+    /// The assignment's title, or the film's name.
     pub title: String,
     /// What was judged, as pairs of its kind and its path.
     pub of: Vec<(&'static str, String)>,

@@ -156,8 +156,8 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
     })
 }
 
-/// Says which file to edit next: that of the task to begin with if it lacks points, or else that of
-/// the first task that does.
+/// Prints the file to edit next. It belongs to the task to begin with, if that lacks points, or
+/// else to the first task that does.
 fn show_next(assignment: &Assignment, submission: &Submission, outcome: &Outcome) {
     let failing = || outcome.tasks.iter().filter(|task| !task.passes());
     let start = failing().find(|task| task.name == assignment.start);

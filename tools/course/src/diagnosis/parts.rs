@@ -155,7 +155,7 @@ fn holds_a_part(films: &[FilmParts], parts: usize, belief: &str) -> bool {
     whole && !denied
 }
 
-/// Whether a part is wrong wherever a belief says so, in whatever way.
+/// Whether a part is wrong wherever a belief says so, even if it is wrong in another way.
 fn is_touched(films: &[FilmParts], part: usize, belief: &str) -> bool {
     films.iter().all(|film| {
         let agreement = film.part(belief, part);

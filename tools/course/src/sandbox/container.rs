@@ -169,7 +169,7 @@ impl Container {
         if self.landlocked {
             command.arg("--landlocked");
         }
-        // Not /proc: it shows every process of the container.
+        // Don't add /proc, because it shows every process of the container.
         match purpose {
             Purpose::Compile => command.args(SYSTEM.iter().flat_map(|read| ["--read", *read])),
             Purpose::Answer => {

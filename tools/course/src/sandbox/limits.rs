@@ -92,8 +92,8 @@ impl Limits {
         }
     }
 
-    /// Like [`Limits::of_answers`], but for someone who waits for their own code: an endless loop
-    /// is noticed long before `wall` is over.
+    /// Like [`Limits::of_answers`], but for someone who waits for their own code. So an endless
+    /// loop is noticed long before `wall` is over.
     pub fn of_own_answers(wall: Duration) -> Limits {
         Limits::of_answers(wall).for_own_answers()
     }

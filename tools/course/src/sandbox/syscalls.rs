@@ -25,7 +25,7 @@ pub enum Purpose {
     Answer,
 }
 
-/// Calls that are always denied: they reach other processes, the kernel itself, new
+/// Calls that are always denied, because they reach other processes, the kernel itself, new
 /// namespaces, or memory that no limit counts.
 const NEVER: [libc::c_long; 48] = [
     libc::SYS_ptrace,

@@ -24,8 +24,8 @@ pub enum Cause {
 /// smaller one.
 const UNIT: f32 = 1e-4;
 
-/// A normal is called reversed if its opposite is this near to the golden's. The limit may be
-/// wider than the tolerance, because no points depend on it.
+/// A normal counts as reversed if its opposite differs from the golden's by no more than this. The
+/// limit may be wider than the tolerance, because no points depend on it.
 const REVERSED: f32 = 1e-3;
 
 impl Cause {
@@ -47,7 +47,7 @@ impl Cause {
         match self {
             Cause::NotFinite => "is not a finite number",
             Cause::MissesHit => "misses what should be hit",
-            Cause::HitsMiss => "hits where nothing should be hit",
+            Cause::HitsMiss => "hits something where nothing should be hit",
             Cause::AnotherObject => "hits another object",
             Cause::TooNear => "right object, too near",
             Cause::TooFar => "right object, too far",

@@ -11,7 +11,7 @@ pub struct TreeDrawings {
     /// The size of both drawings.
     pub width: u32,
     pub height: u32,
-    /// The axis that can't be seen: that of the least extent.
+    /// The axis along which we look, which is the one with the least extent.
     pub along: &'static str,
     /// Whether the two visible axes have different scales.
     pub stretched: bool,

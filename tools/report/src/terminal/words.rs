@@ -1,4 +1,4 @@
-//! Puts an outcome into one or a few lines: that of a task, a scene, a film, or a belief.
+//! Puts a belief, or the outcome of a task, a scene or a film, into one or a few lines.
 
 use crate::escape::printable;
 use pinhole::Fact;

@@ -28,8 +28,8 @@ pub fn found(both: &[&Sample]) -> Option<Measurement> {
 
 /// Whether `f32` can hold every given value of a part. Short numbers such as 0.5 prove nothing, so
 /// there must be enough others. A vector that is wrong by more than rounding proves nothing either:
-/// it may be one of the question's, such as a plane's stored normal, and questions have single
-/// precision.
+/// it may be a copy of one in the question, such as a plane's stored normal, and questions have
+/// single precision.
 pub fn is_single(both: &[&Sample], part: usize) -> bool {
     let is_told = |described: &Part| !described.is_object() && described.unit.is_empty();
     let given = both.iter().filter_map(|sample| sample.given.as_ref());
