@@ -17,7 +17,7 @@ use crate::shape::{Shape, ShapeKind};
 /// about one.
 pub type TaskKind = (Kind, Option<ShapeKind>);
 
-/// A film that is made with those answers of a submission that exist so far.
+/// A film that is made with the answers that a submission has so far.
 #[derive(Clone, Debug)]
 pub struct Preview {
     /// What it shows.

@@ -102,7 +102,7 @@ pub fn resolution(text: &str) -> std::result::Result<Resolution, String> {
     };
     match (count(n_x), count(n_y)) {
         (Some(n_x), Some(n_y)) if n_x * n_y <= MOST_PIXELS => Ok(Resolution { n_x, n_y }),
-        (Some(_), Some(_)) => Err(format!("more than {MOST_PIXELS} pixels cannot be cast")),
+        (Some(_), Some(_)) => Err(format!("a film can have at most {MOST_PIXELS} pixels")),
         _ => Err(wrong()),
     }
 }

@@ -192,7 +192,7 @@ impl Sandbox {
     #[cfg(not(target_os = "linux"))]
     fn bubblewrap(_: &Checkout, what: &str, _: &[PathBuf]) -> Result<Sandbox> {
         Err(Error::environment(
-            format!("{what} must run in a sandbox, and there is none for this system"),
+            format!("{what} must run in a sandbox, and Pinhole has none for this system"),
             "use a Linux machine, or pass --trust if the code is your own",
         ))
     }

@@ -25,15 +25,20 @@ pub enum Key {
 
 /// Letter, meaning, its name on the screen, and its description in the help.
 pub const KEYS: [(char, Key, &str, &str); 9] = [
-    ('h', Key::Hint, "hint", "a hint; each press shows one more"),
+    (
+        'h',
+        Key::Hint,
+        "hint",
+        "show a hint; each press shows one more",
+    ),
     (
         'o',
         Key::Report,
         "report",
-        "open the report, once everything is judged",
+        "open the report once everything is judged",
     ),
-    ('n', Key::Next, "next", "the next task"),
-    ('p', Key::Previous, "previous", "the previous task"),
+    ('n', Key::Next, "next", "go to the next task"),
+    ('p', Key::Previous, "previous", "go to the previous task"),
     (
         'a',
         Key::Everything,

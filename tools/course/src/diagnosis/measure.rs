@@ -439,7 +439,8 @@ impl<'a> PartFinding<'a> {
             Claim::Count => match self.lost() {
                 0 => format!("{about} {is} {wrong} {of}{excess}."),
                 lost => format!(
-                    "{about} {is} wrong {of}; in {lost} of these, {it} {is} infinite or not a number."
+                    "{about} {is} wrong {of}; in {lost} of these, {it} {is} infinite or not a \
+                     number."
                 ),
             },
             _ => format!("{about} {is} {wrong} {of}{where_}{excess}."),

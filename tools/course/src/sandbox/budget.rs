@@ -1,8 +1,8 @@
 //! The time that one submission may take, and the limits that it may run into.
 //!
-//! Without it, code that runs into its limit in every group and every scene would take a hundred
-//! times that limit. Answers that arrive in time cost nothing here, so a slow but right submission
-//! loses nothing.
+//! Without these bounds, code that runs into its limit in every group and every scene would take a
+//! hundred times that limit. Answers that arrive in time cost nothing here, so a slow but right
+//! submission loses nothing.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};

@@ -92,7 +92,7 @@ impl Limits {
         }
     }
 
-    /// Like [`Limits::of_answers`], but for someone who waits for their own code. So an endless
+    /// Like [`Limits::of_answers`], but for someone who waits for their own code, so an endless
     /// loop is noticed long before `wall` is over.
     pub fn of_own_answers(wall: Duration) -> Limits {
         Limits::of_answers(wall).for_own_answers()

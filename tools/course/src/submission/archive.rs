@@ -67,7 +67,7 @@ impl<R: Seek> Seek for LimitedReader<R> {
 pub fn open(path: &Path) -> Result<Archive<Cursor<Vec<u8>>>> {
     let refused = Error::input(
         format!("{} is refused", path.display()),
-        "pack the answer files alone into a ZIP file, without a password",
+        "pack only the answer files into a ZIP file, without a password",
     );
     // Read the whole file first, so that any later error is the archive's own fault.
     let unreadable = text::unreadable(path);
@@ -80,7 +80,7 @@ pub fn open(path: &Path) -> Result<Archive<Cursor<Vec<u8>>>> {
         .read_to_end(&mut bytes)
         .or_fail(&unreadable)?;
     if bytes.len() as u64 > MOST_ARCHIVE_BYTES {
-        return Err(refused.because("it is longer than 16 MiB"));
+        return Err(refused.because("it is larger than 16 MiB"));
     }
     Archive::new(Cursor::new(bytes)).map_err(|why| refused.because(why))
 }
@@ -155,7 +155,7 @@ impl<R: Read + Seek> Archive<R> {
             .files()
             .filter(|other| other.to_lowercase() == path.to_lowercase());
         if alike.count() > 1 {
-            let why = "there is another file whose name differs only in capitals";
+            let why = "there is another file whose name differs only in upper and lower case";
             return Err(AnswerFileProblem::Refused(why.into()));
         }
         let mut bytes = Vec::new();

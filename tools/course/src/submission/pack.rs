@@ -22,7 +22,7 @@ impl Submission {
         let is_ours = || path.is_file() && Submission::find(path, assignment).is_ok();
         if is_there && !is_ours() {
             return Err(Error::input(
-                format!("{} is there already, and holds no answers", path.display()),
+                format!("{} already exists, and holds no answers", path.display()),
                 "name another file with --pack",
             ));
         }

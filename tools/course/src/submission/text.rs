@@ -91,7 +91,7 @@ pub fn name(bytes: &[u8]) -> String {
 pub fn of_bytes(bytes: Vec<u8>) -> Text {
     let refused = |why: &str| Err(AnswerFileProblem::Refused(why.into()));
     if bytes.len() as u64 > MOST_BYTES {
-        return refused("it is longer than 256 KiB");
+        return refused("it is larger than 256 KiB");
     }
     match String::from_utf8(bytes) {
         Ok(text) => Ok(text),

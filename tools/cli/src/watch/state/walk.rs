@@ -38,7 +38,7 @@ impl State {
                 if let Some(at) = self.items.iter().position(|item| *item == Item::Scenes) {
                     return self.visit(at);
                 }
-                self.say("only some tasks are watched, and no scenes".into());
+                self.say("scenes are not judged, because you chose tasks with --task".into());
             }
             Key::Everything => {
                 self.settled = true;
@@ -57,7 +57,7 @@ impl State {
         Vec::new()
     }
 
-    /// After a task that passes, the first with missing points. Otherwise, the next one.
+    /// If the shown task passes, the first one that lacks points. Otherwise, the next one.
     fn next(&self) -> usize {
         let missing = self.items.iter().position(|item| !self.is_full(item));
         match self.shown {
