@@ -17,7 +17,7 @@ use crate::ray::Ray;
 use crate::scene::Scene;
 use crate::shape::{Shape, ShapeKind};
 
-/// One thing to do, giving a fixed number of answers.
+/// One piece of work, with a fixed number of answers.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub enum Job {
     /// Cast a scene: a hit for every pixel, in image order.
@@ -172,7 +172,7 @@ pub enum Message {
     StillAt(usize),
 }
 
-/// At most this many answers in a message; small enough that progress is smooth.
+/// A message holds at most this many answers. They are few enough for smooth progress.
 pub const CHUNK: usize = 256;
 
 /// Writes one length-prefixed value.

@@ -269,8 +269,8 @@ impl DeadlineStream<'_> {
     }
 }
 
-/// Ignores a timeout that can't be set because the peer has closed the socket, which macOS
-/// reports: nothing can block any more.
+/// Once the peer has closed a socket, macOS refuses to set a timeout on it. This ignores that
+/// error, because nothing can block any more.
 #[cfg(unix)]
 fn armed(set: io::Result<()>) -> io::Result<()> {
     match set {

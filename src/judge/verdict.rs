@@ -86,8 +86,8 @@ pub struct ChannelVerdict {
     /// How many of them show the right object, which means that this channel itself is wrong. For
     /// the id, all of them count.
     pub own: usize,
-    /// The one that misses it by the most tolerances; pixels that show the right
-    /// object come first, because there this channel itself is wrong.
+    /// The pixel that misses the golden by the largest multiple of its tolerance. Pixels that show
+    /// the right object come first, because there this channel itself is wrong.
     pub worst: Option<Mismatch>,
     /// The smallest rectangle of pixels around all that fail.
     pub bounds: Option<Bounds>,

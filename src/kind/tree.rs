@@ -63,12 +63,11 @@ impl TreeQuestion {
             ),
             (
                 Cut::Mixed,
-                "divide the triangles along no axis: the centres on both sides are mixed",
+                "divide the triangles along no axis, because the centres on both sides are mixed",
             ),
             (
                 Cut::OffMiddle,
-                "divide the triangles along the right axis, but not in the middle between the \
-                 least and the greatest centre",
+                "divide the triangles along the right axis, but not halfway between the least and the greatest centre",
             ),
         ];
         let tally = |(cut, sort)| Tally {

@@ -83,16 +83,11 @@ impl SearchLog {
         vec![
             tally(
                 "choices between two boxes that the ray enters",
-                "are for the one that it enters later",
+                "pick the one that it enters later",
                 self.choices[0],
                 self.choices[1],
             ),
-            tally(
-                looked,
-                "are missed by the ray, from min_t on",
-                boxes,
-                missed,
-            ),
+            tally(looked, "are missed by the ray from min_t on", boxes, missed),
             tally(
                 looked,
                 "begin behind a triangle that you have found already",

@@ -60,8 +60,8 @@ impl Error {
         )
     }
 
-    /// This error with its cause. Where several steps can fail in the same way, make the error
-    /// once and give it its source where one of them fails.
+    /// This error with its cause. If several steps can fail in the same way, make the error once,
+    /// and call this where one of them fails.
     pub fn because(&self, source: impl Into<Source>) -> Error {
         let source = source.into();
         Error {

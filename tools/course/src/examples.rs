@@ -5,7 +5,7 @@
 //! Krishnamurthi, Executable Examples for Programming Problem Comprehension, ICER 2019). What each
 //! mistake answers is read from its fingerprint. Its sample holds the first wrong questions in the
 //! scattered order, so the first [`MOST_SAMPLED`] questions in that order are known for every
-//! mistake. Examples can be about these questions only.
+//! mistake. Examples can be about only these questions.
 
 mod file;
 

@@ -272,8 +272,8 @@ impl Sandbox {
         Ok(finished)
     }
 
-    /// Takes a compiled program and its folder from the user id that compiled it. Foreign code
-    /// may then run the program but not read it: if a program's file can't be read, the kernel
+    /// Takes a compiled program and its folder from the user id that compiled it. Foreign code may
+    /// then run the program but not read it. If a program's file can't be read, the kernel also
     /// denies the program access to its own memory in `/proc`.
     ///
     /// # Errors

@@ -39,8 +39,8 @@ pub struct State {
     orders: u64,
     /// What the judge is asking now, and since when.
     pub asking: Option<(String, Instant)>,
-    /// Whether the student has a task to work on. Until then, we look for the first one with
-    /// missing points.
+    /// Whether the student has a task to work on. Until then, we look for the first task that lacks
+    /// points.
     settled: bool,
     /// Why nothing can be judged.
     pub problem: Option<Error>,

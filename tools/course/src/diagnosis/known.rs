@@ -1,7 +1,8 @@
 //! The known mistakes as they are stored beside the goldens: their text in `mistakes.toml`, their
 //! fingerprints in `FILM.mistakes.exr`.
 //!
-//! A student's checkout has no sources of mistakes, but it can still diagnose them.
+//! A student's repository does not have the mistakes' sources, but with these two files it can
+//! still diagnose them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

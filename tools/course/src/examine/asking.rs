@@ -24,8 +24,8 @@ pub trait Clock: Sync {
     fn check(&self, reply: &Reply) -> Result<()>;
 }
 
-/// Complete replies of other submissions. They are used again for tasks and scenes that the same
-/// files answer.
+/// Complete replies of other submissions. They are used again for tasks and scenes whose answer
+/// files are the same.
 pub trait KnownReplies: Sync {
     /// The reply to this many questions of a task, or to a scene.
     fn get(&self, what: &str, questions: usize) -> Option<Reply>;
@@ -99,7 +99,8 @@ impl Examiner<'_> {
 
     /// Asks about one film. If someone waits for the result, and the answer ends its process, for
     /// instance because its stack overflows, this also finds the first question at which that
-    /// happens. A dead process can't say where it was, so this asks about fewer and fewer questions.
+    /// happens. A dead process can't say where it was, so this finds the question by asking about
+    /// fewer and fewer of them.
     fn ask_alone(&self, task: &Task, job: &Job, wall: Duration) -> Result<Reply> {
         let mut reply = self.ask(&task.name, job, wall)?;
         if self.interactive

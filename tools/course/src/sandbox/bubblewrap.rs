@@ -202,8 +202,8 @@ fn counts_by_namespace() -> bool {
 }
 
 fn bind(command: &mut Command, how: &str, path: &Path) {
-    // Bubblewrap itself would make parent folders that only root may enter. It leaves those alone
-    // that exist.
+    // Without this, bubblewrap would make parent folders that only root may enter. It leaves
+    // existing folders alone.
     let above: Vec<&Path> = path.ancestors().skip(1).collect();
     for folder in above.into_iter().rev() {
         command.args(["--perms", "0755", "--dir"]).arg(folder);
