@@ -67,7 +67,8 @@ impl TreeQuestion {
             ),
             (
                 Cut::OffMiddle,
-                "divide the triangles along the right axis, but not halfway between the least and the greatest centre",
+                "divide the triangles along the right axis, but not halfway between the \
+                 least and the greatest centre",
             ),
         ];
         let tally = |(cut, sort)| Tally {
