@@ -150,7 +150,7 @@ fn submission_that_breaks_off_inside_a_message_is_reported() {
 
 #[test]
 fn one_answer_is_enough_for_one_question() {
-    // Answers, from the first on, one of them: a hit of nothing.
+    // A message of answers that begins at question 0 and holds one answer, a miss.
     let miss = after_the_job("printf '\\006\\000\\000\\000\\000\\000\\001\\000\\000\\000' >&0");
     let reply = asked(&miss, &hits(1), SOON);
     assert_eq!(reply.ending, Ending::Complete);

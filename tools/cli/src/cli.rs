@@ -192,8 +192,8 @@ pub struct Explain {
 ///
 /// Do this before you write any code, to find out whether you understand a task. You choose some of
 /// its public questions and write down the answers. For each answer, you see whether Mitsuba gives
-/// the same one. Your right answers are also tried on mistakes that people make in this task. An
-/// answer catches a mistake if code with that mistake answers differently. You see how many
+/// the same one. Your right answers are also tested against mistakes that people make in this task.
+/// An answer catches a mistake if code with that mistake answers differently. You see how many
 /// mistakes your answers catch. If a right answer catches none, its question is too easy.
 ///
 /// The questions of a task come in groups. To begin, let the command write a file that has one
@@ -230,7 +230,7 @@ pub struct Examples {
 
 /// Compare a film, made by any program, with a golden film
 ///
-/// A golden film is one that Mitsuba has rendered. Your film passes if it has the golden's size and
+/// A golden film is one that Mitsuba has made. Your film passes if it has the golden's size and
 /// channels, all its values are finite, and |film − golden| ≤ tolerance in every channel of every
 /// pixel. (Some films have a channel `tests`, which counts tests of boxes and triangles. In that
 /// channel, the sum of |film − golden| over all pixels is compared with the sum of the tolerances.)

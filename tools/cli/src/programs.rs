@@ -1,6 +1,6 @@
-//! Some subcommands belong to other programs of the course. This passes them on with all their
-//! arguments, as cargo does for `cargo-CMD`. Such a program is built when it is first needed, so a
-//! student's build doesn't compile it.
+//! Some subcommands belong to other programs of the course. This module passes them on with all
+//! their arguments, as cargo does for `cargo-CMD`. Such a program is built when it is first needed,
+//! so a student's build doesn't compile it.
 
 use std::ffi::OsString;
 use std::path::PathBuf;

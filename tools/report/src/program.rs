@@ -51,7 +51,7 @@ fn in_words(error: &Error) -> String {
 /// Prints what to do after a panic, which is always a bug in Pinhole.
 fn report_panic(info: &PanicHookInfo<'_>) {
     let what = info.payload_as_str().unwrap_or("(no message)");
-    // A program that reads our output may stop early, as `head` does. That is no bug.
+    // A program that reads our output may stop early, as `head` does. That is not a bug.
     if !what.starts_with("failed printing to") {
         let place = info.location().map(ToString::to_string).unwrap_or_default();
         eprintln!("pinhole: internal error at {place}: {what}\n  remedy: report it");

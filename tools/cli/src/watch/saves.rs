@@ -1,9 +1,9 @@
 //! Notices saves.
 //!
 //! The system's notices only wake us up. We then read the answer files and compare them with their
-//! earlier text, so it does not matter whether an editor writes a file in place, or replaces it by
-//! renaming or deleting. If there are no notices, as on some network folders, polling finds the
-//! save a little later.
+//! earlier text, so it does not matter whether an editor writes a file in place, renames it or
+//! deletes it. If there are no notices, as on some network folders, polling finds the save a little
+//! later.
 
 use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};

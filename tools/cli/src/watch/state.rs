@@ -66,7 +66,7 @@ pub struct State {
 struct Stamp {
     /// The answers it judges.
     generation: u64,
-    /// How long after the save of these answers it came.
+    /// The time from the save of these answers to the verdict.
     after_save: Option<Duration>,
     /// What the student's code printed.
     printed: String,

@@ -255,7 +255,7 @@ fn a_mistake_that_panics_is_recognised_by_where_it_panics() {
     assert!(explain([panic("some"), panic("none")]).is_empty());
 }
 
-/// Far from pixel 500 on, and these normals everywhere.
+/// A film whose t is wrong from pixel 500 on, and which has these normals everywhere.
 fn late_with_normals(by: f32, z: f32) -> Film {
     let film = late(by);
     let channels = film.channels().iter().map(|channel| Channel {

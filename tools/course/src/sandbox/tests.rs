@@ -4,8 +4,8 @@ use pinhole::ask::Death;
 
 use super::*;
 
-/// How a program ends that runs these lines of the shell instead of answering, if it may take this
-/// long on the processor.
+/// How a program ends if it runs these shell commands instead of answering, with this limit on its
+/// processor time.
 fn ending(lines: &str, cpu: Duration) -> Ending {
     let folder = tempfile::tempdir().expect("there is room");
     let program = folder.path().join("program");

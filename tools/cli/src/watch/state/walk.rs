@@ -25,7 +25,7 @@ impl State {
                     return vec![Action::Report];
                 }
                 self.report_wanted = true;
-                self.say("the report will open once everything is judged".into());
+                self.say("the report will be ready once everything is judged".into());
                 return self.ask_again(missing);
             }
             Key::Quit => return vec![Action::Quit],
