@@ -99,8 +99,7 @@ pub fn ask(
 /// Like [`ask`], but first passes the process id to `started`, so that the caller can
 /// watch the process and kill it. It returns the clock that measures silence.
 ///
-/// # Errors
-/// As [`ask`].
+/// # Errors Like [`ask`].
 pub fn ask_watched(
     mut command: Command,
     job: &Job,

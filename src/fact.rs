@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 pub struct Fact {
     /// What it is about, in a word.
     pub label: String,
-    /// In words; a line break where a second line is needed.
+    /// What is said about it. There may be several lines.
     pub text: String,
 }
 

@@ -34,10 +34,9 @@ pub struct Scene {
 impl Scene {
     /// Reads a scene file and the meshes it names.
     ///
-    /// # Errors
-    /// With line and column, if the file is not TOML, a key is missing, unknown or
-    /// of the wrong kind, or a value is impossible for a camera or shape; and if a mesh
-    /// cannot be read (see [`mesh::read`](crate::mesh::read)).
+    /// # Errors If the file is not TOML; if a key is missing, unknown or of the wrong kind; or if a
+    /// value is impossible for a camera or shape. These errors have a line and column. Also if a
+    /// mesh cannot be read (see [`mesh::read`](crate::mesh::read)).
     pub fn read(path: &Path) -> Result<Scene, Error> {
         let text = read_text(path).map_err(|error| {
             Error::new(

@@ -39,8 +39,8 @@ pub enum Questions {
 }
 
 impl Questions {
-    /// Reads the question film at `path`, and its size. The task and, if it intersects one, its
-    /// shape are those in `assignment.toml`.
+    /// Reads the question film at `path`, and its size. `task`, `kind` and `shape` are those in
+    /// `assignment.toml`.
     ///
     /// # Errors
     /// If the film cannot be read, lacks a channel of this kind's questions, or holds a

@@ -33,7 +33,8 @@ pub struct Assignment {
     pub scenes: Vec<ScenePoints>,
     /// Points for withheld scenes that are missing from this checkout.
     pub withheld: u32,
-    /// How many public solutions were read to count its mistakes, if any were.
+    /// How many public solutions we read to see how common its mistakes are; `None` if we read
+    /// none.
     pub solutions_read: Option<u32>,
     /// What to show a student who has earned all points.
     pub finish: Option<Finish>,
@@ -68,7 +69,8 @@ impl Assignment {
         self.folder.join("stubs")
     }
 
-    /// The tasks that a submission may answer: its own, then that of an earlier assignment.
+    /// The tasks that a submission may answer: those of this assignment, then the one of an earlier
+    /// assignment.
     pub fn answerable(&self) -> impl Iterator<Item = &Task> {
         let earlier = self.earlier.iter().map(|earlier| &earlier.task);
         self.tasks.iter().chain(earlier)

@@ -41,7 +41,8 @@ pub struct Evidence<'a> {
     pub beliefs: Option<Beliefs>,
     /// The command that repeats this.
     pub command: String,
-    /// The command that explains a pixel: before its column, and after its row.
+    /// The command that explains a pixel, in two parts: what comes before the pixel's column, and
+    /// what comes after its row.
     pub explain: Option<[String; 2]>,
 }
 
