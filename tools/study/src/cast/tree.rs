@@ -24,8 +24,7 @@ use super::model::{Model, Query};
 use super::slabs::{Boxes, Frame, Slabs};
 use super::world::{Part, PartFromCamera, Primitive, World};
 use crate::kernel::Limits;
-use crate::kernel::triangle::{self, PacketFromCamera, TrianglePacket};
-use crate::number::ROOT_OF_UNIT;
+use crate::kernel::triangle::{PacketFromCamera, TrianglePacket};
 use crate::shape::Triangle;
 use crate::vector::{Vector, around};
 
@@ -128,7 +127,6 @@ impl Tree {
                 parts: &inside,
                 ordered: &mut world.parts,
                 tree: &mut tree,
-                reach: world.reach,
             };
             tree.root = Some(fours.root());
         }
@@ -284,7 +282,6 @@ struct WideTreeBuilder<'a> {
     parts: &'a [Part],
     ordered: &'a mut Vec<Part>,
     tree: &'a mut Tree,
-    reach: super::rays::Reach,
 }
 
 impl<'a> WideTreeBuilder<'a> {
@@ -371,11 +368,8 @@ impl<'a> WideTreeBuilder<'a> {
         if triangles.is_empty() {
             return LEAF | LONE | first;
         }
-        let most =
-            |of: &dyn Fn(&Triangle<f64>) -> f64| triangles.iter().map(of).fold(0.0, f64::max);
-        let size = most(&triangle::size);
-        let away = most(&|triangle| self.reach.away(triangle.corners[0]));
-        let limits = triangle::limits(size, away, ROOT_OF_UNIT);
+        let limits = parts.iter().map(|part| part.limits).reduce(Limits::or);
+        let limits = limits.expect("a leaf has parts");
         let from_camera = |part: &&'p Part| match &part.from_camera {
             Some(PartFromCamera::Triangle(triangle)) => Some(triangle),
             _ => None,

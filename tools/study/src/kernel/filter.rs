@@ -40,6 +40,17 @@ pub struct Limits {
     pub dividend: f64,
 }
 
+impl Limits {
+    /// The limits of a filter that is right for both shapes.
+    pub fn or(self, other: Limits) -> Limits {
+        Limits {
+            sign: self.sign.max(other.sign),
+            divisor: self.divisor.max(other.divisor),
+            dividend: self.dividend.max(other.dividend),
+        }
+    }
+}
+
 /// A ray with a `min_t`, as filters see it: which t are certainly at least `min_t`, and which are
 /// certainly below it, if their relative error is at most √u?
 ///

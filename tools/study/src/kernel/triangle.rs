@@ -7,7 +7,6 @@ mod moller_trumbore;
 mod triangle_packet;
 mod woop;
 
-pub use adaptive::{limits, size};
 pub use double_double_filter::double_double_filter;
 pub use from_camera::{PacketFromCamera, TriangleFromCamera};
 pub use moller_trumbore::{MollerTrumbore, MollerTrumboreEpsilon};

@@ -70,13 +70,8 @@ pub fn normal(shape: &Primitive, ray: &Ray<f64>, t: &Root) -> Vector<f64> {
         }
         Primitive::Sphere(sphere) => {
             let from_center = Exact::of(ray.origin).minus(&Exact::of(sphere.center));
-            let [e, d] = [from_center.0, Exact::of(ray.direction).0];
-            let at = e.iter().zip(&d).map(|(e, d)| e + &t.exact * d);
-            Exact(
-                at.collect::<Vec<_>>()
-                    .try_into()
-                    .expect("there are three components"),
-            )
+            let (e, d) = (from_center.0, Exact::of(ray.direction).0);
+            Exact([0, 1, 2].map(|at| &e[at] + &t.exact * &d[at]))
         }
     };
     // Divide by the largest component, so that the conversion to floats neither underflows nor

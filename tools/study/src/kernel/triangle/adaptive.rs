@@ -41,7 +41,18 @@ impl Filtered for Triangle<f64> {
 
     #[inline(always)]
     fn limits(&self, away: f64, _: f64, accuracy: f64) -> Limits {
-        limits(size(self), away, accuracy)
+        let [a, b, c] = self.corners;
+        let size = (b - a).largest().max((c - a).largest());
+        // 256u is 32 times 8u: no sum or product in the kernel exceeds 32 times these sizes, so
+        // that overflow shows up in the limit.
+        let of_size = 32.0 * size;
+        let error = |product: f64, lost: f64| 8.0 * U * product + 64.0 * TINY * (1.0 + lost);
+        let good = 2.0 / accuracy;
+        Limits {
+            sign: error(of_size * (size + away), size + away),
+            divisor: good * error(of_size * size, size),
+            dividend: good * error(of_size * away * size, size + size * away),
+        }
     }
 
     /// The filter: the answer, or `None` if rounding might have changed it.
@@ -113,29 +124,5 @@ impl Filtered for Triangle<f64> {
             return None;
         }
         Some(Root::fraction(volume, determinant))
-    }
-}
-
-/// The largest component of the two edges from the first corner, rounded as in the kernels.
-#[inline(always)]
-pub fn size(triangle: &Triangle<f64>) -> f64 {
-    let [a, b, c] = triangle.corners;
-    (b - a).largest().max((c - a).largest())
-}
-
-/// The filter's limits for rays whose origin is up to `away` from the first corner in each
-/// component, and all triangles whose edges from there have components up to `size`. `sign` is
-/// the limit of a volume. `accuracy` bounds the relative error of t, besides the final division's.
-#[inline(always)]
-pub fn limits(size: f64, away: f64, accuracy: f64) -> Limits {
-    // 256u is 32 times 8u: no sum or product in the kernel exceeds 32 times these sizes, so
-    // that overflow shows up in the limit.
-    let of_size = 32.0 * size;
-    let error = |product: f64, lost: f64| 8.0 * U * product + 64.0 * TINY * (1.0 + lost);
-    let good = 2.0 / accuracy;
-    Limits {
-        sign: error(of_size * (size + away), size + away),
-        divisor: good * error(of_size * size, size),
-        dividend: good * error(of_size * away * size, size + size * away),
     }
 }

@@ -31,7 +31,7 @@ impl Affine {
 /// # Why the filter is right
 ///
 /// Let u and M be as in [`super::adaptive`], o the camera's centre, and A ≥ |a − o|∞ + 4|e − o|∞
-/// what [`super::limits`] calls `away`. For a side s from p, |s|∞ ≤ 2M and |p − o|∞ ≤ A + M.
+/// what [`Filtered::limits`] calls `away`. For a side s from p, |s|∞ ≤ 2M and |p − o|∞ ≤ A + M.
 ///
 /// 1. Perspective, o = e: the volume is d·((p − e) × s). The error of a component of the cross
 ///    product is at most 16u M (A + M), so that of the volume is at most 6 × 16u M (A + M), plus
@@ -40,10 +40,12 @@ impl Affine {
 ///    of m is at most 32u M, which contributes 96u M (A + M). The roundings of p − o and of the
 ///    first dot product add 88u M (A + M), those of e − o, at most A/4, and of the second 22u M
 ///    A, and the sum's 24u M (A + M).
-/// 3. Both are below 256u M (A + M), which [`super::limits`] allows. It also allows 256u M² for
+/// 3. Both are below 256u M (A + M), which [`Filtered::limits`] allows. It also allows 256u M² for
 ///    the determinant d·n with n = (b − a) × (c − a), whose error is at most 84u M², and 256u A
 ///    M² for the volume n·(a − e), whose error is at most 69u A M². Underflow and overflow are
 ///    covered there, too; q and the slopes are only scaled by powers of two.
+///
+/// [`Filtered::limits`]: crate::kernel::Filtered::limits
 #[derive(Clone, Copy, Debug)]
 pub struct TriangleFromCamera {
     sides: [Affine; 3],
