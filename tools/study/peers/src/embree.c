@@ -13,10 +13,10 @@ struct mesh {
 };
 
 void pinhole_embree_build(struct mesh *mesh, const float *corners, unsigned corner_count,
-                          const unsigned *triangles, unsigned triangle_count, int robust) {
+                          const unsigned *triangles, unsigned triangle_count) {
     mesh->device = rtcNewDevice("threads=1");
     mesh->scene = rtcNewScene(mesh->device);
-    rtcSetSceneFlags(mesh->scene, robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
+    rtcSetSceneFlags(mesh->scene, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(mesh->scene, RTC_BUILD_QUALITY_HIGH);
     RTCGeometry geometry = rtcNewGeometry(mesh->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     float *to = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,

@@ -5,7 +5,7 @@
     reason = "Embree is a C library, and no crate for Debian's version is maintained"
 )]
 
-use std::ffi::{c_float, c_int, c_uint, c_void};
+use std::ffi::{c_float, c_uint, c_void};
 
 use crate::mesh::Mesh;
 use crate::peer::Cast;
@@ -25,7 +25,6 @@ unsafe extern "C" {
         corner_count: c_uint,
         triangles: *const [c_uint; 3],
         triangle_count: c_uint,
-        robust: c_int,
     );
     fn pinhole_embree_cast(
         mesh: *const Handles,
@@ -40,15 +39,6 @@ struct Scene(Handles);
 
 /// Casts with Embree's `RTC_SCENE_FLAG_ROBUST`.
 pub fn robust(mesh: &Mesh, rays: &[Ray]) -> Cast {
-    cast(true, mesh, rays)
-}
-
-/// Casts without `RTC_SCENE_FLAG_ROBUST`.
-pub fn fast(mesh: &Mesh, rays: &[Ray]) -> Cast {
-    cast(false, mesh, rays)
-}
-
-fn cast(is_robust: bool, mesh: &Mesh, rays: &[Ray]) -> Cast {
     let mut scene = Scene(Handles {
         device: std::ptr::null_mut(),
         scene: std::ptr::null_mut(),
@@ -65,7 +55,6 @@ fn cast(is_robust: bool, mesh: &Mesh, rays: &[Ray]) -> Cast {
             corners,
             mesh.triangles.as_ptr(),
             triangles,
-            c_int::from(is_robust),
         );
     }
     let numbers = |ray: &Ray| {

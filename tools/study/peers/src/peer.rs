@@ -1,12 +1,6 @@
 //! The casters to compare. Each casts the same rays at the same mesh and returns the first t of
 //! each.
 
-use std::time::Duration;
-
-use glam::Vec3A;
-use obvhs::BvhBuildParams;
-use obvhs::cwbvh::builder::build_cwbvh_from_tris;
-use obvhs::ray::RayHit;
 use pinhole_study::cast::model::{Exact, FromCamera, Model, Plain};
 use pinhole_study::cast::world::{Primitive, View, World};
 use pinhole_study::cast::{Caster, Tally};
@@ -45,11 +39,7 @@ const ALL: &[(&str, Maker)] = &[
     ("ours, plain f64", ours::<Plain>),
     #[cfg(embree)]
     (ROBUST, crate::embree::robust),
-    #[cfg(embree)]
-    ("Embree fast, f32", crate::embree::fast),
-    ("parry3d, f32", parry_f32),
-    (PARRY, parry_f64),
-    ("obvhs, 8 wide, f32", eight_wide),
+    (PARRY, parry),
 ];
 
 /// Builds every caster that is available.
@@ -100,57 +90,22 @@ pub fn ours<M: Model>(mesh: &Mesh, rays: &[Ray]) -> Cast {
     })
 }
 
-/// obvhs's traversal and triangle test, in `f32`.
-fn eight_wide(mesh: &Mesh, rays: &[Ray]) -> Cast {
-    let triangle = |corners: [[f32; 3]; 3]| {
-        let [v0, v1, v2] = corners.map(Vec3A::from);
-        obvhs::triangle::Triangle { v0, v1, v2 }
+/// parry3d in `f64`.
+fn parry(mesh: &Mesh, rays: &[Ray]) -> Cast {
+    use parry3d_f64::math::Vector;
+    use parry3d_f64::query::{Ray as Asked, RayCast};
+    use parry3d_f64::shape::TriMesh;
+    let vector = |point: [f32; 3]| {
+        let [x, y, z] = point.map(f64::from);
+        Vector::new(x, y, z)
     };
-    let triangles: Vec<_> = mesh.each().map(triangle).collect();
-    let effort = BvhBuildParams::medium_build();
-    let tree = build_cwbvh_from_tris(&triangles, effort, &mut Duration::default());
-    let at = tree.primitive_indices.iter().map(|at| *at as usize);
-    let ordered: Vec<_> = at.map(|at| triangles[at]).collect();
-    let rays = rays.to_vec();
+    let corners = mesh.corners.iter().copied().map(vector).collect();
+    let shape = TriMesh::new(corners, mesh.triangles.clone()).expect("a mesh has triangles");
+    let ray = |ray: &Ray| Asked::new(vector(ray.origin.array()), vector(ray.direction.array()));
+    let rays: Vec<_> = rays.iter().map(ray).collect();
     Box::new(move || {
-        let cast = |ray: &Ray| {
-            let asked =
-                obvhs::ray::Ray::new_inf(ray.origin.array().into(), ray.direction.array().into());
-            let mut hit = RayHit::none();
-            tree.ray_traverse(asked, &mut hit, |ray, at| ordered[at].intersect(ray));
-            match hit.t < f32::MAX {
-                true => f64::from(hit.t),
-                false => f64::INFINITY,
-            }
-        };
-        rays.iter().map(cast).collect()
+        let t = |ray: &Asked| shape.cast_local_ray(ray, f64::MAX, false);
+        let all = rays.iter().map(t);
+        all.map(|t| t.unwrap_or(f64::INFINITY)).collect()
     })
 }
-
-/// parry3d, in `f32` or `f64`.
-macro_rules! parry {
-    ($name:ident, $parry:ident, $number:ty) => {
-        fn $name(mesh: &Mesh, rays: &[Ray]) -> Cast {
-            use $parry::math::Vector;
-            use $parry::query::{Ray as Asked, RayCast};
-            let vector = |point: [f32; 3]| {
-                let [x, y, z] = point.map(<$number>::from);
-                Vector::new(x, y, z)
-            };
-            let corners = mesh.corners.iter().copied().map(vector).collect();
-            let shape = $parry::shape::TriMesh::new(corners, mesh.triangles.clone());
-            let shape = shape.expect("a mesh has triangles");
-            let ray =
-                |ray: &Ray| Asked::new(vector(ray.origin.array()), vector(ray.direction.array()));
-            let rays: Vec<_> = rays.iter().map(ray).collect();
-            Box::new(move || {
-                let t = |ray: &Asked| shape.cast_local_ray(ray, <$number>::MAX, false);
-                let all = rays.iter().map(t);
-                all.map(|t| t.map_or(f64::INFINITY, f64::from)).collect()
-            })
-        }
-    };
-}
-
-parry!(parry_f32, parry3d, f32);
-parry!(parry_f64, parry3d_f64, f64);
