@@ -222,6 +222,9 @@ pub fn exact(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
 #[cold]
 #[inline(never)]
 fn comes_first_exactly(one: &Part, other: &Part, ray: &Ray<f64>, min_t: f64) -> bool {
+    if one.shape == other.shape {
+        return one.place < other.place;
+    }
     let met = |part: &Part| exact(&part.shape, ray, min_t).expect("a filter found this hit");
     let order = met(one).compare(&met(other));
     order.then(one.place.cmp(&other.place)).is_lt()

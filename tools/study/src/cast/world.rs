@@ -10,7 +10,7 @@ use crate::shape::{Plane, Ray, Sphere, Triangle};
 use crate::vector::{Vector, around};
 
 /// A shape that a kernel can intersect.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Primitive {
     /// See [`Sphere`].
     Sphere(Sphere<f64>),
