@@ -40,6 +40,9 @@ struct ShownFilm<'a> {
     wrong: Vec<u64>,
 }
 
+/// What each of two mistakes leaves in a pixel, if it shows there.
+type PixelWitnesses<'a> = [Option<&'a Witness>; 2];
+
 /// One mistake, or two, that may explain the films, and how many pixels it explains.
 struct Explanation<'a> {
     mistakes: Vec<&'a str>,
@@ -115,17 +118,16 @@ fn is_multiple(films: &[ShownFilm], one: &str, other: &str) -> bool {
     let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
     let mut factor: Option<f64> = None;
     for shown in films {
-        for both in shown.known(&[one, other]).1.values() {
-            let errors = both.iter().map(|witness| shown.film.error((*witness)?));
-            let [Some(one), Some(other)] = &errors.collect::<Vec<_>>()[..] else {
+        for (_, both) in shown.known(&[one, other]).1 {
+            let [Some(one), Some(other)] = both.map(|witness| shown.film.error(witness?)) else {
                 return false;
             };
-            let own = dot(one, other) / dot(one, one);
-            let rest: Vec<f64> = one.iter().zip(other).map(|(a, b)| b - own * a).collect();
+            let own = dot(&one, &other) / dot(&one, &one);
+            let rest: Vec<f64> = one.iter().zip(&other).map(|(a, b)| b - own * a).collect();
             let factor = *factor.get_or_insert(own);
             // If a mistake has no error here, the factor is NaN, and neither comparison holds.
             let is_same = (own - factor).abs() <= SAME * factor.abs()
-                && dot(&rest, &rest) <= (SAME * SAME) * dot(other, other);
+                && dot(&rest, &rest) <= (SAME * SAME) * dot(&other, &other);
             if !is_same {
                 return false;
             }
@@ -148,21 +150,31 @@ impl<'a> ShownFilm<'a> {
         })
     }
 
-    /// The pixels that these mistakes get wrong, with what each leaves there, up to the place in
-    /// the scattered order to which all are known.
-    fn known(&self, mistakes: &[&str]) -> (u64, BTreeMap<usize, Vec<Option<&'a Witness>>>) {
+    /// The pixels that these mistakes get wrong, in the scattered order, with what each leaves
+    /// there, and the place up to which all are known.
+    fn known(&self, mistakes: &[&str]) -> (u64, Vec<(usize, PixelWitnesses<'a>)>) {
         let prints = mistakes.iter().map(|slug| self.prints.get(*slug));
         let known_to = prints.clone().flatten().map(Fingerprint::known_to);
         let known_to = known_to.min().unwrap_or(u64::MAX);
-        let mut pixels: BTreeMap<usize, Vec<Option<&Witness>>> = BTreeMap::new();
-        for (place, print) in prints.enumerate() {
-            let sample = print.into_iter().flat_map(|print| &print.sample);
-            for witness in sample.filter(|witness| scattered(witness.pixel) <= known_to) {
-                let all = pixels.entry(witness.pixel);
-                all.or_insert_with(|| vec![None; mistakes.len()])[place] = Some(witness);
+        let mut samples: [&[Witness]; 2] = [&[]; 2];
+        for (sample, print) in samples.iter_mut().zip(prints) {
+            *sample = print.map_or(&[], |print| &print.sample);
+        }
+        let mut pixels = Vec::new();
+        loop {
+            let firsts = samples.iter().filter_map(|sample| Some(sample.first()?.pixel));
+            match firsts.min_by_key(|pixel| scattered(*pixel)) {
+                Some(pixel) if scattered(pixel) <= known_to => {
+                    let is_here = |witness: &&Witness| witness.pixel == pixel;
+                    let left = samples.each_mut().map(|sample| {
+                        sample.first().filter(is_here)?;
+                        sample.split_off_first()
+                    });
+                    pixels.push((pixel, left));
+                }
+                _ => return (known_to, pixels),
             }
         }
-        (known_to, pixels)
     }
 }
 
@@ -187,17 +199,17 @@ impl<'a> Explanation<'a> {
         let film = shown.film;
         let (known_to, pixels) = shown.known(&self.mistakes);
         let wrong = shown.wrong.partition_point(|place| *place <= known_to);
-        let predicted = pixels.keys().filter(|pixel| film.is_wrong(**pixel));
+        let predicted = pixels.iter().filter(|(pixel, _)| film.is_wrong(*pixel));
         self.counted += wrong - predicted.count();
         for (pixel, left) in &pixels {
             let shows = |left: &Option<&Witness>| left.is_some_and(|left| film.shows(left));
-            let sum = match left.as_slice() {
+            let sum = match left {
                 [Some(one), Some(other)] if self.adds => film.sum(one, other),
                 _ => None,
             };
             let is_sum = sum.is_some_and(|sum| film.shows(&sum));
             let is_explained = is_sum || left.iter().any(shows);
-            let both_show = left.len() == 2 && left.iter().all(Option::is_some);
+            let both_show = left.iter().all(Option::is_some);
             if both_show && !is_explained && film.is_wrong(*pixel) {
                 self.ignored += 1;
                 continue;
