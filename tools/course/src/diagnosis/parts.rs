@@ -107,10 +107,6 @@ impl PartAgreement {
 /// From this agreement on, a film's part counts as explained.
 const ENOUGH: f64 = 0.9;
 
-/// The limit for two beliefs together. It is lower, because each hides some of the other's
-/// errors.
-const ENOUGH_TOGETHER: f64 = 0.85;
-
 /// Fewer pixels than this share of a film are no evidence for or against a belief.
 const FEW: f64 = 0.015;
 
@@ -119,12 +115,12 @@ const FEW: f64 = 0.015;
 const LEAST: f64 = 24.0;
 
 /// Whether these beliefs together explain what is wrong in a part of a film.
-fn explains(film: &FilmParts, part: usize, beliefs: &[&str], enough: f64) -> bool {
+fn explains(film: &FilmParts, part: usize, beliefs: &[&str]) -> bool {
     let failing = film.failing.get(part).copied().unwrap_or(0.0);
     let (shared, absent) = film.shared_and_absent(part, beliefs);
     let few = FEW * film.pixels as f64;
     let apart = failing - shared.min(failing) + absent;
-    apart <= few || shared.min(failing) >= enough * (failing + absent)
+    apart <= few || shared.min(failing) >= ENOUGH * (failing + absent)
 }
 
 /// How many pixels a belief spoils in a part, in all films.
@@ -138,11 +134,7 @@ fn predicted(films: &[FilmParts], part: usize, belief: &str) -> f64 {
 /// Whether a belief explains all errors in some part of every film, and no other part
 /// contradicts it.
 fn holds_a_part(films: &[FilmParts], parts: usize, belief: &str) -> bool {
-    let is_whole = |part: usize| {
-        films
-            .iter()
-            .all(|film| explains(film, part, &[belief], ENOUGH))
-    };
+    let is_whole = |part: usize| films.iter().all(|film| explains(film, part, &[belief]));
     let spoiled = (0..parts).filter(|part| predicted(films, *part, belief) > 0.0);
     let (mut whole, mut denied) = (false, false);
     for part in spoiled {
@@ -226,7 +218,7 @@ fn explain_all(films: &[FilmParts], parts: usize, one: &str, other: &str) -> boo
     let both = [one, other];
     let is_explained = |part: usize, beliefs: &[&str]| {
         let mut all = films.iter();
-        all.all(|film| explains(film, part, beliefs, ENOUGH_TOGETHER))
+        all.all(|film| explains(film, part, beliefs))
     };
     let mut needs = [false, false];
     let mut explained = false;

@@ -14,20 +14,16 @@ use super::evidence::Evidence;
 use super::fingerprint::{Fingerprint, scattered};
 
 /// The best explanation must explain at least this share of the pixels that count. This limit and
-/// the next three were chosen with the pairs of `pinhole validate --pairs`.
-const ENOUGH: f64 = 0.75;
+/// the next two were chosen with the pairs of `pinhole validate --pairs`.
+const ENOUGH: f64 = 0.85;
 
 /// Each mistake in an explanation costs as much as this many unexplained pixels. If there are two,
 /// each must explain at least this many pixels that the other does not.
 const LEAST: usize = 12;
 
 /// A mistake is named only if every explanation without it costs at least this many times as much,
-/// plus the cost of two mistakes. The first number is for explanations in which errors don't add
-/// up, and the second for those in which they may.
-const DEARER: [f64; 2] = [3.0, 2.0];
-
-/// The same factor for a second mistake, if the first one is named.
-const PARTNER_DEARER: f64 = 1.5;
+/// plus the cost of two mistakes.
+const DEARER: f64 = 2.0;
 
 /// How far apart two factors or errors may be, relative to their size, and still be the same.
 const SAME: f64 = 0.01;
@@ -46,8 +42,6 @@ type PixelWitnesses<'a> = [Option<&'a Witness>; 2];
 /// One mistake, or two, that may explain the films, and how many pixels it explains.
 struct Explanation<'a> {
     mistakes: Vec<&'a str>,
-    /// Whether the errors of two may add up.
-    adds: bool,
     /// How many pixels are ignored, because both mistakes show there and the answer has another
     /// wrong value.
     ignored: usize,
@@ -60,8 +54,8 @@ struct Explanation<'a> {
 }
 
 /// The one or two beliefs that explain the films pixel by pixel, if every explanation without them
-/// is much worse. If `adds`, the errors of two may add up.
-pub fn likely<'a>(films: &[Evidence], candidates: &[&'a str], adds: bool) -> Option<Vec<&'a str>> {
+/// is much worse.
+pub fn likely<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<Vec<&'a str>> {
     // One wrong film is not enough to tell two beliefs apart.
     if films.iter().filter(|film| film.failing > 0).count() < 2 {
         return None;
@@ -82,9 +76,7 @@ pub fn likely<'a>(films: &[Evidence], candidates: &[&'a str], adds: bool) -> Opt
         std::iter::once(vec![*one]).chain(pairs)
     });
     let sets: Vec<Vec<&str>> = sets.collect();
-    let explanations = sets
-        .into_par_iter()
-        .map(|set| Explanation::of(&films, set, adds));
+    let explanations = sets.into_par_iter().map(|set| Explanation::of(&films, set));
     let explanations: Vec<Explanation> = explanations
         .filter(|it| it.needs.iter().all(|needs| *needs >= LEAST))
         .collect();
@@ -93,8 +85,8 @@ pub fn likely<'a>(films: &[Evidence], candidates: &[&'a str], adds: bool) -> Opt
     if explained < ENOUGH * best.counted as f64 || explained < 2.0 * best.ignored as f64 {
         return None;
     }
-    let is_dearer_without = |belief: &str, times: f64| {
-        let limit = times * best.cost() as f64 + 2.0 * LEAST as f64;
+    let is_dearer_without = |belief: &str| {
+        let limit = DEARER * best.cost() as f64 + 2.0 * LEAST as f64;
         let mut without = explanations
             .iter()
             .filter(|it| !it.mistakes.contains(&belief));
@@ -102,13 +94,8 @@ pub fn likely<'a>(films: &[Evidence], candidates: &[&'a str], adds: bool) -> Opt
         without.all(|it| it.cost() as f64 >= limit)
             && !others.any(|other| is_multiple(&films, belief, other))
     };
-    let dearer = DEARER[usize::from(adds)];
-    let mut mistakes = best.mistakes.iter();
-    if !mistakes.any(|belief| is_dearer_without(belief, dearer)) {
-        return None;
-    }
     let mut named = best.mistakes.clone();
-    named.retain(|belief| is_dearer_without(belief, PARTNER_DEARER));
+    named.retain(|belief| is_dearer_without(belief));
     Some(named)
 }
 
@@ -162,7 +149,9 @@ impl<'a> ShownFilm<'a> {
         }
         let mut pixels = Vec::new();
         loop {
-            let firsts = samples.iter().filter_map(|sample| Some(sample.first()?.pixel));
+            let firsts = samples
+                .iter()
+                .filter_map(|sample| Some(sample.first()?.pixel));
             match firsts.min_by_key(|pixel| scattered(*pixel)) {
                 Some(pixel) if scattered(pixel) <= known_to => {
                     let is_here = |witness: &&Witness| witness.pixel == pixel;
@@ -179,9 +168,8 @@ impl<'a> ShownFilm<'a> {
 }
 
 impl<'a> Explanation<'a> {
-    fn of(films: &[ShownFilm], mistakes: Vec<&'a str>, adds: bool) -> Explanation<'a> {
+    fn of(films: &[ShownFilm], mistakes: Vec<&'a str>) -> Explanation<'a> {
         let mut explanation = Explanation {
-            adds,
             ignored: 0,
             counted: 0,
             explained: 0,
@@ -204,7 +192,7 @@ impl<'a> Explanation<'a> {
         for (pixel, left) in &pixels {
             let shows = |left: &Option<&Witness>| left.is_some_and(|left| film.shows(left));
             let sum = match left {
-                [Some(one), Some(other)] if self.adds => film.sum(one, other),
+                [Some(one), Some(other)] => film.sum(one, other),
                 _ => None,
             };
             let is_sum = sum.is_some_and(|sum| film.shows(&sum));

@@ -59,9 +59,8 @@ impl KnownMistakes {
         if !has_values {
             return Diagnosis::default();
         }
-        let held = pixels::likely(films, &candidates, false)
-            .or_else(|| parts::partial(films, &candidates))
-            .or_else(|| pixels::likely(films, &candidates, true));
+        let held =
+            parts::partial(films, &candidates).or_else(|| pixels::likely(films, &candidates));
         let explained = |slug: &str| Sum::of(films, slug).explained();
         let held = held.unwrap_or_default().into_iter();
         let beliefs = held.filter_map(|slug| self.explanation(slug, explained(slug)));

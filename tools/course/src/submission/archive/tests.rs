@@ -111,7 +111,7 @@ fn two_files_of_one_name_refuse_the_whole_archive() {
 fn names_that_differ_in_capitals_only_refuse_that_answer() {
     let (_folder, path) = archive(&[("sphere.rs", b"// one"), ("Sphere.rs", b"// two")]);
     assert!(
-        matches!(sphere(&path), Err(AnswerFileProblem::Refused(why)) if why.contains("capitals"))
+        matches!(sphere(&path), Err(AnswerFileProblem::Refused(why)) if why.contains("upper and lower case"))
     );
 }
 
