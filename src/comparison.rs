@@ -99,15 +99,27 @@ impl<'a> FilmComparison<'a> {
 
     /// Whether any pixel has values to compare, because its ray hits something.
     pub fn has_values(&self) -> bool {
-        let mut ids = self
-            .quantities
-            .iter()
-            .filter_map(|quantity| match quantity {
-                Quantity::Id(place) => Some(self.film[*place]),
-                Quantity::Other(_) => None,
-            });
-        ids.next()
-            .is_none_or(|ids| ids.iter().any(|id| *id != MISS))
+        self.hits(&self.film) > 0
+    }
+
+    /// In how many pixels a ray should hit something.
+    pub fn expected_hits(&self) -> usize {
+        self.hits(&self.expected)
+    }
+
+    /// In how many pixels of a film a ray hits something. All, if it has no ids.
+    fn hits(&self, film: &[&[f32]]) -> usize {
+        let is_hit = |pixel: &usize| {
+            let mut ids = self
+                .quantities
+                .iter()
+                .filter_map(|quantity| match quantity {
+                    Quantity::Id(place) => Some(film[*place][*pixel]),
+                    Quantity::Other(_) => None,
+                });
+            ids.next() != Some(MISS)
+        };
+        (0..self.pixels()).filter(is_hit).count()
     }
 
     /// Whether the pixel is wrong at all.

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use pinhole::comparison::FilmComparison;
 use rayon::prelude::*;
 
-use super::evidence::Evidence;
+use super::evidence::{Agreement, Evidence};
 use super::fingerprint::Fingerprint;
 
 /// A mistake compared with one part of a film, in pixels.
@@ -147,6 +147,24 @@ fn holds_a_part(films: &[FilmParts], parts: usize, belief: &str) -> bool {
     whole && !denied
 }
 
+/// Whether something is wrong where a belief gets it right, or the belief gets hardly any hit
+/// right. Otherwise, one unknown mistake that shows in the same pixels is likelier than two.
+fn leaves_room(films: &[Evidence], belief: &str) -> bool {
+    let (mut wrong, mut right) = (0.0, 0.0);
+    for evidence in films {
+        let Agreement {
+            predicted, touched, ..
+        } = evidence.agreement(belief);
+        let hits = evidence
+            .film
+            .as_ref()
+            .map_or(0, FilmComparison::expected_hits);
+        wrong += evidence.failing as f64 - touched;
+        right += f64::max(hits as f64 - predicted, 0.0);
+    }
+    wrong >= LEAST || right < LEAST
+}
+
 /// Whether a part is wrong wherever a belief says so, even if it is wrong in another way.
 fn is_touched(films: &[FilmParts], part: usize, belief: &str) -> bool {
     films.iter().all(|film| {
@@ -157,13 +175,15 @@ fn is_touched(films: &[FilmParts], part: usize, belief: &str) -> bool {
 
 /// Beliefs that explain whole parts of the films: two that together explain every part, or
 /// one. None if several do and the films can't tell them apart.
-pub fn partial<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<Vec<&'a str>> {
+pub fn partial<'a>(evidence: &[Evidence], candidates: &[&'a str]) -> Option<Vec<&'a str>> {
     // One wrong film is not enough to tell two beliefs apart.
-    if films.iter().filter(|film| film.failing > 0).count() < 2 {
+    if evidence.iter().filter(|film| film.failing > 0).count() < 2 {
         return None;
     }
     // A film that panicked has no parts.
-    let parted = films.par_iter().map(|film| FilmParts::of(film, candidates));
+    let parted = evidence
+        .par_iter()
+        .map(|film| FilmParts::of(film, candidates));
     let films: Vec<FilmParts> = parted.collect::<Option<_>>()?;
     let films = films.as_slice();
     let parts = films.iter().map(|film| film.failing.len()).max()?;
@@ -191,7 +211,7 @@ pub fn partial<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<Vec<&'a
     }
     let held: Vec<&'a str> = shown
         .into_iter()
-        .filter(|belief| holds_a_part(films, parts, belief))
+        .filter(|belief| holds_a_part(films, parts, belief) && leaves_room(evidence, belief))
         .collect();
     match held.as_slice() {
         [one] => Some(vec![*one]),

@@ -291,6 +291,33 @@ fn a_belief_that_explains_one_part_is_named_beside_something_unknown() {
     assert_eq!(names(&diagnosis(&known, &[&film, &film])), ["far"]);
 }
 
+#[test]
+fn a_belief_that_explains_one_part_is_not_named_if_nothing_is_wrong_elsewhere() {
+    let spoiled = |from: usize| {
+        let film = late(0.0);
+        let channels = film.channels().iter().map(|channel| {
+            let mut samples = channel.samples.clone();
+            if channel.name == HIT_CHANNELS[4] {
+                samples[500..].fill(2.0);
+            }
+            if channel.name == HIT_CHANNELS[1] {
+                samples[from..].fill(0.25);
+            }
+            Channel {
+                name: channel.name.clone(),
+                samples,
+            }
+        });
+        Film::new(RESOLUTION, channels.collect())
+    };
+    let long = spoiled(RESOLUTION.pixels());
+    let known: [(&str, &[&Film]); 1] = [("long", &[&long, &long])];
+    let (same, more) = (spoiled(500), spoiled(450));
+    let named = diagnosis(&known, &[&same, &same]);
+    assert!(named.is_empty(), "{named:?}");
+    assert_eq!(names(&diagnosis(&known, &[&more, &more])), ["long"]);
+}
+
 /// Everywhere, t is too large by this.
 fn everywhere(by: impl Fn(usize) -> f32) -> Film {
     film(move |pixel| right(pixel) + by(pixel))

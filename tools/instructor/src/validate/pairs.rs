@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::naming::NameCounts;
 use super::sentences::{FEW, Sentences};
 use super::validator::{Base, Validator};
+use pinhole_course::diagnosis::Diagnosis;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::examine::Selection;
 use pinhole_course::overlay;
@@ -28,6 +29,9 @@ const ENOUGH: f64 = 0.8;
 /// A law must be found for at least this share of the pairs.
 const ENOUGH_TOLD: f64 = 0.95;
 
+/// Beliefs that give the same answers explain at least this share of what is wrong.
+const ALL: f64 = 0.99;
+
 /// A belief as edits of the reference.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -38,11 +42,21 @@ struct Belief {
     edits: Vec<[String; 2]>,
 }
 
+/// A pair that gives the same answers as other beliefs, so that their names are right, too.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SamePair {
+    beliefs: [String; 2],
+    same_as: Vec<String>,
+}
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
     #[serde(default)]
     belief: Vec<Belief>,
+    #[serde(default)]
+    pair: Vec<SamePair>,
 }
 
 /// The results of the pairs.
@@ -66,6 +80,8 @@ pub struct Pairs {
 struct Pair {
     task: String,
     beliefs: [String; 2],
+    /// Beliefs that together give the same answers. Usually none are known.
+    same_as: Vec<String>,
     text: String,
 }
 
@@ -75,9 +91,20 @@ pub fn judge(validator: &Validator, named: &str, all: bool) -> Result<Option<Pai
     let Ok(text) = fs::read_to_string(&path) else {
         return Ok(None);
     };
-    let File { belief } = toml::from_str(&text).or_input(path.display(), "correct the file")?;
+    let File { belief, pair } =
+        toml::from_str(&text).or_input(path.display(), "correct the file")?;
     let reference = overlay::reference(validator.assignment)?;
-    let pairs = pairs(&belief, &reference)?;
+    let mut pairs = pairs(&belief, &reference)?;
+    for SamePair { beliefs, same_as } in pair {
+        let listed = pairs.iter_mut().find(|pair| pair.beliefs == beliefs);
+        let listed = listed.ok_or_else(|| {
+            Error::input(
+                format!("{FILE}: there is no pair {}", beliefs.join(" + ")),
+                "name two beliefs in the file's order whose edits change different places",
+            )
+        })?;
+        listed.same_as = same_as;
+    }
     let count = pairs.len();
     let mut wanted = Vec::new();
     for task in &validator.assignment.tasks {
@@ -128,6 +155,21 @@ impl Pair {
         self.beliefs.join(" + ")
     }
 
+    /// The beliefs whose names are right: those of the pair, unless the diagnosis names all beliefs that
+    /// give the same answers, and these explain nearly everything.
+    fn right(&self, diagnosis: &Diagnosis) -> &[String] {
+        let named = &diagnosis.beliefs;
+        let explained: f64 = named.iter().map(|belief| belief.explained).sum();
+        let is_named = |slug: &String| named.iter().any(|belief| belief.slug == *slug);
+        let is_same = !self.same_as.is_empty()
+            && self.same_as.len() == named.len()
+            && self.same_as.iter().all(is_named);
+        match is_same && explained >= ALL {
+            true => &self.same_as,
+            false => &self.beliefs,
+        }
+    }
+
     fn judge(&self, validator: &Validator, base: &Base) -> Result<PairResult> {
         let submission = base.submission.clone();
         let submission = submission.with_answer(&self.task, self.text.clone());
@@ -150,7 +192,11 @@ impl Pair {
         let mut both = false;
         let mut sentences = Sentences::default();
         if let Some(outcome) = failing {
-            names.count(&self.name(), &outcome.diagnosis, &self.beliefs);
+            names.count(
+                &self.name(),
+                &outcome.diagnosis,
+                self.right(&outcome.diagnosis),
+            );
             let named = |belief: &String| {
                 let mut named = outcome.diagnosis.beliefs.iter();
                 named.any(|held| held.slug == *belief)
@@ -190,6 +236,7 @@ fn pairs(beliefs: &[Belief], reference: &Submission) -> Result<Vec<Pair>> {
             pairs.push(Pair {
                 task: one.task.clone(),
                 beliefs: [one.mistake.clone(), other.mistake.clone()],
+                same_as: Vec::new(),
                 text: edited,
             });
         }

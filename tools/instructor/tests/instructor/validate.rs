@@ -245,6 +245,26 @@ fn two_beliefs_in_one_answer_are_both_named_and_their_edits_must_fit() {
     let ran = validate(&course, &["--only", "pairs"]).expect_code(1);
     ran.expect_out("✗ false name: ");
 
+    // Names of beliefs that give the same answers are right, if the file lists them.
+    let absolute = edit(
+        "plane_absolute_t",
+        "/ along_normal;",
+        "/ along_normal; let t = t.abs();",
+    );
+    let same_as = |other: &str| {
+        let pair = format!("beliefs = [\"plane_absolute_t\", \"{other}\"]");
+        format!("[[pair]]\n{pair}\nsame_as = [\"plane_absolute_t\", \"plane_tests_zero\"]\n")
+    };
+    let both = [absolute.as_str(), &misnamed].concat();
+    for (text, code) in [
+        (both.clone(), 1),
+        (both.clone() + &same_as("plane_one_sided"), 0),
+        (both + &same_as("plane_through_origin"), 2),
+    ] {
+        write(&course, "pairs.toml", &text);
+        validate(&course, &["--only", "pairs"]).expect_code(code);
+    }
+
     let gone = edit("plane_tests_zero", "(t >= maximum)", "(t >= 0.0)");
     write(&course, "pairs.toml", &[long, gone].concat());
     let ran = validate(&course, &only_these).expect_code(2);
