@@ -206,7 +206,7 @@ impl Reply {
                 self.tests[index] += 1;
                 if self.tests[index] as usize > questions.most_tests(index) {
                     let why = "it asked for more than ten times as many tests as the tree has \
-                               boxes and triangles";
+                               boxes and objects";
                     return Err(why.into());
                 }
                 let result = questions.test(index, test);

@@ -264,7 +264,7 @@ fn line(row: &Row) -> Line {
             .word(),
         notes: row
             .record
-            .map_or(String::new(), |record| printable(&record.notes).into()),
+            .map_or(String::new(), |record| printable(&record.notes)),
         flags: row.record.map_or(0, |record| record.flags),
         seconds: graded
             .map(|record| format!("{:.1}", record.seconds))
