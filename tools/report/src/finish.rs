@@ -23,7 +23,7 @@ pub struct Finish {
     pub scene: String,
     /// The normals that the student's own code saw in it.
     pub picture: RgbImage,
-    /// The command that packs the answers to hand in.
+    /// The archive to hand in, or the command that packs one.
     pub pack: String,
     /// What to read next.
     pub next: Passage,

@@ -133,13 +133,17 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
             let path = from_here(path).display().to_string();
             anstream::println!("\nreport: {}", printable(&path));
         }
-        match Finish::of(&examination, &assignment, &again(arguments).part) {
-            Some(finish) => show_finish(&finish, &checkout.scratch())?,
-            None => show_next(&assignment, &submission, outcome),
-        }
-        if let Some((zip, files)) = packed {
+        let zip = packed.map(|(zip, files)| {
             let zip = printable(&zip.display().to_string());
             anstream::println!("packed: {zip} holds {files} answers; hand it in");
+            zip
+        });
+        match Finish::of(&examination, &assignment, &again(arguments).part) {
+            Some(finish) => {
+                let pack = zip.unwrap_or(finish.pack);
+                show_finish(&Finish { pack, ..finish }, &checkout.scratch())?;
+            }
+            None => show_next(&assignment, &submission, outcome),
         }
         if arguments.timings {
             anstream::print!("\n{}", Timings::so_far());

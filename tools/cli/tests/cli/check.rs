@@ -207,6 +207,18 @@ fn packed_answers_are_a_submission_and_a_reset_answer_is_kept() {
 }
 
 #[test]
+fn packed_answers_with_all_points_are_ready_to_hand_in() {
+    let folder = submission(&trusted(), "pack-all", &[]);
+    let zip = folder.join("answers.zip");
+    let zip = zip.to_str().expect("a plain name");
+    let folder = folder.to_str().expect("a plain name");
+    pinhole(&["check", folder, "--no-report", "--pack", zip])
+        .expect_code(0)
+        .expect_out("All 100 points")
+        .expect_out(&format!("to hand in: {zip}"));
+}
+
+#[test]
 fn a_compile_error_shows_only_the_compilers_messages_about_that_file() {
     let folder = submission(&trusted(), "compile-error", &[("plane.rs", "fn broken( {")]);
     let folder = folder.to_str().expect("a plain name");

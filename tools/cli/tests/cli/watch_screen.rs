@@ -174,6 +174,7 @@ fn a_student_goes_from_the_first_wrong_task_to_the_scenes() {
     let text = screen.expect_text("12 / 12 scenes");
     assert!(text.contains("100 / 100 points"), "{text}");
     assert!(text.contains("read next: "), "{text}");
+    screen.expect("no more to do", |seen| !seen.contains("now the scenes"));
 
     screen.press("a");
     screen.expect_text("viewing_ray");

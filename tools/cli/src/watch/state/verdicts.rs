@@ -110,6 +110,9 @@ impl State {
                 return self.ask(stale);
             }
         }
+        if self.finish().is_some() {
+            self.notice = None;
+        }
         self.settled = true;
         self.quit_if_closing()
     }
