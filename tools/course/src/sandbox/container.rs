@@ -268,7 +268,9 @@ impl Scratch {
             let _absent = fs::remove_dir_all(&new);
             DirBuilder::new().mode(0o711).create(&new)?;
             fs::set_permissions(&new, Permissions::from_mode(0o711))?;
-            let lock = lock(&new)?;
+            let mut options = File::options();
+            let options = options.write(true).create_new(true).mode(0o600);
+            let lock = options.open(new.join(LOCK))?;
             lock.lock()?;
             fs::rename(&new, &folder)?;
             Ok(lock)
@@ -281,7 +283,7 @@ impl Scratch {
     }
 
     /// Removes the folders of processes that were killed. They may hold answers that later code,
-    /// which gets the same user id, could read.
+    /// which gets the same user id, could read. A folder without a lock is somebody else's.
     fn remove_left_behind(parent: &Path) {
         for entry in fs::read_dir(parent).into_iter().flatten().flatten() {
             let is_scratch = entry.file_name().to_string_lossy().starts_with(SCRATCH);
@@ -290,7 +292,8 @@ impl Scratch {
                     .metadata()
                     .is_ok_and(|it| it.is_dir() && it.uid() == 0)
             };
-            let is_free = || lock(&entry.path()).is_ok_and(|lock| lock.try_lock().is_ok());
+            let lock = File::open(entry.path().join(LOCK));
+            let is_free = || lock.is_ok_and(|lock| lock.try_lock().is_ok());
             if is_scratch && is_own() && is_free() {
                 let _tried_again_next_time = fs::remove_dir_all(entry.path());
             }
@@ -302,11 +305,7 @@ impl Scratch {
 const SCRATCH: &str = "pinhole-container-";
 
 /// The file whose lock shows that a scratch folder is in use.
-fn lock(folder: &Path) -> io::Result<File> {
-    let mut options = File::options();
-    options.write(true).create(true).truncate(false).mode(0o600);
-    options.open(folder.join(".lock"))
-}
+const LOCK: &str = ".lock";
 
 impl Drop for Scratch {
     fn drop(&mut self) {
@@ -321,16 +320,19 @@ mod tests {
     #[test]
     fn only_scratch_folders_of_processes_that_have_ended_are_removed() {
         let parent = tempfile::tempdir().expect("there is room");
-        let [used, left] =
-            ["used", "left"].map(|name| parent.path().join(format!("{SCRATCH}{name}")));
-        for folder in [&used, &left] {
+        let folders = ["used", "left", "other"];
+        let folders = folders.map(|name| parent.path().join(format!("{SCRATCH}{name}")));
+        for folder in &folders {
             fs::create_dir(folder).expect("there is room");
         }
-        let held = lock(&used).expect("it can be locked");
+        let [used, left, other] = &folders;
+        let [held, _left] =
+            [used, left].map(|folder| File::create(folder.join(LOCK)).expect("there is room"));
         held.lock().expect("nobody else has it");
         Scratch::remove_left_behind(parent.path());
         // Only root has scratch folders.
         let is_root = rustix::process::getuid().is_root();
         assert_eq!((used.exists(), left.exists()), (true, !is_root));
+        assert!(other.exists(), "a folder without a lock was removed");
     }
 }
