@@ -40,7 +40,8 @@ pub enum Death {
 }
 
 impl Death {
-    pub(super) fn of(status: Option<ExitStatus>) -> Death {
+    /// How a process ended, or [`Death::Lost`] if nobody knows.
+    pub fn of(status: Option<ExitStatus>) -> Death {
         let Some(status) = status else {
             return Death::Lost;
         };
@@ -54,6 +55,7 @@ impl Death {
             (None, None) => Death::Lost,
         }
     }
+
     /// The signal that killed it, or may have: bubblewrap, like a shell, turns signal n into the
     /// code 128 + n, but a program may also choose that code itself.
     pub fn possible_signal(&self) -> Option<i32> {
@@ -62,5 +64,12 @@ impl Death {
             Death::Exit(code @ 129..=159) => Some(code - 128),
             Death::Exit(_) | Death::Lost => None,
         }
+    }
+
+    /// Whether SIGKILL ended it, or may have. The system sends this signal when memory runs out,
+    /// even to a process that has hardly any.
+    pub fn may_be_kill(&self) -> bool {
+        const SIGKILL: i32 = 9;
+        self.possible_signal() == Some(SIGKILL)
     }
 }

@@ -288,10 +288,8 @@ impl Compiler {
                 BuildResult::Refused { diagnostics, .. } => {
                     let mut blamed = blame::by_place(&diagnostics, submission, &replaced);
                     if blamed.is_empty() || is_last {
-                        blamed = blame::alone(submission, &replaced, compile)?;
-                    }
-                    if blamed.is_empty() {
-                        return Err(blame::not_theirs(&diagnostics));
+                        blamed = blame::alone(submission, &replaced, compile)?
+                            .ok_or_else(|| blame::not_theirs(&diagnostics))?;
                     }
                     replaced.extend(blamed);
                 }

@@ -42,7 +42,7 @@ use pinhole_course::outcome::{Examination, FilmOutcome, Outcome, SceneFilm, Scen
 use pinhole_course::shell::PINHOLE;
 pub use rays::{RayGrid, SubmittedRays};
 pub use scene::{Evidence, SceneSection};
-use task::TaskSection;
+pub use task::TaskSection;
 
 /// Lines of a student's own output that are kept.
 const MOST_PRINTED_LINES: usize = 200;

@@ -149,19 +149,20 @@ pub fn not_theirs(diagnostics: &[Diagnostic]) -> Error {
 /// The answers that do not compile even when all others are stubs. This finds the cause of an
 /// error that shows in one of our files, such as a deleted function or `impl`.
 ///
-/// If the stubs alone don't compile either, no answer is to blame: the fault is the machine's
-/// or ours.
+/// If the stubs alone don't compile either, no answer is to blame, but the machine or we are. Then
+/// the result is `None`. If each answer compiles alone, all are tried together once more, because
+/// the compiler may have been killed the first time, and blamed only if they fail again.
 pub fn alone(
     submission: &Submission,
     already: &Replacements,
     compile: impl Fn(&Replacements) -> Result<BuildResult>,
-) -> Result<Replacements> {
+) -> Result<Option<Replacements>> {
     let tasks = submission.answers.iter().map(|answer| answer.task.clone());
     let stubs: Replacements = tasks
         .map(|task| (task, Replacement::Unusable(AnswerFileProblem::Missing)))
         .collect();
     if let BuildResult::Refused { .. } = compile(&stubs)? {
-        return Ok(Replacements::new());
+        return Ok(None);
     }
     let mut blamed = Replacements::new();
     let suspects = || stubs.keys().filter(|task| !already.contains_key(*task));
@@ -173,13 +174,13 @@ pub fn alone(
             blamed.insert(suspect.clone(), Replacement::DoesNotCompile(text));
         }
     }
-    if blamed.is_empty() {
+    if blamed.is_empty() && matches!(compile(already)?, BuildResult::Refused { .. }) {
         let text = "each of these answers compiles alone, but not together with the others\n";
         blamed.extend(
             suspects().map(|task| (task.clone(), Replacement::DoesNotCompile(text.into()))),
         );
     }
-    Ok(blamed)
+    Ok(Some(blamed))
 }
 
 /// Blames every answer that is not replaced yet, because there is no time left to try each of them.
@@ -194,3 +195,37 @@ pub fn all(submission: &Submission, already: &Replacements) -> Replacements {
 /// The message for answers that together take too long.
 const TOO_LONG: &str = "error: these answers together take the compiler too long\n  = help: look for \
                         constants that take long to compute\n";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::assignment::Assignment;
+    use crate::checkout::Checkout;
+
+    #[test]
+    fn answers_that_compile_together_the_second_time_are_not_blamed() {
+        let checkout = Checkout::find().unwrap();
+        let name = checkout.default_assignment().unwrap();
+        let assignment = Assignment::read(&checkout, &name).unwrap();
+        let submission = Submission::find(&assignment.reference(), &assignment).unwrap();
+        let blamed = |compiles_together: bool| {
+            let compile = |replaced: &Replacements| {
+                Ok(match replaced.is_empty() && !compiles_together {
+                    true => BuildResult::Refused {
+                        diagnostics: Vec::new(),
+                        is_late: false,
+                        is_starved: false,
+                    },
+                    false => BuildResult::Program {
+                        executable: "program".into(),
+                        warnings: Vec::new(),
+                    },
+                })
+            };
+            let blamed = alone(&submission, &Replacements::new(), compile).unwrap();
+            blamed.expect("the stubs compile").len()
+        };
+        assert_eq!(blamed(true), 0);
+        assert_eq!(blamed(false), submission.answers.len());
+    }
+}

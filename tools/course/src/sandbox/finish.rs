@@ -5,6 +5,8 @@ use std::process::{Command, ExitStatus, Stdio};
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
+use pinhole::ask::Death;
+
 use super::Limits;
 use super::watch::{ExceededLimit, Watch};
 
@@ -25,13 +27,14 @@ pub struct CommandResult {
 }
 
 impl CommandResult {
-    /// Whether it might have finished with more time.
+    /// Whether it might have finished at another time: it exceeded a limit on time, or was killed
+    /// by something else than our limits, as the kernel does if the machine runs out of memory.
     pub fn is_late(&self) -> bool {
-        self.late
-            || matches!(
-                self.exceeded,
-                Some(ExceededLimit::Cpu(_) | ExceededLimit::Idle(_))
-            )
+        let is_late = match self.exceeded {
+            Some(exceeded) => matches!(exceeded, ExceededLimit::Cpu(_) | ExceededLimit::Idle(_)),
+            None => Death::of(Some(self.status)).may_be_kill(),
+        };
+        self.late || is_late
     }
 }
 

@@ -45,6 +45,10 @@ fn only_a_program_that_took_its_processor_time_is_late_by_the_kernels_limit() {
         let loops = ending(&format!("{limit}; while :; do :; done"), short);
         assert_eq!(loops, Ending::TimedOut(short), "{limit}");
     }
+    let mut killed = std::process::Command::new("sh");
+    killed.args(["-c", "kill -KILL $$"]);
+    let compiled = Sandbox::Trusted.compile(killed, &Limits::of_compiler());
+    assert!(compiled.expect("there is a shell").is_late());
     let ends_itself = ending(
         "ulimit -S -t 1; trap 'exit 3' XCPU; while :; do :; done",
         short,

@@ -11,7 +11,7 @@ use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
 use pinhole_course::diagnosis::Diagnosis;
-use pinhole_course::outcome::{FilmOutcome, Outcome, SceneOutcome, Status};
+use pinhole_course::outcome::{FilmOutcome, GroupOutcome, Outcome, SceneOutcome, Status};
 use pinhole_report::html::{Report, SceneSection};
 
 /// How much results and reports show about withheld questions.
@@ -51,12 +51,13 @@ impl Withheld {
         !self.scenes.is_empty() || self.probes
     }
 
-    fn holds_group(&self, task: &str, group: &str) -> bool {
+    fn holds_group(&self, task: &str, group: &GroupOutcome) -> bool {
         let mut scene_groups = self.scene_groups.iter();
-        match scene_groups.any(|own| (&*own.0, &*own.1) == (task, group)) {
+        let is_withheld = match scene_groups.any(|own| (&*own.0, &*own.1) == (task, &group.name)) {
             true => !self.scenes.is_empty(),
             false => self.probes,
-        }
+        };
+        is_withheld || group.fails_fresh
     }
 
     fn holds_scene(&self, name: &str) -> bool {
@@ -67,7 +68,7 @@ impl Withheld {
     pub fn redact(&self, outcome: &mut Outcome) {
         for task in &mut outcome.tasks {
             for group in &mut task.groups {
-                if !group.fails_fresh && !self.holds_group(&task.name, &group.name) {
+                if !self.holds_group(&task.name, group) {
                     continue;
                 }
                 group.outcome = redacted(&group.outcome, self.reveal);
@@ -95,6 +96,14 @@ impl Withheld {
 
     /// Takes the report of a redacted outcome and removes what only a report shows.
     pub fn redact_report(&self, report: &mut Report, outcome: &Outcome) {
+        for (section, task) in report.tasks.iter_mut().zip(&outcome.tasks) {
+            for (row, group) in section.groups.iter_mut().zip(&task.groups) {
+                // They show one of the questions.
+                if self.holds_group(&task.name, group) && self.reveal < Reveal::Full {
+                    (row.heat, row.tree) = (None, None);
+                }
+            }
+        }
         for (section, scene) in report.scenes.iter_mut().zip(&outcome.scenes) {
             if self.holds_scene(&scene.name) {
                 redact_pictures(section, self.reveal);

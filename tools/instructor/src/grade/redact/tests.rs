@@ -3,8 +3,8 @@ use pinhole::judge::{Golden, judge};
 use pinhole::{Fact, Film, Resolution};
 use pinhole_course::diagnosis::Reading;
 use pinhole_course::diagnosis::measure::Finding;
-use pinhole_course::outcome::{AnswerFile, GroupOutcome, TaskOutcome};
-use pinhole_report::html::{Evidence, HeatMaps, SubmittedRays};
+use pinhole_course::outcome::{AnswerFile, GroupOutcome, GroupPicture, Picture, TaskOutcome};
+use pinhole_report::html::{Evidence, HeatMaps, SubmittedRays, TaskSection};
 use pinhole_report::terminal;
 
 use super::*;
@@ -65,6 +65,23 @@ fn outcome() -> Outcome {
         scenes: vec![scene("exam"), scene("bunny")],
         printed: "words".into(),
         ..Outcome::new("ray casting", "ada".into(), "none")
+    }
+}
+
+fn empty_report() -> Report {
+    Report {
+        title: String::new(),
+        of: Vec::new(),
+        passes: false,
+        said: String::new(),
+        points: None,
+        tasks: Vec::new(),
+        scenes: Vec::new(),
+        printed: Vec::new(),
+        more_printed: 0,
+        command: String::new(),
+        book: None,
+        finish: None,
     }
 }
 
@@ -165,18 +182,10 @@ fn a_report_shows_as_much_of_a_withheld_scene_as_its_outcome() {
             let mut outcome = outcome();
             outcome.tasks[0].groups.pop();
             let mut report = Report {
-                title: String::new(),
-                of: Vec::new(),
-                passes: false,
-                said: String::new(),
-                points: None,
-                tasks: Vec::new(),
                 scenes: outcome.scenes.iter().map(section).collect(),
                 printed: vec!["words".into()],
                 more_printed: 1,
-                command: String::new(),
-                book: None,
-                finish: None,
+                ..empty_report()
             };
             withheld.redact_report(&mut report, &outcome);
             let has_pictures = |scene: usize| {
@@ -189,6 +198,35 @@ fn a_report_shows_as_much_of_a_withheld_scene_as_its_outcome() {
             let printed = (report.printed.is_empty(), report.more_printed == 0);
             assert_eq!(printed, (withheld.any(), withheld.any()), "{reveal:?}");
         }
+    }
+}
+
+#[test]
+fn a_picture_of_a_withheld_question_is_drawn_only_if_all_is_revealed() {
+    let film = || Film::new(ONE_PIXEL, Vec::new()).with(TESTS, vec![3.0]);
+    for reveal in REVEALS {
+        let withheld = Withheld {
+            scenes: Vec::new(),
+            scene_groups: vec![("plane".into(), "scenes".into())],
+            probes: false,
+            reveal,
+        };
+        let outcome = outcome();
+        let picture = |group: &str| GroupPicture {
+            task: "plane".into(),
+            group: group.into(),
+            shows: Picture::Tests {
+                golden: film(),
+                film: film(),
+            },
+        };
+        let mut report = empty_report();
+        let pictures = [picture("front"), picture("fresh")];
+        report.tasks = vec![TaskSection::of(0, &outcome.tasks[0], &pictures, "")];
+        withheld.redact_report(&mut report, &outcome);
+        let groups = &report.tasks[0].groups;
+        let [front, _, fresh] = [0, 1, 2].map(|group| groups[group].heat.is_some());
+        assert_eq!((front, fresh), (true, reveal == Reveal::Full), "{reveal:?}");
     }
 }
 
@@ -263,10 +301,11 @@ fn one_withheld_scene_also_withholds_the_questions_about_pixels() {
     let one = withheld(&["exam"]);
     assert!(one.holds_scene("exam"));
     assert!(!one.holds_scene("bunny"));
-    assert!(one.holds_group("viewing_ray", "scenes"));
-    assert!(!one.holds_group("viewing_ray", "corners"));
+    let group = |name: &str| GroupOutcome::new(name.into(), String::new(), 1, wrong(), Vec::new());
+    assert!(one.holds_group("viewing_ray", &group("scenes")));
+    assert!(!one.holds_group("viewing_ray", &group("corners")));
     assert!(one.any());
     let none = withheld(&[]);
-    assert!(!none.holds_group("viewing_ray", "scenes"));
+    assert!(!none.holds_group("viewing_ray", &group("scenes")));
     assert!(!none.any());
 }
