@@ -9,6 +9,7 @@ use crate::cli::Dispute;
 use crate::grade::cache::standing;
 use crate::grade::class::{ROLL, Roll, marks};
 use crate::grade::evidence::Evidence;
+use crate::grade::grader::fresh;
 use crate::grade::intake::roster::Person;
 use crate::grade::intake::{Entry, matching};
 use crate::grade::policy::mark::{Mark, number};
@@ -31,7 +32,10 @@ pub fn run(arguments: &Dispute) -> Result<Status> {
             "grade it first: cargo pinhole grade … --out DIR",
         )
     })?;
-    let evidence = Evidence::read(&arguments.out, &id)?;
+    let mut evidence = Evidence::read(&arguments.out, &id)?;
+    let made_with = &record.provenance.made_with;
+    let fresh = evidence.fresh_folder.as_ref().zip(made_with.fresh.as_ref());
+    evidence.fresh_folder = fresh.and_then(|(folder, hash)| fresh::still_kept(folder, hash));
     let attempts = attempts(&id, &roll, &submissions);
     let rows = marks::rows(&roll, &attempts);
     let row = rows.own.into_iter().find(|row| row.entry.id == id);
@@ -119,9 +123,12 @@ fn words(record: &Record, mark: &str, evidence: &Evidence) -> String {
     let made_with = &record.provenance.made_with;
     let mut text = format!("{STRONG}{id}{STRONG:#}  {points}\n{mark}");
     text += &format!("judged on {}\n", made_with.judged_on);
-    if let (Some(seed), Some(folder)) = (made_with.seed, &evidence.fresh_folder) {
-        let folder = folder.display();
-        text += &format!("fresh questions: {folder}, drawn from seed {seed}\n");
+    if let Some(seed) = made_with.seed {
+        let folder = evidence.fresh_folder.as_ref();
+        let place = folder.map_or("no longer kept".into(), |folder| {
+            folder.display().to_string()
+        });
+        text += &format!("fresh questions: {place}, drawn from seed {seed}\n");
     }
     for task in &record.got.tasks {
         let failing = failing(&task.name, evidence);

@@ -133,7 +133,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
             .as_ref()
             .map(|(fresh, _)| of_manifest(&fresh.folder))
             .transpose()?,
-        assignment: provenance::of_assignment(&assignment)?,
+        assignment: provenance::of_assignment(&assignment, checkout)?,
         tool: Tool::this(checkout)?,
         sandbox: sandbox.name().into(),
         timeout: arguments.timeout,
@@ -176,7 +176,8 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         if arguments.shard.is_none()
             && let Some(record) = standing(&cache.of(&entry.id), entry)
         {
-            worked.push(kept(record, &cache, &assignment, &made_with.assignment)?);
+            let is_old = !record.provenance.made_with.asks_the_same(&made_with);
+            worked.push(kept(record, &cache, &assignment, is_old)?);
         }
     }
     let roll = match arguments.shard {

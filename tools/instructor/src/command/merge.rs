@@ -41,7 +41,7 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
         ));
     }
     let made_with = OnceLock::new();
-    let version = provenance::of_assignment(&assignment)?;
+    let version = provenance::of_assignment(&assignment, checkout)?;
     let results = roll.entries.par_iter_mut().map(|entry| {
         let Some(Merged {
             record,
@@ -53,7 +53,8 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
         };
         // Another part may list an earlier or a later submission of this name.
         *entry = graded.clone();
-        let result = kept(record, &cache, &assignment, &version)?;
+        let is_old = record.provenance.made_with.assignment != version;
+        let result = kept(record, &cache, &assignment, is_old)?;
         Ok(Some((result, others)))
     });
     let results: Vec<Option<(QueueResult, Vec<Change>)>> = results.collect::<Result<_>>()?;

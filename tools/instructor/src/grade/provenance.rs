@@ -12,6 +12,7 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::rust_tool::rust_tool;
 use pinhole_course::seed::Seed;
+use pinhole_course::stubs;
 use pinhole_course::submission::{AnswerFileProblem, Submission};
 
 /// The hashes and settings behind a mark. If all of them are equal, so are the marks.
@@ -47,8 +48,8 @@ pub struct GradingInputs {
     pub goldens: String,
     /// The hash of the fresh goldens' manifest.
     pub fresh: Option<String>,
-    /// The hash of tasks, groups and scenes, without their points, and, if an answer to an earlier
-    /// assignment is judged, of that assignment's goldens. If only points change, marks are
+    /// The hash of tasks, groups and scenes, without their points, of the handout's files, and, if
+    /// an answer to an earlier assignment is judged, of that assignment's goldens. If only points change, marks are
     /// computed again from stored outcomes.
     pub assignment: String,
     pub tool: Tool,
@@ -58,6 +59,23 @@ pub struct GradingInputs {
     pub timeout: u64,
     /// How much is shown about withheld questions; null if there are none.
     pub reveal: Option<Reveal>,
+}
+
+impl GradingInputs {
+    /// Whether marks made with either are for the same questions.
+    pub fn asks_the_same(&self, other: &GradingInputs) -> bool {
+        let asked = |it: &GradingInputs| {
+            let GradingInputs {
+                seed,
+                goldens,
+                fresh,
+                assignment,
+                ..
+            } = it.clone();
+            (seed, goldens, fresh, assignment)
+        };
+        asked(self) == asked(other)
+    }
 }
 
 /// The program that graded.
@@ -101,21 +119,11 @@ impl Provenance {
     /// What has changed since a mark with the provenance `before` was made; `None` if nothing has.
     pub fn change_since(&self, before: &Provenance) -> Option<&'static str> {
         let (new, old) = (&self.made_with, &before.made_with);
-        let asked = |it: &GradingInputs| {
-            let GradingInputs {
-                seed,
-                goldens,
-                fresh,
-                assignment,
-                ..
-            } = it.clone();
-            (seed, goldens, fresh, assignment)
-        };
         match () {
             () if self == before => None,
             () if self.answers != before.answers => Some("other answers"),
             () if new.tool != old.tool => Some("another version of the grader or of rustc"),
-            () if asked(new) != asked(old) => Some("other questions or goldens"),
+            () if !new.asks_the_same(old) => Some("other questions or goldens"),
             () => Some("other settings"),
         }
     }
@@ -143,8 +151,9 @@ pub fn of_file(path: &Path) -> Result<String> {
     Ok(sha256(&bytes))
 }
 
-/// The hash of what an assignment asks, without what the answers are worth.
-pub fn of_assignment(assignment: &Assignment) -> Result<String> {
+/// The hash of what an assignment asks and of the code around the answers, without what the answers
+/// are worth.
+pub fn of_assignment(assignment: &Assignment, checkout: &Checkout) -> Result<String> {
     let path = assignment.folder.join("assignment.toml");
     let wrong = Error::input(path.display().to_string(), "correct the assignment file");
     let text = fs::read_to_string(&path).or_fail(&wrong)?;
@@ -153,6 +162,9 @@ pub fn of_assignment(assignment: &Assignment) -> Result<String> {
         let goldens = assignment.course().join("golden").join(&earlier.assignment);
         // A handed-out folder has some of these films, but no manifest.
         asked.extend(fs::read(goldens.join("manifest.toml")).unwrap_or_default());
+    }
+    for (path, text) in stubs::pristine(assignment, checkout)? {
+        asked.extend(format!("{}\n{text}\n", path.display()).bytes());
     }
     Ok(sha256(&asked))
 }

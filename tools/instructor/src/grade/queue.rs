@@ -82,19 +82,20 @@ pub fn with_current_points(
     })
 }
 
-/// Like [`with_current_points`], but for a submission whose answers this run has not read. If it
-/// was graded with another version of the assignment, it keeps its points, and its fault says so.
+/// Like [`with_current_points`], but for a submission whose answers this run has not read. If
+/// `is_old`, it was asked other questions than this run asks. Then it keeps its points, and its fault
+/// says so.
 pub fn kept(
     before: Record,
     cache: &ResultCache,
     assignment: &Assignment,
-    version: &str,
+    is_old: bool,
 ) -> Result<QueueResult> {
-    let is_old = before.is_graded() && before.provenance.made_with.assignment != version;
+    let is_old = before.is_graded() && is_old;
     if before.is_graded() && !is_old {
         return with_current_points(before, cache, assignment);
     }
-    let why = "it was graded with another version of the assignment; grade the whole class again";
+    let why = "it was graded with other questions or goldens; grade the whole class again";
     Ok(QueueResult {
         fault: is_old.then(|| (before.id.clone(), why.into())),
         record: before.into(),

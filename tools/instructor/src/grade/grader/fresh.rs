@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 
 use crate::golden;
 use crate::golden::arguments::{GoldenRender, random_seed};
+use crate::grade::provenance;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
@@ -83,8 +84,7 @@ impl Questions {
         };
         golden::make(assignment, checkout, &request)?;
         // Keep earlier questions, because marks based on them may be disputed.
-        let mut places = (1..).map(|number| folder.with_extension(format!("retired-{number}")));
-        let retired = places.find(|place| !place.exists());
+        let retired = retired(folder).find(|place| !place.exists());
         let kept = match retired.filter(|_| folder.is_dir()) {
             Some(place) => fs::rename(folder, place),
             None => Ok(()),
@@ -96,6 +96,22 @@ impl Questions {
             )?;
         Ok(Some((Goldens::read(folder, assignment)?, Some(seed))))
     }
+}
+
+/// The places for a folder's earlier questions, the oldest first.
+fn retired(folder: &Path) -> impl Iterator<Item = PathBuf> {
+    (1..).map(|number| folder.with_extension(format!("retired-{number}")))
+}
+
+/// Where the questions with this hash of their manifest are now: in their folder or, if others were
+/// drawn since, among its earlier ones.
+pub fn still_kept(folder: &Path, manifest: &str) -> Option<PathBuf> {
+    let earlier = retired(folder).take_while(|place| place.exists());
+    let mut places = std::iter::once(folder.to_owned()).chain(earlier);
+    places.find(|place| {
+        let hash = provenance::of_file(&place.join("manifest.toml"));
+        hash.is_ok_and(|hash| hash == manifest)
+    })
 }
 
 /// What the fresh questions in a folder are for. A student who may submit many times gets to know
@@ -202,6 +218,21 @@ mod tests {
         };
         assert_eq!(selected(true), Some(vec!["plane".to_owned()]));
         assert_eq!(selected(false), None);
+    }
+
+    #[test]
+    fn earlier_questions_are_found_where_they_were_put() {
+        let out = tempfile::tempdir().expect("there is room");
+        let folder = out.path().join("fresh");
+        for (place, manifest) in [("fresh", "new"), ("fresh.retired-1", "old")] {
+            let place = out.path().join(place);
+            fs::create_dir(&place).expect("there is room");
+            fs::write(place.join("manifest.toml"), manifest).expect("there is room");
+        }
+        let kept = |manifest: &str| still_kept(&folder, &provenance::sha256(manifest.as_bytes()));
+        assert_eq!(kept("new"), Some(folder.clone()));
+        assert_eq!(kept("old"), Some(out.path().join("fresh.retired-1")));
+        assert_eq!(kept("lost"), None);
     }
 
     #[test]

@@ -128,6 +128,12 @@ fn questions_that_grade_has_drawn_are_refused_for_feedback() {
         }
     }
     pinhole(&["grade", &entry, "--out", &out]).expect_code(0);
+    // Another submission that is asked other questions doesn't make the class one of equals.
+    class.hand_in("ben", &[]);
+    let ben = class.path("class/ben");
+    pinhole(&["grade", &ben, "--out", &out, "--no-fresh"])
+        .expect_code(3)
+        .expect_out("the old mark remains: ada: it was graded with other questions or goldens");
     let archive = class.path("autograder.zip");
     let feedback = ["handout", "--gradescope", &archive, "--fresh", &drawn];
     let refused = pinhole(&feedback).expect_code(2).err;

@@ -203,13 +203,25 @@ fn merge_gives_the_points_that_the_parts_are_worth_now() {
         class.read("merged/grades.csv"),
         class.read("whole/grades.csv")
     );
-    // The points of groups and scenes that have changed can't be computed again.
-    let text = fs::read_to_string(&file).expect("it was written");
-    let other = text.replace("title = \"", "title = \"Another ");
-    fs::write(&file, other).expect("writable");
-    let old = "graded with another version of the assignment";
-    let again = pinhole(&[&merge[..], &now].concat()).expect_code(1);
-    assert!(again.err.contains(old), "{}", again.err);
+    // The points of groups and scenes that have changed can't be computed again, and neither can
+    // those of answers that ran among other code.
+    let code = dearer.join("reference/src/main.rs");
+    for (file, was, is) in [
+        (&code, "//! ", "//! Again: "),
+        (&file, "title = \"", "title = \"Another "),
+    ] {
+        let text = fs::read_to_string(file).expect("it was copied");
+        let other = text.replacen(was, is, 1);
+        assert_ne!(other, text);
+        fs::write(file, other).expect("writable");
+        let again = pinhole(&[&merge[..], &now].concat()).expect_code(1);
+        let old = "graded with another version of the assignment";
+        assert!(again.err.contains(old), "{}", again.err);
+        if file == &code {
+            fs::write(file, text).expect("writable");
+        }
+    }
+    let old = "graded with other questions or goldens";
     pinhole(&[&grade[..], &now].concat())
         .expect_code(3)
         .expect_out(&format!("the old mark remains: dora: it was {old}"));
