@@ -28,7 +28,8 @@ pub fn is_there(checkout: &Checkout) -> bool {
     interpreter(&environment(checkout)).is_file()
 }
 
-/// A command that runs the environment's Python. Add arguments.
+/// A command that runs the environment's Python. Add arguments: a script, or `-I` before `-c` and
+/// `-m`, which would else import modules of the current folder first, and a student's may hold any.
 pub fn python(checkout: &Checkout) -> Command {
     Command::new(interpreter(&environment(checkout)))
 }
@@ -40,16 +41,17 @@ pub fn setup(checkout: &Checkout) -> Result<()> {
     // After an upgrade of the system's Python, an old environment doesn't find its own
     // packages.
     let mut own_pip = Command::new(interpreter(&environment));
-    let own_pip = own_pip.args(["-c", "import pip"]).stderr(Stdio::null());
+    let own_pip = own_pip.args(["-I", "-c", "import pip"]).stderr(Stdio::null());
     if !own_pip.status().is_ok_and(|status| status.success()) {
         let mut venv = Command::new(python);
         complete(
-            venv.args(["-m", "venv", "--clear"]).arg(&environment),
+            venv.args(["-I", "-m", "venv", "--clear"]).arg(&environment),
             "make a Python environment",
         )?;
     }
     let mut pip = Command::new(interpreter(&environment));
     pip.args([
+        "-I",
         "-m",
         "pip",
         "install",

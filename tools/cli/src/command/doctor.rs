@@ -275,7 +275,7 @@ fn renderer(checkout: &Checkout) -> Finding {
 fn mitsuba_version(checkout: &Checkout) -> CheckResult {
     let question = "from importlib.metadata import version; print(version('mitsuba'))";
     match mitsuba::is_there(checkout) {
-        true => first_line(mitsuba::python(checkout).args(["-c", question])),
+        true => first_line(mitsuba::python(checkout).args(["-I", "-c", question])),
         false => Err("not installed".into()),
     }
 }

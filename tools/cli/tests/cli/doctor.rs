@@ -1,6 +1,6 @@
 //! `pinhole doctor` on this machine, and on one that lacks everything.
 
-use pinhole_testing::{pinhole, pinhole_with};
+use pinhole_testing::{fresh, pinhole, pinhole_in, pinhole_with, trusted};
 use serde_json::Value;
 
 fn finding<'a>(document: &'a Value, name: &str) -> &'a Value {
@@ -19,6 +19,17 @@ fn the_doctor_finds_what_these_tests_use() {
         assert_eq!(finding["is_there"], true, "{finding}");
         assert_eq!(finding["remedy"], Value::Null, "{finding}");
     }
+}
+
+#[test]
+fn the_doctor_runs_no_python_of_the_current_folder() {
+    let folder = fresh(&trusted(), "doctor");
+    let module = "open('ran', 'w')";
+    std::fs::write(folder.join("importlib.py"), module).expect("there is room");
+    std::fs::write(folder.join("random.py"), module).expect("there is room");
+    let document = pinhole_in(&folder, &["doctor", "--json"]).json();
+    assert_eq!(finding(&document, "Mitsuba")["is_there"], true);
+    assert!(!folder.join("ran").exists());
 }
 
 #[test]

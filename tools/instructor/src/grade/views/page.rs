@@ -210,7 +210,11 @@ fn of<'a>(class: &'a Class<'a>, assignment: &Assignment, audience: Audience) -> 
                 ..pair.clone()
             })
             .collect(),
-        sections: sections(class),
+        // A section may be a single person, as in Moodle's groups.
+        sections: match is_anonymous {
+            true => Vec::new(),
+            false => sections(class),
+        },
         has_policy: class.roll.policy.is_some(),
         is_anonymous,
         slowest: slowest
