@@ -41,7 +41,9 @@ pub fn setup(checkout: &Checkout) -> Result<()> {
     // After an upgrade of the system's Python, an old environment doesn't find its own
     // packages.
     let mut own_pip = Command::new(interpreter(&environment));
-    let own_pip = own_pip.args(["-I", "-c", "import pip"]).stderr(Stdio::null());
+    let own_pip = own_pip
+        .args(["-I", "-c", "import pip"])
+        .stderr(Stdio::null());
     if !own_pip.status().is_ok_and(|status| status.success()) {
         let mut venv = Command::new(python);
         complete(

@@ -183,7 +183,13 @@ fn policy_reaches_every_way_out(class: &Class) {
     let sections = "<h2 id=\"sections\">";
     assert!(class.read("out/class.html").contains(sections));
     let names = class.read("out/class_without_names.html");
-    for name in ["Lovelace", "Hopper", "lovelaceada", "submissions/", sections] {
+    for name in [
+        "Lovelace",
+        "Hopper",
+        "lovelaceada",
+        "submissions/",
+        sections,
+    ] {
         assert!(!names.contains(name), "{name} is named");
     }
     let canvas = class.read("out/canvas.csv");
