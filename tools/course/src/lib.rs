@@ -21,6 +21,7 @@ pub mod mistake;
 pub mod mitsuba;
 pub mod outcome;
 pub mod overlay;
+pub mod private;
 pub mod progress;
 pub mod run_options;
 pub mod rust_tool;

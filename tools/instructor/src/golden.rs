@@ -19,6 +19,7 @@ use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
 use pinhole_course::mitsuba::{self, RenderResult};
+use pinhole_course::private::make_private;
 use pinhole_course::progress::Progress;
 use pinhole_course::run_options::AssignmentOption;
 use pinhole_course::seed::Seed;
@@ -284,18 +285,6 @@ fn scenes(arguments: &GoldenRender, assignment: &Assignment) -> Result<Vec<PathB
             })
     };
     arguments.scenes.iter().map(find).collect()
-}
-
-/// Makes a folder private, so that nobody else on the machine can look inside.
-pub fn make_private(folder: &Path) -> std::io::Result<()> {
-    #[cfg(unix)]
-    {
-        let mode = std::os::unix::fs::PermissionsExt::from_mode(0o700);
-        fs::set_permissions(folder, mode)?;
-    }
-    #[cfg(not(unix))]
-    let _nobody_else_is_here = folder;
-    Ok(())
 }
 
 /// The arguments that make the scripts draw scenes, questions or ties from a seed.

@@ -5,6 +5,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
+use crate::private::private_file;
+
 /// How many programs are kept, about a megabyte each. Undoing an edit then needs no new build.
 const KEPT: usize = 200;
 
@@ -15,7 +17,7 @@ const YOUNG: Duration = Duration::from_secs(15 * 60);
 /// or deletes a program.
 pub fn lock(programs: &Path) -> io::Result<fs::File> {
     fs::create_dir_all(programs)?;
-    let file = fs::File::create(programs.join(".lock"))?;
+    let file = private_file(&programs.join(".lock"))?;
     file.lock()?;
     Ok(file)
 }
@@ -49,6 +51,16 @@ fn prune_to(programs: &Path, kept: usize, young: Duration) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn nobody_else_can_hold_the_lock() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let held = lock(folder.path()).unwrap();
+        // A lock can be held by everybody who can open the file.
+        assert_eq!(held.metadata().unwrap().permissions().mode() & 0o777, 0o600);
+    }
 
     #[test]
     fn oldest_programs_are_deleted_and_young_ones_kept() {

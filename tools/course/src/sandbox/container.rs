@@ -8,7 +8,7 @@
 
 use std::fs::{self, DirBuilder, File, Permissions};
 use std::io;
-use std::os::unix::fs::{DirBuilderExt, MetadataExt, OpenOptionsExt, PermissionsExt, chown};
+use std::os::unix::fs::{DirBuilderExt, MetadataExt, PermissionsExt, chown};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Arc;
@@ -25,6 +25,7 @@ use super::toolchain::{libraries, linker, sysroot};
 use super::user_id::UserId;
 use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
+use crate::private::private_file;
 
 /// The sandbox for one submission in a container.
 #[derive(Clone, Debug)]
@@ -268,9 +269,7 @@ impl Scratch {
             let _absent = fs::remove_dir_all(&new);
             DirBuilder::new().mode(0o711).create(&new)?;
             fs::set_permissions(&new, Permissions::from_mode(0o711))?;
-            let mut options = File::options();
-            let options = options.write(true).create_new(true).mode(0o600);
-            let lock = options.open(new.join(LOCK))?;
+            let lock = private_file(&new.join(LOCK))?;
             lock.lock()?;
             fs::rename(&new, &folder)?;
             Ok(lock)

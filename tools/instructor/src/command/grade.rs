@@ -8,7 +8,6 @@ use std::time::{Duration, Instant};
 use rayon::prelude::*;
 
 use crate::cli::Grade;
-use crate::golden::make_private;
 use crate::grade::cache::{ResultCache, pretty, standing};
 use crate::grade::class::{self, Roll, replace};
 use crate::grade::grader::clock::Pace;
@@ -28,6 +27,7 @@ use pinhole_course::compile::Compiler;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
+use pinhole_course::private::make_private;
 use pinhole_course::progress::Progress;
 use pinhole_course::sandbox::{Choice, Sandbox};
 use pinhole_course::timings::Timings;

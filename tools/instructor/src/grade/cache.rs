@@ -10,6 +10,7 @@ use super::intake::Entry;
 use super::record::Record;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::outcome::SCHEMA;
+use pinhole_course::private::private_file;
 use pinhole_report::escape::printable_json;
 
 /// The folder of a graded class, locked as long as this value lives.
@@ -26,7 +27,7 @@ impl ResultCache {
         let submissions = folder.join("submissions");
         fs::create_dir_all(&submissions).or_fail(&cannot_write(&submissions))?;
         let path = folder.join(".lock");
-        let lock = own_file(&path).or_fail(&cannot_write(&path))?;
+        let lock = private_file(&path).or_fail(&cannot_write(&path))?;
         match lock.try_lock() {
             Ok(()) => Ok(ResultCache {
                 folder: folder.into(),
@@ -182,7 +183,7 @@ pub fn pretty(value: &impl serde::Serialize) -> Result<String> {
 /// Writes a file atomically: beside its place, flushed to disk, then renamed.
 pub fn write(path: &Path, content: &[u8]) -> Result<()> {
     put(path, |beside| {
-        let mut file = own_file(beside)?;
+        let mut file = private_file(beside)?;
         file.write_all(content)?;
         file.sync_all()
     })?;
@@ -195,16 +196,7 @@ pub fn write(path: &Path, content: &[u8]) -> Result<()> {
 
 /// Writes a file atomically, but without waiting for the disk. For files that can be made again.
 pub fn write_unflushed(path: &Path, content: &[u8]) -> Result<()> {
-    put(path, |beside| own_file(beside)?.write_all(content))
-}
-
-/// A new file that nobody else on the machine can read, because marks are private.
-fn own_file(path: &Path) -> std::io::Result<File> {
-    let mut options = File::options();
-    options.write(true).create(true).truncate(true);
-    #[cfg(unix)]
-    std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
-    options.open(path)
+    put(path, |beside| private_file(beside)?.write_all(content))
 }
 
 /// Puts a file in a second place, as a link, or as a copy where links don't work.

@@ -47,6 +47,7 @@ const FOLDERS: [(&str, &[&str]); 8] = [
         "tools/course/src",
         &[
             "error",
+            "private",
             "shell",
             "timings",
             "checkout",

