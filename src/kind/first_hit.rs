@@ -73,7 +73,7 @@ pub(super) fn facts(objects: &[Canned], min_t: f64, digits: usize) -> Vec<Fact> 
 pub(super) fn conditions(objects: &[Canned], min_t: f64, answer: &Answer) -> Vec<Condition> {
     let found: Vec<bool> = objects
         .iter()
-        .map(|object| object.intersect(min_t).is_some())
+        .map(|object| object.first_from(min_t).is_some())
         .collect();
     let hits = found.iter().filter(|found| **found).count();
     let before = |object: &Canned| object.intersections.iter().any(|at| at.t < min_t);
@@ -118,7 +118,7 @@ pub(super) fn conditions(objects: &[Canned], min_t: f64, answer: &Answer) -> Vec
 pub(super) fn others(objects: &[Canned], min_t: f64) -> Vec<(&'static str, Answer)> {
     let from = |min_t: f64| -> Vec<Hit> {
         let hit = |(object, canned): (usize, &Canned)| {
-            let intersection = canned.intersect(min_t)?;
+            let intersection = canned.first_from(min_t)?;
             Some(Hit {
                 object,
                 intersection,

@@ -77,7 +77,7 @@ fn started_as_a_submission_it_answers() {
             shapes: |ray, min_t, objects| nearest(ray, min_t, objects.len()),
             canned: |ray, min_t, objects| nearest(ray, min_t, objects.len()),
         },
-        AnswerFn::Soup(|soup, _, min_t| soup.triangles[0].intersect(min_t)),
+        AnswerFn::Soup(|soup, ray, min_t| soup.triangles[0].intersect(ray, min_t)),
         AnswerFn::Tree(|boxes| chain(0, boxes.len())),
         AnswerFn::TreeSearch(match kind.as_str() {
             "testing" => |tree, min_t| loop {

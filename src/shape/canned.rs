@@ -1,15 +1,17 @@
 use serde::{Deserialize, Serialize};
 
 use crate::film::Samples;
-use crate::ray::Intersection;
+use crate::ray::{Intersection, Ray};
 use crate::words::number;
 
-/// An object whose intersections with one ray are known beforehand.
+/// An object that knows its intersections with one ray, and no others.
 ///
 /// Question films use it to judge the search for the nearest object without any real shape. It
 /// answers with what Mitsuba found for the real object that it replaces.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Canned {
+    /// The ray.
+    pub ray: Ray,
     /// Everything the ray meets, in increasing t.
     pub intersections: Vec<Intersection>,
 }
@@ -18,8 +20,21 @@ pub struct Canned {
 const MOST_OBJECTS: usize = 6;
 
 impl Canned {
-    /// The first intersection at or beyond `min_t`.
-    pub fn intersect(&self, min_t: f64) -> Option<Intersection> {
+    /// The first intersection with the ray at or beyond `min_t`.
+    ///
+    /// # Panics
+    /// If it is another ray. The message is for the author of the code that asks.
+    #[track_caller]
+    pub fn intersect(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        assert!(
+            *ray == self.ray,
+            "an object was asked about another ray than the one given: pass `ray` on unchanged, \
+             because t is in multiples of `ray.direction`"
+        );
+        self.first_from(min_t)
+    }
+
+    pub(crate) fn first_from(&self, min_t: f64) -> Option<Intersection> {
         self.intersections
             .iter()
             .find(|found| found.t >= min_t)
@@ -46,7 +61,10 @@ impl Canned {
             })
         };
         let intersections = (0..hits).map(intersection).collect::<Result<_, String>>()?;
-        Ok(Canned { intersections })
+        Ok(Canned {
+            ray: samples.ray()?,
+            intersections,
+        })
     }
 
     /// A list of objects in words: "0: 1.5, 2.5; 1: never".

@@ -149,6 +149,7 @@ fn each_shape_is_asked_about_as_it_was_sent() {
 #[test]
 fn canned_objects_are_asked_of_first_hit_or_of_the_soup() {
     let object = |t| Canned {
+        ray: RAY,
         intersections: vec![Intersection {
             t,
             normal: DVec3::Z,

@@ -55,8 +55,8 @@ pub fn first_hit(ray: &Ray, min_t: f64, objects: &[Shape]) -> Option<Hit> {
 }
 
 /// The nearest intersection with canned objects, which know their intersections.
-pub fn first_canned_hit(_: &Ray, min_t: f64, objects: &[Canned]) -> Option<Hit> {
-    nearest(objects.iter().map(|canned| canned.intersect(min_t)))
+pub fn first_canned_hit(ray: &Ray, min_t: f64, objects: &[Canned]) -> Option<Hit> {
+    nearest(objects.iter().map(|canned| canned.intersect(ray, min_t)))
 }
 
 fn nearest(found: impl Iterator<Item = Option<Intersection>>) -> Option<Hit> {

@@ -28,7 +28,8 @@ impl IntersectRay for Shape {
 
 /// Replaces real objects when `first_hit` and the soup are tested alone.
 impl IntersectRay for Canned {
-    fn intersect_ray(&self, _: &Ray, min_t: f64) -> Option<Intersection> {
-        self.intersect(min_t)
+    #[track_caller]
+    fn intersect_ray(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
+        self.intersect(ray, min_t)
     }
 }

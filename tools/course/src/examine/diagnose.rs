@@ -121,10 +121,16 @@ impl Goldens {
         // Which pixels a belief spoils may depend on the student's other answers, such as a
         // tree. If nothing else is wrong, it need not explain a scene pixel by pixel.
         let only = only_belief(tasks).map(str::to_owned);
+        // Nobody holds a belief that would fail a task which passes.
+        let is_possible = |slug: &str| {
+            let passes = |name: &String| tasks.iter().any(|it| it.name == *name && it.passes());
+            let mistake = self.known.mistake.get(slug);
+            mistake.is_some_and(|mistake| !mistake.fails.iter().any(passes))
+        };
         let together = match tasks.iter().all(TaskOutcome::passes) {
             true => {
                 let all: Vec<Evidence> = evidence.iter().flatten().cloned().collect();
-                self.known.explain(&all, &|_| true)
+                self.known.explain(&all, &is_possible)
             }
             false => held(tasks),
         };
@@ -139,7 +145,7 @@ impl Goldens {
                 (shows || only.as_deref() == Some(&belief.slug)).then_some(explanation)
             });
             scene.diagnosis = match together.is_empty() && tasks.iter().all(TaskOutcome::passes) {
-                true => self.known.explain(evidence, &|_| true),
+                true => self.known.explain(evidence, &is_possible),
                 false => Diagnosis {
                     beliefs: shown.collect(),
                     reading: together.reading,
