@@ -97,29 +97,28 @@ impl<'a> FilmComparison<'a> {
         self.wrong.len()
     }
 
-    /// Whether any pixel has values to compare, because its ray hits something.
+    /// Whether any pixel has values to compare, because its ray hits something, as it should.
     pub fn has_values(&self) -> bool {
-        self.hits(&self.film) > 0
+        let is_hit = |film, pixel| self.is_hit(film, pixel);
+        (0..self.pixels()).any(|pixel| is_hit(&self.film, pixel) && is_hit(&self.expected, pixel))
     }
 
     /// In how many pixels a ray should hit something.
     pub fn expected_hits(&self) -> usize {
-        self.hits(&self.expected)
+        let is_hit = |pixel: &usize| self.is_hit(&self.expected, *pixel);
+        (0..self.pixels()).filter(is_hit).count()
     }
 
-    /// In how many pixels of a film a ray hits something. All, if it has no ids.
-    fn hits(&self, film: &[&[f32]]) -> usize {
-        let is_hit = |pixel: &usize| {
-            let mut ids = self
-                .quantities
-                .iter()
-                .filter_map(|quantity| match quantity {
-                    Quantity::Id(place) => Some(film[*place][*pixel]),
-                    Quantity::Other(_) => None,
-                });
-            ids.next() != Some(MISS)
-        };
-        (0..self.pixels()).filter(is_hit).count()
+    /// Whether a ray hits something in this pixel of a film, or the film has no ids.
+    fn is_hit(&self, film: &[&[f32]], pixel: usize) -> bool {
+        let mut ids = self
+            .quantities
+            .iter()
+            .filter_map(|quantity| match quantity {
+                Quantity::Id(place) => Some(film[*place][pixel]),
+                Quantity::Other(_) => None,
+            });
+        ids.next() != Some(MISS)
     }
 
     /// Whether the pixel is wrong at all.

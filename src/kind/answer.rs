@@ -119,6 +119,11 @@ impl Answer {
         }
     }
 
+    /// The t of the hit; NaN if there is none.
+    pub(super) fn t(&self) -> f64 {
+        self.hit().map_or(f64::NAN, |hit| hit.intersection.t)
+    }
+
     /// The answer about a shape that is asked about alone.
     pub(super) fn alone(intersection: Option<Intersection>) -> Answer {
         Answer::Hit(intersection.map(|intersection| Hit {

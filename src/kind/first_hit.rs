@@ -42,8 +42,10 @@ impl Question for ObjectsQuestion {
         facts(&self.objects, self.min_t, digits)
     }
 
-    fn quantities(&self, _: &Answer) -> Vec<Quantity> {
-        Quantity::of_ray(&self.ray, self.min_t)
+    fn quantities(&self, right: &Answer) -> Vec<Quantity> {
+        let mut quantities = Quantity::of_ray(&self.ray, self.min_t);
+        quantities.push(Quantity::new("t", right.t()));
+        quantities
     }
 
     fn conditions(&self, answer: &Answer) -> Vec<Condition> {
@@ -77,7 +79,7 @@ pub(super) fn conditions(objects: &[Canned], min_t: f64, answer: &Answer) -> Vec
         .collect();
     let hits = found.iter().filter(|found| **found).count();
     let before = |object: &Canned| object.intersections.iter().any(|at| at.t < min_t);
-    let t = answer.hit().map_or(f64::NAN, |hit| hit.intersection.t);
+    let t = answer.t();
     let is = |condition: Option<&bool>| condition == Some(&true);
     vec![
         Condition::new("t is below min_t", "t is min_t or more", t < min_t),
@@ -88,7 +90,7 @@ pub(super) fn conditions(objects: &[Canned], min_t: f64, answer: &Answer) -> Vec
         ),
         Condition::new(
             "the ray meets only one object in the list",
-            "the ray doesn't meet exactly one object in the list",
+            "the ray meets no object in the list, or several",
             hits == 1,
         ),
         Condition::new(

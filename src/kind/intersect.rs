@@ -42,15 +42,16 @@ impl Question for ShapeQuestion {
         ]
     }
 
-    fn quantities(&self, _: &Answer) -> Vec<Quantity> {
+    fn quantities(&self, right: &Answer) -> Vec<Quantity> {
         let mut quantities = Quantity::of_ray(&self.ray, self.min_t);
         quantities.extend(self.shape.quantities(&self.ray));
+        quantities.push(Quantity::new("t", right.t()));
         quantities
     }
 
     fn conditions(&self, answer: &Answer) -> Vec<Condition> {
         let hit = answer.hit().map(|hit| hit.intersection);
-        let t = hit.map_or(f64::NAN, |hit| hit.t);
+        let t = answer.t();
         let leaves = hit.is_some_and(|hit| self.ray.direction.dot(hit.normal) > 0.0);
         let mut conditions = vec![
             Condition::new("t is below 0", "t is 0 or more", t < 0.0),

@@ -114,16 +114,17 @@ impl Question for BoxQuestion {
         Some(parts)
     }
 
-    fn quantities(&self, _: &Answer) -> Vec<Quantity> {
+    fn quantities(&self, right: &Answer) -> Vec<Quantity> {
         let mut quantities = Quantity::of_ray(&self.ray, self.min_t);
         let size = self.bounds.max - self.bounds.min;
         quantities.push(Quantity::new("max_t", self.max_t));
         quantities.push(Quantity::new("the box's longest side", size.max_element()));
+        quantities.push(Quantity::new("t", right.t()));
         quantities
     }
 
     fn conditions(&self, answer: &Answer) -> Vec<Condition> {
-        let t = answer.hit().map_or(f64::NAN, |hit| hit.intersection.t);
+        let t = answer.t();
         let size = self.bounds.max - self.bounds.min;
         let direction = self.ray.direction;
         let along = self.entered_along();

@@ -42,8 +42,10 @@ impl Question for SoupQuestion {
         first_hit::facts(&self.soup.triangles, self.min_t, digits)
     }
 
-    fn quantities(&self, _: &Answer) -> Vec<Quantity> {
-        Quantity::of_ray(&self.ray, self.min_t)
+    fn quantities(&self, right: &Answer) -> Vec<Quantity> {
+        let mut quantities = Quantity::of_ray(&self.ray, self.min_t);
+        quantities.push(Quantity::new("t", right.t()));
+        quantities
     }
 
     fn conditions(&self, answer: &Answer) -> Vec<Condition> {

@@ -383,6 +383,41 @@ fn a_wrong_scene_names_the_worst_pixel_and_how_to_look_at_it() {
         .expect_out("explain sphere_and_plane ");
 }
 
+/// What `check` says about one task if the reference's answer has `is` instead of `was`.
+fn said_of(task: &str, was: &str, is: &str) -> String {
+    let right = with_body(task, "");
+    let wrong = right.replacen(was, is, 1);
+    assert_ne!(wrong, right);
+    let file = format!("{task}.rs");
+    let folder = submission(&trusted(), "said-of", &[(&file, &wrong)]);
+    let folder = folder.to_str().expect("a plain name");
+    pinhole(&["check", folder, "--task", task])
+        .expect_code(1)
+        .out
+}
+
+#[test]
+fn an_unknown_mistake_is_described_by_what_is_measured() {
+    let said = said_of("plane", "(t >= min_t)", "(t >= min_t && t < 1000.0)");
+    let limit = "exactly those where t is more than 1000.";
+    assert!(said.contains(limit), "{said}");
+    // The opposite comparison misses every hit, as many known mistakes do.
+    let said = said_of("plane", "(t >= min_t)", "(t < min_t)");
+    assert!(
+        said.contains("In each of them, your t is below min_t."),
+        "{said}"
+    );
+    assert!(!said.contains("You may believe"), "{said}");
+    let said = said_of(
+        "first_hit",
+        "shape.intersect_ray(ray, min_t)",
+        "shape.intersect_ray(&Ray { direction: ray.direction.normalize(), ..*ray }, min_t)",
+    );
+    let place = "first_hit.rs:";
+    let why = "an object was asked about another ray than the one given";
+    assert!(said.contains(place) && said.contains(why), "{said}");
+}
+
 /// The reference's answer, with some statements before its own.
 pub fn with_body(task: &str, statements: &str) -> String {
     let path = root()

@@ -189,10 +189,17 @@ fn decisions(samples: &[Sample]) -> Vec<Measurement> {
             continue;
         }
         let (some, all) = (wrong.len(), asked.len());
+        let hits = samples.iter().filter(|it| it.right.is_some());
         if good.is_empty() && all >= LEAST {
             let says = match misses {
                 true => format!("You miss all {all} hits."),
-                false => format!("You find a hit in all {all} questions where there is none."),
+                false => {
+                    let rule = rule::never_right(&wrong, &hits.collect::<Vec<_>>());
+                    let place = rule.map(|rule| words::rule(&rule, wrong[0]));
+                    let place = place.map(|place| format!(" In each of them, {place}."));
+                    let place = place.unwrap_or_default();
+                    format!("You find a hit in all {all} questions where there is none.{place}")
+                }
             };
             found.push(decision(says, true, Claim::Never { misses }));
             continue;
@@ -200,17 +207,17 @@ fn decisions(samples: &[Sample]) -> Vec<Measurement> {
         // Compare invented hits with right ones, and missed hits with found ones.
         let found_rightly: Vec<&Sample> = match misses {
             true => good,
-            false => samples
-                .iter()
-                .filter(|sample| sample.right.is_some() && sample.given.is_some())
-                .collect(),
+            false => hits.clone().filter(|it| it.given.is_some()).collect(),
         };
         let of = if misses {
             WhichAnswer::Right
         } else {
             WhichAnswer::Given
         };
-        let rule = rule::find(&wrong, &found_rightly, of);
+        let rule = match misses || !found_rightly.is_empty() {
+            true => rule::find(&wrong, &found_rightly, of),
+            false => rule::never_right(&wrong, &hits.collect::<Vec<_>>()),
+        };
         let counted = match misses {
             true => format!("You miss {some} of the {all} hits"),
             false => format!("You find a hit in {some} of the {all} questions where there is none"),
@@ -426,14 +433,22 @@ impl<'a> PartFinding<'a> {
         match claim {
             Claim::Part { law, share, .. } => {
                 let said = words::law(law, self.part, self.wrong[0], several);
+                let is_always = matches!(law, PartLaw::Whole(law::Law::Always(_)));
                 match *share >= ALL {
+                    true if is_always && some < all => {
+                        format!("{about} {is} wrong {of}{where_}; there, {it} {said}.")
+                    }
                     true if *share == 1.0 => format!("{about} {said}, {of}{where_}."),
                     true => format!("{about} {said}, {of}{where_}, with few exceptions."),
-                    false => format!(
-                        "{about} {is} wrong {of}{where_}; in about {:.0} % of the wrong ones, \
-                         {it} {said}.",
-                        (100.0 * share).floor()
-                    ),
+                    false => {
+                        let share = share_of(law, self.part, self.wrong.iter().copied());
+                        let percent = 100.0 * share.unwrap_or_default();
+                        format!(
+                            "{about} {is} wrong {of}{where_}; in about {:.0} % of the wrong ones, \
+                             {it} {said}.",
+                            percent.clamp(1.0, 99.0)
+                        )
+                    }
                 }
             }
             Claim::Count => match self.lost() {

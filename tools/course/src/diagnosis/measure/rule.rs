@@ -159,6 +159,23 @@ pub fn find(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Option<Rul
         .or_else(|| partly(&all, &fit.0, &stands))
 }
 
+/// What holds for each of these invented hits, and for none of these questions' right hits. With it,
+/// something can be said even if no hit was found rightly.
+pub fn never_right(invented: &[&Sample], hits: &[&Sample]) -> Option<Rule> {
+    let count = invented.first()?.conditions_given.len();
+    let all = (0..count).flat_map(|k| [(k, true), (k, false)]);
+    let mut all = all.filter(|_| invented.len() >= LEAST && hits.len() >= LEAST);
+    let (k, so) = all.find(|(k, so)| {
+        let is_so = |conditions: &[Condition]| conditions[*k].holds == *so;
+        invented.iter().all(|it| is_so(&it.conditions_given))
+            && !hits.iter().any(|it| is_so(&it.conditions))
+    })?;
+    Some(Rule {
+        literals: vec![Literal::Holds(WhichAnswer::Given, k, so)],
+        scope: Scope::Everywhere,
+    })
+}
+
 /// The condition that holds in most of the wrong samples and in no right one, or else two
 /// conditions that do so together.
 fn partly(literals: &[Literal], wrong: &[&Sample], stands: &dyn Fn(&Rule) -> bool) -> Option<Rule> {
@@ -234,9 +251,13 @@ fn literals(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Vec<Litera
     literals
 }
 
-/// The roundest number between these two.
-fn between(one: f64, other: f64) -> f64 {
-    let (low, high) = (one.min(other), one.max(other));
+/// The bound for a value like `wrong` but unlike `right`: 0 if it is one, or else the roundest number
+/// between them.
+fn between(wrong: f64, right: f64) -> f64 {
+    if wrong < 0.0 && right >= 0.0 || wrong > 0.0 && right <= 0.0 {
+        return 0.0;
+    }
+    let (low, high) = (wrong.min(right), wrong.max(right));
     let middle = 0.5 * (low + high);
     let rounded = (0..9).map(|digits| {
         let text = format!("{middle:.digits$e}");
@@ -244,4 +265,19 @@ fn between(one: f64, other: f64) -> f64 {
     });
     let mut inside = rounded.filter(|it| low < *it && *it < high);
     inside.next().unwrap_or(middle)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::between;
+
+    #[test]
+    fn the_plainest_bound_is_chosen() {
+        assert_eq!(between(-1e-22, 3e-9), 0.0);
+        assert_eq!(between(-1e-22, 0.0), 0.0);
+        assert_eq!(between(3e-9, -1e-22), 0.0);
+        assert_eq!(between(0.97, 1.04), 1.0);
+        // A value of 0 would not be below 0.
+        assert_ne!(between(0.0, 2e-9), 0.0);
+    }
 }

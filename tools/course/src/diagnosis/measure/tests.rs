@@ -50,11 +50,20 @@ fn hit(intersection: Intersection) -> Option<Hit> {
     })
 }
 
-/// The sentences about these answers, and whether they hold for other questions.
+/// The sentences about these answers. They must hold for other questions, too.
 fn said(answer: impl Fn(&ShapeQuestion, Intersection) -> Option<Intersection>) -> Vec<String> {
+    said_if(|_| true, answer)
+}
+
+/// The same, if only some rays hit anything.
+fn said_if(
+    is_hit: impl Fn(&ShapeQuestion) -> bool,
+    answer: impl Fn(&ShapeQuestion, Intersection) -> Option<Intersection>,
+) -> Vec<String> {
     let of = |from: usize| {
         let questions: Vec<ShapeQuestion> = (from..from + COUNT).map(question).collect();
-        let hits: Vec<Option<Hit>> = questions.iter().map(|it| hit(right(it))).collect();
+        let right_hit = |it: &ShapeQuestion| hit(right(it)).filter(|_| is_hit(it));
+        let hits: Vec<Option<Hit>> = questions.iter().map(right_hit).collect();
         let resolution = Resolution { n_x: COUNT, n_y: 1 };
         let channels = HIT_CHANNELS.map(|name| Channel {
             name: name.into(),
@@ -147,6 +156,31 @@ fn a_normal_of_another_length_says_which() {
         Some(Intersection { normal, ..right })
     });
     assert_eq!(said[0], "The normal is multiplied by |n|, in all 200 hits.");
+}
+
+#[test]
+fn hits_that_are_all_before_min_t_are_described_even_if_every_right_one_is_missed() {
+    let front = |question: &ShapeQuestion| question.ray.origin.z > 0.0;
+    let rest = "there is none. In each of them, your t is below 0.";
+    let invents = |finds: &dyn Fn(usize) -> bool| {
+        said_if(front, |question, right| {
+            let t = -right.t;
+            let is_found = !front(question) && finds(question.ray.direction.x.to_bits() as usize);
+            is_found.then_some(Intersection { t, ..right })
+        })
+    };
+    for (finds, many) in [
+        (&(|_: usize| true) as &dyn Fn(usize) -> bool, "all "),
+        (&|bits| bits % 8 > 0, ""),
+    ] {
+        let said = invents(finds);
+        assert!(said[0].starts_with("You miss all "), "{said:?}");
+        let begin = format!("You find a hit in {many}");
+        assert!(
+            said[1].starts_with(&begin) && said[1].ends_with(rest),
+            "{said:?}"
+        );
+    }
 }
 
 #[test]

@@ -64,6 +64,7 @@ fn one(law: Law, sample: &Sample, unit: &str, axes: &[&str]) -> String {
     };
     match law {
         Law::Times(-1.0) => "has the opposite sign".into(),
+        Law::Times(0.0) => "is 0".into(),
         Law::Times(by) => format!("is {} times what it should be", number(by, DIGITS)),
         Law::TimesQuantity(by, k, power) if power < 0 => {
             let factor = times(1.0, name(k), -power);
