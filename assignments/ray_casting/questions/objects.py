@@ -49,8 +49,9 @@ def draw(rng, group, kind, things):
     wanted = _wanted(rng, group)
     # With a long direction, t is so small that no margin can be added to min_t. With a short one,
     # t is so large that a search can't begin with a large number instead of infinity.
-    lengths = {"min_t": (1, 1e4), "shuffled": (1e-6, 1)}
-    long = log_uniform(rng, *lengths[group]) if group in lengths else 1
+    long = log_uniform(rng, 1, 1e4) if group == "min_t" else 1
+    if group == "shuffled" and rng.uniform() < 0.25:
+        long = log_uniform(rng, 1e-6, 1e-2)
     direction = as_f32(long * rng.uniform(0.5, 2) * unit_vector(rng))
     origin = as_f32(rng.uniform(-3, 3, 3))
     objects = [

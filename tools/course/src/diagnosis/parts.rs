@@ -131,27 +131,25 @@ fn predicted(films: &[FilmParts], part: usize, belief: &str) -> f64 {
         .sum()
 }
 
-/// The parts in which a belief explains all errors of every film, if no other part contradicts it.
-fn held_parts(films: &[FilmParts], parts: usize, belief: &str) -> Vec<usize> {
+/// Whether a belief explains all errors in some part of every film, and no other part
+/// contradicts it.
+fn holds_a_part(films: &[FilmParts], parts: usize, belief: &str) -> bool {
     let is_whole = |part: usize| films.iter().all(|film| explains(film, part, &[belief]));
     let spoiled = (0..parts).filter(|part| predicted(films, *part, belief) > 0.0);
-    let mut held = Vec::new();
+    let (mut whole, mut denied) = (false, false);
     for part in spoiled {
         match is_whole(part) {
-            true if predicted(films, part, belief) >= LEAST => held.push(part),
-            true => {}
+            true => whole |= predicted(films, part, belief) >= LEAST,
             // The value may be wrong in another way, because a second mistake changed it too.
-            false if is_touched(films, part, belief) => {}
-            false => return Vec::new(),
+            false => denied |= !is_touched(films, part, belief),
         }
     }
-    held
+    whole && !denied
 }
 
-/// Whether something is wrong where a belief gets it right, or the belief gets hardly any hit right
-/// and explains a value of the hits in `held`. Otherwise, one unknown mistake that shows in the same
-/// pixels is likelier than two.
-fn leaves_room(films: &[Evidence], belief: &str, held: &[usize]) -> bool {
+/// Whether something is wrong where a belief gets it right, or the belief gets hardly any hit
+/// right. Otherwise, one unknown mistake that shows in the same pixels is likelier than two.
+fn leaves_room(films: &[Evidence], belief: &str) -> bool {
     let (mut wrong, mut right) = (0.0, 0.0);
     for evidence in films {
         let Agreement {
@@ -164,8 +162,7 @@ fn leaves_room(films: &[Evidence], belief: &str, held: &[usize]) -> bool {
         wrong += evidence.failing as f64 - touched;
         right += f64::max(hits as f64 - predicted, 0.0);
     }
-    // The first part is the object. That it is wrong everywhere is true of many mistakes.
-    wrong >= LEAST || right < LEAST && held.iter().any(|part| *part > 0)
+    wrong >= LEAST || right < LEAST
 }
 
 /// Whether a part is wrong wherever a belief says so, even if it is wrong in another way.
@@ -214,10 +211,7 @@ pub fn partial<'a>(evidence: &[Evidence], candidates: &[&'a str]) -> Option<Vec<
     }
     let held: Vec<&'a str> = shown
         .into_iter()
-        .filter(|belief| {
-            let held = held_parts(films, parts, belief);
-            !held.is_empty() && leaves_room(evidence, belief, &held)
-        })
+        .filter(|belief| holds_a_part(films, parts, belief) && leaves_room(evidence, belief))
         .collect();
     match held.as_slice() {
         [one] => Some(vec![*one]),
