@@ -21,32 +21,32 @@ pub enum BoundsQuestion {
 const CORNERS: [[(&str, &str); 2]; 3] = [
     [
         (
-            "the first corner has the least x, y or z",
-            "the other two corners have the least x, y and z",
+            "at least one of the smallest x, y and z comes from the first corner",
+            "the smallest x, y and z all come from the other two corners",
         ),
         (
-            "the first corner has the greatest x, y or z",
-            "the other two corners have the greatest x, y and z",
-        ),
-    ],
-    [
-        (
-            "the second corner has the least x, y or z",
-            "the first and the third corner have the least x, y and z",
-        ),
-        (
-            "the second corner has the greatest x, y or z",
-            "the first and the third corner have the greatest x, y and z",
+            "at least one of the largest x, y and z comes from the first corner",
+            "the largest x, y and z all come from the other two corners",
         ),
     ],
     [
         (
-            "the third corner has the least x, y or z",
-            "the first two corners have the least x, y and z",
+            "at least one of the smallest x, y and z comes from the second corner",
+            "the smallest x, y and z all come from the first and third corners",
         ),
         (
-            "the third corner has the greatest x, y or z",
-            "the first two corners have the greatest x, y and z",
+            "at least one of the largest x, y and z comes from the second corner",
+            "the largest x, y and z all come from the first and third corners",
+        ),
+    ],
+    [
+        (
+            "at least one of the smallest x, y and z comes from the third corner",
+            "the smallest x, y and z all come from the first two corners",
+        ),
+        (
+            "at least one of the largest x, y and z comes from the third corner",
+            "the largest x, y and z all come from the first two corners",
         ),
     ],
 ];
@@ -63,7 +63,7 @@ impl BoundsQuestion {
                 samples.bounding_box("1")?,
             )),
             count => Err(format!(
-                "channel `boxes` holds {count}, and only 0 or 2 makes sense"
+                "channel `boxes` holds {count}, but it must hold 0 or 2"
             )),
         }
     }
@@ -122,7 +122,7 @@ impl Question for BoundsQuestion {
             Condition::new("the box is flat", "the box is not flat", (0..3).any(shares)),
             Condition::new(
                 "all coordinates are negative",
-                "not all coordinates are negative",
+                "at least one coordinate is not negative",
                 points.iter().all(|point| point.max_element() < 0.0),
             ),
         ];

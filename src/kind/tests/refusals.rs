@@ -112,7 +112,7 @@ fn a_tree_is_asked_for_over_at_least_one_box_and_not_too_many() {
     refused(
         "bounds",
         &with(two_boxes(), "boxes", 1.0),
-        "only 0 or 2 makes sense",
+        "it must hold 0 or 2",
     );
 }
 

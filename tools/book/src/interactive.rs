@@ -101,7 +101,7 @@ fn started(
         .args(arguments)
         .current_dir(folder)
         .output()
-        .map_err(|error| Error::environment(format!("npm does not start: {error}"), remedy))?;
+        .map_err(|error| Error::environment(format!("cannot start npm: {error}"), remedy))?;
     let out = String::from_utf8_lossy(&output.stdout).into_owned();
     Ok(match output.status.success() {
         true => Ok(out),

@@ -222,7 +222,7 @@ fn build(checkout: &Checkout) -> Result<PathBuf> {
         .arg("--message-format=json-render-diagnostics")
         .stderr(Stdio::inherit())
         .output()
-        .map_err(|error| Error::environment(format!("cargo does not start: {error}"), remedy))?;
+        .map_err(|error| Error::environment(format!("cannot start cargo: {error}"), remedy))?;
     let said = String::from_utf8_lossy(&output.stdout);
     let mut executables = said
         .lines()

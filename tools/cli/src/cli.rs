@@ -126,13 +126,13 @@ pub struct Check {
 ///
 /// For each pixel, film.exr holds the id of the object that the ray hits, the ray's parameter t at
 /// the hit, and the surface normal there. id.png, depth.png and normal.png show these three in
-/// false colours. If Mitsuba has rendered the scene, a depth has the same colour in depth.png as in
-/// Mitsuba's picture. If the assignment counts how often rays are tested against boxes and
-/// triangles, tests.png shows how many tests each pixel took. expected-tests.png shows how many
-/// tests it takes with the reference answers.
+/// false colours. If Mitsuba has rendered the scene too, depth.png has the scale of colours of
+/// Mitsuba's depth picture, so you can compare the two. If the assignment counts how often rays are
+/// tested against boxes and triangles, tests.png shows how many tests each pixel took, and
+/// expected-tests.png shows how many each pixel takes with the reference answers.
 ///
 /// If some of your answers are still missing, pixels that need them are taken from Mitsuba's film.
-/// These pixels are faded in the pictures, so that you can see what your own code does already.
+/// These pixels are faded in the pictures, so that you can see what your own code already does.
 #[derive(Args)]
 pub struct Render {
     /// A scene file, or the name of one of the assignment's scenes
@@ -193,15 +193,16 @@ pub struct Explain {
 /// Do this before you write any code, to find out whether you understand a task. You choose some of
 /// its public questions and write down the answers. For each answer, you see whether Mitsuba gives
 /// the same one. Your right answers are also tested against mistakes that people make in this task.
-/// An answer catches a mistake if code with that mistake answers differently. You see how many
-/// mistakes your answers catch. If a right answer catches none, its question is too easy.
+/// An answer catches a mistake if code with that mistake gives a different answer. You see how many
+/// mistakes your answers catch. If a right answer catches none, choose another question, because
+/// even wrong code gets this one right.
 ///
-/// The questions of a task come in groups. To begin, let the command write a file that has one
-/// question from each group, without answers:
+/// Each task's questions come in groups. To begin, have the command write a file with one question
+/// from each group, with the answers left out:
 ///
 /// cargo pinhole examples --new sphere
 ///
-/// An example is a question with its answer. It looks like this; three digits are enough:
+/// An example is a question with its answer, and looks like this:
 ///
 /// [[example]]
 /// group = "inside"
@@ -210,15 +211,16 @@ pub struct Explain {
 /// t = 1.25
 /// normal = [0, 0.6, 0.8]
 ///
-/// Where nothing is hit, write `hit = false` and no numbers. You may leave out a part of the
-/// answer, such as the normal, but then the example can't catch mistakes in that part. If an
-/// example has no answer yet, you see its question in words. You get no points for examples.
+/// Three significant digits are enough. If nothing is hit, write `hit = false`, and leave out `t`
+/// and `normal`. You may leave out a part of any answer, such as the normal, but then the example
+/// can't catch mistakes in that part. If a question has no answer yet, the command prints it in
+/// words. You get no points for examples.
 #[derive(Args)]
 #[command(verbatim_doc_comment)]
 pub struct Examples {
     /// The file with your examples
     pub file: Option<PathBuf>,
-    /// Write a file with questions about this task [default file: TASK.examples.toml]
+    /// Write a file with questions from this task [default file: TASK.examples.toml]
     #[arg(long, value_name = "TASK")]
     pub new: Option<String>,
     #[command(flatten)]
@@ -228,15 +230,16 @@ pub struct Examples {
     pub json: bool,
 }
 
-/// Compare a film, made by any program, with a golden film
+/// Compare a film made by any program with a golden film
 ///
-/// A golden film is one that Mitsuba has made. Your film passes if it has the golden's size and
-/// channels, all its values are finite, and |film − golden| ≤ tolerance in every channel of every
-/// pixel. (Some films have a channel `tests`, which counts tests of boxes and triangles. In that
-/// channel, the sum of |film − golden| over all pixels is compared with the sum of the tolerances.)
-/// The tolerances of a golden NAME.exr are in NAME.tol.exr, in the same folder. If OpenImageIO's
-/// oiiotool is installed, it judges the film too. If the two verdicts differ, Pinhole has a bug,
-/// and `diff` says so.
+/// A golden film is a reference film that Mitsuba has rendered. Your film passes if it has the
+/// golden's size and channels, all its values are finite, and |film − golden| ≤ tolerance in every
+/// channel of every pixel. (Some films have a channel `tests`, which counts how often the ray was
+/// tested against boxes and triangles. This channel is judged as a whole: the sum of
+/// |film − golden| over all pixels must not exceed the sum of the tolerances.) The tolerances for
+/// the golden film NAME.exr are in NAME.tol.exr, in the same folder. If OpenImageIO's oiiotool is
+/// installed, it judges the film too. If the two verdicts differ, Pinhole has a bug, and `diff`
+/// says so.
 #[derive(Args)]
 pub struct Diff {
     /// The golden film: NAME.exr, with NAME.tol.exr beside it
@@ -245,16 +248,16 @@ pub struct Diff {
     pub film: PathBuf,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Write to this folder: pictures of both films and of their difference, and report.html, which
+    /// Write pictures of both films and of their difference to this folder, and report.html, which
     /// shows both films pixel by pixel
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Write the report to this file [default: report.html in the folder of --out]
+    /// Write the report to this file [default: report.html in the folder that --out names]
     #[arg(long, value_name = "FILE")]
     pub report: Option<PathBuf>,
     /// The scene that the films show: a scene file, or the name of one of the assignment's
-    /// scenes. With it, the report can name the scene's objects [default: the scene of this
-    /// golden]
+    /// scenes. With it, the report can name the scene's objects [default: the golden film's own
+    /// scene]
     #[arg(long, value_name = "SCENE")]
     pub scene: Option<String>,
     /// Print one JSON document on standard output

@@ -118,7 +118,7 @@ impl Program {
             anstream::eprintln!("{what}, which takes a while the first time …");
             cargo.output()
         };
-        let built = built.or_environment("cargo does not start", "install Rust")?;
+        let built = built.or_environment("cannot start cargo", "install Rust")?;
         let executable = executable(&built.stdout).ok_or_else(|| {
             Error::environment(
                 format!("{} does not build", self.package),
@@ -129,7 +129,7 @@ impl Program {
             .args(words)
             .status()
             .or_environment(
-                format_args!("{} does not start", executable.display()),
+                format_args!("cannot start {}", executable.display()),
                 "run `cargo clean`, then this command again",
             )?;
         let code = status.code().and_then(|code| u8::try_from(code).ok());

@@ -9,6 +9,7 @@ mod compiled_submission;
 mod harness;
 mod prune;
 
+use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -204,9 +205,10 @@ impl Compiler {
             replaced.insert(task.clone(), why);
         }
         let mut is_last = false;
-        // Each round but the last replaces at least one answer, so there are at most this many
-        // rounds.
-        for _ in 0..=submission.answers.len() {
+        let late = Cell::new(false);
+        // Each round replaces at least one answer, except the last one, and one after a compiler that
+        // failed for no answer's fault. So there are at most this many rounds.
+        for _ in 0..submission.answers.len() + 2 {
             if enough(&replaced) {
                 return Ok(Attempt::Enough);
             }
@@ -231,7 +233,11 @@ impl Compiler {
                         "other work kept the compiler from running",
                         "run this command again when the machine is less busy",
                     )),
-                    built => Ok(built),
+                    built => {
+                        let is_late = matches!(built, BuildResult::Refused { is_late: true, .. });
+                        late.set(late.get() || is_late && self.stops_when_late);
+                        Ok(built)
+                    }
                 }
             };
             match compile(&replaced)? {
@@ -256,9 +262,7 @@ impl Compiler {
                             ours.insert(task.clone(), missing);
                             match compile(&ours)? {
                                 BuildResult::Program { executable, .. } => Some(executable),
-                                BuildResult::Refused { is_late: true, .. }
-                                    if self.stops_when_late =>
-                                {
+                                BuildResult::Refused { .. } if late.get() => {
                                     return Ok(Attempt::Late);
                                 }
                                 // The student's other answers need something that our answer
@@ -279,7 +283,7 @@ impl Compiler {
                         stop: Stop::default(),
                     }));
                 }
-                BuildResult::Refused { is_late: true, .. } if self.stops_when_late => {
+                BuildResult::Refused { .. } if late.get() => {
                     return Ok(Attempt::Late);
                 }
                 BuildResult::Refused { .. } if was_last => {
@@ -288,8 +292,11 @@ impl Compiler {
                 BuildResult::Refused { diagnostics, .. } => {
                     let mut blamed = blame::by_place(&diagnostics, submission, &replaced);
                     if blamed.is_empty() || is_last {
-                        blamed = blame::alone(submission, &replaced, compile)?
-                            .ok_or_else(|| blame::not_theirs(&diagnostics))?;
+                        blamed = match blame::alone(submission, &replaced, compile)? {
+                            _ if late.get() => return Ok(Attempt::Late),
+                            Some(blamed) => blamed,
+                            None => return Err(blame::not_theirs(&diagnostics)),
+                        };
                     }
                     replaced.extend(blamed);
                 }

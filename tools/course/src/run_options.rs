@@ -16,8 +16,8 @@ use crate::sandbox::Choice;
 /// The option that names an assignment.
 #[derive(Args, Default)]
 pub struct AssignmentOption {
-    /// The assignment, by name or folder [default: the one that the files or folders you name
-    /// belong to, else the one that the current folder belongs to, else this repository's default]
+    /// The assignment, by name or folder [default: the assignment that contains the files or folders
+    /// that you pass, else the one that contains the current folder, else this repository's default]
     #[arg(long = "assignment", value_name = "NAME")]
     pub name: Option<String>,
 }
@@ -71,8 +71,8 @@ impl SandboxOptions {
 /// How to run a submission's program.
 #[derive(Args)]
 pub struct RunOptions {
-    /// Stop a task or a scene after this many seconds, or sooner if the code gives no answer for a
-    /// fifteenth of that time (but at least 2 s)
+    /// Stop a task or a scene after this many seconds. It is also stopped if the code gives no
+    /// answer for a fifteenth of that time, or for 2 s if that is longer
     #[arg(long, value_name = "SECONDS", default_value_t = RunOptions::TIMEOUT,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,

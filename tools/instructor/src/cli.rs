@@ -211,16 +211,16 @@ pub struct Merge {
     pub json: bool,
 }
 
-/// Make stubs from the reference solution, or a whole repository for students
+/// Make stubs from the reference solution, or write a whole repository for students
 ///
 /// A stub is a copy of a reference file in which the body of each function that students write is
 /// `todo!`. Signatures and documentation stay.
 ///
 /// With --out, `handout` writes a repository for students: the stubs, the commands for students,
 /// the public scenes and their goldens, tests, a README and a workflow for GitHub. To use the
-/// repository, students need only Rust and a linker. It contains neither solutions nor the wrong
-/// answers by which `check` recognises mistakes. About scenes with `public = false`, it says only
-/// how many points they are worth together.
+/// repository, students need only Rust and a linker. The repository contains neither solutions nor
+/// the wrong answers that `check` uses to recognise mistakes. Of the scenes with `public = false`,
+/// it reveals only how many points they are worth in total.
 #[derive(Args)]
 #[command(group = ArgGroup::new("autograder").args(["gradescope", "prairielearn"]).multiple(true))]
 pub struct Handout {
@@ -232,35 +232,36 @@ pub struct Handout {
     /// Write nothing, and fail if the stubs in this repository don't match the reference
     #[arg(long, conflicts_with_all = ["out", "gradescope", "prairielearn"])]
     pub check: bool,
-    /// Write a repository for students to this folder, which must be new or empty unless you pass
+    /// Write a student repository to this folder, which must be new or empty unless you pass
     /// --force
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Put the sources of all dependencies into the repository, so that it builds without a network
+    /// Put the sources of all dependencies into the repository, so that it builds without network access
     #[arg(long, requires = "out")]
     pub vendor: bool,
-    /// Put the book from this folder into the repository; `pinhole book build` writes the student's
-    /// edition to book/build/student
+    /// Put the book from this folder into the repository. Pass book/build/student, where
+    /// `pinhole book build` writes the student edition
     #[arg(long, value_name = "DIR", requires = "out")]
     pub book: Option<PathBuf>,
-    /// Overwrite the files of an earlier run. With --out, nothing is written if somebody has
+    /// Overwrite files that an earlier run has written. With --out, nothing is written if somebody has
     /// changed one of these files since then; without --out, changes to the stubs are lost
     #[arg(long, conflicts_with = "check")]
     pub force: bool,
-    /// Write an autograder for Gradescope to this file. Keep it to yourself: it contains all
-    /// goldens and the reference solution
+    /// Write a Gradescope autograder to this file. Keep the file private: it contains all goldens
+    /// and the reference solution
     #[arg(long, value_name = "FILE.zip")]
     pub gradescope: Option<PathBuf>,
-    /// Write a PrairieLearn question and a Dockerfile for its grader to this folder, which must be
-    /// new or empty. Keep it to yourself: it contains all goldens and the reference solution
+    /// Write to this folder a PrairieLearn question and a Dockerfile for its grader. The folder must
+    /// be new or empty. Keep it private: it contains all goldens and the reference solution
     #[arg(long, value_name = "DIR")]
     pub prairielearn: Option<PathBuf>,
-    /// Let the autograder also ask the fresh questions in this folder, because public ones can be
-    /// memorised; `pinhole golden render --seed random --out DIR` draws new ones
+    /// Have the autograder also ask the questions in this folder, which students have never seen,
+    /// because public ones can be memorised. To make such a folder, run
+    /// `pinhole golden render --seed random --out DIR`
     #[arg(long, value_name = "DIR", requires = "autograder")]
     pub fresh: Option<PathBuf>,
-    /// How much the autograder shows about questions that students don't have: fresh ones, and
-    /// scenes with `public = false`
+    /// How much the autograder reveals about what students don't have: fresh questions, and scenes
+    /// with `public = false`
     #[arg(long, value_enum, default_value_t, requires = "autograder")]
     pub reveal: Reveal,
     /// Print one JSON document on standard output

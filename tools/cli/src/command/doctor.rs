@@ -166,20 +166,22 @@ fn space(root: &Path) -> Finding {
         "space",
         "to build in the folder `target`",
         found,
-        &format!("make room for {ENOUGH_SPACE} GB; `cargo clean` removes old builds"),
+        &format!(
+            "free disk space until there are {ENOUGH_SPACE} GB; `cargo clean` removes old builds"
+        ),
     )
 }
 
 /// Free space around a folder, in gigabytes.
 fn free_space(folder: &Path) -> std::result::Result<f64, String> {
     let output = Command::new("df").arg("-Pk").arg(folder).output();
-    let output = output.map_err(|error| format!("df does not start: {error}"))?;
+    let output = output.map_err(|error| format!("cannot start df: {error}"))?;
     let text = String::from_utf8_lossy(&output.stdout);
     let row = text.lines().nth(1).unwrap_or_default();
     let free = row.split_whitespace().nth(3).map(str::parse::<f64>);
     match free {
         Some(Ok(kilobytes)) => Ok(kilobytes * 1024.0 / 1e9),
-        _ => Err("df does not say how much space is free".into()),
+        _ => Err("df did not report how much space is free".into()),
     }
 }
 
@@ -208,7 +210,7 @@ fn sandbox(checkout: &Checkout) -> Finding {
         Err(error) => {
             let remedy = match are_user_namespaces_restricted() {
                 true => {
-                    "AppArmor keeps bubblewrap from making user namespaces: run `sudo sysctl \
+                    "AppArmor keeps bubblewrap from creating user namespaces: run `sudo sysctl \
                      kernel.apparmor_restrict_unprivileged_userns=0`, or give /usr/bin/bwrap a \
                      profile that allows `userns`"
                 }
@@ -235,18 +237,18 @@ fn landlock() -> Finding {
     let modules = fs::read_to_string("/sys/kernel/security/lsm");
     Finding::optional(
         "Landlock",
-        "by `--sandbox container`, to hide files; bubblewrap works without it",
+        "to hide files from code that runs with `--sandbox container`; bubblewrap works without it",
         match modules {
             Ok(modules) if modules.split(',').any(|name| name.trim() == "landlock") => {
                 Ok("the kernel has it".into())
             }
-            Ok(_) => Err("the kernel does not have it, or it is switched off".into()),
+            Ok(_) => Err("the kernel was built without it, or it is switched off".into()),
             Err(_) => Err(
-                "it is unknown whether the kernel has it: there is no /sys/kernel/security/lsm"
+                "cannot tell whether the kernel has it: there is no /sys/kernel/security/lsm"
                     .into(),
             ),
         },
-        "boot Linux 5.13 or newer with `lsm=landlock,…`",
+        "boot Linux 5.13 or newer, with `landlock` in the list of the kernel parameter `lsm=`",
     )
 }
 
@@ -302,7 +304,7 @@ fn first_line(command: &mut Command) -> CheckResult {
             Ok(text.lines().next().unwrap_or_default().to_owned())
         }
         Ok(output) => Err(format!("{name} fails: {}", output.status)),
-        Err(error) => Err(format!("{name} does not start: {error}")),
+        Err(error) => Err(format!("cannot start {name}: {error}")),
     }
 }
 
@@ -325,7 +327,7 @@ mod tests {
         assert!(
             found
                 .unwrap_err()
-                .starts_with("no-such-program does not start")
+                .starts_with("cannot start no-such-program")
         );
     }
 }

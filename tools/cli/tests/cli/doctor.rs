@@ -46,7 +46,7 @@ fn the_doctor_says_what_is_missing_what_it_is_for_and_how_to_get_it() {
     }
     let ran = pinhole_with(&nowhere, &["doctor"]).expect_code(3);
     assert!(
-        ran.out.contains("missing  linker    cc does not start"),
+        ran.out.contains("missing  linker    cannot start cc"),
         "{}",
         ran.out
     );
