@@ -95,7 +95,7 @@ impl<'a> Document<'a> {
         if n_x == 0 || n_y == 0 || n_x.saturating_mul(n_y) > MOST_PIXELS {
             return Err(self.source.error(
                 resolution.span(),
-                format!("a film of {n_x}×{n_y} pixels cannot be cast"),
+                format!("a film can't have {n_x}×{n_y} pixels"),
                 format!("use at least one column and one row, and at most {MOST_PIXELS} pixels"),
             ));
         }
@@ -123,7 +123,7 @@ impl<'a> Document<'a> {
             return Err(self.source.error(
                 number.span(),
                 format!("`min_t` is {value}, behind the eye"),
-                "give 0 (the eye) or more, in multiples of a ray's direction",
+                "give 0 (the eye) or more; `min_t` is measured in lengths of the ray's direction",
             ));
         }
         Ok(value)

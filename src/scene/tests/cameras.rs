@@ -55,7 +55,7 @@ fn a_film_has_at_least_one_pixel_and_fits_in_memory() {
         refused(
             resolution,
             &format!("resolution = ▶{bad}"),
-            "cannot be cast",
+            "a film can't have",
             "at least one column and one row",
         );
     }

@@ -232,10 +232,10 @@ mod tests {
         let records = BTreeMap::from([("one".to_owned(), record.into())]);
         let rows = marks::rows(&roll, &records);
         let mark = rows.own[0].mark.as_ref();
-        let said = mark_in_words(mark, Some("not counted, because two counts"));
+        let said = mark_in_words(mark, Some("not counted: the submission that counts is two"));
         assert_eq!(
             said,
-            "final mark: 75 of 100\n  −5: late by e-mail\nnot counted, because two counts\n"
+            "final mark: 75 of 100\n  −5: late by e-mail\nnot counted: the submission that counts is two\n"
         );
     }
 

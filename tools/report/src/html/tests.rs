@@ -170,6 +170,8 @@ fn a_scene_counts_a_belief_only_if_a_row_above_spelled_it_out() {
     let told = scenes(&[], &[belief("A.", 1.0)]);
     assert_eq!(told.matches("You may believe: “A.”").count(), 1, "{told}");
     assert_eq!(told.matches("the belief above about").count(), 1, "{told}");
+    // The second scene, which is explained already, gets no more lines.
+    assert_eq!(told.matches("worst pixel").count(), 1, "{told}");
 }
 
 #[test]

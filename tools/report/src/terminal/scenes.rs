@@ -35,7 +35,12 @@ fn scene_rows(
 ) {
     let points = (scene.points, scene.possible);
     row(text, &scene.name, width, points, scene_in_words(scene));
-    if let FilmOutcome::Judged(comparison) = &scene.outcome
+    // If beliefs that a row above has spelled out explain everything, there is no more to look for.
+    let mut beliefs = scene.diagnosis.beliefs.iter();
+    let is_explained = beliefs.any(|held| held.explained >= 1.0 && told.contains(&held.slug));
+    if is_explained {
+        scene_diagnosis(text, &scene.diagnosis, told);
+    } else if let FilmOutcome::Judged(comparison) = &scene.outcome
         && let Some((channel, mismatch)) = worst_pixel(&comparison.channels)
     {
         let rows = comparison

@@ -88,8 +88,9 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
             strangers,
         ),
         (
-            "with several submissions, but nothing says which is the last: no final mark; list the \
-             times (`times` in policy.toml), or grade only the submission that counts",
+            "with several submissions and no times that say which is the last, so there is no final \
+             mark; list the times (`times` in policy.toml), or grade only the submission that \
+             counts",
             true,
             open.undecided,
         ),
@@ -106,7 +107,7 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
                 open.unknown,
             ),
             true => (
-                "with no time of submission: counted as on time; list the times (`times` in \
+                "without a submission time, so counted as on time; list the times (`times` in \
                  policy.toml)",
                 true,
                 open.unknown,
@@ -237,7 +238,7 @@ fn give<'a>(
     }
     let why_not = match counts {
         None => "not counted, because nothing says whether it is the last".to_owned(),
-        Some(counts) => format!("not counted, because {} counts", counts.id),
+        Some(counts) => format!("not counted: the submission that counts is {}", counts.id),
     };
     let is_own = |row: &Row| row.person.map(|it| &it.id) == person.map(|it| &it.id);
     let mut has_row = false;

@@ -77,7 +77,10 @@ fn the_last_or_the_best_attempt_counts_and_each_person_has_one_mark() {
     let rows_of_last = rows(&last, &records);
     assert_eq!(finals(&rows_of_last), [("ada".into(), "two".into(), 55.0)]);
     let not_counted = rows_of_last.own[0].not_counted.as_deref();
-    assert_eq!(not_counted, Some("not counted, because two counts"));
+    assert_eq!(
+        not_counted,
+        Some("not counted: the submission that counts is two")
+    );
     let best = roll(entries(), &format!("attempts = 'best'\n{RULES}"), &[]);
     assert_eq!(
         finals(&rows(&best, &records)),
