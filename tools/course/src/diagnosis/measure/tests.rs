@@ -206,6 +206,20 @@ fn a_fixed_bound_is_reported_with_its_number() {
 }
 
 #[test]
+fn a_share_is_rounded_to_the_nearest_percent() {
+    let said = said(|question, right| {
+        let is_doubled = question.ray.direction.length() > 1.5;
+        let odd = right.t + question.ray.direction.x.sin() * question.ray.origin.z.cos();
+        let t = if is_doubled { 2.0 * right.t } else { odd };
+        Some(Intersection { t, ..right })
+    });
+    let doubled = (0..COUNT).filter(|it| question(*it).ray.direction.length() > 1.5);
+    let percent = (100.0 * doubled.count() as f64 / COUNT as f64).round();
+    let share = format!("in about {percent} % of the wrong ones, it is 2 times what it should be.");
+    assert!(said[0].ends_with(&share), "{said:?}");
+}
+
+#[test]
 fn single_precision_is_recognised_by_the_numbers_themselves() {
     let said = said(|_, right| {
         let t = f64::from((right.t * 1.5) as f32);

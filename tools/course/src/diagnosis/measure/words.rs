@@ -1,5 +1,6 @@
 //! Puts measurements into sentences.
 
+use pinhole::part::Quantity;
 use pinhole::words::number;
 
 use super::law::{AxisLaw, Law, PartLaw};
@@ -163,17 +164,18 @@ pub fn literal(literal: &Literal, sample: &Sample) -> String {
                 _ => name.to_owned(),
             }
         }
-        Literal::Below(k, bound) => bounded(sample, *k, "less", *bound),
-        Literal::Above(k, bound) => bounded(sample, *k, "more", *bound),
+        Literal::Below(k, bound) => bounded(sample.quantities[*k], "less", *bound),
+        Literal::Above(k, bound) => bounded(sample.quantities[*k], "more", *bound),
     }
 }
 
-fn bounded(sample: &Sample, k: usize, than: &str, bound: f64) -> String {
-    let quantity = sample.quantities[k];
+fn bounded(quantity: Quantity, than: &str, bound: f64) -> String {
     let name = quantity.name;
     match quantity.is_count {
         true if than == "more" => format!("{name} is {} or more", bound.ceil()),
         true => format!("{name} is {} or less", bound.floor()),
+        false if bound == 0.0 && than == "less" => format!("{name} is negative"),
+        false if bound == 0.0 => format!("{name} is positive"),
         false => format!("{name} is {than} than {}", number(bound, DIGITS)),
     }
 }
@@ -184,5 +186,23 @@ pub fn list(words: Vec<String>) -> String {
         [] => String::new(),
         [one] => one.clone(),
         [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bound_of_zero_is_told_as_a_sign() {
+        let discriminant = Quantity {
+            name: "the discriminant",
+            value: 1.0,
+            is_count: false,
+        };
+        let negative = "the discriminant is negative";
+        assert_eq!(bounded(discriminant, "less", 0.0), negative);
+        let positive = "the discriminant is positive";
+        assert_eq!(bounded(discriminant, "more", 0.0), positive);
     }
 }
