@@ -418,6 +418,26 @@ fn an_unknown_mistake_is_described_by_what_is_measured() {
     assert!(said.contains(place) && said.contains(why), "{said}");
 }
 
+#[test]
+fn no_scene_is_explained_by_a_belief_about_a_task_that_passes() {
+    // No question has more than six objects. In scenes with more, the last one that is met wins,
+    // as in a known mistake that fails the questions.
+    let last = "if objects.len() > 6 { return objects.iter().enumerate().rev().find_map(|(object, \
+                shape)| { let intersection = shape.intersect_ray(ray, min_t)?; Some(Hit { object, \
+                intersection }) }); }";
+    let text = with_body("first_hit", last);
+    let folder = submission(&trusted(), "many-objects", &[("first_hit.rs", &text)]);
+    let folder = folder.to_str().expect("a plain name");
+    let said = pinhole(&["check", folder, "--no-report"])
+        .expect_code(1)
+        .out;
+    assert!(
+        said.contains("✓ first_hit") && said.contains("✗ sphere_packing"),
+        "{said}"
+    );
+    assert!(!said.contains("You may believe"), "{said}");
+}
+
 /// The reference's answer, with some statements before its own.
 pub fn with_body(task: &str, statements: &str) -> String {
     let path = root()
