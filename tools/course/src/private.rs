@@ -4,13 +4,17 @@ use std::fs::{self, File};
 use std::io;
 use std::path::Path;
 
-/// A new file that nobody else on the machine can read.
+/// A new file, or an old one that is emptied, that nobody else on the machine can read.
 pub fn private_file(path: &Path) -> io::Result<File> {
     let mut options = File::options();
     options.write(true).create(true).truncate(true);
     #[cfg(unix)]
     std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
-    options.open(path)
+    let file = options.open(path)?;
+    // An old file keeps its mode.
+    #[cfg(unix)]
+    file.set_permissions(std::os::unix::fs::PermissionsExt::from_mode(0o600))?;
+    Ok(file)
 }
 
 /// Makes a folder private, so that nobody else on the machine can look inside.

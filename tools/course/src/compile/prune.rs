@@ -57,6 +57,7 @@ mod tests {
     fn nobody_else_can_hold_the_lock() {
         use std::os::unix::fs::PermissionsExt;
         let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join(".lock"), "").unwrap();
         let held = lock(folder.path()).unwrap();
         // A lock can be held by everybody who can open the file.
         assert_eq!(held.metadata().unwrap().permissions().mode() & 0o777, 0o600);

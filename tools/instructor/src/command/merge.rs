@@ -169,6 +169,7 @@ fn merged<'a>(
         }
         link(&report, &to.join("report.html"))?;
         link(&from.join("result.json"), &to.join("result.json"))?;
+        cache.forget_fault(id);
         merged = Some(Merged::new(record, entry));
     }
     if let Some(merged) = merged.as_ref().filter(|it| !it.record.is_graded()) {

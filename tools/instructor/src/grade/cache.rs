@@ -63,8 +63,13 @@ impl ResultCache {
         write(&place, pretty(evidence)?.as_bytes())?;
         write(&folder.join("report.html"), report.as_bytes())?;
         write(&folder.join("result.json"), pretty(record)?.as_bytes())?;
-        let _was_mended = fs::remove_file(folder.join("fault.json"));
+        self.forget_fault(&record.id);
         Ok(())
+    }
+
+    /// Forgets that grading a submission has failed, because it has a result now.
+    pub fn forget_fault(&self, id: &str) {
+        let _was_mended = fs::remove_file(self.of(id).join("fault.json"));
     }
 
     /// Stores a grade in which only the points have changed, and adds a note to the end of its

@@ -71,7 +71,7 @@ pub struct Timings {
     pub asking: f64,
     /// Writing the report.
     pub report: f64,
-    /// 1 if an answer exceeded its time limit, or was killed, while other submissions were graded,
+    /// 1 if an answer exceeded its time limit, or died, while other submissions were graded,
     /// and this submission was therefore graded again, alone.
     pub second_runs: u32,
 }

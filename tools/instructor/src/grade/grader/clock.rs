@@ -4,8 +4,8 @@
 //! Jobs run at the same time, and a busy machine must not cost students points. So if an answer or
 //! the compiler exceeds its limit while other submissions are graded, the whole submission is put
 //! off. When all others are done, it is graded again with nothing else running. Only what
-//! exceeds its limit then, too, has timed out. The same goes for a program that is killed, because
-//! the system does that when memory runs out.
+//! exceeds its limit then, too, has timed out. The same goes for a program that dies, because the
+//! system may have killed it for lack of memory, or the sandbox may not have started.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -159,7 +159,7 @@ impl<'a> SubmissionClock<'a> {
     pub fn late(&self) -> Error {
         self.late.store(true, Ordering::Relaxed);
         Error::environment(
-            "it exceeded its time limit, or was killed, while other submissions were graded",
+            "it exceeded its time limit, or died, while other submissions were graded",
             "grade the submission again, alone",
         )
     }
@@ -176,17 +176,14 @@ impl Clock for SubmissionClock<'_> {
     }
 
     /// Ends the examination if an answer exceeded its limit while other submissions were graded, or
-    /// was killed, because their use of memory may have been the reason.
+    /// its process died, because their use of the machine may have been the reason.
     /// [`was_late`](SubmissionClock::was_late) then returns true.
     fn check(&self, reply: &Reply) -> Result<()> {
-        let is_late = match &reply.ending {
-            Ending::TimedOut(_) | Ending::OutOfTime(_) => true,
-            Ending::Died(death) => death.may_be_kill(),
-            _ => false,
-        };
-        match is_late && !self.alone {
-            true => Err(self.late()),
-            false => Ok(()),
+        match reply.ending {
+            Ending::TimedOut(_) | Ending::OutOfTime(_) | Ending::Died(_) if !self.alone => {
+                Err(self.late())
+            }
+            _ => Ok(()),
         }
     }
 }
@@ -215,21 +212,25 @@ mod tests {
     }
 
     #[test]
-    fn only_a_kill_beside_other_submissions_may_be_their_fault() {
+    fn only_a_death_beside_other_submissions_may_be_their_fault() {
         let pace = Pace {
             least: Duration::from_secs(5),
             took: BTreeMap::new(),
             all: Duration::ZERO,
         };
-        let reply = |death| Reply::unasked(&Job::Films(Vec::new()), Ending::Died(death));
-        for killed in [Death::Signal(9), Death::Exit(137)] {
+        let reply = |ending| Reply::unasked(&Job::Films(Vec::new()), ending);
+        for killed in [Death::Signal(9), Death::Exit(1)] {
             let beside = SubmissionClock::new(&pace, false);
-            assert!(beside.check(&reply(killed.clone())).is_err());
+            assert!(beside.check(&reply(Ending::Died(killed.clone()))).is_err());
             assert!(beside.was_late());
             let alone = SubmissionClock::new(&pace, true);
-            assert!(alone.check(&reply(killed)).is_ok());
+            assert!(alone.check(&reply(Ending::Died(killed))).is_ok());
         }
-        let crashed = SubmissionClock::new(&pace, false);
-        assert!(crashed.check(&reply(Death::Signal(11))).is_ok());
+        let garbled = SubmissionClock::new(&pace, false);
+        assert!(
+            garbled
+                .check(&reply(Ending::Garbled(String::new())))
+                .is_ok()
+        );
     }
 }

@@ -160,6 +160,12 @@ fn shards_merge_to_the_grades_of_one_run() {
         .expect_code(1)
         .expect_out("changed: dora: ");
 
+    // A merged mark replaces the fault of an earlier attempt to grade again.
+    let fault = class.folder.join("merged/submissions/dora/fault.json");
+    fs::write(&fault, "{}").expect("writable");
+    on_small_assignment(&["merge", &one, &two, &wrong, "--out", &merged]).expect_code(1);
+    assert!(!fault.exists());
+
     // A merge does not replace another class.
     class.hand_in("zed", &[]);
     class.grade("other", &["--shard", "1/9"]);
