@@ -1,4 +1,5 @@
-//! Files and folders that nobody else on the machine can read or lock.
+//! Files and folders that nobody else on the machine can read or lock, and some that others must
+//! read.
 
 use std::fs::{self, File};
 use std::io;
@@ -26,5 +27,20 @@ pub fn make_private(folder: &Path) -> io::Result<()> {
     }
     #[cfg(not(unix))]
     let _nobody_else_is_here = folder;
+    Ok(())
+}
+
+/// Allows at least this mode, whatever umask the path was made with, because a sandbox may run as
+/// another user.
+#[cfg_attr(not(unix), expect(unused_variables))]
+pub fn allow(path: &Path, mode: u32) -> io::Result<()> {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        let own = fs::metadata(path)?.permissions().mode();
+        if own & mode != mode {
+            return fs::set_permissions(path, PermissionsExt::from_mode(own | mode));
+        }
+    }
     Ok(())
 }

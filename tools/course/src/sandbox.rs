@@ -149,12 +149,6 @@ impl Sandbox {
         choice: Choice,
         secrets: &[PathBuf],
     ) -> Result<Sandbox> {
-        // The sandbox's user id must be able to read sources and libraries, whatever the grader's
-        // umask. Files that nobody else may read get their own mode.
-        #[cfg(target_os = "linux")]
-        if choice != Choice::None {
-            rustix::process::umask(rustix::fs::Mode::from_raw_mode(0o022));
-        }
         match choice {
             Choice::None => Ok(Sandbox::Trusted),
             Choice::Auto | Choice::Bubblewrap => Sandbox::bubblewrap(checkout, what, secrets),

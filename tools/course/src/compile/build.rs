@@ -12,6 +12,7 @@ use super::blame::{self, Diagnostic};
 use super::harness::Harness;
 use super::prune;
 use crate::error::{Error, Result, ResultExt};
+use crate::private::allow;
 use crate::sandbox::{CommandResult, Limits, Sandbox};
 use crate::timings::timed;
 
@@ -83,9 +84,16 @@ pub fn build(
     let (src, out) = (fresh.join("src"), fresh.join("out"));
     fs::create_dir_all(&out)
         .and_then(|()| fs::create_dir_all(&src))
+        .and_then(|()| allow(programs, 0o711))
         .or_fail(&failed)?;
+    for folder in [&fresh, &src, &out] {
+        allow(folder, 0o755).or_fail(&failed)?;
+    }
     for (name, text) in sources {
-        fs::write(src.join(name), text).or_fail(&failed)?;
+        let file = src.join(name);
+        fs::write(&file, text)
+            .and_then(|()| allow(&file, 0o644))
+            .or_fail(&failed)?;
     }
     let limits = sandbox.within_budget(&Limits::of_compiler());
     let not_started = Error::environment("cannot start rustc", "install Rust from rustup.rs");
@@ -97,6 +105,8 @@ pub fn build(
     if finished.status.success() && is_program(&out.join(PROGRAM)) {
         fs::rename(out.join(PROGRAM), fresh.join(PROGRAM))
             .and_then(|()| fs::remove_dir_all(&out))
+            // Nobody else should find the answers here later.
+            .and_then(|()| fs::remove_dir_all(&src))
             .and_then(|()| sandbox.seal(&fresh, &fresh.join(PROGRAM)))
             .or_fail(&failed)?;
         fs::write(fresh.join(WARNINGS), &finished.stderr).or_fail(&failed)?;

@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
+use crate::private::allow;
 use crate::progress::patiently;
 use crate::rust_tool::rust_tool;
 
@@ -187,30 +188,18 @@ fn fill(folder: &Path, libraries: &[(String, PathBuf)]) -> Result<()> {
         // A link costs nothing and keeps the old content when cargo writes a new file.
         fs::hard_link(library, &copy)
             .or_else(|_| fs::copy(library, &copy).map(|_| ()))
-            .and_then(|()| open(&copy, 0o644))
+            .and_then(|()| allow(&copy, 0o644))
             .or_fail(&failed)?;
     }
-    open(&fresh, 0o755).or_fail(&failed)?;
+    let around = folder.parent().unwrap_or(folder);
+    allow(&fresh, 0o755)
+        .and_then(|()| allow(around, 0o711))
+        .or_fail(&failed)?;
     match fs::rename(&fresh, folder) {
         // Another command has made the same folder in the meantime.
         Err(_) if folder.is_dir() => fs::remove_dir_all(&fresh).or_fail(&failed),
         renamed => renamed.or_fail(&failed),
     }
-}
-
-/// Lets everybody read this, because a sandbox may run as another user. Cargo made it with whatever
-/// umask it had.
-#[cfg_attr(not(unix), expect(unused_variables))]
-fn open(path: &Path, mode: u32) -> std::io::Result<()> {
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        let permissions = fs::metadata(path)?.permissions();
-        if permissions.mode() & mode != mode {
-            return fs::set_permissions(path, fs::Permissions::from_mode(mode));
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]
