@@ -236,7 +236,8 @@ pub struct Handout {
     /// --force
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Put the sources of all dependencies into the repository, so that it builds without network access
+    /// Put the sources of all dependencies into the repository, so that it builds without network
+    /// access
     #[arg(long, requires = "out")]
     pub vendor: bool,
     /// Put the book from this folder into the repository. Pass book/build/student, where

@@ -291,8 +291,11 @@ impl Scratch {
                     .metadata()
                     .is_ok_and(|it| it.is_dir() && it.uid() == 0)
             };
-            let lock = File::open(entry.path().join(LOCK));
-            let is_free = || lock.is_ok_and(|lock| lock.try_lock().is_ok());
+            // Open it only in a folder of ours. Elsewhere it could be a FIFO, which never opens.
+            let is_free = || {
+                let lock = File::open(entry.path().join(LOCK));
+                lock.is_ok_and(|lock| lock.try_lock().is_ok())
+            };
             if is_scratch && is_own() && is_free() {
                 let _tried_again_next_time = fs::remove_dir_all(entry.path());
             }
@@ -328,6 +331,11 @@ mod tests {
         let [held, _left] =
             [used, left].map(|folder| File::create(folder.join(LOCK)).expect("there is room"));
         held.lock().expect("nobody else has it");
+        // Nobody writes to this FIFO, so opening it would take for ever.
+        let foreign = parent.path().join("foreign");
+        fs::create_dir(&foreign).expect("there is room");
+        let mkfifo = Command::new("mkfifo").arg(foreign.join(LOCK)).status();
+        assert!(mkfifo.expect("it is installed").success());
         Scratch::remove_left_behind(parent.path());
         // Only root has scratch folders.
         let is_root = rustix::process::getuid().is_root();

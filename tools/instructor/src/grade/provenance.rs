@@ -49,8 +49,8 @@ pub struct GradingInputs {
     /// The hash of the fresh goldens' manifest.
     pub fresh: Option<String>,
     /// The hash of tasks, groups and scenes, without their points, of the handout's files, and, if
-    /// an answer to an earlier assignment is judged, of that assignment's goldens. If only points change, marks are
-    /// computed again from stored outcomes.
+    /// an answer to an earlier assignment is judged, of that assignment's goldens. If only points
+    /// change, marks are computed again from stored outcomes.
     pub assignment: String,
     pub tool: Tool,
     /// The sandbox that the student's code ran in.

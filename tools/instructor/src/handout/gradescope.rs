@@ -3,7 +3,6 @@
 //! It contains every golden and our answers, so it is for instructors only and never part of a
 //! student's repository.
 
-use std::fs::File;
 use std::io::Write;
 use std::path::Path;
 use std::time::Duration;
@@ -22,6 +21,7 @@ use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::manifest::Manifest;
+use pinhole_course::private::private_file;
 
 /// Gradescope runs the first when it builds the container's image, and the second for each
 /// submission. The third is for people who unpack the archive.
@@ -69,7 +69,7 @@ pub fn write(
     let mut name = path.as_os_str().to_owned();
     name.push(format!(".new{}", std::process::id()));
     let fresh = Path::new(&name);
-    let mut archive = ZipWriter::new(File::create(fresh).or_fail(&failed)?);
+    let mut archive = ZipWriter::new(private_file(fresh).or_fail(&failed)?);
     let mut files = 0;
     for (name, bytes, mode) in recipe.chain(course) {
         // Films are compressed already, and sources are small.

@@ -15,6 +15,7 @@ use crate::grade::redact::Reveal;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
+use pinhole_course::private::make_private;
 
 const DOCKERFILE: &str = include_str!("../../templates/handout/prairielearn/Dockerfile");
 const RUN: &str = include_str!("../../templates/handout/prairielearn/run.sh");
@@ -39,13 +40,19 @@ pub fn write(
     let course = gradescope::course(assignment, checkout, fresh, reveal)?;
     let course = course.into_iter();
     files.extend(course.map(|(name, bytes)| (format!("image/pinhole/{name}"), bytes)));
+    let failed = |path: &Path| {
+        Error::environment(
+            format!("cannot write {}", path.display()),
+            "free some disk space, and check that the folder can be written",
+        )
+    };
+    fs::create_dir_all(out)
+        .and_then(|()| make_private(out))
+        .or_fail(&failed(out))?;
     let mut bytes = 0;
     for (name, content) in &files {
         let path = out.join(name);
-        let failed = Error::environment(
-            format!("cannot write {}", path.display()),
-            "free some disk space, and check that the folder can be written",
-        );
+        let failed = failed(&path);
         let folder = path.parent().unwrap_or(out);
         fs::create_dir_all(folder).or_fail(&failed)?;
         fs::write(&path, content).or_fail(&failed)?;

@@ -99,7 +99,7 @@ pub fn judge(validator: &Validator, named: &str, all: bool) -> Result<Option<Pai
         let listed = pairs.iter_mut().find(|pair| pair.beliefs == beliefs);
         let listed = listed.ok_or_else(|| {
             Error::input(
-                format!("{FILE}: there is no pair {}", beliefs.join(" + ")),
+                format!("{FILE}: {} are not a pair", beliefs.join(" and ")),
                 "name two beliefs in the file's order whose edits change different places",
             )
         })?;

@@ -35,7 +35,7 @@ fn scene_rows(
 ) {
     let points = (scene.points, scene.possible);
     row(text, &scene.name, width, points, scene_in_words(scene));
-    // If beliefs that a row above has spelled out explain everything, there is no more to look for.
+    // Leave out the channels if a belief from a row above explains all that is wrong here.
     let mut beliefs = scene.diagnosis.beliefs.iter();
     let is_explained = beliefs.any(|held| held.explained >= 1.0 && told.contains(&held.slug));
     if is_explained {

@@ -88,8 +88,8 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
             strangers,
         ),
         (
-            "with several submissions and no times that say which is the last, so there is no final \
-             mark; list the times (`times` in policy.toml), or grade only the submission that \
+            "with several submissions, but it is not known when they were handed in, so there is no \
+             final mark; list the times (`times` in policy.toml), or grade only the submission that \
              counts",
             true,
             open.undecided,
