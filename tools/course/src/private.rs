@@ -30,6 +30,18 @@ pub fn make_private(folder: &Path) -> io::Result<()> {
     Ok(())
 }
 
+/// Whether nobody else on the machine can read a folder. False if it isn't there.
+#[cfg_attr(not(unix), expect(unused_variables))]
+pub fn is_private(folder: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        let mode = |it: fs::Metadata| std::os::unix::fs::PermissionsExt::mode(&it.permissions());
+        fs::metadata(folder).is_ok_and(|it| mode(it) & 0o077 == 0)
+    }
+    #[cfg(not(unix))]
+    true
+}
+
 /// Allows at least this mode, whatever umask the path was made with, because a sandbox may run as
 /// another user.
 #[cfg_attr(not(unix), expect(unused_variables))]

@@ -19,7 +19,8 @@ use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
 use pinhole_course::mitsuba::{self, RenderResult};
-use pinhole_course::private::make_private;
+use pinhole_course::private::{is_private, make_private};
+use pinhole_course::shell::in_shell;
 use pinhole_course::progress::Progress;
 use pinhole_course::run_options::AssignmentOption;
 use pinhole_course::seed::Seed;
@@ -144,20 +145,29 @@ pub fn make(
     for scene in &scenes {
         Scene::read(scene)?;
     }
+    let cannot_make = Error::input(
+        format!("cannot make {}", folder.display()),
+        "name a folder you may write to",
+    );
+    fs::create_dir_all(&folder).or_fail(&cannot_make)?;
     // Nobody may read fresh questions before they are asked.
-    let is_secret = arguments.out.is_some() && arguments.seed.is_some();
-    fs::create_dir_all(&folder)
-        .and_then(|()| {
-            if is_secret {
-                make_private(&folder)
-            } else {
-                Ok(())
-            }
-        })
-        .or_input(
-            format_args!("cannot make {}", folder.display()),
-            "name a folder you may write to",
-        )?;
+    if arguments.out.is_some() && arguments.seed.is_some() {
+        let mut entries = fs::read_dir(&folder).or_fail(&cannot_make)?;
+        if entries.next().is_none() {
+            make_private(&folder).or_fail(&cannot_make)?;
+        } else if !is_private(&folder) {
+            return Err(Error::input(
+                format!(
+                    "{} is not empty, and others on this machine can read it",
+                    folder.display()
+                ),
+                format!(
+                    "name a new folder with --out, or close this one: chmod go-rwx {}",
+                    in_shell(&folder.display().to_string())
+                ),
+            ));
+        }
+    }
 
     let progress = Progress::new();
     progress.say("Mitsuba");

@@ -19,6 +19,10 @@ const EXACT: f64 = 0.99;
 /// If a smaller share of a film's pixels than this disagrees, rounding may be the reason.
 const FEW: f64 = 0.01;
 
+/// A belief is held in one branch of the code only if, for each right film in which it would show,
+/// there are at least this many wrong ones.
+const BRANCH: usize = 4;
+
 /// If more beliefs than this are possible, none is named, because a long list is no help.
 const MOST_ALIKE: usize = 3;
 
@@ -59,8 +63,9 @@ impl KnownMistakes {
         if !has_values {
             return Diagnosis::default();
         }
-        let held =
-            parts::partial(films, &candidates).or_else(|| pixels::likely(films, &candidates));
+        let held = parts::partial(films, &candidates)
+            .or_else(|| pixels::likely(films, &candidates))
+            .or_else(|| in_one_branch(films, &candidates));
         let explained = |slug: &str| Sum::of(films, slug).explained();
         let held = held.unwrap_or_default().into_iter();
         let beliefs = held.filter_map(|slug| self.explanation(slug, explained(slug)));
@@ -82,9 +87,24 @@ impl KnownMistakes {
     }
 }
 
+/// The only belief that predicts all that is wrong, if it shows in few other films. Code has
+/// branches, such as that for orthographic cameras, and the student holds the belief in one only.
+fn in_one_branch<'a>(films: &[Evidence], candidates: &[&'a str]) -> Option<Vec<&'a str>> {
+    let (wrong, right): (Vec<&Evidence>, Vec<&Evidence>) =
+        films.iter().partition(|film| film.failing > 0);
+    let shows = |slug: &str, film: &Evidence| film.agreement(slug).predicted > 0.0;
+    let holds = |slug: &str| {
+        let others = right.iter().filter(|film| shows(slug, film)).count();
+        others * BRANCH <= wrong.len() && Sum::of(wrong.iter().copied(), slug).agreement() >= EXACT
+    };
+    let mut held = candidates.iter().copied().filter(|slug| holds(slug));
+    let only = held.next()?;
+    held.next().is_none().then(|| vec![only])
+}
+
 /// Whether a belief predicts a whole film, its right pixels and its wrong ones.
 fn explains(slug: &str, film: &Evidence) -> bool {
-    let sum = Sum::of(std::slice::from_ref(film), slug);
+    let sum = Sum::of([film], slug);
     sum.agreement() >= ENOUGH || sum.apart <= FEW
 }
 
@@ -105,7 +125,7 @@ struct Sum {
 }
 
 impl Sum {
-    fn of(films: &[Evidence], belief: &str) -> Sum {
+    fn of<'a>(films: impl IntoIterator<Item = &'a Evidence<'a>>, belief: &str) -> Sum {
         let mut sum = Sum::default();
         for film in films {
             let share = 1.0 / film.pixels.max(1) as f64;

@@ -127,6 +127,16 @@ fn a_film_that_shows_half_of_a_mistake_gets_no_name() {
 }
 
 #[test]
+fn belief_that_holds_in_one_branch_is_named_if_it_shows_in_few_others() {
+    let (late, right) = (late(0.5), late(0.0));
+    let known: [(&str, &[&Film]); 1] = [("late", &[&late; 5])];
+    let most = diagnosis(&known, &[&late, &late, &late, &late, &right]);
+    assert_eq!(names(&most), ["late"]);
+    let fewer = diagnosis(&known, &[&late, &late, &late, &right, &right]);
+    assert!(fewer.is_empty());
+}
+
+#[test]
 fn right_film_gets_no_diagnosis() {
     assert!(diagnosis(&[("late", &[&late(0.5)])], &[&film(right)]).is_empty());
 }

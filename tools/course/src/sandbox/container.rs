@@ -94,8 +94,11 @@ impl Container {
 
     /// See [`Sandbox::new_instance`](super::Sandbox::new_instance).
     pub fn new_instance(&self, whole: Duration) -> Result<Container> {
+        let uid = UserId::reserve()?;
+        // A grader that had this user id may have been killed since we started.
+        Scratch::remove_left_behind(&std::env::temp_dir());
         Ok(Container {
-            uid: UserId::reserve()?,
+            uid,
             budget: Budget::of(whole),
             ..self.clone()
         })

@@ -156,19 +156,9 @@ fn merged<'a>(
                 .extend(Change::between(&record, &merged.record));
             continue;
         }
-        let report = from.join("report.html");
-        if !report.is_file() {
-            return Err(Error::input(
-                format!("there is no report in {}", from.display()),
-                "grade that part again",
-            ));
+        if !put_in_place(&record, part.folder, &from, cache)? {
+            return self::merged(id, parts, cache, made_with);
         }
-        let evidence = Evidence::file(id);
-        if part.folder.join(&evidence).is_file() {
-            link(&part.folder.join(&evidence), &cache.path(&evidence))?;
-        }
-        link(&report, &to.join("report.html"))?;
-        link(&from.join("result.json"), &to.join("result.json"))?;
         cache.forget_fault(id);
         merged = Some(Merged::new(record, entry));
     }
@@ -176,6 +166,35 @@ fn merged<'a>(
         write_unflushed(&to.join("result.json"), pretty(&merged.record)?.as_bytes())?;
     }
     Ok(merged)
+}
+
+/// Puts the files of a part's result into the merged class. False if the part has stored another
+/// result meanwhile.
+fn put_in_place(record: &Record, part: &Path, from: &Path, cache: &ResultCache) -> Result<bool> {
+    let to = cache.of(&record.id);
+    // If this process is killed meanwhile, no result is beside another one's report.
+    let _is_first = fs::remove_file(to.join("result.json"));
+    let report = from.join("report.html");
+    if !report.is_file() {
+        return Err(Error::input(
+            format!("there is no report in {}", from.display()),
+            "grade that part again",
+        ));
+    }
+    let evidence = Evidence::file(&record.id);
+    match part.join(&evidence).is_file() {
+        true => link(&part.join(&evidence), &cache.path(&evidence))?,
+        false => {
+            let _of_an_earlier_result = fs::remove_file(cache.path(&evidence));
+        }
+    }
+    link(&report, &to.join("report.html"))?;
+    let result = from.join("result.json");
+    if !result.is_file() {
+        return Ok(false);
+    }
+    link(&result, &to.join("result.json"))?;
+    Ok(cache.get(&record.id).as_ref() == Some(record))
 }
 
 /// The parts, and the roll of the class, on which all of them must agree.
@@ -215,4 +234,28 @@ fn read(shards: &[PathBuf]) -> Result<(Roll, Vec<Part<'_>>)> {
     let common =
         common.ok_or_else(|| Error::input("no part has results", "name the parts' --out folders"));
     Ok((common?, parts))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grade::cache::write;
+    use crate::grade::record::tests::graded;
+
+    #[test]
+    fn result_that_a_part_has_replaced_is_not_merged() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let part = folder.path().join("part");
+        let from = part.join("submissions/ada");
+        let cache = ResultCache::open(&folder.path().join("merged")).expect("it is new");
+        let (old, new) = (graded("ada", 0, 1), graded("ada", 1, 1));
+        write(&from.join("report.html"), b"new").expect("there is room");
+        let merge = |record: &Record| put_in_place(record, &part, &from, &cache);
+        // The part is storing its new result.
+        assert!(!merge(&old).expect("there is room"));
+        let text = pretty(&new).expect("JSON");
+        write(&from.join("result.json"), text.as_bytes()).expect("there is room");
+        assert!(!merge(&old).expect("there is room"));
+        assert!(merge(&new).expect("there is room"));
+    }
 }

@@ -56,13 +56,26 @@ impl ResultCache {
         read(&self.of(id).join("result.json")).filter(Record::is_graded)
     }
 
-    /// Stores a finished grade. The report is written first, so that a result is always complete.
+    /// Stores a finished grade. If this process is killed meanwhile, either the old grade is there
+    /// or the new one, or none: a result is never beside another grade's report.
     pub fn put(&self, record: &Record, report: &str, evidence: &Evidence) -> Result<()> {
         let folder = self.of(&record.id);
-        let place = self.path(&Evidence::file(&record.id));
-        write(&place, pretty(evidence)?.as_bytes())?;
-        write(&folder.join("report.html"), report.as_bytes())?;
-        write(&folder.join("result.json"), pretty(record)?.as_bytes())?;
+        let result = folder.join("result.json");
+        let files = [
+            (self.path(&Evidence::file(&record.id)), pretty(evidence)?),
+            (folder.join("report.html"), report.into()),
+            (result.clone(), pretty(record)?),
+        ];
+        for (path, content) in &files {
+            write_beside(path, content.as_bytes())?;
+        }
+        let _is_first = fs::remove_file(&result);
+        flush_folder(&result)?;
+        for (path, _) in &files {
+            fs::rename(beside(path), path)
+                .or_fail(&cannot_write(path))
+                .and_then(|()| flush_folder(path))?;
+        }
         self.forget_fault(&record.id);
         Ok(())
     }
@@ -160,7 +173,7 @@ const NOTE: &str = "<p role=\"note\">";
 
 /// Replaces a file by a copy of it, because a merge may have linked it to a file of a part.
 fn unshare(path: &Path) -> std::io::Result<()> {
-    put_file(path, |beside| fs::copy(path, beside).map(drop))
+    replace(path, |beside| fs::copy(path, beside).map(drop))
 }
 
 /// Writes a note to the end of a report, replacing an earlier one.
@@ -187,11 +200,25 @@ pub fn pretty(value: &impl serde::Serialize) -> Result<String> {
 
 /// Writes a file atomically: beside its place, flushed to disk, then renamed.
 pub fn write(path: &Path, content: &[u8]) -> Result<()> {
-    put(path, |beside| {
-        let mut file = private_file(beside)?;
+    write_beside(path, content)?;
+    fs::rename(beside(path), path)
+        .or_fail(&cannot_write(path))
+        .and_then(|()| flush_folder(path))
+}
+
+/// Writes a new version beside a file, and flushes it to disk.
+fn write_beside(path: &Path, content: &[u8]) -> Result<()> {
+    let write = || {
+        fs::create_dir_all(folder_of(path))?;
+        let mut file = private_file(&beside(path))?;
         file.write_all(content)?;
         file.sync_all()
-    })?;
+    };
+    write().or_fail(&cannot_write(path))
+}
+
+/// Makes what was renamed in a file's folder permanent.
+fn flush_folder(path: &Path) -> Result<()> {
     #[cfg(unix)]
     File::open(folder_of(path))
         .and_then(|folder| folder.sync_all())
@@ -201,7 +228,7 @@ pub fn write(path: &Path, content: &[u8]) -> Result<()> {
 
 /// Writes a file atomically, but without waiting for the disk. For files that can be made again.
 pub fn write_unflushed(path: &Path, content: &[u8]) -> Result<()> {
-    put(path, |beside| private_file(beside)?.write_all(content))
+    replace(path, |beside| private_file(beside)?.write_all(content)).or_fail(&cannot_write(path))
 }
 
 /// Puts a file in a second place, as a link, or as a copy where links don't work.
@@ -212,18 +239,19 @@ pub fn link(from: &Path, to: &Path) -> Result<()> {
         .or_fail(&cannot_write(to))
 }
 
-/// Lets `make` write a file beside its final place, and then renames it.
-fn put(path: &Path, make: impl FnOnce(&Path) -> std::io::Result<()>) -> Result<()> {
-    put_file(path, make).or_fail(&cannot_write(path))
-}
-
-fn put_file(path: &Path, make: impl FnOnce(&Path) -> std::io::Result<()>) -> std::io::Result<()> {
-    let mut beside = path.as_os_str().to_owned();
-    beside.push(".new");
-    let beside = PathBuf::from(beside);
+/// Calls `make` to write a new version beside a file, and then puts it in place.
+fn replace(path: &Path, make: impl FnOnce(&Path) -> std::io::Result<()>) -> std::io::Result<()> {
+    let beside = beside(path);
     fs::create_dir_all(folder_of(path))
         .and_then(|()| make(&beside))
         .and_then(|()| fs::rename(&beside, path))
+}
+
+/// The path of a file's new version.
+fn beside(path: &Path) -> PathBuf {
+    let mut beside = path.as_os_str().to_owned();
+    beside.push(".new");
+    beside.into()
 }
 
 fn folder_of(path: &Path) -> &Path {
@@ -256,6 +284,29 @@ mod tests {
             let now = fs::read_to_string(&report).expect("it is there");
             assert_eq!(now, format!("{page}{note}"));
         }
+    }
+
+    #[test]
+    fn no_result_is_beside_another_grades_report() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let cache = ResultCache::open(folder.path()).expect("it is new");
+        let record = graded("ada", 1, 1);
+        let evidence = Evidence {
+            id: "ada".into(),
+            public: record.got.clone(),
+            fresh: None,
+            fresh_folder: None,
+            answers: Default::default(),
+        };
+        cache.put(&record, "first", &evidence).expect("there is room");
+        assert_eq!(cache.get("ada"), Some(record.clone()));
+        // Storing the second grade ends early, because its report can't be put in place.
+        let report = cache.of("ada").join("report.html");
+        fs::remove_file(&report).expect("it is there");
+        fs::create_dir(&report).expect("there is room");
+        let failed = cache.put(&graded("ada", 0, 1), "second", &evidence);
+        assert!(failed.is_err());
+        assert_eq!(cache.get("ada"), None);
     }
 
     #[test]

@@ -160,8 +160,11 @@ fn shards_merge_to_the_grades_of_one_run() {
         .expect_code(1)
         .expect_out("changed: dora: ");
 
-    // A merged mark replaces the fault of an earlier attempt to grade again.
+    // A merged mark replaces the fault of an earlier attempt to grade again, and the evidence for an
+    // earlier mark.
     let fault = class.folder.join("merged/submissions/dora/fault.json");
+    let evidence = |out: &str| class.folder.join(out).join("evidence/dora.json");
+    fs::remove_file(evidence("2-2")).expect("it was graded");
     fs::write(&fault, "{}").expect("writable");
     on_small_assignment(&["merge", &one, &two, &wrong, "--out", &merged]).expect_code(1);
     assert!(!fault.exists());
