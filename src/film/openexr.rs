@@ -25,8 +25,7 @@ const MOST_SAMPLES: usize = 1 << 28;
 const MOST_COMPRESSION: usize = 1100;
 
 pub(super) fn read(path: &Path) -> Result<Film, Error> {
-    let remedy =
-        "write an OpenEXR file of 32-bit float channels; see \"Scene and film files\" in the book";
+    let remedy = "write an OpenEXR file with 32-bit float channels; see \"Scene and film files\" in the book";
     let refuse = |problem: String| Error::new(path, problem, remedy);
 
     // Reading a pipe or a device might never end.
@@ -74,7 +73,7 @@ pub(super) fn read(path: &Path) -> Result<Film, Error> {
         let name = channel.name.to_string();
         if (channel.sampling.x(), channel.sampling.y()) != (1, 1) {
             return Err(refuse(format!(
-                "channel `{name}` has fewer samples than pixels"
+                "channel `{name}` has fewer samples than the film has pixels"
             )));
         }
         let FlatSamples::F32(samples) = channel.sample_data else {
@@ -100,7 +99,7 @@ fn decode(bytes: &[u8]) -> Result<OneLayer, String> {
     let samples = size.area().saturating_mul(header.channels.list.len());
     if samples > MOST_SAMPLES || samples.saturating_mul(4) / MOST_COMPRESSION > bytes.len() {
         return Err(format!(
-            "the file claims {}×{} pixels of {} channels, which it cannot hold",
+            "the file claims to have {}×{} pixels with {} channels, but is too small to hold them",
             size.x(),
             size.y(),
             header.channels.list.len(),

@@ -123,7 +123,7 @@ impl<'a> Document<'a> {
             return Err(self.source.error(
                 number.span(),
                 format!("`min_t` is {value}, behind the eye"),
-                "give 0 (the eye) or more; `min_t` is measured in lengths of the ray's direction",
+                "use 0 (the eye) or more; `min_t` is measured in multiples of the direction vector's length",
             ));
         }
         Ok(value)

@@ -48,7 +48,7 @@ enum Command {
         #[arg(long, value_enum, value_name = "PART")]
         only: Vec<Part>,
     },
-    /// Run the commands of book/commands.toml, and save what they print
+    /// Run the commands in book/commands.toml, and save what they print
     Capture {
         /// The names of the commands [default: all]
         ids: Vec<String>,

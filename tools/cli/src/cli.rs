@@ -8,7 +8,7 @@ use pinhole_course::run_options::{AssignmentOption, RunOptions, resolution};
 
 /// Computer graphics assignments, judged by comparing answers with those of the renderer Mitsuba.
 ///
-/// To begin, run `cargo pinhole check --watch` and write your answers in the folder `handout/src`
+/// To begin, run `cargo pinhole check --watch` and write your answers in the `handout/src` folder
 /// of the assignment. Each answer is judged when you save it.
 ///
 /// Exit codes: 0 if everything is right; 1 if an answer is wrong; 2 if a file or an argument is
@@ -59,8 +59,8 @@ impl Command {
 ///
 /// An answer is the code that you write for one task. Each task has several groups of questions.
 /// What your code returns is compared with what the renderer Mitsuba returns. Then all your answers
-/// together render every scene as a film, and your film is compared with Mitsuba's. For each pixel,
-/// a film holds the object that the ray hits, the ray's parameter t at the hit, and the surface
+/// are used together to render each scene as a film, which is compared with Mitsuba's. For each
+/// pixel, a film holds the object that the ray hits, the ray's parameter t at the hit, and the surface
 /// normal there. For each group and scene that fails, you see what was asked, what was expected and
 /// what your code returned.
 ///
@@ -74,11 +74,11 @@ impl Command {
 /// compiled and run in a sandbox.
 ///
 /// `check` also writes a report, an HTML file with hints. For every scene that fails, the report
-/// shows the expected picture and yours. Click a pixel there to see both answers.
+/// shows the expected picture and yours. Click a pixel there to see what both returned.
 #[derive(Args)]
 pub struct Check {
-    /// The folder with the answer files, or a folder whose subfolder `src` has them [default: the
-    /// current folder if it has answer files, else the assignment's folder `handout`]
+    /// The folder with the answer files, or a folder that has them in its `src` folder [default: the
+    /// current folder if it has answer files, else the assignment's `handout` folder]
     pub dir: Option<PathBuf>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
@@ -138,7 +138,7 @@ pub struct Render {
     /// A scene file, or the name of one of the assignment's scenes
     pub scene: String,
     /// Use the answers in this folder [default: the current folder if it has answer files, else the
-    /// assignment's folder `handout`]
+    /// assignment's `handout` folder]
     #[arg(long, value_name = "DIR")]
     pub submission: Option<PathBuf>,
     #[command(flatten)]
@@ -159,8 +159,8 @@ pub struct Render {
 /// Explain one pixel in words
 ///
 /// Shows your ray beside the expected one: first where each crosses the image plane, then the rays
-/// themselves, in camera space and in world space. After that, you see what your code answers for
-/// each object, everything that it printed, and your first hit. If Mitsuba has rendered this scene,
+/// themselves, in camera space and in world space. After that, you see what your code returned for
+/// each object, everything that it printed, and your first hit. If Mitsuba has rendered the scene,
 /// you also see Mitsuba's ray and first hit.
 ///
 /// Try: cargo pinhole explain slide_example 2 3
@@ -175,7 +175,7 @@ pub struct Explain {
     #[command(flatten)]
     pub assignment: AssignmentOption,
     /// Explain the answers in this folder [default: the current folder if it has answer files, else
-    /// the assignment's folder `handout`]
+    /// the assignment's `handout` folder]
     #[arg(long, value_name = "DIR")]
     pub submission: Option<PathBuf>,
     #[command(flatten)]
@@ -273,8 +273,8 @@ pub struct Diff {
 pub struct Reset {
     /// The task
     pub task: String,
-    /// The folder with the answer files, or a folder whose subfolder `src` has them [default: the
-    /// current folder if it has answer files, else the assignment's folder `handout`]
+    /// The folder with the answer files, or a folder that has them in its `src` folder [default: the
+    /// current folder if it has answer files, else the assignment's `handout` folder]
     pub dir: Option<PathBuf>,
     #[command(flatten)]
     pub assignment: AssignmentOption,

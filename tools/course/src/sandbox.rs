@@ -98,7 +98,7 @@ pub enum Choice {
     Auto,
     /// Linux namespaces, made by the program bubblewrap
     Bubblewrap,
-    /// Another user id and Landlock, a security feature of the Linux kernel; only for root in a
+    /// A separate user id, and Landlock (a security feature of the Linux kernel); only for root in a
     /// container that is thrown away afterwards
     Container,
     /// Like `container`, but for kernels without Landlock; weaker, because only file permissions

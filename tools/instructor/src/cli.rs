@@ -53,28 +53,29 @@ impl Command {
     }
 }
 
-/// Grade a class of submissions
+/// Grade the submissions of a whole class
 ///
 /// Each path is a submission (a folder, .zip or .tar.gz with the answer files), a folder of
-/// submissions, or a class as a learning platform exports it. The result and the report of each
+/// submissions, or a class's submissions as exported by a learning platform. The result and the report of each
 /// submission are written to OUT/submissions, and the results of the whole class to OUT/grades.csv
 /// and OUT/class.html. All code runs in a sandbox.
 ///
-/// You can stop `grade` at any time and run it again. It continues where it stopped, and grades
-/// again only what has changed. If a submission can't be graded because the machine or Pinhole
-/// fails, it is listed first. It has no mark, which is not the same as a zero, and the exit code is
-/// 3.
+/// You can stop `grade` at any time and run it again. It continues where it left off, and
+/// regrades only what has changed. Submissions that can't be graded because the machine or Pinhole
+/// failed are listed first. They get no mark, which is not the same as a zero. In this case, the
+/// exit code is 3.
 ///
-/// The end of the output and the top of class.html list what you should look at: submissions that
-/// lack files, could belong to several people, or belong to nobody on the roster, and files that
-/// are part of no submission. If there are any, the exit code is 1.
+/// The end of the output and the top of class.html list what you should look at: files that are
+/// part of no submission, and submissions that lack files, that could belong to several people, or
+/// that belong to nobody on the roster. If anything is listed there, the exit code is 1.
 ///
 /// If Mitsuba is installed, `grade` also asks fresh questions, which are drawn from a new seed and
-/// are the same for the whole class. A submission then earns a group's points only if it answers
-/// both the public and the fresh questions of that group correctly. Scenes have a limit, too: if
-/// the weakest task that a scene needs earns 60 % of its points, the scene earns at most 60 % of
-/// its own. But random scenes are drawn, too, along with the fresh questions. If these need the
-/// same tasks and earn a larger share of their points, the limit is that larger share.
+/// are the same for the whole class. A submission then earns the points for a group of
+/// questions only if it answers both the public and the fresh questions in that group correctly. A
+/// scene's points are limited by its tasks: if the weakest task that the scene needs earns 60 % of
+/// its points, the scene earns at most 60 % of its own. Along with the fresh questions, `grade`
+/// also makes random scenes. If those that need the same tasks earn a larger share of their points
+/// than the weakest task, this larger share is the limit.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions
@@ -96,8 +97,8 @@ pub struct Grade {
     /// golden render SCENE.toml --out DIR` makes them
     #[arg(long, value_name = "DIR")]
     pub golden: Option<PathBuf>,
-    /// How much results and reports show about what students don't have: fresh questions, withheld
-    /// scenes, and the films of --golden
+    /// How much detail results and reports give about what students don't have: fresh questions,
+    /// withheld scenes, and the films given with --golden
     #[arg(long, value_enum, default_value_t)]
     pub reveal: Reveal,
     /// Draw fresh questions from this seed [default: the seed of OUT/fresh; if there is none, or
@@ -130,8 +131,9 @@ pub struct Grade {
     #[arg(long, value_name = "K/N", value_parser = shard)]
     pub shard: Option<(usize, usize)>,
     /// Limit each task and scene to this many seconds of processor time, or to a hundred times what
-    /// the reference takes, whichever is more. If a task or scene exceeds its limit, the submission
-    /// is graded again at the end, alone. Only what exceeds its limit again counts as timed out
+    /// our own solution takes, whichever is more. If a task or scene exceeds its limit, the
+    /// submission is graded again at the end, with nothing else running. Only tasks and scenes that
+    /// exceed their limit a second time count as timed out
     #[arg(long, value_name = "SECONDS", default_value_t = 4,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,

@@ -20,10 +20,10 @@ use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
 use pinhole_course::mitsuba::{self, RenderResult};
 use pinhole_course::private::{is_private, make_private};
-use pinhole_course::shell::in_shell;
 use pinhole_course::progress::Progress;
 use pinhole_course::run_options::AssignmentOption;
 use pinhole_course::seed::Seed;
+use pinhole_course::shell::in_shell;
 use pinhole_report::program::Status;
 
 /// The seed of the committed questions and ties.

@@ -30,7 +30,7 @@ pub fn grade<T: AsRef<str>>(paragraphs: &[T]) -> Option<f64> {
     (sentences > 0).then(|| 0.39 * share(words, sentences) + 11.8 * share(syllables, words) - 15.59)
 }
 
-/// Counts groups of vowels, without a silent e at the end; at least one.
+/// Counts groups of vowels, ignoring a silent e at the end. Returns at least 1.
 fn syllables_of(word: &str) -> usize {
     let letters: Vec<char> = word
         .to_lowercase()

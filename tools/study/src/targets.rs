@@ -81,7 +81,7 @@ pub fn targets(findings: &Findings) -> Vec<Target> {
             2,
         ),
         cost(
-            "plans: time ÷ time for exact objects alone",
+            "plans: time ÷ time with exact objects only",
             [any, 1.0],
             ratio(|it| it.nanoseconds / it.exact_ids),
             2,
@@ -93,7 +93,7 @@ pub fn targets(findings: &Findings) -> Vec<Target> {
             2,
         ),
         cost(
-            "planning: time ÷ time for a film in plain f64, with its tree",
+            "planning: time ÷ time to build a tree and render a film in plain f64",
             [any, 1.0],
             ratio(|it| it.planning / (it.plain_tree + it.plain)),
             2,

@@ -164,10 +164,10 @@ fn space(root: &Path) -> Finding {
     };
     Finding::required(
         "space",
-        "to build in the folder `target`",
+        "to build in the `target` folder",
         found,
         &format!(
-            "free disk space until there are {ENOUGH_SPACE} GB; `cargo clean` removes old builds"
+            "free up disk space until {ENOUGH_SPACE} GB are available; `cargo clean` removes old builds"
         ),
     )
 }
@@ -199,7 +199,7 @@ fn browser() -> Finding {
         "browser",
         "to look at reports and the book",
         found.map(str::to_owned).ok_or_else(|| "none found".into()),
-        "install one, or copy target/pinhole/report.html to a machine that has one",
+        "install a browser, or copy target/pinhole/report.html to a machine that has one",
     )
 }
 
@@ -221,7 +221,7 @@ fn sandbox(checkout: &Checkout) -> Finding {
     };
     Finding::optional(
         "sandbox",
-        "to run other people's code: in `grade`, and in `check` on a folder outside the repository",
+        "to run other people's code, with `grade` or with `check` and a folder outside the repository",
         found,
         &remedy,
     )
@@ -248,7 +248,7 @@ fn landlock() -> Finding {
                     .into(),
             ),
         },
-        "boot Linux 5.13 or newer, with `landlock` in the list of the kernel parameter `lsm=`",
+        "boot Linux 5.13 or newer, with `landlock` listed in the kernel parameter `lsm=`",
     )
 }
 
@@ -268,7 +268,7 @@ fn seccomp() -> Finding {
 fn renderer(checkout: &Checkout) -> Finding {
     Finding::optional(
         "Mitsuba",
-        "to render goldens, and to make fresh questions for `grade`",
+        "to render golden films, and to make fresh questions for `grade`",
         mitsuba_version(checkout),
         "run `cargo pinhole golden setup`",
     )

@@ -298,7 +298,9 @@ mod tests {
             fresh_folder: None,
             answers: Default::default(),
         };
-        cache.put(&record, "first", &evidence).expect("there is room");
+        cache
+            .put(&record, "first", &evidence)
+            .expect("there is room");
         assert_eq!(cache.get("ada"), Some(record.clone()));
         // Storing the second grade ends early, because its report can't be put in place.
         let report = cache.of("ada").join("report.html");

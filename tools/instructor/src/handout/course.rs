@@ -82,7 +82,7 @@ fn add_scenes(files: &mut Files, assignment: &Assignment, folder: &str) -> Resul
         let inside = path.strip_prefix(&assignment.folder).map_err(|_| {
             Error::input(
                 format!("{} lies outside the assignment", path.display()),
-                "put meshes of public scenes into the folder `scenes/meshes`",
+                "put meshes of public scenes into the `scenes/meshes` folder",
             )
         })?;
         let inside = inside.to_string_lossy().replace('\\', "/");
