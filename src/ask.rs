@@ -15,7 +15,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::time::{Duration, Instant};
 
-use crate::job::{CHUNK, Job, MOST_PANIC_TEXT};
+use crate::job::{CHUNK, Job, MOST_PANIC_TEXT, Message};
 use crate::serve::{ENOUGH_ERRORS, ENOUGH_OUTPUT};
 pub use ending::{Death, Ending};
 pub use reply::Reply;
@@ -117,8 +117,8 @@ pub fn ask_watched(
 
     let mut reply = Reply::before(job);
     let ended = exchange.converse(job, clock, MOST_MESSAGE, &mut |message| {
-        if reply.start.is_zero() {
-            reply.start = spawned.elapsed();
+        if message == Message::Started {
+            reply.start.get_or_insert(spawned.elapsed());
         }
         let next = reply.take(job, message)?;
         if !matches!(next, Next::Send(_)) {

@@ -170,6 +170,8 @@ pub enum Message {
     /// The place of a question that is still being answered. The asker wants to know it when it
     /// gives up.
     StillAt(usize),
+    /// The submission has read the job, and begins to answer. Nothing comes before this.
+    Started,
 }
 
 /// A message holds at most this many answers. They are few enough for smooth progress.

@@ -205,6 +205,7 @@ fn answer_job(
     out: &Mutex<impl Write + Send>,
     progress: &Progress,
 ) -> io::Result<()> {
+    job::send(&Message::Started, &mut *lock(out))?;
     panic::set_hook(Box::new(remember));
 
     let stop = AtomicBool::new(false);

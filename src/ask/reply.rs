@@ -33,8 +33,8 @@ pub struct Reply {
     pub ending: Ending,
     /// The place of a question that was still being answered at the end, if that is known.
     pub still_at: Option<usize>,
-    /// How long it took to start: until the first answers came.
-    pub start: Duration,
+    /// How long it took to start, until the submission had read the job; `None` if it never did.
+    pub start: Option<Duration>,
     /// What the student's code printed, standard output and error, cut at
     /// [`MOST_PRINTED`](super::MOST_PRINTED) bytes each.
     pub printed: String,
@@ -53,7 +53,7 @@ impl Reply {
             searches: Vec::new(),
             ending: Ending::Complete,
             still_at: None,
-            start: Duration::ZERO,
+            start: None,
             printed: String::new(),
         }
     }
@@ -229,6 +229,8 @@ impl Reply {
                 self.ending = Ending::Unregistered(kind);
                 Ok(Next::End)
             }
+            // The asker notes when this comes.
+            Message::Started => Ok(Next::Receive),
             Message::StillAt(_) => {
                 Err("it reported its current question without being asked".into())
             }

@@ -82,7 +82,7 @@ fn film_that_claims_more_pixels_than_it_holds_is_refused() {
     }
     refused(
         claiming(&small(), 1 << 12, 1 << 12),
-        "claims 4096×4096 pixels",
+        "claims to have 4096×4096 pixels",
     );
 }
 
@@ -91,7 +91,7 @@ fn a_film_that_claims_more_than_memory_holds_is_refused() {
     // The file is long enough that compression could explain the size it claims.
     let padding = vec![0; 4 << 20];
     let bytes = [claiming(&small(), 1 << 14, 1 << 14), padding].concat();
-    refused(bytes, "claims 16384×16384 pixels");
+    refused(bytes, "claims to have 16384×16384 pixels");
 }
 
 #[test]

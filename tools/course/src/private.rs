@@ -30,13 +30,14 @@ pub fn make_private(folder: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Whether nobody else on the machine can read a folder. False if it isn't there.
+/// Whether a folder is ours, and nobody else on the machine can read it. False if it isn't there.
 #[cfg_attr(not(unix), expect(unused_variables))]
 pub fn is_private(folder: &Path) -> bool {
     #[cfg(unix)]
     {
-        let mode = |it: fs::Metadata| std::os::unix::fs::PermissionsExt::mode(&it.permissions());
-        fs::metadata(folder).is_ok_and(|it| mode(it) & 0o077 == 0)
+        use std::os::unix::fs::MetadataExt;
+        let user = rustix::process::geteuid().as_raw();
+        fs::metadata(folder).is_ok_and(|it| it.uid() == user && it.mode() & 0o077 == 0)
     }
     #[cfg(not(unix))]
     true

@@ -59,6 +59,10 @@ use watch::{ExceededLimit, Watch};
 const SIGXCPU: i32 = 24;
 const SIGKILL: i32 = 9;
 
+/// How often a program is started that ends before it reads its job. If it never reads it, the
+/// program itself is to blame, for instance because it is too large to be loaded.
+const MOST_STARTS: u32 = 4;
+
 /// Turns this process into a confined program if it was started as one. Both sandboxes start this
 /// program again inside, with the argument `confine`, so every binary must call this function
 /// first. Returns only if the process was not started this way, or if confining it failed.
@@ -310,6 +314,26 @@ impl Sandbox {
         stop: Stop,
         progress: &mut dyn FnMut(usize),
     ) -> io::Result<Reply> {
+        let mut ask = || self.ask_once(executable, job, limits, stop.clone(), progress);
+        for _ in 1..MOST_STARTS {
+            let reply = ask()?;
+            if reply.start.is_some() || !matches!(reply.ending, Ending::Died(_)) {
+                return Ok(reply);
+            }
+            // Perhaps the machine could not make another sandbox at that moment.
+            self.self_test()?;
+        }
+        ask()
+    }
+
+    fn ask_once(
+        &self,
+        executable: &Path,
+        job: &Job,
+        limits: &Limits,
+        stop: Stop,
+        progress: &mut dyn FnMut(usize),
+    ) -> io::Result<Reply> {
         let mut limits = self.within_budget(limits);
         match self.time_left() {
             Ok(left) => limits.wall = limits.wall.min(left),
@@ -366,8 +390,7 @@ impl Sandbox {
                 {
                     reply.ending = Ending::TimedOut(limits.cpu);
                 }
-                // Perhaps the program was never started because the sandbox doesn't work.
-                None => self.self_test()?,
+                None => {}
             }
         }
         if let Ending::TimedOut(_) = reply.ending {

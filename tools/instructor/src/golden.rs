@@ -152,17 +152,18 @@ pub fn make(
     fs::create_dir_all(&folder).or_fail(&cannot_make)?;
     // Nobody may read fresh questions before they are asked.
     if arguments.out.is_some() && arguments.seed.is_some() {
-        let mut entries = fs::read_dir(&folder).or_fail(&cannot_make)?;
-        if entries.next().is_none() {
+        let is_empty = fs::read_dir(&folder)
+            .or_fail(&cannot_make)?
+            .next()
+            .is_none();
+        if is_empty {
             make_private(&folder).or_fail(&cannot_make)?;
-        } else if !is_private(&folder) {
+        }
+        if !is_private(&folder) {
             return Err(Error::input(
+                format!("others on this machine can read {}", folder.display()),
                 format!(
-                    "{} is not empty, and others on this machine can read it",
-                    folder.display()
-                ),
-                format!(
-                    "name a new folder with --out, or close this one: chmod go-rwx {}",
+                    "name a new folder with --out, or, if this one is yours: chmod go-rwx {}",
                     in_shell(&folder.display().to_string())
                 ),
             ));

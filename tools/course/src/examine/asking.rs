@@ -183,7 +183,8 @@ impl Examiner<'_> {
                 (self.progress)(what, done as f64 / job.len().max(1) as f64);
             })
         })?;
-        timings::add("start programs (part of asking)", reply.start);
+        let start = reply.start.unwrap_or_default();
+        timings::add("start programs (part of asking)", start);
         Ok(reply)
     }
 }

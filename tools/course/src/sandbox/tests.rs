@@ -4,6 +4,25 @@ use pinhole::ask::Death;
 
 use super::*;
 
+/// How often a program was started that ran these shell commands, and how it ended.
+fn starts(lines: &str) -> (usize, Ending) {
+    let folder = tempfile::tempdir().expect("there is room");
+    let count = folder.path().join("count");
+    let lines = format!("echo >> {0}; {lines}", count.display());
+    let ending = ending(&lines, Duration::from_secs(30));
+    let count = std::fs::read_to_string(&count).expect("it was started");
+    (count.len(), ending)
+}
+
+#[test]
+fn program_that_never_read_its_job_is_started_again() {
+    let died = |code| Ending::Died(Death::Exit(code));
+    assert_eq!(starts("exit 1"), (MOST_STARTS as usize, died(1)));
+    // The bytes are Message::Started.
+    let read = "printf '\\001\\0\\0\\0\\005' >&0; exit 3";
+    assert_eq!(starts(read), (1, died(3)));
+}
+
 /// How a program ends if it runs these shell commands instead of answering, with this limit on its
 /// processor time.
 fn ending(lines: &str, cpu: Duration) -> Ending {

@@ -56,26 +56,32 @@ impl ResultCache {
         read(&self.of(id).join("result.json")).filter(Record::is_graded)
     }
 
-    /// Stores a finished grade. If this process is killed meanwhile, either the old grade is there
-    /// or the new one, or none: a result is never beside another grade's report.
+    /// Stores a finished grade. If that fails or this process is killed, the old grade is there, or
+    /// the new one, or none, but never a result beside another grade's report.
     pub fn put(&self, record: &Record, report: &str, evidence: &Evidence) -> Result<()> {
         let folder = self.of(&record.id);
         let result = folder.join("result.json");
         let files = [
-            (self.path(&Evidence::file(&record.id)), pretty(evidence)?),
             (folder.join("report.html"), report.into()),
+            (self.path(&Evidence::file(&record.id)), pretty(evidence)?),
             (result.clone(), pretty(record)?),
         ];
         for (path, content) in &files {
             write_beside(path, content.as_bytes())?;
         }
-        let _is_first = fs::remove_file(&result);
+        let old = folder.join("result.json.old");
+        let _is_first = fs::rename(&result, &old);
         flush_folder(&result)?;
-        for (path, _) in &files {
-            fs::rename(beside(path), path)
-                .or_fail(&cannot_write(path))
-                .and_then(|()| flush_folder(path))?;
+        for (place, (path, _)) in files.iter().enumerate() {
+            if let Err(error) = fs::rename(beside(path), path) {
+                if place == 0 {
+                    let _was_first = fs::rename(&old, &result);
+                }
+                return Err(cannot_write(path).because(error));
+            }
+            flush_folder(path)?;
         }
+        let _was_first = fs::remove_file(&old);
         self.forget_fault(&record.id);
         Ok(())
     }
@@ -302,13 +308,19 @@ mod tests {
             .put(&record, "first", &evidence)
             .expect("there is room");
         assert_eq!(cache.get("ada"), Some(record.clone()));
-        // Storing the second grade ends early, because its report can't be put in place.
+        // Storing the second grade fails before or after the old report is gone.
         let report = cache.of("ada").join("report.html");
-        fs::remove_file(&report).expect("it is there");
-        fs::create_dir(&report).expect("there is room");
-        let failed = cache.put(&graded("ada", 0, 1), "second", &evidence);
-        assert!(failed.is_err());
-        assert_eq!(cache.get("ada"), None);
+        for (spoilt, old) in [
+            (report, Some(record.clone())),
+            (cache.path(&Evidence::file("ada")), None),
+        ] {
+            fs::remove_file(&spoilt).expect("it is there");
+            fs::create_dir(&spoilt).expect("there is room");
+            let failed = cache.put(&graded("ada", 0, 1), "second", &evidence);
+            assert!(failed.is_err());
+            assert_eq!(cache.get("ada"), old);
+            fs::remove_dir(&spoilt).expect("it is empty");
+        }
     }
 
     #[test]

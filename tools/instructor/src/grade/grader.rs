@@ -82,8 +82,8 @@ impl Grader<'_> {
     /// Grades a submission. If the grader itself fails, the record says so, the submission gets
     /// no mark instead of a zero, and other submissions are still graded.
     ///
-    /// `None` if an answer or the compiler took too long and the submission was not `alone`: see
-    /// [`clock`].
+    /// `None` if an answer or the compiler took too long, or the grader failed, and the submission
+    /// was not `alone`: see [`clock`].
     pub fn grade(&self, entry: &Entry, submission: &Submission, alone: bool) -> Option<Grade> {
         let clock = SubmissionClock::new(self.pace, alone);
         let work = AssertUnwindSafe(|| self.try_grade(entry, submission, &clock));
@@ -92,7 +92,8 @@ impl Grader<'_> {
                 graded.record.timings.second_runs = u32::from(alone);
                 return Some(graded);
             }
-            Ok(Err(_)) if clock.was_late() => return None,
+            // Perhaps there were too many processes for the machine.
+            Ok(Err(_)) | Err(_) if !alone => return None,
             Ok(Err(error)) => error.to_string(),
             Err(_) => "the grader itself failed; please report it".into(),
         };
@@ -144,7 +145,7 @@ impl Grader<'_> {
         let compiler = self.compiler.apart(&sandbox, folder.folder.clone());
         let compiler = compiler.stopping_when_late(!clock.is_alone());
         let program = match compiler.compile_until(submission, &mut |_| false)? {
-            Attempt::Late => return Err(clock.late()),
+            Attempt::Late => return Err(SubmissionClock::late()),
             Attempt::Enough => unreachable!("compiling is never stopped early"),
             Attempt::Program(program) => program,
         };

@@ -1,6 +1,7 @@
 //! Goldens: they can be rendered again, and match what they were made from.
 
 use std::fs;
+use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 
 use pinhole_testing::{
@@ -209,4 +210,15 @@ fn goldens_of_other_scenes_need_a_folder_of_their_own() {
     pinhole(&["golden", "render", "no_such_scene"])
         .expect_code(2)
         .expect_err("there is no scene");
+}
+
+#[test]
+fn fresh_questions_are_not_made_where_others_can_read_them() {
+    let folder = fresh(&trusted(), "readable");
+    fs::set_permissions(&folder, fs::Permissions::from_mode(0o755)).expect("it is ours");
+    fs::write(folder.join("notes"), "").expect("there is room");
+    let render = ["golden", "render", "--seed", "1", "--out", plain(&folder)];
+    pinhole(&render)
+        .expect_code(2)
+        .expect_err("others on this machine can read");
 }

@@ -5,10 +5,9 @@
 //! the compiler exceeds its limit while other submissions are graded, the whole submission is put
 //! off. When all others are done, it is graded again with nothing else running. Only what
 //! exceeds its limit then, too, has timed out. The same goes for a program that dies, because the
-//! system may have killed it for lack of memory, or the sandbox may not have started.
+//! system may have killed it for lack of memory, and for a failure of the grader or the sandbox.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use pinhole::ask::{Ending, Reply};
@@ -136,17 +135,12 @@ pub struct SubmissionClock<'a> {
     pace: &'a Pace,
     /// Whether nothing else is graded at the same time.
     alone: bool,
-    late: AtomicBool,
 }
 
 impl<'a> SubmissionClock<'a> {
-    /// A clock for which nothing has exceeded its limit yet.
+    /// A clock for a submission that is graded alone, or beside others.
     pub fn new(pace: &'a Pace, alone: bool) -> SubmissionClock<'a> {
-        SubmissionClock {
-            pace,
-            alone,
-            late: AtomicBool::new(false),
-        }
+        SubmissionClock { pace, alone }
     }
 
     /// Whether nothing else is graded at the same time.
@@ -156,17 +150,11 @@ impl<'a> SubmissionClock<'a> {
 
     /// The error that ends the examination, because something exceeded its limit while other
     /// submissions were graded.
-    pub fn late(&self) -> Error {
-        self.late.store(true, Ordering::Relaxed);
+    pub fn late() -> Error {
         Error::environment(
             "it exceeded its time limit, or died, while other submissions were graded",
             "grade the submission again, alone",
         )
-    }
-
-    /// Whether something exceeded its limit. If so, the submission must be graded again, alone.
-    pub fn was_late(&self) -> bool {
-        self.late.load(Ordering::Relaxed)
     }
 }
 
@@ -177,11 +165,10 @@ impl Clock for SubmissionClock<'_> {
 
     /// Ends the examination if an answer exceeded its limit while other submissions were graded, or
     /// its process died, because their use of the machine may have been the reason.
-    /// [`was_late`](SubmissionClock::was_late) then returns true.
     fn check(&self, reply: &Reply) -> Result<()> {
         match reply.ending {
             Ending::TimedOut(_) | Ending::OutOfTime(_) | Ending::Died(_) if !self.alone => {
-                Err(self.late())
+                Err(Self::late())
             }
             _ => Ok(()),
         }
@@ -222,7 +209,6 @@ mod tests {
         for killed in [Death::Signal(9), Death::Exit(1)] {
             let beside = SubmissionClock::new(&pace, false);
             assert!(beside.check(&reply(Ending::Died(killed.clone()))).is_err());
-            assert!(beside.was_late());
             let alone = SubmissionClock::new(&pace, true);
             assert!(alone.check(&reply(Ending::Died(killed))).is_ok());
         }
